@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_EDGE_WEIGHTS_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_EDGE_WEIGHTS_H
+
+#include <CGAL/Spherical_parameterization/internal/named_parameters.h>
+#include <CGAL/Spherical_parameterization/internal/point_coordinates.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+
+/// \name Spring weights
+/// Readable property maps from edges to double, computed on access. They keep references: the mesh must outlive them.
+/// Any other readable map from edges to positive numbers can take their place.
+/// @{
+
+/// w = 1 for every edge: each vertex goes to the projected mean of its neighbours. Depends on the connectivity alone.
+template <class TriangleMesh>
+class Barycentric_weight_map {
+public:
+  typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor key_type;
+  typedef double value_type;
+  typedef double reference;
+  typedef boost::readable_property_map_tag category;
+
+  friend double get(const Barycentric_weight_map&, const key_type&) { return 1; }
+};
+
+/// w = (cot alpha + cot beta) / 2, alpha and beta the angles opposite to the edge, each clamped to [minimum, maximum]
+/// degrees: inside (0, 90) this keeps all weights positive, also at faces without area (whose angles count as 0 or 180
+/// degrees). The map is conformal up to discretisation and clamping.
+template <class TriangleMesh, class VertexPointMap>
+class Conformal_weight_map {
+  typedef boost::graph_traits<TriangleMesh> Graph_traits;
+
+public:
+  typedef typename Graph_traits::edge_descriptor key_type;
+  typedef double value_type;
+  typedef double reference;
+  typedef boost::readable_property_map_tag category;
+
+  /// \pre 0 < minimum_angle <= maximum_angle < 90, in degrees
+  Conformal_weight_map(const TriangleMesh& mesh, VertexPointMap points, double minimum_angle, double maximum_angle)
+    : mesh_(&mesh), points_(points), largest_(cotangent_of_degrees(minimum_angle)),
+      smallest_(cotangent_of_degrees(maximum_angle))
+  {
+    CGAL_precondition(0 < minimum_angle && minimum_angle <= maximum_angle && maximum_angle < 90);
+  }
+
+  friend double get(const Conformal_weight_map& m, const key_type& e)
+  {
+    const auto h = halfedge(e, *m.mesh_);
+    return (m.opposite_cotangent(h) + m.opposite_cotangent(opposite(h, *m.mesh_))) / 2;
+  }
+
+private:
+  static double cotangent_of_degrees(double angle) { return 1 / std::tan(angle * std::acos(-1.) / 180); }
+
+  double opposite_cotangent(typename Graph_traits::halfedge_descriptor h) const
+  {
+    const internal::vec3 apex = internal::coordinates(get(points_, target(next(h, *mesh_), *mesh_)));
+    internal::vec3 a = internal::sub(internal::coordinates(get(points_, source(h, *mesh_))), apex);
+    internal::vec3 b = internal::sub(internal::coordinates(get(points_, target(h, *mesh_))), apex);
+    a = internal::scaled_to_unit_box(a);
+    b = internal::scaled_to_unit_box(b);
+    const internal::vec3 normal = internal::outer(a, b);
+    const double sine = std::sqrt(internal::inner(normal, normal));
+    const double cosine = internal::inner(a, b);
+    if(sine == 0)
+      return cosine < 0 ? smallest_ : largest_;
+    return (std::min)(largest_, (std::max)(smallest_, cosine / sine));
+  }
+
+  const TriangleMesh* mesh_;
+  VertexPointMap points_;
+  double largest_, smallest_;
+};
+
+/// M. Floater, "Mean value coordinates", CAGD 20 (2003), symmetrised: the coordinates (tan a/2 + tan b/2) / |e| of either
+/// end with respect to the other, a and b the angles at it next to the edge, are averaged, since a spring has one weight.
+/// Not defined at faces without area.
+template <class TriangleMesh, class VertexPointMap>
+class Mean_value_weight_map {
+  typedef boost::graph_traits<TriangleMesh> Graph_traits;
+  typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
+
+public:
+  typedef typename Graph_traits::edge_descriptor key_type;
+  typedef double value_type;
+  typedef double reference;
+  typedef boost::readable_property_map_tag category;
+
+  Mean_value_weight_map(const TriangleMesh& mesh, VertexPointMap points) : mesh_(&mesh), points_(points) {}
+
+  friend double get(const Mean_value_weight_map& m, const key_type& e)
+  {
+    const halfedge_descriptor h = halfedge(e, *m.mesh_);
+    const internal::vec3 d = internal::sub(m.point(target(h, *m.mesh_)), m.point(source(h, *m.mesh_)));
+    const double length = std::hypot(d.x, d.y, d.z);
+    return (m.half_tangents(h) + m.half_tangents(opposite(h, *m.mesh_))) / (2 * length);
+  }
+
+private:
+  internal::vec3 point(typename Graph_traits::vertex_descriptor v) const
+  {
+    return internal::coordinates(get(points_, v));
+  }
+
+  /// tan a/2 + tan b/2 of the two angles at the source of h next to it
+  double half_tangents(halfedge_descriptor h) const
+  {
+    const auto origin = source(h, *mesh_);
+    const auto end = target(h, *mesh_);
+    return half_tangent(origin, end, target(next(h, *mesh_), *mesh_)) +
+           half_tangent(origin, end, target(next(opposite(h, *mesh_), *mesh_), *mesh_));
+  }
+
+  double half_tangent(typename Graph_traits::vertex_descriptor origin, typename Graph_traits::vertex_descriptor p,
+                      typename Graph_traits::vertex_descriptor q) const
+  {
+    const internal::vec3 a = internal::scaled_to_unit_box(internal::sub(point(p), point(origin)));
+    const internal::vec3 b = internal::scaled_to_unit_box(internal::sub(point(q), point(origin)));
+    const internal::vec3 normal = internal::outer(a, b);
+    const double sine = std::sqrt(internal::inner(normal, normal));
+    const double lengths = std::sqrt(internal::inner(a, a) * internal::inner(b, b));
+    return sine / (lengths + internal::inner(a, b)); // tan x/2 = sin x / (1 + cos x)
+  }
+
+  const TriangleMesh* mesh_;
+  VertexPointMap points_;
+};
+
+/// Weights 1; the map is barycentric.
+template <class TriangleMesh>
+Barycentric_weight_map<TriangleMesh> barycentric_weights(const TriangleMesh&)
+{
+  return {};
+}
+
+/// Clamped cotangent weights, the default of `parameterize()`.
+/// \param np  `vertex_point_map`
+template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
+auto conformal_weights(const TriangleMesh& mesh, double minimum_angle = 5, double maximum_angle = 85,
+                       const NamedParameters& np = parameters::default_values())
+{
+  const auto points = internal::vertex_points(mesh, np);
+  return Conformal_weight_map<TriangleMesh, std::decay_t<decltype(points)>>(mesh, points, minimum_angle, maximum_angle);
+}
+
+/// Symmetrised mean value weights.
+/// \param np  `vertex_point_map`
+template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
+auto mean_value_weights(const TriangleMesh& mesh, const NamedParameters& np = parameters::default_values())
+{
+  const auto points = internal::vertex_points(mesh, np);
+  return Mean_value_weight_map<TriangleMesh, std::decay_t<decltype(points)>>(mesh, points);
+}
+/// @}
+
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_EDGE_WEIGHTS_H

@@ -1,0 +1,359 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_HOST_BACKEND_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_HOST_BACKEND_H
+
+#include <CGAL/Spherical_parameterization/execution.h>
+#include <CGAL/Spherical_parameterization/internal/Weighted_graph.h>
+#include <CGAL/Spherical_parameterization/internal/vertex_formulas.h>
+
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+/// The sums that decide about balance: s = sum m_i v_i and S = sum m_i v_i v_i^T (xx, xy, xz, yy, yz, zz).
+struct Moments {
+  std::array<double, 3> first{};
+  std::array<double, 6> second{};
+};
+
+/// The verbs of a backend whose memory is the host's. `Loop::for_each(count, f)` runs f(0) ... f(count-1) in any order;
+/// it is all that differs between one core and all cores.
+///
+/// Sums are taken over blocks of fixed size, and the blocks are added in order: a result does not depend on how many
+/// threads there are. Arguments that are written come last; they must not alias the ones that are read, except where a
+/// verb says "in place".
+template <class Loop>
+class Host_backend {
+public:
+  template <class T>
+  using Array = std::vector<T>;
+  using Vectors = Array<vec3>;
+  using Scalars = Array<double>;
+  using Matrix = Weighted_graph;
+  using Transfer = Sparse_matrix;
+  using Colouring = std::vector<std::vector<int>>;
+
+  explicit Host_backend(Loop loop = Loop()) : loop_(std::move(loop)) {}
+
+  /// \name Memory
+  /// @{
+  Vectors vectors(int n) const { return Vectors(n, vec3{0, 0, 0}); }
+  template <class T>
+  Array<T> upload(std::vector<T> host) const { return host; }
+  Matrix upload(Weighted_graph host) const { return host; }
+  Transfer upload(Sparse_matrix host) const { return host; }
+  const Vectors& download(const Vectors& x) const { return x; }
+  Colouring colouring(Colouring colours) const { return colours; }
+  /// @}
+
+  /// \name Linear algebra
+  /// @{
+  /// returns x . y
+  double dot(const Vectors& x, const Vectors& y) const
+  {
+    return sum<1>(x.size(), [&](int i, auto& s) { s[0] += inner(x[i], y[i]); })[0];
+  }
+
+  /// y = A x; returns x . y
+  double multiply(const Matrix& a, const Vectors& x, Vectors& y) const
+  {
+    const graph_view g = a.view();
+    return sum<1>(x.size(), [&](int i, auto& s) {
+      y[i] = laplacian(i, g, x.data());
+      s[0] += inner(x[i], y[i]);
+    })[0];
+  }
+
+  /// x += alpha p and r -= alpha q, in place; returns r . r
+  void descend(double alpha, const Vectors& p, const Vectors& q, Vectors& x, Vectors& r) const
+  {
+    for_each(x.size(), [&](int i) {
+      x[i] = add_scaled(x[i], alpha, p[i]);
+      r[i] = add_scaled(r[i], -alpha, q[i]);
+    });
+  }
+
+  /// p = s + beta p, in place
+  void conjugate(double beta, const Vectors& s, Vectors& p) const
+  {
+    for_each(p.size(), [&](int i) { p[i] = add_scaled(s[i], beta, p[i]); });
+  }
+
+  /// x . A x / 2, positive definite to the last digit
+  double energy(const Matrix& a, const Vectors& x) const
+  {
+    const graph_view g = a.view();
+    return sum<1>(x.size(), [&](int i, auto& s) { s[0] += spring_density(i, g, 2, x.data()); })[0] / 2;
+  }
+
+  /// r = b - A x
+  void residual(const Matrix& a, const Vectors& b, const Vectors& x, Vectors& r) const
+  {
+    const graph_view g = a.view();
+    for_each(x.size(), [&](int i) { r[i] = sub(b[i], laplacian(i, g, x.data())); });
+  }
+
+  /// First Chebyshev step from x = 0: d = x = gain D^-1 b
+  void start_chebyshev(const Matrix& a, double gain, const Vectors& b, Vectors& d, Vectors& x) const
+  {
+    for_each(x.size(), [&](int i) { x[i] = d[i] = scale(gain * a.inverse_diagonal[i], b[i]); });
+  }
+
+  /// Further step: d = keep d + gain D^-1 (b - A x), y = x + d
+  void continue_chebyshev(const Matrix& a, double keep, double gain, const Vectors& b, const Vectors& x, Vectors& d,
+                          Vectors& y) const
+  {
+    const graph_view g = a.view();
+    for_each(x.size(), [&](int i) { y[i] = chebyshev(i, g, keep, gain, b.data(), x.data(), d.data()); });
+  }
+
+  /// y = T x
+  void transfer(const Transfer& t, const Vectors& x, Vectors& y) const
+  {
+    const sparse_view s = t.view();
+    for_each(y.size(), [&](int i) { y[i] = row_times(i, s, x.data()); });
+  }
+
+  /// y += T x
+  void transfer_add(const Transfer& t, const Vectors& x, Vectors& y) const
+  {
+    const sparse_view s = t.view();
+    for_each(y.size(), [&](int i) { y[i] = add(y[i], row_times(i, s, x.data())); });
+  }
+
+  /// y = B x, B a dense square matrix by rows
+  void multiply_dense(const Scalars& b, const Vectors& x, Vectors& y) const
+  {
+    const int n = static_cast<int>(x.size());
+    for_each(n, [&](int i) {
+      vec3 r = make_vec3(0, 0, 0);
+      for(int j = 0; j < n; ++j)
+        r = add_scaled(r, b[std::size_t(i) * n + j], x[j]);
+      y[i] = r;
+    });
+  }
+  /// @}
+
+  /// \name Spring energy
+  /// @{
+  /// g = tangent gradient, density as in spring_gradient(); returns p E and the three sums of g
+  std::array<double, 4> gradient(const Matrix& a, double p, const Vectors& v, Vectors& g, Scalars& density) const
+  {
+    const graph_view w = a.view();
+    return sum<4>(v.size(), [&](int i, auto& s) {
+      g[i] = spring_gradient(i, w, p, v.data(), &density[i]);
+      s[0] += density[i];
+      s[1] += g[i].x;
+      s[2] += g[i].y;
+      s[3] += g[i].z;
+    });
+  }
+
+  /// g -= m_i P_i mu, in place; returns sum |g_i / D_i|^2
+  double balance_gradient(const Matrix& a, const Scalars& mass, vec3 mu, const Vectors& v, Vectors& g) const
+  {
+    return sum<1>(v.size(), [&](int i, auto& s) {
+      g[i] = add_scaled(g[i], -mass[i], tangent(mu, v[i]));
+      const double inverse = a.inverse_diagonal[i];
+      s[0] += inner(g[i], g[i]) * inverse * inverse;
+    })[0];
+  }
+
+  /// s = P s, in place; returns g . s and old_g . s
+  std::array<double, 2> project(const Vectors& v, const Vectors& g, const Vectors& old_g, Vectors& s) const
+  {
+    return sum<2>(v.size(), [&](int i, auto& t) {
+      s[i] = tangent(s[i], v[i]);
+      t[0] += inner(g[i], s[i]);
+      t[1] += inner(old_g[i], s[i]);
+    });
+  }
+
+  /// d = -s + beta P d, in place; returns sum m_i d_i and d . g
+  std::array<double, 4> direction(double beta, const Vectors& v, const Vectors& s, const Vectors& g,
+                                  const Scalars& mass, Vectors& d) const
+  {
+    return sum<4>(v.size(), [&](int i, auto& t) {
+      d[i] = sub(scale(beta, tangent(d[i], v[i])), s[i]);
+      t[0] += mass[i] * d[i].x;
+      t[1] += mass[i] * d[i].y;
+      t[2] += mass[i] * d[i].z;
+      t[3] += inner(d[i], g[i]);
+    });
+  }
+
+  /// d -= P y, in place, but at fixed vertices
+  void subtract_boost(const Matrix& a, vec3 y, const Vectors& v, Vectors& d) const
+  {
+    for_each(v.size(), [&](int i) {
+      if(a.inverse_diagonal[i] > 0)
+        d[i] = sub(d[i], tangent(y, v[i]));
+    });
+  }
+
+  /// Second derivative of the Lagrangian E - mu . sum m_i v_i along the geodesics with velocity d; and
+  /// sum m_i |d_i|^2
+  std::array<double, 2> curvature(const Matrix& a, double p, const Scalars& mass, vec3 mu, const Vectors& v, const Vectors& d,
+                   const Scalars& density) const
+  {
+    const graph_view w = a.view();
+    return sum<2>(v.size(), [&](int i, auto& s) {
+      s[0] += spring_curvature(i, w, p, v.data(), d.data(), density[i] - mass[i] * inner(mu, v[i]));
+      s[1] += mass[i] * inner(d[i], d[i]);
+    });
+  }
+
+  /// w = (v + alpha d) / |v + alpha d|; returns the moments of w
+  Moments retract(const Scalars& mass, double alpha, const Vectors& v, const Vectors& d, Vectors& w) const
+  {
+    return moments_of(mass, w, [&](int i) { return unit(add_scaled(v[i], alpha, d[i])); });
+  }
+
+  /// w = boost of v with centre c; returns the moments of w
+  Moments transform(const Scalars& mass, vec3 c, const Vectors& v, Vectors& w) const
+  {
+    return moments_of(mass, w, [&](int i) { return boost(v[i], c); });
+  }
+  /// @}
+
+  /// \name The published method
+  /// @{
+  /// One Jacobi sweep of Algorithm 1 from u to w.
+  void jacobi_sweep(const Matrix& a, double omega, const Vectors& v, const Vectors& u, Vectors& w) const
+  {
+    const graph_view g = a.view();
+    for_each(v.size(), [&](int i) { w[i] = saddle_point_relaxation(i, g, omega, v.data(), u.data()); });
+  }
+
+  /// One Gauss-Seidel sweep, in place, colour after colour: no two vertices of a colour are neighbours.
+  void gauss_seidel_sweep(const Matrix& a, const Colouring& colours, double omega, const Vectors& v, Vectors& u) const
+  {
+    const graph_view g = a.view();
+    for(const std::vector<int>& colour : colours)
+      for_each(colour.size(), [&](int k) {
+        const int i = colour[k];
+        u[i] = saddle_point_relaxation(i, g, omega, v.data(), u.data());
+      });
+  }
+
+  /// Squared L2 norm of P_v (u_i - neighbour mean of u): the residual of the saddle-point problem at u.
+  double saddle_point_residual2(const Matrix& a, const Vectors& v, const Vectors& u) const
+  {
+    const graph_view g = a.view();
+    return sum<1>(v.size(), [&](int i, auto& s) {
+      const vec3 step = sub(saddle_point_relaxation(i, g, 1, v.data(), u.data()), u[i]);
+      s[0] += inner(step, step);
+    })[0];
+  }
+
+  /// v = u / |u|, but at fixed vertices
+  void normalise(const Matrix& a, const Vectors& u, Vectors& v) const
+  {
+    for_each(v.size(), [&](int i) {
+      if(a.inverse_diagonal[i] > 0)
+        v[i] = unit(u[i]);
+    });
+  }
+
+  /// Squared L2 norm of the residual of eq. (2).
+  double barycentric_residual2(const Matrix& a, const Vectors& v) const
+  {
+    const graph_view g = a.view();
+    return sum<1>(v.size(), [&](int i, auto& s) {
+      const vec3 r = barycentric_residual(i, g, v.data());
+      s[0] += inner(r, r);
+    })[0];
+  }
+  /// @}
+
+private:
+  static constexpr int block_size = 1024;
+
+  template <class F>
+  void for_each(std::size_t n, F f) const
+  {
+    const int size = static_cast<int>(n);
+    loop_.for_each((size + block_size - 1) / block_size, [&](int block) {
+      const int end = std::min(size, (block + 1) * block_size);
+      for(int i = block * block_size; i < end; ++i)
+        f(i);
+    });
+  }
+
+  template <int K, class F>
+  std::array<double, K> sum(std::size_t n, F f) const
+  {
+    const int size = static_cast<int>(n);
+    std::vector<std::array<double, K>> partial((size + block_size - 1) / block_size);
+    loop_.for_each(static_cast<int>(partial.size()), [&](int block) {
+      std::array<double, K> s{};
+      const int end = std::min(size, (block + 1) * block_size);
+      for(int i = block * block_size; i < end; ++i)
+        f(i, s);
+      partial[block] = s;
+    });
+    std::array<double, K> total{};
+    for(const auto& s : partial)
+      for(int k = 0; k < K; ++k)
+        total[k] += s[k];
+    return total;
+  }
+
+  template <class F>
+  Moments moments_of(const Scalars& mass, Vectors& w, F position) const
+  {
+    const auto s = sum<9>(w.size(), [&](int i, auto& t) {
+      w[i] = position(i);
+      const double m = mass[i];
+      const vec3 p = w[i];
+      t[0] += m * p.x;
+      t[1] += m * p.y;
+      t[2] += m * p.z;
+      t[3] += m * p.x * p.x;
+      t[4] += m * p.x * p.y;
+      t[5] += m * p.x * p.z;
+      t[6] += m * p.y * p.y;
+      t[7] += m * p.y * p.z;
+      t[8] += m * p.z * p.z;
+    });
+    Moments r;
+    std::copy(s.begin(), s.begin() + 3, r.first.begin());
+    std::copy(s.begin() + 3, s.end(), r.second.begin());
+    return r;
+  }
+
+  Loop loop_;
+};
+
+/// Runs a loop on the calling thread.
+struct Sequential_loop {
+  template <class F>
+  void for_each(int count, F f) const
+  {
+    for(int i = 0; i < count; ++i)
+      f(i);
+  }
+};
+
+template <>
+class Backend<CGAL::Sequential_tag> : public Host_backend<Sequential_loop> {
+public:
+  explicit Backend(const CGAL::Sequential_tag&) {}
+  std::string device_name() const { return "one core"; }
+};
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_HOST_BACKEND_H

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_WEIGHTED_GRAPH_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_WEIGHTED_GRAPH_H
+
+#include <CGAL/Spherical_parameterization/internal/vertex_formulas.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+/// A symmetric weighted graph in compressed rows, on the host. Seen as a matrix it is the Laplacian L = D - W plus the
+/// diagonal `excess`. Rows of fixed vertices are present but inert: their inverse diagonal is 0.
+struct Weighted_graph {
+  std::vector<int> offset = {0};
+  std::vector<int> target;
+  std::vector<double> weight;
+  std::vector<double> excess;            ///< empty: zero
+  std::vector<double> inverse_diagonal;
+
+  int size() const { return static_cast<int>(offset.size()) - 1; }
+
+  graph_view view() const
+  {
+    return {offset.data(), target.data(), weight.data(), excess.empty() ? nullptr : excess.data(),
+            inverse_diagonal.data()};
+  }
+
+  /// Recomputes the inverse diagonal from weights and excess; `is_fixed` is empty or has one entry per vertex.
+  void update_diagonal(const std::vector<char>& is_fixed)
+  {
+    inverse_diagonal.resize(size());
+    for(int i = 0; i < size(); ++i) {
+      double sum = excess.empty() ? 0 : excess[i];
+      for(int k = offset[i]; k < offset[i + 1]; ++k)
+        sum += weight[k];
+      inverse_diagonal[i] = (!is_fixed.empty() && is_fixed[i]) || !(sum > 0) ? 0 : 1 / sum;
+    }
+  }
+};
+
+/// A sparse rectangular matrix in compressed rows, on the host.
+struct Sparse_matrix {
+  std::vector<int> offset = {0};
+  std::vector<int> column;
+  std::vector<double> value;
+
+  int rows() const { return static_cast<int>(offset.size()) - 1; }
+  sparse_view view() const { return {offset.data(), column.data(), value.data()}; }
+
+  Sparse_matrix transposed(int columns) const
+  {
+    Sparse_matrix t;
+    t.offset.assign(columns + 1, 0);
+    for(int c : column)
+      ++t.offset[c + 1];
+    for(int c = 0; c < columns; ++c)
+      t.offset[c + 1] += t.offset[c];
+    t.column.resize(column.size());
+    t.value.resize(value.size());
+    std::vector<int> next(t.offset.begin(), t.offset.end() - 1);
+    for(int r = 0; r < rows(); ++r)
+      for(int k = offset[r]; k < offset[r + 1]; ++k) {
+        const int at = next[column[k]]++;
+        t.column[at] = r;
+        t.value[at] = value[k];
+      }
+    return t;
+  }
+};
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_WEIGHTED_GRAPH_H

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BALANCED_SOLVER_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BALANCED_SOLVER_H
+
+#include <CGAL/Spherical_parameterization/internal/Monitor.h>
+#include <CGAL/Spherical_parameterization/internal/Multigrid.h>
+#include <CGAL/Spherical_parameterization/internal/Solver_report.h>
+#include <CGAL/Spherical_parameterization/internal/moebius.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+/// When a descent ends, and how far it steps.
+struct Descent_options {
+  double accuracy;
+  std::size_t maximum_iterations;
+  std::size_t patience = 30;     ///< so many iterations without progress are taken for a stall
+  double longest_factor = 1000;  ///< bound of the step length; 1 is the step of an exact preconditioner
+};
+
+/// Riemannian conjugate gradients on the product of spheres (F. Alouges, "A new algorithm for computing liquid crystal
+/// stable configurations: the harmonic mapping case", SIAM J. Numer. Anal. 34, 1997, descends on the same energy; the
+/// preconditioner and the treatment of the Moebius freedom are ours).
+///
+/// Balanced (`is_balanced`): minimises the spring energy subject to sum m_i v_i = 0. Both the multiplier and the way back
+/// to the constraint use the boost fields b_k = P e_k, along which the energy of a smooth map is flat:
+///   mu = N^-1 sum g_i,  r = g - m P mu,  d <- d - P N^-1 sum m_i d_i,  N = sum m_i P_i.
+/// The projection Q = 1 - b N^-1 (m b)^T is applied to r as Q^T, to the direction as Q, so that Q M^-1 Q^T stays
+/// symmetric. Moreover sum r_i = 0: r is a right-hand side for which the *singular* Laplacian is solvable, and the
+/// constant that the solution leaves open is a boost and a rotation, which Q and the energy do not see. Hence one
+/// multigrid hierarchy, that of L itself, serves start map and solve, and no shift floods the limbs.
+template <class Backend>
+class Balanced_solver {
+  typedef typename Backend::Vectors Vectors;
+  typedef typename Backend::Scalars Scalars;
+
+public:
+  /// `mass`: spherical vertex areas. They bound the steps, and define the balance.
+  Balanced_solver(const Backend& backend, const typename Backend::Matrix& matrix, Multigrid<Backend>& multigrid,
+                  double spring_exponent, bool is_balanced, const Scalars& mass)
+    : backend_(backend), matrix_(matrix), multigrid_(multigrid), exponent_(spring_exponent), is_balanced_(is_balanced),
+      mass_(mass)
+  {}
+
+  /// Descends from v; `work_before` is the share of the whole work that has been done before.
+  Solver_report solve(const Descent_options& options, Monitor& monitor, double work_before, Vectors& v)
+  {
+    constexpr double longest_step = 0.25; // root mean square over the sphere of the angles by which vertices move
+    constexpr double progress = 0.8;      // at the limit of rounding the residual falls no more
+    const int n = static_cast<int>(v.size());
+    Vectors g = backend_.vectors(n), old_g = backend_.vectors(n), s = backend_.vectors(n), d = backend_.vectors(n);
+    Vectors w = backend_.vectors(n);
+    Scalars density(n);
+    Solver_report report;
+
+    Moments moments = backend_.transform(mass_, make_vec3(0, 0, 0), v, w);
+    std::swap(v, w);
+    settle(v, w, moments);
+    Eigen::Vector4d sums = to_vector(backend_.gradient(matrix_, exponent_, v, g, density));
+    double gs = 0;
+    double first = 0, best = 0;
+    std::size_t best_at = 0;
+    for(;; ++report.iterations) {
+      const Eigen::LDLT<Eigen::Matrix3d> boosts = boost_matrix(moments).ldlt();
+      const Eigen::Vector3d mu = is_balanced_ ? Eigen::Vector3d(boosts.solve(sums.tail<3>())) : Eigen::Vector3d::Zero();
+      report.energy = sums[0] / exponent_;
+      report.residual = std::sqrt(backend_.balance_gradient(matrix_, mass_, to_vec3(mu), v, g));
+      if(report.iterations == 0)
+        first = best = report.residual;
+      if(report.residual < progress * best) {
+        best = report.residual;
+        best_at = report.iterations;
+      }
+      report.has_stalled = report.iterations >= best_at + options.patience;
+      monitor.log("solve", report.iterations, report.residual, report.energy);
+      report.has_converged = report.residual <= options.accuracy;
+      const double share = Monitor::share(report.residual, first, options.accuracy);
+      if(report.has_converged || report.has_stalled || report.iterations == options.maximum_iterations ||
+         !monitor.advance(work_before + (1 - work_before) * share))
+        return report;
+
+      multigrid_.apply(g, s);
+      const std::array<double, 2> products = backend_.project(v, g, old_g, s);
+      const double beta = report.iterations == 0 ? 0 : (std::max)(0., (products[0] - products[1]) / gs);
+      gs = products[0];
+      double slope = find_direction(beta, boosts, v, s, g, d);
+      if(!(slope < 0))
+        slope = find_direction(0, boosts, v, s, g, d);
+      if(!(slope < 0)) { // rounding has eaten the gradient: no direction of descent is left
+        report.has_stalled = true;
+        return report;
+      }
+
+      const std::array<double, 2> model = backend_.curvature(matrix_, exponent_, mass_, to_vec3(mu), v, d, density);
+      const double longest = longest_step * std::sqrt(total_mass(moments) / model[1]);
+      const double alpha =
+        (std::min)({model[0] > 0 ? -slope / model[0] : 1, longest, options.longest_factor});
+      std::swap(g, old_g);
+      report.has_stalled = !line_search(alpha, slope, d, v, w, g, density, moments, sums);
+      if(report.has_stalled)
+        return report;
+    }
+  }
+
+private:
+  static Eigen::Vector4d to_vector(const std::array<double, 4>& a) { return {a[0], a[1], a[2], a[3]}; }
+
+  void settle(Vectors& v, Vectors& scratch, Moments& moments) const
+  {
+    constexpr double tolerance = 1e-10;
+    if(is_balanced_)
+      balance(backend_, mass_, tolerance, v, scratch, moments);
+  }
+
+  /// d = Q (-s + beta P d); returns the slope d . g
+  double find_direction(double beta, const Eigen::LDLT<Eigen::Matrix3d>& boosts, const Vectors& v, const Vectors& s,
+                        const Vectors& g, Vectors& d) const
+  {
+    const Eigen::Vector4d sums = to_vector(backend_.direction(beta, v, s, g, mass_, d));
+    if(is_balanced_) // g sums to zero, so that the boost does not change the slope
+      backend_.subtract_boost(matrix_, to_vec3(boosts.solve(sums.head<3>())), v, d);
+    return sums[3];
+  }
+
+  /// Armijo's rule from the step of the quadratic model. On success v, g, density, moments and sums are those of the new
+  /// point; on failure v is unchanged.
+  bool line_search(double alpha, double slope, const Vectors& d, Vectors& v, Vectors& w, Vectors& g, Scalars& density,
+                   Moments& moments, Eigen::Vector4d& sums)
+  {
+    constexpr int maximum_halvings = 20;
+    constexpr double sufficient = 1e-4;
+    constexpr double rounding = 1e-13;
+    const double energy = sums[0] / exponent_;
+    for(int h = 0; h < maximum_halvings; ++h, alpha /= 2) {
+      Moments next = backend_.retract(mass_, alpha, v, d, w);
+      Vectors& scratch = g;
+      settle(w, scratch, next);
+      const Eigen::Vector4d next_sums = to_vector(backend_.gradient(matrix_, exponent_, w, g, density));
+      if(next_sums[0] / exponent_ <= energy + sufficient * alpha * slope + rounding * energy) {
+        std::swap(v, w);
+        moments = next;
+        sums = next_sums;
+        return true;
+      }
+    }
+    return false;
+  }
+
+  const Backend& backend_;
+  const typename Backend::Matrix& matrix_;
+  Multigrid<Backend>& multigrid_;
+  double exponent_;
+  bool is_balanced_;
+  const Scalars& mass_;
+};
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BALANCED_SOLVER_H

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_NAMED_PARAMETERS_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_NAMED_PARAMETERS_H
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/version.h>
+
+namespace CGAL {
+
+#if CGAL_VERSION_NR < 1060100000
+// edge_weight_map came with CGAL 6.1. Before that it has to be the first of a chain of named parameters:
+// edge_weight_map(weights).accuracy(1e-9)
+namespace internal_np {
+enum spherical_edge_weight_t { spherical_edge_weight };
+typedef spherical_edge_weight_t edge_weight_tag;
+} // namespace internal_np
+
+namespace parameters {
+template <class EdgeWeightMap>
+Named_function_parameters<EdgeWeightMap, internal_np::edge_weight_tag> edge_weight_map(const EdgeWeightMap& weights)
+{
+  return Named_function_parameters<EdgeWeightMap, internal_np::edge_weight_tag>(weights);
+}
+} // namespace parameters
+#endif
+
+namespace Spherical_parameterization {
+namespace internal {
+
+/// The vertex point map of `np`, or the mesh's own.
+template <class TriangleMesh, class NamedParameters>
+auto vertex_points(const TriangleMesh& mesh, const NamedParameters& np)
+{
+  return parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                      get_const_property_map(CGAL::vertex_point, mesh));
+}
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_NAMED_PARAMETERS_H

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPHERICAL_TRIANGLES_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPHERICAL_TRIANGLES_H
+
+#include <CGAL/Spherical_parameterization/internal/vertex_formulas.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+/// Signed area of the spherical triangle (a, b, c) of unit vectors, positive if it is seen counter-clockwise from
+/// outside; in (-2 pi, 2 pi). Triangles far below the resolution of the coordinates keep a meaningful size.
+inline double spherical_area(vec3 a, vec3 b, vec3 c)
+{
+  const double volume = inner(a, outer(sub(b, a), sub(c, a)));
+  return 2 * std::atan2(volume, 1 + inner(a, b) + inner(b, c) + inner(c, a));
+}
+
+/// Whether (a, b, c) is positively oriented as seen from outside: the sign of det(a, b, c), exactly.
+inline bool is_positively_oriented(vec3 a, vec3 b, vec3 c)
+{
+  typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+  const auto point = [](vec3 p) { return Kernel::Point_3(p.x, p.y, p.z); };
+  return Kernel().orientation_3_object()(Kernel::Point_3(0, 0, 0), point(a), point(b), point(c)) == CGAL::POSITIVE;
+}
+
+inline bool is_finite(vec3 a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
+
+/// What the certificate consists of.
+struct Certificate {
+  std::size_t flipped_faces = 0; ///< faces that are not positively oriented, or have a coordinate that is not finite
+  int degree = 0;                ///< sum of the signed areas over 4 pi
+  double smallest_area = std::numeric_limits<double>::infinity();
+
+  bool is_valid() const { return flipped_faces == 0 && degree == 1; }
+};
+
+/// Examines a map given by unit vectors: without flipped faces and with degree 1 it is a bijection, since it then is a
+/// covering of the sphere, and the sphere is simply connected.
+inline Certificate certify(const std::vector<std::array<int, 3>>& faces, const std::vector<vec3>& v)
+{
+  Certificate result;
+  double total = 0;
+  for(const std::array<int, 3>& f : faces) {
+    const vec3 a = v[f[0]], b = v[f[1]], c = v[f[2]];
+    if(!is_finite(a) || !is_finite(b) || !is_finite(c)) {
+      ++result.flipped_faces;
+      continue;
+    }
+    if(!is_positively_oriented(a, b, c))
+      ++result.flipped_faces;
+    const double area = spherical_area(a, b, c);
+    total += area;
+    result.smallest_area = (std::min)(result.smallest_area, area);
+  }
+  result.degree = static_cast<int>(std::lround(total / (4 * std::acos(-1.))));
+  return result;
+}
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPHERICAL_TRIANGLES_H

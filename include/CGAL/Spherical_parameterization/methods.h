@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_METHODS_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_METHODS_H
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+
+/// The fast method, and the default: a planar harmonic start map, then the balanced critical point of the spring
+/// energy by Riemannian conjugate gradients, preconditioned with one multigrid cycle.
+///
+/// Without fixed vertices and with exponent 2 the six-dimensional freedom of the problem (rotations and Moebius
+/// boosts) is removed by balancing: sum of m_i v_i = 0, with m_i the spherical vertex areas of the start map.
+/// The residual is that of the stationarity P_i((Lv)_i - m_i mu) = 0, P_i the projection to the tangent plane.
+/// With three or more fixed vertices, or with an exponent above 2, nothing is balanced, and the residual is that of
+/// eq. (2) of the paper, v_i parallel to its weighted neighbour mean.
+///
+/// Guarantee: none in advance, since positive weights make eq. (2) bijective but not the computation in doubles;
+/// the certificate in `Result` decides.
+///
+/// Named parameters: `accuracy` (default 1e-10), `number_of_iterations` (default 500 descent steps).
+struct Balanced {
+  /// Exponent p >= 2 of the spring energy E_p = 1/p sum w_ij l_ij^2 (|v_i - v_j| / l_ij)^p, l_ij the length of the edge
+  /// in the source mesh, whose area is scaled to 4 pi. 2 is the published energy; larger exponents equalise areas,
+  /// trade angles for them, and keep thin limbs wider.
+  double spring_exponent = 2;
+};
+
+/// The published method: T. Athanasiadis and I. Fudos, "Parallel computation of spherical parameterizations for mesh
+/// analysis", Computers & Graphics 35 (SMI 2011), Algorithm 1. Each outer iteration minimises the spring energy
+/// subject to u_i . v_i = 1 (a saddle-point problem, solved by plain sweeps) and projects u back to the sphere, which
+/// cannot raise the energy (Proposition 1).
+///
+/// Guarantee: the energy falls monotonically. Convergence to a bijective map is not guaranteed: without fixed vertices
+/// the boost modes keep it from settling, and the result then says so (`NOT_CONVERGED`).
+///
+/// Named parameters: `accuracy` (default 1e-7) bounds the L2 residual of eq. (2), and is the relative reduction of the
+/// residual asked of each saddle-point problem; `number_of_iterations` (default 100) counts outer iterations.
+struct Saddle_point {
+  /// The splitting of the Laplacian: eq. (12) or (13) of the paper.
+  enum class Splitting {
+    JACOBI,        ///< parallel; relaxation in (0, 1)
+    GAUSS_SEIDEL   ///< relaxation in (0, 2)
+  };
+  /// Where the iteration starts.
+  enum class Start {
+    CENTROID,  ///< vertices projected from their centroid, as the authors do
+    HARMONIC,  ///< the planar start map of `Balanced`
+    GIVEN      ///< what the sphere map holds on entry; it must be readable
+  };
+  Splitting splitting = Splitting::JACOBI;
+  Start start = Start::CENTROID;
+  double relaxation = 0.95;           ///< omega
+  std::size_t check_interval = 1000;  ///< sweeps between two tests for convergence
+};
+
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_METHODS_H

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_PARAMETERIZE_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_PARAMETERIZE_H
+
+#include <CGAL/Spherical_parameterization/Result.h>
+#include <CGAL/Spherical_parameterization/edge_weights.h>
+#include <CGAL/Spherical_parameterization/execution.h>
+#include <CGAL/Spherical_parameterization/internal/Failure.h>
+#include <CGAL/Spherical_parameterization/internal/Host_backend.h>
+#include <CGAL/Spherical_parameterization/internal/Map_task.h>
+#include <CGAL/Spherical_parameterization/internal/Source_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/fixed_vertices.h>
+#include <CGAL/Spherical_parameterization/internal/named_parameters.h>
+#include <CGAL/Spherical_parameterization/internal/run_balanced.h>
+#include <CGAL/Spherical_parameterization/internal/run_saddle_point.h>
+#include <CGAL/Spherical_parameterization/internal/verdict.h>
+#include <CGAL/Spherical_parameterization/methods.h>
+
+#include <CGAL/property_map.h>
+#include <CGAL/tags.h>
+
+#include <functional>
+#include <limits>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+
+/// Maps a closed triangle mesh of genus 0 to the unit sphere.
+///
+/// The result is certified: `Result::error` is `OK` if and only if the method has converged, every face is positively
+/// oriented as seen from outside by an exact predicate on the coordinates written to `sphere_map`, and the map covers the
+/// sphere once. It is then a bijection. In all other cases the error says what is wrong; `sphere_map` is written
+/// whenever there is a map (`NOT_CONVERGED`, `INTERRUPTED` and `NOT_BIJECTIVE`: the best one found).
+/// Calls on different meshes, or on the same mesh with different maps, may run concurrently.
+///
+/// \param policy  where to run: `CGAL::Sequential_tag`
+/// \param mesh    a model of `FaceListGraph` and `HalfedgeListGraph`; its own indices are not used
+/// \param method  `Balanced` or `Saddle_point`
+/// \param sphere_map  writable property map, key vertex_descriptor, value constructible as `value_type{x, y, z}` from
+///                three doubles. Must be readable where there are fixed vertices (their positions, which will be
+///                normalised) or for `Saddle_point::Start::GIVEN`.
+/// \param np  optional named parameters:
+///   - `edge_weight_map`: readable, edge_descriptor to a positive number; default `conformal_weights(mesh)`.
+///      Before CGAL 6.1 it has to come first in the chain.
+///   - `vertex_point_map`: readable; default the mesh's own
+///   - `vertex_is_constrained_map`: readable, vertex_descriptor to bool; three vertices or more at distinct positions
+///   - `accuracy`, `number_of_iterations`: see the method
+///   - `maximum_running_time`: in seconds; default unlimited
+///   - `callback`: called with the fraction of the work done, in [0, 1]; returns whether to go on
+///   - `verbose`: logs every iteration to `std::cerr`
+/// \return the verdict, the certificate, and what the work was; see `Result`
+/// \throws std::bad_alloc, and whatever the property maps and the callback throw
+///
+/// Complexity: linear in memory, about 400 bytes per vertex; `Balanced` takes a few hundred applications of the Laplacian
+/// for any number of vertices.
+template <class ExecutionPolicy, class TriangleMesh, class Method, class VertexSphereMap,
+          class NamedParameters = parameters::Default_named_parameters>
+Result parameterize(const ExecutionPolicy& policy, const TriangleMesh& mesh, const Method& method,
+                    VertexSphereMap sphere_map, const NamedParameters& np = parameters::default_values())
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using parameters::is_default_parameter;
+  typedef boost::graph_traits<TriangleMesh> Graph_traits;
+  typedef typename boost::property_traits<VertexSphereMap>::value_type Sphere_point;
+  internal::check_options(method);
+
+  const internal::Stopwatch total;
+  Result result;
+  std::function<bool(double)> callback;
+  if constexpr(!is_default_parameter<NamedParameters, internal_np::callback_t>::value)
+    callback = get_parameter(np, internal_np::callback);
+  internal::Monitor monitor(choose_parameter(get_parameter(np, internal_np::maximum_running_time),
+                                             std::numeric_limits<double>::infinity()),
+                            std::move(callback), choose_parameter(get_parameter(np, internal_np::verbose), false));
+  try {
+    const internal::Stopwatch watch;
+    internal::Source_mesh<TriangleMesh> source(mesh, internal::vertex_points(mesh, np));
+    result.number_of_vertices = source.vertex.size();
+    result.number_of_faces = source.face.size();
+    if constexpr(is_default_parameter<NamedParameters, internal_np::edge_weight_tag>::value)
+      source.set_weights(mesh, conformal_weights(mesh, 5, 85, np));
+    else
+      source.set_weights(mesh, get_parameter(np, internal_np::edge_weight_tag()));
+
+    const auto is_constrained =
+      choose_parameter(get_parameter(np, internal_np::vertex_is_constrained),
+                       Static_boolean_property_map<typename Graph_traits::vertex_descriptor, false>());
+    const std::vector<char> is_fixed = internal::fixed_vertices(source.vertex, is_constrained);
+    internal::Map_task task = {source.graph, source.face, source.point, is_fixed, {}, {}, {}, monitor, result};
+    if constexpr(!is_default_parameter<NamedParameters, internal_np::accuracy_t>::value)
+      task.accuracy = get_parameter(np, internal_np::accuracy);
+    if constexpr(!is_default_parameter<NamedParameters, internal_np::number_of_iterations_t>::value)
+      task.number_of_iterations = static_cast<std::size_t>(get_parameter(np, internal_np::number_of_iterations));
+    if(task.has_fixed() || internal::needs_given_start(method))
+      task.given = internal::given_positions(source.vertex, source.position, sphere_map, is_fixed,
+                                             internal::needs_given_start(method));
+    result.seconds.read = watch.seconds();
+
+    const internal::Backend<ExecutionPolicy> backend(policy);
+    result.device = backend.device_name();
+    internal::Solver_report report;
+    const std::vector<internal::vec3> v = internal::run(backend, method, task, report);
+
+    const internal::Stopwatch certify_watch;
+    for(std::size_t i = 0; i < v.size(); ++i)
+      put(sphere_map, source.vertex[i], Sphere_point{v[i].x, v[i].y, v[i].z});
+    internal::pass_verdict(source.face, v, report, monitor, result);
+    result.seconds.certify = certify_watch.seconds();
+    monitor.advance(1);
+  }
+  catch(const internal::Failure& failure) {
+    result.error = failure.code;
+    result.detail = failure.detail;
+  }
+  result.seconds.total = total.seconds();
+  return result;
+}
+
+/// The default: `Balanced` on one core.
+template <class TriangleMesh, class VertexSphereMap, class NamedParameters = parameters::Default_named_parameters>
+Result parameterize(const TriangleMesh& mesh, VertexSphereMap sphere_map,
+                    const NamedParameters& np = parameters::default_values())
+{
+  return parameterize(CGAL::Sequential_tag(), mesh, Balanced(), sphere_map, np);
+}
+
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_PARAMETERIZE_H

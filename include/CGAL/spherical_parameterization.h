@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_H
+
+/// The whole package in one header.
+
+#include <CGAL/Spherical_parameterization/Result.h>
+#include <CGAL/Spherical_parameterization/edge_weights.h>
+#include <CGAL/Spherical_parameterization/execution.h>
+#include <CGAL/Spherical_parameterization/measure_distortion.h>
+#include <CGAL/Spherical_parameterization/methods.h>
+#include <CGAL/Spherical_parameterization/parameterize.h>
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_H

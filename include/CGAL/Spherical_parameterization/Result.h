@@ -72,7 +72,7 @@ struct Result {
   double residual = 0;              ///< L2 norm over the free vertices (not divided by their number) of the
                                     ///< stationarity the method claims, relative to the weight sum of a vertex
   double energy = 0;                ///< spring energy of the map, 1/p * sum over edges
-  double smallest_area = 0;         ///< signed area of the smallest spherical triangle; below 1e-30 doubles end
+  double smallest_area = 0;         ///< of all spherical triangles, without sign; from 1e-26 on rounding flips faces
   /// @}
 
   /// \name Work

@@ -21,7 +21,7 @@ namespace Spherical_parameterization {
 /// Guarantee: none in advance, since positive weights make eq. (2) bijective but not the computation in doubles;
 /// the certificate in `Result` decides.
 ///
-/// Named parameters: `accuracy` (default 1e-10), `number_of_iterations` (default 500 descent steps).
+/// Named parameters: `accuracy` (default 1e-9), `number_of_iterations` (default 500 descent steps).
 struct Balanced {
   /// Exponent p >= 2 of the spring energy E_p = 1/p sum w_ij l_ij^2 (|v_i - v_j| / l_ij)^p, l_ij the length of the edge
   /// in the source mesh, whose area is scaled to 4 pi. 2 is the published energy; larger exponents equalise areas,

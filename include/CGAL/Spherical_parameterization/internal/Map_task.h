@@ -25,6 +25,8 @@ struct Map_task {
   Weighted_graph& graph;
   const std::vector<std::array<int, 3>>& faces;
   const std::vector<vec3>& points;
+  const std::vector<double>& area;        ///< source area of the vertices
+  const std::array<int, 3>& largest_face;
   const std::vector<char>& is_fixed;      ///< empty: no fixed vertex
   std::vector<vec3> given;                ///< positions the caller's map held on entry, where they are needed; else empty
   std::optional<double> accuracy;
@@ -34,36 +36,21 @@ struct Map_task {
 
   bool has_fixed() const { return !is_fixed.empty(); }
   int size() const { return graph.size(); }
-
-  double source_area(const std::array<int, 3>& f) const
-  {
-    const vec3 n = outer(sub(points[f[1]], points[f[0]]), sub(points[f[2]], points[f[0]]));
-    return std::sqrt(inner(n, n)) / 2;
-  }
 };
 
 /// The share of the whole work that the start map takes, for the progress callback.
 constexpr double start_share = 0.4;
 
-/// Every vertex's third of the areas of its faces.
-template <class Area>
-std::vector<double> vertex_areas(const Map_task& task, Area area)
+/// Spherical areas of the vertices of a map: a third of each face's; flipped faces count as 0.
+inline std::vector<double> spherical_masses(const Map_task& task, const std::vector<vec3>& v)
 {
   std::vector<double> mass(task.size(), 0);
   for(const std::array<int, 3>& f : task.faces) {
-    const double third = area(f) / 3;
+    const double third = (std::max)(0., spherical_area(v[f[0]], v[f[1]], v[f[2]])) / 3;
     for(int i : f)
       mass[i] += third;
   }
   return mass;
-}
-
-/// Spherical areas of the vertices of a map; flipped faces count as 0.
-inline std::vector<double> spherical_masses(const Map_task& task, const std::vector<vec3>& v)
-{
-  return vertex_areas(task, [&](const std::array<int, 3>& f) {
-    return (std::max)(0., spherical_area(v[f[0]], v[f[1]], v[f[2]]));
-  });
 }
 
 } // namespace internal

@@ -41,6 +41,8 @@ public:
   std::vector<int> position;              ///< position of vertex i in vertices(mesh), for messages
   std::vector<vec3> point;
   std::vector<std::array<int, 3>> face;   ///< in the order of faces(mesh)
+  std::vector<double> area;               ///< every vertex's third of the areas of its faces
+  std::array<int, 3> largest_face;        ///< by area
   Weighted_graph graph;                   ///< neighbours in ascending order; weights are left to set_weights()
 
   /// Throws Failure.
@@ -57,6 +59,7 @@ public:
       face.push_back({index[numbering(source(h, mesh))], index[numbering(target(h, mesh))],
                       index[numbering(target(next(h, mesh), mesh))]});
     }
+    measure_areas();
     // Rows of ascending neighbours.
     const int n = static_cast<int>(vertex.size());
     graph.offset.assign(1, 0);
@@ -103,13 +106,6 @@ public:
         graph.weight[cursor[row[k].first]++] = row[k].second;
       }
     }
-  }
-
-  /// Area of face f; 0 if degenerate.
-  double area(std::size_t f) const
-  {
-    const vec3 n = outer(sub(point[face[f][1]], point[face[f][0]]), sub(point[face[f][2]], point[face[f][0]]));
-    return std::sqrt(inner(n, n)) / 2;
   }
 
 private:
@@ -224,6 +220,22 @@ private:
     const double divisor = half > 0 ? half : 1;
     for(vec3& p : point)
       p = {(p.x / 2 - low.x / 2) / divisor, (p.y / 2 - low.y / 2) / divisor, (p.z / 2 - low.z / 2) / divisor};
+  }
+
+  void measure_areas()
+  {
+    area.assign(vertex.size(), 0);
+    double largest = -1;
+    for(const std::array<int, 3>& f : face) {
+      const vec3 n = outer(sub(point[f[1]], point[f[0]]), sub(point[f[2]], point[f[0]]));
+      const double twice_area = std::sqrt(inner(n, n));
+      for(int i : f)
+        area[i] += twice_area / 6;
+      if(twice_area > largest) {
+        largest = twice_area;
+        largest_face = f;
+      }
+    }
   }
 
   void check_weight(const TriangleMesh& mesh, halfedge_descriptor h, double w, int i, int j) const

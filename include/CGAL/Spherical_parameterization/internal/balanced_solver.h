@@ -114,11 +114,12 @@ public:
 private:
   static Eigen::Vector4d to_vector(const std::array<double, 4>& a) { return {a[0], a[1], a[2], a[3]}; }
 
+  /// Boosts v back to balance. One Newton step is enough: what it leaves is of second order, and the next one follows.
   void settle(Vectors& v, Vectors& scratch, Moments& moments) const
   {
     constexpr double tolerance = 1e-10;
     if(is_balanced_)
-      balance(backend_, mass_, tolerance, v, scratch, moments);
+      balance(backend_, mass_, tolerance, 1, v, scratch, moments);
   }
 
   /// d = Q (-s + beta P d); returns the slope d . g

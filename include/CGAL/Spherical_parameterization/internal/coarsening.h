@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -73,31 +72,42 @@ inline Aggregates aggregate(const Weighted_graph& a, double threshold)
 /// Collects one sparse row at a time: values are added by column, and read out in the order of first use.
 class Row_accumulator {
 public:
-  explicit Row_accumulator(int columns) : position_(columns, -1) {}
+  explicit Row_accumulator(int columns) : position_(columns, -1), column_(columns), value_(columns) {}
 
   void add(int column, double value)
   {
     int& at = position_[column];
     if(at < 0) {
-      at = static_cast<int>(entries_.size());
-      entries_.emplace_back(column, value);
+      at = size_++;
+      column_[at] = column;
+      value_[at] = value;
     }
     else
-      entries_[at].second += value;
+      value_[at] += value;
   }
 
-  const std::vector<std::pair<int, double>>& entries() const { return entries_; }
+  int size() const { return size_; }
+  int column(int k) const { return column_[k]; }
+  double value(int k) const { return value_[k]; }
+
+  void append_to(std::vector<int>& columns, std::vector<double>& values) const
+  {
+    columns.insert(columns.end(), column_.begin(), column_.begin() + size_);
+    values.insert(values.end(), value_.begin(), value_.begin() + size_);
+  }
 
   void clear()
   {
-    for(const auto& e : entries_)
-      position_[e.first] = -1;
-    entries_.clear();
+    for(int k = 0; k < size_; ++k)
+      position_[column_[k]] = -1;
+    size_ = 0;
   }
 
 private:
   std::vector<int> position_;
-  std::vector<std::pair<int, double>> entries_;
+  std::vector<int> column_;
+  std::vector<double> value_;
+  int size_ = 0;
 };
 
 /// P = (I - omega D^-1 A) T, T the piecewise constant interpolation from the aggregates.
@@ -123,10 +133,7 @@ inline Sparse_matrix smoothed_prolongation(const Weighted_graph& a, const Aggreg
         }
       }
     }
-    for(const auto& [column, value] : row.entries()) {
-      p.column.push_back(column);
-      p.value.push_back(value);
-    }
+    row.append_to(p.column, p.value);
     p.offset.push_back(static_cast<int>(p.column.size()));
     row.clear();
   }
@@ -157,10 +164,7 @@ inline Weighted_graph galerkin_product(const Weighted_graph& a, const Sparse_mat
       for(int q = p.offset[i]; q < p.offset[i + 1]; ++q)
         row.add(p.column[q], diagonal * p.value[q]);
     }
-    for(const auto& [column, value] : row.entries()) {
-      ap.column.push_back(column);
-      ap.value.push_back(value);
-    }
+    row.append_to(ap.column, ap.value);
     ap.offset.push_back(static_cast<int>(ap.column.size()));
     row.clear();
   }
@@ -178,14 +182,14 @@ inline Weighted_graph galerkin_product(const Weighted_graph& a, const Sparse_mat
     }
     double diagonal = 0;
     double off_diagonal = 0;
-    for(const auto& [column, value] : row.entries()) {
-      if(column == i) {
-        diagonal = value;
+    for(int k = 0; k < row.size(); ++k) {
+      if(row.column(k) == i) {
+        diagonal = row.value(k);
         continue;
       }
-      off_diagonal += value;
-      c.target.push_back(column);
-      c.weight.push_back(-value);
+      off_diagonal += row.value(k);
+      c.target.push_back(row.column(k));
+      c.weight.push_back(-row.value(k));
     }
     c.offset.push_back(static_cast<int>(c.target.size()));
     if(is_singular)
@@ -201,8 +205,8 @@ inline Weighted_graph galerkin_product(const Weighted_graph& a, const Sparse_mat
 /// Upper estimate of the largest eigenvalue of D^-1 A by power iteration from a fixed start, at most Gershgorin's bound.
 inline double spectral_radius(const Weighted_graph& a)
 {
-  constexpr int iterations = 10;
-  constexpr double safety = 1.1;
+  constexpr int iterations = 6;
+  constexpr double safety = 1.15;
   const int n = a.size();
   const std::vector<double>& inverse = a.inverse_diagonal;
   double bound = 0;

@@ -34,16 +34,15 @@ inline Eigen::Matrix3d boost_matrix(const Moments& m)
   return n;
 }
 
-/// Boosts v until |sum m_i v_i| <= tolerance sum m_i, by Newton's method in the ball with backtracking. `scratch` has the
-/// size of v; `moments` are those of v, on entry and on return.
+/// Boosts v until |sum m_i v_i| <= tolerance sum m_i, by at most so many steps of Newton's method in the ball, with
+/// backtracking. `scratch` has the size of v; `moments` are those of v, on entry and on return.
 template <class Backend>
-void balance(const Backend& backend, const typename Backend::Scalars& mass, double tolerance,
+void balance(const Backend& backend, const typename Backend::Scalars& mass, double tolerance, int maximum_steps,
              typename Backend::Vectors& v, typename Backend::Vectors& scratch, Moments& moments)
 {
-  constexpr int maximum_iterations = 50;
   constexpr int maximum_halvings = 30;
   constexpr double maximum_step = 0.9; // the ball ends at 1
-  for(int it = 0; it < maximum_iterations; ++it) {
+  for(int it = 0; it < maximum_steps; ++it) {
     const double distance = first_moment(moments).norm();
     if(!(distance > tolerance * total_mass(moments)))
       return;

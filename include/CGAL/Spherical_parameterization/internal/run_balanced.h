@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -87,9 +88,7 @@ std::vector<vec3> run_stiffening(const Backend& backend, double exponent, double
   std::vector<vec3> start = harmonic_start(backend, task, start_share);
   task.result.seconds.start_map = watch.seconds();
 
-  double area = 0;
-  for(const std::array<int, 3>& f : task.faces)
-    area += task.source_area(f);
+  const double area = std::accumulate(task.area.begin(), task.area.end(), 0.);
   const double unit_length = std::sqrt(area / (4 * std::acos(-1.)));
   // E_p = 1/p sum w l^2 (|v_i - v_j| / l)^p: the factors that do not depend on v go into the weights.
   for(int i = 0; i < n; ++i)
@@ -146,7 +145,7 @@ std::vector<vec3> run_stiffening(const Backend& backend, double exponent, double
 template <class Backend>
 std::vector<vec3> run(const Backend& backend, const Balanced& method, Map_task& task, Solver_report& report)
 {
-  const double accuracy = task.accuracy.value_or(1e-10);
+  const double accuracy = task.accuracy.value_or(1e-9);
   const std::size_t maximum_iterations = task.number_of_iterations.value_or(500);
   Stopwatch watch;
 

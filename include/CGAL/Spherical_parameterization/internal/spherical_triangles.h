@@ -23,7 +23,11 @@ namespace internal {
 inline double spherical_area(vec3 a, vec3 b, vec3 c)
 {
   const double volume = inner(a, outer(sub(b, a), sub(c, a)));
-  return 2 * std::atan2(volume, 1 + inner(a, b) + inner(b, c) + inner(c, a));
+  const double denominator = 1 + inner(a, b) + inner(b, c) + inner(c, a);
+  const double tangent = volume / denominator;
+  if(denominator > 0 && std::abs(tangent) < 1e-3) // small triangles are many, and two terms are exact to 1e-12
+    return 2 * (tangent - tangent * tangent * tangent / 3);
+  return 2 * std::atan2(volume, denominator);
 }
 
 /// Whether (a, b, c) is positively oriented as seen from outside: the sign of det(a, b, c), exactly.
@@ -40,7 +44,7 @@ inline bool is_finite(vec3 a) { return std::isfinite(a.x) && std::isfinite(a.y) 
 struct Certificate {
   std::size_t flipped_faces = 0; ///< faces that are not positively oriented, or have a coordinate that is not finite
   int degree = 0;                ///< sum of the signed areas over 4 pi
-  double smallest_area = std::numeric_limits<double>::infinity();
+  double smallest_area = std::numeric_limits<double>::infinity(); ///< without sign
 
   bool is_valid() const { return flipped_faces == 0 && degree == 1; }
 };
@@ -61,7 +65,7 @@ inline Certificate certify(const std::vector<std::array<int, 3>>& faces, const s
       ++result.flipped_faces;
     const double area = spherical_area(a, b, c);
     total += area;
-    result.smallest_area = (std::min)(result.smallest_area, area);
+    result.smallest_area = (std::min)(result.smallest_area, std::abs(area));
   }
   result.degree = static_cast<int>(std::lround(total / (4 * std::acos(-1.))));
   return result;

@@ -60,12 +60,16 @@ std::vector<vec3> planar_map(const Backend& backend, const typename Backend::Mat
 /// the points has been moved to the origin and their median distance from it scaled to 1.
 inline void to_sphere(std::vector<vec3>& z)
 {
-  const std::size_t middle = z.size() / 2;
-  std::vector<double> value(z.size());
+  constexpr std::size_t sample_size = 50000; // an estimate is good enough: the Moebius transformation comes after
+  const std::size_t stride = 1 + z.size() / sample_size;
+  std::vector<double> value;
   const auto median = [&](auto coordinate) {
-    std::transform(z.begin(), z.end(), value.begin(), coordinate);
-    std::nth_element(value.begin(), value.begin() + middle, value.end());
-    return value[middle];
+    value.clear();
+    for(std::size_t i = 0; i < z.size(); i += stride)
+      value.push_back(coordinate(z[i]));
+    const auto middle = value.begin() + value.size() / 2;
+    std::nth_element(value.begin(), middle, value.end());
+    return *middle;
   };
   const vec3 centre = {median([](vec3 p) { return p.x; }), median([](vec3 p) { return p.y; }), 0};
   const double radius = median([&](vec3 p) { return std::hypot(p.x - centre.x, p.y - centre.y); });
@@ -74,14 +78,6 @@ inline void to_sphere(std::vector<vec3>& z)
     const double s = inner(q, q);
     p = unit(make_vec3(2 * q.x, 2 * q.y, 1 - s));
   }
-}
-
-/// Largest face by source area.
-inline std::array<int, 3> largest_face(const Map_task& task)
-{
-  return *std::max_element(task.faces.begin(), task.faces.end(), [&](const auto& f, const auto& g) {
-    return task.source_area(f) < task.source_area(g);
-  });
 }
 
 /// The planar harmonic map brought to the sphere, boosted until the centroid of the source area lies at the centre, of
@@ -93,17 +89,17 @@ std::vector<vec3> harmonic_start(const Backend& backend, const typename Backend:
   // The descent does not need more: on 40 models its number of iterations, and the flips in the end (none), were the
   // same for 1e-3 and 1e-11. But the masses of the balance are taken from here, and should not depend on the
   // numbering of the vertices.
-  constexpr double accuracy = 1e-7;
+  constexpr double accuracy = 1e-6;
   constexpr double balance_tolerance = 1e-6;
-  std::vector<vec3> start = planar_map(backend, matrix, multigrid, largest_face(task), accuracy, task.monitor,
+  constexpr int maximum_steps = 50;
+  std::vector<vec3> start = planar_map(backend, matrix, multigrid, task.largest_face, accuracy, task.monitor,
                                        share_of_work, task.size(), task.result.start_iterations);
   to_sphere(start);
 
-  const typename Backend::Scalars mass =
-    backend.upload(vertex_areas(task, [&](const std::array<int, 3>& f) { return task.source_area(f); }));
+  const typename Backend::Scalars mass = backend.upload(task.area);
   typename Backend::Vectors v = backend.upload(std::move(start)), scratch = backend.vectors(task.size());
   Moments moments = backend.transform(mass, make_vec3(0, 0, 0), v, scratch);
-  balance(backend, mass, balance_tolerance, v, scratch, moments);
+  balance(backend, mass, balance_tolerance, maximum_steps, v, scratch, moments);
   start = backend.download(v);
 
   if(task.has_fixed()) {

@@ -40,8 +40,8 @@ inline void pass_verdict(const std::vector<std::array<int, 3>>& faces, const std
   result.residual = report.residual;
   result.energy = report.energy;
 
-  // Below this area the corners of a triangle differ by less than the rounding of unit vectors.
-  constexpr double area_of_rounding = 1e-30;
+  // A triangle of this area has corners 1e-13 apart or, if it is a sliver, a height near the rounding of unit vectors.
+  constexpr double area_of_rounding = 1e-26;
   const bool is_valid = result.flipped_faces == 0 && result.degree == 1;
   const std::string state = counted(result.flipped_faces, "face is", "faces are") + " flipped, the degree is " +
                             std::to_string(result.degree) + ", the smallest spherical area is " +
@@ -60,9 +60,11 @@ inline void pass_verdict(const std::vector<std::array<int, 3>>& faces, const std
   else if(!is_valid) {
     result.error = Error_code::NOT_BIJECTIVE;
     result.detail = state;
-    if(result.smallest_area < area_of_rounding)
-      result.detail += ": limbs shrink below the resolution of double coordinates; use barycentric weights or a larger "
-                       "spring exponent";
+    result.detail += result.smallest_area < area_of_rounding
+                       ? ": limbs shrink below the resolution of double coordinates; use barycentric weights or a "
+                         "larger spring exponent"
+                       : ": the critical point is degenerate; use other weights, a larger spring exponent, or fix three "
+                         "vertices";
   }
 }
 

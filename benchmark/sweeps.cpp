@@ -43,10 +43,7 @@ struct Midpoint_mask {
   void border_node(Mesh::Halfedge_index, Point_3&, Point_3&) {}
 };
 
-double seconds()
-{
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 template <class WeightMap>
 double seconds_per_sweep(const Mesh& mesh, WeightMap weights)
@@ -85,12 +82,12 @@ void measure(const std::string& name, const char* weight_name, Mesh& mesh, Weigh
   print("balanced", SP::parameterize(CGAL::Sequential_tag(), mesh, SP::Balanced(), sphere, np));
   if(published > 0) {
     SP::Saddle_point method;
-    print("published, Jacobi", SP::parameterize(CGAL::Sequential_tag(), mesh, method, sphere,
-                                                np.maximum_running_time(published)));
+    print("published, Jacobi",
+          SP::parameterize(CGAL::Sequential_tag(), mesh, method, sphere, np.maximum_running_time(published)));
     method.splitting = SP::Saddle_point::Splitting::GAUSS_SEIDEL;
     method.relaxation = 1.9;
-    print("published, SOR 1.9", SP::parameterize(CGAL::Sequential_tag(), mesh, method, sphere,
-                                                 np.maximum_running_time(published)));
+    print("published, SOR 1.9",
+          SP::parameterize(CGAL::Sequential_tag(), mesh, method, sphere, np.maximum_running_time(published)));
   }
   mesh.remove_property_map(sphere);
 }
@@ -113,8 +110,9 @@ int main(int argc, char* argv[])
     std::cerr << "usage: sweeps [--subdivide N] [--published SECONDS] MESH...\n";
     return 2;
   }
-  std::puts("| model | vertices | weights | method | iterations | method's sweeps | start map s | solve s | ms per sweep | "
-            "cost in sweeps | residual | flips | degree | verdict |");
+  std::puts(
+    "| model | vertices | weights | method | iterations | method's sweeps | start map s | solve s | ms per sweep | "
+    "cost in sweeps | residual | flips | degree | verdict |");
   std::puts("|---|---|---|---|---|---|---|---|---|---|---|---|---|---|");
   for(const std::string& file : files) {
     Mesh mesh;
@@ -127,7 +125,8 @@ int main(int argc, char* argv[])
         Midpoint_mask mask = {&mesh, mesh.points()};
         CGAL::Subdivision_method_3::PTQ(mesh, mask);
       }
-      const std::string name = std::filesystem::path(file).stem().string() + (level > 0 ? "/" + std::to_string(level) : "");
+      const std::string name =
+        std::filesystem::path(file).stem().string() + (level > 0 ? "/" + std::to_string(level) : "");
       measure(name, "conformal", mesh, SP::conformal_weights(mesh), published);
       measure(name, "barycentric", mesh, SP::barycentric_weights(mesh), published);
     }

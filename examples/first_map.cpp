@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 //
-// Maps a closed genus-0 mesh to the sphere and writes the sphere.
+// Maps a closed mesh of genus 0 to the sphere: the one in the file MESH, or else an icosahedron. Writes SPHERE if asked
+// to.
+//
+//   first_map [MESH [SPHERE.off]]
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/boost/graph/generators.h>
 #include <CGAL/spherical_parameterization.h>
 
 #include <iostream>
@@ -16,9 +20,11 @@ typedef CGAL::Surface_mesh<Point_3> Mesh;
 int main(int argc, char* argv[])
 {
   Mesh mesh;
-  if(argc < 3 || !CGAL::IO::read_polygon_mesh(argv[1], mesh)) {
-    std::cerr << "usage: first_map MESH SPHERE.off\n";
-    return 2;
+  if(argc == 1)
+    CGAL::make_icosahedron<Mesh, Point_3>(mesh);
+  else if(!CGAL::IO::read_polygon_mesh(argv[1], mesh)) {
+    std::cerr << argv[1] << ": cannot be read as a polygon mesh\n";
+    return 1;
   }
   auto sphere = mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:sphere").first;
   const auto result = CGAL::Spherical_parameterization::parameterize(mesh, sphere);
@@ -26,5 +32,5 @@ int main(int argc, char* argv[])
   if(!result)
     return 1;
   const auto parameters = CGAL::parameters::vertex_point_map(sphere).stream_precision(17);
-  return CGAL::IO::write_polygon_mesh(argv[2], mesh, parameters) ? 0 : 1;
+  return argc < 3 || CGAL::IO::write_polygon_mesh(argv[2], mesh, parameters) ? 0 : 1;
 }

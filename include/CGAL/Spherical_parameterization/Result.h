@@ -14,30 +14,33 @@ namespace Spherical_parameterization {
 /// Everything that can be wrong with the input, or with the map that was found.
 /// Only `OK` stands for a certified spherical map.
 enum class Error_code {
-  OK = 0,                  ///< certified: no flipped face, degree 1, residual below the accuracy
-  EMPTY_MESH,              ///< no face
-  NOT_TRIANGULAR,          ///< a face that is no triangle
-  ISOLATED_VERTEX,         ///< a vertex without faces
-  BOUNDARY,                ///< border edges: the surface is not closed
-  NON_MANIFOLD,            ///< a vertex or edge around which the faces form no single disk
-  INCONSISTENT_ORIENTATION,///< neighbouring faces listed in opposite senses (only in files)
-  SEVERAL_COMPONENTS,      ///< more than one connected component
-  WRONG_GENUS,             ///< handles: not a topological sphere
-  NON_FINITE_COORDINATE,   ///< NaN or infinity in a point
-  DEGENERATE_FACE,         ///< a face without area, where the weights need one
-  BAD_WEIGHT,              ///< an edge weight that is not positive and finite
-  BAD_CONSTRAINTS,         ///< one or two fixed vertices, coincident ones, or a position that is no direction
-  NOT_CONVERGED,           ///< the residual did not reach the accuracy
-  INTERRUPTED,             ///< stopped by the callback or the time limit; the best map so far is handed over
-  NOT_BIJECTIVE            ///< converged, but faces are flipped or the degree is not 1
+  OK = 0,                   ///< certified: no flipped face, degree 1, residual below the accuracy
+  EMPTY_MESH,               ///< no face
+  TOO_LARGE,                ///< 2^31 halfedges or more
+  NOT_TRIANGULAR,           ///< a face that is no triangle
+  ISOLATED_VERTEX,          ///< a vertex without faces
+  BOUNDARY,                 ///< border edges: the surface is not closed
+  NON_MANIFOLD,             ///< a vertex or edge around which the faces form no single disk
+  INCONSISTENT_ORIENTATION, ///< neighbouring faces listed in opposite senses (only in files)
+  SEVERAL_COMPONENTS,       ///< more than one connected component
+  WRONG_GENUS,              ///< handles: not a topological sphere
+  NON_FINITE_COORDINATE,    ///< NaN or infinity in a point
+  DEGENERATE_FACE,          ///< a face without area, where the weights need one
+  BAD_WEIGHT,               ///< an edge weight that is not positive and finite
+  BAD_CONSTRAINTS,          ///< one or two fixed vertices, coincident ones, or a position that is no direction
+  NOT_CONVERGED,            ///< the residual did not reach the accuracy
+  INTERRUPTED,              ///< stopped by the callback or the time limit; the best map so far is handed over
+  NOT_BIJECTIVE             ///< converged, but faces are flipped or the degree is not 1
 };
 
 /// The sentence a user reads for `code`; `Result::detail` adds what and where.
+// clang-format off
 inline const char* get_error_message(Error_code code)
 {
   switch(code) {
   case Error_code::OK:                       return "valid spherical map";
   case Error_code::EMPTY_MESH:               return "the mesh has no faces";
+  case Error_code::TOO_LARGE:                return "the mesh is too large";
   case Error_code::NOT_TRIANGULAR:           return "the mesh has a face that is not a triangle";
   case Error_code::ISOLATED_VERTEX:          return "the mesh has a vertex without faces";
   case Error_code::BOUNDARY:                 return "the mesh is not closed";
@@ -55,11 +58,12 @@ inline const char* get_error_message(Error_code code)
   }
   return "unknown error";
 }
+// clang-format on
 
 /// What `parameterize()` did and how good the map is. Times are wall-clock seconds.
 struct Result {
   Error_code error = Error_code::OK;
-  std::string detail;               ///< what, where and what to do; empty if `OK`
+  std::string detail; ///< what, where and what to do; empty if `OK`
 
   std::size_t number_of_vertices = 0;
   std::size_t number_of_faces = 0;
@@ -67,12 +71,12 @@ struct Result {
   /// \name Certificate
   /// Counted with exact predicates on the double coordinates that were handed out.
   /// @{
-  std::size_t flipped_faces = 0;    ///< faces (a,b,c) with orientation(O,a,b,c) <= 0
-  int degree = 0;                   ///< how often the map covers the sphere; 1 for a valid one
-  double residual = 0;              ///< L2 norm over the free vertices (not divided by their number) of the
-                                    ///< stationarity the method claims, relative to the weight sum of a vertex
-  double energy = 0;                ///< spring energy of the map, 1/p * sum over edges
-  double smallest_area = 0;         ///< of all spherical triangles, without sign; from 1e-26 on rounding flips faces
+  std::size_t flipped_faces = 0; ///< faces (a,b,c) with orientation(O,a,b,c) <= 0
+  int degree = 0;                ///< how often the map covers the sphere; 1 for a valid one
+  double residual = 0;           ///< L2 norm over the free vertices (not divided by their number) of the
+                                 ///< stationarity the method claims, relative to the weight sum of a vertex
+  double energy = 0;             ///< spring energy of the map, 1/p * sum over edges
+  double smallest_area = 0;      ///< of all spherical triangles, without sign; from 1e-26 on rounding flips faces
   /// @}
 
   /// \name Work
@@ -81,13 +85,13 @@ struct Result {
   std::size_t iterations = 0;       ///< iterations of the method: descent steps, or saddle-point problems solved
   std::size_t sweeps = 0;           ///< Jacobi or Gauss-Seidel sweeps (saddle-point method; else 0)
   struct Seconds {
-    double read = 0;                ///< from the FaceGraph to arrays, with all checks of the input
-    double start_map = 0;           ///< set-up of the multigrid hierarchy, and the start map
-    double solve = 0;               ///< from the start map to the result
-    double certify = 0;             ///< certificate, residual, and writing the property map
+    double read = 0;      ///< from the FaceGraph to arrays, with all checks of the input
+    double start_map = 0; ///< set-up of the multigrid hierarchy, and the start map
+    double solve = 0;     ///< from the start map to the result
+    double certify = 0;   ///< certificate, residual, and writing the property map
     double total = 0;
   } seconds;
-  std::string device;               ///< what the policy ran on
+  std::string device; ///< what the policy ran on
   /// @}
 
   /// `true` iff the map is certified

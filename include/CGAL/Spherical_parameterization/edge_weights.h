@@ -7,11 +7,14 @@
 #include <CGAL/Spherical_parameterization/internal/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/point_coordinates.h>
 
+#include <CGAL/assertions.h>
+
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace CGAL {
 namespace Spherical_parameterization {
@@ -83,9 +86,9 @@ private:
   double largest_, smallest_;
 };
 
-/// M. Floater, "Mean value coordinates", CAGD 20 (2003), symmetrised: the coordinates (tan a/2 + tan b/2) / |e| of either
-/// end with respect to the other, a and b the angles at it next to the edge, are averaged, since a spring has one weight.
-/// Not defined at faces without area.
+/// M. Floater, "Mean value coordinates", CAGD 20 (2003), symmetrised: the coordinates (tan a/2 + tan b/2) / |e| of
+/// either end with respect to the other, a and b the angles at it next to the edge, are averaged, since a spring has
+/// one weight. Not defined at faces without area.
 template <class TriangleMesh, class VertexPointMap>
 class Mean_value_weight_map {
   typedef boost::graph_traits<TriangleMesh> Graph_traits;

@@ -21,8 +21,11 @@ namespace Spherical_parameterization {
 /// Guarantee: none in advance, since positive weights make eq. (2) bijective but not the computation in doubles;
 /// the certificate in `Result` decides.
 ///
-/// Named parameters: `accuracy` (default 1e-9), `number_of_iterations` (default 500 descent steps).
+/// Named parameters: `accuracy` bounds the residual, `number_of_iterations` the descent steps.
 struct Balanced {
+  static constexpr double default_accuracy = 1e-9;
+  static constexpr std::size_t default_number_of_iterations = 500;
+
   /// Exponent p >= 2 of the spring energy E_p = 1/p sum w_ij l_ij^2 (|v_i - v_j| / l_ij)^p, l_ij the length of the edge
   /// in the source mesh, whose area is scaled to 4 pi. 2 is the published energy; larger exponents equalise areas,
   /// trade angles for them, and keep thin limbs wider.
@@ -37,24 +40,27 @@ struct Balanced {
 /// Guarantee: the energy falls monotonically. Convergence to a bijective map is not guaranteed: without fixed vertices
 /// the boost modes keep it from settling, and the result then says so (`NOT_CONVERGED`).
 ///
-/// Named parameters: `accuracy` (default 1e-7) bounds the L2 residual of eq. (2), and is the relative reduction of the
-/// residual asked of each saddle-point problem; `number_of_iterations` (default 100) counts outer iterations.
+/// Named parameters: `accuracy` bounds the L2 residual of eq. (2), and is the relative reduction of the residual asked
+/// of each saddle-point problem; `number_of_iterations` counts outer iterations.
 struct Saddle_point {
+  static constexpr double default_accuracy = 1e-7;
+  static constexpr std::size_t default_number_of_iterations = 1000;
+
   /// The splitting of the Laplacian: eq. (12) or (13) of the paper.
   enum class Splitting {
-    JACOBI,        ///< parallel; relaxation in (0, 1)
-    GAUSS_SEIDEL   ///< relaxation in (0, 2)
+    JACOBI,      ///< parallel; relaxation in (0, 1)
+    GAUSS_SEIDEL ///< relaxation in (0, 2)
   };
   /// Where the iteration starts.
   enum class Start {
-    CENTROID,  ///< vertices projected from their centroid, as the authors do
-    HARMONIC,  ///< the planar start map of `Balanced`
-    GIVEN      ///< what the sphere map holds on entry; it must be readable
+    CENTROID, ///< vertices projected from their centroid, as the authors do
+    HARMONIC, ///< the planar start map of `Balanced`
+    GIVEN     ///< what the sphere map holds on entry; it must be readable
   };
   Splitting splitting = Splitting::JACOBI;
   Start start = Start::CENTROID;
-  double relaxation = 0.95;           ///< omega
-  std::size_t check_interval = 1000;  ///< sweeps between two tests for convergence
+  double relaxation = 0.95;          ///< omega
+  std::size_t check_interval = 1000; ///< sweeps between two tests for convergence
 };
 
 } // namespace Spherical_parameterization

@@ -34,8 +34,8 @@ namespace Spherical_parameterization {
 /// Maps a closed triangle mesh of genus 0 to the unit sphere.
 ///
 /// The result is certified: `Result::error` is `OK` if and only if the method has converged, every face is positively
-/// oriented as seen from outside by an exact predicate on the coordinates written to `sphere_map`, and the map covers the
-/// sphere once. It is then a bijection. In all other cases the error says what is wrong; `sphere_map` is written
+/// oriented as seen from outside by an exact predicate on the coordinates written to `sphere_map`, and the map covers
+/// the sphere once. It is then a bijection. In all other cases the error says what is wrong; `sphere_map` is written
 /// whenever there is a map (`NOT_CONVERGED`, `INTERRUPTED` and `NOT_BIJECTIVE`: the best one found).
 /// Calls on different meshes, or on the same mesh with different maps, may run concurrently.
 ///
@@ -57,8 +57,8 @@ namespace Spherical_parameterization {
 /// \return the verdict, the certificate, and what the work was; see `Result`
 /// \throws std::bad_alloc, and whatever the property maps and the callback throw
 ///
-/// Complexity: linear in memory, about 400 bytes per vertex; `Balanced` takes a few hundred applications of the Laplacian
-/// for any number of vertices.
+/// Complexity: linear in memory, about 400 bytes per vertex; `Balanced` takes a few hundred applications of the
+/// Laplacian for any number of vertices.
 template <class ExecutionPolicy, class TriangleMesh, class Method, class VertexSphereMap,
           class NamedParameters = parameters::Default_named_parameters>
 Result parameterize(const ExecutionPolicy& policy, const TriangleMesh& mesh, const Method& method,
@@ -76,25 +76,25 @@ Result parameterize(const ExecutionPolicy& policy, const TriangleMesh& mesh, con
   std::function<bool(double)> callback;
   if constexpr(!is_default_parameter<NamedParameters, internal_np::callback_t>::value)
     callback = get_parameter(np, internal_np::callback);
-  internal::Monitor monitor(choose_parameter(get_parameter(np, internal_np::maximum_running_time),
-                                             std::numeric_limits<double>::infinity()),
-                            std::move(callback), choose_parameter(get_parameter(np, internal_np::verbose), false));
+  internal::Monitor monitor(
+    choose_parameter(get_parameter(np, internal_np::maximum_running_time), std::numeric_limits<double>::infinity()),
+    std::move(callback), choose_parameter(get_parameter(np, internal_np::verbose), false));
   try {
     const internal::Stopwatch watch;
     internal::Source_mesh<TriangleMesh> source(mesh, internal::vertex_points(mesh, np));
     result.number_of_vertices = source.vertex.size();
     result.number_of_faces = source.face.size();
-    if constexpr(is_default_parameter<NamedParameters, internal_np::edge_weight_tag>::value)
+    if constexpr(is_default_parameter<NamedParameters, internal::edge_weight_tag>::value)
       source.set_weights(mesh, conformal_weights(mesh, 5, 85, np));
     else
-      source.set_weights(mesh, get_parameter(np, internal_np::edge_weight_tag()));
+      source.set_weights(mesh, get_parameter(np, internal::edge_weight_tag()));
 
     const auto is_constrained =
       choose_parameter(get_parameter(np, internal_np::vertex_is_constrained),
                        Static_boolean_property_map<typename Graph_traits::vertex_descriptor, false>());
     const std::vector<char> is_fixed = internal::fixed_vertices(source.vertex, is_constrained);
-    internal::Map_task task = {source.graph, source.face, source.point, source.area, source.largest_face, is_fixed,
-                               {}, {}, {}, monitor, result};
+    internal::Map_task task = {source.graph, source.face, source.point, source.area, source.largest_face, is_fixed, {},
+                               {},           {},          monitor,      result};
     if constexpr(!is_default_parameter<NamedParameters, internal_np::accuracy_t>::value)
       task.accuracy = get_parameter(np, internal_np::accuracy);
     if constexpr(!is_default_parameter<NamedParameters, internal_np::number_of_iterations_t>::value)
@@ -115,8 +115,7 @@ Result parameterize(const ExecutionPolicy& policy, const TriangleMesh& mesh, con
     internal::pass_verdict(source.face, v, report, monitor, result);
     result.seconds.certify = certify_watch.seconds();
     monitor.advance(1);
-  }
-  catch(const internal::Failure& failure) {
+  } catch(const internal::Failure& failure) {
     result.error = failure.code;
     result.detail = failure.detail;
   }

@@ -49,7 +49,10 @@ public:
   /// @{
   Vectors vectors(int n) const { return Vectors(n, vec3{0, 0, 0}); }
   template <class T>
-  Array<T> upload(std::vector<T> host) const { return host; }
+  Array<T> upload(std::vector<T> host) const
+  {
+    return host;
+  }
   Matrix upload(Weighted_graph host) const { return host; }
   Transfer upload(Sparse_matrix host) const { return host; }
   const Vectors& download(const Vectors& x) const { return x; }
@@ -74,7 +77,7 @@ public:
     })[0];
   }
 
-  /// x += alpha p and r -= alpha q, in place; returns r . r
+  /// x += alpha p and r -= alpha q, in place
   void descend(double alpha, const Vectors& p, const Vectors& q, Vectors& x, Vectors& r) const
   {
     for_each(x.size(), [&](int i) {
@@ -89,7 +92,7 @@ public:
     for_each(p.size(), [&](int i) { p[i] = add_scaled(s[i], beta, p[i]); });
   }
 
-  /// x . A x / 2, positive definite to the last digit
+  /// Spring energy of exponent 2: sum over edges of w |x_i - x_j|^2 / 2
   double energy(const Matrix& a, const Vectors& x) const
   {
     const graph_view g = a.view();
@@ -179,32 +182,34 @@ public:
     });
   }
 
-  /// d = -s + beta P d, in place; returns sum m_i d_i and d . g
-  std::array<double, 4> direction(double beta, const Vectors& v, const Vectors& s, const Vectors& g,
+  /// d = -s + beta P d, in place; returns d . g, sum m_i d_i and sum m_i v_i x d_i
+  std::array<double, 7> direction(double beta, const Vectors& v, const Vectors& s, const Vectors& g,
                                   const Scalars& mass, Vectors& d) const
   {
-    return sum<4>(v.size(), [&](int i, auto& t) {
+    return sum<7>(v.size(), [&](int i, auto& t) {
       d[i] = sub(scale(beta, tangent(d[i], v[i])), s[i]);
-      t[0] += mass[i] * d[i].x;
-      t[1] += mass[i] * d[i].y;
-      t[2] += mass[i] * d[i].z;
-      t[3] += inner(d[i], g[i]);
+      t[0] += inner(d[i], g[i]);
+      const vec3 push = scale(mass[i], d[i]);
+      const vec3 spin = outer(v[i], push);
+      t[1] += push.x;
+      t[2] += push.y;
+      t[3] += push.z;
+      t[4] += spin.x;
+      t[5] += spin.y;
+      t[6] += spin.z;
     });
   }
 
-  /// d -= P y, in place, but at fixed vertices
-  void subtract_boost(const Matrix& a, vec3 y, const Vectors& v, Vectors& d) const
+  /// d -= P y + omega x v, in place: an infinitesimal boost and rotation
+  void subtract_moebius(vec3 y, vec3 omega, const Vectors& v, Vectors& d) const
   {
-    for_each(v.size(), [&](int i) {
-      if(a.inverse_diagonal[i] > 0)
-        d[i] = sub(d[i], tangent(y, v[i]));
-    });
+    for_each(v.size(), [&](int i) { d[i] = sub(d[i], add(tangent(y, v[i]), outer(omega, v[i]))); });
   }
 
   /// Second derivative of the Lagrangian E - mu . sum m_i v_i along the geodesics with velocity d; and
   /// sum m_i |d_i|^2
-  std::array<double, 2> curvature(const Matrix& a, double p, const Scalars& mass, vec3 mu, const Vectors& v, const Vectors& d,
-                   const Scalars& density) const
+  std::array<double, 2> curvature(const Matrix& a, double p, const Scalars& mass, vec3 mu, const Vectors& v,
+                                  const Vectors& d, const Scalars& density) const
   {
     const graph_view w = a.view();
     return sum<2>(v.size(), [&](int i, auto& s) {

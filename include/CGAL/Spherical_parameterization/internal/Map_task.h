@@ -25,10 +25,10 @@ struct Map_task {
   Weighted_graph& graph;
   const std::vector<std::array<int, 3>>& faces;
   const std::vector<vec3>& points;
-  const std::vector<double>& area;        ///< source area of the vertices
+  const std::vector<double>& area; ///< source area of the vertices
   const std::array<int, 3>& largest_face;
-  const std::vector<char>& is_fixed;      ///< empty: no fixed vertex
-  std::vector<vec3> given;                ///< positions the caller's map held on entry, where they are needed; else empty
+  const std::vector<char>& is_fixed; ///< empty: no fixed vertex
+  std::vector<vec3> given;           ///< positions the caller's map held on entry, where they are needed; else empty
   std::optional<double> accuracy;
   std::optional<std::size_t> number_of_iterations;
   Monitor& monitor;

@@ -8,7 +8,7 @@
 
 #include <Eigen/Dense>
 
-#include <cmath>
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -134,10 +134,13 @@ private:
     }
   }
 
-  /// Dense inverse; on a singular matrix that of A + 1 1^T, which agrees on sums of zero.
+  /// Dense inverse. Of a singular matrix, whose kernel are the constants, that of A plus a multiple of 1 1^T: on
+  /// right-hand sides that sum to zero it makes no difference which.
   static std::vector<double> inverse(const Weighted_graph& a, bool is_singular)
   {
     const int n = a.size();
+    if(n == 0)
+      return {};
     Eigen::MatrixXd m = Eigen::MatrixXd::Zero(n, n);
     double scale = 0;
     for(int i = 0; i < n; ++i) {

@@ -37,13 +37,13 @@ class Source_mesh {
   typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
 
 public:
-  std::vector<vertex_descriptor> vertex;  ///< descriptor of vertex i, in breadth-first order
-  std::vector<int> position;              ///< position of vertex i in vertices(mesh), for messages
+  std::vector<vertex_descriptor> vertex; ///< descriptor of vertex i, in breadth-first order
+  std::vector<int> position;             ///< position of vertex i in vertices(mesh), for messages
   std::vector<vec3> point;
-  std::vector<std::array<int, 3>> face;   ///< in the order of faces(mesh)
-  std::vector<double> area;               ///< every vertex's third of the areas of its faces
-  std::array<int, 3> largest_face;        ///< by area
-  Weighted_graph graph;                   ///< neighbours in ascending order; weights are left to set_weights()
+  std::vector<std::array<int, 3>> face; ///< in the order of faces(mesh)
+  std::vector<double> area;             ///< every vertex's third of the areas of its faces
+  std::array<int, 3> largest_face;      ///< by area
+  Weighted_graph graph;                 ///< neighbours in ascending order; weights are left to set_weights()
 
   /// Throws Failure.
   template <class VertexPointMap>
@@ -73,7 +73,8 @@ public:
     }
   }
 
-  /// Reads the weight of every edge once, and writes it into both rows. Throws Failure if it is not positive and finite.
+  /// Reads the weight of every edge once, and writes it into both rows. Throws Failure if it is not positive and
+  /// finite.
   template <class EdgeWeightMap>
   void set_weights(const TriangleMesh& mesh, EdgeWeightMap weights)
   {
@@ -82,9 +83,9 @@ public:
     // Row j meets its larger neighbours i in ascending order: a cursor per row finds the mirror image of (i, j).
     std::vector<int> cursor(n);
     for(int i = 0; i < n; ++i)
-      cursor[i] = static_cast<int>(std::upper_bound(graph.target.begin() + graph.offset[i],
-                                                    graph.target.begin() + graph.offset[i + 1], i) -
-                                   graph.target.begin());
+      cursor[i] = static_cast<int>(
+        std::upper_bound(graph.target.begin() + graph.offset[i], graph.target.begin() + graph.offset[i + 1], i) -
+        graph.target.begin());
     const Vertex_numbering<TriangleMesh> numbering(mesh);
     std::vector<int> index(n);
     for(int i = 0; i < n; ++i)
@@ -115,15 +116,15 @@ private:
     for(auto f : faces(mesh)) {
       if(!is_triangle(halfedge(f, mesh), mesh))
         throw Failure{Error_code::NOT_TRIANGULAR, "face " + std::to_string(face_count) + " has " +
-                                                      std::to_string(degree(f, mesh)) +
-                                                      " corners; triangulate the mesh first"};
+                                                    std::to_string(degree(f, mesh)) +
+                                                    " corners; triangulate the mesh first"};
       ++face_count;
     }
     if(face_count == 0)
       throw Failure{Error_code::EMPTY_MESH, "there is nothing to map"};
     constexpr std::size_t limit = static_cast<std::size_t>((std::numeric_limits<int>::max)());
     if(3 * face_count > limit)
-      throw Failure{Error_code::NOT_TRIANGULAR, "more than 2^31 halfedges are not supported"};
+      throw Failure{Error_code::TOO_LARGE, std::to_string(face_count) + " faces; at most 715,827,882 are supported"};
 
     // Incident faces of each vertex as the faces tell it, to be compared with the walk round the vertex.
     std::vector<int> incident(numbering.size(), 0);
@@ -139,10 +140,11 @@ private:
         first_isolated = i;
     if(isolated > 0)
       throw Failure{Error_code::ISOLATED_VERTEX, counted(isolated, "isolated vertex", "isolated vertices") +
-                                                     ", the first one is vertex " + std::to_string(first_isolated) +
-                                                     "; remove them"};
+                                                   ", the first one is vertex " + std::to_string(first_isolated) +
+                                                   "; remove them"};
     if(border > 0)
-      throw Failure{Error_code::BOUNDARY, counted(border, "boundary edge", "boundary edges") + "; fill the holes first"};
+      throw Failure{Error_code::BOUNDARY,
+                    counted(border, "boundary edge", "boundary edges") + "; fill the holes first"};
     for(vertex_descriptor v : vertices(mesh)) {
       int walked = 0;
       for(halfedge_descriptor h : halfedges_around_target(halfedge(v, mesh), mesh)) {
@@ -151,7 +153,7 @@ private:
       }
       if(walked != incident[numbering(v)])
         throw Failure{Error_code::NON_MANIFOLD, "the faces round vertex " + std::to_string(numbering(v)) +
-                                                    " form several fans; duplicate the vertex"};
+                                                  " form several fans; duplicate the vertex"};
     }
   }
 
@@ -184,7 +186,8 @@ private:
       }
     }
     if(components > 1)
-      throw Failure{Error_code::SEVERAL_COMPONENTS, counted(components, "component", "components") + "; map them one by one"};
+      throw Failure{Error_code::SEVERAL_COMPONENTS,
+                    counted(components, "component", "components") + "; map them one by one"};
     std::size_t face_count = 0;
     for(auto f : faces(mesh)) {
       (void)f;
@@ -194,7 +197,7 @@ private:
     const long long characteristic = static_cast<long long>(n) - static_cast<long long>(face_count / 2);
     if(characteristic != 2)
       throw Failure{Error_code::WRONG_GENUS, "genus " + std::to_string((2 - characteristic) / 2) +
-                                                 "; only surfaces without handles map to the sphere"};
+                                               "; only surfaces without handles map to the sphere"};
     return index;
   }
 
@@ -242,8 +245,8 @@ private:
   {
     if(w > 0 && std::isfinite(w))
       return;
-    const std::string edge_name = "edge " + std::to_string(position[j]) + "-" + std::to_string(position[i]) +
-                                  " has weight " + std::to_string(w);
+    const std::string edge_name =
+      "edge " + std::to_string(position[j]) + "-" + std::to_string(position[i]) + " has weight " + std::to_string(w);
     for(halfedge_descriptor side : {h, opposite(h, mesh)})
       if(is_degenerate(mesh, side, i, j))
         throw Failure{Error_code::DEGENERATE_FACE, edge_name + " because a face at it has no area; use barycentric or "

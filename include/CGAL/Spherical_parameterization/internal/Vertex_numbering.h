@@ -24,8 +24,8 @@ struct Has_idx<Descriptor, std::void_t<decltype(static_cast<std::size_t>(std::de
   : std::true_type {};
 
 /// The position of every vertex in vertices(mesh), 0 ... n-1. The mesh's own indices are not relied upon: they may have
-/// holes (Surface_mesh with garbage) or never have been set (Polyhedron_3). Descriptors that are an index (Surface_mesh,
-/// OpenMesh) look their position up in an array, all others in a hash table.
+/// holes (Surface_mesh with garbage) or never have been set (Polyhedron_3). Descriptors that are an index
+/// (Surface_mesh, OpenMesh) look their position up in an array, all others in a hash table.
 template <class TriangleMesh>
 class Vertex_numbering {
   typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
@@ -49,7 +49,8 @@ public:
 
 private:
   typedef std::conditional_t<Has_idx<vertex_descriptor>::value, std::vector<int>,
-                             std::unordered_map<vertex_descriptor, int, boost::hash<vertex_descriptor>>> Table;
+                             std::unordered_map<vertex_descriptor, int, boost::hash<vertex_descriptor>>>
+    Table;
 
   void insert(vertex_descriptor v, int position)
   {
@@ -58,8 +59,7 @@ private:
       if(i >= table_.size())
         table_.resize(i + 1, -1);
       table_[i] = position;
-    }
-    else
+    } else
       table_.emplace(v, position);
   }
 

@@ -18,7 +18,7 @@ struct Weighted_graph {
   std::vector<int> offset = {0};
   std::vector<int> target;
   std::vector<double> weight;
-  std::vector<double> excess;            ///< empty: zero
+  std::vector<double> excess; ///< empty: zero
   std::vector<double> inverse_diagonal;
 
   int size() const { return static_cast<int>(offset.size()) - 1; }

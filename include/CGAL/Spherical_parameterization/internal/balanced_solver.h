@@ -23,15 +23,22 @@ namespace internal {
 struct Descent_options {
   double accuracy;
   std::size_t maximum_iterations;
-  std::size_t patience = 30;     ///< so many iterations without progress are taken for a stall
-  double longest_factor = 1000;  ///< bound of the step length; 1 is the step of an exact preconditioner
+  std::size_t patience = 30;    ///< so many iterations without progress are taken for a stall
+  double longest_factor = 1000; ///< bound of the step length; 1 is the step of an exact preconditioner
+};
+
+/// What is left of the freedom to move a solution by a Moebius transformation.
+enum class Gauge {
+  FIXED,   ///< nothing: there are fixed vertices
+  ROTATED, ///< rotations, which are kept out of the descent: exponents above 2
+  BALANCED ///< rotations; boosts would change the energy but little, and are held by sum m_i v_i = 0
 };
 
 /// Riemannian conjugate gradients on the product of spheres (F. Alouges, "A new algorithm for computing liquid crystal
 /// stable configurations: the harmonic mapping case", SIAM J. Numer. Anal. 34, 1997, descends on the same energy; the
 /// preconditioner and the treatment of the Moebius freedom are ours).
 ///
-/// Balanced (`is_balanced`): minimises the spring energy subject to sum m_i v_i = 0. Both the multiplier and the way back
+/// `Gauge::BALANCED` minimises the spring energy subject to sum m_i v_i = 0. Both the multiplier and the way back
 /// to the constraint use the boost fields b_k = P e_k, along which the energy of a smooth map is flat:
 ///   mu = N^-1 sum g_i,  r = g - m P mu,  d <- d - P N^-1 sum m_i d_i,  N = sum m_i P_i.
 /// The projection Q = 1 - b N^-1 (m b)^T is applied to r as Q^T, to the direction as Q, so that Q M^-1 Q^T stays
@@ -46,9 +53,8 @@ class Balanced_solver {
 public:
   /// `mass`: spherical vertex areas. They bound the steps, and define the balance.
   Balanced_solver(const Backend& backend, const typename Backend::Matrix& matrix, Multigrid<Backend>& multigrid,
-                  double spring_exponent, bool is_balanced, const Scalars& mass)
-    : backend_(backend), matrix_(matrix), multigrid_(multigrid), exponent_(spring_exponent), is_balanced_(is_balanced),
-      mass_(mass)
+                  double spring_exponent, Gauge gauge, const Scalars& mass)
+    : backend_(backend), matrix_(matrix), multigrid_(multigrid), exponent_(spring_exponent), gauge_(gauge), mass_(mass)
   {}
 
   /// Descends from v; `work_before` is the share of the whole work that has been done before.
@@ -71,7 +77,8 @@ public:
     std::size_t best_at = 0;
     for(;; ++report.iterations) {
       const Eigen::LDLT<Eigen::Matrix3d> boosts = boost_matrix(moments).ldlt();
-      const Eigen::Vector3d mu = is_balanced_ ? Eigen::Vector3d(boosts.solve(sums.tail<3>())) : Eigen::Vector3d::Zero();
+      const Eigen::Vector3d mu =
+        gauge_ == Gauge::BALANCED ? Eigen::Vector3d(boosts.solve(sums.tail<3>())) : Eigen::Vector3d::Zero();
       report.energy = sums[0] / exponent_;
       report.residual = std::sqrt(backend_.balance_gradient(matrix_, mass_, to_vec3(mu), v, g));
       if(report.iterations == 0)
@@ -102,8 +109,7 @@ public:
 
       const std::array<double, 2> model = backend_.curvature(matrix_, exponent_, mass_, to_vec3(mu), v, d, density);
       const double longest = longest_step * std::sqrt(total_mass(moments) / model[1]);
-      const double alpha =
-        (std::min)({model[0] > 0 ? -slope / model[0] : 1, longest, options.longest_factor});
+      const double alpha = (std::min)({model[0] > 0 ? -slope / model[0] : 1, longest, options.longest_factor});
       std::swap(g, old_g);
       report.has_stalled = !line_search(alpha, slope, d, v, w, g, density, moments, sums);
       if(report.has_stalled)
@@ -118,22 +124,27 @@ private:
   void settle(Vectors& v, Vectors& scratch, Moments& moments) const
   {
     constexpr double tolerance = 1e-10;
-    if(is_balanced_)
+    if(gauge_ == Gauge::BALANCED)
       balance(backend_, mass_, tolerance, 1, v, scratch, moments);
   }
 
-  /// d = Q (-s + beta P d); returns the slope d . g
+  /// d = -s + beta P d, projected to what the gauge allows; returns the slope d . g, which the projection does not
+  /// change: the energy does not see rotations, and a balanced gradient sums to zero.
   double find_direction(double beta, const Eigen::LDLT<Eigen::Matrix3d>& boosts, const Vectors& v, const Vectors& s,
                         const Vectors& g, Vectors& d) const
   {
-    const Eigen::Vector4d sums = to_vector(backend_.direction(beta, v, s, g, mass_, d));
-    if(is_balanced_) // g sums to zero, so that the boost does not change the slope
-      backend_.subtract_boost(matrix_, to_vec3(boosts.solve(sums.head<3>())), v, d);
-    return sums[3];
+    const std::array<double, 7> sums = backend_.direction(beta, v, s, g, mass_, d);
+    if(gauge_ != Gauge::FIXED) {
+      const Eigen::Vector3d push(sums[1], sums[2], sums[3]);
+      const Eigen::Vector3d spin(sums[4], sums[5], sums[6]);
+      const vec3 boost = gauge_ == Gauge::BALANCED ? to_vec3(boosts.solve(push)) : make_vec3(0, 0, 0);
+      backend_.subtract_moebius(boost, to_vec3(boosts.solve(spin)), v, d);
+    }
+    return sums[0];
   }
 
-  /// Armijo's rule from the step of the quadratic model. On success v, g, density, moments and sums are those of the new
-  /// point; on failure v is unchanged.
+  /// Armijo's rule from the step of the quadratic model. On success v, g, density, moments and sums are those of the
+  /// new point; on failure v is unchanged.
   bool line_search(double alpha, double slope, const Vectors& d, Vectors& v, Vectors& w, Vectors& g, Scalars& density,
                    Moments& moments, Eigen::Vector4d& sums)
   {
@@ -160,7 +171,7 @@ private:
   const typename Backend::Matrix& matrix_;
   Multigrid<Backend>& multigrid_;
   double exponent_;
-  bool is_balanced_;
+  Gauge gauge_;
   const Scalars& mass_;
 };
 

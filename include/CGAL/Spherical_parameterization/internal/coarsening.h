@@ -81,8 +81,7 @@ public:
       at = size_++;
       column_[at] = column;
       value_[at] = value;
-    }
-    else
+    } else
       value_[at] += value;
   }
 
@@ -202,7 +201,8 @@ inline Weighted_graph galerkin_product(const Weighted_graph& a, const Sparse_mat
   return c;
 }
 
-/// Upper estimate of the largest eigenvalue of D^-1 A by power iteration from a fixed start, at most Gershgorin's bound.
+/// Upper estimate of the largest eigenvalue of D^-1 A by power iteration from a fixed start, at most Gershgorin's
+/// bound.
 inline double spectral_radius(const Weighted_graph& a)
 {
   constexpr int iterations = 6;

@@ -14,12 +14,12 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
-/// Solves A x = b for three right-hand sides by conjugate gradients with one multigrid cycle as the preconditioner, to a
-/// relative error of about `accuracy` in the energy norm. `x` is 0 on entry. Returns the number of iterations.
+/// Solves A x = b for three right-hand sides by conjugate gradients with one multigrid cycle as the preconditioner, to
+/// a relative error of about `accuracy` in the energy norm. `x` is 0 on entry. Returns the number of iterations.
 template <class Backend>
-std::size_t conjugate_gradients(const Backend& backend, const typename Backend::Matrix& a, Multigrid<Backend>& multigrid,
-                                typename Backend::Vectors r, double accuracy, Monitor& monitor, double share_of_work,
-                                typename Backend::Vectors& x)
+std::size_t conjugate_gradients(const Backend& backend, const typename Backend::Matrix& a,
+                                Multigrid<Backend>& multigrid, typename Backend::Vectors r, double accuracy,
+                                Monitor& monitor, double share_of_work, typename Backend::Vectors& x)
 {
   constexpr std::size_t maximum_iterations = 200;
   const int n = static_cast<int>(x.size());

@@ -33,8 +33,8 @@ std::vector<char> fixed_vertices(const std::vector<Vertex>& vertices, Constraine
   if(count == 0)
     return {};
   if(count < 3)
-    throw Failure{Error_code::BAD_CONSTRAINTS, "only " + counted(count, "vertex is", "vertices are") +
-                                                   " fixed; fix three or more, or none"};
+    throw Failure{Error_code::BAD_CONSTRAINTS,
+                  "only " + counted(count, "vertex is", "vertices are") + " fixed; fix three or more, or none"};
   return is_fixed;
 }
 
@@ -46,7 +46,7 @@ std::vector<vec3> given_positions(const std::vector<Vertex>& vertices, const std
 {
   typedef typename boost::property_traits<VertexSphereMap>::category Category;
   if constexpr(std::is_convertible_v<Category, boost::readable_property_map_tag>) {
-    constexpr double rounding = 4e-16;
+    constexpr double rounding = 1e-15; // of the squared length of a normalised vector
     std::vector<vec3> given(vertices.size(), vec3{0, 0, 0});
     std::vector<std::tuple<double, double, double, int>> fixed;
     for(std::size_t i = 0; i < vertices.size(); ++i) {
@@ -56,8 +56,8 @@ std::vector<vec3> given_positions(const std::vector<Vertex>& vertices, const std
       vec3 p = coordinates(get(sphere_map, vertices[i]));
       const vec3 box = scaled_to_unit_box(p);
       if(!is_finite(p) || inner(box, box) == 0)
-        throw Failure{Error_code::BAD_CONSTRAINTS, "the position given for vertex " + std::to_string(position[i]) +
-                                                       " is not a direction"};
+        throw Failure{Error_code::BAD_CONSTRAINTS,
+                      "the position given for vertex " + std::to_string(position[i]) + " is not a direction"};
       if(!(std::abs(inner(p, p) - 1) <= rounding))
         p = unit(box);
       given[i] = p;
@@ -70,11 +70,10 @@ std::vector<vec3> given_positions(const std::vector<Vertex>& vertices, const std
       const auto& [bx, by, bz, b] = fixed[k];
       if(ax == bx && ay == by && az == bz)
         throw Failure{Error_code::BAD_CONSTRAINTS, "the fixed vertices " + std::to_string(a) + " and " +
-                                                       std::to_string(b) + " are at the same position"};
+                                                     std::to_string(b) + " are at the same position"};
     }
     return given;
-  }
-  else
+  } else
     throw Failure{Error_code::BAD_CONSTRAINTS, "the sphere map is not readable, and holds no positions to start from"};
 }
 

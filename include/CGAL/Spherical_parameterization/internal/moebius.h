@@ -28,9 +28,7 @@ inline Eigen::Matrix3d boost_matrix(const Moments& m)
 {
   const std::array<double, 6>& s = m.second;
   Eigen::Matrix3d n;
-  n << s[3] + s[5], -s[1], -s[2],
-       -s[1], s[0] + s[5], -s[4],
-       -s[2], -s[4], s[0] + s[3];
+  n << s[3] + s[5], -s[1], -s[2], -s[1], s[0] + s[5], -s[4], -s[2], -s[4], s[0] + s[3];
   return n;
 }
 
@@ -63,8 +61,8 @@ void balance(const Backend& backend, const typename Backend::Scalars& mass, doub
   }
 }
 
-/// The Moebius transformation of orientation 1 (boosts and rotations) that brings `from` closest to `to` in the sense of
-/// least squares, by the Gauss-Newton method from the best rotation; exact for three points. Returned as a sequence
+/// The Moebius transformation of orientation 1 (boosts and rotations) that brings `from` closest to `to` in the sense
+/// of least squares, by the Gauss-Newton method from the best rotation; exact for three points. Returned as a sequence
 /// of boosts, each followed by a rotation.
 class Moebius_alignment {
 public:
@@ -115,7 +113,10 @@ private:
     Eigen::Matrix3d rotation;
   };
 
-  static vec3 transformed(const Step& s, vec3 p) { return unit(to_vec3(s.rotation * to_eigen(boost(p, to_vec3(s.centre))))); }
+  static vec3 transformed(const Step& s, vec3 p)
+  {
+    return unit(to_vec3(s.rotation * to_eigen(boost(p, to_vec3(s.centre)))));
+  }
 
   void apply(const Step& s, std::vector<vec3>& points)
   {
@@ -146,9 +147,7 @@ private:
     for(std::size_t k = 0; k < from.size(); ++k) {
       const Eigen::Vector3d x = to_eigen(from[k]);
       Eigen::Matrix<double, 3, 6> j;
-      j << 0, x[2], -x[1], 0, 0, 0,
-           -x[2], 0, x[0], 0, 0, 0,
-           x[1], -x[0], 0, 0, 0, 0;
+      j << 0, x[2], -x[1], 0, 0, 0, -x[2], 0, x[0], 0, 0, 0, x[1], -x[0], 0, 0, 0, 0;
       j.rightCols<3>() = -2 * (Eigen::Matrix3d::Identity() - x * x.transpose());
       normal += j.transpose() * j;
       right += j.transpose() * (to_eigen(to[k]) - x);

@@ -16,20 +16,29 @@ namespace CGAL {
 // edge_weight_map(weights).accuracy(1e-9)
 namespace internal_np {
 enum spherical_edge_weight_t { spherical_edge_weight };
-typedef spherical_edge_weight_t edge_weight_tag;
-} // namespace internal_np
+}
 
 namespace parameters {
 template <class EdgeWeightMap>
-Named_function_parameters<EdgeWeightMap, internal_np::edge_weight_tag> edge_weight_map(const EdgeWeightMap& weights)
+Named_function_parameters<EdgeWeightMap, internal_np::spherical_edge_weight_t>
+edge_weight_map(const EdgeWeightMap& weights)
 {
-  return Named_function_parameters<EdgeWeightMap, internal_np::edge_weight_tag>(weights);
+  return Named_function_parameters<EdgeWeightMap, internal_np::spherical_edge_weight_t>(weights);
 }
 } // namespace parameters
 #endif
 
 namespace Spherical_parameterization {
 namespace internal {
+
+template <class NamedParameters>
+struct Tag_of;
+template <class T, class Tag, class Base>
+struct Tag_of<Named_function_parameters<T, Tag, Base>> {
+  typedef Tag type;
+};
+/// The tag of edge_weight_map, whosever it is.
+typedef Tag_of<decltype(parameters::edge_weight_map(0))>::type edge_weight_tag;
 
 /// The vertex point map of `np`, or the mesh's own.
 template <class TriangleMesh, class NamedParameters>

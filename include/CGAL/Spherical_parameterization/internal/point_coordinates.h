@@ -20,8 +20,9 @@ namespace internal {
 template <class Point, class = void>
 struct Has_xyz : std::false_type {};
 template <class Point>
-struct Has_xyz<Point, std::void_t<decltype(std::declval<const Point&>().x()), decltype(std::declval<const Point&>().y()),
-                                  decltype(std::declval<const Point&>().z())>> : std::true_type {};
+struct Has_xyz<Point,
+               std::void_t<decltype(std::declval<const Point&>().x()), decltype(std::declval<const Point&>().y()),
+                           decltype(std::declval<const Point&>().z())>> : std::true_type {};
 
 /// The coordinates of a point of any kernel or vector library, as doubles: x(), y(), z() if there are such members,
 /// else p[0], p[1], p[2].

@@ -40,7 +40,8 @@ constexpr double limit = 1e-15;
 
 /// Solves from `start`, and does what can be done where faces are flipped in the end:
 /// - tightens the accuracy;
-/// - starts again with short steps: on coarse meshes the balanced critical point may be a degenerate map, with faces on a
+/// - starts again with short steps: on coarse meshes the balanced critical point may be a degenerate map, with faces on
+/// a
 ///   great circle, that a careful descent approaches from the valid side, and an eager one from both.
 template <class Backend>
 Solver_report solve_until_valid(const Backend& backend, Balanced_solver<Backend>& solver, Map_task& task,
@@ -75,82 +76,95 @@ Solver_report solve_until_valid(const Backend& backend, Balanced_solver<Backend>
   return report;
 }
 
-/// Exponents above 2: the springs stiffen as they are stretched, and the map cannot slip off along a boost any more
-/// (above the dimension 2 maps are held continuous by their energy). Nothing is balanced; the preconditioner is
-/// L(w(v)) + diag(density), set up anew whenever the weights have changed much.
-template <class Backend>
-std::vector<vec3> run_stiffening(const Backend& backend, double exponent, double accuracy,
-                                 std::size_t maximum_iterations, Map_task& task, Solver_report& report)
+/// Springs of exponent p > 2, with the factors of E_p = 1/p sum w l^2 (|v_i - v_j| / l)^p that do not depend on v as
+/// weights. Lengths are relative to a source of area 4 pi.
+inline Weighted_graph stiffening_springs(const Map_task& task, double exponent)
 {
-  constexpr std::size_t iterations_per_hierarchy = 12;
-  const int n = task.size();
-  Stopwatch watch;
-  std::vector<vec3> start = harmonic_start(backend, task, start_share);
-  task.result.seconds.start_map = watch.seconds();
-
   const double area = std::accumulate(task.area.begin(), task.area.end(), 0.);
   const double unit_length = std::sqrt(area / (4 * std::acos(-1.)));
-  // E_p = 1/p sum w l^2 (|v_i - v_j| / l)^p: the factors that do not depend on v go into the weights.
-  for(int i = 0; i < n; ++i)
-    for(int k = task.graph.offset[i]; k < task.graph.offset[i + 1]; ++k) {
-      const vec3 e = sub(task.points[i], task.points[task.graph.target[k]]);
-      const double length = std::sqrt(inner(e, e)) / unit_length;
-      task.graph.weight[k] *= std::pow(length, 2 - exponent);
-      if(!std::isfinite(task.graph.weight[k]))
+  Weighted_graph springs = task.graph;
+  for(int i = 0; i < springs.size(); ++i)
+    for(int k = springs.offset[i]; k < springs.offset[i + 1]; ++k) {
+      const vec3 e = sub(task.points[i], task.points[springs.target[k]]);
+      springs.weight[k] *= std::pow(std::sqrt(inner(e, e)) / unit_length, 2 - exponent);
+      if(!std::isfinite(springs.weight[k]))
         throw Failure{Error_code::DEGENERATE_FACE, "an edge has no length, which spring exponents above 2 need"};
     }
+  return springs;
+}
 
-  Weighted_graph current = task.graph;
-  current.excess.resize(n);
-  const typename Backend::Scalars mass = backend.upload(spherical_masses(task, start));
-  typename Backend::Vectors v = backend.upload(std::move(start));
-  double residual = 0;
-  double goal = accuracy;
-  for(std::size_t done = 0;;) {
-    // The weights at v, on the host as all set-up.
-    const std::vector<vec3> position = backend.download(v);
-    const graph_view springs = task.graph.view();
-    for(int i = 0; i < n; ++i) {
-      current.excess[i] = spring_density(i, springs, exponent, position.data());
-      for(int k = current.offset[i]; k < current.offset[i + 1]; ++k) {
-        const vec3 e = sub(position[i], position[current.target[k]]);
-        current.weight[k] = spring_weight(task.graph.weight[k], inner(e, e), exponent);
-      }
+/// The quadratic springs that pull like `springs` at v, with the energy densities on the diagonal: the preconditioner.
+inline Weighted_graph springs_at(const Weighted_graph& springs, double exponent, const std::vector<vec3>& v,
+                                 const std::vector<char>& is_fixed)
+{
+  Weighted_graph result = springs;
+  result.excess.resize(springs.size());
+  for(int i = 0; i < springs.size(); ++i) {
+    result.excess[i] = spring_density(i, springs.view(), exponent, v.data());
+    for(int k = springs.offset[i]; k < springs.offset[i + 1]; ++k) {
+      const vec3 e = sub(v[i], v[springs.target[k]]);
+      result.weight[k] = spring_weight(springs.weight[k], inner(e, e), exponent);
     }
-    current.update_diagonal(task.is_fixed);
-    task.graph.inverse_diagonal = current.inverse_diagonal;
+  }
+  result.update_diagonal(is_fixed);
+  return result;
+}
+
+/// Exponents above 2: the springs stiffen as they are stretched, and the map cannot slip off along a boost any more
+/// (above the dimension 2 maps are held continuous by their energy). Nothing is balanced. The preconditioner is set up
+/// anew whenever the springs have changed much. Where faces are flipped in the end, the accuracy is tightened.
+template <class Backend>
+Solver_report solve_stiffening(const Backend& backend, const Map_task& task, double exponent, double accuracy,
+                               std::size_t maximum_iterations, typename Backend::Vectors& v)
+{
+  // Far from the solution the springs change by orders of magnitude in a step; near it they are constant.
+  const auto iterations_per_hierarchy = [](double residual) -> std::size_t {
+    return residual > 1e-2 ? 1 : residual > 1e-5 ? 4 : 12;
+  };
+  const Gauge gauge = task.has_fixed() ? Gauge::FIXED : Gauge::ROTATED;
+  Weighted_graph springs = stiffening_springs(task, exponent);
+  Solver_report report;
+  double goal = accuracy;
+  for(std::size_t done = 0, made = 1;; done += made) {
+    const std::vector<vec3> position = backend.download(v); // all set-up is the host's
+    const Weighted_graph current = springs_at(springs, exponent, position, task.is_fixed);
     const typename Backend::Matrix preconditioner = backend.upload(current);
-    residual = std::sqrt(backend.barycentric_residual2(preconditioner, v));
-    if(done > 0 && (report.has_stalled || done >= maximum_iterations || task.monitor.is_interrupted()))
-      break;
+    report.residual = std::sqrt(backend.barycentric_residual2(preconditioner, v));
+    report.iterations = done;
     if(report.has_converged) {
       if(goal < limit || certify(task.faces, position).is_valid())
         break;
       goal *= refinement;
     }
-    const typename Backend::Matrix matrix = backend.upload(task.graph);
+    if(made == 0 || done >= maximum_iterations || task.monitor.is_interrupted())
+      break;
+    springs.inverse_diagonal = current.inverse_diagonal;
+    const typename Backend::Matrix matrix = backend.upload(springs);
+    const typename Backend::Scalars mass = backend.upload(spherical_masses(task, position));
     Multigrid<Backend> multigrid(backend, current, preconditioner);
-    Balanced_solver<Backend> solver(backend, matrix, multigrid, exponent, false, mass);
-    report = solver.solve({goal, (std::min)(iterations_per_hierarchy, maximum_iterations - done)}, task.monitor,
-                          start_share, v);
-    done += (std::max)(std::size_t(1), report.iterations);
-    report.iterations = done;
+    Balanced_solver<Backend> solver(backend, matrix, multigrid, exponent, gauge, mass);
+    const std::size_t round = (std::min)(iterations_per_hierarchy(report.residual), maximum_iterations - done);
+    report = solver.solve({goal, round}, task.monitor, start_share, v);
+    made = report.iterations;
   }
-  report.residual = residual;
-  report.has_converged = residual <= accuracy;
-  task.result.seconds.solve = watch.seconds() - task.result.seconds.start_map;
-  return backend.download(v);
+  report.has_converged = report.residual <= accuracy;
+  return report;
 }
 
 template <class Backend>
 std::vector<vec3> run(const Backend& backend, const Balanced& method, Map_task& task, Solver_report& report)
 {
-  const double accuracy = task.accuracy.value_or(1e-9);
-  const std::size_t maximum_iterations = task.number_of_iterations.value_or(500);
+  const double accuracy = task.accuracy.value_or(Balanced::default_accuracy);
+  const std::size_t maximum_iterations = task.number_of_iterations.value_or(Balanced::default_number_of_iterations);
   Stopwatch watch;
 
-  if(method.spring_exponent != 2)
-    return run_stiffening(backend, method.spring_exponent, accuracy, maximum_iterations, task, report);
+  if(method.spring_exponent != 2) {
+    typename Backend::Vectors v = backend.upload(harmonic_start(backend, task, start_share));
+    task.result.seconds.start_map = watch.seconds();
+    report = solve_stiffening(backend, task, method.spring_exponent, accuracy, maximum_iterations, v);
+    task.result.seconds.solve = watch.seconds() - task.result.seconds.start_map;
+    return backend.download(v);
+  }
 
   if(task.has_fixed()) {
     std::vector<vec3> start = harmonic_start(backend, task, start_share);
@@ -160,7 +174,7 @@ std::vector<vec3> run(const Backend& backend, const Balanced& method, Map_task& 
     const typename Backend::Matrix matrix = backend.upload(task.graph);
     Multigrid<Backend> multigrid(backend, task.graph, matrix);
     task.result.seconds.start_map = watch.seconds();
-    Balanced_solver<Backend> solver(backend, matrix, multigrid, 2, false, mass);
+    Balanced_solver<Backend> solver(backend, matrix, multigrid, 2, Gauge::FIXED, mass);
     report = solve_until_valid(backend, solver, task, start, accuracy, maximum_iterations, v);
     report.residual = std::sqrt(backend.barycentric_residual2(matrix, v));
     task.result.seconds.solve = watch.seconds() - task.result.seconds.start_map;
@@ -174,7 +188,7 @@ std::vector<vec3> run(const Backend& backend, const Balanced& method, Map_task& 
   const typename Backend::Scalars mass = backend.upload(spherical_masses(task, start));
   typename Backend::Vectors v;
   task.result.seconds.start_map = watch.seconds();
-  Balanced_solver<Backend> solver(backend, matrix, multigrid, 2, true, mass);
+  Balanced_solver<Backend> solver(backend, matrix, multigrid, 2, Gauge::BALANCED, mass);
   report = solve_until_valid(backend, solver, task, start, accuracy, maximum_iterations, v);
   task.result.seconds.solve = watch.seconds() - task.result.seconds.start_map;
   return backend.download(v);

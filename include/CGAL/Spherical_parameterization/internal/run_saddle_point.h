@@ -36,12 +36,8 @@ std::vector<vec3> run(const Backend& backend, const Saddle_point& method, Map_ta
   Stopwatch watch;
   std::vector<vec3> start;
   switch(method.start) {
-  case Saddle_point::Start::HARMONIC:
-    start = harmonic_start(backend, task, start_share);
-    break;
-  case Saddle_point::Start::GIVEN:
-    start = task.given;
-    break;
+  case Saddle_point::Start::HARMONIC: start = harmonic_start(backend, task, start_share); break;
+  case Saddle_point::Start::GIVEN: start = task.given; break;
   case Saddle_point::Start::CENTROID: {
     vec3 centroid = {0, 0, 0};
     for(const vec3& p : task.points)
@@ -62,7 +58,8 @@ std::vector<vec3> run(const Backend& backend, const Saddle_point& method, Map_ta
   typename Backend::Vectors v = backend.upload(std::move(start));
   task.result.seconds.start_map = watch.seconds();
   Saddle_point_solver<Backend> solver(backend, matrix, task.graph, method);
-  report = solver.solve(v, task.accuracy.value_or(1e-7), task.number_of_iterations.value_or(100), task.monitor);
+  report = solver.solve(v, task.accuracy.value_or(Saddle_point::default_accuracy),
+                        task.number_of_iterations.value_or(Saddle_point::default_number_of_iterations), task.monitor);
   task.result.seconds.solve = watch.seconds() - task.result.seconds.start_map;
   return backend.download(v);
 }

@@ -106,8 +106,7 @@ private:
         if(method_.splitting == Saddle_point::Splitting::JACOBI) {
           backend_.jacobi_sweep(matrix_, method_.relaxation, v, u, w);
           std::swap(u, w);
-        }
-        else
+        } else
           backend_.gauss_seidel_sweep(matrix_, colours_, method_.relaxation, v, u);
       sweeps += method_.check_interval;
       const double next = std::sqrt(backend_.saddle_point_residual2(matrix_, v, u));

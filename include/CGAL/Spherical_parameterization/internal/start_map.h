@@ -21,10 +21,10 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
-/// The harmonic map of the mesh without the face `outer` to the plane, `outer` going to an equilateral triangle (Tutte's
-/// embedding with weights). Since only the corners of `outer` feel a force, L z is a combination of two dipoles
-/// between them: two right-hand sides of the singular Laplacian itself, and no other matrix is needed.
-/// The planar coordinates are returned in x and y.
+/// The harmonic map of the mesh without the face `outer` to the plane, `outer` going to an equilateral triangle
+/// (Tutte's embedding with weights). Since only the corners of `outer` feel a force, L z is a combination of two
+/// dipoles between them: two right-hand sides of the singular Laplacian itself, and no other matrix is needed. The
+/// planar coordinates are returned in x and y.
 template <class Backend>
 std::vector<vec3> planar_map(const Backend& backend, const typename Backend::Matrix& a, Multigrid<Backend>& multigrid,
                              std::array<int, 3> outer, double accuracy, Monitor& monitor, double share_of_work, int n,
@@ -89,7 +89,7 @@ std::vector<vec3> harmonic_start(const Backend& backend, const typename Backend:
   // The descent does not need more: on 40 models its number of iterations, and the flips in the end (none), were the
   // same for 1e-3 and 1e-11. But the masses of the balance are taken from here, and should not depend on the
   // numbering of the vertices.
-  constexpr double accuracy = 1e-6;
+  constexpr double accuracy = 1e-7;
   constexpr double balance_tolerance = 1e-6;
   constexpr int maximum_steps = 50;
   std::vector<vec3> start = planar_map(backend, matrix, multigrid, task.largest_face, accuracy, task.monitor,

@@ -50,21 +50,20 @@ inline void pass_verdict(const std::vector<std::array<int, 3>>& faces, const std
     result.error = Error_code::INTERRUPTED;
     result.detail = monitor.reason() + " after " + counted(report.iterations, "iteration", "iterations") +
                     ", at residual " + to_string(report.residual) + "; " + state;
-  }
-  else if(!report.has_converged) {
+  } else if(!report.has_converged) {
     result.error = Error_code::NOT_CONVERGED;
     result.detail = (report.has_stalled ? "no progress after " : "stopped after ") +
                     counted(report.iterations, "iteration", "iterations") + ", at residual " +
                     to_string(report.residual) + "; " + state;
-  }
-  else if(!is_valid) {
+  } else if(!is_valid) {
     result.error = Error_code::NOT_BIJECTIVE;
     result.detail = state;
-    result.detail += result.smallest_area < area_of_rounding
-                       ? ": limbs shrink below the resolution of double coordinates; use barycentric weights or a "
-                         "larger spring exponent"
-                       : ": the critical point is degenerate; use other weights, a larger spring exponent, or fix three "
-                         "vertices";
+    result.detail +=
+      result.smallest_area < area_of_rounding
+        ? ": limbs shrink below the resolution of double coordinates; use barycentric weights or a "
+          "larger spring exponent"
+        : ": the critical point is degenerate; use other weights, a larger spring exponent, or fix three "
+          "vertices";
   }
 }
 

@@ -11,7 +11,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_VERTEX_FORMULAS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_VERTEX_FORMULAS_H
 
-#ifdef __OPENCL_VERSION__
+#ifdef __OPENCL_C_VERSION__
 #define CGAL_SP_GLOBAL __global
 #define CGAL_SP_FUNCTION
 #else
@@ -171,7 +171,8 @@ CGAL_SP_FUNCTION real spring_curvature(int i, graph_view a, real p, CGAL_SP_GLOB
 
 /* ---- Moebius transformations and balance ------------------------------------------------------------------------- */
 
-/* The boost of the sphere with centre c, |c| < 1: x -> (1 - c^2) (x - c) / |x - c|^2 - c, to first order x - 2 P_x c. */
+/* The boost of the sphere with centre c, |c| < 1: x -> (1 - c^2) (x - c) / |x - c|^2 - c, to first order x - 2 P_x c.
+ */
 CGAL_SP_FUNCTION vec3 boost(vec3 x, vec3 c)
 {
   const vec3 d = sub(x, c);
@@ -210,7 +211,7 @@ CGAL_SP_FUNCTION vec3 barycentric_residual(int i, graph_view a, CGAL_SP_GLOBAL c
   return a.inverse_diagonal[i] == 0 ? make_vec3(0, 0, 0) : sub(v[i], unit(neighbour_mean(i, a, v)));
 }
 
-#ifndef __OPENCL_VERSION__
+#ifndef __OPENCL_C_VERSION__
 } // namespace internal
 } // namespace Spherical_parameterization
 } // namespace CGAL

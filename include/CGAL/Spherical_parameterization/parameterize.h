@@ -107,7 +107,10 @@ Result parameterize(const ExecutionPolicy& policy, const TriangleMesh& mesh, con
     const internal::Backend<ExecutionPolicy> backend(policy);
     result.device = backend.device_name();
     internal::Solver_report report;
-    const std::vector<internal::vec3> v = internal::run(backend, method, task, report);
+    std::vector<internal::vec3> v = internal::run(backend, method, task, report);
+    for(std::size_t i = 0; i < is_fixed.size(); ++i)
+      if(is_fixed[i]) // to the last bit
+        v[i] = task.given[i];
 
     const internal::Stopwatch certify_watch;
     for(std::size_t i = 0; i < v.size(); ++i)

@@ -48,6 +48,7 @@ public:
   /// \name Memory
   /// @{
   Vectors vectors(int n) const { return Vectors(n, vec3{0, 0, 0}); }
+  Scalars scalars(int n) const { return Scalars(n, 0); }
   template <class T>
   Array<T> upload(std::vector<T> host) const
   {
@@ -61,6 +62,12 @@ public:
 
   /// \name Linear algebra
   /// @{
+  /// y = x
+  void copy(const Vectors& x, Vectors& y) const
+  {
+    for_each(x.size(), [&](int i) { y[i] = x[i]; });
+  }
+
   /// returns x . y
   double dot(const Vectors& x, const Vectors& y) const
   {

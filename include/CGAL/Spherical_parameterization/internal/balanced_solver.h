@@ -65,7 +65,7 @@ public:
     const int n = static_cast<int>(v.size());
     Vectors g = backend_.vectors(n), old_g = backend_.vectors(n), s = backend_.vectors(n), d = backend_.vectors(n);
     Vectors w = backend_.vectors(n);
-    Scalars density(n);
+    Scalars density = backend_.scalars(n);
     Solver_report report;
 
     Moments moments = backend_.transform(mass_, make_vec3(0, 0, 0), v, w);

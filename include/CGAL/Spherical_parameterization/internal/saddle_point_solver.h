@@ -63,7 +63,8 @@ public:
     // The outer iteration contracts slowly or not at all along the boosts; ten of them without progress are a stall.
     constexpr std::size_t patience = 10;
     const int n = static_cast<int>(v.size());
-    Vectors u = v, w = backend_.vectors(n);
+    Vectors u = backend_.vectors(n), w = backend_.vectors(n);
+    backend_.copy(v, u);
     Solver_report report;
     double first = 0, best = 0;
     std::size_t best_at = 0;
@@ -86,7 +87,7 @@ public:
       report.sweeps += solve_saddle_point(v, u, w, accuracy, monitor, share);
       // Any u with u_i . v_i = 1 and lower energy will do (Proposition 1), an interrupted one, too.
       backend_.normalise(matrix_, u, v);
-      u = v;
+      backend_.copy(v, u);
     }
   }
 

@@ -1,0 +1,56 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Installs the Debian packages that are missing: as root, or through sudo. Does nothing where all are there.
+set -euo pipefail
+export DEBIAN_FRONTEND=noninteractive
+
+packages=(
+  build-essential cmake
+  libcgal-dev libboost-dev libeigen3-dev libgmp-dev libmpfr-dev     # the library
+  libtbb-dev ocl-icd-opencl-dev opencl-clhpp-headers pocl-opencl-icd # its parallel backends
+  libcli11-dev nlohmann-json3-dev                                   # the tool
+  catch2 libopenmesh-dev libcgal-demo                               # the tests
+  f3d xvfb xauth                                                    # pictures
+)
+
+is_installed() { [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]; }
+
+as_root=()
+become_root() {
+  [ "$(id -u)" -ne 0 ] || return 0
+  if ! command -v sudo >/dev/null || ! sudo true; then
+    echo "install_dependencies.sh: packages can be installed by root or through sudo only; missing are $*" >&2
+    exit 1
+  fi
+  as_root=(sudo env DEBIAN_FRONTEND=noninteractive)
+}
+
+# Mirrors fail now and then.
+apt_get() {
+  local attempt
+  for attempt in 1 2 3 4 5; do
+    "${as_root[@]}" apt-get -q -o DPkg::Lock::Timeout=300 "$@" </dev/null && return
+    echo "install_dependencies.sh: attempt $attempt failed: apt-get $*" >&2
+    [ "$attempt" -eq 5 ] || sleep $((5 * attempt))
+  done
+  return 1
+}
+
+missing=()
+for package in "${packages[@]}"; do
+  is_installed "$package" || missing+=("$package")
+done
+if [ ${#missing[@]} -gt 0 ]; then
+  echo "Installing ${missing[*]}"
+  become_root "${missing[@]}"
+  apt_get update
+  apt_get install -y --no-install-recommends "${missing[@]}"
+fi
+
+# Container images often tell dpkg to leave out /usr/share/doc, which is where libcgal-demo has its meshes.
+if [ ! -e /usr/share/doc/libcgal-dev/data.tar.gz ] && [ ! -e /usr/share/doc/libcgal-demo/data.tar.gz ]; then
+  become_root libcgal-demo
+  apt_get update
+  apt_get install -y --no-install-recommends --reinstall \
+    -o 'Dpkg::Options::=--path-include=/usr/share/doc/libcgal-*' libcgal-demo
+fi

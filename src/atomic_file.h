@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef SPHERICAL_PARAMETERIZATION_TOOL_ATOMIC_FILE_H
+#define SPHERICAL_PARAMETERIZATION_TOOL_ATOMIC_FILE_H
+
+#include <fstream>
+#include <ostream>
+#include <string>
+
+namespace tool {
+
+/// An output file that is there complete or not at all: it gets its name only when everything has been written.
+class Atomic_file {
+public:
+  /// Opens a temporary file next to `file`, or throws a `Refusal`.
+  explicit Atomic_file(const std::string& file);
+
+  /// Removes what has not been committed.
+  ~Atomic_file();
+
+  Atomic_file(const Atomic_file&) = delete;
+  Atomic_file& operator=(const Atomic_file&) = delete;
+
+  std::ostream& stream() { return out_; }
+
+  /// Gives the file its name, or throws a `Refusal` if not all of it could be written.
+  void commit();
+
+private:
+  [[noreturn]] void refuse(const std::string& wrong) const;
+
+  std::string file_;
+  std::string temporary_;
+  std::ofstream out_;
+};
+
+} // namespace tool
+
+#endif // SPHERICAL_PARAMETERIZATION_TOOL_ATOMIC_FILE_H

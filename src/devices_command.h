@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef SPHERICAL_PARAMETERIZATION_TOOL_DEVICES_COMMAND_H
+#define SPHERICAL_PARAMETERIZATION_TOOL_DEVICES_COMMAND_H
+
+namespace CLI {
+class App;
+}
+
+namespace tool {
+
+/// Adds `devices`: which execution policies this build has. `exit_code` is set when the command runs.
+void add_devices_command(CLI::App& app, int& exit_code);
+
+} // namespace tool
+
+#endif // SPHERICAL_PARAMETERIZATION_TOOL_DEVICES_COMMAND_H

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#include "interruption.h"
+
+#include <csignal>
+#include <initializer_list>
+
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+extern "C" void note_interruption(int signal)
+{
+  interrupted = 1;
+  std::signal(signal, SIG_DFL);
+}
+
+} // namespace
+
+namespace tool {
+
+void watch_for_interruption()
+{
+  for(const int signal : {SIGINT, SIGTERM})
+    std::signal(signal, note_interruption);
+}
+
+bool was_interrupted()
+{
+  return interrupted != 0;
+}
+
+} // namespace tool

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#include "devices_command.h"
+#include "map_command.h"
+
+#include <CGAL/assertions.h>
+#include <CGAL/version.h>
+
+#include <CLI/CLI.hpp>
+
+#include <exception>
+#include <iostream>
+
+namespace {
+
+constexpr int failure = 1;
+constexpr int wrong_usage = 2;
+
+/// CGAL prints several lines before it throws; what the exception says is enough.
+void print_nothing(const char*, const char*, const char*, int, const char*) {}
+
+int run(int argc, char** argv)
+{
+  int exit_code = 0;
+  CLI::App app("Spherical parameterization of closed triangle meshes of genus 0", "spherical-parameterization");
+  app.set_version_flag("--version", "spherical-parameterization " SPHERICAL_PARAMETERIZATION_VERSION
+                                    " (CGAL " CGAL_VERSION_STR ")");
+  app.require_subcommand(1);
+  tool::add_map_command(app, exit_code);
+  tool::add_devices_command(app, exit_code);
+  try {
+    app.parse(argc, argv);
+  }
+  catch(const CLI::ParseError& stop) { // also what --help and --version throw
+    return app.exit(stop) == 0 ? 0 : wrong_usage;
+  }
+  return exit_code;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  CGAL::set_error_handler(print_nothing);
+  try {
+    return run(argc, argv);
+  }
+  catch(const std::exception& exception) {
+    std::cerr << "spherical-parameterization: " << exception.what() << std::endl;
+    return failure;
+  }
+}

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#include "map_options.h"
+
+#include "mesh_io.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tool {
+namespace {
+
+namespace fs = std::filesystem;
+using CGAL::Spherical_parameterization::Balanced;
+using CGAL::Spherical_parameterization::Saddle_point;
+
+void require(bool condition, const char* option, const std::string& rule)
+{
+  if(!condition)
+    throw CLI::ValidationError(option, rule);
+}
+
+/// " [balanced 1e-09, saddle-point 1e-07]"
+template <class Number>
+std::string defaults(Number balanced, Number saddle_point)
+{
+  std::ostringstream text;
+  text << " [balanced " << balanced << ", saddle-point " << saddle_point << ']';
+  return text.str();
+}
+
+bool is_same_file(const std::string& a, const std::string& b)
+{
+  std::error_code error; // of files that do not exist: then their names decide
+  return fs::equivalent(a, b, error) || fs::weakly_canonical(a, error) == fs::weakly_canonical(b, error);
+}
+
+/// Replaces regular files only: renaming a new file over a device would remove the device.
+bool can_be_replaced(const std::string& file)
+{
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  return status.type() == fs::file_type::not_found || status.type() == fs::file_type::regular;
+}
+
+void check_files(const Map_options& options)
+{
+  require(output_format(options.sphere) != Mesh_format::UNKNOWN, "--output",
+          "'" + options.sphere + "' has none of the extensions .off, .obj, .ply");
+  require(options.stretch_ply.empty() || output_format(options.stretch_ply) == Mesh_format::PLY, "--stretch-ply",
+          "'" + options.stretch_ply + "' has not the extension .ply");
+
+  std::vector<std::pair<const char*, std::string>> files = {{"IN", options.input}, {"--fixed", options.fixed}};
+  for(const auto& [option, file] : {std::pair("--output", options.sphere), std::pair("--report", options.report),
+                                    std::pair("--stretch-ply", options.stretch_ply)}) {
+    if(file.empty())
+      continue;
+    require(can_be_replaced(file), option, "'" + file + "' exists and is no regular file");
+    for(const auto& [other_option, other_file] : files)
+      require(other_file.empty() || !is_same_file(file, other_file), option,
+              std::string("is the same file as ") + other_option);
+    files.emplace_back(option, file);
+  }
+}
+
+void check_weights(const Map_options& options)
+{
+  const bool is_conformal = options.weights == "conformal";
+  require(is_conformal || !options.min_angle, "--min-angle", "is for --weights conformal only");
+  require(is_conformal || !options.max_angle, "--max-angle", "is for --weights conformal only");
+  const double minimum = options.min_angle.value_or(Conformal_weights().min_degrees);
+  const double maximum = options.max_angle.value_or(Conformal_weights().max_degrees);
+  require(minimum > 0 && minimum <= maximum && maximum < 90, options.min_angle ? "--min-angle" : "--max-angle",
+          "angles must be 0 < --min-angle <= --max-angle < 90");
+}
+
+void check_method(const Map_options& options)
+{
+  const bool is_balanced = options.method == "balanced";
+  const std::string saddle_point_only = "is for --method saddle-point only";
+  require(is_balanced || !options.spring_exponent, "--spring-exponent", "is for --method balanced only");
+  require(!is_balanced || !options.splitting, "--splitting", saddle_point_only);
+  require(!is_balanced || !options.start, "--start", saddle_point_only);
+  require(!is_balanced || !options.relaxation, "--relaxation", saddle_point_only);
+  require(!is_balanced || !options.check_interval, "--check-interval", saddle_point_only);
+
+  const double largest_relaxation = options.splitting == "gauss-seidel" ? 2 : 1;
+  require(!options.relaxation || (*options.relaxation > 0 && *options.relaxation < largest_relaxation), "--relaxation",
+          "must be in (0,1) with the Jacobi splitting and in (0,2) with the Gauss-Seidel splitting");
+  require(!options.spring_exponent || (*options.spring_exponent >= 2 && *options.spring_exponent < 1e3),
+          "--spring-exponent", "must be at least 2");
+  require(options.check_interval.value_or(1) > 0, "--check-interval", "must be positive");
+}
+
+} // namespace
+
+void add_map_options(CLI::App& command, Map_options& options)
+{
+  std::vector<std::string> policies;
+  for(const Named_policy& policy : available_policies())
+    policies.push_back(policy.name);
+
+  command.add_option("IN", options.input, "Closed triangle mesh of genus 0: .off, .obj, .ply or .stl")->required();
+  command
+      .add_option("-o,--output", options.sphere,
+                  "Where the sphere goes: .off, .obj or .ply, with the vertices and faces of IN in the same order")
+      ->required();
+
+  const char* group = "Weights";
+  command.add_option("--weights", options.weights, "Which map: evenly spread, angle-preserving, or shape-preserving")
+      ->check(CLI::IsMember({"barycentric", "conformal", "mean-value"}))
+      ->capture_default_str()
+      ->group(group);
+  command.add_option("--min-angle", options.min_angle, "Conformal: smaller angles count as this, in degrees [5]")
+      ->group(group);
+  command.add_option("--max-angle", options.max_angle, "Conformal: larger angles count as this, in degrees [85]")
+      ->group(group);
+
+  group = "Method";
+  command.add_option("--method", options.method, "The fast method, or the published one")
+      ->check(CLI::IsMember({"balanced", "saddle-point"}))
+      ->capture_default_str()
+      ->group(group);
+  command
+      .add_option("--spring-exponent", options.spring_exponent,
+                  "Balanced: of the spring energy, >= 2; larger ones equalise areas [2]")
+      ->group(group);
+  command.add_option("--splitting", options.splitting, "Saddle-point: how the sweeps go [jacobi]")
+      ->check(CLI::IsMember({"jacobi", "gauss-seidel"}))
+      ->group(group);
+  command.add_option("--relaxation", options.relaxation, "Saddle-point: in (0,1), gauss-seidel (0,2) [0.95]")
+      ->group(group);
+  command.add_option("--check-interval", options.check_interval, "Saddle-point: sweeps between two tests [1000]")
+      ->group(group);
+  command.add_option("--start", options.start, "Saddle-point: the start map [centroid]")
+      ->check(CLI::IsMember({"centroid", "harmonic"}))
+      ->group(group);
+  command.add_option("--fixed", options.fixed, "File of lines 'index x y z': vertices (from 0 on) to keep there")
+      ->group(group);
+
+  group = "Effort";
+  command.add_option("--policy", options.policy, "Where to run, see the command 'devices'")
+      ->check(CLI::IsMember(policies))
+      ->capture_default_str()
+      ->group(group);
+  command
+      .add_option("--accuracy", options.accuracy,
+                  "Residual to reach" + defaults(Balanced::default_accuracy, Saddle_point::default_accuracy))
+      ->group(group);
+  command
+      .add_option("--iterations", options.iterations,
+                  "At most so many" +
+                      defaults(Balanced::default_number_of_iterations, Saddle_point::default_number_of_iterations))
+      ->group(group);
+  command.add_option("--max-time", options.max_time, "At most so many seconds [no limit]")->group(group);
+
+  group = "Files";
+  command.add_flag("--triangulate", options.triangulate, "Cut polygons of IN into triangles instead of refusing them")
+      ->group(group);
+  command.add_option("--report", options.report, "Write figures and errors as JSON")->group(group);
+  command.add_option("--stretch-ply", options.stretch_ply, "Write IN coloured by log area stretch as PLY")
+      ->group(group);
+
+  command.footer("Exit code: 0 a certified map has been written, 1 none (the reason is on stderr), 2 wrong usage.");
+}
+
+void check_map_options(const Map_options& options)
+{
+  check_files(options);
+  check_weights(options);
+  check_method(options);
+  require(!options.accuracy || (*options.accuracy > 0 && *options.accuracy < 1), "--accuracy", "must be in (0,1)");
+  require(options.iterations.value_or(1) > 0, "--iterations", "must be positive");
+  require(!options.max_time || *options.max_time > 0, "--max-time", "must be positive");
+}
+
+Map_settings map_settings(const Map_options& options)
+{
+  Map_settings settings;
+  if(options.weights == "barycentric")
+    settings.weights = Barycentric_weights();
+  else if(options.weights == "mean-value")
+    settings.weights = Mean_value_weights();
+  else {
+    Conformal_weights weights;
+    weights.min_degrees = options.min_angle.value_or(weights.min_degrees);
+    weights.max_degrees = options.max_angle.value_or(weights.max_degrees);
+    settings.weights = weights;
+  }
+
+  if(options.method == "balanced") {
+    Balanced method;
+    method.spring_exponent = options.spring_exponent.value_or(method.spring_exponent);
+    settings.method = method;
+  } else {
+    Saddle_point method;
+    if(options.splitting == "gauss-seidel")
+      method.splitting = Saddle_point::Splitting::GAUSS_SEIDEL;
+    if(options.start == "harmonic")
+      method.start = Saddle_point::Start::HARMONIC;
+    method.relaxation = options.relaxation.value_or(method.relaxation);
+    if(options.check_interval)
+      method.check_interval = static_cast<std::size_t>(*options.check_interval);
+    settings.method = method;
+  }
+
+  const std::vector<Named_policy>& policies = available_policies();
+  settings.policy = std::find_if(policies.begin(), policies.end(), [&options](const Named_policy& policy) {
+                      return policy.name == options.policy;
+                    })->policy;
+  settings.accuracy = options.accuracy;
+  if(options.iterations)
+    settings.iterations = static_cast<std::size_t>(*options.iterations);
+  settings.max_time = options.max_time;
+  return settings;
+}
+
+} // namespace tool

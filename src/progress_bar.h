@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef SPHERICAL_PARAMETERIZATION_TOOL_PROGRESS_BAR_H
+#define SPHERICAL_PARAMETERIZATION_TOOL_PROGRESS_BAR_H
+
+namespace tool {
+
+/// A bar on stderr while it lives, if stderr is a terminal; otherwise nothing.
+class Progress_bar {
+public:
+  Progress_bar();
+  ~Progress_bar();
+
+  Progress_bar(const Progress_bar&) = delete;
+  Progress_bar& operator=(const Progress_bar&) = delete;
+
+  /// `fraction` of the work, between 0 and 1.
+  void show(double fraction);
+
+private:
+  bool is_terminal_;
+  int percent_ = -1;
+};
+
+} // namespace tool
+
+#endif // SPHERICAL_PARAMETERIZATION_TOOL_PROGRESS_BAR_H

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#include "report.h"
+
+#include "atomic_file.h"
+
+#include <nlohmann/json.hpp>
+
+#include <sys/resource.h>
+
+namespace tool {
+namespace {
+
+std::size_t peak_memory_bytes()
+{
+  rusage usage = {};
+  getrusage(RUSAGE_SELF, &usage);
+#ifdef __APPLE__
+  return static_cast<std::size_t>(usage.ru_maxrss);
+#else
+  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+#endif
+}
+
+} // namespace
+
+void write_report(const std::string& file, const Report& report)
+{
+  using Json = nlohmann::ordered_json;
+  const CGAL::Spherical_parameterization::Result& result = report.result;
+  const bool has_mesh = result.number_of_vertices > 0;
+  const bool has_map = result.degree != 0 || result.residual != 0;
+  const auto known = [](bool is_known, auto value) { return is_known ? Json(value) : Json(nullptr); };
+
+  Json json;
+  json["input"] = report.input;
+  json["vertices"] = known(has_mesh, result.number_of_vertices);
+  json["faces"] = known(has_mesh, result.number_of_faces);
+  json["weights"] = report.weights;
+  json["method"] = report.method;
+  json["policy"] = report.policy;
+  json["device"] = known(!result.device.empty(), result.device);
+  json["start_iterations"] = known(has_map, result.start_iterations);
+  json["iterations"] = known(has_map, result.iterations);
+  json["sweeps"] = known(has_map, result.sweeps);
+  json["residual"] = known(has_map, result.residual);
+  json["energy"] = known(has_map, result.energy);
+  json["flipped_faces"] = known(has_map, result.flipped_faces);
+  json["degree"] = known(has_map, result.degree);
+  json["smallest_area"] = known(has_map, result.smallest_area);
+  json["seconds"] = {{"read", report.seconds_read},          {"start_map", result.seconds.start_map},
+                     {"solve", result.seconds.solve},        {"certify", result.seconds.certify},
+                     {"write", report.seconds_write},        {"total", report.seconds_total}};
+  json["peak_memory_bytes"] = peak_memory_bytes();
+  json["error"] = known(!report.error.empty(), report.error);
+  json["error_code"] = report.error_code;
+
+  Atomic_file out(file);
+  // file names need not be valid UTF-8, JSON must be
+  out.stream() << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+  out.commit();
+}
+
+} // namespace tool

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What must be true of every result, good or bad.
+
+#ifndef TEST_HELPERS_CHECK_H
+#define TEST_HELPERS_CHECK_H
+
+#include "certificate.h"
+#include "solve.h"
+
+#include <string>
+
+namespace test {
+
+/// Is `number` in `text` as a word of its own?
+bool mentions(const std::string& text, std::size_t number);
+
+/// Every figure of the certificate against the independent one, and the verdict against the figures.
+/// `settings` are those of the run.
+void check_certificate(const Result& result, const Soup& soup, const Sphere& sphere, const Settings& settings);
+
+} // namespace test
+
+#endif // TEST_HELPERS_CHECK_H

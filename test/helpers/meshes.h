@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The named meshes of the tests, all generated. Faces are counterclockwise seen from outside.
+
+#ifndef TEST_HELPERS_MESHES_H
+#define TEST_HELPERS_MESHES_H
+
+#include "soup.h"
+
+#include <array>
+#include <functional>
+
+namespace test {
+
+/// \name Closed triangle meshes of genus 0
+/// @{
+Soup tetrahedron();
+Soup icosphere(int level);       ///< 10 * 4^level + 2 vertices, all at distance 1
+Soup flat_octahedron(int level); ///< unprojected, so that all coordinates are dyadic
+Soup ellipsoid(double a, double b, double c, int level);
+Soup bumpy_sphere(int level);              ///< without symmetry: every face has an area of its own
+Soup dumbbell(int level);                  ///< two unequal bells and a thin bar
+Soup spiky_star(int level, double height); ///< seven spikes of different heights
+Soup cube();                               ///< 8 vertices
+Soup cross();                              ///< seven cubes
+/// A tube with two half-sphere caps; `ratio` is the length of the tube over its circumference, `n_around` a multiple
+/// of four. A conformal map shrinks the middle by exp(-pi ratio).
+Soup capsule(double ratio, int n_around);
+/// @}
+
+/// \name Meshes that have to be refused
+/// @{
+Soup torus(int n, int m);    ///< genus 1
+Soup double_torus();         ///< genus 2
+Soup open_sphere(int level); ///< an icosphere without the five faces round vertex 0
+Soup two_spheres();          ///< two components
+Soup isolated_vertex();      ///< the last vertex has no face
+Soup quad_cube();            ///< six quadrangles
+Soup nan_coordinate();       ///< in vertex 5
+Soup infinite_coordinate();  ///< in vertex 7
+Mesh hourglass();            ///< two icospheres that share a vertex
+Mesh pinched_sphere();       ///< an icosphere with two vertices glued to one
+/// @}
+
+/// \name Zero-area faces: refused or not, that depends on the weights
+/// @{
+Soup collinear_face();    ///< one face with three points exactly on a line
+Soup coincident_points(); ///< two faces with two equal points
+/// @}
+
+/// \name The same mesh in another way
+/// @{
+Soup transformed(Soup soup, const std::function<Point(const Point&)>& f);
+/// `order[i]` is the old number of the new vertex i. Faces are shuffled too, and start at another corner.
+Soup renumbered(const Soup& soup, unsigned seed, std::vector<std::size_t>& order);
+/// A rotation matrix, by rows, drawn from `seed`.
+std::array<Vector, 3> random_rotation(unsigned seed);
+Point apply(const std::array<Vector, 3>& rows, const Point& p);
+/// @}
+
+} // namespace test
+
+#endif // TEST_HELPERS_MESHES_H

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "process.h"
+
+#include <array>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <stdexcept>
+#include <thread>
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace test {
+namespace {
+
+/// A file without a name: unlike a pipe it never makes the writer wait for us.
+struct Capture {
+  std::FILE* file = std::tmpfile();
+
+  ~Capture() { std::fclose(file); }
+
+  std::string text()
+  {
+    std::string all;
+    std::array<char, 4096> buffer;
+    std::rewind(file);
+    for(std::size_t n; (n = std::fread(buffer.data(), 1, buffer.size(), file)) > 0;)
+      all.append(buffer.data(), n);
+    return all;
+  }
+};
+
+} // namespace
+
+Process_result run_process(const std::vector<std::string>& command, const Process_options& options)
+{
+  Capture out, err;
+  std::vector<char*> arguments;
+  for(const std::string& argument : command)
+    arguments.push_back(const_cast<char*>(argument.c_str()));
+  arguments.push_back(nullptr);
+
+  const pid_t child = fork();
+  if(child < 0)
+    throw std::runtime_error("cannot start " + command.front());
+  if(child == 0) {
+    if(chdir(options.directory.c_str()) != 0)
+      _exit(126);
+    dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
+    dup2(fileno(out.file), STDOUT_FILENO);
+    dup2(fileno(err.file), STDERR_FILENO);
+    execv(arguments[0], arguments.data());
+    _exit(127);
+  }
+  if(options.interrupt_after > 0) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(options.interrupt_after));
+    kill(child, SIGINT);
+  }
+  Process_result result;
+  int status = 0;
+  rusage usage;
+  if(wait4(child, &status, 0, &usage) != child)
+    throw std::runtime_error("lost " + command.front());
+  result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  result.out = out.text();
+  result.err = err.text();
+  result.peak_memory = usage.ru_maxrss * 1024;
+  return result;
+}
+
+} // namespace test

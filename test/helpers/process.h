@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Runs a program as a user would, without a shell in between.
+
+#ifndef TEST_HELPERS_PROCESS_H
+#define TEST_HELPERS_PROCESS_H
+
+#include <string>
+#include <vector>
+
+namespace test {
+
+struct Process_result {
+  int exit_code = -1;   ///< 128 + signal if one killed it
+  std::string out, err; ///< what it wrote
+  long peak_memory = 0; ///< in bytes
+};
+
+struct Process_options {
+  int interrupt_after = 0;     ///< milliseconds until SIGINT is sent; 0: never
+  std::string directory = "."; ///< where it runs
+};
+
+/// Standard input is empty.
+Process_result run_process(const std::vector<std::string>& command, const Process_options& options = {});
+
+} // namespace test
+
+#endif // TEST_HELPERS_PROCESS_H

@@ -1,0 +1,482 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The command-line tool, run as a program: what it writes, and how it refuses.
+
+#include "helpers/certificate.h"
+#include "helpers/check.h"
+#include "helpers/meshes.h"
+#include "helpers/process.h"
+
+#include <CGAL/IO/polygon_soup_io.h>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+using namespace test;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A folder of its own for every test case, with a space in its name, empty at the start.
+class Scratch {
+  fs::path m_folder;
+
+public:
+  Scratch() : m_folder(fs::path(SCRATCH_FOLDER) / ("of " + name_of_test_case()))
+  {
+    fs::remove_all(m_folder);
+    fs::create_directories(m_folder);
+  }
+  ~Scratch() { fs::remove_all(m_folder); }
+
+  std::string operator/(const std::string& file) const { return (m_folder / file).string(); }
+  std::string folder() const { return m_folder.string(); }
+  std::size_t number_of_files() const
+  {
+    return std::size_t(std::distance(fs::directory_iterator(m_folder), fs::directory_iterator()));
+  }
+
+private:
+  static std::string name_of_test_case()
+  {
+    std::string name = Catch::getResultCapture().getCurrentTestName();
+    std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return !std::isalnum(c); }, '_');
+    return name;
+  }
+};
+
+std::string text_of(const std::string& file)
+{
+  std::ifstream in(file, std::ios::binary);
+  REQUIRE(in);
+  return std::string(std::istreambuf_iterator<char>(in), {});
+}
+
+void write_text(const std::string& file, const std::string& text) { std::ofstream(file, std::ios::binary) << text; }
+
+std::string off_text(const Soup& soup)
+{
+  std::ostringstream out;
+  out.precision(17);
+  out << "OFF\n" << soup.points.size() << ' ' << soup.faces.size() << " 0\n";
+  for(const Point& p : soup.points)
+    out << p << '\n';
+  for(const auto& face : soup.faces) {
+    out << face.size();
+    for(std::size_t i : face)
+      out << ' ' << i;
+    out << '\n';
+  }
+  return out.str();
+}
+
+std::string write_off(const std::string& file, const Soup& soup)
+{
+  write_text(file, off_text(soup));
+  return file;
+}
+
+Soup read(const std::string& file)
+{
+  Soup soup;
+  CAPTURE(file);
+  REQUIRE(CGAL::IO::read_polygon_soup(file, soup.points, soup.faces));
+  return soup;
+}
+
+Process_result run_tool(std::vector<std::string> arguments, const Process_options& options = {})
+{
+  arguments.insert(arguments.begin(), TOOL);
+  return run_process(arguments, options);
+}
+
+bool is_one_line(const std::string& text)
+{
+  return text.size() > 1 && text.back() == '\n' && std::count(text.begin(), text.end(), '\n') == 1;
+}
+
+/// Exit code 1, one line on standard error that says `word` (and the file), nothing written.
+void check_refused(const Scratch& scratch, const std::string& input, const std::string& word,
+                   const std::vector<std::string>& options = {})
+{
+  const std::size_t files = scratch.number_of_files();
+  std::vector<std::string> arguments = {
+    "map", input, "-o", scratch / "refused.off", "--stretch-ply", scratch / "refused.ply"};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  const Process_result run = run_tool(arguments);
+  CAPTURE(input, word, run.exit_code, run.out, run.err);
+  CHECK(run.exit_code == 1);
+  CHECK(is_one_line(run.err));
+  CHECK(run.err.find(fs::path(input).filename().string()) != std::string::npos);
+  CHECK(run.err.find(word) != std::string::npos);
+  CHECK(scratch.number_of_files() == files);
+}
+
+} // namespace
+
+TEST_CASE("map: the sphere has the vertices and faces of the input, in their order", "[tool]")
+{
+  Scratch scratch;
+  std::vector<std::size_t> order;
+  const Soup soup = renumbered(bumpy_sphere(3), 1, order);
+  const std::string input = write_off(scratch / "in.off", soup);
+  const std::string format = GENERATE("off", "obj", "ply");
+  const std::string output = scratch / ("out." + format);
+  const Process_result run = run_tool({"map", input, "-o", output});
+  CAPTURE(run.out, run.err);
+  REQUIRE(run.exit_code == 0);
+  CHECK(run.err.empty()); // no progress bar into a file
+  const Soup sphere = read(output);
+  CHECK(sphere.faces == soup.faces);
+  CHECK(count_flipped_faces(soup, sphere.points) == 0);
+  CHECK(degree(soup, sphere.points) == 1);
+  CHECK(distance(sphere.points, solve_or_throw(soup)) < 1e-7);
+  CHECK(count_vertices_off_sphere(sphere.points) == 0); // which takes 17 digits
+}
+
+TEST_CASE("map: coordinates are written with the 17 digits that doubles need", "[tool]")
+{
+  Scratch scratch;
+  const std::string input = write_off(scratch / "in.off", bumpy_sphere(2));
+  const std::string output = scratch / ("out." + std::string(GENERATE("off", "obj", "ply")));
+  REQUIRE(run_tool({"map", input, "-o", output}).exit_code == 0);
+  std::istringstream in(text_of(output));
+  std::size_t coordinates = 0;
+  for(std::string token; in >> token;) {
+    char* end = nullptr;
+    const double value = std::strtod(token.c_str(), &end);
+    if(*end != '\0' || token.size() < 8)
+      continue;
+    std::ostringstream again;
+    again.precision(17);
+    again << value;
+    CHECK(again.str() == token);
+    ++coordinates;
+  }
+  CHECK(coordinates > 400);
+}
+
+TEST_CASE("map: reads all formats", "[tool]")
+{
+  Scratch scratch;
+  const Soup soup = bumpy_sphere(2);
+  const std::string off = write_off(scratch / "in.off", soup);
+  const std::string format = GENERATE("obj", "ply", "stl");
+  const std::string input = scratch / ("in." + format);
+  REQUIRE(CGAL::IO::write_polygon_soup(input, soup.points, soup.faces, CGAL::parameters::stream_precision(17)));
+  const Process_result run = run_tool({"map", input, "-o", scratch / "out.off"});
+  CAPTURE(format, run.err);
+  REQUIRE(run.exit_code == 0);
+  const Soup sphere = read(scratch / "out.off");
+  CHECK(sphere.points.size() == soup.points.size());
+  CHECK(sphere.faces.size() == soup.faces.size());
+  CHECK(count_flipped_faces(sphere, sphere.points) == 0);
+  if(format != "stl") // which holds floats and no numbers
+    CHECK(sphere.faces == soup.faces);
+}
+
+TEST_CASE("map: weights and methods are those of the library", "[tool]")
+{
+  Scratch scratch;
+  const Soup soup = bumpy_sphere(2);
+  const std::string input = write_off(scratch / "in.off", soup), output = scratch / "out.off";
+  Settings settings;
+  std::vector<std::string> arguments = {"map", input, "-o", output};
+  SECTION("barycentric")
+  {
+    arguments.insert(arguments.end(), {"--weights", "barycentric"});
+    settings.weights = Weights::BARYCENTRIC;
+  }
+  SECTION("conformal") { arguments.insert(arguments.end(), {"--weights", "conformal"}); }
+  SECTION("mean value")
+  {
+    arguments.insert(arguments.end(), {"--weights", "mean-value"});
+    settings.weights = Weights::MEAN_VALUE;
+  }
+  SECTION("published method, twelve vertices fixed")
+  {
+    const Sphere natural = solve_or_throw(soup);
+    std::ofstream fixed(scratch / "fixed.txt");
+    fixed.precision(17);
+    for(std::size_t i = 0; i < 12; ++i) {
+      settings.fixed[i] = natural[i];
+      fixed << i << ' ' << natural[i] << '\n';
+    }
+    arguments.insert(arguments.end(), {"--method", "saddle-point", "--fixed", scratch / "fixed.txt"});
+    settings.method = SP::Saddle_point();
+    settings.accuracy = SP::Saddle_point::default_accuracy;
+    settings.number_of_iterations = SP::Saddle_point::default_number_of_iterations;
+  }
+  const Process_result run = run_tool(arguments);
+  CAPTURE(run.err);
+  REQUIRE(run.exit_code == 0);
+  CHECK(distance(read(output).points, solve_or_throw(soup, settings)) < 1e-7);
+}
+
+TEST_CASE("map: the report says what was done and how good the map is", "[tool]")
+{
+  Scratch scratch;
+  const Soup soup = bumpy_sphere(3);
+  const std::string input = write_off(scratch / "in.off", soup);
+  REQUIRE(run_tool({"map", input, "-o", scratch / "out.off", "--report", scratch / "report.json", "--accuracy", "1e-9",
+                    "--weights", "barycentric"})
+            .exit_code == 0);
+  const auto report = nlohmann::json::parse(text_of(scratch / "report.json"));
+  CHECK(report.at("input") == input);
+  CHECK(report.at("vertices") == soup.points.size());
+  CHECK(report.at("faces") == soup.faces.size());
+  CHECK(report.at("weights") == "barycentric");
+  CHECK(report.at("method") == "balanced");
+  CHECK(report.at("policy") == "sequential");
+  CHECK(report.at("device").is_string());
+  CHECK(report.at("iterations") > 0);
+  CHECK(report.at("residual") <= 1e-9);
+  CHECK(report.at("residual") > 1e-14); // the accuracy asked for is not the default one
+  const double spring_energy = energy(make_springs(soup, Weights::BARYCENTRIC), read(scratch / "out.off").points);
+  CHECK(report.at("energy").get<double>() == Approx(spring_energy).epsilon(1e-10));
+  CHECK(report.at("flipped_faces") == 0);
+  CHECK(report.at("degree") == 1);
+  CHECK(report.at("error").is_null());
+  CHECK(report.at("peak_memory_bytes") > 1000 * 1000);
+  double sum = 0;
+  for(const char* phase : {"read", "start_map", "solve", "certify", "write"}) {
+    CHECK(report.at("seconds").at(phase) >= 0);
+    sum += report.at("seconds").at(phase).get<double>();
+  }
+  CHECK(report.at("seconds").at("total").get<double>() >= 0.99 * sum);
+}
+
+TEST_CASE("map: the report of a refusal says why", "[tool]")
+{
+  Scratch scratch;
+  const std::string input = write_off(scratch / "in.off", torus(12, 8));
+  CHECK(run_tool({"map", input, "-o", scratch / "out.off", "--report", scratch / "report.json"}).exit_code == 1);
+  const auto report = nlohmann::json::parse(text_of(scratch / "report.json"));
+  CHECK(report.at("error").get<std::string>().find("genus") != std::string::npos);
+  CHECK_FALSE(fs::exists(scratch / "out.off"));
+}
+
+TEST_CASE("map: the picture-ready PLY is the input with colours", "[tool]")
+{
+  Scratch scratch;
+  const Soup soup = spiky_star(3, 1.5);
+  const std::string input = write_off(scratch / "in.off", soup);
+  REQUIRE(run_tool({"map", input, "-o", scratch / "out.off", "--stretch-ply", scratch / "stretch.ply"}).exit_code == 0);
+  std::vector<CGAL::IO::Color> colours;
+  Soup coloured;
+  std::vector<CGAL::IO::Color> face_colours;
+  std::ifstream in(scratch / "stretch.ply", std::ios::binary);
+  REQUIRE(CGAL::IO::read_PLY(in, coloured.points, coloured.faces, face_colours, colours));
+  CHECK(coloured.faces == soup.faces);
+  CHECK(distance(coloured.points, soup.points) < 1e-5);
+  REQUIRE(colours.size() == soup.points.size());
+  std::set<std::array<int, 3>> different;
+  for(const auto& c : colours)
+    different.insert({c.red(), c.green(), c.blue()});
+  CHECK(different.size() > 10);
+}
+
+TEST_CASE("map: meshes that are no triangulated spheres are refused", "[tool]")
+{
+  Scratch scratch;
+  check_refused(scratch, write_off(scratch / "open.off", open_sphere(2)), "5");
+  check_refused(scratch, write_off(scratch / "torus.off", torus(12, 8)), "genus");
+  check_refused(scratch, write_off(scratch / "two.off", two_spheres()), "component");
+  check_refused(scratch, write_off(scratch / "isolated.off", isolated_vertex()), "isolated");
+  check_refused(scratch, write_off(scratch / "empty.off", Soup()), "");
+  check_refused(scratch, write_off(scratch / "hourglass.off", make_soup(hourglass())), "manifold");
+
+  Soup three_at_an_edge = icosphere(1);
+  three_at_an_edge.points.emplace_back(2, 2, 2);
+  const auto& f = three_at_an_edge.faces[0];
+  three_at_an_edge.faces.push_back({f[0], f[1], three_at_an_edge.points.size() - 1});
+  check_refused(scratch, write_off(scratch / "fin.off", three_at_an_edge), "edge");
+
+  Soup one_reversed = icosphere(1);
+  std::swap(one_reversed.faces[3][0], one_reversed.faces[3][1]);
+  check_refused(scratch, write_off(scratch / "reversed.off", one_reversed), "orient");
+}
+
+TEST_CASE("map: inconsistent orientation has its own code in the report", "[tool]")
+{
+  Scratch scratch;
+  Soup one_reversed = icosphere(1);
+  std::swap(one_reversed.faces[3][0], one_reversed.faces[3][1]);
+  const std::string input = write_off(scratch / "in.off", one_reversed);
+  run_tool({"map", input, "-o", scratch / "out.off", "--report", scratch / "report.json"});
+  const auto report = nlohmann::json::parse(text_of(scratch / "report.json"));
+  CHECK(report.at("error_code") == "INCONSISTENT_ORIENTATION");
+}
+
+TEST_CASE("map: polygons are triangulated only if asked for", "[tool]")
+{
+  Scratch scratch;
+  const std::string input = write_off(scratch / "quads.off", quad_cube());
+  check_refused(scratch, input, "--triangulate");
+  const Process_result run =
+    run_tool({"map", input, "-o", scratch / "out.off", "--triangulate", "--weights", "barycentric"});
+  CAPTURE(run.err);
+  CHECK(run.exit_code == 0);
+  const Soup sphere = read(scratch / "out.off");
+  CHECK(sphere.points.size() == 8);
+  CHECK(sphere.faces.size() == 12);
+  CHECK(count_flipped_faces(sphere, sphere.points) == 0);
+}
+
+TEST_CASE("map: files that are broken are refused", "[tool]")
+{
+  Scratch scratch;
+  const std::string good = off_text(icosphere(1));
+  auto broken = [&](const std::string& name, const std::string& text) {
+    write_text(scratch / name, text);
+    return scratch / name;
+  };
+  check_refused(scratch, scratch / "not_there.off", "");
+  check_refused(scratch, scratch.folder(), "");
+  check_refused(scratch, broken("empty_file.off", ""), "");
+  check_refused(scratch, broken("cut.off", good.substr(0, good.size() / 2)), "");
+  check_refused(scratch, broken("cut.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2"), "");
+  check_refused(scratch, broken("index.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n"), "3");
+  check_refused(scratch, broken("negative_index.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n"), "-1");
+  check_refused(scratch, broken("repeated.off", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 1\n3 0 1 2\n"), "");
+  check_refused(scratch, broken("noise.ply", "ply\nformat binary_little_endian 1.0\n\1\2\3\xff"), "");
+  check_refused(scratch, broken("text.stl", "solid nothing\nendsolid nothing\n"), "");
+  check_refused(scratch, broken("unknown.xyz", good), "");
+
+  check_refused(scratch, broken("nan.off", off_text(nan_coordinate())), "finite");
+  check_refused(scratch, broken("inf.off", off_text(infinite_coordinate())), "finite");
+}
+
+TEST_CASE("map: a header that promises too much costs no memory", "[tool]")
+{
+  Scratch scratch;
+  for(const std::string counts : {"4000000000 1 0", "3 4000000000 0", "18446744073709551615 1 0", "-1 1 0"}) {
+    const std::string input = scratch / "huge.off";
+    write_text(input, "OFF\n" + counts + "\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    check_refused(scratch, input, "");
+    CHECK(run_tool({"map", input, "-o", scratch / "out.off"}).peak_memory < 300 * 1000 * 1000);
+  }
+  const std::string input = scratch / "huge.ply";
+  write_text(input, "ply\nformat ascii 1.0\nelement vertex 2000000000\nproperty float x\nproperty float y\n"
+                    "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n");
+  check_refused(scratch, input, "");
+  CHECK(run_tool({"map", input, "-o", scratch / "out.off"}).peak_memory < 300 * 1000 * 1000);
+}
+
+TEST_CASE("map: what stops early or does not converge leaves no file", "[tool]")
+{
+  Scratch scratch;
+  const std::string input = write_off(scratch / "in.off", dumbbell(3));
+  check_refused(scratch, input, "time", {"--max-time", "1e-9"});
+  check_refused(scratch, input, "accuracy", {"--accuracy", "1e-30"});
+  const std::string tube = write_off(scratch / "tube.off", capsule(20, 12));
+  check_refused(scratch, tube, "flipped");
+}
+
+TEST_CASE("map: SIGINT stops it in good order", "[tool]")
+{
+  Scratch scratch;
+  const std::string input = write_off(scratch / "in.off", spiky_star(6, 1));
+  Process_options options;
+  options.interrupt_after = 1500;
+  const Process_result run =
+    run_tool({"map", input, "-o", scratch / "out.off", "--method", "saddle-point", "--accuracy", "1e-14"}, options);
+  CAPTURE(run.err);
+  CHECK(run.exit_code == 1);
+  CHECK(is_one_line(run.err));
+  CHECK(run.err.find("interrupted") != std::string::npos);
+  CHECK(scratch.number_of_files() == 1);
+}
+
+TEST_CASE("map: outputs that cannot be written are reported", "[tool]")
+{
+  Scratch scratch;
+  const std::string input = write_off(scratch / "in.off", icosphere(1));
+  for(const std::vector<std::string>& outputs :
+      {std::vector<std::string>{"-o", scratch / "no folder/out.off"},
+       {"-o", scratch / "out.off", "--report", scratch / "no folder/report.json"},
+       {"-o", scratch / "out.off", "--stretch-ply", scratch / "no folder/stretch.ply"}}) {
+    std::vector<std::string> arguments = {"map", input};
+    arguments.insert(arguments.end(), outputs.begin(), outputs.end());
+    const Process_result run = run_tool(arguments);
+    CAPTURE(outputs, run.err);
+    CHECK(run.exit_code == 1);
+    CHECK(is_one_line(run.err));
+  }
+  CHECK(scratch.number_of_files() == 1);
+}
+
+TEST_CASE("map: fixed vertices that do not fit are refused", "[tool]")
+{
+  Scratch scratch;
+  const std::string input = write_off(scratch / "in.off", icosphere(1));
+  for(const char* lines : {"0 1 0 0\n1 0 1 0\n", "0 1 0 0\n1 0 1 0\n42 0 0 1\n", "0 1 0 0\n1 0 1 0\n2 0 0\n",
+                           "0 1 0 0\n1 0 1 0\n2 0 0 0\n", "0 1 0 0\n1 0 1 0\n1 0 0 1\n", "zero 1 0 0\n"}) {
+    write_text(scratch / "fixed.txt", lines);
+    const Process_result run = run_tool({"map", input, "-o", scratch / "out.off", "--fixed", scratch / "fixed.txt"});
+    CAPTURE(lines, run.err);
+    CHECK(run.exit_code == 1);
+    CHECK(is_one_line(run.err));
+    CHECK_FALSE(fs::exists(scratch / "out.off"));
+  }
+}
+
+TEST_CASE("wrong usage exits with 2", "[tool]")
+{
+  Scratch scratch;
+  const std::string input = write_off(scratch / "in.off", icosphere(1)), output = scratch / "out.off";
+  fs::create_directory(scratch / "folder.off");
+  for(const std::vector<std::string>& arguments : {std::vector<std::string>{},
+                                                   {"no-such-command"},
+                                                   {"map"},
+                                                   {"map", input},
+                                                   {"map", input, "-o"},
+                                                   {"map", input, "-o", output, "--no-such-option"},
+                                                   {"map", input, "-o", output, "--weights", "heavy"},
+                                                   {"map", input, "-o", output, "--method", "guess"},
+                                                   {"map", input, "-o", output, "--accuracy", "much"},
+                                                   {"map", input, "-o", output, "--accuracy", "-1"},
+                                                   {"map", input, "-o", output, "--policy", "abacus"},
+                                                   {"map", input, "-o", output, "--max-time", "0"},
+                                                   {"map", input, "-o", scratch / "out.xyz"},
+                                                   {"map", input, "-o", input},
+                                                   {"map", input, "-o", scratch / "folder.off"}}) {
+    const Process_result run = run_tool(arguments);
+    CAPTURE(arguments, run.out, run.err);
+    CHECK(run.exit_code == 2);
+    CHECK_FALSE(run.err.empty());
+    CHECK(scratch.number_of_files() == 2);
+    CHECK(text_of(input) == off_text(icosphere(1)));
+  }
+}
+
+TEST_CASE("help, version and devices exit with 0", "[tool]")
+{
+  for(const std::vector<std::string>& arguments :
+      {std::vector<std::string>{"--help"}, {"map", "--help"}, {"--version"}, {"devices"}}) {
+    const Process_result run = run_tool(arguments);
+    CAPTURE(arguments, run.err);
+    CHECK(run.exit_code == 0);
+    CHECK_FALSE(run.out.empty());
+    CHECK(run.err.empty());
+  }
+  CHECK(run_tool({"devices"}).out.find("sequential") != std::string::npos);
+}
+
+TEST_CASE("map: relative names are relative to the working directory", "[tool]")
+{
+  Scratch scratch;
+  write_off(scratch / "in.off", icosphere(1));
+  Process_options options;
+  options.directory = scratch.folder();
+  CHECK(run_tool({"map", "in.off", "-o", "out.off"}, options).exit_code == 0);
+  CHECK(fs::exists(scratch / "out.off"));
+}

@@ -131,7 +131,7 @@ TEST_CASE("a weight that is not positive and finite is refused, with its edge", 
   const double weight = GENERATE(0., -1., -1e-300, not_a_number, infinity, -infinity);
   CAPTURE(weight);
   const Mesh mesh = make_mesh(icosphere(1));
-  const std::size_t edge = 17;
+  const std::size_t edge = GENERATE(0u, 17u, 64u, 110u);
   Settings settings;
   settings.weights = Weights::BARYCENTRIC;
   settings.weight_of_edge[edge] = weight;

@@ -23,7 +23,7 @@ const std::vector<std::pair<const char*, Soup>>& fixtures()
                                                                 {"spiky star", spiky_star(4, 2)},
                                                                 {"cube", cube()},
                                                                 {"cross", cross()},
-                                                                {"capsule", capsule(4, 16)},
+                                                                {"capsule", capsule(4, 24)},
                                                                 {"collinear face", collinear_face()}};
   return all;
 }

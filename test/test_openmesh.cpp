@@ -12,8 +12,6 @@ using namespace test;
 
 TEST_CASE("OpenMesh", "[mesh_types]")
 {
-  // its points are floats
-  const Soup soup =
-    transformed(bumpy_sphere(3), [](const Point& p) { return Point(float(p.x()), float(p.y()), float(p.z())); });
-  check_same_map(make_graph<OpenMesh::PolyMesh_ArrayKernelT<>>(soup), soup);
+  const auto mesh = make_graph<OpenMesh::PolyMesh_ArrayKernelT<>>(bumpy_sphere(3));
+  check_same_map(mesh, make_soup(mesh)); // of its points, which are floats
 }

@@ -62,8 +62,7 @@ inline void pass_verdict(const std::vector<std::array<int, 3>>& faces, const std
       result.smallest_area < area_of_rounding
         ? ": limbs shrink below the resolution of double coordinates; use barycentric weights or a "
           "larger spring exponent"
-        : ": the critical point is degenerate; use other weights, a larger spring exponent, or fix three "
-          "vertices";
+        : ": the critical point found is degenerate; use other weights or a larger spring exponent";
   }
 }
 

@@ -116,7 +116,7 @@ Result parameterize(const ExecutionPolicy& policy, const TriangleMesh& mesh, con
     for(std::size_t i = 0; i < v.size(); ++i)
       put(sphere_map, source.vertex[i], Sphere_point{v[i].x, v[i].y, v[i].z});
     internal::pass_verdict(source.face, v, report, monitor, result);
-    result.seconds.certify = certify_watch.seconds();
+    result.seconds.certify += certify_watch.seconds();
     monitor.advance(1);
   } catch(const internal::Failure& failure) {
     result.error = failure.code;

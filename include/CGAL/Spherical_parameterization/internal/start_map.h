@@ -89,7 +89,7 @@ std::vector<vec3> harmonic_start(const Backend& backend, const typename Backend:
   // The descent does not need more: on 40 models its number of iterations, and the flips in the end (none), were the
   // same for 1e-3 and 1e-11. But the masses of the balance are taken from here, and should not depend on the
   // numbering of the vertices.
-  constexpr double accuracy = 1e-7;
+  constexpr double accuracy = 1e-6;
   constexpr double balance_tolerance = 1e-6;
   constexpr int maximum_steps = 50;
   std::vector<vec3> start = planar_map(backend, matrix, multigrid, task.largest_face, accuracy, task.monitor,

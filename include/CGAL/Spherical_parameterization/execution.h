@@ -6,18 +6,26 @@
 
 #include <CGAL/tags.h>
 
+#include <type_traits>
+
 namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
 /// Where the solvers run. An execution policy is a value that answers "where": each supported policy `P` has a
-/// specialisation `Backend<P>`, the only place that knows how loops are run there. `Backend<P>::matrix`, `.array` and
-/// the verbs (one loop each over a formula of vertex_formulas.h) are all that a solver sees.
+/// specialisation `Backend<P>`, the only place that knows how loops are run there. Its memory and its verbs (one loop
+/// each over a formula of vertex_formulas.h) are all that a solver sees.
 ///
 /// There is a backend for
-/// - `CGAL::Sequential_tag`: one core (internal/Host_backend.h).
+/// - `CGAL::Sequential_tag`: one core (internal/Host_backend.h);
+/// - `CGAL::Parallel_tag`: the threads of the caller's TBB arena (the same file), if linked with TBB;
+/// - `OpenCL_device`: an OpenCL command queue, if OpenCL_device.h is included.
 template <class ExecutionPolicy>
-class Backend;
+class Backend {
+  static_assert(!std::is_same_v<ExecutionPolicy, CGAL::Parallel_tag>,
+                "CGAL::Parallel_tag needs TBB: link with CGAL::TBB_support, which defines CGAL_LINKED_WITH_TBB");
+  static_assert(std::is_same_v<ExecutionPolicy, CGAL::Parallel_tag>, "not an execution policy of this package");
+};
 
 } // namespace internal
 } // namespace Spherical_parameterization

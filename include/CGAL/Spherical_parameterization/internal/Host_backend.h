@@ -6,6 +6,7 @@
 
 #include <CGAL/Spherical_parameterization/execution.h>
 #include <CGAL/Spherical_parameterization/internal/Weighted_graph.h>
+#include <CGAL/Spherical_parameterization/internal/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/vertex_formulas.h>
 
 #include <CGAL/tags.h>
@@ -29,8 +30,8 @@ struct Moments {
 /// The verbs of a backend whose memory is the host's. `Loop::for_each(count, f)` runs f(0) ... f(count-1) in any order;
 /// it is all that differs between one core and all cores.
 ///
-/// Sums are taken over blocks of fixed size, and the blocks are added in order: a result does not depend on how many
-/// threads there are. Arguments that are written come last; they must not alias the ones that are read, except where a
+/// Sums are taken in one fixed order, which a device can follow, too (see `sum`): results are equal bit by bit on any
+/// number of threads and on every backend. Arguments that are written come last; they must not alias the ones that are read, except where a
 /// verb says "in place".
 template <class Loop>
 class Host_backend {
@@ -290,29 +291,36 @@ public:
 
 private:
   static constexpr int block_size = 1024;
+  static constexpr int lanes = 64;
 
   template <class F>
   void for_each(std::size_t n, F f) const
   {
     const int size = static_cast<int>(n);
     loop_.for_each((size + block_size - 1) / block_size, [&](int block) {
-      const int end = std::min(size, (block + 1) * block_size);
+      const int end = (std::min)(size, (block + 1) * block_size);
       for(int i = block * block_size; i < end; ++i)
         f(i);
     });
   }
 
+  /// Element i is added by lane i % lanes of its block, the lanes are added pairwise, the blocks in order: the
+  /// reduction tree of a work-group.
   template <int K, class F>
   std::array<double, K> sum(std::size_t n, F f) const
   {
     const int size = static_cast<int>(n);
     std::vector<std::array<double, K>> partial((size + block_size - 1) / block_size);
     loop_.for_each(static_cast<int>(partial.size()), [&](int block) {
-      std::array<double, K> s{};
-      const int end = std::min(size, (block + 1) * block_size);
+      std::array<std::array<double, K>, lanes> lane{};
+      const int end = (std::min)(size, (block + 1) * block_size);
       for(int i = block * block_size; i < end; ++i)
-        f(i, s);
-      partial[block] = s;
+        f(i, lane[i % lanes]);
+      for(int half = lanes / 2; half > 0; half /= 2)
+        for(int l = 0; l < half; ++l)
+          for(int k = 0; k < K; ++k)
+            lane[l][k] += lane[l + half][k];
+      partial[block] = lane[0];
     });
     std::array<double, K> total{};
     for(const auto& s : partial)
@@ -347,22 +355,24 @@ private:
   Loop loop_;
 };
 
-/// Runs a loop on the calling thread.
-struct Sequential_loop {
-  template <class F>
-  void for_each(int count, F f) const
-  {
-    for(int i = 0; i < count; ++i)
-      f(i);
-  }
-};
-
 template <>
 class Backend<CGAL::Sequential_tag> : public Host_backend<Sequential_loop> {
 public:
   explicit Backend(const CGAL::Sequential_tag&) {}
   std::string device_name() const { return "one core"; }
 };
+
+#ifdef CGAL_LINKED_WITH_TBB
+template <>
+class Backend<CGAL::Parallel_tag> : public Host_backend<Parallel_loop> {
+public:
+  explicit Backend(const CGAL::Parallel_tag&) {}
+  std::string device_name() const
+  {
+    return std::to_string(tbb::this_task_arena::max_concurrency()) + " threads";
+  }
+};
+#endif
 
 } // namespace internal
 } // namespace Spherical_parameterization

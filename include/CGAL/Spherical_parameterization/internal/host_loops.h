@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_HOST_LOOPS_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_HOST_LOOPS_H
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#endif
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+/// Runs f(0) ... f(count-1) on the calling thread.
+struct Sequential_loop {
+  template <class F>
+  void for_each(int count, F f) const
+  {
+    for(int i = 0; i < count; ++i)
+      f(i);
+  }
+};
+
+#ifdef CGAL_LINKED_WITH_TBB
+/// Runs f(0) ... f(count-1) in any order on the threads of the caller's TBB arena.
+struct Parallel_loop {
+  template <class F>
+  void for_each(int count, F f) const
+  {
+    tbb::parallel_for(tbb::blocked_range<int>(0, count), [&](const tbb::blocked_range<int>& range) {
+      for(int i = range.begin(); i < range.end(); ++i)
+        f(i);
+    });
+  }
+};
+#endif
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_HOST_LOOPS_H

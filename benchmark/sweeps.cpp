@@ -51,14 +51,15 @@ double seconds_per_sweep(const Mesh& mesh, WeightMap weights)
   typedef SP::internal::Backend<CGAL::Sequential_tag> Backend;
   SP::internal::Source_mesh<Mesh> source(mesh, mesh.points());
   source.set_weights(mesh, weights);
-  source.graph.update_diagonal({});
+  source.graph->update_diagonal({});
+  const SP::internal::Shared_graph graph = source.graph;
   const Backend backend{CGAL::Sequential_tag()};
-  Backend::Vectors y = backend.vectors(source.graph.size());
+  Backend::Vectors y = backend.vectors(source.graph->size());
   std::vector<double> times;
   const double begin = seconds();
   while(times.size() < 11 || seconds() < begin + 0.2) {
     const double start = seconds();
-    backend.multiply(source.graph, source.point, y);
+    backend.multiply(graph, source.point, y);
     times.push_back(seconds() - start);
   }
   std::nth_element(times.begin(), times.begin() + times.size() / 2, times.end());

@@ -40,11 +40,14 @@ public:
   using Array = std::vector<T>;
   using Vectors = Array<vec3>;
   using Scalars = Array<double>;
-  using Matrix = Weighted_graph;
+  using Matrix = Shared_graph;
   using Transfer = Sparse_matrix;
   using Colouring = std::vector<std::vector<int>>;
 
   explicit Host_backend(Loop loop = Loop()) : loop_(std::move(loop)) {}
+
+  /// What set-up on the host is run with.
+  const Loop& host_loop() const { return loop_; }
 
   /// \name Memory
   /// @{
@@ -55,7 +58,7 @@ public:
   {
     return host;
   }
-  Matrix upload(Weighted_graph host) const { return host; }
+  Matrix upload(Shared_graph host) const { return host; }
   Transfer upload(Sparse_matrix host) const { return host; }
   const Vectors& download(const Vectors& x) const { return x; }
   Colouring colouring(Colouring colours) const { return colours; }
@@ -78,7 +81,7 @@ public:
   /// y = A x; returns x . y
   double multiply(const Matrix& a, const Vectors& x, Vectors& y) const
   {
-    const graph_view g = a.view();
+    const graph_view g = a->view();
     return sum<1>(x.size(), [&](int i, auto& s) {
       y[i] = laplacian(i, g, x.data());
       s[0] += inner(x[i], y[i]);
@@ -100,32 +103,37 @@ public:
     for_each(p.size(), [&](int i) { p[i] = add_scaled(s[i], beta, p[i]); });
   }
 
+  /// y = x / |x|
+  void normalise(const Vectors& x, Vectors& y) const
+  {
+    for_each(x.size(), [&](int i) { y[i] = unit(x[i]); });
+  }
+
   /// Spring energy of exponent 2: sum over edges of w |x_i - x_j|^2 / 2
   double energy(const Matrix& a, const Vectors& x) const
   {
-    const graph_view g = a.view();
+    const graph_view g = a->view();
     return sum<1>(x.size(), [&](int i, auto& s) { s[0] += spring_density(i, g, 2, x.data()); })[0] / 2;
   }
 
   /// r = b - A x
   void residual(const Matrix& a, const Vectors& b, const Vectors& x, Vectors& r) const
   {
-    const graph_view g = a.view();
+    const graph_view g = a->view();
     for_each(x.size(), [&](int i) { r[i] = sub(b[i], laplacian(i, g, x.data())); });
   }
 
-  /// First Chebyshev step from x = 0: d = x = gain D^-1 b
-  void start_chebyshev(const Matrix& a, double gain, const Vectors& b, Vectors& d, Vectors& x) const
+  /// x = gain D^-1 b, the damped Jacobi step from 0
+  void start_smoothing(const Matrix& a, double gain, const Vectors& b, Vectors& x) const
   {
-    for_each(x.size(), [&](int i) { x[i] = d[i] = scale(gain * a.inverse_diagonal[i], b[i]); });
+    for_each(x.size(), [&](int i) { x[i] = scale(gain * a->inverse_diagonal[i], b[i]); });
   }
 
-  /// Further step: d = keep d + gain D^-1 (b - A x), y = x + d
-  void continue_chebyshev(const Matrix& a, double keep, double gain, const Vectors& b, const Vectors& x, Vectors& d,
-                          Vectors& y) const
+  /// y = x + gain D^-1 (b - A x), a damped Jacobi step
+  void smooth(const Matrix& a, double gain, const Vectors& b, const Vectors& x, Vectors& y) const
   {
-    const graph_view g = a.view();
-    for_each(x.size(), [&](int i) { y[i] = chebyshev(i, g, keep, gain, b.data(), x.data(), d.data()); });
+    const graph_view g = a->view();
+    for_each(x.size(), [&](int i) { y[i] = smoothing_step(i, g, gain, b.data(), x.data()); });
   }
 
   /// y = T x
@@ -160,7 +168,7 @@ public:
   /// g = tangent gradient, density as in spring_gradient(); returns p E and the three sums of g
   std::array<double, 4> gradient(const Matrix& a, double p, const Vectors& v, Vectors& g, Scalars& density) const
   {
-    const graph_view w = a.view();
+    const graph_view w = a->view();
     return sum<4>(v.size(), [&](int i, auto& s) {
       g[i] = spring_gradient(i, w, p, v.data(), &density[i]);
       s[0] += density[i];
@@ -170,12 +178,19 @@ public:
     });
   }
 
+  /// m = spring density of exponent 2, or 0 where negative weights (of coarse levels) make it negative
+  void spring_masses(const Matrix& a, const Vectors& v, Scalars& m) const
+  {
+    const graph_view w = a->view();
+    for_each(v.size(), [&](int i) { m[i] = (std::max)(0., spring_density(i, w, 2, v.data())); });
+  }
+
   /// g -= m_i P_i mu, in place; returns sum |g_i / D_i|^2
   double balance_gradient(const Matrix& a, const Scalars& mass, vec3 mu, const Vectors& v, Vectors& g) const
   {
     return sum<1>(v.size(), [&](int i, auto& s) {
       g[i] = add_scaled(g[i], -mass[i], tangent(mu, v[i]));
-      const double inverse = a.inverse_diagonal[i];
+      const double inverse = a->inverse_diagonal[i];
       s[0] += inner(g[i], g[i]) * inverse * inverse;
     })[0];
   }
@@ -214,28 +229,38 @@ public:
     for_each(v.size(), [&](int i) { d[i] = sub(d[i], add(tangent(y, v[i]), outer(omega, v[i]))); });
   }
 
-  /// Second derivative of the Lagrangian E - mu . sum m_i v_i along the geodesics with velocity d; and
-  /// sum m_i |d_i|^2
-  std::array<double, 2> curvature(const Matrix& a, double p, const Scalars& mass, vec3 mu, const Vectors& v,
+  /// Second derivative of the Lagrangian E - mu . sum m_i v_i along the geodesics with velocity d; sum m_i |d_i|^2;
+  /// and sum m_i |d_i|^2 v_i
+  std::array<double, 5> curvature(const Matrix& a, double p, const Scalars& mass, vec3 mu, const Vectors& v,
                                   const Vectors& d, const Scalars& density) const
   {
-    const graph_view w = a.view();
-    return sum<2>(v.size(), [&](int i, auto& s) {
+    const graph_view w = a->view();
+    return sum<5>(v.size(), [&](int i, auto& s) {
       s[0] += spring_curvature(i, w, p, v.data(), d.data(), density[i] - mass[i] * inner(mu, v[i]));
-      s[1] += mass[i] * inner(d[i], d[i]);
+      const double push = mass[i] * inner(d[i], d[i]);
+      s[1] += push;
+      s[2] += push * v[i].x;
+      s[3] += push * v[i].y;
+      s[4] += push * v[i].z;
     });
   }
 
-  /// w = (v + alpha d) / |v + alpha d|; returns the moments of w
-  Moments retract(const Scalars& mass, double alpha, const Vectors& v, const Vectors& d, Vectors& w) const
+  /// w = v moved by alpha d and a small boost with centre c; returns the moments of w
+  Moments retract(const Scalars& mass, double alpha, vec3 c, const Vectors& v, const Vectors& d, Vectors& w) const
   {
-    return moments_of(mass, w, [&](int i) { return unit(add_scaled(v[i], alpha, d[i])); });
+    return moments_of(mass, v.size(), [&](int i) { return w[i] = step(v[i], alpha, d[i], c); });
+  }
+
+  /// returns the moments of v
+  Moments moments(const Scalars& mass, const Vectors& v) const
+  {
+    return moments_of(mass, v.size(), [&](int i) { return v[i]; });
   }
 
   /// w = boost of v with centre c; returns the moments of w
   Moments transform(const Scalars& mass, vec3 c, const Vectors& v, Vectors& w) const
   {
-    return moments_of(mass, w, [&](int i) { return boost(v[i], c); });
+    return moments_of(mass, v.size(), [&](int i) { return w[i] = boost(v[i], c); });
   }
   /// @}
 
@@ -244,14 +269,14 @@ public:
   /// One Jacobi sweep of Algorithm 1 from u to w.
   void jacobi_sweep(const Matrix& a, double omega, const Vectors& v, const Vectors& u, Vectors& w) const
   {
-    const graph_view g = a.view();
+    const graph_view g = a->view();
     for_each(v.size(), [&](int i) { w[i] = saddle_point_relaxation(i, g, omega, v.data(), u.data()); });
   }
 
   /// One Gauss-Seidel sweep, in place, colour after colour: no two vertices of a colour are neighbours.
   void gauss_seidel_sweep(const Matrix& a, const Colouring& colours, double omega, const Vectors& v, Vectors& u) const
   {
-    const graph_view g = a.view();
+    const graph_view g = a->view();
     for(const std::vector<int>& colour : colours)
       for_each(colour.size(), [&](int k) {
         const int i = colour[k];
@@ -262,7 +287,7 @@ public:
   /// Squared L2 norm of P_v (u_i - neighbour mean of u): the residual of the saddle-point problem at u.
   double saddle_point_residual2(const Matrix& a, const Vectors& v, const Vectors& u) const
   {
-    const graph_view g = a.view();
+    const graph_view g = a->view();
     return sum<1>(v.size(), [&](int i, auto& s) {
       const vec3 step = sub(saddle_point_relaxation(i, g, 1, v.data(), u.data()), u[i]);
       s[0] += inner(step, step);
@@ -273,7 +298,7 @@ public:
   void normalise(const Matrix& a, const Vectors& u, Vectors& v) const
   {
     for_each(v.size(), [&](int i) {
-      if(a.inverse_diagonal[i] > 0)
+      if(a->inverse_diagonal[i] > 0)
         v[i] = unit(u[i]);
     });
   }
@@ -281,7 +306,7 @@ public:
   /// Squared L2 norm of the residual of eq. (2).
   double barycentric_residual2(const Matrix& a, const Vectors& v) const
   {
-    const graph_view g = a.view();
+    const graph_view g = a->view();
     return sum<1>(v.size(), [&](int i, auto& s) {
       const vec3 r = barycentric_residual(i, g, v.data());
       s[0] += inner(r, r);
@@ -297,11 +322,23 @@ private:
   void for_each(std::size_t n, F f) const
   {
     const int size = static_cast<int>(n);
-    loop_.for_each((size + block_size - 1) / block_size, [&](int block) {
+    for_each_block(size, [&](int block) {
       const int end = (std::min)(size, (block + 1) * block_size);
       for(int i = block * block_size; i < end; ++i)
         f(i);
     });
+  }
+
+  /// Waking other threads takes longer than a few blocks.
+  template <class F>
+  void for_each_block(int n, F f) const
+  {
+    constexpr int few = 3;
+    const int blocks = (n + block_size - 1) / block_size;
+    if(blocks <= few)
+      Sequential_loop().for_each(blocks, f);
+    else
+      loop_.for_each(blocks, f);
   }
 
   /// Element i is added by lane i % lanes of its block, the lanes are added pairwise, the blocks in order: the
@@ -311,7 +348,7 @@ private:
   {
     const int size = static_cast<int>(n);
     std::vector<std::array<double, K>> partial((size + block_size - 1) / block_size);
-    loop_.for_each(static_cast<int>(partial.size()), [&](int block) {
+    for_each_block(size, [&](int block) {
       std::array<std::array<double, K>, lanes> lane{};
       const int end = (std::min)(size, (block + 1) * block_size);
       for(int i = block * block_size; i < end; ++i)
@@ -330,12 +367,11 @@ private:
   }
 
   template <class F>
-  Moments moments_of(const Scalars& mass, Vectors& w, F position) const
+  Moments moments_of(const Scalars& mass, std::size_t n, F position) const
   {
-    const auto s = sum<9>(w.size(), [&](int i, auto& t) {
-      w[i] = position(i);
+    const auto s = sum<9>(n, [&](int i, auto& t) {
       const double m = mass[i];
-      const vec3 p = w[i];
+      const vec3 p = position(i);
       t[0] += m * p.x;
       t[1] += m * p.y;
       t[2] += m * p.z;

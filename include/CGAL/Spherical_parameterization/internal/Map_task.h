@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -22,7 +23,7 @@ namespace internal {
 
 /// A checked mesh as arrays, and what the caller asked for: from here on nothing depends on the type of the mesh.
 struct Map_task {
-  Weighted_graph& graph;
+  std::shared_ptr<Weighted_graph> graph;
   const std::vector<std::array<int, 3>>& faces;
   const std::vector<vec3>& points;
   const std::vector<double>& area; ///< source area of the vertices
@@ -35,22 +36,16 @@ struct Map_task {
   Result& result;
 
   bool has_fixed() const { return !is_fixed.empty(); }
-  int size() const { return graph.size(); }
+  int size() const { return graph->size(); }
 };
 
 /// The share of the whole work that the start map takes, for the progress callback.
 constexpr double start_share = 0.4;
 
-/// Spherical areas of the vertices of a map: a third of each face's; flipped faces count as 0.
-inline std::vector<double> spherical_masses(const Map_task& task, const std::vector<vec3>& v)
+/// Normal of a face, as long as twice its area.
+inline vec3 normal(const std::vector<vec3>& points, const std::array<int, 3>& f)
 {
-  std::vector<double> mass(task.size(), 0);
-  for(const std::array<int, 3>& f : task.faces) {
-    const double third = (std::max)(0., spherical_area(v[f[0]], v[f[1]], v[f[2]])) / 3;
-    for(int i : f)
-      mass[i] += third;
-  }
-  return mass;
+  return outer(sub(points[f[1]], points[f[0]]), sub(points[f[2]], points[f[0]]));
 }
 
 } // namespace internal

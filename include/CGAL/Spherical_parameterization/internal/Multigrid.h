@@ -9,6 +9,9 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -27,111 +30,97 @@ class Multigrid {
   typedef typename Backend::Matrix Matrix;
 
 public:
-  /// `fine` is the host's copy of `matrix`; `matrix` must outlive the hierarchy.
-  Multigrid(const Backend& backend, const Weighted_graph& fine, const Matrix& matrix)
-    : backend_(backend), fine_matrix_(&matrix)
+  Multigrid(const Backend& backend, Shared_graph fine) : backend_(backend)
   {
-    bool is_singular = fine.excess.empty();
-    for(int i = 0; is_singular && i < fine.size(); ++i)
-      is_singular = fine.inverse_diagonal[i] > 0;
+    bool is_singular = fine->excess.empty();
+    for(int i = 0; is_singular && i < fine->size(); ++i)
+      is_singular = fine->inverse_diagonal[i] > 0;
 
-    const Weighted_graph* a = &fine;
-    Weighted_graph coarse;
+    const auto& loop = backend.host_loop();
+    Shared_graph a = std::move(fine);
     while(a->size() > bottom_size) {
       const double radius = spectral_radius(*a);
-      Aggregates aggregates = aggregate(*a, strength_threshold);
+      Aggregates aggregates = aggregate(loop, *a, strength_threshold);
       if(aggregates.count > slow_coarsening * a->size())
-        aggregates = aggregate(*a, 0);
-      Sparse_matrix p = smoothed_prolongation(*a, aggregates, prolongation_damping / radius);
-      Sparse_matrix r = p.transposed(aggregates.count);
-      Weighted_graph next = galerkin_product(*a, p, r, is_singular);
+        aggregates = aggregate(loop, *a, 0);
+      Sparse_matrix p = smoothed_prolongation(loop, *a, aggregates, prolongation_damping / radius);
+      Sparse_matrix r = transposed(loop, p, aggregates.count);
+      Shared_graph coarse = std::make_shared<Weighted_graph>(galerkin_product(loop, *a, p, r, is_singular));
 
       Level level;
-      level.largest_eigenvalue = radius;
+      level.matrix = backend.upload(a);
       level.prolongation = backend.upload(std::move(p));
       level.restriction = backend.upload(std::move(r));
-      level.x = backend.vectors(levels_.empty() ? 0 : a->size());
-      level.y = backend.vectors(a->size());
-      level.d = backend.vectors(a->size());
-      level.b = backend.vectors(levels_.empty() ? 0 : a->size());
-      if(!levels_.empty())
-        level.matrix = backend.upload(std::move(coarse));
+      level.aggregate = std::move(aggregates.of_vertex);
+      level.gains = smoothing_gains(radius);
+      level.scratch = backend.vectors(a->size());
+      level.coarse_b = backend.vectors(coarse->size());
+      level.coarse_x = backend.vectors(coarse->size());
       levels_.push_back(std::move(level));
-      coarse = std::move(next);
-      a = &coarse;
+      a = std::move(coarse);
     }
+    bottom_size_ = a->size();
     bottom_inverse_ = backend.upload(inverse(*a, is_singular));
-    bottom_b_ = backend.vectors(a->size());
-    bottom_x_ = backend.vectors(a->size());
+    bottom_matrix_ = backend.upload(a);
   }
 
-  /// x = M^-1 b
-  void apply(const Vectors& b, Vectors& x) { cycle(0, b, x); }
+  /// Level 0 is the finest, the last one the smallest.
+  std::size_t number_of_levels() const { return levels_.size() + 1; }
+  int size(std::size_t k) const
+  {
+    return k < levels_.size() ? static_cast<int>(levels_[k].aggregate.size()) : bottom_size_;
+  }
+  const Matrix& matrix(std::size_t k) const { return k < levels_.size() ? levels_[k].matrix : bottom_matrix_; }
+  /// from level k+1 to level k
+  const typename Backend::Transfer& prolongation(std::size_t k) const { return levels_[k].prolongation; }
+  /// the vertex of level k+1 into which each vertex of level k went; -1 for fixed ones
+  const std::vector<int>& aggregate_of(std::size_t k) const { return levels_[k].aggregate; }
 
-private:
-  static constexpr int bottom_size = 100;
-  static constexpr double strength_threshold = 0.05;
-  static constexpr double slow_coarsening = 0.4;
-  static constexpr double prolongation_damping = 4. / 3;
-  static constexpr double smoothed_range = 8; // the smoother handles the eigenvalues from 1/8 of the largest one on
-
-  /// Coarse levels cost little: they can afford the second Chebyshev step, the finest level cannot.
-  static int smoothing_steps(std::size_t k) { return k == 0 ? 1 : 2; }
-
-  struct Level {
-    Matrix matrix; ///< unused on the finest level
-    typename Backend::Transfer prolongation, restriction;
-    double largest_eigenvalue;
-    Vectors b, x, y, d;
-  };
-
-  const Matrix& matrix(std::size_t k) const { return k == 0 ? *fine_matrix_ : levels_[k].matrix; }
-
-  void cycle(std::size_t k, const Vectors& b, Vectors& x)
+  /// x = M^-1 b on level k
+  void apply(std::size_t k, const Vectors& b, Vectors& x)
   {
     if(k == levels_.size()) {
       backend_.multiply_dense(bottom_inverse_, b, x);
       return;
     }
     Level& level = levels_[k];
-    const bool next_is_bottom = k + 1 == levels_.size();
-    Vectors& coarse_b = next_is_bottom ? bottom_b_ : levels_[k + 1].b;
-    Vectors& coarse_x = next_is_bottom ? bottom_x_ : levels_[k + 1].x;
-
-    smooth(k, b, x, true);
-    backend_.residual(matrix(k), b, x, level.y);
-    backend_.transfer(level.restriction, level.y, coarse_b);
-    cycle(k + 1, coarse_b, coarse_x);
-    backend_.transfer_add(level.prolongation, coarse_x, x);
-    smooth(k, b, x, false);
+    const auto [first, second] = level.gains;
+    Vectors& y = level.scratch;
+    backend_.start_smoothing(level.matrix, first, b, x);
+    backend_.smooth(level.matrix, second, b, x, y);
+    backend_.residual(level.matrix, b, y, x);
+    backend_.transfer(level.restriction, x, level.coarse_b);
+    apply(k + 1, level.coarse_b, level.coarse_x);
+    backend_.transfer_add(level.prolongation, level.coarse_x, y);
+    backend_.smooth(level.matrix, second, b, y, x);
+    backend_.smooth(level.matrix, first, b, x, y);
+    std::swap(x, y);
   }
 
-  /// Chebyshev iteration on the upper part of the spectrum of D^-1 A.
-  void smooth(std::size_t k, const Vectors& b, Vectors& x, bool from_zero)
+private:
+  static constexpr int bottom_size = 100;
+  static constexpr double strength_threshold = 0.05;
+  static constexpr double slow_coarsening = 0.4;
+  static constexpr double prolongation_damping = 4. / 3;
+
+  struct Level {
+    Matrix matrix;
+    typename Backend::Transfer prolongation, restriction;
+    std::vector<int> aggregate;
+    std::array<double, 2> gains;
+    Vectors scratch, coarse_b, coarse_x;
+  };
+
+  /// Two damped Jacobi steps with these gains are the Chebyshev iteration of degree 2 on the upper part of the spectrum
+  /// of D^-1 A.
+  static std::array<double, 2> smoothing_gains(double spectral_radius)
   {
-    Level& level = levels_[k];
-    const double high = 1.05 * level.largest_eigenvalue;
+    constexpr double smoothed_range = 6; // the smoother handles the eigenvalues from 1/6 of the largest one on
+    const double high = 1.05 * spectral_radius;
     const double low = high / smoothed_range;
     const double centre = (high + low) / 2;
-    const double half_width = (high - low) / 2;
-    const double sigma = centre / half_width;
-    double rho = 1 / sigma;
-    for(int step = 0; step < smoothing_steps(k); ++step) {
-      double keep = 0;
-      double gain = 1 / centre;
-      if(step > 0) {
-        const double next = 1 / (2 * sigma - rho);
-        keep = next * rho;
-        gain = 2 * next / half_width;
-        rho = next;
-      }
-      if(step == 0 && from_zero)
-        backend_.start_chebyshev(matrix(k), gain, b, level.d, x);
-      else {
-        backend_.continue_chebyshev(matrix(k), keep, gain, b, x, level.d, level.y);
-        std::swap(x, level.y);
-      }
-    }
+    const double deviation = (high - low) / 2 * std::sqrt(0.5);
+    return {1 / (centre + deviation), 1 / (centre - deviation)};
   }
 
   /// Dense inverse. Of a singular matrix, whose kernel are the constants, that of A plus a multiple of 1 1^T: on
@@ -168,10 +157,10 @@ private:
   }
 
   const Backend& backend_;
-  const Matrix* fine_matrix_;
   std::vector<Level> levels_;
   typename Backend::Scalars bottom_inverse_;
-  Vectors bottom_b_, bottom_x_;
+  Matrix bottom_matrix_;
+  int bottom_size_;
 };
 
 } // namespace internal

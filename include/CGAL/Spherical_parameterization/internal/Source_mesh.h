@@ -18,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,7 +44,7 @@ public:
   std::vector<std::array<int, 3>> face; ///< in the order of faces(mesh)
   std::vector<double> area;             ///< every vertex's third of the areas of its faces
   std::array<int, 3> largest_face;      ///< by area
-  Weighted_graph graph;                 ///< neighbours in ascending order; weights are left to set_weights()
+  std::shared_ptr<Weighted_graph> graph = std::make_shared<Weighted_graph>(); ///< neighbours in ascending order; weights are left to set_weights()
 
   /// Throws Failure.
   template <class VertexPointMap>
@@ -62,14 +63,14 @@ public:
     measure_areas();
     // Rows of ascending neighbours.
     const int n = static_cast<int>(vertex.size());
-    graph.offset.assign(1, 0);
-    graph.offset.reserve(n + 1);
-    graph.target.reserve(3 * face.size());
+    graph->offset.assign(1, 0);
+    graph->offset.reserve(n + 1);
+    graph->target.reserve(3 * face.size());
     for(int i = 0; i < n; ++i) {
       for(halfedge_descriptor h : halfedges_around_target(halfedge(vertex[i], mesh), mesh))
-        graph.target.push_back(index[numbering(source(h, mesh))]);
-      std::sort(graph.target.begin() + graph.offset[i], graph.target.end());
-      graph.offset.push_back(static_cast<int>(graph.target.size()));
+        graph->target.push_back(index[numbering(source(h, mesh))]);
+      std::sort(graph->target.begin() + graph->offset[i], graph->target.end());
+      graph->offset.push_back(static_cast<int>(graph->target.size()));
     }
   }
 
@@ -79,13 +80,13 @@ public:
   void set_weights(const TriangleMesh& mesh, EdgeWeightMap weights)
   {
     const int n = static_cast<int>(vertex.size());
-    graph.weight.resize(graph.target.size());
+    graph->weight.resize(graph->target.size());
     // Row j meets its larger neighbours i in ascending order: a cursor per row finds the mirror image of (i, j).
     std::vector<int> cursor(n);
     for(int i = 0; i < n; ++i)
       cursor[i] = static_cast<int>(
-        std::upper_bound(graph.target.begin() + graph.offset[i], graph.target.begin() + graph.offset[i + 1], i) -
-        graph.target.begin());
+        std::upper_bound(graph->target.begin() + graph->offset[i], graph->target.begin() + graph->offset[i + 1], i) -
+        graph->target.begin());
     const Vertex_numbering<TriangleMesh> numbering(mesh);
     std::vector<int> index(n);
     for(int i = 0; i < n; ++i)
@@ -103,8 +104,8 @@ public:
       }
       std::sort(row.begin(), row.end());
       for(std::size_t k = 0; k < row.size(); ++k) {
-        graph.weight[graph.offset[i] + k] = row[k].second;
-        graph.weight[cursor[row[k].first]++] = row[k].second;
+        graph->weight[graph->offset[i] + k] = row[k].second;
+        graph->weight[cursor[row[k].first]++] = row[k].second;
       }
     }
   }

@@ -6,6 +6,7 @@
 
 #include <CGAL/Spherical_parameterization/internal/vertex_formulas.h>
 
+#include <memory>
 #include <vector>
 
 namespace CGAL {
@@ -42,6 +43,9 @@ struct Weighted_graph {
   }
 };
 
+/// Graphs are large: the task, the hierarchy and the backends of the host share one copy.
+typedef std::shared_ptr<const Weighted_graph> Shared_graph;
+
 /// A sparse rectangular matrix in compressed rows, on the host.
 struct Sparse_matrix {
   std::vector<int> offset = {0};
@@ -50,26 +54,6 @@ struct Sparse_matrix {
 
   int rows() const { return static_cast<int>(offset.size()) - 1; }
   sparse_view view() const { return {offset.data(), column.data(), value.data()}; }
-
-  Sparse_matrix transposed(int columns) const
-  {
-    Sparse_matrix t;
-    t.offset.assign(columns + 1, 0);
-    for(int c : column)
-      ++t.offset[c + 1];
-    for(int c = 0; c < columns; ++c)
-      t.offset[c + 1] += t.offset[c];
-    t.column.resize(column.size());
-    t.value.resize(value.size());
-    std::vector<int> next(t.offset.begin(), t.offset.end() - 1);
-    for(int r = 0; r < rows(); ++r)
-      for(int k = offset[r]; k < offset[r + 1]; ++k) {
-        const int at = next[column[k]]++;
-        t.column[at] = r;
-        t.value[at] = value[k];
-      }
-    return t;
-  }
 };
 
 } // namespace internal

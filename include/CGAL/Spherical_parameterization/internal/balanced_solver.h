@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Spherical_parameterization {
@@ -25,6 +26,8 @@ struct Descent_options {
   std::size_t maximum_iterations;
   std::size_t patience = 30;    ///< so many iterations without progress are taken for a stall
   double longest_factor = 1000; ///< bound of the step length; 1 is the step of an exact preconditioner
+  double work_before = 0;       ///< share of the whole work that has been done before, for the progress callback
+  double work_after = 1;        ///< ... and afterwards
 };
 
 /// What is left of the freedom to move a solution by a Moebius transformation.
@@ -51,36 +54,67 @@ class Balanced_solver {
   typedef typename Backend::Scalars Scalars;
 
 public:
-  /// `mass`: spherical vertex areas. They bound the steps, and define the balance.
+  /// `matrix`: the springs on level k of the hierarchy, which preconditions; `mass`: areas on the sphere, which bound
+  /// the steps, and define the balance.
   Balanced_solver(const Backend& backend, const typename Backend::Matrix& matrix, Multigrid<Backend>& multigrid,
-                  double spring_exponent, Gauge gauge, const Scalars& mass)
-    : backend_(backend), matrix_(matrix), multigrid_(multigrid), exponent_(spring_exponent), gauge_(gauge), mass_(mass)
+                  std::size_t k, double spring_exponent, Gauge gauge, const Scalars& mass)
+    : backend_(backend), matrix_(matrix), multigrid_(multigrid), level_(k), exponent_(spring_exponent), gauge_(gauge),
+      mass_(mass)
   {}
 
-  /// Descends from v; `work_before` is the share of the whole work that has been done before.
-  Solver_report solve(const Descent_options& options, Monitor& monitor, double work_before, Vectors& v)
+  /// Descends from v, unit vectors that need not be balanced.
+  Solver_report solve(const Descent_options& options, Monitor& monitor, Vectors& v) const
+  {
+    return solve(options, monitor, {}, [](Vectors&) {}, v);
+  }
+
+  /// The same, calling `refer(v)` whenever the residual has passed the next of `references`, a falling sequence. It may
+  /// move v a little along a Moebius transformation, and change the masses.
+  template <class Refer>
+  Solver_report solve(const Descent_options& options, Monitor& monitor, std::vector<double> references, Refer refer,
+                      Vectors& v) const
   {
     constexpr double longest_step = 0.25; // root mean square over the sphere of the angles by which vertices move
     constexpr double progress = 0.8;      // at the limit of rounding the residual falls no more
-    const int n = static_cast<int>(v.size());
+    constexpr double balance_tolerance = 1e-10;
+    constexpr int balance_steps = 10;
+    const int n = multigrid_.size(level_);
     Vectors g = backend_.vectors(n), old_g = backend_.vectors(n), s = backend_.vectors(n), d = backend_.vectors(n);
     Vectors w = backend_.vectors(n);
     Scalars density = backend_.scalars(n);
     Solver_report report;
 
-    Moments moments = backend_.transform(mass_, make_vec3(0, 0, 0), v, w);
-    std::swap(v, w);
-    settle(v, w, moments);
-    Eigen::Vector4d sums = to_vector(backend_.gradient(matrix_, exponent_, v, g, density));
+    Moments moments;
+    Eigen::Vector4d sums;
+    const auto settle = [&] {
+      moments = backend_.moments(mass_, v);
+      if(gauge_ == Gauge::BALANCED)
+        balance(backend_, mass_, balance_tolerance, balance_steps, v, w, moments);
+      sums = to_vector(backend_.gradient(matrix_, exponent_, v, g, density));
+    };
+    Eigen::LDLT<Eigen::Matrix3d> boosts;
+    Eigen::Vector3d mu = Eigen::Vector3d::Zero();
+    const auto balance_forces = [&] {
+      boosts.compute(boost_matrix(moments));
+      if(gauge_ == Gauge::BALANCED)
+        mu = boosts.solve(sums.tail<3>());
+      report.energy = sums[0] / exponent_;
+      report.residual = std::sqrt(backend_.balance_gradient(matrix_, mass_, to_vec3(mu), v, g));
+    };
+    settle();
+    auto reference = references.begin();
     double gs = 0;
     double first = 0, best = 0;
     std::size_t best_at = 0;
     for(;; ++report.iterations) {
-      const Eigen::LDLT<Eigen::Matrix3d> boosts = boost_matrix(moments).ldlt();
-      const Eigen::Vector3d mu =
-        gauge_ == Gauge::BALANCED ? Eigen::Vector3d(boosts.solve(sums.tail<3>())) : Eigen::Vector3d::Zero();
-      report.energy = sums[0] / exponent_;
-      report.residual = std::sqrt(backend_.balance_gradient(matrix_, mass_, to_vec3(mu), v, g));
+      balance_forces();
+      if(reference != references.end() && report.residual <= *reference) {
+        refer(v);
+        settle();
+        balance_forces();
+        while(reference != references.end() && report.residual <= *reference)
+          ++reference;
+      }
       if(report.iterations == 0)
         first = best = report.residual;
       if(report.residual < progress * best) {
@@ -92,10 +126,10 @@ public:
       report.has_converged = report.residual <= options.accuracy;
       const double share = Monitor::share(report.residual, first, options.accuracy);
       if(report.has_converged || report.has_stalled || report.iterations == options.maximum_iterations ||
-         !monitor.advance(work_before + (1 - work_before) * share))
+         !monitor.advance(options.work_before + (options.work_after - options.work_before) * share))
         return report;
 
-      multigrid_.apply(g, s);
+      multigrid_.apply(level_, g, s);
       const std::array<double, 2> products = backend_.project(v, g, old_g, s);
       const double beta = report.iterations == 0 ? 0 : (std::max)(0., (products[0] - products[1]) / gs);
       gs = products[0];
@@ -107,11 +141,12 @@ public:
         return report;
       }
 
-      const std::array<double, 2> model = backend_.curvature(matrix_, exponent_, mass_, to_vec3(mu), v, d, density);
+      const std::array<double, 5> model = backend_.curvature(matrix_, exponent_, mass_, to_vec3(mu), v, d, density);
       const double longest = longest_step * std::sqrt(total_mass(moments) / model[1]);
       const double alpha = (std::min)({model[0] > 0 ? -slope / model[0] : 1, longest, options.longest_factor});
       std::swap(g, old_g);
-      report.has_stalled = !line_search(alpha, slope, d, v, w, g, density, moments, sums);
+      report.has_stalled = !line_search(alpha, slope, boosts, {model[2], model[3], model[4]}, d, v, w, g, density,
+                                        moments, sums);
       if(report.has_stalled)
         return report;
     }
@@ -119,14 +154,6 @@ public:
 
 private:
   static Eigen::Vector4d to_vector(const std::array<double, 4>& a) { return {a[0], a[1], a[2], a[3]}; }
-
-  /// Boosts v back to balance. One Newton step is enough: what it leaves is of second order, and the next one follows.
-  void settle(Vectors& v, Vectors& scratch, Moments& moments) const
-  {
-    constexpr double tolerance = 1e-10;
-    if(gauge_ == Gauge::BALANCED)
-      balance(backend_, mass_, tolerance, 1, v, scratch, moments);
-  }
 
   /// d = -s + beta P d, projected to what the gauge allows; returns the slope d . g, which the projection does not
   /// change: the energy does not see rotations, and a balanced gradient sums to zero.
@@ -145,17 +172,25 @@ private:
 
   /// Armijo's rule from the step of the quadratic model. On success v, g, density, moments and sums are those of the
   /// new point; on failure v is unchanged.
-  bool line_search(double alpha, double slope, const Vectors& d, Vectors& v, Vectors& w, Vectors& g, Scalars& density,
-                   Moments& moments, Eigen::Vector4d& sums)
+  ///
+  /// A step alpha along d takes the map off balance by -alpha^2/2 sum m_i |d_i|^2 v_i up to third order; the sum is
+  /// `drift`. A boost in the same pass undoes that, and what the step before has left.
+  bool line_search(double alpha, double slope, const Eigen::LDLT<Eigen::Matrix3d>& boosts, const Eigen::Vector3d& drift,
+                   const Vectors& d, Vectors& v, Vectors& w, Vectors& g, Scalars& density, Moments& moments,
+                   Eigen::Vector4d& sums) const
   {
     constexpr int maximum_halvings = 20;
     constexpr double sufficient = 1e-4;
     constexpr double rounding = 1e-13;
+    constexpr double longest_boost = 0.5;
     const double energy = sums[0] / exponent_;
     for(int h = 0; h < maximum_halvings; ++h, alpha /= 2) {
-      Moments next = backend_.retract(mass_, alpha, v, d, w);
-      Vectors& scratch = g;
-      settle(w, scratch, next);
+      Eigen::Vector3d c = Eigen::Vector3d::Zero();
+      if(gauge_ == Gauge::BALANCED)
+        c = boosts.solve(first_moment(moments) - alpha * alpha / 2 * drift) / 2;
+      if(c.norm() > longest_boost)
+        c *= longest_boost / c.norm();
+      const Moments next = backend_.retract(mass_, alpha, to_vec3(c), v, d, w);
       const Eigen::Vector4d next_sums = to_vector(backend_.gradient(matrix_, exponent_, w, g, density));
       if(next_sums[0] / exponent_ <= energy + sufficient * alpha * slope + rounding * energy) {
         std::swap(v, w);
@@ -170,6 +205,7 @@ private:
   const Backend& backend_;
   const typename Backend::Matrix& matrix_;
   Multigrid<Backend>& multigrid_;
+  std::size_t level_;
   double exponent_;
   Gauge gauge_;
   const Scalars& mass_;

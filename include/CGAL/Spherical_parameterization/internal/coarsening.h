@@ -10,9 +10,12 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSENING_H
 
 #include <CGAL/Spherical_parameterization/internal/Weighted_graph.h>
+#include <CGAL/Spherical_parameterization/internal/sparse_rows.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -25,9 +28,17 @@ struct Aggregates {
 };
 
 /// Greedy aggregation. Two vertices are strongly connected if w_ij > threshold sqrt(a_ii a_jj).
-inline Aggregates aggregate(const Weighted_graph& a, double threshold)
+///
+/// Blocks of vertices are aggregated independently, so that they can be in parallel. The numbering is breadth-first:
+/// a block is a broad band of the surface, and few aggregates are cut by its border.
+template <class Loop>
+Aggregates aggregate(const Loop& loop, const Weighted_graph& a, double threshold)
 {
+  constexpr int block_size = 65536;
+  constexpr int none = -1;
+  constexpr int alone = -2;
   const int n = a.size();
+  const int blocks = (n + block_size - 1) / block_size;
   const std::vector<double>& inverse = a.inverse_diagonal;
   const auto is_strong = [&](int i, int k) {
     const double w = a.weight[k];
@@ -35,169 +46,171 @@ inline Aggregates aggregate(const Weighted_graph& a, double threshold)
   };
   Aggregates result;
   std::vector<int>& of = result.of_vertex;
-  of.assign(n, -1);
+  of.resize(n);
+  // Runs f(begin, end, number of the next aggregate, by reference) on every block, and makes the numbers consecutive.
+  const auto number_blocks = [&](auto f) {
+    std::vector<int> count(blocks, 0);
+    loop.for_each(blocks, [&](int b) { f(b * block_size, (std::min)(n, (b + 1) * block_size), count[b]); });
+    for(int& c : count)
+      result.count += std::exchange(c, result.count);
+    return count;
+  };
 
   // Vertices without an aggregated neighbour become the roots, and take all strong neighbours along.
-  for(int i = 0; i < n; ++i) {
-    if(of[i] >= 0 || inverse[i] == 0)
-      continue;
-    bool is_free = true;
-    for(int k = a.offset[i]; is_free && k < a.offset[i + 1]; ++k)
-      is_free = !(is_strong(i, k) && of[a.target[k]] >= 0);
-    if(!is_free)
-      continue;
-    of[i] = result.count;
-    for(int k = a.offset[i]; k < a.offset[i + 1]; ++k)
-      if(is_strong(i, k))
-        of[a.target[k]] = result.count;
-    ++result.count;
-  }
+  const std::vector<int> first = number_blocks([&](int begin, int end, int& count) {
+    std::fill(of.begin() + begin, of.begin() + end, none);
+    for(int i = begin; i < end; ++i) {
+      if(of[i] >= 0 || inverse[i] == 0)
+        continue;
+      const auto is_candidate = [&](int k) { return a.target[k] >= begin && a.target[k] < end && is_strong(i, k); };
+      bool is_free = true;
+      for(int k = a.offset[i]; is_free && k < a.offset[i + 1]; ++k)
+        is_free = !(is_candidate(k) && of[a.target[k]] >= 0);
+      if(!is_free)
+        continue;
+      of[i] = count;
+      for(int k = a.offset[i]; k < a.offset[i + 1]; ++k)
+        if(is_candidate(k))
+          of[a.target[k]] = count;
+      ++count;
+    }
+  });
+  std::vector<int> roots(n);
+  loop.for_each(blocks, [&](int b) {
+    for(int i = b * block_size; i < (std::min)(n, (b + 1) * block_size); ++i)
+      roots[i] = of[i] >= 0 ? of[i] + first[b] : of[i];
+  });
+
   // The others join the neighbour that holds them most firmly, as long as that one belonged to a root's aggregate.
-  const std::vector<int> roots = of;
-  for(int i = 0; i < n; ++i) {
-    if(of[i] >= 0 || inverse[i] == 0)
-      continue;
-    double best = 0;
-    for(int k = a.offset[i]; k < a.offset[i + 1]; ++k)
-      if(roots[a.target[k]] >= 0 && a.weight[k] > best) {
-        best = a.weight[k];
-        of[i] = roots[a.target[k]];
-      }
-    if(of[i] < 0)
-      of[i] = result.count++;
-  }
+  const std::vector<int> first_alone = number_blocks([&](int begin, int end, int& count) {
+    for(int i = begin; i < end; ++i) {
+      of[i] = roots[i];
+      if(of[i] >= 0 || inverse[i] == 0)
+        continue;
+      double best = 0;
+      for(int k = a.offset[i]; k < a.offset[i + 1]; ++k)
+        if(roots[a.target[k]] >= 0 && a.weight[k] > best) {
+          best = a.weight[k];
+          of[i] = roots[a.target[k]];
+        }
+      if(of[i] < 0)
+        of[i] = alone - count++;
+    }
+  });
+  loop.for_each(blocks, [&](int b) {
+    for(int i = b * block_size; i < (std::min)(n, (b + 1) * block_size); ++i)
+      if(of[i] <= alone)
+        of[i] = first_alone[b] + alone - of[i];
+  });
   return result;
 }
 
-/// Collects one sparse row at a time: values are added by column, and read out in the order of first use.
-class Row_accumulator {
-public:
-  explicit Row_accumulator(int columns) : position_(columns, -1), column_(columns), value_(columns) {}
-
-  void add(int column, double value)
-  {
-    int& at = position_[column];
-    if(at < 0) {
-      at = size_++;
-      column_[at] = column;
-      value_[at] = value;
-    } else
-      value_[at] += value;
-  }
-
-  int size() const { return size_; }
-  int column(int k) const { return column_[k]; }
-  double value(int k) const { return value_[k]; }
-
-  void append_to(std::vector<int>& columns, std::vector<double>& values) const
-  {
-    columns.insert(columns.end(), column_.begin(), column_.begin() + size_);
-    values.insert(values.end(), value_.begin(), value_.begin() + size_);
-  }
-
-  void clear()
-  {
-    for(int k = 0; k < size_; ++k)
-      position_[column_[k]] = -1;
-    size_ = 0;
-  }
-
-private:
-  std::vector<int> position_;
-  std::vector<int> column_;
-  std::vector<double> value_;
-  int size_ = 0;
-};
-
 /// P = (I - omega D^-1 A) T, T the piecewise constant interpolation from the aggregates.
-inline Sparse_matrix smoothed_prolongation(const Weighted_graph& a, const Aggregates& aggregates, double omega)
+template <class Loop>
+Sparse_matrix smoothed_prolongation(const Loop& loop, const Weighted_graph& a, const Aggregates& aggregates,
+                                    double omega)
 {
-  const int n = a.size();
   const std::vector<int>& of = aggregates.of_vertex;
-  Sparse_matrix p;
-  p.offset.reserve(n + 1);
-  p.column.reserve(3 * std::size_t(n));
-  p.value.reserve(3 * std::size_t(n));
-  Row_accumulator row(aggregates.count);
-  for(int i = 0; i < n; ++i) {
-    if(of[i] >= 0) {
-      const double factor = omega * a.inverse_diagonal[i];
-      row.add(of[i], a.excess.empty() ? 1 : 1 - factor * a.excess[i]);
-      for(int k = a.offset[i]; k < a.offset[i + 1]; ++k) {
-        const int j = of[a.target[k]];
-        if(j != of[i]) {
-          row.add(of[i], -factor * a.weight[k]);
-          if(j >= 0)
-            row.add(j, factor * a.weight[k]);
+  return build_rows(loop, a.size(), [&](int begin, int end, Sparse_matrix& p) {
+    constexpr double usual_row_length = 3.2;
+    p.offset.reserve(end - begin + 1);
+    p.column.reserve(static_cast<std::size_t>(usual_row_length * (end - begin)));
+    p.value.reserve(static_cast<std::size_t>(usual_row_length * (end - begin)));
+    std::vector<int> column;
+    std::vector<double> value;
+    for(int i = begin; i < end; ++i) {
+      column.clear();
+      value.clear();
+      if(of[i] >= 0) {
+        const double factor = omega * a.inverse_diagonal[i];
+        column.push_back(of[i]);
+        value.push_back(a.excess.empty() ? 1 : 1 - factor * a.excess[i]);
+        for(int k = a.offset[i]; k < a.offset[i + 1]; ++k) {
+          const int j = of[a.target[k]];
+          if(j == of[i])
+            continue;
+          const double w = factor * a.weight[k];
+          value[0] -= w;
+          if(j < 0)
+            continue;
+          // a handful of columns: found soonest one by one
+          const auto at = std::find(column.begin(), column.end(), j) - column.begin();
+          if(at == static_cast<std::ptrdiff_t>(column.size())) {
+            column.push_back(j);
+            value.push_back(w);
+          } else
+            value[at] += w;
         }
       }
+      p.column.insert(p.column.end(), column.begin(), column.end());
+      p.value.insert(p.value.end(), value.begin(), value.end());
+      p.offset.push_back(static_cast<int>(p.column.size()));
     }
-    row.append_to(p.column, p.value);
-    p.offset.push_back(static_cast<int>(p.column.size()));
-    row.clear();
-  }
-  return p;
+  });
 }
 
-/// The Galerkin product P^T A P as a weighted graph. Where A has zero row sums (`is_singular`), so has the product,
-/// and the excess stays empty instead of holding rounding errors.
-inline Weighted_graph galerkin_product(const Weighted_graph& a, const Sparse_matrix& p, const Sparse_matrix& r,
-                                       bool is_singular)
+/// The Galerkin product P^T A P as a weighted graph, r = P^T. Where A has zero row sums (`is_singular`), so has the
+/// product, and the excess stays empty instead of holding rounding errors.
+template <class Loop>
+Weighted_graph galerkin_product(const Loop& loop, const Weighted_graph& a, const Sparse_matrix& p,
+                                const Sparse_matrix& r, bool is_singular)
 {
-  const int n = a.size();
   const int coarse = r.rows();
-  Row_accumulator row(coarse);
-
-  Sparse_matrix ap;
-  ap.offset.reserve(n + 1);
-  ap.column.reserve(2 * p.column.size());
-  ap.value.reserve(2 * p.column.size());
-  for(int i = 0; i < n; ++i) {
-    if(a.inverse_diagonal[i] > 0) {
-      for(int k = a.offset[i]; k < a.offset[i + 1]; ++k) {
-        const int j = a.target[k];
-        for(int q = p.offset[j]; q < p.offset[j + 1]; ++q)
-          row.add(p.column[q], -a.weight[k] * p.value[q]);
-      }
-      const double diagonal = 1 / a.inverse_diagonal[i];
-      for(int q = p.offset[i]; q < p.offset[i + 1]; ++q)
-        row.add(p.column[q], diagonal * p.value[q]);
-    }
-    row.append_to(ap.column, ap.value);
-    ap.offset.push_back(static_cast<int>(ap.column.size()));
-    row.clear();
-  }
-
   Weighted_graph c;
-  c.offset.reserve(coarse + 1);
   c.inverse_diagonal.resize(coarse);
   if(!is_singular)
     c.excess.resize(coarse);
-  for(int i = 0; i < coarse; ++i) {
-    for(int k = r.offset[i]; k < r.offset[i + 1]; ++k) {
-      const int f = r.column[k];
-      for(int q = ap.offset[f]; q < ap.offset[f + 1]; ++q)
-        row.add(ap.column[q], r.value[k] * ap.value[q]);
-    }
-    double diagonal = 0;
-    double off_diagonal = 0;
-    for(int k = 0; k < row.size(); ++k) {
-      if(row.column(k) == i) {
-        diagonal = row.value(k);
-        continue;
+  Sparse_matrix rows = build_rows(loop, coarse, [&](int begin, int end, Sparse_matrix& out) {
+    constexpr std::size_t usual_row_length = 16;
+    out.offset.reserve(end - begin + 1);
+    out.column.reserve(usual_row_length * (end - begin));
+    out.value.reserve(usual_row_length * (end - begin));
+    Row_accumulator ra(a.size()); // row of P^T A
+    Row_accumulator rap(coarse);  // row of P^T A P
+    for(int i = begin; i < end; ++i) {
+      for(int k = r.offset[i]; k < r.offset[i + 1]; ++k) {
+        const int f = r.column[k];
+        const double share = r.value[k];
+        double diagonal = a.excess.empty() ? 0 : a.excess[f];
+        const int row_end = a.offset[f + 1];
+        for(int q = a.offset[f]; q < row_end; ++q) {
+          const double w = a.weight[q];
+          diagonal += w;
+          ra.add(a.target[q], -share * w);
+        }
+        ra.add(f, share * diagonal);
       }
-      off_diagonal += row.value(k);
-      c.target.push_back(row.column(k));
-      c.weight.push_back(-row.value(k));
+      for(int k = 0; k < ra.size(); ++k) {
+        const int f = ra.column(k);
+        const double value = ra.value(k);
+        const int row_end = p.offset[f + 1];
+        for(int q = p.offset[f]; q < row_end; ++q)
+          rap.add(p.column[q], value * p.value[q]);
+      }
+      double diagonal = 0;
+      double off_diagonal = 0;
+      for(int k = 0; k < rap.size(); ++k) {
+        if(rap.column(k) == i) {
+          diagonal = rap.value(k);
+          continue;
+        }
+        off_diagonal += rap.value(k);
+        out.column.push_back(rap.column(k));
+        out.value.push_back(-rap.value(k));
+      }
+      out.offset.push_back(static_cast<int>(out.column.size()));
+      if(is_singular)
+        diagonal = -off_diagonal;
+      else
+        c.excess[i] = diagonal + off_diagonal;
+      c.inverse_diagonal[i] = diagonal > 0 ? 1 / diagonal : 0;
+      ra.clear();
+      rap.clear();
     }
-    c.offset.push_back(static_cast<int>(c.target.size()));
-    if(is_singular)
-      diagonal = -off_diagonal;
-    else
-      c.excess[i] = diagonal + off_diagonal;
-    c.inverse_diagonal[i] = diagonal > 0 ? 1 / diagonal : 0;
-    row.clear();
-  }
+  });
+  c.offset = std::move(rows.offset);
+  c.target = std::move(rows.column);
+  c.weight = std::move(rows.value);
   return c;
 }
 

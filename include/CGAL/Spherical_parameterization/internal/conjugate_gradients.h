@@ -14,20 +14,22 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
-/// Solves A x = b for three right-hand sides by conjugate gradients with one multigrid cycle as the preconditioner, to
-/// a relative error of about `accuracy` in the energy norm. `x` is 0 on entry. Returns the number of iterations.
+/// Solves A x = b on level k of the hierarchy, for three right-hand sides, by conjugate gradients with one multigrid
+/// cycle as the preconditioner, to a relative error of about `accuracy` in the energy norm. `x` is 0 on entry. Returns
+/// the number of iterations.
 template <class Backend>
-std::size_t conjugate_gradients(const Backend& backend, const typename Backend::Matrix& a,
-                                Multigrid<Backend>& multigrid, typename Backend::Vectors r, double accuracy,
-                                Monitor& monitor, double share_of_work, typename Backend::Vectors& x)
+std::size_t conjugate_gradients(const Backend& backend, Multigrid<Backend>& multigrid, std::size_t k,
+                                typename Backend::Vectors r, double accuracy, Monitor& monitor, double share_of_work,
+                                typename Backend::Vectors& x)
 {
   constexpr std::size_t maximum_iterations = 200;
-  const int n = static_cast<int>(x.size());
+  const typename Backend::Matrix& a = multigrid.matrix(k);
+  const int n = multigrid.size(k);
   typename Backend::Vectors s = backend.vectors(n), p = backend.vectors(n), q = backend.vectors(n);
   double rs = 0;
   double energy = 0, first = 0;
   for(std::size_t it = 0; it < maximum_iterations; ++it) {
-    multigrid.apply(r, s);
+    multigrid.apply(k, r, s);
     const double previous = rs;
     rs = backend.dot(r, s);
     backend.conjugate(it > 0 ? rs / previous : 0, s, p);

@@ -36,6 +36,10 @@ struct Parallel_loop {
     });
   }
 };
+
+typedef Parallel_loop Default_loop;
+#else
+typedef Sequential_loop Default_loop;
 #endif
 
 } // namespace internal

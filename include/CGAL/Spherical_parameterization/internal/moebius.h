@@ -61,6 +61,17 @@ void balance(const Backend& backend, const typename Backend::Scalars& mass, doub
   }
 }
 
+/// Boosts v, unit vectors, until the centroid of `area` is at the centre of the sphere.
+template <class Backend>
+void centre(const Backend& backend, const typename Backend::Scalars& area, typename Backend::Vectors& v)
+{
+  constexpr double tolerance = 1e-6;
+  constexpr int maximum_steps = 50;
+  typename Backend::Vectors scratch = backend.vectors(v.size());
+  Moments moments = backend.moments(area, v);
+  balance(backend, area, tolerance, maximum_steps, v, scratch, moments);
+}
+
 /// The Moebius transformation of orientation 1 (boosts and rotations) that brings `from` closest to `to` in the sense
 /// of least squares, by the Gauss-Newton method from the best rotation; exact for three points. Returned as a sequence
 /// of boosts, each followed by a rotation.

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -38,15 +39,14 @@ inline bool needs_given_start(const Balanced&) { return false; }
 constexpr double refinement = 1e-2;
 constexpr double limit = 1e-15;
 
-/// Solves from `start`, and does what can be done where faces are flipped in the end:
+/// Solves from `start(v)`, and does what can be done where faces are flipped in the end:
 /// - tightens the accuracy;
 /// - starts again with short steps: on coarse meshes the balanced critical point may be a degenerate map, with faces on
-/// a
-///   great circle, that a careful descent approaches from the valid side, and an eager one from both.
-template <class Backend>
-Solver_report solve_until_valid(const Backend& backend, Balanced_solver<Backend>& solver, Map_task& task,
-                                const std::vector<vec3>& start, double accuracy, std::size_t maximum_iterations,
-                                typename Backend::Vectors& v)
+///   a great circle, that a careful descent approaches from the valid side, and an eager one from both.
+/// `descend(options, v)` is the descent.
+template <class Backend, class Start, class Descend>
+Solver_report solve_until_valid(const Backend& backend, Map_task& task, Start start, Descend descend, double accuracy,
+                                std::size_t maximum_iterations, typename Backend::Vectors& v)
 {
   constexpr std::size_t patience_at_the_limit = 3;
   const auto is_valid = [&] {
@@ -59,16 +59,16 @@ Solver_report solve_until_valid(const Backend& backend, Balanced_solver<Backend>
   std::size_t done = 0;
   Solver_report report;
   for(double longest_factor : {1000., 1.}) {
-    v = backend.upload(start);
-    Descent_options options = {accuracy, maximum_iterations - done, 30, longest_factor};
-    report = solver.solve(options, task.monitor, start_share, v);
+    start(v);
+    Descent_options options = {accuracy, maximum_iterations - done, 30, longest_factor, start_share, 1};
+    report = descend(options, v);
     done += report.iterations;
     report.iterations = done;
     options.patience = patience_at_the_limit;
     for(Solver_report refined = report; refined.has_converged && options.accuracy > limit && !is_valid();) {
       options.accuracy *= refinement;
       options.maximum_iterations = maximum_iterations - done;
-      refined = solver.solve(options, task.monitor, start_share, v);
+      refined = descend(options, v);
       done += refined.iterations;
       report.iterations = done;
       report.residual = refined.residual;
@@ -87,7 +87,7 @@ inline Weighted_graph stiffening_springs(const Map_task& task, double exponent)
 {
   const double area = std::accumulate(task.area.begin(), task.area.end(), 0.);
   const double unit_length = std::sqrt(area / (4 * std::acos(-1.)));
-  Weighted_graph springs = task.graph;
+  Weighted_graph springs = *task.graph;
   for(int i = 0; i < springs.size(); ++i)
     for(int k = springs.offset[i]; k < springs.offset[i + 1]; ++k) {
       const vec3 e = sub(task.points[i], task.points[springs.target[k]]);
@@ -127,14 +127,15 @@ Solver_report solve_stiffening(const Backend& backend, const Map_task& task, dou
     return residual > 1e-2 ? 1 : residual > 1e-5 ? 4 : 12;
   };
   const Gauge gauge = task.has_fixed() ? Gauge::FIXED : Gauge::ROTATED;
-  Weighted_graph springs = stiffening_springs(task, exponent);
+  const auto springs = std::make_shared<Weighted_graph>(stiffening_springs(task, exponent));
+  typename Backend::Scalars mass = backend.scalars(task.size());
   Solver_report report;
   double goal = accuracy;
   for(std::size_t done = 0, made = 1;; done += made) {
     const std::vector<vec3> position = backend.download(v); // all set-up is the host's
-    const Weighted_graph current = springs_at(springs, exponent, position, task.is_fixed);
-    const typename Backend::Matrix preconditioner = backend.upload(current);
-    report.residual = std::sqrt(backend.barycentric_residual2(preconditioner, v));
+    const auto current = std::make_shared<Weighted_graph>(springs_at(*springs, exponent, position, task.is_fixed));
+    Multigrid<Backend> multigrid(backend, current);
+    report.residual = std::sqrt(backend.barycentric_residual2(multigrid.matrix(0), v));
     report.iterations = done;
     if(report.has_converged) {
       const bool is_accurate = report.residual <= accuracy;
@@ -144,16 +145,80 @@ Solver_report solve_stiffening(const Backend& backend, const Map_task& task, dou
     }
     if(made == 0 || done >= maximum_iterations || task.monitor.is_interrupted())
       break;
-    springs.inverse_diagonal = current.inverse_diagonal;
-    const typename Backend::Matrix matrix = backend.upload(springs);
-    const typename Backend::Scalars mass = backend.upload(spherical_masses(task, position));
-    Multigrid<Backend> multigrid(backend, current, preconditioner);
-    Balanced_solver<Backend> solver(backend, matrix, multigrid, exponent, gauge, mass);
+    springs->inverse_diagonal = current->inverse_diagonal;
+    const typename Backend::Matrix matrix = backend.upload(Shared_graph(springs));
+    backend.spring_masses(backend.upload(Shared_graph(task.graph)), v, mass);
+    Balanced_solver<Backend> solver(backend, matrix, multigrid, 0, exponent, gauge, mass);
     const std::size_t round = (std::min)(iterations_per_hierarchy(report.residual), maximum_iterations - done);
-    report = solver.solve({goal, round}, task.monitor, start_share, v);
+    report = solver.solve({goal, round, 30, 1000, start_share, 1}, task.monitor, v);
     made = report.iterations;
   }
   report.has_converged = report.residual <= accuracy;
+  return report;
+}
+
+/// With fixed vertices: nothing is balanced, since nothing is free.
+template <class Backend>
+Solver_report solve_fixed(const Backend& backend, Map_task& task, double accuracy, std::size_t maximum_iterations,
+                          typename Backend::Vectors& v)
+{
+  const Stopwatch watch;
+  const std::vector<vec3> positions = start_positions(backend, task);
+  task.graph->update_diagonal(task.is_fixed);
+  Multigrid<Backend> multigrid(backend, task.graph);
+  typename Backend::Scalars mass = backend.scalars(task.size());
+  task.result.seconds.start_map = watch.seconds();
+
+  const auto start = [&](typename Backend::Vectors& x) {
+    x = backend.upload(positions);
+    backend.spring_masses(multigrid.matrix(0), x, mass);
+  };
+  const auto descend = [&](const Descent_options& options, typename Backend::Vectors& x) {
+    Balanced_solver<Backend> solver(backend, multigrid.matrix(0), multigrid, 0, 2, Gauge::FIXED, mass);
+    return solver.solve(options, task.monitor, x);
+  };
+  // The residual of eq. (2) is that of the descent times D_i / |sum w_ij v_j|: 1 on fine meshes, up to 3 on coarse
+  // ones.
+  Solver_report report = solve_until_valid(backend, task, start, descend, accuracy / 3, maximum_iterations, v);
+  report.residual = std::sqrt(backend.barycentric_residual2(multigrid.matrix(0), v));
+  report.has_converged = report.residual <= accuracy;
+  return report;
+}
+
+/// Without fixed vertices, exponent 2: the balanced critical point.
+///
+/// The masses of the balance are the spring densities of a reference map, the solution itself to 1e-5, with the centroid
+/// of the source area at the centre. (On a conformal map the density of energy is that of area.) The reference is taken
+/// early and renewed, so that it is a small change each time, and the descent goes on as if nothing had happened.
+template <class Backend>
+Solver_report solve_balanced(const Backend& backend, Map_task& task, double accuracy, std::size_t maximum_iterations,
+                             typename Backend::Vectors& v)
+{
+  const Stopwatch watch;
+  task.graph->update_diagonal({});
+  Multigrid<Backend> multigrid(backend, task.graph);
+  const typename Backend::Scalars area = backend.upload(task.area);
+  typename Backend::Scalars mass = backend.scalars(task.size());
+  const auto refer_to = [&](typename Backend::Vectors& x) {
+    centre(backend, area, x);
+    backend.spring_masses(multigrid.matrix(0), x, mass);
+  };
+  Balanced_solver<Backend> solver(backend, multigrid.matrix(0), multigrid, 0, 2, Gauge::BALANCED, mass);
+
+  std::vector<double> references;
+  const auto start = [&](typename Backend::Vectors& x) {
+    const Stopwatch start_watch;
+    x = start_map(backend, multigrid, task);
+    refer_to(x);
+    references = {1e-1, 1e-3, 1e-5};
+    task.result.seconds.start_map = start_watch.seconds();
+  };
+  const auto descend = [&](const Descent_options& options, typename Backend::Vectors& x) {
+    return solver.solve(options, task.monitor, std::exchange(references, {}), refer_to, x);
+  };
+  const double set_up = watch.seconds();
+  Solver_report report = solve_until_valid(backend, task, start, descend, accuracy, maximum_iterations, v);
+  task.result.seconds.start_map += set_up;
   return report;
 }
 
@@ -162,43 +227,16 @@ std::vector<vec3> run(const Backend& backend, const Balanced& method, Map_task& 
 {
   const double accuracy = task.accuracy.value_or(Balanced::default_accuracy);
   const std::size_t maximum_iterations = task.number_of_iterations.value_or(Balanced::default_number_of_iterations);
-  Stopwatch watch;
-
+  const Stopwatch watch;
+  typename Backend::Vectors v;
   if(method.spring_exponent != 2) {
-    typename Backend::Vectors v = backend.upload(harmonic_start(backend, task, start_share));
+    v = backend.upload(start_positions(backend, task));
     task.result.seconds.start_map = watch.seconds();
     report = solve_stiffening(backend, task, method.spring_exponent, accuracy, maximum_iterations, v);
-    task.result.seconds.solve = watch.seconds() - task.result.seconds.start_map - task.result.seconds.certify;
-    return backend.download(v);
-  }
-
-  if(task.has_fixed()) {
-    std::vector<vec3> start = harmonic_start(backend, task, start_share);
-    const typename Backend::Scalars mass = backend.upload(spherical_masses(task, start));
-    typename Backend::Vectors v;
-    task.graph.update_diagonal(task.is_fixed);
-    const typename Backend::Matrix matrix = backend.upload(task.graph);
-    Multigrid<Backend> multigrid(backend, task.graph, matrix);
-    task.result.seconds.start_map = watch.seconds();
-    Balanced_solver<Backend> solver(backend, matrix, multigrid, 2, Gauge::FIXED, mass);
-    // The residual of eq. (2) is that of the descent times D_i / |sum w_ij v_j|: 1 on fine meshes, up to 3 on coarse
-    // ones.
-    report = solve_until_valid(backend, solver, task, start, accuracy / 3, maximum_iterations, v);
-    report.residual = std::sqrt(backend.barycentric_residual2(matrix, v));
-    report.has_converged = report.residual <= accuracy;
-    task.result.seconds.solve = watch.seconds() - task.result.seconds.start_map - task.result.seconds.certify;
-    return backend.download(v);
-  }
-
-  task.graph.update_diagonal({});
-  const typename Backend::Matrix matrix = backend.upload(task.graph);
-  Multigrid<Backend> multigrid(backend, task.graph, matrix);
-  std::vector<vec3> start = harmonic_start(backend, matrix, multigrid, task, start_share);
-  const typename Backend::Scalars mass = backend.upload(spherical_masses(task, start));
-  typename Backend::Vectors v;
-  task.result.seconds.start_map = watch.seconds();
-  Balanced_solver<Backend> solver(backend, matrix, multigrid, 2, Gauge::BALANCED, mass);
-  report = solve_until_valid(backend, solver, task, start, accuracy, maximum_iterations, v);
+  } else if(task.has_fixed())
+    report = solve_fixed(backend, task, accuracy, maximum_iterations, v);
+  else
+    report = solve_balanced(backend, task, accuracy, maximum_iterations, v);
   task.result.seconds.solve = watch.seconds() - task.result.seconds.start_map - task.result.seconds.certify;
   return backend.download(v);
 }

@@ -36,7 +36,7 @@ std::vector<vec3> run(const Backend& backend, const Saddle_point& method, Map_ta
   Stopwatch watch;
   std::vector<vec3> start;
   switch(method.start) {
-  case Saddle_point::Start::HARMONIC: start = harmonic_start(backend, task, start_share); break;
+  case Saddle_point::Start::HARMONIC: start = start_positions(backend, task); break;
   case Saddle_point::Start::GIVEN: start = task.given; break;
   case Saddle_point::Start::CENTROID: {
     vec3 centroid = {0, 0, 0};
@@ -53,11 +53,11 @@ std::vector<vec3> run(const Backend& backend, const Saddle_point& method, Map_ta
     for(int i = 0; i < task.size(); ++i)
       if(task.is_fixed[i])
         start[i] = task.given[i];
-  task.graph.update_diagonal(task.is_fixed);
-  const typename Backend::Matrix matrix = backend.upload(task.graph);
+  task.graph->update_diagonal(task.is_fixed);
+  const typename Backend::Matrix matrix = backend.upload(Shared_graph(task.graph));
   typename Backend::Vectors v = backend.upload(std::move(start));
   task.result.seconds.start_map = watch.seconds();
-  Saddle_point_solver<Backend> solver(backend, matrix, task.graph, method);
+  Saddle_point_solver<Backend> solver(backend, matrix, *task.graph, method);
   report = solver.solve(v, task.accuracy.value_or(Saddle_point::default_accuracy),
                         task.number_of_iterations.value_or(Saddle_point::default_number_of_iterations), task.monitor);
   task.result.seconds.solve = watch.seconds() - task.result.seconds.start_map;

@@ -6,6 +6,7 @@
 
 #include <CGAL/Spherical_parameterization/internal/Map_task.h>
 #include <CGAL/Spherical_parameterization/internal/Multigrid.h>
+#include <CGAL/Spherical_parameterization/internal/balanced_solver.h>
 #include <CGAL/Spherical_parameterization/internal/conjugate_gradients.h>
 #include <CGAL/Spherical_parameterization/internal/moebius.h>
 
@@ -14,6 +15,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -21,31 +24,32 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
-/// The harmonic map of the mesh without the face `outer` to the plane, `outer` going to an equilateral triangle
-/// (Tutte's embedding with weights). Since only the corners of `outer` feel a force, L z is a combination of two
-/// dipoles between them: two right-hand sides of the singular Laplacian itself, and no other matrix is needed. The
-/// planar coordinates are returned in x and y.
+/// The harmonic map of level k to the plane, without the triangle `corners`, which goes to an equilateral one (Tutte's
+/// embedding with weights). Since only the corners feel a force, L z is a combination of two dipoles between them: two
+/// right-hand sides of the singular Laplacian itself, and no other matrix is needed. The planar coordinates are
+/// returned in x and y.
 template <class Backend>
-std::vector<vec3> planar_map(const Backend& backend, const typename Backend::Matrix& a, Multigrid<Backend>& multigrid,
-                             std::array<int, 3> outer, double accuracy, Monitor& monitor, double share_of_work, int n,
+std::vector<vec3> planar_map(const Backend& backend, Multigrid<Backend>& multigrid, std::size_t k,
+                             std::array<int, 3> corners, double accuracy, Monitor& monitor, double share_of_work,
                              std::size_t& iterations)
 {
+  const int n = multigrid.size(k);
   std::vector<vec3> dipoles(n, make_vec3(0, 0, 0));
-  dipoles[outer[0]].x = 1;
-  dipoles[outer[1]].y = 1;
-  dipoles[outer[2]] = make_vec3(-1, -1, 0);
+  dipoles[corners[0]].x = 1;
+  dipoles[corners[1]].y = 1;
+  dipoles[corners[2]] = make_vec3(-1, -1, 0);
   typename Backend::Vectors solution = backend.vectors(n);
-  iterations = conjugate_gradients(backend, a, multigrid, backend.upload(std::move(dipoles)), accuracy, monitor,
+  iterations = conjugate_gradients(backend, multigrid, k, backend.upload(std::move(dipoles)), accuracy, monitor,
                                    share_of_work, solution);
   std::vector<vec3> z = backend.download(solution);
 
   // The affine map that sends the corners to the equilateral triangle, clockwise: the face lies outside of it, so that
   // all other faces come out counter-clockwise.
-  const vec3 origin = z[outer[2]];
+  const vec3 origin = z[corners[2]];
   Eigen::Matrix2d from, to;
   const double angle = 2 * std::acos(-1.) / 3;
   for(int k = 0; k < 2; ++k) {
-    from.col(k) << z[outer[k]].x - origin.x, z[outer[k]].y - origin.y;
+    from.col(k) << z[corners[k]].x - origin.x, z[corners[k]].y - origin.y;
     to.col(k) << std::cos(-angle * k) - std::cos(-angle * 2), std::sin(-angle * k) - std::sin(-angle * 2);
   }
   const Eigen::Matrix2d m = to * from.inverse();
@@ -80,27 +84,90 @@ inline void to_sphere(std::vector<vec3>& z)
   }
 }
 
-/// The planar harmonic map brought to the sphere, boosted until the centroid of the source area lies at the centre, of
-/// degree 1. With fixed vertices moved by the Moebius transformation that suits them best.
-template <class Backend>
-std::vector<vec3> harmonic_start(const Backend& backend, const typename Backend::Matrix& matrix,
-                                 Multigrid<Backend>& multigrid, const Map_task& task, double share_of_work)
-{
-  // The descent does not need more: on 40 models its number of iterations, and the flips in the end (none), were the
-  // same for 1e-3 and 1e-11. But the masses of the balance are taken from here, and should not depend on the
-  // numbering of the vertices.
-  constexpr double accuracy = 1e-6;
-  constexpr double balance_tolerance = 1e-6;
-  constexpr int maximum_steps = 50;
-  std::vector<vec3> start = planar_map(backend, matrix, multigrid, task.largest_face, accuracy, task.monitor,
-                                       share_of_work, task.size(), task.result.start_iterations);
-  to_sphere(start);
+/// The vertices of level k as seen from the finest one.
+struct Coarse_level {
+  std::size_t k = 0;
+  std::vector<int> vertex_of; ///< by vertex of the finest level
+  std::array<int, 3> corners; ///< where the three corners of the largest face went that still has three
+};
 
-  const typename Backend::Scalars mass = backend.upload(task.area);
-  typename Backend::Vectors v = backend.upload(std::move(start)), scratch = backend.vectors(task.size());
-  Moments moments = backend.transform(mass, make_vec3(0, 0, 0), v, scratch);
-  balance(backend, mass, balance_tolerance, maximum_steps, v, scratch, moments);
-  start = backend.download(v);
+/// The coarsest level on which a start map is still worth its work, and on which some face is left.
+template <class Backend>
+Coarse_level coarse_start_level(const Multigrid<Backend>& multigrid, const Map_task& task)
+{
+  constexpr int smallest_size = 1000;
+  Coarse_level level;
+  level.vertex_of.resize(task.size());
+  std::iota(level.vertex_of.begin(), level.vertex_of.end(), 0);
+  level.corners = task.largest_face;
+  while(level.k + 1 < multigrid.number_of_levels() && multigrid.size(level.k + 1) >= smallest_size) {
+    std::vector<int> next = level.vertex_of;
+    for(int& i : next)
+      i = multigrid.aggregate_of(level.k)[i];
+    double largest = -1;
+    for(const std::array<int, 3>& f : task.faces) {
+      const std::array<int, 3> corners = {next[f[0]], next[f[1]], next[f[2]]};
+      if(corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0])
+        continue;
+      const vec3 n = normal(task.points, f);
+      if(inner(n, n) > largest) {
+        largest = inner(n, n);
+        level.corners = corners;
+      }
+    }
+    if(largest < 0)
+      break;
+    level.vertex_of = std::move(next);
+    ++level.k;
+  }
+  return level;
+}
+
+/// A map of degree 1 to start from, near the harmonic one of the mesh without fixed vertices: the planar harmonic map of
+/// a coarse level brought to the sphere, boosted until the centroid of the source area lies at the centre, and from
+/// there up level by level, each map being the descent's start on the next finer one. On the finest level it is only
+/// interpolated, and not smooth.
+///
+/// `multigrid`: of the graph without fixed vertices.
+template <class Backend>
+typename Backend::Vectors start_map(const Backend& backend, Multigrid<Backend>& multigrid, const Map_task& task)
+{
+  constexpr double planar_accuracy = 1e-6;
+  constexpr Descent_options coarse_descent = {1e-3, 30, 30, 1000, 0, start_share};
+  const Coarse_level start = coarse_start_level(multigrid, task);
+  std::vector<vec3> z = planar_map(backend, multigrid, start.k, start.corners, planar_accuracy, task.monitor,
+                                   start_share, task.result.start_iterations);
+  to_sphere(z);
+  std::vector<double> area(z.size(), 0);
+  for(int i = 0; i < task.size(); ++i)
+    area[start.vertex_of[i]] += task.area[i];
+  typename Backend::Vectors v = backend.upload(std::move(z));
+  centre(backend, backend.upload(std::move(area)), v);
+
+  for(std::size_t k = start.k; k > 0; --k) {
+    typename Backend::Scalars mass = backend.scalars(multigrid.size(k));
+    backend.spring_masses(multigrid.matrix(k), v, mass);
+    Balanced_solver<Backend> solver(backend, multigrid.matrix(k), multigrid, k, 2, Gauge::BALANCED, mass);
+    task.result.start_iterations += solver.solve(coarse_descent, task.monitor, v).iterations;
+    typename Backend::Vectors finer = backend.vectors(multigrid.size(k - 1));
+    backend.transfer(multigrid.prolongation(k - 1), v, finer);
+    v = backend.vectors(multigrid.size(k - 1));
+    backend.normalise(finer, v);
+  }
+  return v;
+}
+
+/// The start map of a task with fixed vertices, or of a method without hierarchy: one is set up for the graph without
+/// fixed vertices. The map is moved by the Moebius transformation that suits the fixed vertices best, or else centred.
+template <class Backend>
+std::vector<vec3> start_positions(const Backend& backend, const Map_task& task)
+{
+  const auto free_graph = std::make_shared<Weighted_graph>(*task.graph);
+  free_graph->update_diagonal({});
+  Multigrid<Backend> multigrid(backend, free_graph);
+  typename Backend::Vectors v = start_map(backend, multigrid, task);
+  centre(backend, backend.upload(task.area), v);
+  std::vector<vec3> start = backend.download(v);
 
   if(task.has_fixed()) {
     std::vector<vec3> from, to;
@@ -114,17 +181,6 @@ std::vector<vec3> harmonic_start(const Backend& backend, const typename Backend:
       start[i] = task.is_fixed[i] ? task.given[i] : align(start[i]);
   }
   return start;
-}
-
-/// The harmonic start of a task without hierarchy: sets one up for the graph without fixed vertices.
-template <class Backend>
-std::vector<vec3> harmonic_start(const Backend& backend, Map_task& task, double share_of_work)
-{
-  Weighted_graph free_graph = task.graph;
-  free_graph.update_diagonal({});
-  const typename Backend::Matrix matrix = backend.upload(free_graph);
-  Multigrid<Backend> multigrid(backend, free_graph, matrix);
-  return harmonic_start(backend, matrix, multigrid, task, share_of_work);
 }
 
 } // namespace internal

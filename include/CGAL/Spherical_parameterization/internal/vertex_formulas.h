@@ -94,13 +94,11 @@ CGAL_SP_FUNCTION vec3 row_times(int i, sparse_view t, CGAL_SP_GLOBAL const vec3*
   return sum;
 }
 
-/* One step of the Chebyshev iteration for A x = b: updates the correction d_i and returns the new x_i. */
-CGAL_SP_FUNCTION vec3 chebyshev(int i, graph_view a, real keep, real gain, CGAL_SP_GLOBAL const vec3* b,
-                                CGAL_SP_GLOBAL const vec3* x, CGAL_SP_GLOBAL vec3* d)
+/* (x + gain D^-1 (b - A x))_i, a damped Jacobi step */
+CGAL_SP_FUNCTION vec3 smoothing_step(int i, graph_view a, real gain, CGAL_SP_GLOBAL const vec3* b,
+                                     CGAL_SP_GLOBAL const vec3* x)
 {
-  const vec3 r = sub(b[i], laplacian(i, a, x));
-  d[i] = add_scaled(scale(keep, d[i]), gain * a.inverse_diagonal[i], r);
-  return add(x[i], d[i]);
+  return add_scaled(x[i], gain * a.inverse_diagonal[i], sub(b[i], laplacian(i, a, x)));
 }
 
 /* ---- the spring energy on the sphere ----------------------------------------------------------------------------- */
@@ -124,21 +122,22 @@ CGAL_SP_FUNCTION real spring_density(int i, graph_view a, real p, CGAL_SP_GLOBAL
   return sum / 2;
 }
 
-/* Tangent gradient P_i (L(v) v)_i of the spring energy, and in passing the spring density. */
+/* Tangent gradient P_i (L(v) v)_i of the spring energy, and in passing the spring density: |v_i - v_j|^2 / 2 is
+ * v_i . (v_i - v_j) for unit vectors. */
 CGAL_SP_FUNCTION vec3 spring_gradient(int i, graph_view a, real p, CGAL_SP_GLOBAL const vec3* v, real* density)
 {
   const vec3 vi = v[i];
   vec3 sum = make_vec3(0, 0, 0);
-  real twice_density = 0;
   const int end = a.offset[i + 1];
-  for(int k = a.offset[i]; k < end; ++k) {
-    const vec3 delta = sub(vi, v[a.target[k]]);
-    const real length2 = inner(delta, delta);
-    const real w = spring_weight(a.weight[k], length2, p);
-    sum = add_scaled(sum, w, delta);
-    twice_density += w * length2;
-  }
-  *density = twice_density / 2;
+  if(p == 2)
+    for(int k = a.offset[i]; k < end; ++k)
+      sum = add_scaled(sum, a.weight[k], sub(vi, v[a.target[k]]));
+  else
+    for(int k = a.offset[i]; k < end; ++k) {
+      const vec3 delta = sub(vi, v[a.target[k]]);
+      sum = add_scaled(sum, spring_weight(a.weight[k], inner(delta, delta), p), delta);
+    }
+  *density = inner(vi, sum);
   return a.inverse_diagonal[i] > 0 ? tangent(sum, vi) : make_vec3(0, 0, 0);
 }
 
@@ -148,25 +147,30 @@ CGAL_SP_FUNCTION real spring_curvature(int i, graph_view a, real p, CGAL_SP_GLOB
                                        CGAL_SP_GLOBAL const vec3* d, real pull)
 {
   const vec3 di = d[i];
-  const vec3 vi = v[i];
   real sum = 0;
   const int end = a.offset[i + 1];
-  for(int k = a.offset[i]; k < end; ++k) {
-    const int j = a.target[k];
-    const vec3 dd = sub(di, d[j]);
-    real q = inner(dd, dd);
-    real w = a.weight[k];
-    if(p != 2) {
-      const vec3 delta = sub(vi, v[j]);
+  if(p == 2)
+    for(int k = a.offset[i]; k < end; ++k) {
+      const vec3 dd = sub(di, d[a.target[k]]);
+      sum += a.weight[k] * inner(dd, dd);
+    }
+  else
+    for(int k = a.offset[i]; k < end; ++k) {
+      const vec3 dd = sub(di, d[a.target[k]]);
+      const vec3 delta = sub(v[i], v[a.target[k]]);
       const real length2 = inner(delta, delta);
       const real along = inner(delta, dd);
-      w = spring_weight(w, length2, p);
-      if(length2 > 0)
-        q += (p - 2) * along * along / length2;
+      const real stiffening = length2 > 0 ? (p - 2) * along * along / length2 : 0;
+      sum += spring_weight(a.weight[k], length2, p) * (inner(dd, dd) + stiffening);
     }
-    sum += w * q;
-  }
   return sum / 2 - pull * inner(di, di);
+}
+
+/* A step alpha along d, and a small boost with centre c on top, exact to first order: (v + alpha d - 2 P_v c)_i, back on
+ * the sphere. */
+CGAL_SP_FUNCTION vec3 step(vec3 v, real alpha, vec3 d, vec3 c)
+{
+  return unit(add_scaled(add_scaled(v, alpha, d), -2, tangent(c, v)));
 }
 
 /* ---- Moebius transformations and balance ------------------------------------------------------------------------- */

@@ -9,10 +9,11 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <optional>
 #include <random>
+#include <sstream>
 #include <string>
+#include <system_error>
 #include <utility>
 
 namespace CGAL {
@@ -60,7 +61,9 @@ public:
     if(folder_.empty())
       return {};
     std::ifstream in(file(key), std::ios::binary);
-    const std::string content((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+    std::ostringstream all;
+    all << in.rdbuf();
+    const std::string content = all.str();
     const std::string start = head(key);
     std::uint64_t length_and_sum[2];
     if(content.size() < start.size() + sizeof length_and_sum || content.compare(0, start.size(), start) != 0)

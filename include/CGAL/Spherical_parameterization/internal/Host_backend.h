@@ -46,6 +46,12 @@ public:
 
   explicit Host_backend(Loop loop = Loop()) : loop_(std::move(loop)) {}
 
+  /// Relative error that sums may have
+  double rounding() const { return 1e-13; }
+
+  /// The residual that rounding leaves of a map of n vertices; 0: none that could be in the way of the user's accuracy
+  double best_accuracy(int) const { return 0; }
+
   /// \name Memory
   /// @{
   Vectors vectors(int n) const { return Vectors(n, vec3{0, 0, 0}); }

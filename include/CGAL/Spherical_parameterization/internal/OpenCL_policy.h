@@ -81,8 +81,9 @@ inline OpenCL_device_info opencl_device_info(cl_device_id device)
 ///
 /// In double precision results are those of `CGAL::Sequential_tag` bit by bit, on devices whose division and square
 /// root round correctly, as OpenCL demands, and for spring exponent 2 (for the others the `pow()` of the device
-/// counts, too). In single precision the accuracy cannot be better than about 1e-4; it is relaxed to that where more is
-/// asked for, and `Result::device` says so. The certificate is exact in either case.
+/// counts, too). In single precision the residual does not come down to the default accuracy: accuracies below
+/// 3e-7 sqrt(n), with n vertices, are taken for that; `Result::device` names the precision. The certificate is exact in
+/// either case.
 class OpenCL_device {
 public:
   enum class Precision {

@@ -96,6 +96,11 @@ inline cl::Program build_program(cl_context context, cl_device_id device, const 
   return program;
 }
 
+inline std::string build_options(bool is_double)
+{
+  return std::string("-cl-std=CL1.2") + (is_double ? " -D CGAL_SP_DOUBLE" : "");
+}
+
 /// The kernels of this package for one device, compiled when they are asked for first. Any number of threads may ask.
 class OpenCL_program {
 public:
@@ -103,8 +108,7 @@ public:
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if(program_() == nullptr)
-      program_ = build_program(context, device, kernel_source(),
-                               std::string("-cl-std=CL1.2") + (is_double ? " -D CGAL_SP_DOUBLE" : ""));
+      program_ = build_program(context, device, kernel_source(), build_options(is_double));
     return program_;
   }
 

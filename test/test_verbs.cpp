@@ -8,7 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include <array>
-#include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <random>
 #include <vector>
@@ -198,7 +198,9 @@ TEMPLATE_LIST_TEST_CASE("every verb does the same on every backend, bit by bit",
   const auto policy = test::some_policy<TestType>();
   if(!policy)
     return;
-  const int n = GENERATE(0, 1, 63, 64, 65, 1023, 1024, 1025, LARGEST_GRAPH);
+  const char* const size = std::getenv("LARGEST_GRAPH"); // smaller where kernels are simulated
+  const int largest = size ? std::atoi(size) : 100001;
+  const int n = GENERATE_COPY(0, 1, 63, 64, 65, 1023, 1024, 1025, largest);
   const bool has_excess = GENERATE(false, true);
   Random random;
   const Weighted_graph graph = random_graph(n, has_excess, random);

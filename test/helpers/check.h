@@ -15,8 +15,9 @@ namespace test {
 bool mentions(const std::string& text, std::size_t number);
 
 /// Every figure of the certificate against the independent one, and the verdict against the figures.
-/// `settings` are those of the run.
-void check_certificate(const Result& result, const Soup& soup, const Sphere& sphere, const Settings& settings);
+/// `settings` are those of the run; its energy is exact to `energy_tolerance`, relatively.
+void check_certificate(const Result& result, const Soup& soup, const Sphere& sphere, const Settings& settings,
+                       double energy_tolerance = 1e-10);
 
 } // namespace test
 

@@ -66,10 +66,10 @@ Result solve(const Mesh& mesh, Sphere& sphere, const Settings& settings)
                                   .maximum_running_time(settings.maximum_running_time)
                                   .callback(settings.callback);
   return std::visit(
-    [&](const auto& method) {
-      return SP::parameterize(CGAL::Sequential_tag(), mesh, method, Sphere_map{&sphere}, named_parameters);
+    [&](const auto& policy, const auto& method) {
+      return SP::parameterize(policy, mesh, method, Sphere_map{&sphere}, named_parameters);
     },
-    settings.method);
+    settings.policy, settings.method);
 }
 
 Result solve(const Soup& soup, Sphere& sphere, const Settings& settings)

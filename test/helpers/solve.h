@@ -5,6 +5,7 @@
 #define TEST_HELPERS_SOLVE_H
 
 #include "certificate.h"
+#include "policies.h"
 #include "soup.h"
 
 #include <CGAL/Spherical_parameterization/Result.h>
@@ -22,8 +23,9 @@ using SP::Error_code;
 using SP::Result;
 using Splitting = SP::Saddle_point::Splitting;
 
-/// The named parameters of `parameterize()`, all of them.
+/// The arguments and the named parameters of `parameterize()`, all of them.
 struct Settings {
+  Policy policy = CGAL::Sequential_tag();
   std::variant<SP::Balanced, SP::Saddle_point> method = SP::Balanced();
   Weights weights = Weights::CONFORMAL;
   /// weights that differ from those of `weights`, by the number of the edge

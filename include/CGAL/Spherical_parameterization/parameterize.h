@@ -39,7 +39,9 @@ namespace Spherical_parameterization {
 /// whenever there is a map (`NOT_CONVERGED`, `INTERRUPTED` and `NOT_BIJECTIVE`: the best one found).
 /// Calls on different meshes, or on the same mesh with different maps, may run concurrently.
 ///
-/// \param policy  where to run: `CGAL::Sequential_tag`
+/// \param policy  where to run: `CGAL::Sequential_tag`; `CGAL::Parallel_tag`, if linked with TBB (`CGAL::TBB_support`);
+///                an `OpenCL_device`, if OpenCL_device.h is included. The result does not depend on it, to the last bit
+///                (but see `OpenCL_device`).
 /// \param mesh    a model of `FaceListGraph` and `HalfedgeListGraph`; its own indices are not used
 /// \param method  `Balanced` or `Saddle_point`
 /// \param sphere_map  writable property map, key vertex_descriptor, value constructible as `value_type{x, y, z}` from
@@ -55,7 +57,7 @@ namespace Spherical_parameterization {
 ///   - `callback`: called with the fraction of the work done, in [0, 1]; returns whether to go on
 ///   - `verbose`: logs every iteration to `std::cerr`
 /// \return the verdict, the certificate, and what the work was; see `Result`
-/// \throws std::bad_alloc, and whatever the property maps and the callback throw
+/// \throws std::bad_alloc, `OpenCL_error`, and whatever the property maps and the callback throw
 ///
 /// Complexity: linear in memory, about 400 bytes per vertex; `Balanced` takes a few hundred applications of the
 /// Laplacian for any number of vertices.
@@ -108,6 +110,9 @@ Result parameterize(const ExecutionPolicy& policy, const TriangleMesh& mesh, con
     result.device = backend.device_name();
     internal::Solver_report report;
     std::vector<internal::vec3> v = internal::run(backend, method, task, report);
+    if(backend.best_accuracy(task.size()) > 0) // low precision: back to the sphere, as far as doubles go
+      for(internal::vec3& p : v)
+        p = internal::unit(p);
     for(std::size_t i = 0; i < is_fixed.size(); ++i)
       if(is_fixed[i]) // to the last bit
         v[i] = task.given[i];

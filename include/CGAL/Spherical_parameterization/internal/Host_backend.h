@@ -49,6 +49,12 @@ public:
   /// What set-up on the host is run with.
   const Loop& host_loop() const { return loop_; }
 
+  /// Relative error that sums may have
+  double rounding() const { return 1e-13; }
+
+  /// The residual that rounding leaves of a map of n vertices; 0: none that could be in the way of the user's accuracy
+  double best_accuracy(int) const { return 0; }
+
   /// \name Memory
   /// @{
   Vectors vectors(int n) const { return Vectors(n, vec3{0, 0, 0}); }
@@ -101,12 +107,6 @@ public:
   void conjugate(double beta, const Vectors& s, Vectors& p) const
   {
     for_each(p.size(), [&](int i) { p[i] = add_scaled(s[i], beta, p[i]); });
-  }
-
-  /// y = x / |x|
-  void normalise(const Vectors& x, Vectors& y) const
-  {
-    for_each(x.size(), [&](int i) { y[i] = unit(x[i]); });
   }
 
   /// Spring energy of exponent 2: sum over edges of w |x_i - x_j|^2 / 2
@@ -248,7 +248,7 @@ public:
   /// w = v moved by alpha d and a small boost with centre c; returns the moments of w
   Moments retract(const Scalars& mass, double alpha, vec3 c, const Vectors& v, const Vectors& d, Vectors& w) const
   {
-    return moments_of(mass, v.size(), [&](int i) { return w[i] = step(v[i], alpha, d[i], c); });
+    return moments_of(mass, v.size(), [&](int i) { return w[i] = displaced(v[i], alpha, d[i], c); });
   }
 
   /// returns the moments of v

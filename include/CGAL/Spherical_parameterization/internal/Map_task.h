@@ -39,6 +39,13 @@ struct Map_task {
   int size() const { return graph->size(); }
 };
 
+/// What the caller asked for, or the default of the method; not more than the backend can give.
+template <class Backend>
+double accuracy_on(const Backend& backend, const Map_task& task, double by_default)
+{
+  return (std::max)(task.accuracy.value_or(by_default), backend.best_accuracy(task.size()));
+}
+
 /// The share of the whole work that the start map takes, for the progress callback.
 constexpr double start_share = 0.4;
 

@@ -181,7 +181,6 @@ private:
   {
     constexpr int maximum_halvings = 20;
     constexpr double sufficient = 1e-4;
-    constexpr double rounding = 1e-13;
     constexpr double longest_boost = 0.5;
     const double energy = sums[0] / exponent_;
     for(int h = 0; h < maximum_halvings; ++h, alpha /= 2) {
@@ -192,7 +191,7 @@ private:
         c *= longest_boost / c.norm();
       const Moments next = backend_.retract(mass_, alpha, to_vec3(c), v, d, w);
       const Eigen::Vector4d next_sums = to_vector(backend_.gradient(matrix_, exponent_, w, g, density));
-      if(next_sums[0] / exponent_ <= energy + sufficient * alpha * slope + rounding * energy) {
+      if(next_sums[0] / exponent_ <= energy + sufficient * alpha * slope + backend_.rounding() * energy) {
         std::swap(v, w);
         moments = next;
         sums = next_sums;

@@ -225,7 +225,7 @@ Solver_report solve_balanced(const Backend& backend, Map_task& task, double accu
 template <class Backend>
 std::vector<vec3> run(const Backend& backend, const Balanced& method, Map_task& task, Solver_report& report)
 {
-  const double accuracy = task.accuracy.value_or(Balanced::default_accuracy);
+  const double accuracy = accuracy_on(backend, task, Balanced::default_accuracy);
   const std::size_t maximum_iterations = task.number_of_iterations.value_or(Balanced::default_number_of_iterations);
   const Stopwatch watch;
   typename Backend::Vectors v;

@@ -58,7 +58,7 @@ std::vector<vec3> run(const Backend& backend, const Saddle_point& method, Map_ta
   typename Backend::Vectors v = backend.upload(std::move(start));
   task.result.seconds.start_map = watch.seconds();
   Saddle_point_solver<Backend> solver(backend, matrix, *task.graph, method);
-  report = solver.solve(v, task.accuracy.value_or(Saddle_point::default_accuracy),
+  report = solver.solve(v, accuracy_on(backend, task, Saddle_point::default_accuracy),
                         task.number_of_iterations.value_or(Saddle_point::default_number_of_iterations), task.monitor);
   task.result.seconds.solve = watch.seconds() - task.result.seconds.start_map;
   return backend.download(v);

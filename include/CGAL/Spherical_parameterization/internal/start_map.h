@@ -48,9 +48,9 @@ std::vector<vec3> planar_map(const Backend& backend, Multigrid<Backend>& multigr
   const vec3 origin = z[corners[2]];
   Eigen::Matrix2d from, to;
   const double angle = 2 * std::acos(-1.) / 3;
-  for(int k = 0; k < 2; ++k) {
-    from.col(k) << z[corners[k]].x - origin.x, z[corners[k]].y - origin.y;
-    to.col(k) << std::cos(-angle * k) - std::cos(-angle * 2), std::sin(-angle * k) - std::sin(-angle * 2);
+  for(int c = 0; c < 2; ++c) {
+    from.col(c) << z[corners[c]].x - origin.x, z[corners[c]].y - origin.y;
+    to.col(c) << std::cos(-angle * c) - std::cos(-angle * 2), std::sin(-angle * c) - std::sin(-angle * 2);
   }
   const Eigen::Matrix2d m = to * from.inverse();
   for(vec3& p : z) {
@@ -152,7 +152,7 @@ typename Backend::Vectors start_map(const Backend& backend, Multigrid<Backend>& 
     typename Backend::Vectors finer = backend.vectors(multigrid.size(k - 1));
     backend.transfer(multigrid.prolongation(k - 1), v, finer);
     v = backend.vectors(multigrid.size(k - 1));
-    backend.normalise(finer, v);
+    backend.normalise(multigrid.matrix(k - 1), finer, v);
   }
   return v;
 }

@@ -58,11 +58,10 @@ inline void pass_verdict(const std::vector<std::array<int, 3>>& faces, const std
   } else if(!is_valid) {
     result.error = Error_code::NOT_BIJECTIVE;
     result.detail = state;
-    result.detail +=
-      result.smallest_area < area_of_rounding
-        ? ": limbs shrink below the resolution of double coordinates; use barycentric weights or a "
-          "larger spring exponent"
-        : ": the critical point found is degenerate; use other weights or a larger spring exponent";
+    result.detail += result.smallest_area < area_of_rounding
+                       ? ": limbs shrink below the resolution of the coordinates; use barycentric weights or a "
+                         "larger spring exponent"
+                       : ": the critical point found is degenerate; use other weights or a larger spring exponent";
   }
 }
 

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_OPENCL_DEVICE_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_OPENCL_DEVICE_H
+
+/// The execution policy for OpenCL devices (version 1.2 or later). Include it, and link with OpenCL, to have it:
+/// \code
+///   const OpenCL_device device = opencl_device();
+///   const Result result = parameterize(device, mesh, Balanced(), sphere_map);
+/// \endcode
+
+#include <CGAL/Spherical_parameterization/OpenCL_error.h>
+#include <CGAL/Spherical_parameterization/internal/OpenCL_backend.h>
+#include <CGAL/Spherical_parameterization/internal/OpenCL_policy.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstddef>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+
+/// Every device of every platform, in an order that stays while no driver comes or goes. No driver: no device.
+inline std::vector<OpenCL_device_info> opencl_devices()
+{
+  std::vector<OpenCL_device_info> result;
+  for(cl_device_id device : internal::opencl_device_ids())
+    result.push_back(internal::opencl_device_info(device));
+  return result;
+}
+
+/// Device `k` of opencl_devices(), with a context and a queue of its own.
+/// \throws OpenCL_error if there is no such device, or if it cannot do with the precision
+inline OpenCL_device opencl_device(std::size_t k,
+                                   OpenCL_device::Precision precision = OpenCL_device::Precision::AUTOMATIC)
+{
+  const std::vector<cl_device_id> ids = internal::opencl_device_ids();
+  if(ids.empty())
+    throw OpenCL_error("opencl_device", CL_DEVICE_NOT_FOUND,
+                       "no OpenCL device: install a driver (for the CPU, the Debian package pocl-opencl-icd)");
+  if(k >= ids.size())
+    throw OpenCL_error("opencl_device", CL_DEVICE_NOT_FOUND,
+                       "no OpenCL device " + std::to_string(k) + ": there are only " + std::to_string(ids.size()) +
+                         ", numbered from 0; see opencl_devices()");
+  cl_int code = CL_SUCCESS;
+  const cl::Context context(clCreateContext(nullptr, 1, &ids[k], nullptr, nullptr, &code));
+  internal::check_opencl(code, "clCreateContext");
+  const cl::CommandQueue queue(clCreateCommandQueue(context(), ids[k], 0, &code));
+  internal::check_opencl(code, "clCreateCommandQueue");
+  return OpenCL_device(queue, precision);
+}
+
+/// The device that the environment variable `CGAL_SPHERICAL_PARAMETERIZATION_DEVICE` names: by its number, or by a part
+/// of its name, in which capitals do not matter. Where it is not set, the first GPU with double precision; without one,
+/// the first device.
+/// \throws OpenCL_error if there is no such device, or if it cannot do with the precision
+inline OpenCL_device opencl_device(OpenCL_device::Precision precision = OpenCL_device::Precision::AUTOMATIC)
+{
+  const char* const variable = "CGAL_SPHERICAL_PARAMETERIZATION_DEVICE";
+  const std::vector<OpenCL_device_info> devices = opencl_devices();
+  const auto number_of = [&](auto is_wanted) {
+    return static_cast<std::size_t>(std::find_if(devices.begin(), devices.end(), is_wanted) - devices.begin());
+  };
+  const char* const value = std::getenv(variable);
+  const std::string wanted = value ? value : "";
+  if(devices.empty() || wanted.empty()) {
+    const std::size_t gpu = number_of([](const OpenCL_device_info& d) { return d.is_gpu && d.has_fp64; });
+    return opencl_device(gpu < devices.size() ? gpu : 0, precision);
+  }
+  constexpr std::size_t most_digits = 9; // no number of a device is longer
+  if(wanted.size() <= most_digits && wanted.find_first_not_of("0123456789") == std::string::npos)
+    return opencl_device(std::stoul(wanted), precision);
+  const auto lower = [](std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+    return text;
+  };
+  const std::size_t named =
+    number_of([&](const OpenCL_device_info& d) { return lower(d.name).find(lower(wanted)) != std::string::npos; });
+  if(named == devices.size()) {
+    std::string names;
+    for(const OpenCL_device_info& d : devices)
+      names += (names.empty() ? "" : ", ") + d.name;
+    throw OpenCL_error("opencl_device", CL_DEVICE_NOT_FOUND,
+                       std::string("no OpenCL device is called '") + wanted + "', as " + variable +
+                         " asks for; there is " + names);
+  }
+  return opencl_device(named, precision);
+}
+
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_OPENCL_DEVICE_H

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_OPENCL_ERROR_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_OPENCL_ERROR_H
+
+#include <CGAL/Spherical_parameterization/internal/OpenCL_header.h>
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+
+/// The name of an error code of OpenCL, say `"CL_OUT_OF_RESOURCES"`.
+inline const char* opencl_error_name(cl_int code)
+{
+  switch(code) {
+#define CGAL_SP_NAME(name)                                                                                             \
+  case name: return #name;
+    CGAL_SP_NAME(CL_SUCCESS)
+    CGAL_SP_NAME(CL_DEVICE_NOT_FOUND)
+    CGAL_SP_NAME(CL_DEVICE_NOT_AVAILABLE)
+    CGAL_SP_NAME(CL_COMPILER_NOT_AVAILABLE)
+    CGAL_SP_NAME(CL_MEM_OBJECT_ALLOCATION_FAILURE)
+    CGAL_SP_NAME(CL_OUT_OF_RESOURCES)
+    CGAL_SP_NAME(CL_OUT_OF_HOST_MEMORY)
+    CGAL_SP_NAME(CL_MEM_COPY_OVERLAP)
+    CGAL_SP_NAME(CL_BUILD_PROGRAM_FAILURE)
+    CGAL_SP_NAME(CL_MISALIGNED_SUB_BUFFER_OFFSET)
+    CGAL_SP_NAME(CL_EXEC_STATUS_ERROR_FOR_EVENTS_IN_WAIT_LIST)
+    CGAL_SP_NAME(CL_COMPILE_PROGRAM_FAILURE)
+    CGAL_SP_NAME(CL_LINKER_NOT_AVAILABLE)
+    CGAL_SP_NAME(CL_LINK_PROGRAM_FAILURE)
+    CGAL_SP_NAME(CL_KERNEL_ARG_INFO_NOT_AVAILABLE)
+    CGAL_SP_NAME(CL_INVALID_VALUE)
+    CGAL_SP_NAME(CL_INVALID_DEVICE_TYPE)
+    CGAL_SP_NAME(CL_INVALID_PLATFORM)
+    CGAL_SP_NAME(CL_INVALID_DEVICE)
+    CGAL_SP_NAME(CL_INVALID_CONTEXT)
+    CGAL_SP_NAME(CL_INVALID_QUEUE_PROPERTIES)
+    CGAL_SP_NAME(CL_INVALID_COMMAND_QUEUE)
+    CGAL_SP_NAME(CL_INVALID_HOST_PTR)
+    CGAL_SP_NAME(CL_INVALID_MEM_OBJECT)
+    CGAL_SP_NAME(CL_INVALID_BINARY)
+    CGAL_SP_NAME(CL_INVALID_BUILD_OPTIONS)
+    CGAL_SP_NAME(CL_INVALID_PROGRAM)
+    CGAL_SP_NAME(CL_INVALID_PROGRAM_EXECUTABLE)
+    CGAL_SP_NAME(CL_INVALID_KERNEL_NAME)
+    CGAL_SP_NAME(CL_INVALID_KERNEL_DEFINITION)
+    CGAL_SP_NAME(CL_INVALID_KERNEL)
+    CGAL_SP_NAME(CL_INVALID_ARG_INDEX)
+    CGAL_SP_NAME(CL_INVALID_ARG_VALUE)
+    CGAL_SP_NAME(CL_INVALID_ARG_SIZE)
+    CGAL_SP_NAME(CL_INVALID_KERNEL_ARGS)
+    CGAL_SP_NAME(CL_INVALID_WORK_DIMENSION)
+    CGAL_SP_NAME(CL_INVALID_WORK_GROUP_SIZE)
+    CGAL_SP_NAME(CL_INVALID_WORK_ITEM_SIZE)
+    CGAL_SP_NAME(CL_INVALID_GLOBAL_OFFSET)
+    CGAL_SP_NAME(CL_INVALID_EVENT_WAIT_LIST)
+    CGAL_SP_NAME(CL_INVALID_EVENT)
+    CGAL_SP_NAME(CL_INVALID_OPERATION)
+    CGAL_SP_NAME(CL_INVALID_BUFFER_SIZE)
+    CGAL_SP_NAME(CL_INVALID_GLOBAL_WORK_SIZE)
+    CGAL_SP_NAME(CL_INVALID_COMPILER_OPTIONS)
+#undef CGAL_SP_NAME
+  case -1001: return "CL_PLATFORM_NOT_FOUND_KHR"; // of the loader, in cl_ext.h
+  case -9999: return "illegal memory access";     // of NVIDIA's driver, not documented
+  }
+  return "unknown error code";
+}
+
+/// Whatever goes wrong with OpenCL. Nothing is left behind on the device when it is thrown.
+class OpenCL_error : public std::runtime_error {
+public:
+  /// \param call  what failed: the function of OpenCL or of this package
+  /// \param explanation  what a user can make of it
+  OpenCL_error(std::string call, cl_int code, const std::string& explanation = "OpenCL failed",
+               std::string build_log = std::string())
+    : std::runtime_error(explanation + " (" + call + ": " + opencl_error_name(code) + ", " + std::to_string(code) +
+                         ")" + (build_log.empty() ? "" : "\n" + build_log)),
+      call_(std::move(call)), code_(code), build_log_(std::move(build_log))
+  {}
+
+  const std::string& call() const { return call_; }
+  cl_int code() const { return code_; }
+  const char* code_name() const { return opencl_error_name(code_); }
+  const std::string& build_log() const { return build_log_; } ///< empty unless a build has failed
+
+private:
+  std::string call_;
+  cl_int code_;
+  std::string build_log_;
+};
+
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_OPENCL_ERROR_H

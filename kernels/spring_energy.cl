@@ -1,0 +1,137 @@
+/* SPDX-License-Identifier: LGPL-3.0-or-later
+ * Part of CGAL Spherical Parameterization.
+ *
+ * The verbs of the descent on the sphere; see Host_backend for what they compute.
+ */
+
+KERNEL sp_gradient(int n, MATRIX(a), real p, CONST_VECTORS v, VECTORS g, SCALARS density, SCALARS partial)
+{
+  SUMS(4);
+  FOR_EACH_OF_BLOCK(i, n)
+  {
+    real energy;
+    g[i] = spring_gradient(i, VIEW(a), p, v, &energy);
+    density[i] = energy;
+    s[0] += energy;
+    s[1] += g[i].x;
+    s[2] += g[i].y;
+    s[3] += g[i].z;
+  }
+  ADD_UP(4);
+}
+
+KERNEL sp_spring_masses(int n, MATRIX(a), CONST_VECTORS v, SCALARS m)
+{
+  FOR_EACH(i, n)
+  m[i] = fmax((real)0, spring_density(i, VIEW(a), 2, v));
+}
+
+KERNEL sp_balance_gradient(int n, CONST_SCALARS inverse_diagonal, CONST_SCALARS mass, vec3 mu, CONST_VECTORS v,
+                           VECTORS g, SCALARS partial)
+{
+  SUMS(1);
+  FOR_EACH_OF_BLOCK(i, n)
+  {
+    g[i] = add_scaled(g[i], -mass[i], tangent(mu, v[i]));
+    s[0] += inner(g[i], g[i]) * inverse_diagonal[i] * inverse_diagonal[i];
+  }
+  ADD_UP(1);
+}
+
+KERNEL sp_project(int n, CONST_VECTORS v, CONST_VECTORS g, CONST_VECTORS old_g, VECTORS d, SCALARS partial)
+{
+  SUMS(2);
+  FOR_EACH_OF_BLOCK(i, n)
+  {
+    d[i] = tangent(d[i], v[i]);
+    s[0] += inner(g[i], d[i]);
+    s[1] += inner(old_g[i], d[i]);
+  }
+  ADD_UP(2);
+}
+
+KERNEL sp_direction(int n, real beta, CONST_VECTORS v, CONST_VECTORS step, CONST_VECTORS g, CONST_SCALARS mass,
+                    VECTORS d, SCALARS partial)
+{
+  SUMS(7);
+  FOR_EACH_OF_BLOCK(i, n)
+  {
+    d[i] = sub(scale(beta, tangent(d[i], v[i])), step[i]);
+    s[0] += inner(d[i], g[i]);
+    const vec3 push = scale(mass[i], d[i]);
+    const vec3 spin = outer(v[i], push);
+    s[1] += push.x;
+    s[2] += push.y;
+    s[3] += push.z;
+    s[4] += spin.x;
+    s[5] += spin.y;
+    s[6] += spin.z;
+  }
+  ADD_UP(7);
+}
+
+KERNEL sp_subtract_moebius(int n, vec3 y, vec3 omega, CONST_VECTORS v, VECTORS d)
+{
+  FOR_EACH(i, n)
+  d[i] = sub(d[i], add(tangent(y, v[i]), outer(omega, v[i])));
+}
+
+KERNEL sp_curvature(int n, MATRIX(a), real p, CONST_SCALARS mass, vec3 mu, CONST_VECTORS v, CONST_VECTORS d,
+                    CONST_SCALARS density, SCALARS partial)
+{
+  SUMS(5);
+  FOR_EACH_OF_BLOCK(i, n)
+  {
+    s[0] += spring_curvature(i, VIEW(a), p, v, d, density[i] - mass[i] * inner(mu, v[i]));
+    const real push = mass[i] * inner(d[i], d[i]);
+    s[1] += push;
+    s[2] += push * v[i].x;
+    s[3] += push * v[i].y;
+    s[4] += push * v[i].z;
+  }
+  ADD_UP(5);
+}
+
+void add_moments(real m, vec3 p, real* s)
+{
+  s[0] += m * p.x;
+  s[1] += m * p.y;
+  s[2] += m * p.z;
+  s[3] += m * p.x * p.x;
+  s[4] += m * p.x * p.y;
+  s[5] += m * p.x * p.z;
+  s[6] += m * p.y * p.y;
+  s[7] += m * p.y * p.z;
+  s[8] += m * p.z * p.z;
+}
+
+KERNEL sp_retract(int n, CONST_SCALARS mass, real alpha, vec3 c, CONST_VECTORS v, CONST_VECTORS d, VECTORS w,
+                  SCALARS partial)
+{
+  SUMS(9);
+  FOR_EACH_OF_BLOCK(i, n)
+  {
+    w[i] = displaced(v[i], alpha, d[i], c);
+    add_moments(mass[i], w[i], s);
+  }
+  ADD_UP(9);
+}
+
+KERNEL sp_moments(int n, CONST_SCALARS mass, CONST_VECTORS v, SCALARS partial)
+{
+  SUMS(9);
+  FOR_EACH_OF_BLOCK(i, n)
+  add_moments(mass[i], v[i], s);
+  ADD_UP(9);
+}
+
+KERNEL sp_transform(int n, CONST_SCALARS mass, vec3 c, CONST_VECTORS v, VECTORS w, SCALARS partial)
+{
+  SUMS(9);
+  FOR_EACH_OF_BLOCK(i, n)
+  {
+    w[i] = boost(v[i], c);
+    add_moments(mass[i], w[i], s);
+  }
+  ADD_UP(9);
+}

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The execution policies of this build.
+
+#ifndef TEST_HELPERS_POLICIES_H
+#define TEST_HELPERS_POLICIES_H
+
+#include <CGAL/tags.h>
+
+#include <iostream>
+#include <optional>
+#include <tuple>
+#include <variant>
+
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
+#include <CGAL/Spherical_parameterization/OpenCL_device.h>
+#endif
+
+namespace test {
+
+#if defined(CGAL_LINKED_WITH_TBB) && defined(CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL)
+using Parallel_policies = std::tuple<CGAL::Parallel_tag, CGAL::Spherical_parameterization::OpenCL_device>;
+using Policy = std::variant<CGAL::Sequential_tag, CGAL::Parallel_tag, CGAL::Spherical_parameterization::OpenCL_device>;
+#elif defined(CGAL_LINKED_WITH_TBB)
+using Parallel_policies = std::tuple<CGAL::Parallel_tag>;
+using Policy = std::variant<CGAL::Sequential_tag, CGAL::Parallel_tag>;
+#elif defined(CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL)
+using Parallel_policies = std::tuple<CGAL::Spherical_parameterization::OpenCL_device>;
+using Policy = std::variant<CGAL::Sequential_tag, CGAL::Spherical_parameterization::OpenCL_device>;
+#else
+using Parallel_policies = std::tuple<CGAL::Sequential_tag>; // none: what is tested of them holds for it, too
+using Policy = std::variant<CGAL::Sequential_tag>;
+#endif
+
+/// Says that the test is skipped if the machine has nothing for the policy to run on.
+template <class P>
+std::optional<P> some_policy()
+{
+  return P();
+}
+
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
+/// The device of the user's choice, in double precision.
+template <>
+inline std::optional<CGAL::Spherical_parameterization::OpenCL_device> some_policy()
+{
+  using CGAL::Spherical_parameterization::OpenCL_device;
+  for(const auto& device : CGAL::Spherical_parameterization::opencl_devices())
+    if(device.has_fp64)
+      return CGAL::Spherical_parameterization::opencl_device(OpenCL_device::Precision::DOUBLE);
+  std::cout << "SKIPPED: there is no OpenCL device with double precision; for the CPU, install the Debian package "
+               "pocl-opencl-icd"
+            << std::endl;
+  return {};
+}
+#endif
+
+} // namespace test
+
+#endif // TEST_HELPERS_POLICIES_H

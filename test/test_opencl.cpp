@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The OpenCL device as a policy: choosing one, what can fail, the cache of compiled kernels, and single precision.
+
+#include "helpers/check.h"
+#include "helpers/meshes.h"
+#include "helpers/process.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <memory>
+#include <optional>
+
+using namespace test;
+using SP::OpenCL_device;
+using SP::OpenCL_error;
+using Precision = SP::OpenCL_device::Precision;
+namespace internal = SP::internal;
+namespace fs = std::filesystem;
+
+namespace {
+
+bool there_is_a_device()
+{
+  const bool is_there = !SP::opencl_devices().empty();
+  if(!is_there)
+    std::cout << "SKIPPED: there is no OpenCL device; for the CPU, install the Debian package pocl-opencl-icd"
+              << std::endl;
+  return is_there;
+}
+
+/// An environment variable for the time of a test.
+class Variable {
+public:
+  Variable(const char* name, const std::string& value) : name_(name)
+  {
+    if(const char* old = std::getenv(name))
+      old_ = old;
+    setenv(name, value.c_str(), 1);
+  }
+  Variable(const Variable&) = delete;
+  ~Variable() { old_ ? setenv(name_, old_->c_str(), 1) : unsetenv(name_); }
+
+private:
+  const char* name_;
+  std::optional<std::string> old_;
+};
+
+/// An empty folder of this test's own.
+fs::path scratch_folder(const std::string& name)
+{
+  const fs::path folder = fs::path(SCRATCH_FOLDER) / name;
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  return folder;
+}
+
+template <class F>
+OpenCL_error error_of(F f)
+{
+  try {
+    f();
+  } catch(const OpenCL_error& error) {
+    return error;
+  }
+  FAIL("no OpenCL_error");
+  return OpenCL_error("", CL_SUCCESS);
+}
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+const char* const device_variable = "CGAL_SPHERICAL_PARAMETERIZATION_DEVICE";
+
+} // namespace
+
+TEST_CASE("devices are listed, always in the same order", "[opencl]")
+{
+  if(!there_is_a_device())
+    return;
+  const auto devices = SP::opencl_devices(), again = SP::opencl_devices();
+  REQUIRE(devices.size() == again.size());
+  for(std::size_t k = 0; k < devices.size(); ++k) {
+    CHECK_FALSE(devices[k].name.empty());
+    CHECK_FALSE(devices[k].platform.empty());
+    CHECK_FALSE(devices[k].driver.empty());
+    CHECK(devices[k].memory > 0);
+    CHECK(devices[k].largest_allocation > 0);
+    CHECK(devices[k].largest_allocation <= devices[k].memory);
+    CHECK(devices[k].name == again[k].name);
+    CHECK(SP::opencl_device(k).info().name == devices[k].name);
+  }
+}
+
+TEST_CASE("a device is chosen by number or by part of its name", "[opencl]")
+{
+  if(!there_is_a_device())
+    return;
+  const auto devices = SP::opencl_devices();
+  const std::string name = devices.back().name;
+  SECTION("number")
+  {
+    const Variable wanted(device_variable, std::to_string(devices.size() - 1));
+    CHECK(SP::opencl_device().info().name == name);
+  }
+  SECTION("name, in capitals")
+  {
+    std::string part = name.substr(1);
+    std::transform(part.begin(), part.end(), part.begin(), [](unsigned char c) { return std::toupper(c); });
+    const Variable wanted(device_variable, part);
+    CHECK(contains(SP::opencl_device().info().name, name.substr(1)));
+  }
+  SECTION("empty: not set")
+  {
+    const Variable wanted(device_variable, "");
+    CHECK_NOTHROW(SP::opencl_device());
+  }
+  SECTION("no such number")
+  {
+    const Variable wanted(device_variable, "700");
+    const OpenCL_error error = error_of([] { SP::opencl_device(); });
+    CHECK(error.code() == CL_DEVICE_NOT_FOUND);
+    CHECK(contains(error.what(), "no OpenCL device 700: there are only " + std::to_string(devices.size())));
+  }
+  SECTION("a number that is none")
+  {
+    const Variable wanted(device_variable, "99999999999999999999999");
+    CHECK(contains(error_of([] { SP::opencl_device(); }).what(), "is called '99999999999999999999999'"));
+  }
+  SECTION("no such name")
+  {
+    const Variable wanted(device_variable, "abacus");
+    const OpenCL_error error = error_of([] { SP::opencl_device(); });
+    CHECK(contains(error.what(), "'abacus'"));
+    CHECK(contains(error.what(), name));
+    CHECK(contains(error.what(), "CL_DEVICE_NOT_FOUND"));
+  }
+}
+
+TEST_CASE("without a driver there is no device, and the error says what to install", "[opencl]")
+{
+  // the loader reads its variables once: a process of its own
+  const Process_result list = run_process({"/usr/bin/env", "OCL_ICD_VENDORS=/nowhere", OPENCL_PROBE});
+  CHECK(list.exit_code == 0);
+  CHECK(contains(list.out, "0 devices"));
+  CHECK(contains(list.out, "no OpenCL device: install a driver (for the CPU, the Debian package pocl-opencl-icd)"));
+}
+
+TEST_CASE("a queue that is not in order is refused", "[opencl]")
+{
+  if(!there_is_a_device())
+    return;
+  const OpenCL_device device = SP::opencl_device();
+  cl_int code = CL_SUCCESS;
+  const cl::CommandQueue queue(
+    clCreateCommandQueue(device.context(), device.device(), CL_QUEUE_OUT_OF_ORDER_EXEC_MODE_ENABLE, &code));
+  if(code != CL_SUCCESS)
+    return; // this device has none
+  CHECK(error_of([&] { OpenCL_device{queue}; }).code() == CL_INVALID_QUEUE_PROPERTIES);
+}
+
+TEST_CASE("kernels that do not compile are reported with the build log", "[opencl]")
+{
+  if(!there_is_a_device())
+    return;
+  const OpenCL_device device = SP::opencl_device();
+  const OpenCL_error error = error_of([&] {
+    internal::program_from_source(device.context(), device.device(), "__kernel void f() { no_such_function(); }", "");
+  });
+  CHECK(error.call() == "clBuildProgram");
+  CHECK(std::string(error.code_name()) == "CL_BUILD_PROGRAM_FAILURE");
+  CHECK(contains(error.build_log(), "no_such_function"));
+  CHECK(contains(error.what(), "no_such_function"));
+}
+
+TEST_CASE("an array that does not fit is reported with its size", "[opencl]")
+{
+  if(!there_is_a_device())
+    return;
+  const OpenCL_device device = SP::opencl_device();
+  const internal::OpenCL_runtime runtime(device);
+  const OpenCL_error error = error_of([&] { runtime.zeros<internal::vec3>(device.info().largest_allocation / 4); });
+  CHECK(error.call() == "clCreateBuffer");
+  CHECK(contains(error.what(), " GB does not fit on " + device.info().name));
+}
+
+TEST_CASE("only verbs that return numbers wait for the device", "[opencl]")
+{
+  if(!there_is_a_device())
+    return;
+  const internal::Backend<OpenCL_device> backend(SP::opencl_device());
+  internal::Weighted_graph triangle;
+  triangle.offset = {0, 2, 4, 6};
+  triangle.target = {1, 2, 0, 2, 0, 1};
+  triangle.weight = {1, 2, 1, 3, 2, 3};
+  triangle.update_diagonal({});
+  const auto a = backend.upload(std::make_shared<const internal::Weighted_graph>(triangle));
+  const auto v = backend.upload(std::vector<internal::vec3>{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+  auto w = backend.vectors(3);
+  backend.copy(v, w);
+  backend.jacobi_sweep(a, 0.5, v, v, w);
+  backend.gauss_seidel_sweep(a, backend.colouring({{0}, {1}, {2}}), 0.5, v, w);
+  backend.normalise(a, v, w);
+  CHECK(backend.number_of_read_backs() == 0);
+  backend.barycentric_residual2(a, v);
+  CHECK(backend.number_of_read_backs() == 1);
+  backend.download(w);
+  CHECK(backend.number_of_read_backs() == 2);
+}
+
+TEST_CASE("compiled kernels are kept in the cache folder, and damaged files do no harm", "[opencl]")
+{
+  const fs::path folder = scratch_folder("binary_cache");
+  const internal::Binary_cache cache(folder);
+  const std::string binary("the \0 binary", 12);
+  CHECK_FALSE(cache.load("key"));
+  cache.store("key", binary);
+  REQUIRE(cache.load("key") == binary);
+  CHECK_FALSE(cache.load("another key"));
+  CHECK(std::distance(fs::directory_iterator(folder), {}) == 1); // nothing else is left
+
+  const fs::path file = cache.file("key");
+  SECTION("one byte changed")
+  {
+    std::fstream out(file, std::ios::in | std::ios::out | std::ios::binary);
+    out.seekp(-3, std::ios::end);
+    out.put('!');
+  }
+  SECTION("truncated") { fs::resize_file(file, fs::file_size(file) - 1); }
+  SECTION("truncated in the middle of the key") { fs::resize_file(file, 60); }
+  SECTION("empty") { fs::resize_file(file, 0); }
+  SECTION("too long") { std::ofstream(file, std::ios::app) << "more"; }
+  SECTION("of another key")
+  {
+    cache.store("another key", binary);
+    fs::copy_file(cache.file("another key"), file, fs::copy_options::overwrite_existing);
+  }
+  SECTION("a folder")
+  {
+    fs::remove(file);
+    fs::create_directories(file / "in the way");
+    CHECK_FALSE(cache.load("key"));
+    CHECK_NOTHROW(cache.store("key", binary));
+    return;
+  }
+  CHECK_FALSE(cache.load("key"));
+  cache.store("key", binary);
+  CHECK(cache.load("key") == binary);
+}
+
+TEST_CASE("without a cache folder all goes on", "[opencl]")
+{
+  if(!there_is_a_device())
+    return;
+  const fs::path folder = scratch_folder("no_cache");
+  const auto run = [&] {
+    const internal::Backend<OpenCL_device> backend(SP::opencl_device());
+    const auto v = backend.upload(std::vector<internal::vec3>{{3, 4, 0}});
+    CHECK(backend.dot(v, v) == 25);
+  };
+  SECTION("a file in its place")
+  {
+    std::ofstream(folder / "cgal-spherical-parameterization") << "in the way";
+    const Variable cache("XDG_CACHE_HOME", folder.string());
+    run();
+  }
+  SECTION("not writable")
+  {
+    fs::permissions(folder, fs::perms::owner_read | fs::perms::owner_exec);
+    const Variable cache("XDG_CACHE_HOME", folder.string());
+    run();
+    fs::permissions(folder, fs::perms::owner_all);
+  }
+  SECTION("nowhere")
+  {
+    const Variable cache("XDG_CACHE_HOME", "relative"), home("HOME", "");
+    CHECK(internal::Binary_cache::default_folder().empty());
+    run();
+  }
+  SECTION("a binary of which the driver can make nothing")
+  {
+    const Variable cache("XDG_CACHE_HOME", folder.string());
+    run();
+    const OpenCL_device device = SP::opencl_device();
+    const std::string key = internal::program_key(device.device(), internal::kernel_source(),
+                                                  internal::build_options(device.is_double_precision()));
+    const auto good = internal::Binary_cache().load(key);
+    if(!good) // this driver hands out none
+      return;
+    internal::Binary_cache().store(key, "rubbish");
+    run();
+    CHECK(internal::Binary_cache().load(key) != std::string("rubbish"));
+  }
+}
+
+TEST_CASE("single precision: a valid map, or an honest refusal", "[opencl]")
+{
+  if(!there_is_a_device())
+    return;
+  Settings settings;
+  settings.policy = SP::opencl_device(Precision::SINGLE);
+  const Soup soup = GENERATE(tetrahedron(), bumpy_sphere(4), dumbbell(4), spiky_star(4, 2), capsule(20, 12));
+  Sphere sphere;
+  const Result result = solve(soup, sphere, settings);
+  CAPTURE(result);
+  CHECK(contains(result.device, "single precision"));
+  // what the documentation of OpenCL_device promises
+  settings.accuracy = 3e-7 * std::sqrt(soup.points.size());
+  check_certificate(result, soup, sphere, settings, 1e-6);
+  CHECK(count_vertices_off_sphere(sphere) == 0);
+  const bool is_easy = soup.points.size() < 3000 && result.smallest_area > 1e-10;
+  CHECK(bool(result) == is_easy);
+}

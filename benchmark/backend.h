@@ -46,7 +46,10 @@ struct Backend {
   Policy policy;
   int threads = 1; ///< of TBB; means nothing for the others
 
-  std::string label() const { return name == "tbb" ? name + ", " + std::to_string(threads) + " threads" : name; }
+  std::string label() const
+  {
+    return name == "tbb" ? name + ", " + std::to_string(threads) + (threads == 1 ? " thread" : " threads") : name;
+  }
 };
 
 /// All backends that this build has and this machine can run, in the order sequential, tbb, opencl; TBB on all cores.

@@ -22,9 +22,9 @@ void measure(const Options& options)
                  " runs, backends in turn; total: with checks, certificate and all copies",
                "paper: the published method on an NVIDIA GTX 480; iterations are saddle-point problems; its version of "
                "the model may be another one"},
-              {"model", "weights", "vertices", "faces", "backend", "iterations", "residual", "flips", "degree",
-               "verdict", "start + solve s", "total s", "paper: vertices", "paper: iterations", "paper: residual",
-               "paper: GTX 480 s"});
+              {"model", "weights", "vertices", "faces", "backend", "device", "iterations", "residual", "flips",
+               "degree", "verdict", "start + solve s", "total s", "paper: vertices", "paper: iterations",
+               "paper: residual", "paper: GTX 480 s"});
   for(const auto& file : options.mesh_files())
     with_mesh(file, [&](Mesh& mesh) {
       const Sphere_map sphere = sphere_map(mesh);
@@ -38,10 +38,11 @@ void measure(const Options& options)
         for(std::size_t i = 0; i < backends.size(); ++i) {
           const Result& r = results[i];
           table.add_row({model_name(file), name(weights), r.number_of_vertices, r.number_of_faces, backends[i].label(),
-                         std::to_string(r.start_iterations) + " + " + std::to_string(r.iterations), r.residual,
-                         r.flipped_faces, r.degree, verdict(r), r.seconds.start_map + r.seconds.solve, r.seconds.total,
-                         paper ? Cell(paper->vertices) : Cell(), paper ? Cell(paper->iterations) : Cell(),
-                         paper ? Cell(1e-8 * paper->residual_1e8) : Cell(), paper ? Cell(paper->seconds) : Cell()});
+                         r.device, std::to_string(r.start_iterations) + " + " + std::to_string(r.iterations),
+                         r.residual, r.flipped_faces, r.degree, verdict(r), r.seconds.start_map + r.seconds.solve,
+                         r.seconds.total, paper ? Cell(paper->vertices) : Cell(),
+                         paper ? Cell(paper->iterations) : Cell(), paper ? Cell(1e-8 * paper->residual_1e8) : Cell(),
+                         paper ? Cell(paper->seconds) : Cell()});
         }
       }
     });

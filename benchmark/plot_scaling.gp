@@ -6,7 +6,7 @@ set datafile separator ','
 set key autotitle columnhead outside right
 set logscale xy
 set xlabel 'vertices'
-set xtics rotate by -30
+set format x '10^{%T}'
 set grid
 
 backends = system(sprintf("awk -F, '!/^#/ && $4 != \"backend\" && !seen[$4]++ { print $4 }' '%s'", csv))
@@ -17,7 +17,8 @@ of(n, b, w) = strcol(4) eq b && strcol(3) eq w ? column(n) : NaN
 set multiplot layout 3,1
 set ylabel 'seconds'
 plot for [b in backends] for [w in weights] csv using 2:(of(9, b, w)) with points title b.', '.w
-set yrange [10:*]
+unset logscale y
+set yrange [0:*]
 set ylabel 'cost in sweeps'
 plot for [b in backends] for [w in weights] csv using 2:(of(11, b, w)) with points title b.', '.w
 set ylabel 'bytes per vertex'

@@ -51,7 +51,8 @@ void measure_level(Table& table, const Options& options, const std::vector<Backe
       const Result& r = runs[i].result;
       table.add_row({model, r.number_of_vertices, name(weights), backends[i].name, r.start_iterations, r.iterations,
                      r.seconds.start_map, r.seconds.solve, r.seconds.total, 1e3 * runs[i].sweep, cost(runs[i]),
-                     runs[i].memory / r.number_of_vertices, r.residual, r.flipped_faces, r.degree, verdict(r)});
+                     runs[i].memory / r.number_of_vertices, r.residual, r.flipped_faces, r.degree, verdict(r),
+                     r.device});
     }
   }
 }
@@ -67,7 +68,8 @@ void measure(const Options& options, std::size_t maximum_vertices)
                "bytes per vertex: by how much the peak of the resident memory rises during the map, beyond mesh and "
                "sphere map, over the number of vertices; memory of a GPU is not in it"},
               {"model", "vertices", "weights", "backend", "start iterations", "iterations", "start map s", "solve s",
-               "total s", "sweep ms", "cost in sweeps", "bytes per vertex", "residual", "flips", "degree", "verdict"});
+               "total s", "sweep ms", "cost in sweeps", "bytes per vertex", "residual", "flips", "degree", "verdict",
+               "device"});
   for(const auto& file : options.mesh_files())
     with_mesh(file, [&](Mesh& mesh) {
       for(int level = 0;; ++level) {

@@ -39,7 +39,7 @@ void measure(const Options& options, double time_limit)
     {"Balanced: total time, median of " + std::to_string(options.repetitions) +
        " runs, backends in turn; speed-up: over the first row of the model and weights",
      "published: Algorithm 1 with Jacobi sweeps, stopped at the first test of its residual after " +
-       std::to_string(int(time_limit)) + " s; one run; ms per sweep: solve time over sweeps",
+       Cell(time_limit).markdown() + " s; one run; ms per sweep: solve time over sweeps",
      "Jacobi: one sweep by itself; copy: y = x for as many bytes; both in turn",
      "bytes of a Jacobi sweep: 4 (V + 1) offsets + (4 + 8) 2E neighbours and weights + (8 + 3 * 24) V for the "
      "inverse diagonal, v, u and w: every array once, about 156 V. GB/s: these bytes over the time",

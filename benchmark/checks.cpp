@@ -21,7 +21,7 @@ void measure(const Options& options, double time_limit)
   Table table(options.output, "checks", "Sparse tests for convergence of the published method (section 4 of the paper)",
               {"Saddle_point::check_interval: sweeps between two tests of the residual; each stopped at the first test "
                "after " +
-                 std::to_string(time_limit) + " s; medians of " + std::to_string(options.repetitions) +
+                 Cell(time_limit).markdown() + " s; medians of " + std::to_string(options.repetitions) +
                  " runs, intervals in turn",
                "ms per sweep: solve time over sweeps; relative: to that of 1000"},
               {"model", "weights", "vertices", "backend", "check interval", "sweeps", "ms per sweep", "relative"});

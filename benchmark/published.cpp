@@ -33,8 +33,8 @@ void measure(const Options& options, double time_limit)
 {
   const std::vector<Backend> backends = options.backends();
   Table table(options.output, "published", "The published method against the fast one (Table 4 of the paper)",
-              {"all methods are stopped at the first test after " + std::to_string(int(time_limit)) +
-                 " s; medians of " + std::to_string(options.repetitions) + " runs, methods in turn",
+              {"all methods are stopped at the first test after " + Cell(time_limit).markdown() + " s; medians of " +
+                 std::to_string(options.repetitions) + " runs, methods in turn",
                "residual: what the method drives down. residual of eq. (2): sqrt(sum_i |v_i - m_i / |m_i||^2), m_i the "
                "weighted mean of the neighbours; a balanced map has the boost forces left in it",
                "paper: its method and that of Saba et al. (2005), in seconds on an Intel Core Duo E6600"},

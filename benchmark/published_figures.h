@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
-
 //
 // The tables of T. Athanasiadis and I. Fudos, "Parallel computation of spherical parameterizations for mesh analysis",
 // Computers & Graphics 35 (SMI 2011), section 4. All rows of Tables 1 to 4 are here. Left out are Figure 1 (CPU against

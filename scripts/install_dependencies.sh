@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Installs the Debian packages that are missing: as root, or through sudo. Does nothing where all are there.
+# install_dependencies.sh [PACKAGE...]
+# Installs the Debian packages that are missing, those named included: as root, or through sudo. Does nothing where all
+# are there.
 set -euo pipefail
 export DEBIAN_FRONTEND=noninteractive
 
@@ -11,6 +13,7 @@ packages=(
   libcli11-dev nlohmann-json3-dev                                   # the tool
   catch2 libopenmesh-dev libcgal-demo                               # the tests
   f3d xvfb xauth                                                    # pictures
+  "$@"
 )
 
 is_installed() { [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]; }

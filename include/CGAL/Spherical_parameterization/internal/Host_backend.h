@@ -31,8 +31,8 @@ struct Moments {
 /// it is all that differs between one core and all cores.
 ///
 /// Sums are taken in one fixed order, which a device can follow, too (see `sum`): results are equal bit by bit on any
-/// number of threads and on every backend. Arguments that are written come last; they must not alias the ones that are read, except where a
-/// verb says "in place".
+/// number of threads and on every backend. Arguments that are written come last; they must not alias the ones that are
+/// read, except where a verb says "in place".
 template <class Loop>
 class Host_backend {
 public:
@@ -403,10 +403,7 @@ template <>
 class Backend<CGAL::Parallel_tag> : public Host_backend<Parallel_loop> {
 public:
   explicit Backend(const CGAL::Parallel_tag&) {}
-  std::string device_name() const
-  {
-    return std::to_string(tbb::this_task_arena::max_concurrency()) + " threads";
-  }
+  std::string device_name() const { return std::to_string(tbb::this_task_arena::max_concurrency()) + " threads"; }
 };
 #endif
 

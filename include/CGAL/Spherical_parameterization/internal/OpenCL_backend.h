@@ -136,7 +136,10 @@ public:
     return sum<4>("sp_gradient", v.size(), a, p, v, g, density);
   }
 
-  void spring_masses(const Matrix& a, const Vectors& v, Scalars& m) const { run("sp_spring_masses", v.size(), a, v, m); }
+  void spring_masses(const Matrix& a, const Vectors& v, Scalars& m) const
+  {
+    run("sp_spring_masses", v.size(), a, v, m);
+  }
 
   double balance_gradient(const Matrix& a, const Scalars& mass, vec3 mu, const Vectors& v, Vectors& g) const
   {

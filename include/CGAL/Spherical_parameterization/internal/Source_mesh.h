@@ -44,7 +44,8 @@ public:
   std::vector<std::array<int, 3>> face; ///< in the order of faces(mesh)
   std::vector<double> area;             ///< every vertex's third of the areas of its faces
   std::array<int, 3> largest_face;      ///< by area
-  std::shared_ptr<Weighted_graph> graph = std::make_shared<Weighted_graph>(); ///< neighbours in ascending order; weights are left to set_weights()
+  std::shared_ptr<Weighted_graph> graph =
+    std::make_shared<Weighted_graph>(); ///< neighbours in ascending order; weights are left to set_weights()
 
   /// Throws Failure.
   template <class VertexPointMap>

@@ -65,18 +65,19 @@ public:
   /// Descends from v, unit vectors that need not be balanced.
   Solver_report solve(const Descent_options& options, Monitor& monitor, Vectors& v) const
   {
-    return solve(options, monitor, {}, [](Vectors&) {}, v);
+    return solve(
+      options, monitor, {}, [](Vectors&, Vectors&) {}, v);
   }
 
-  /// The same, calling `refer(v)` whenever the residual has passed the next of `references`, a falling sequence. It may
-  /// move v a little along a Moebius transformation, and change the masses.
+  /// The same, calling `refer(v, scratch)` whenever the residual has passed the next of `references`, a falling
+  /// sequence. It may move v a little along a Moebius transformation, and change the masses.
   template <class Refer>
   Solver_report solve(const Descent_options& options, Monitor& monitor, std::vector<double> references, Refer refer,
                       Vectors& v) const
   {
     constexpr double longest_step = 0.25; // root mean square over the sphere of the angles by which vertices move
     constexpr double progress = 0.8;      // at the limit of rounding the residual falls no more
-    constexpr double balance_tolerance = 1e-10;
+    constexpr double balance_tolerance = 1e-8;
     constexpr int balance_steps = 10;
     const int n = multigrid_.size(level_);
     Vectors g = backend_.vectors(n), old_g = backend_.vectors(n), s = backend_.vectors(n), d = backend_.vectors(n);
@@ -86,7 +87,7 @@ public:
 
     Moments moments;
     Eigen::Vector4d sums;
-    const auto settle = [&] {
+    const auto begin = [&] {
       moments = backend_.moments(mass_, v);
       if(gauge_ == Gauge::BALANCED)
         balance(backend_, mass_, balance_tolerance, balance_steps, v, w, moments);
@@ -101,7 +102,7 @@ public:
       report.energy = sums[0] / exponent_;
       report.residual = std::sqrt(backend_.balance_gradient(matrix_, mass_, to_vec3(mu), v, g));
     };
-    settle();
+    begin();
     auto reference = references.begin();
     double gs = 0;
     double first = 0, best = 0;
@@ -109,8 +110,8 @@ public:
     for(;; ++report.iterations) {
       balance_forces();
       if(reference != references.end() && report.residual <= *reference) {
-        refer(v);
-        settle();
+        refer(v, w);
+        begin();
         balance_forces();
         while(reference != references.end() && report.residual <= *reference)
           ++reference;
@@ -145,8 +146,8 @@ public:
       const double longest = longest_step * std::sqrt(total_mass(moments) / model[1]);
       const double alpha = (std::min)({model[0] > 0 ? -slope / model[0] : 1, longest, options.longest_factor});
       std::swap(g, old_g);
-      report.has_stalled = !line_search(alpha, slope, boosts, {model[2], model[3], model[4]}, d, v, w, g, density,
-                                        moments, sums);
+      report.has_stalled =
+        !line_search(alpha, slope, boosts, {model[2], model[3], model[4]}, d, v, w, g, density, moments, sums);
       if(report.has_stalled)
         return report;
     }

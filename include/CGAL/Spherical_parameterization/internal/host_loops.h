@@ -16,6 +16,8 @@ namespace internal {
 
 /// Runs f(0) ... f(count-1) on the calling thread.
 struct Sequential_loop {
+  static int concurrency() { return 1; }
+
   template <class F>
   void for_each(int count, F f) const
   {
@@ -27,6 +29,8 @@ struct Sequential_loop {
 #ifdef CGAL_LINKED_WITH_TBB
 /// Runs f(0) ... f(count-1) in any order on the threads of the caller's TBB arena.
 struct Parallel_loop {
+  static int concurrency() { return tbb::this_task_arena::max_concurrency(); }
+
   template <class F>
   void for_each(int count, F f) const
   {

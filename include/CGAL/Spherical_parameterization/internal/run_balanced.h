@@ -65,7 +65,8 @@ Solver_report solve_until_valid(const Backend& backend, Map_task& task, Start st
     done += report.iterations;
     report.iterations = done;
     options.patience = patience_at_the_limit;
-    for(Solver_report refined = report; refined.has_converged && options.accuracy > limit && !is_valid();) {
+    bool valid = report.has_converged && is_valid();
+    for(Solver_report refined = report; refined.has_converged && options.accuracy > limit && !valid;) {
       options.accuracy *= refinement;
       options.maximum_iterations = maximum_iterations - done;
       refined = descend(options, v);
@@ -73,8 +74,9 @@ Solver_report solve_until_valid(const Backend& backend, Map_task& task, Start st
       report.iterations = done;
       report.residual = refined.residual;
       report.energy = refined.energy;
+      valid = is_valid();
     }
-    if(done >= maximum_iterations || task.monitor.is_interrupted() || is_valid())
+    if(valid || done >= maximum_iterations || task.monitor.is_interrupted())
       break;
   }
   report.has_converged = report.residual <= accuracy;
@@ -187,9 +189,10 @@ Solver_report solve_fixed(const Backend& backend, Map_task& task, double accurac
 
 /// Without fixed vertices, exponent 2: the balanced critical point.
 ///
-/// The masses of the balance are the spring densities of a reference map, the solution itself to 1e-5, with the centroid
-/// of the source area at the centre. (On a conformal map the density of energy is that of area.) The reference is taken
-/// early and renewed, so that it is a small change each time, and the descent goes on as if nothing had happened.
+/// The masses of the balance are the spring densities of a reference map, the solution itself to 1e-5, with the
+/// centroid of the source area at the centre. (On a conformal map the density of energy is that of area.) The reference
+/// is taken early and renewed, so that it is a small change each time, and the descent goes on as if nothing had
+/// happened.
 template <class Backend>
 Solver_report solve_balanced(const Backend& backend, Map_task& task, double accuracy, std::size_t maximum_iterations,
                              typename Backend::Vectors& v)
@@ -199,8 +202,9 @@ Solver_report solve_balanced(const Backend& backend, Map_task& task, double accu
   Multigrid<Backend> multigrid(backend, task.graph);
   const typename Backend::Scalars area = backend.upload(task.area);
   typename Backend::Scalars mass = backend.scalars(task.size());
-  const auto refer_to = [&](typename Backend::Vectors& x) {
-    centre(backend, area, x);
+  const auto refer_to = [&](typename Backend::Vectors& x, typename Backend::Vectors& scratch) {
+    constexpr int maximum_steps = 50;
+    centre(backend, area, maximum_steps, x, scratch);
     backend.spring_masses(multigrid.matrix(0), x, mass);
   };
   Balanced_solver<Backend> solver(backend, multigrid.matrix(0), multigrid, 0, 2, Gauge::BALANCED, mass);
@@ -209,7 +213,8 @@ Solver_report solve_balanced(const Backend& backend, Map_task& task, double accu
   const auto start = [&](typename Backend::Vectors& x) {
     const Stopwatch start_watch;
     x = start_map(backend, multigrid, task);
-    refer_to(x);
+    typename Backend::Vectors scratch = backend.vectors(task.size());
+    refer_to(x, scratch);
     references = {1e-1, 1e-3, 1e-5};
     task.result.seconds.start_map = start_watch.seconds();
   };

@@ -70,12 +70,16 @@ private:
 template <class Loop, class AppendRows>
 Sparse_matrix build_rows(const Loop& loop, int n, AppendRows append_rows)
 {
-  constexpr int maximum_parts = 64;
+  constexpr int parts_per_thread = 4;
   constexpr int rows_per_part = 4096;
-  const int parts = (std::min)(maximum_parts, n / rows_per_part + 1);
+  const int threads = loop.concurrency();
+  const int parts = threads == 1 ? 1 : (std::min)(parts_per_thread * threads, n / rows_per_part + 1);
   const auto begin = [&](int part) { return static_cast<int>(static_cast<long long>(n) * part / parts); };
   std::vector<Sparse_matrix> rows_of(parts);
   loop.for_each(parts, [&](int part) { append_rows(begin(part), begin(part + 1), rows_of[part]); });
+
+  if(parts == 1)
+    return std::move(rows_of[0]);
 
   std::vector<int> first(parts + 1, 0);
   for(int part = 0; part < parts; ++part)
@@ -99,10 +103,9 @@ template <class Loop>
 Sparse_matrix transposed(const Loop& loop, const Sparse_matrix& a, int columns)
 {
   // Every part of the rows counts its entries by column; from the counts each part knows where its own go.
-  constexpr int maximum_parts = 16;
   constexpr int rows_per_part = 65536;
   const int n = a.rows();
-  const int parts = (std::min)(maximum_parts, n / rows_per_part + 1);
+  const int parts = (std::min)(loop.concurrency(), n / rows_per_part + 1);
   const auto begin = [&](int part) { return static_cast<int>(static_cast<long long>(n) * part / parts); };
   std::vector<std::vector<int>> position(parts);
   loop.for_each(parts, [&](int part) {

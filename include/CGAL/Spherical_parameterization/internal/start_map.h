@@ -97,16 +97,17 @@ Coarse_level coarse_start_level(const Multigrid<Backend>& multigrid, const Map_t
 {
   constexpr int smallest_size = 1000;
   Coarse_level level;
-  level.vertex_of.resize(task.size());
-  std::iota(level.vertex_of.begin(), level.vertex_of.end(), 0);
-  level.corners = task.largest_face;
-  while(level.k + 1 < multigrid.number_of_levels() && multigrid.size(level.k + 1) >= smallest_size) {
-    std::vector<int> next = level.vertex_of;
-    for(int& i : next)
-      i = multigrid.aggregate_of(level.k)[i];
+  while(level.k + 1 < multigrid.number_of_levels() && multigrid.size(level.k + 1) >= smallest_size)
+    ++level.k;
+  for(;; --level.k) {
+    level.vertex_of.resize(task.size());
+    std::iota(level.vertex_of.begin(), level.vertex_of.end(), 0);
+    for(std::size_t k = 0; k < level.k; ++k)
+      for(int& i : level.vertex_of)
+        i = multigrid.aggregate_of(k)[i];
     double largest = -1;
     for(const std::array<int, 3>& f : task.faces) {
-      const std::array<int, 3> corners = {next[f[0]], next[f[1]], next[f[2]]};
+      const std::array<int, 3> corners = {level.vertex_of[f[0]], level.vertex_of[f[1]], level.vertex_of[f[2]]};
       if(corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0])
         continue;
       const vec3 n = normal(task.points, f);
@@ -115,16 +116,13 @@ Coarse_level coarse_start_level(const Multigrid<Backend>& multigrid, const Map_t
         level.corners = corners;
       }
     }
-    if(largest < 0)
-      break;
-    level.vertex_of = std::move(next);
-    ++level.k;
+    if(largest >= 0)
+      return level;
   }
-  return level;
 }
 
-/// A map of degree 1 to start from, near the harmonic one of the mesh without fixed vertices: the planar harmonic map of
-/// a coarse level brought to the sphere, boosted until the centroid of the source area lies at the centre, and from
+/// A map of degree 1 to start from, near the harmonic one of the mesh without fixed vertices: the planar harmonic map
+/// of a coarse level brought to the sphere, boosted until the centroid of the source area lies at the centre, and from
 /// there up level by level, each map being the descent's start on the next finer one. On the finest level it is only
 /// interpolated, and not smooth.
 ///
@@ -133,7 +131,7 @@ template <class Backend>
 typename Backend::Vectors start_map(const Backend& backend, Multigrid<Backend>& multigrid, const Map_task& task)
 {
   constexpr double planar_accuracy = 1e-6;
-  constexpr Descent_options coarse_descent = {1e-3, 30, 30, 1000, 0, start_share};
+  constexpr Descent_options coarse_descent = {1e-2, 30, 30, 1000, 0, start_share};
   const Coarse_level start = coarse_start_level(multigrid, task);
   std::vector<vec3> z = planar_map(backend, multigrid, start.k, start.corners, planar_accuracy, task.monitor,
                                    start_share, task.result.start_iterations);
@@ -142,7 +140,11 @@ typename Backend::Vectors start_map(const Backend& backend, Multigrid<Backend>& 
   for(int i = 0; i < task.size(); ++i)
     area[start.vertex_of[i]] += task.area[i];
   typename Backend::Vectors v = backend.upload(std::move(z));
-  centre(backend, backend.upload(std::move(area)), v);
+  {
+    constexpr int maximum_steps = 50;
+    typename Backend::Vectors scratch = backend.vectors(multigrid.size(start.k));
+    centre(backend, backend.upload(std::move(area)), maximum_steps, v, scratch);
+  }
 
   for(std::size_t k = start.k; k > 0; --k) {
     typename Backend::Scalars mass = backend.scalars(multigrid.size(k));
@@ -158,16 +160,14 @@ typename Backend::Vectors start_map(const Backend& backend, Multigrid<Backend>& 
 }
 
 /// The start map of a task with fixed vertices, or of a method without hierarchy: one is set up for the graph without
-/// fixed vertices. The map is moved by the Moebius transformation that suits the fixed vertices best, or else centred.
+/// fixed vertices. The map is moved by the Moebius transformation that suits the fixed vertices best.
 template <class Backend>
 std::vector<vec3> start_positions(const Backend& backend, const Map_task& task)
 {
   const auto free_graph = std::make_shared<Weighted_graph>(*task.graph);
   free_graph->update_diagonal({});
   Multigrid<Backend> multigrid(backend, free_graph);
-  typename Backend::Vectors v = start_map(backend, multigrid, task);
-  centre(backend, backend.upload(task.area), v);
-  std::vector<vec3> start = backend.download(v);
+  std::vector<vec3> start = backend.download(start_map(backend, multigrid, task));
 
   if(task.has_fixed()) {
     std::vector<vec3> from, to;

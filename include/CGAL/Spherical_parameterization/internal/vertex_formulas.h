@@ -166,8 +166,8 @@ CGAL_SP_FUNCTION real spring_curvature(int i, graph_view a, real p, CGAL_SP_GLOB
   return sum / 2 - pull * inner(di, di);
 }
 
-/* A step alpha along d, and a small boost with centre c on top, exact to first order: (v + alpha d - 2 P_v c)_i, back on
- * the sphere. */
+/* A step alpha along d, and a small boost with centre c on top, exact to first order: (v + alpha d - 2 P_v c)_i, back
+ * on the sphere. */
 CGAL_SP_FUNCTION vec3 displaced(vec3 v, real alpha, vec3 d, vec3 c)
 {
   return unit(add_scaled(add_scaled(v, alpha, d), -2, tangent(c, v)));

@@ -48,7 +48,8 @@ namespace Spherical_parameterization {
 ///                three doubles. Must be readable where there are fixed vertices (their positions, which will be
 ///                normalised) or for `Saddle_point::Start::GIVEN`.
 /// \param np  optional named parameters:
-///   - `edge_weight_map`: readable, edge_descriptor to a positive number; default `conformal_weights(mesh)`.
+///   - `edge_weight_map`: readable, edge_descriptor to a positive number; default `conformal_weights(mesh)`. Unless the
+///      policy is `CGAL::Sequential_tag`, it is read by several threads at once.
 ///      Before CGAL 6.1 it has to come first in the chain.
 ///   - `vertex_point_map`: readable; default the mesh's own
 ///   - `vertex_is_constrained_map`: readable, vertex_descriptor to bool; three vertices or more at distinct positions
@@ -83,13 +84,18 @@ Result parameterize(const ExecutionPolicy& policy, const TriangleMesh& mesh, con
     std::move(callback), choose_parameter(get_parameter(np, internal_np::verbose), false));
   try {
     const internal::Stopwatch watch;
-    internal::Source_mesh<TriangleMesh> source(mesh, internal::vertex_points(mesh, np));
+    const auto points = internal::vertex_points(mesh, np);
+    typedef typename boost::property_traits<std::decay_t<decltype(points)>>::value_type Point;
+    const std::conditional_t<internal::are_plain_coordinates<Point>(),
+                             typename internal::Backend<ExecutionPolicy>::Host_loop, internal::Sequential_loop>
+      loop;
+    internal::Source_mesh<TriangleMesh> source(mesh, points, loop);
     result.number_of_vertices = source.vertex.size();
     result.number_of_faces = source.face.size();
     if constexpr(is_default_parameter<NamedParameters, internal::edge_weight_tag>::value)
-      source.set_weights(mesh, conformal_weights(mesh, 5, 85, np));
+      source.set_weights(mesh, conformal_weights(mesh, 5, 85, np), loop);
     else
-      source.set_weights(mesh, get_parameter(np, internal::edge_weight_tag()));
+      source.set_weights(mesh, get_parameter(np, internal::edge_weight_tag()), loop);
 
     const auto is_constrained =
       choose_parameter(get_parameter(np, internal_np::vertex_is_constrained),
@@ -120,7 +126,7 @@ Result parameterize(const ExecutionPolicy& policy, const TriangleMesh& mesh, con
     const internal::Stopwatch certify_watch;
     for(std::size_t i = 0; i < v.size(); ++i)
       put(sphere_map, source.vertex[i], Sphere_point{v[i].x, v[i].y, v[i].z});
-    internal::pass_verdict(source.face, v, report, monitor, result);
+    internal::pass_verdict(backend.host_loop(), source.face, v, report, monitor, result);
     result.seconds.certify += certify_watch.seconds();
     monitor.advance(1);
   } catch(const internal::Failure& failure) {

@@ -36,6 +36,7 @@ struct Moments {
 template <class Loop>
 class Host_backend {
 public:
+  using Host_loop = Loop;
   template <class T>
   using Array = std::vector<T>;
   using Vectors = Array<vec3>;

@@ -26,6 +26,7 @@ namespace internal {
 template <>
 class Backend<OpenCL_device> {
 public:
+  using Host_loop = Default_loop;
   template <class T>
   using Array = OpenCL_array<T>;
   using Vectors = Array<vec3>;
@@ -48,7 +49,7 @@ public:
   /// to 10242 vertices, and that of the balanced map to 1.5e-8 times sqrt(n) up to 163842 vertices.
   double best_accuracy(int n) const { return is_double() ? 0 : 3e-7 * std::sqrt(static_cast<double>(n)); }
 
-  const Default_loop& host_loop() const { return loop_; }
+  const Host_loop& host_loop() const { return loop_; }
 
   /// How often the host has waited for the device
   std::size_t number_of_read_backs() const { return device_.number_of_read_backs(); }
@@ -234,7 +235,7 @@ private:
   }
 
   OpenCL_runtime device_;
-  Default_loop loop_;
+  Host_loop loop_;
 };
 
 } // namespace internal

@@ -7,6 +7,7 @@
 #include <CGAL/Spherical_parameterization/internal/Failure.h>
 #include <CGAL/Spherical_parameterization/internal/Vertex_numbering.h>
 #include <CGAL/Spherical_parameterization/internal/Weighted_graph.h>
+#include <CGAL/Spherical_parameterization/internal/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/point_coordinates.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -36,6 +38,7 @@ class Source_mesh {
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
   typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
   typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
+  typedef typename Graph_traits::face_descriptor face_descriptor;
 
 public:
   std::vector<vertex_descriptor> vertex; ///< descriptor of vertex i, in breadth-first order
@@ -48,71 +51,111 @@ public:
     std::make_shared<Weighted_graph>(); ///< neighbours in ascending order; weights are left to set_weights()
 
   /// Throws Failure.
-  template <class VertexPointMap>
-  Source_mesh(const TriangleMesh& mesh, VertexPointMap points)
+  template <class VertexPointMap, class Loop = Sequential_loop>
+  Source_mesh(const TriangleMesh& mesh, VertexPointMap points, const Loop& loop = Loop())
   {
     const Vertex_numbering<TriangleMesh> numbering(mesh);
-    check_connectivity(mesh, numbering);
+    const std::vector<face_descriptor> descriptors(faces(mesh).begin(), faces(mesh).end());
+    if(!is_closed_manifold(mesh, numbering, descriptors, loop))
+      explain_what_is_wrong(mesh, numbering);
     const std::vector<int> index = number_breadth_first(mesh, numbering);
-    read_points(points);
-    face.reserve(num_faces(mesh));
-    for(auto f : faces(mesh)) {
-      const halfedge_descriptor h = halfedge(f, mesh);
-      face.push_back({index[numbering(source(h, mesh))], index[numbering(target(h, mesh))],
-                      index[numbering(target(next(h, mesh), mesh))]});
-    }
-    measure_areas();
-    // Rows of ascending neighbours.
-    const int n = static_cast<int>(vertex.size());
-    graph->offset.assign(1, 0);
-    graph->offset.reserve(n + 1);
-    graph->target.reserve(3 * face.size());
-    for(int i = 0; i < n; ++i) {
-      for(halfedge_descriptor h : halfedges_around_target(halfedge(vertex[i], mesh), mesh))
-        graph->target.push_back(index[numbering(source(h, mesh))]);
-      std::sort(graph->target.begin() + graph->offset[i], graph->target.end());
-      graph->offset.push_back(static_cast<int>(graph->target.size()));
-    }
+    read_points(points, loop);
+    face.resize(descriptors.size());
+    for_each_part(loop, static_cast<int>(face.size()), [&](int begin, int end) {
+      for(int f = begin; f < end; ++f) {
+        const halfedge_descriptor h = halfedge(descriptors[f], mesh);
+        face[f] = {index[numbering(source(h, mesh))], index[numbering(target(h, mesh))],
+                   index[numbering(target(next(h, mesh), mesh))]};
+      }
+    });
+    measure_areas(loop);
+    read_graph(mesh, numbering, index, loop);
   }
 
   /// Reads the weight of every edge once, and writes it into both rows. Throws Failure if it is not positive and
   /// finite.
-  template <class EdgeWeightMap>
-  void set_weights(const TriangleMesh& mesh, EdgeWeightMap weights)
+  template <class EdgeWeightMap, class Loop = Sequential_loop>
+  void set_weights(const TriangleMesh& mesh, EdgeWeightMap weights, const Loop& loop = Loop())
   {
     const int n = static_cast<int>(vertex.size());
-    graph->weight.resize(graph->target.size());
-    // Row j meets its larger neighbours i in ascending order: a cursor per row finds the mirror image of (i, j).
-    std::vector<int> cursor(n);
-    for(int i = 0; i < n; ++i)
-      cursor[i] = static_cast<int>(
-        std::upper_bound(graph->target.begin() + graph->offset[i], graph->target.begin() + graph->offset[i + 1], i) -
-        graph->target.begin());
+    graph->weight.assign(graph->target.size(), 0);
     const Vertex_numbering<TriangleMesh> numbering(mesh);
     std::vector<int> index(n);
     for(int i = 0; i < n; ++i)
       index[position[i]] = i;
-    std::vector<std::pair<int, double>> row;
-    for(int i = 0; i < n; ++i) {
-      row.clear();
-      for(halfedge_descriptor h : halfedges_around_target(halfedge(vertex[i], mesh), mesh)) {
-        const int j = index[numbering(source(h, mesh))];
-        if(j < i) {
+    const auto place = [&](int i, int j) { // of the weight of the edge ij in row i; of the first one, if there are two
+      const auto row = graph->target.begin();
+      return std::lower_bound(row + graph->offset[i], row + graph->offset[i + 1], j) - row;
+    };
+
+    // Every vertex reads the edges to the smaller ones, then those copy them.
+    std::atomic<bool> are_good(true);
+    for_each_part(loop, n, [&](int begin, int end) {
+      for(int i = begin; i < end; ++i)
+        for(halfedge_descriptor h : halfedges_around_target(halfedge(vertex[i], mesh), mesh)) {
+          const int j = index[numbering(source(h, mesh))];
+          if(j > i)
+            continue;
           const double w = CGAL::to_double(get(weights, edge(h, mesh)));
-          check_weight(mesh, h, w, i, j);
-          row.emplace_back(j, w);
+          auto k = place(i, j);
+          while(graph->weight[k] != 0 && k + 1 < graph->offset[i + 1] && graph->target[k + 1] == j)
+            ++k;
+          graph->weight[k] = w;
+          if(!is_good_weight(w))
+            are_good = false;
         }
-      }
-      std::sort(row.begin(), row.end());
-      for(std::size_t k = 0; k < row.size(); ++k) {
-        graph->weight[graph->offset[i] + k] = row[k].second;
-        graph->weight[cursor[row[k].first]++] = row[k].second;
-      }
-    }
+    });
+    if(!are_good)
+      explain_bad_weight(mesh, numbering, index, weights);
+    for_each_part(loop, n, [&](int begin, int end) {
+      for(int i = begin; i < end; ++i)
+        for(int k = graph->offset[i]; k < graph->offset[i + 1]; ++k) {
+          const int j = graph->target[k];
+          if(j > i)
+            graph->weight[k] = graph->weight[place(j, i) + (k - place(i, j))];
+        }
+    });
   }
 
 private:
-  void check_connectivity(const TriangleMesh& mesh, const Vertex_numbering<TriangleMesh>& numbering) const
+  /// Whether all faces are triangles, and the walk round every vertex meets each of its faces, and no border.
+  template <class Loop>
+  static bool is_closed_manifold(const TriangleMesh& mesh, const Vertex_numbering<TriangleMesh>& numbering,
+                                 const std::vector<face_descriptor>& descriptors, const Loop& loop)
+  {
+    constexpr std::size_t limit = static_cast<std::size_t>((std::numeric_limits<int>::max)());
+    if(descriptors.empty() || 3 * descriptors.size() > limit || numbering.size() > limit)
+      return false;
+    const int number_of_faces = static_cast<int>(descriptors.size());
+    const bool is_triangular = first_index(loop, number_of_faces, [&](int f) {
+                                 return !is_triangle(halfedge(descriptors[f], mesh), mesh);
+                               }) == number_of_faces;
+    if(!is_triangular)
+      return false;
+    const std::vector<vertex_descriptor> all(vertices(mesh).begin(), vertices(mesh).end());
+    std::atomic<int> walked(0);
+    std::atomic<bool> is_bad(false);
+    for_each_part(loop, static_cast<int>(all.size()), [&](int begin, int end) {
+      int here = 0;
+      for(int i = begin; i < end && !is_bad; ++i) {
+        const halfedge_descriptor first = halfedge(all[i], mesh);
+        if(first == Graph_traits::null_halfedge()) {
+          is_bad = true;
+          return;
+        }
+        for(halfedge_descriptor h : halfedges_around_target(first, mesh)) {
+          if(is_border(h, mesh))
+            is_bad = true;
+          ++here;
+        }
+      }
+      walked += here;
+    });
+    return !is_bad && walked == 3 * number_of_faces;
+  }
+
+  /// Throws the Failure that says what and where; returns if there is nothing to say.
+  void explain_what_is_wrong(const TriangleMesh& mesh, const Vertex_numbering<TriangleMesh>& numbering) const
   {
     std::size_t face_count = 0;
     for(auto f : faces(mesh)) {
@@ -203,16 +246,17 @@ private:
     return index;
   }
 
-  template <class VertexPointMap>
-  void read_points(VertexPointMap points)
+  template <class VertexPointMap, class Loop>
+  void read_points(VertexPointMap points, const Loop& loop)
   {
-    point.reserve(vertex.size());
-    for(std::size_t i = 0; i < vertex.size(); ++i) {
-      const vec3 p = coordinates(get(points, vertex[i]));
-      if(!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-        throw Failure{Error_code::NON_FINITE_COORDINATE, "vertex " + std::to_string(position[i])};
-      point.push_back(p);
-    }
+    const int n = static_cast<int>(vertex.size());
+    point.resize(n);
+    const int bad = first_index(loop, n, [&](int i) {
+      const vec3 p = point[i] = coordinates(get(points, vertex[i]));
+      return !std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z);
+    });
+    if(bad < n)
+      throw Failure{Error_code::NON_FINITE_COORDINATE, "vertex " + std::to_string(position[bad])};
     // Lengths and areas are only ever compared with each other. Moving the bounding box to the origin and scaling it to
     // 1 keeps their squares and products far from overflow and underflow.
     vec3 low = point[0], high = point[0];
@@ -227,26 +271,66 @@ private:
       p = {(p.x / 2 - low.x / 2) / divisor, (p.y / 2 - low.y / 2) / divisor, (p.z / 2 - low.z / 2) / divisor};
   }
 
-  void measure_areas()
+  template <class Loop>
+  void measure_areas(const Loop& loop)
   {
-    area.assign(vertex.size(), 0);
-    double largest = -1;
-    for(const std::array<int, 3>& f : face) {
-      const vec3 n = outer(sub(point[f[1]], point[f[0]]), sub(point[f[2]], point[f[0]]));
-      const double twice_area = std::sqrt(inner(n, n));
-      for(int i : f)
-        area[i] += twice_area / 6;
-      if(twice_area > largest) {
-        largest = twice_area;
-        largest_face = f;
+    std::vector<double> twice_area(face.size());
+    for_each_part(loop, static_cast<int>(face.size()), [&](int begin, int end) {
+      for(int f = begin; f < end; ++f) {
+        const auto [a, b, c] = face[f];
+        const vec3 n = outer(sub(point[b], point[a]), sub(point[c], point[a]));
+        twice_area[f] = std::sqrt(inner(n, n));
       }
-    }
+    });
+    area.assign(vertex.size(), 0);
+    for(std::size_t f = 0; f < face.size(); ++f)
+      for(int i : face[f])
+        area[i] += twice_area[f] / 6;
+    largest_face = face[std::max_element(twice_area.begin(), twice_area.end()) - twice_area.begin()];
   }
 
-  void check_weight(const TriangleMesh& mesh, halfedge_descriptor h, double w, int i, int j) const
+  /// Rows of ascending neighbours.
+  template <class Loop>
+  void read_graph(const TriangleMesh& mesh, const Vertex_numbering<TriangleMesh>& numbering,
+                  const std::vector<int>& index, const Loop& loop)
   {
-    if(w > 0 && std::isfinite(w))
-      return;
+    const int n = static_cast<int>(vertex.size());
+    graph->offset.assign(n + 1, 0);
+    for(const std::array<int, 3>& f : face)
+      for(int i : f)
+        ++graph->offset[i + 1];
+    for(int i = 0; i < n; ++i)
+      graph->offset[i + 1] += graph->offset[i];
+    graph->target.resize(3 * face.size());
+    for_each_part(loop, n, [&](int begin, int end) {
+      for(int i = begin; i < end; ++i) {
+        const auto row = graph->target.begin() + graph->offset[i];
+        auto last = row;
+        for(halfedge_descriptor h : halfedges_around_target(halfedge(vertex[i], mesh), mesh))
+          *last++ = index[numbering(source(h, mesh))];
+        std::sort(row, last);
+      }
+    });
+  }
+
+  static bool is_good_weight(double w) { return w > 0 && std::isfinite(w); }
+
+  /// Throws the Failure for the first edge whose weight is not good.
+  template <class EdgeWeightMap>
+  void explain_bad_weight(const TriangleMesh& mesh, const Vertex_numbering<TriangleMesh>& numbering,
+                          const std::vector<int>& index, EdgeWeightMap weights) const
+  {
+    for(int i = 0; i < static_cast<int>(vertex.size()); ++i)
+      for(halfedge_descriptor h : halfedges_around_target(halfedge(vertex[i], mesh), mesh)) {
+        const int j = index[numbering(source(h, mesh))];
+        const double w = j > i ? 1 : CGAL::to_double(get(weights, edge(h, mesh)));
+        if(!is_good_weight(w))
+          blame_weight(mesh, h, w, i, j);
+      }
+  }
+
+  [[noreturn]] void blame_weight(const TriangleMesh& mesh, halfedge_descriptor h, double w, int i, int j) const
+  {
     const std::string edge_name =
       "edge " + std::to_string(position[j]) + "-" + std::to_string(position[i]) + " has weight " + std::to_string(w);
     for(halfedge_descriptor side : {h, opposite(h, mesh)})

@@ -10,6 +10,9 @@
 #include <tbb/task_arena.h>
 #endif
 
+#include <algorithm>
+#include <atomic>
+
 namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
@@ -45,6 +48,31 @@ typedef Parallel_loop Default_loop;
 #else
 typedef Sequential_loop Default_loop;
 #endif
+
+/// Runs f(begin, end) on consecutive parts of 0 ... n-1, in any order.
+template <class Loop, class F>
+void for_each_part(const Loop& loop, int n, F f)
+{
+  constexpr int size = 8192;
+  loop.for_each(n / size + 1, [&](int part) { f(part * size, (std::min)(n, (part + 1) * size)); });
+}
+
+/// The smallest i in 0 ... n-1 for which `holds(i)`, or n: the same for any number of threads.
+template <class Loop, class Predicate>
+int first_index(const Loop& loop, int n, Predicate holds)
+{
+  std::atomic<int> first(n);
+  for_each_part(loop, n, [&](int begin, int end) {
+    for(int i = begin; i < (std::min)(end, first.load(std::memory_order_relaxed)); ++i)
+      if(holds(i)) {
+        int known = first;
+        while(i < known && !first.compare_exchange_weak(known, i))
+          ;
+        return;
+      }
+  });
+  return first;
+}
 
 } // namespace internal
 } // namespace Spherical_parameterization

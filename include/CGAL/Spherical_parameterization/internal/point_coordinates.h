@@ -36,6 +36,16 @@ vec3 coordinates(const Point& p)
     return {to_double(p[0]), to_double(p[1]), to_double(p[2])};
 }
 
+/// Whether several threads may read coordinates of this type at once: built-in numbers, unlike lazy exact ones.
+template <class Point>
+constexpr bool are_plain_coordinates()
+{
+  if constexpr(Has_xyz<Point>::value)
+    return std::is_floating_point_v<std::decay_t<decltype(std::declval<const Point&>().x())>>;
+  else
+    return std::is_floating_point_v<std::decay_t<decltype(std::declval<const Point&>()[0])>>;
+}
+
 /// a divided by the largest of its absolute coordinates: squares and products then neither overflow nor underflow.
 inline vec3 scaled_to_unit_box(vec3 a)
 {

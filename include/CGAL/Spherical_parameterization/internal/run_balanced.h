@@ -51,7 +51,7 @@ Solver_report solve_until_valid(const Backend& backend, Map_task& task, Start st
   constexpr std::size_t patience_at_the_limit = 3;
   const auto is_valid = [&] {
     const Stopwatch watch;
-    const bool result = certify(task.faces, backend.download(v)).is_valid();
+    const bool result = certify(backend.host_loop(), task.faces, backend.download(v)).is_valid();
     task.result.seconds.certify += watch.seconds();
     return result;
   };
@@ -141,7 +141,7 @@ Solver_report solve_stiffening(const Backend& backend, const Map_task& task, dou
     report.iterations = done;
     if(report.has_converged) {
       const bool is_accurate = report.residual <= accuracy;
-      if(goal < limit || (is_accurate && certify(task.faces, position).is_valid()))
+      if(goal < limit || (is_accurate && certify(backend.host_loop(), task.faces, position).is_valid()))
         break;
       goal *= is_accurate ? refinement : 0.1;
     }

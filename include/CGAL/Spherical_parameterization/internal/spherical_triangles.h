@@ -51,21 +51,39 @@ struct Certificate {
 
 /// Examines a map given by unit vectors: without flipped faces and with degree 1 it is a bijection, since it then is a
 /// covering of the sphere, and the sphere is simply connected.
-inline Certificate certify(const std::vector<std::array<int, 3>>& faces, const std::vector<vec3>& v)
+template <class Loop>
+Certificate certify(const Loop& loop, const std::vector<std::array<int, 3>>& faces, const std::vector<vec3>& v)
 {
+  struct Part {
+    Certificate certificate;
+    double area = 0;
+  };
+  constexpr int part_size = 8192;
+  const int number_of_faces = static_cast<int>(faces.size());
+  std::vector<Part> parts(number_of_faces / part_size + 1);
+  loop.for_each(static_cast<int>(parts.size()), [&](int p) {
+    Part part;
+    for(int f = p * part_size; f < (std::min)(number_of_faces, (p + 1) * part_size); ++f) {
+      const vec3 a = v[faces[f][0]], b = v[faces[f][1]], c = v[faces[f][2]];
+      if(!is_finite(a) || !is_finite(b) || !is_finite(c)) {
+        ++part.certificate.flipped_faces;
+        continue;
+      }
+      if(!is_positively_oriented(a, b, c))
+        ++part.certificate.flipped_faces;
+      const double area = spherical_area(a, b, c);
+      part.area += area;
+      part.certificate.smallest_area = (std::min)(part.certificate.smallest_area, std::abs(area));
+    }
+    parts[p] = part;
+  });
+
   Certificate result;
   double total = 0;
-  for(const std::array<int, 3>& f : faces) {
-    const vec3 a = v[f[0]], b = v[f[1]], c = v[f[2]];
-    if(!is_finite(a) || !is_finite(b) || !is_finite(c)) {
-      ++result.flipped_faces;
-      continue;
-    }
-    if(!is_positively_oriented(a, b, c))
-      ++result.flipped_faces;
-    const double area = spherical_area(a, b, c);
-    total += area;
-    result.smallest_area = (std::min)(result.smallest_area, std::abs(area));
+  for(const Part& part : parts) {
+    result.flipped_faces += part.certificate.flipped_faces;
+    result.smallest_area = (std::min)(result.smallest_area, part.certificate.smallest_area);
+    total += part.area;
   }
   result.degree = static_cast<int>(std::lround(total / (4 * std::acos(-1.))));
   return result;

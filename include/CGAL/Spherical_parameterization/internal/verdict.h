@@ -28,10 +28,11 @@ inline std::string to_string(double x)
 }
 
 /// Fills in the certificate and decides: nothing but a converged map of degree 1 without flipped faces is `OK`.
-inline void pass_verdict(const std::vector<std::array<int, 3>>& faces, const std::vector<vec3>& v,
-                         const Solver_report& report, const Monitor& monitor, Result& result)
+template <class Loop>
+void pass_verdict(const Loop& loop, const std::vector<std::array<int, 3>>& faces, const std::vector<vec3>& v,
+                  const Solver_report& report, const Monitor& monitor, Result& result)
 {
-  const Certificate certificate = certify(faces, v);
+  const Certificate certificate = certify(loop, faces, v);
   result.flipped_faces = certificate.flipped_faces;
   result.degree = certificate.degree;
   result.smallest_area = certificate.smallest_area;

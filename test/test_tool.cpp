@@ -371,6 +371,22 @@ TEST_CASE("help, version and devices exit with 0", "[tool]")
   }
 }
 
+TEST_CASE("devices: every policy, and the default", "[tool]")
+{
+  const std::string out = run_tool({"devices"}).out;
+  CAPTURE(out);
+#ifdef CGAL_LINKED_WITH_TBB
+  CHECK(out.find("sequential: one core\ntbb (default): ") == 0);
+#else
+  CHECK(out.find("sequential (default): one core\ntbb: not available") == 0);
+#endif
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
+  CHECK(out.find("\nopencl: ") != std::string::npos);
+#else
+  CHECK(out.find("\nopencl: not available") != std::string::npos);
+#endif
+}
+
 TEST_CASE("map: relative names are relative to the working directory", "[tool]")
 {
   Scratch scratch;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The command-line tool says what there is to run on, and refuses devices that are not there.
+// The command-line tool in builds with OpenCL: which devices it lists, takes and refuses.
 
 #include "helpers/meshes.h"
 #include "helpers/policies.h"
@@ -26,26 +26,7 @@ Process_result run_tool_with(std::vector<std::string> variables, const std::vect
 
 } // namespace
 
-TEST_CASE("devices: every policy, and the default", "[tool][devices]")
-{
-  const Process_result run = run_tool({"devices"});
-  CAPTURE(run.out, run.err);
-  CHECK(run.exit_code == 0);
-  CHECK(contains(run.out, "sequential"));
-#ifdef CGAL_LINKED_WITH_TBB
-  CHECK(contains(run.out, "tbb (default): "));
-#else
-  CHECK(contains(run.out, "sequential (default): "));
-  CHECK(contains(run.out, "tbb: not available"));
-#endif
-#ifndef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
-  CHECK(contains(run.out, "opencl: not available"));
-#endif
-}
-
-#ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
-
-TEST_CASE("devices: the OpenCL devices, one of which is the default", "[tool][devices]")
+TEST_CASE("devices: the OpenCL devices, one of which is the default", "[tool][opencl]")
 {
   if(!some_policy<SP::OpenCL_device>())
     return;
@@ -59,7 +40,7 @@ TEST_CASE("devices: the OpenCL devices, one of which is the default", "[tool][de
   CHECK(contains(run.out, " GB; fp64 "));
 }
 
-TEST_CASE("devices: an environment that asks for a device that is not there", "[tool][devices]")
+TEST_CASE("devices: an environment that asks for a device that is not there", "[tool][opencl]")
 {
   if(!some_policy<SP::OpenCL_device>())
     return;
@@ -70,7 +51,7 @@ TEST_CASE("devices: an environment that asks for a device that is not there", "[
     contains(run.out, "no default: no OpenCL device is called 'abacus', as CGAL_SPHERICAL_PARAMETERIZATION_DEVICE"));
 }
 
-TEST_CASE("without an OpenCL driver all else works", "[tool][devices]")
+TEST_CASE("without an OpenCL driver all else works", "[tool][opencl]")
 {
   Scratch scratch;
   const std::string input = write_off(scratch / "in.off", icosphere(2));
@@ -91,7 +72,7 @@ TEST_CASE("without an OpenCL driver all else works", "[tool][devices]")
   CHECK(run_tool_with(nothing, {"map", input, "-o", scratch / "out.off"}).exit_code == 0);
 }
 
-TEST_CASE("map: a device by number or by part of its name", "[tool][devices]")
+TEST_CASE("map: a device by number or by part of its name", "[tool][opencl]")
 {
   if(!some_policy<SP::OpenCL_device>())
     return;
@@ -110,5 +91,3 @@ TEST_CASE("map: a device by number or by part of its name", "[tool][devices]")
     CHECK(report.at("device") == device.name + " (" + device.platform + "), single precision");
   }
 }
-
-#endif

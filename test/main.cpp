@@ -13,7 +13,8 @@ int main(int argc, char* argv[])
 {
   Catch::Session session;
   std::string policy = "sequential";
-  session.cli(session.cli() | Catch::clara::Opt(policy, "sequential|tbb|opencl")["--policy"]("where maps are computed"));
+  session.cli(session.cli() |
+              Catch::clara::Opt(policy, "sequential|tbb|opencl")["--policy"]("where maps are computed"));
   if(const int wrong_usage = session.applyCommandLine(argc, argv))
     return wrong_usage;
   try {

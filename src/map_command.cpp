@@ -46,9 +46,8 @@ const char* remedy(Error_code code)
 }
 
 /// Fills `report.result`, also where it then throws.
-void compute(const Map_options& options, Mesh& mesh, Sphere_map sphere, Report& report)
+void compute(const Map_options& options, Map_settings settings, Mesh& mesh, Sphere_map sphere, Report& report)
 {
-  Map_settings settings = map_settings(options);
   if(!options.fixed.empty())
     settings.fixed_vertices = read_fixed_vertices(options.fixed, mesh.number_of_vertices());
 
@@ -90,8 +89,8 @@ void print_certificate(const Map_options& options, const Report& report, std::si
             << " faces\n"
             << "valid spherical map: " << result.flipped_faces << " flipped faces, degree " << result.degree
             << ", residual " << result.residual << '\n'
-            << options.method << ", " << options.weights << " weights, " << options.policy << ": "
-            << result.start_iterations << " + " << result.iterations << " iterations";
+            << options.method << ", " << options.weights << " weights, " << options.policy << " on " << result.device
+            << ": " << result.start_iterations << " + " << result.iterations << " iterations";
   if(result.sweeps > 0)
     std::cout << " of " << result.sweeps << " sweeps in all";
   std::cout << '\n'
@@ -106,8 +105,10 @@ void map(const Map_options& options, Report& report)
 {
   const Stopwatch total;
   watch_for_interruption();
+  const Map_settings settings = map_settings(options); // a device that is not there is better known before the work
+  const Stopwatch reading;
   Input_mesh input = read_mesh(options.input, options.triangulate ? Polygons::TRIANGULATE : Polygons::REFUSE);
-  report.seconds_read = total.seconds();
+  report.seconds_read = reading.seconds();
   report.result.number_of_vertices = input.mesh.number_of_vertices();
   report.result.number_of_faces = input.mesh.number_of_faces();
   stop_if_interrupted(options);
@@ -119,7 +120,7 @@ void map(const Map_options& options, Report& report)
     Atomic_file(options.report);
 
   const Sphere_map sphere = input.mesh.add_property_map<Mesh::Vertex_index, Point>("v:sphere").first;
-  compute(options, input.mesh, sphere, report);
+  compute(options, settings, input.mesh, sphere, report);
 
   const Stopwatch writing;
   write(options, input.mesh, sphere, sphere_file, stretch_file.get());
@@ -145,6 +146,16 @@ void guarded(Report& report, const Action& action)
   catch(const Refusal& refusal) {
     set_error(report, refusal.code(), refusal.what());
   }
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
+  catch(const CGAL::Spherical_parameterization::OpenCL_error& error) {
+    const std::string& log = error.build_log();
+    const std::string text = error.what();
+    set_error(report, "OPENCL_ERROR",
+              report.input + ": " + (log.empty() ? text : text.substr(0, text.find('\n'))) +
+                (error.code() == CL_DEVICE_NOT_FOUND ? "; see the command 'devices'" : ""));
+    report.build_log = log;
+  }
+#endif
   catch(const std::bad_alloc&) {
     set_error(report, "OUT_OF_MEMORY", report.input + ": not enough memory; simplify the mesh");
   }
@@ -172,6 +183,8 @@ int run(const Map_options& options)
   }
   if(!report.error.empty())
     std::cerr << "spherical-parameterization: " << report.error << std::endl;
+  if(!report.build_log.empty())
+    std::cerr << report.build_log << std::endl;
   return report.error.empty() ? 0 : 1;
 }
 

@@ -7,7 +7,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <filesystem>
 #include <sstream>
 #include <string>
@@ -99,14 +98,18 @@ void check_method(const Map_options& options)
   require(options.check_interval.value_or(1) > 0, "--check-interval", "must be positive");
 }
 
+void check_device(const Map_options& options)
+{
+  const std::string opencl_only = "is for --policy opencl only";
+  const bool is_opencl = options.policy == "opencl";
+  require(is_opencl || options.device.empty(), "--device", opencl_only);
+  require(is_opencl || options.precision.empty(), "--precision", opencl_only);
+}
+
 } // namespace
 
 void add_map_options(CLI::App& command, Map_options& options)
 {
-  std::vector<std::string> policies;
-  for(const Named_policy& policy : available_policies())
-    policies.push_back(policy.name);
-
   command.add_option("IN", options.input, "Closed triangle mesh of genus 0: .off, .obj, .ply or .stl")->required();
   command
       .add_option("-o,--output", options.sphere,
@@ -145,11 +148,21 @@ void add_map_options(CLI::App& command, Map_options& options)
   command.add_option("--fixed", options.fixed, "File of lines 'index x y z': vertices (from 0 on) to keep there")
       ->group(group);
 
-  group = "Effort";
-  command.add_option("--policy", options.policy, "Where to run, see the command 'devices'")
-      ->check(CLI::IsMember(policies))
+  group = "Where to run";
+  command.add_option("--policy", options.policy, "One core, all cores, or an OpenCL device: the same map")
+      ->check(CLI::IsMember(policy_names()))
       ->capture_default_str()
       ->group(group);
+  command
+      .add_option("--device", options.device,
+                  "OpenCL: its number in the list of the command 'devices', or part of its name "
+                  "[$CGAL_SPHERICAL_PARAMETERIZATION_DEVICE]")
+      ->group(group);
+  command.add_option("--precision", options.precision, "OpenCL: of the numbers [double where the device has it]")
+      ->check(CLI::IsMember({"double", "single"}))
+      ->group(group);
+
+  group = "Effort";
   command
       .add_option("--accuracy", options.accuracy,
                   "Residual to reach" + defaults(Balanced::default_accuracy, Saddle_point::default_accuracy))
@@ -176,6 +189,7 @@ void check_map_options(const Map_options& options)
   check_files(options);
   check_weights(options);
   check_method(options);
+  check_device(options);
   require(!options.accuracy || (*options.accuracy > 0 && *options.accuracy < 1), "--accuracy", "must be in (0,1)");
   require(options.iterations.value_or(1) > 0, "--iterations", "must be positive");
   require(!options.max_time || *options.max_time > 0, "--max-time", "must be positive");
@@ -211,10 +225,7 @@ Map_settings map_settings(const Map_options& options)
     settings.method = method;
   }
 
-  const std::vector<Named_policy>& policies = available_policies();
-  settings.policy = std::find_if(policies.begin(), policies.end(), [&options](const Named_policy& policy) {
-                      return policy.name == options.policy;
-                    })->policy;
+  settings.policy = make_policy(options.policy, {options.device, options.precision});
   settings.accuracy = options.accuracy;
   if(options.iterations)
     settings.iterations = static_cast<std::size_t>(*options.iterations);

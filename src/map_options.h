@@ -36,7 +36,9 @@ struct Map_options {
   std::optional<double> relaxation;
   std::optional<std::int64_t> check_interval;  // signed: CLI11 would take -3 for a huge unsigned number
 
-  std::string policy = "sequential";
+  std::string policy = default_policy_name();
+  std::string device;
+  std::string precision;
   std::optional<double> accuracy;
   std::optional<std::int64_t> iterations;
   std::optional<double> max_time;
@@ -48,6 +50,7 @@ void add_map_options(CLI::App& command, Map_options& options);
 void check_map_options(const Map_options& options);
 
 /// The settings for the library, but for the fixed vertices, which only a mesh gives a meaning.
+/// Throws what `make_policy()` throws.
 Map_settings map_settings(const Map_options& options);
 
 } // namespace tool

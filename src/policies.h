@@ -5,6 +5,9 @@
 #define SPHERICAL_PARAMETERIZATION_TOOL_POLICIES_H
 
 #include <CGAL/tags.h>
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
+#include <CGAL/Spherical_parameterization/OpenCL_device.h>
+#endif
 
 #include <string>
 #include <variant>
@@ -12,17 +15,33 @@
 
 namespace tool {
 
-/// Every execution policy of this build. `map_to_sphere()` visits it: a new policy is added here and in
-/// `available_policies()`, and nowhere else.
-using Policy = std::variant<CGAL::Sequential_tag>;
+/// Every execution policy of this build.
+using Policy = std::variant<CGAL::Sequential_tag
+#ifdef CGAL_LINKED_WITH_TBB
+                            ,
+                            CGAL::Parallel_tag
+#endif
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
+                            ,
+                            CGAL::Spherical_parameterization::OpenCL_device
+#endif
+                            >;
 
-struct Named_policy {
-  std::string name;
-  std::string description;
-  Policy policy;
+/// "sequential", "tbb", "opencl": those of this build.
+const std::vector<std::string>& policy_names();
+
+/// The fastest one that every machine can run: results do not depend on it.
+const std::string& default_policy_name();
+
+/// What an OpenCL device has to be.
+struct Device_request {
+  std::string device;    ///< number or part of the name; empty: the default one
+  std::string precision; ///< "double", "single", or empty: double where the device has it
 };
 
-const std::vector<Named_policy>& available_policies();
+/// Looks for the device only if it is for the policy, since drivers take their time to start.
+/// Throws an `OpenCL_error` if there is no such device.
+Policy make_policy(const std::string& name, const Device_request& request);
 
 } // namespace tool
 

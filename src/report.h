@@ -22,6 +22,7 @@ struct Report {
   double seconds_total = 0;
   std::string error;         ///< empty if all went well
   std::string error_code = "OK";
+  std::string build_log;     ///< of OpenCL kernels that did not compile; too long for the JSON file
 };
 
 /// Writes the report as JSON. What is not known, since there is no map, is null. Throws a `Refusal`.

@@ -121,12 +121,18 @@ TEST_CASE("a device is chosen by number or by part of its name", "[opencl]")
     const Variable wanted(device_variable, "");
     CHECK_NOTHROW(SP::opencl_device());
   }
+  SECTION("named by the caller: the variable does not count")
+  {
+    const Variable other(device_variable, "abacus");
+    CHECK(SP::find_opencl_device("0") == 0);
+    CHECK(devices[SP::find_opencl_device(name)].name == name);
+  }
   SECTION("no such number")
   {
     const Variable wanted(device_variable, "700");
     const OpenCL_error error = error_of([] { SP::opencl_device(); });
     CHECK(error.code() == CL_DEVICE_NOT_FOUND);
-    CHECK(contains(error.what(), "no OpenCL device 700: there are only " + std::to_string(devices.size())));
+    CHECK(contains(error.what(), "no OpenCL device 700, as " + std::string(device_variable) + " asks for"));
   }
   SECTION("a number that is none")
   {

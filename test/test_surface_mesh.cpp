@@ -25,8 +25,9 @@ TEST_CASE("a Surface_mesh with garbage maps like the same mesh without", "[mesh_
   REQUIRE(mesh.has_garbage());
   REQUIRE(mesh.num_vertices() > mesh.number_of_vertices());
 
-  // the neighbours of a vertex come in another order than in the mesh made of the soup, and rounding errors with them
-  const double tolerance = 1e-7;
+  // The neighbours of a vertex come in another order than in the mesh made of the soup. That decides how the map whose
+  // residual has come down to 1e-5 differs from the solution, and the balance refers to it.
+  const double tolerance = 2e-6;
   const Soup soup = make_soup(mesh);
   check_same_map(mesh, soup, tolerance);
   mesh.collect_garbage();

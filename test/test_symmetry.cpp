@@ -5,8 +5,8 @@
 // weighted mean of its neighbours does too, whatever the (symmetric) weights: the mesh itself solves eq. (2) exactly.
 // From level 2 on only the symmetry remains, and that conformal maps converge to the identity under refinement.
 //
-// With exponent 2 and no fixed vertices a boost is free, and balancing picks it by the areas of the start map, which
-// has lost the symmetry with the face it removes: there the statements hold up to a boost that refinement makes small.
+// With exponent 2 and no fixed vertices a boost is free, and balancing picks it by the masses of a map that is the
+// solution to a residual of 1e-5 only: there the statements hold up to a boost that small.
 
 #include "helpers/certificate.h"
 #include "helpers/meshes.h"
@@ -40,7 +40,7 @@ std::vector<std::size_t> fivefold_rotation(const Soup& icosphere)
 }
 
 /// How far the balanced boost may be from the symmetric one.
-const double boost_tolerance = 0.01;
+const double boost_tolerance = 3e-6;
 
 Settings settings(Weights weights, double exponent)
 {
@@ -101,5 +101,5 @@ TEST_CASE("the map of a mirrored mesh is the mirrored map", "[symmetry]")
     std::swap(face[1], face[2]);
   Soup sphere = soup;
   sphere.points = solve_or_throw(soup);
-  CHECK(distance_up_to_rotation(transformed(sphere, mirror).points, solve_or_throw(mirrored)) < 1e-7);
+  CHECK(distance_up_to_rotation(transformed(sphere, mirror).points, solve_or_throw(mirrored)) < 5e-7);
 }

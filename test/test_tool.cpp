@@ -4,7 +4,7 @@
 #include "helpers/certificate.h"
 #include "helpers/check.h"
 #include "helpers/meshes.h"
-#include "helpers/process.h"
+#include "helpers/tool.h"
 
 #include <CGAL/IO/polygon_soup_io.h>
 
@@ -12,7 +12,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cctype>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -21,106 +20,6 @@
 
 using namespace test;
 namespace fs = std::filesystem;
-
-namespace {
-
-/// A folder of its own for every test case, with a space in its name, empty at the start.
-class Scratch {
-  fs::path m_folder;
-
-public:
-  Scratch() : m_folder(fs::path(SCRATCH_FOLDER) / ("of " + name_of_test_case()))
-  {
-    fs::remove_all(m_folder);
-    fs::create_directories(m_folder);
-  }
-  ~Scratch() { fs::remove_all(m_folder); }
-
-  std::string operator/(const std::string& file) const { return (m_folder / file).string(); }
-  std::string folder() const { return m_folder.string(); }
-  std::size_t number_of_files() const
-  {
-    return std::size_t(std::distance(fs::directory_iterator(m_folder), fs::directory_iterator()));
-  }
-
-private:
-  static std::string name_of_test_case()
-  {
-    std::string name = Catch::getResultCapture().getCurrentTestName();
-    std::replace_if(
-      name.begin(), name.end(), [](unsigned char c) { return !std::isalnum(c); }, '_');
-    return name;
-  }
-};
-
-std::string text_of(const std::string& file)
-{
-  std::ifstream in(file, std::ios::binary);
-  REQUIRE(in);
-  return std::string(std::istreambuf_iterator<char>(in), {});
-}
-
-void write_text(const std::string& file, const std::string& text) { std::ofstream(file, std::ios::binary) << text; }
-
-std::string off_text(const Soup& soup)
-{
-  std::ostringstream out;
-  out.precision(17);
-  out << "OFF\n" << soup.points.size() << ' ' << soup.faces.size() << " 0\n";
-  for(const Point& p : soup.points)
-    out << p << '\n';
-  for(const auto& face : soup.faces) {
-    out << face.size();
-    for(std::size_t i : face)
-      out << ' ' << i;
-    out << '\n';
-  }
-  return out.str();
-}
-
-std::string write_off(const std::string& file, const Soup& soup)
-{
-  write_text(file, off_text(soup));
-  return file;
-}
-
-Soup read(const std::string& file)
-{
-  Soup soup;
-  CAPTURE(file);
-  REQUIRE(CGAL::IO::read_polygon_soup(file, soup.points, soup.faces));
-  return soup;
-}
-
-Process_result run_tool(std::vector<std::string> arguments, const Process_options& options = {})
-{
-  arguments.insert(arguments.begin(), TOOL);
-  return run_process(arguments, options);
-}
-
-bool is_one_line(const std::string& text)
-{
-  return text.size() > 1 && text.back() == '\n' && std::count(text.begin(), text.end(), '\n') == 1;
-}
-
-/// Exit code 1, one line on standard error that says `word` (and the file), nothing written.
-void check_refused(const Scratch& scratch, const std::string& input, const std::string& word,
-                   const std::vector<std::string>& options = {})
-{
-  const std::size_t files = scratch.number_of_files();
-  std::vector<std::string> arguments = {
-    "map", input, "-o", scratch / "refused.off", "--stretch-ply", scratch / "refused.ply"};
-  arguments.insert(arguments.end(), options.begin(), options.end());
-  const Process_result run = run_tool(arguments);
-  CAPTURE(input, word, run.exit_code, run.out, run.err);
-  CHECK(run.exit_code == 1);
-  CHECK(is_one_line(run.err));
-  CHECK(run.err.find(fs::path(input).filename().string()) != std::string::npos);
-  CHECK(run.err.find(word) != std::string::npos);
-  CHECK(scratch.number_of_files() == files);
-}
-
-} // namespace
 
 TEST_CASE("map: the sphere has the vertices and faces of the input, in their order", "[tool]")
 {
@@ -227,7 +126,7 @@ TEST_CASE("map: the report says what was done and how good the map is", "[tool]"
   const Soup soup = bumpy_sphere(3);
   const std::string input = write_off(scratch / "in.off", soup);
   REQUIRE(run_tool({"map", input, "-o", scratch / "out.off", "--report", scratch / "report.json", "--accuracy", "1e-9",
-                    "--weights", "barycentric"})
+                    "--weights", "barycentric", "--policy", "sequential"})
             .exit_code == 0);
   const auto report = nlohmann::json::parse(text_of(scratch / "report.json"));
   CHECK(report.at("input") == input);
@@ -236,7 +135,7 @@ TEST_CASE("map: the report says what was done and how good the map is", "[tool]"
   CHECK(report.at("weights") == "barycentric");
   CHECK(report.at("method") == "balanced");
   CHECK(report.at("policy") == "sequential");
-  CHECK(report.at("device").is_string());
+  CHECK(report.at("device") == "one core");
   CHECK(report.at("iterations") > 0);
   CHECK(report.at("residual") <= 1e-9);
   CHECK(report.at("residual") > 1e-14); // the accuracy asked for is not the default one
@@ -445,6 +344,8 @@ TEST_CASE("wrong usage exits with 2", "[tool]")
                                                    {"map", input, "-o", output, "--accuracy", "much"},
                                                    {"map", input, "-o", output, "--accuracy", "-1"},
                                                    {"map", input, "-o", output, "--policy", "abacus"},
+                                                   {"map", input, "-o", output, "--device", "0"},
+                                                   {"map", input, "-o", output, "--precision", "single"},
                                                    {"map", input, "-o", output, "--max-time", "0"},
                                                    {"map", input, "-o", scratch / "out.xyz"},
                                                    {"map", input, "-o", input},
@@ -468,7 +369,22 @@ TEST_CASE("help, version and devices exit with 0", "[tool]")
     CHECK_FALSE(run.out.empty());
     CHECK(run.err.empty());
   }
-  CHECK(run_tool({"devices"}).out.find("sequential") != std::string::npos);
+}
+
+TEST_CASE("devices: every policy, and the default", "[tool]")
+{
+  const std::string out = run_tool({"devices"}).out;
+  CAPTURE(out);
+#ifdef CGAL_LINKED_WITH_TBB
+  CHECK(out.find("sequential: one core\ntbb (default): ") == 0);
+#else
+  CHECK(out.find("sequential (default): one core\ntbb: not available") == 0);
+#endif
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
+  CHECK(out.find("\nopencl: ") != std::string::npos);
+#else
+  CHECK(out.find("\nopencl: not available") != std::string::npos);
+#endif
 }
 
 TEST_CASE("map: relative names are relative to the working directory", "[tool]")

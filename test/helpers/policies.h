@@ -8,6 +8,7 @@
 
 #include <iostream>
 #include <optional>
+#include <string>
 #include <tuple>
 #include <variant>
 
@@ -53,6 +54,14 @@ inline std::optional<CGAL::Spherical_parameterization::OpenCL_device> some_polic
   return {};
 }
 #endif
+
+/// What `Settings` start with: sequential unless the test program was started with `--policy`.
+const Policy& default_policy();
+const std::string& default_policy_name();
+
+/// By its name in the command-line tool. Says that all tests are skipped, and returns `false`, if the machine has
+/// nothing for it to run on. Throws `std::invalid_argument` if this build does not have it.
+bool set_default_policy(const std::string& name);
 
 } // namespace test
 

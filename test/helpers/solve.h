@@ -25,7 +25,7 @@ using Splitting = SP::Saddle_point::Splitting;
 
 /// The arguments and the named parameters of `parameterize()`, all of them.
 struct Settings {
-  Policy policy = CGAL::Sequential_tag();
+  Policy policy = default_policy();
   std::variant<SP::Balanced, SP::Saddle_point> method = SP::Balanced();
   Weights weights = Weights::CONFORMAL;
   /// weights that differ from those of `weights`, by the number of the edge

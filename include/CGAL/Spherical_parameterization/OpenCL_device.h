@@ -39,13 +39,9 @@ inline OpenCL_device opencl_device(std::size_t k,
                                    OpenCL_device::Precision precision = OpenCL_device::Precision::AUTOMATIC)
 {
   const std::vector<cl_device_id> ids = internal::opencl_device_ids();
-  if(ids.empty())
-    throw OpenCL_error("opencl_device", CL_DEVICE_NOT_FOUND,
-                       "no OpenCL device: install a driver (for the CPU, the Debian package pocl-opencl-icd)");
   if(k >= ids.size())
     throw OpenCL_error("opencl_device", CL_DEVICE_NOT_FOUND,
-                       "no OpenCL device " + std::to_string(k) + ": there are only " + std::to_string(ids.size()) +
-                         ", numbered from 0; see opencl_devices()");
+                       "no OpenCL device " + std::to_string(k) + " among " + std::to_string(ids.size()));
   cl_int code = CL_SUCCESS;
   const cl::Context context(clCreateContext(nullptr, 1, &ids[k], nullptr, nullptr, &code));
   internal::check_opencl(code, "clCreateContext");
@@ -54,26 +50,40 @@ inline OpenCL_device opencl_device(std::size_t k,
   return OpenCL_device(queue, precision);
 }
 
-/// The device that the environment variable `CGAL_SPHERICAL_PARAMETERIZATION_DEVICE` names: by its number, or by a part
-/// of its name, in which capitals do not matter. Where it is not set, the first GPU with double precision; without one,
-/// the first device.
-/// \throws OpenCL_error if there is no such device, or if it cannot do with the precision
-inline OpenCL_device opencl_device(OpenCL_device::Precision precision = OpenCL_device::Precision::AUTOMATIC)
+/// The device a user has asked for: `wanted` is its number, or a part of its name, in which capitals do not matter.
+/// Where it is empty, what the environment variable `CGAL_SPHERICAL_PARAMETERIZATION_DEVICE` says counts; where that is
+/// empty, too, the first GPU with double precision; without one, the first device.
+/// \return its number in opencl_devices()
+/// \throws OpenCL_error if there is no such device
+inline std::size_t find_opencl_device(std::string wanted = std::string())
 {
   const char* const variable = "CGAL_SPHERICAL_PARAMETERIZATION_DEVICE";
+  const char* const value = std::getenv(variable);
+  const bool is_from_variable = wanted.empty() && value;
+  if(is_from_variable)
+    wanted = value;
+  const std::string asked = is_from_variable ? std::string(", as ") + variable + " asks for" : "";
+  const auto fail = [](const std::string& explanation) {
+    throw OpenCL_error("find_opencl_device", CL_DEVICE_NOT_FOUND, explanation);
+  };
+
   const std::vector<OpenCL_device_info> devices = opencl_devices();
   const auto number_of = [&](auto is_wanted) {
     return static_cast<std::size_t>(std::find_if(devices.begin(), devices.end(), is_wanted) - devices.begin());
   };
-  const char* const value = std::getenv(variable);
-  const std::string wanted = value ? value : "";
-  if(devices.empty() || wanted.empty()) {
+  if(devices.empty())
+    fail("no OpenCL device: install a driver (for the CPU, the Debian package pocl-opencl-icd)");
+  if(wanted.empty()) {
     const std::size_t gpu = number_of([](const OpenCL_device_info& d) { return d.is_gpu && d.has_fp64; });
-    return opencl_device(gpu < devices.size() ? gpu : 0, precision);
+    return gpu < devices.size() ? gpu : 0;
   }
   constexpr std::size_t most_digits = 9; // no number of a device is longer
-  if(wanted.size() <= most_digits && wanted.find_first_not_of("0123456789") == std::string::npos)
-    return opencl_device(std::stoul(wanted), precision);
+  if(wanted.size() <= most_digits && wanted.find_first_not_of("0123456789") == std::string::npos) {
+    const std::size_t k = std::stoul(wanted);
+    if(k >= devices.size())
+      fail("no OpenCL device " + wanted + asked + ": the last one is " + std::to_string(devices.size() - 1));
+    return k;
+  }
   const auto lower = [](std::string text) {
     std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
     return text;
@@ -84,11 +94,16 @@ inline OpenCL_device opencl_device(OpenCL_device::Precision precision = OpenCL_d
     std::string names;
     for(const OpenCL_device_info& d : devices)
       names += (names.empty() ? "" : ", ") + d.name;
-    throw OpenCL_error("opencl_device", CL_DEVICE_NOT_FOUND,
-                       std::string("no OpenCL device is called '") + wanted + "', as " + variable +
-                         " asks for; there is " + names);
+    fail("no OpenCL device is called '" + wanted + "'" + asked + "; there is " + names);
   }
-  return opencl_device(named, precision);
+  return named;
+}
+
+/// The device that find_opencl_device() finds without being told more.
+/// \throws OpenCL_error if there is no such device, or if it cannot do with the precision
+inline OpenCL_device opencl_device(OpenCL_device::Precision precision = OpenCL_device::Precision::AUTOMATIC)
+{
+  return opencl_device(find_opencl_device(), precision);
 }
 
 } // namespace Spherical_parameterization

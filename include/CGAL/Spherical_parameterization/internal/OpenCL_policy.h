@@ -105,8 +105,7 @@ public:
     info_ = internal::opencl_device_info(device_);
     is_double_ = precision == Precision::DOUBLE || (precision == Precision::AUTOMATIC && info_.has_fp64);
     if(is_double_ && !info_.has_fp64)
-      throw OpenCL_error("OpenCL_device", CL_INVALID_DEVICE,
-                         info_.name + " has no double precision; Precision::SINGLE is what it can do");
+      throw OpenCL_error("OpenCL_device", CL_INVALID_DEVICE, info_.name + " has single precision only");
     if(of_queue(CL_QUEUE_PROPERTIES, cl_command_queue_properties()) & CL_QUEUE_OUT_OF_ORDER_EXEC_MODE_ENABLE)
       throw OpenCL_error("OpenCL_device", CL_INVALID_QUEUE_PROPERTIES, "the queue has to be in order");
   }

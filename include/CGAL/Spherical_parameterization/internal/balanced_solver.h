@@ -183,11 +183,15 @@ private:
     constexpr int maximum_halvings = 20;
     constexpr double sufficient = 1e-4;
     constexpr double longest_boost = 0.5;
-    const double energy = sums[0] / exponent_;
+    const bool is_balanced = gauge_ == Gauge::BALANCED;
+    const Eigen::Vector3d left =
+      is_balanced ? Eigen::Vector3d(boosts.solve(first_moment(moments)) / 2) : Eigen::Vector3d::Zero();
+    // A boost with centre c has the velocity -2 P c: this is what undoing the imbalance that is left may cost.
+    const double energy = sums[0] / exponent_ + (std::max)(0., -2 * left.dot(sums.tail<3>()));
     for(int h = 0; h < maximum_halvings; ++h, alpha /= 2) {
-      Eigen::Vector3d c = Eigen::Vector3d::Zero();
-      if(gauge_ == Gauge::BALANCED)
-        c = boosts.solve(first_moment(moments) - alpha * alpha / 2 * drift) / 2;
+      Eigen::Vector3d c = left;
+      if(is_balanced)
+        c -= boosts.solve(alpha * alpha / 4 * drift);
       if(c.norm() > longest_boost)
         c *= longest_boost / c.norm();
       const Moments next = backend_.retract(mass_, alpha, to_vec3(c), v, d, w);

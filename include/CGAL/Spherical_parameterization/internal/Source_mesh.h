@@ -55,21 +55,28 @@ public:
   Source_mesh(const TriangleMesh& mesh, VertexPointMap points, const Loop& loop = Loop())
   {
     const Vertex_numbering<TriangleMesh> numbering(mesh);
-    const std::vector<face_descriptor> descriptors(faces(mesh).begin(), faces(mesh).end());
-    if(!is_closed_manifold(mesh, numbering, descriptors, loop))
+    const std::vector<face_descriptor> face_descriptors(faces(mesh).begin(), faces(mesh).end());
+    const std::vector<vertex_descriptor> vertex_descriptors(vertices(mesh).begin(), vertices(mesh).end());
+    Neighbours neighbours;
+    if(!are_triangles(mesh, face_descriptors, loop) ||
+       !read_neighbours(mesh, numbering, vertex_descriptors, face_descriptors.size(), loop, neighbours))
       explain_what_is_wrong(mesh, numbering);
-    const std::vector<int> index = number_breadth_first(mesh, numbering);
+    const std::vector<int> index = number_breadth_first(neighbours);
+    check_topology(face_descriptors.size());
+    vertex.reserve(position.size());
+    for(int p : position)
+      vertex.push_back(vertex_descriptors[p]);
     read_points(points, loop);
-    face.resize(descriptors.size());
+    face.resize(face_descriptors.size());
     for_each_part(loop, static_cast<int>(face.size()), [&](int begin, int end) {
       for(int f = begin; f < end; ++f) {
-        const halfedge_descriptor h = halfedge(descriptors[f], mesh);
+        const halfedge_descriptor h = halfedge(face_descriptors[f], mesh);
         face[f] = {index[numbering(source(h, mesh))], index[numbering(target(h, mesh))],
                    index[numbering(target(next(h, mesh), mesh))]};
       }
     });
     measure_areas(loop);
-    read_graph(mesh, numbering, index, loop);
+    renumber(neighbours, index, loop);
   }
 
   /// Reads the weight of every edge once, and writes it into both rows. Throws Failure if it is not positive and
@@ -118,40 +125,53 @@ public:
   }
 
 private:
-  /// Whether all faces are triangles, and the walk round every vertex meets each of its faces, and no border.
+  /// The neighbours of every vertex in the order of vertices(mesh), in compressed rows.
+  struct Neighbours {
+    std::vector<int> offset, target;
+  };
+
   template <class Loop>
-  static bool is_closed_manifold(const TriangleMesh& mesh, const Vertex_numbering<TriangleMesh>& numbering,
-                                 const std::vector<face_descriptor>& descriptors, const Loop& loop)
+  static bool are_triangles(const TriangleMesh& mesh, const std::vector<face_descriptor>& descriptors, const Loop& loop)
   {
     constexpr std::size_t limit = static_cast<std::size_t>((std::numeric_limits<int>::max)());
-    if(descriptors.empty() || 3 * descriptors.size() > limit || numbering.size() > limit)
+    if(descriptors.empty() || 3 * descriptors.size() > limit)
       return false;
-    const int number_of_faces = static_cast<int>(descriptors.size());
-    const bool is_triangular = first_index(loop, number_of_faces, [&](int f) {
-                                 return !is_triangle(halfedge(descriptors[f], mesh), mesh);
-                               }) == number_of_faces;
-    if(!is_triangular)
+    const int n = static_cast<int>(descriptors.size());
+    return first_index(loop, n, [&](int f) { return !is_triangle(halfedge(descriptors[f], mesh), mesh); }) == n;
+  }
+
+  /// Walks round every vertex. Returns whether that meets each of its faces, and no border: whether the triangles form
+  /// a closed surface.
+  template <class Loop>
+  static bool read_neighbours(const TriangleMesh& mesh, const Vertex_numbering<TriangleMesh>& numbering,
+                              const std::vector<vertex_descriptor>& descriptors, std::size_t number_of_faces,
+                              const Loop& loop, Neighbours& neighbours)
+  {
+    // Faces tell how long the rows are, if all is well.
+    const int n = static_cast<int>(descriptors.size());
+    std::vector<int>& offset = neighbours.offset;
+    offset.assign(n + 1, 0);
+    for(halfedge_descriptor h : halfedges(mesh)) {
+      if(is_border(h, mesh))
+        return false;
+      ++offset[numbering(target(h, mesh)) + 1];
+    }
+    for(int i = 0; i < n; ++i)
+      offset[i + 1] += offset[i];
+    if(offset[n] != static_cast<int>(3 * number_of_faces))
       return false;
-    const std::vector<vertex_descriptor> all(vertices(mesh).begin(), vertices(mesh).end());
-    std::atomic<int> walked(0);
-    std::atomic<bool> is_bad(false);
-    for_each_part(loop, static_cast<int>(all.size()), [&](int begin, int end) {
-      int here = 0;
-      for(int i = begin; i < end && !is_bad; ++i) {
-        const halfedge_descriptor first = halfedge(all[i], mesh);
-        if(first == Graph_traits::null_halfedge()) {
-          is_bad = true;
-          return;
-        }
-        for(halfedge_descriptor h : halfedges_around_target(first, mesh)) {
-          if(is_border(h, mesh))
-            is_bad = true;
-          ++here;
-        }
-      }
-      walked += here;
-    });
-    return !is_bad && walked == 3 * number_of_faces;
+    neighbours.target.resize(offset[n]);
+    return first_index(loop, n, [&](int i) {
+             int at = offset[i];
+             if(at == offset[i + 1])
+               return true;
+             for(halfedge_descriptor h : halfedges_around_target(halfedge(descriptors[i], mesh), mesh)) {
+               if(at == offset[i + 1])
+                 return true;
+               neighbours.target[at++] = numbering(source(h, mesh));
+             }
+             return at != offset[i + 1];
+           }) == n;
   }
 
   /// Throws the Failure that says what and where; returns if there is nothing to say.
@@ -202,48 +222,43 @@ private:
     }
   }
 
-  /// Fills `vertex` and `position`; returns the new index by old position. Counts components and handles on the way.
-  std::vector<int> number_breadth_first(const TriangleMesh& mesh, const Vertex_numbering<TriangleMesh>& numbering)
+  /// Fills `position`; returns the new index by old position.
+  std::vector<int> number_breadth_first(const Neighbours& neighbours)
   {
-    const std::size_t n = numbering.size();
+    const int n = static_cast<int>(neighbours.offset.size()) - 1;
     std::vector<int> index(n, -1);
-    vertex.reserve(n);
     position.reserve(n);
-    const auto visit = [&](vertex_descriptor v) {
-      const int p = numbering(v);
+    const auto visit = [&](int p) {
       if(index[p] < 0) {
-        index[p] = static_cast<int>(vertex.size());
-        vertex.push_back(v);
+        index[p] = static_cast<int>(position.size());
         position.push_back(p);
       }
     };
     std::size_t components = 0;
-    for(vertex_descriptor seed : vertices(mesh)) {
-      if(index[numbering(seed)] >= 0)
+    for(int seed = 0; seed < n; ++seed) {
+      if(index[seed] >= 0)
         continue;
       ++components;
-      std::size_t head = vertex.size();
+      std::size_t head = position.size();
       visit(seed);
-      for(; head < vertex.size(); ++head) {
-        const vertex_descriptor v = vertex[head];
-        for(halfedge_descriptor h : halfedges_around_target(halfedge(v, mesh), mesh))
-          visit(source(h, mesh));
-      }
+      for(; head < position.size(); ++head)
+        for(int k = neighbours.offset[position[head]]; k < neighbours.offset[position[head] + 1]; ++k)
+          visit(neighbours.target[k]);
     }
     if(components > 1)
       throw Failure{Error_code::SEVERAL_COMPONENTS,
                     counted(components, "component", "components") + "; map them one by one"};
-    std::size_t face_count = 0;
-    for(auto f : faces(mesh)) {
-      (void)f;
-      ++face_count;
-    }
+    return index;
+  }
+
+  void check_topology(std::size_t number_of_faces) const
+  {
     // V - E + F = 2 - 2g, and 2E = 3F since all faces are triangles.
-    const long long characteristic = static_cast<long long>(n) - static_cast<long long>(face_count / 2);
+    const long long characteristic =
+      static_cast<long long>(position.size()) - static_cast<long long>(number_of_faces / 2);
     if(characteristic != 2)
       throw Failure{Error_code::WRONG_GENUS, "genus " + std::to_string((2 - characteristic) / 2) +
                                                "; only surfaces without handles map to the sphere"};
-    return index;
   }
 
   template <class VertexPointMap, class Loop>
@@ -289,25 +304,21 @@ private:
     largest_face = face[std::max_element(twice_area.begin(), twice_area.end()) - twice_area.begin()];
   }
 
-  /// Rows of ascending neighbours.
+  /// Fills the rows of `graph`, in ascending order.
   template <class Loop>
-  void read_graph(const TriangleMesh& mesh, const Vertex_numbering<TriangleMesh>& numbering,
-                  const std::vector<int>& index, const Loop& loop)
+  void renumber(const Neighbours& neighbours, const std::vector<int>& index, const Loop& loop)
   {
     const int n = static_cast<int>(vertex.size());
-    graph->offset.assign(n + 1, 0);
-    for(const std::array<int, 3>& f : face)
-      for(int i : f)
-        ++graph->offset[i + 1];
+    graph->offset.resize(n + 1);
     for(int i = 0; i < n; ++i)
-      graph->offset[i + 1] += graph->offset[i];
-    graph->target.resize(3 * face.size());
+      graph->offset[i + 1] = graph->offset[i] + neighbours.offset[position[i] + 1] - neighbours.offset[position[i]];
+    graph->target.resize(neighbours.target.size());
     for_each_part(loop, n, [&](int begin, int end) {
       for(int i = begin; i < end; ++i) {
         const auto row = graph->target.begin() + graph->offset[i];
-        auto last = row;
-        for(halfedge_descriptor h : halfedges_around_target(halfedge(vertex[i], mesh), mesh))
-          *last++ = index[numbering(source(h, mesh))];
+        const auto from = neighbours.target.begin() + neighbours.offset[position[i]];
+        const auto last = std::transform(from, neighbours.target.begin() + neighbours.offset[position[i] + 1], row,
+                                         [&](int p) { return index[p]; });
         std::sort(row, last);
       }
     });

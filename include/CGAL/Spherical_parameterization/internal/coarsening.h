@@ -34,7 +34,7 @@ struct Aggregates {
 template <class Loop>
 Aggregates aggregate(const Loop& loop, const Weighted_graph& a, double threshold)
 {
-  constexpr int block_size = 65536;
+  constexpr int block_size = 16384;
   constexpr int none = -1;
   constexpr int alone = -2;
   const int n = a.size();

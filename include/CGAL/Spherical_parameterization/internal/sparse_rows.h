@@ -71,7 +71,7 @@ template <class Loop, class AppendRows>
 Sparse_matrix build_rows(const Loop& loop, int n, AppendRows append_rows)
 {
   constexpr int parts_per_thread = 4;
-  constexpr int rows_per_part = 4096;
+  constexpr int rows_per_part = 256;
   const int threads = loop.concurrency();
   const int parts = threads == 1 ? 1 : (std::min)(parts_per_thread * threads, n / rows_per_part + 1);
   const auto begin = [&](int part) { return static_cast<int>(static_cast<long long>(n) * part / parts); };

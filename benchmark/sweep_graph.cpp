@@ -18,6 +18,7 @@ namespace benchmark {
 namespace {
 
 namespace internal = CGAL::Spherical_parameterization::internal;
+using internal::Host_array;
 using internal::vec3;
 
 /// The graph on a device, with the vectors that a sweep works on.
@@ -27,7 +28,7 @@ class Sweeper {
   typedef typename Device::Vectors Vectors;
 
 public:
-  Sweeper(const ExecutionPolicy& policy, const internal::Weighted_graph& graph, const std::vector<vec3>& start,
+  Sweeper(const ExecutionPolicy& policy, const internal::Weighted_graph& graph, const Host_array<vec3>& start,
           Sweep sweep, int size_of_copy)
     : device_(policy), sweep_(sweep), matrix_(device_.upload(std::make_shared<const internal::Weighted_graph>(graph))), v_(device_.upload(start)),
       u_(sweep == Sweep::COPY ? device_.vectors(size_of_copy) : device_.upload(start)),
@@ -121,7 +122,7 @@ double Sweep_graph::bytes(Sweep sweep) const
 double Sweep_graph::residual(const Mesh& mesh, Sphere_map sphere) const
 {
   const std::vector<Mesh::Vertex_index> vertices(mesh.vertices().begin(), mesh.vertices().end());
-  std::vector<vec3> v;
+  Host_array<vec3> v;
   for(int i : position_) {
     const Point_3& p = sphere[vertices[i]];
     v.push_back({p.x(), p.y(), p.z()});
@@ -133,7 +134,7 @@ double Sweep_graph::residual(const Mesh& mesh, Sphere_map sphere) const
 
 std::function<void(int)> Sweep_graph::sweeps(const Backend& backend, Sweep sweep) const
 {
-  std::vector<vec3> start;
+  Host_array<vec3> start;
   for(const vec3& p : points_) // the bounding box starts at the origin: nothing here is 0 but the origin itself
     start.push_back(internal::inner(p, p) > 0 ? internal::unit(p) : vec3{0, 0, 1});
   const int size_of_copy = static_cast<int>(bytes(Sweep::COPY) / (2 * sizeof(vec3)));

@@ -26,6 +26,9 @@ enum class Sweep {
 /// uses the library's internals.
 class Sweep_graph {
 public:
+  template <class T>
+  using Array = CGAL::Spherical_parameterization::internal::Host_array<T>;
+
   /// In the library's order. Throws std::runtime_error.
   Sweep_graph(const Mesh& mesh, Weights weights);
 
@@ -34,10 +37,10 @@ public:
 
   int size() const { return graph_.size(); }
   /// The vertices of the mesh, as numbers into mesh.vertices(), in the order of the graph.
-  const std::vector<int>& position() const { return position_; }
+  const Array<int>& position() const { return position_; }
   std::vector<int> neighbours(int vertex) const;
   std::vector<Point_3> points() const;
-  const std::vector<std::array<int, 3>>& faces() const { return faces_; }
+  const Array<std::array<int, 3>>& faces() const { return faces_; }
 
   /// The bytes that a sweep moves between memory and processor at least, every array read or written once.
   double bytes(Sweep sweep) const;
@@ -53,9 +56,9 @@ private:
   Sweep_graph() = default;
 
   CGAL::Spherical_parameterization::internal::Weighted_graph graph_;
-  std::vector<CGAL::Spherical_parameterization::internal::vec3> points_;
-  std::vector<std::array<int, 3>> faces_;
-  std::vector<int> position_;
+  Array<CGAL::Spherical_parameterization::internal::vec3> points_;
+  Array<std::array<int, 3>> faces_;
+  Array<int> position_;
 };
 
 /// Seconds for one sweep of each kind, measured in turn: medians of 11 batches of 10 ms or more.

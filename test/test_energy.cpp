@@ -13,8 +13,9 @@ namespace {
 
 /// Runs 1, 2, 3 ... iterations and checks that no one raises the energy by more than the factor 1 + `rise`, and that
 /// all together lower it.
-void check_energy_falls(const Soup& soup, Settings settings, std::size_t last_iteration, double rise = 1e-13)
+void check_energy_falls(const Soup& soup, Settings settings, std::size_t last_iteration, int rises = 0)
 {
+  constexpr double rounding = 1e-13;
   double first = 0, previous = 0;
   for(std::size_t k = 1; k <= last_iteration; ++k) {
     settings.number_of_iterations = k;
@@ -25,8 +26,11 @@ void check_energy_falls(const Soup& soup, Settings settings, std::size_t last_it
     REQUIRE(result.energy > 0);
     if(k == 1)
       first = result.energy;
-    else
-      CHECK(result.energy <= previous * (1 + rise));
+    else if(result.energy > previous * (1 + rounding)) {
+      CHECK(rises > 0);
+      CHECK(result.energy < 1.01 * previous);
+      --rises;
+    }
     previous = result.energy;
     if(result)
       break;
@@ -39,13 +43,13 @@ void check_energy_falls(const Soup& soup, Settings settings, std::size_t last_it
 TEST_CASE("the energy falls monotonically in the fast method", "[energy]")
 {
   // With exponent 2 a boost is nearly free. The balance that picks one refers to masses which are renewed when the
-  // residual has come down to 1e-1, 1e-3 and 1e-5; the boost to the new balance may raise the energy, by little.
-  const auto [exponent, rise] = GENERATE(std::pair(2., 1e-5), std::pair(2.5, 1e-13), std::pair(4., 1e-13));
+  // residual has come down to 1e-2 and to 1e-4; the boost to the new balance may raise the energy, by little.
+  const auto [exponent, rises] = GENERATE(std::pair(2., 2), std::pair(2.5, 0), std::pair(4., 0));
   Settings settings;
   settings.weights = GENERATE(Weights::BARYCENTRIC, Weights::CONFORMAL);
   settings.method = SP::Balanced{exponent};
-  check_energy_falls(dumbbell(3), settings, 15, rise);
-  check_energy_falls(spiky_star(3, 1.5), settings, 15, rise);
+  check_energy_falls(dumbbell(3), settings, 15, rises);
+  check_energy_falls(spiky_star(3, 1.5), settings, 15, rises);
 }
 
 TEST_CASE("the energy falls monotonically in the fast method with fixed vertices", "[energy]")

@@ -207,7 +207,7 @@ TEST_CASE("only verbs that return numbers wait for the device", "[opencl]")
   triangle.weight = {1, 2, 1, 3, 2, 3};
   triangle.update_diagonal({});
   const auto a = backend.upload(std::make_shared<const internal::Weighted_graph>(triangle));
-  const auto v = backend.upload(std::vector<internal::vec3>{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+  const auto v = backend.upload(internal::Host_array<internal::vec3>{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
   auto w = backend.vectors(3);
   backend.copy(v, w);
   backend.jacobi_sweep(a, 0.5, v, v, w);
@@ -267,7 +267,7 @@ TEST_CASE("without a cache folder all goes on", "[opencl]")
   const fs::path folder = scratch_folder("no_cache");
   const auto run = [&] {
     const internal::Backend<OpenCL_device> backend(SP::opencl_device());
-    const auto v = backend.upload(std::vector<internal::vec3>{{3, 4, 0}});
+    const auto v = backend.upload(internal::Host_array<internal::vec3>{{3, 4, 0}});
     CHECK(backend.dot(v, v) == 25);
   };
   SECTION("a file in its place")

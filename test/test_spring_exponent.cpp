@@ -40,7 +40,7 @@ TEST_CASE("a capsule that exponent 2 cannot map in doubles is valid with exponen
 {
   const Soup soup = capsule(12, 24);
   Settings settings = with_exponent(2.5);
-  settings.weights = GENERATE(Weights::BARYCENTRIC, Weights::CONFORMAL);
+  settings.weights = Weights::BARYCENTRIC;
   Sphere sphere;
   const Result result = solve(soup, sphere, settings);
   CAPTURE(result);

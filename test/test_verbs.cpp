@@ -18,7 +18,8 @@ using namespace CGAL::Spherical_parameterization::internal;
 
 namespace {
 
-typedef std::vector<vec3> Positions;
+typedef Host_array<vec3> Positions;
+typedef Host_array<double> Numbers;
 typedef Backend<CGAL::Sequential_tag> Reference;
 
 /// Numbers with all bits in use.
@@ -41,9 +42,9 @@ public:
       p = unit(p);
     return x;
   }
-  std::vector<double> positive(int n)
+  Numbers positive(int n)
   {
-    std::vector<double> x(n);
+    Numbers x(n);
     for(double& s : x)
       s = number(0.1, 2);
     return x;
@@ -117,7 +118,7 @@ public:
   /// Calls `verb(backend, matrix, mass, x...)` on both, `x` being the input on that backend; `verb` returns what is to
   /// be compared, as a tuple of vectors of positions and numbers.
   template <class Verb>
-  void operator()(const char* name, const Positions& x, const Positions& y, const std::vector<double>& mass, Verb verb)
+  void operator()(const char* name, const Positions& x, const Positions& y, const Numbers& mass, Verb verb)
   {
     INFO(name << ", " << x.size() << " vertices");
     const auto expected = reference_.call(verb, x, y, mass);
@@ -136,7 +137,7 @@ public:
 private:
   struct Outcome {
     std::vector<Positions> vectors;
-    std::vector<double> numbers;
+    Numbers numbers;
   };
 
 public:
@@ -171,7 +172,7 @@ private:
     typename B::Matrix matrix;
 
     template <class Verb>
-    Outcome call(Verb verb, const Positions& x, const Positions& y, const std::vector<double>& mass) const
+    Outcome call(Verb verb, const Positions& x, const Positions& y, const Numbers& mass) const
     {
       const int n = static_cast<int>(x.size());
       Bench<B> bench = {backend,
@@ -206,7 +207,7 @@ TEMPLATE_LIST_TEST_CASE("every verb does the same on every backend, bit by bit",
   Random random;
   const Weighted_graph graph = random_graph(n, has_excess, random);
   const Positions x = random.unit_vectors(n), y = random.vectors(n);
-  const std::vector<double> mass = random.positive(n);
+  const Numbers mass = random.positive(n);
   const double alpha = random.number(), beta = random.number();
   const vec3 mu = random.vector(), omega = random.vector();
   Comparison<TestType> compare(*policy, graph);
@@ -312,7 +313,7 @@ TEMPLATE_LIST_TEST_CASE("every verb does the same on every backend, bit by bit",
     t.wrote(t.y);
   });
   if(n < 100) {
-    const std::vector<double> dense = random.positive(n * n);
+    const Numbers dense = random.positive(n * n);
     check("multiply_dense", [&](auto& t) {
       t.backend.multiply_dense(t.backend.upload(dense), t.x, t.w);
       t.wrote(t.w);

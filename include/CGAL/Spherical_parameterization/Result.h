@@ -81,7 +81,7 @@ struct Result {
 
   /// \name Work
   /// @{
-  std::size_t start_iterations = 0; ///< conjugate gradient iterations of the start map
+  std::size_t start_iterations = 0; ///< of the start map, on all coarse levels together
   std::size_t iterations = 0;       ///< iterations of the method: descent steps, or saddle-point problems solved
   std::size_t sweeps = 0;           ///< Jacobi or Gauss-Seidel sweeps (saddle-point method; else 0)
   struct Seconds {

@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_PARAMETERIZE_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_PARAMETERIZE_H
 
+#include <CGAL/Spherical_parameterization/internal/Host_array.h>
 #include <CGAL/Spherical_parameterization/Result.h>
 #include <CGAL/Spherical_parameterization/edge_weights.h>
 #include <CGAL/Spherical_parameterization/execution.h>
@@ -60,8 +61,8 @@ namespace Spherical_parameterization {
 /// \return the verdict, the certificate, and what the work was; see `Result`
 /// \throws std::bad_alloc, `OpenCL_error`, and whatever the property maps and the callback throw
 ///
-/// Complexity: linear in memory, about 400 bytes per vertex; `Balanced` takes a few hundred applications of the
-/// Laplacian for any number of vertices.
+/// Complexity: linear in memory, about 600 bytes per vertex; `Balanced` takes as long as a few hundred applications
+/// of the Laplacian for any number of vertices.
 template <class ExecutionPolicy, class TriangleMesh, class Method, class VertexSphereMap,
           class NamedParameters = parameters::Default_named_parameters>
 Result parameterize(const ExecutionPolicy& policy, const TriangleMesh& mesh, const Method& method,
@@ -101,8 +102,8 @@ Result parameterize(const ExecutionPolicy& policy, const TriangleMesh& mesh, con
       choose_parameter(get_parameter(np, internal_np::vertex_is_constrained),
                        Static_boolean_property_map<typename Graph_traits::vertex_descriptor, false>());
     const std::vector<char> is_fixed = internal::fixed_vertices(source.vertex, is_constrained);
-    internal::Map_task task = {source.graph, source.face, source.point, source.area, source.largest_face, is_fixed, {},
-                               {},           {},          monitor,      result};
+    internal::Map_task task = {source.graph, source.face, source.point, source.area, is_fixed,
+                               {},           {},          {},           monitor,     result};
     if constexpr(!is_default_parameter<NamedParameters, internal_np::accuracy_t>::value)
       task.accuracy = get_parameter(np, internal_np::accuracy);
     if constexpr(!is_default_parameter<NamedParameters, internal_np::number_of_iterations_t>::value)
@@ -115,7 +116,7 @@ Result parameterize(const ExecutionPolicy& policy, const TriangleMesh& mesh, con
     const internal::Backend<ExecutionPolicy> backend(policy);
     result.device = backend.device_name();
     internal::Solver_report report;
-    std::vector<internal::vec3> v = internal::run(backend, method, task, report);
+    internal::Host_array<internal::vec3> v = internal::run(backend, method, task, report);
     if(backend.best_accuracy(task.size()) > 0) // low precision: back to the sphere, as far as doubles go
       for(internal::vec3& p : v)
         p = internal::unit(p);

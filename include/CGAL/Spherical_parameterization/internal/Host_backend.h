@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_HOST_BACKEND_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_HOST_BACKEND_H
 
+#include <CGAL/Spherical_parameterization/internal/Host_array.h>
 #include <CGAL/Spherical_parameterization/execution.h>
 #include <CGAL/Spherical_parameterization/internal/Weighted_graph.h>
 #include <CGAL/Spherical_parameterization/internal/host_loops.h>
@@ -38,12 +39,12 @@ class Host_backend {
 public:
   using Host_loop = Loop;
   template <class T>
-  using Array = std::vector<T>;
+  using Array = Host_array<T>;
   using Vectors = Array<vec3>;
   using Scalars = Array<double>;
   using Matrix = Shared_graph;
   using Transfer = Sparse_matrix;
-  using Colouring = std::vector<std::vector<int>>;
+  using Colouring = std::vector<Host_array<int>>;
 
   explicit Host_backend(Loop loop = Loop()) : loop_(std::move(loop)) {}
 
@@ -58,16 +59,17 @@ public:
 
   /// \name Memory
   /// @{
-  Vectors vectors(int n) const { return Vectors(n, vec3{0, 0, 0}); }
-  Scalars scalars(int n) const { return Scalars(n, 0); }
+  Vectors vectors(int n) const { return filled<vec3>(n, {0, 0, 0}); }
+  Scalars scalars(int n) const { return filled<double>(n, 0); }
   template <class T>
-  Array<T> upload(std::vector<T> host) const
+  Array<T> upload(Host_array<T> host) const
   {
     return host;
   }
   Matrix upload(Shared_graph host) const { return host; }
   Transfer upload(Sparse_matrix host) const { return host; }
   const Vectors& download(const Vectors& x) const { return x; }
+  Vectors download(Vectors&& x) const { return std::move(x); }
   Colouring colouring(Colouring colours) const { return colours; }
   /// @}
 
@@ -278,7 +280,7 @@ public:
   void gauss_seidel_sweep(const Matrix& a, const Colouring& colours, double omega, const Vectors& v, Vectors& u) const
   {
     const graph_view g = a->view();
-    for(const std::vector<int>& colour : colours)
+    for(const Host_array<int>& colour : colours)
       for_each(colour.size(), [&](int k) {
         const int i = colour[k];
         u[i] = saddle_point_relaxation(i, g, omega, v.data(), u.data());
@@ -319,6 +321,14 @@ private:
   static constexpr int block_size = 1024;
   static constexpr int lanes = 64;
 
+  template <class T>
+  Array<T> filled(int n, T value) const
+  {
+    Array<T> x(n);
+    for_each(n, [&](int i) { x[i] = value; });
+    return x;
+  }
+
   template <class F>
   void for_each(std::size_t n, F f) const
   {
@@ -352,8 +362,9 @@ private:
     for_each_block(size, [&](int block) {
       std::array<std::array<double, K>, lanes> lane{};
       const int end = (std::min)(size, (block + 1) * block_size);
-      for(int i = block * block_size; i < end; ++i)
-        f(i, lane[i % lanes]);
+      for(int i = block * block_size; i < end;)
+        for(int l = 0; l < lanes && i < end; ++l, ++i)
+          f(i, lane[l]);
       for(int half = lanes / 2; half > 0; half /= 2)
         for(int l = 0; l < half; ++l)
           for(int k = 0; k < K; ++k)

@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MAP_TASK_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MAP_TASK_H
 
+#include <CGAL/Spherical_parameterization/internal/Host_array.h>
 #include <CGAL/Spherical_parameterization/Result.h>
 #include <CGAL/Spherical_parameterization/internal/Monitor.h>
 #include <CGAL/Spherical_parameterization/internal/Weighted_graph.h>
@@ -24,12 +25,11 @@ namespace internal {
 /// A checked mesh as arrays, and what the caller asked for: from here on nothing depends on the type of the mesh.
 struct Map_task {
   std::shared_ptr<Weighted_graph> graph;
-  const std::vector<std::array<int, 3>>& faces;
-  const std::vector<vec3>& points;
-  const std::vector<double>& area; ///< source area of the vertices
-  const std::array<int, 3>& largest_face;
+  const Host_array<std::array<int, 3>>& faces;
+  const Host_array<vec3>& points;
+  const Host_array<double>& area;    ///< source area of the vertices
   const std::vector<char>& is_fixed; ///< empty: no fixed vertex
-  std::vector<vec3> given;           ///< positions the caller's map held on entry, where they are needed; else empty
+  Host_array<vec3> given;            ///< positions the caller's map held on entry, where they are needed; else empty
   std::optional<double> accuracy;
   std::optional<std::size_t> number_of_iterations;
   Monitor& monitor;
@@ -50,7 +50,7 @@ double accuracy_on(const Backend& backend, const Map_task& task, double by_defau
 constexpr double start_share = 0.4;
 
 /// Normal of a face, as long as twice its area.
-inline vec3 normal(const std::vector<vec3>& points, const std::array<int, 3>& f)
+inline vec3 normal(const Host_array<vec3>& points, const std::array<int, 3>& f)
 {
   return outer(sub(points[f[1]], points[f[0]]), sub(points[f[2]], points[f[0]]));
 }

@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MULTIGRID_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MULTIGRID_H
 
+#include <CGAL/Spherical_parameterization/internal/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/coarsening.h>
 
 #include <Eigen/Dense>
@@ -39,13 +40,14 @@ public:
     const auto& loop = backend.host_loop();
     Shared_graph a = std::move(fine);
     while(a->size() > bottom_size) {
-      const double radius = spectral_radius(*a);
+      const double radius = spectral_radius(loop, *a);
       Aggregates aggregates = aggregate(loop, *a, strength_threshold);
       if(aggregates.count > slow_coarsening * a->size())
         aggregates = aggregate(loop, *a, 0);
       Sparse_matrix p = smoothed_prolongation(loop, *a, aggregates, prolongation_damping / radius);
       Sparse_matrix r = transposed(loop, p, aggregates.count);
-      Shared_graph coarse = std::make_shared<Weighted_graph>(galerkin_product(loop, *a, p, r, is_singular));
+      const auto coarse = std::make_shared<Weighted_graph>(galerkin_product(loop, *a, p, r, is_singular));
+      drop_weak_edges(loop, weakest_edge, *coarse);
 
       Level level;
       level.matrix = backend.upload(a);
@@ -57,9 +59,10 @@ public:
       level.coarse_b = backend.vectors(coarse->size());
       level.coarse_x = backend.vectors(coarse->size());
       levels_.push_back(std::move(level));
-      a = std::move(coarse);
+      a = coarse;
     }
     bottom_size_ = a->size();
+    bottom_scratch_ = backend.vectors(bottom_size_);
     bottom_inverse_ = backend.upload(inverse(*a, is_singular));
     bottom_matrix_ = backend.upload(a);
   }
@@ -74,7 +77,9 @@ public:
   /// from level k+1 to level k
   const typename Backend::Transfer& prolongation(std::size_t k) const { return levels_[k].prolongation; }
   /// the vertex of level k+1 into which each vertex of level k went; -1 for fixed ones
-  const std::vector<int>& aggregate_of(std::size_t k) const { return levels_[k].aggregate; }
+  const Host_array<int>& aggregate_of(std::size_t k) const { return levels_[k].aggregate; }
+  /// for the caller's use on level k, too; apply() overwrites it
+  Vectors& scratch(std::size_t k) { return k < levels_.size() ? levels_[k].scratch : bottom_scratch_; }
 
   /// x = M^-1 b on level k
   void apply(std::size_t k, const Vectors& b, Vectors& x)
@@ -99,14 +104,15 @@ public:
 
 private:
   static constexpr int bottom_size = 100;
-  static constexpr double strength_threshold = 0.05;
+  static constexpr double strength_threshold = 0.07;
+  static constexpr double weakest_edge = 0.01;
   static constexpr double slow_coarsening = 0.4;
-  static constexpr double prolongation_damping = 4. / 3;
+  static constexpr double prolongation_damping = 1.6;
 
   struct Level {
     Matrix matrix;
     typename Backend::Transfer prolongation, restriction;
-    std::vector<int> aggregate;
+    Host_array<int> aggregate;
     std::array<double, 2> gains;
     Vectors scratch, coarse_b, coarse_x;
   };
@@ -125,7 +131,7 @@ private:
 
   /// Dense inverse. Of a singular matrix, whose kernel are the constants, that of A plus a multiple of 1 1^T: on
   /// right-hand sides that sum to zero it makes no difference which.
-  static std::vector<double> inverse(const Weighted_graph& a, bool is_singular)
+  static Host_array<double> inverse(const Weighted_graph& a, bool is_singular)
   {
     const int n = a.size();
     if(n == 0)
@@ -149,7 +155,7 @@ private:
     for(int i = 0; i < n; ++i)
       if(a.inverse_diagonal[i] == 0)
         m(i, i) = 0;
-    std::vector<double> rows(std::size_t(n) * n);
+    Host_array<double> rows(std::size_t(n) * n);
     for(int i = 0; i < n; ++i)
       for(int j = 0; j < n; ++j)
         rows[std::size_t(i) * n + j] = (m(i, j) + m(j, i)) / 2;
@@ -160,6 +166,7 @@ private:
   std::vector<Level> levels_;
   typename Backend::Scalars bottom_inverse_;
   Matrix bottom_matrix_;
+  Vectors bottom_scratch_;
   int bottom_size_;
 };
 

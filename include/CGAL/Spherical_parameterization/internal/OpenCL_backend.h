@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_OPENCL_BACKEND_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_OPENCL_BACKEND_H
 
+#include <CGAL/Spherical_parameterization/internal/Host_array.h>
 #include <CGAL/Spherical_parameterization/execution.h>
 #include <CGAL/Spherical_parameterization/internal/Host_backend.h>
 #include <CGAL/Spherical_parameterization/internal/OpenCL_runtime.h>
@@ -59,7 +60,7 @@ public:
   Vectors vectors(int n) const { return device_.zeros<vec3>(n); }
   Scalars scalars(int n) const { return device_.zeros<double>(n); }
   template <class T>
-  Array<T> upload(const std::vector<T>& host) const
+  Array<T> upload(const Host_array<T>& host) const
   {
     return device_.upload(host);
   }
@@ -72,11 +73,11 @@ public:
   {
     return {upload(host.offset), upload(host.column), upload(host.value)};
   }
-  std::vector<vec3> download(const Vectors& x) const { return device_.download(x); }
-  Colouring colouring(const std::vector<std::vector<int>>& colours) const
+  Host_array<vec3> download(const Vectors& x) const { return device_.download(x); }
+  Colouring colouring(const std::vector<Host_array<int>>& colours) const
   {
     Colouring result;
-    for(const std::vector<int>& colour : colours)
+    for(const Host_array<int>& colour : colours)
       result.push_back(upload(colour));
     return result;
   }

@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_OPENCL_RUNTIME_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_OPENCL_RUNTIME_H
 
+#include <CGAL/Spherical_parameterization/internal/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/OpenCL_policy.h>
 #include <CGAL/Spherical_parameterization/internal/vertex_formulas.h>
 
@@ -70,7 +71,7 @@ public:
   }
 
   template <class T>
-  OpenCL_array<T> upload(const std::vector<T>& host) const
+  OpenCL_array<T> upload(const Host_array<T>& host) const
   {
     if(host.empty())
       return {};
@@ -82,9 +83,9 @@ public:
     return {host.size(), allocate(CL_MEM_COPY_HOST_PTR, rounded.size() * sizeof(float), rounded.data())};
   }
 
-  std::vector<vec3> download(const OpenCL_array<vec3>& x) const
+  Host_array<vec3> download(const OpenCL_array<vec3>& x) const
   {
-    std::vector<vec3> host(x.size());
+    Host_array<vec3> host(x.size());
     if(!host.empty())
       read(x.memory(), 3 * host.size(), &host.front().x);
     return host;

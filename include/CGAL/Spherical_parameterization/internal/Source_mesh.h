@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SOURCE_MESH_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SOURCE_MESH_H
 
+#include <CGAL/Spherical_parameterization/internal/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/Failure.h>
 #include <CGAL/Spherical_parameterization/internal/Vertex_numbering.h>
 #include <CGAL/Spherical_parameterization/internal/Weighted_graph.h>
@@ -42,11 +43,10 @@ class Source_mesh {
 
 public:
   std::vector<vertex_descriptor> vertex; ///< descriptor of vertex i, in breadth-first order
-  std::vector<int> position;             ///< position of vertex i in vertices(mesh), for messages
-  std::vector<vec3> point;
-  std::vector<std::array<int, 3>> face; ///< in the order of faces(mesh)
-  std::vector<double> area;             ///< every vertex's third of the areas of its faces
-  std::array<int, 3> largest_face;      ///< by area
+  Host_array<int> position;              ///< position of vertex i in vertices(mesh), for messages
+  Host_array<vec3> point;
+  Host_array<std::array<int, 3>> face; ///< in the order of faces(mesh)
+  Host_array<double> area;             ///< every vertex's third of the areas of its faces
   std::shared_ptr<Weighted_graph> graph =
     std::make_shared<Weighted_graph>(); ///< neighbours in ascending order; weights are left to set_weights()
 
@@ -61,7 +61,7 @@ public:
     if(!are_triangles(mesh, face_descriptors, loop) ||
        !read_neighbours(mesh, numbering, vertex_descriptors, face_descriptors.size(), loop, neighbours))
       explain_what_is_wrong(mesh, numbering);
-    const std::vector<int> index = number_breadth_first(neighbours);
+    const Host_array<int> index = number_breadth_first(neighbours);
     check_topology(face_descriptors.size());
     vertex.reserve(position.size());
     for(int p : position)
@@ -85,9 +85,9 @@ public:
   void set_weights(const TriangleMesh& mesh, EdgeWeightMap weights, const Loop& loop = Loop())
   {
     const int n = static_cast<int>(vertex.size());
-    graph->weight.assign(graph->target.size(), 0);
+    graph->weight.resize(graph->target.size());
     const Vertex_numbering<TriangleMesh> numbering(mesh);
-    std::vector<int> index(n);
+    Host_array<int> index(n);
     for(int i = 0; i < n; ++i)
       index[position[i]] = i;
     const auto place = [&](int i, int j) { // of the weight of the edge ij in row i; of the first one, if there are two
@@ -98,7 +98,8 @@ public:
     // Every vertex reads the edges to the smaller ones, then those copy them.
     std::atomic<bool> are_good(true);
     for_each_part(loop, n, [&](int begin, int end) {
-      for(int i = begin; i < end; ++i)
+      for(int i = begin; i < end; ++i) {
+        std::fill(graph->weight.begin() + graph->offset[i], graph->weight.begin() + graph->offset[i + 1], 0);
         for(halfedge_descriptor h : halfedges_around_target(halfedge(vertex[i], mesh), mesh)) {
           const int j = index[numbering(source(h, mesh))];
           if(j > i)
@@ -111,6 +112,7 @@ public:
           if(!is_good_weight(w))
             are_good = false;
         }
+      }
     });
     if(!are_good)
       explain_bad_weight(mesh, numbering, index, weights);
@@ -127,7 +129,7 @@ public:
 private:
   /// The neighbours of every vertex in the order of vertices(mesh), in compressed rows.
   struct Neighbours {
-    std::vector<int> offset, target;
+    Host_array<int> offset, target;
   };
 
   template <class Loop>
@@ -149,7 +151,7 @@ private:
   {
     // Faces tell how long the rows are, if all is well.
     const int n = static_cast<int>(descriptors.size());
-    std::vector<int>& offset = neighbours.offset;
+    Host_array<int>& offset = neighbours.offset;
     offset.assign(n + 1, 0);
     for(halfedge_descriptor h : halfedges(mesh)) {
       if(is_border(h, mesh))
@@ -192,7 +194,7 @@ private:
       throw Failure{Error_code::TOO_LARGE, std::to_string(face_count) + " faces; at most 715,827,882 are supported"};
 
     // Incident faces of each vertex as the faces tell it, to be compared with the walk round the vertex.
-    std::vector<int> incident(numbering.size(), 0);
+    Host_array<int> incident(numbering.size(), 0);
     std::size_t border = 0;
     for(halfedge_descriptor h : halfedges(mesh)) {
       if(is_border(h, mesh))
@@ -223,10 +225,10 @@ private:
   }
 
   /// Fills `position`; returns the new index by old position.
-  std::vector<int> number_breadth_first(const Neighbours& neighbours)
+  Host_array<int> number_breadth_first(const Neighbours& neighbours)
   {
     const int n = static_cast<int>(neighbours.offset.size()) - 1;
-    std::vector<int> index(n, -1);
+    Host_array<int> index(n, -1);
     position.reserve(n);
     const auto visit = [&](int p) {
       if(index[p] < 0) {
@@ -289,7 +291,7 @@ private:
   template <class Loop>
   void measure_areas(const Loop& loop)
   {
-    std::vector<double> twice_area(face.size());
+    Host_array<double> twice_area(face.size());
     for_each_part(loop, static_cast<int>(face.size()), [&](int begin, int end) {
       for(int f = begin; f < end; ++f) {
         const auto [a, b, c] = face[f];
@@ -301,12 +303,11 @@ private:
     for(std::size_t f = 0; f < face.size(); ++f)
       for(int i : face[f])
         area[i] += twice_area[f] / 6;
-    largest_face = face[std::max_element(twice_area.begin(), twice_area.end()) - twice_area.begin()];
   }
 
   /// Fills the rows of `graph`, in ascending order.
   template <class Loop>
-  void renumber(const Neighbours& neighbours, const std::vector<int>& index, const Loop& loop)
+  void renumber(const Neighbours& neighbours, const Host_array<int>& index, const Loop& loop)
   {
     const int n = static_cast<int>(vertex.size());
     graph->offset.resize(n + 1);
@@ -329,7 +330,7 @@ private:
   /// Throws the Failure for the first edge whose weight is not good.
   template <class EdgeWeightMap>
   void explain_bad_weight(const TriangleMesh& mesh, const Vertex_numbering<TriangleMesh>& numbering,
-                          const std::vector<int>& index, EdgeWeightMap weights) const
+                          const Host_array<int>& index, EdgeWeightMap weights) const
   {
     for(int i = 0; i < static_cast<int>(vertex.size()); ++i)
       for(halfedge_descriptor h : halfedges_around_target(halfedge(vertex[i], mesh), mesh)) {

@@ -4,6 +4,8 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_WEIGHTED_GRAPH_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_WEIGHTED_GRAPH_H
 
+#include <CGAL/Spherical_parameterization/internal/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/vertex_formulas.h>
 
 #include <memory>
@@ -16,11 +18,11 @@ namespace internal {
 /// A symmetric weighted graph in compressed rows, on the host. Seen as a matrix it is the Laplacian L = D - W plus the
 /// diagonal `excess`. Rows of fixed vertices are present but inert: their inverse diagonal is 0.
 struct Weighted_graph {
-  std::vector<int> offset = {0};
-  std::vector<int> target;
-  std::vector<double> weight;
-  std::vector<double> excess; ///< empty: zero
-  std::vector<double> inverse_diagonal;
+  Host_array<int> offset = {0};
+  Host_array<int> target;
+  Host_array<double> weight;
+  Host_array<double> excess; ///< empty: zero
+  Host_array<double> inverse_diagonal;
 
   int size() const { return static_cast<int>(offset.size()) - 1; }
 
@@ -31,15 +33,18 @@ struct Weighted_graph {
   }
 
   /// Recomputes the inverse diagonal from weights and excess; `is_fixed` is empty or has one entry per vertex.
-  void update_diagonal(const std::vector<char>& is_fixed)
+  template <class Loop = Sequential_loop>
+  void update_diagonal(const std::vector<char>& is_fixed, const Loop& loop = Loop())
   {
     inverse_diagonal.resize(size());
-    for(int i = 0; i < size(); ++i) {
-      double sum = excess.empty() ? 0 : excess[i];
-      for(int k = offset[i]; k < offset[i + 1]; ++k)
-        sum += weight[k];
-      inverse_diagonal[i] = (!is_fixed.empty() && is_fixed[i]) || !(sum > 0) ? 0 : 1 / sum;
-    }
+    for_each_part(loop, size(), [&](int begin, int end) {
+      for(int i = begin; i < end; ++i) {
+        double sum = excess.empty() ? 0 : excess[i];
+        for(int k = offset[i]; k < offset[i + 1]; ++k)
+          sum += weight[k];
+        inverse_diagonal[i] = (!is_fixed.empty() && is_fixed[i]) || !(sum > 0) ? 0 : 1 / sum;
+      }
+    });
   }
 };
 
@@ -48,9 +53,9 @@ typedef std::shared_ptr<const Weighted_graph> Shared_graph;
 
 /// A sparse rectangular matrix in compressed rows, on the host.
 struct Sparse_matrix {
-  std::vector<int> offset = {0};
-  std::vector<int> column;
-  std::vector<double> value;
+  Host_array<int> offset = {0};
+  Host_array<int> column;
+  Host_array<double> value;
 
   int rows() const { return static_cast<int>(offset.size()) - 1; }
   sparse_view view() const { return {offset.data(), column.data(), value.data()}; }

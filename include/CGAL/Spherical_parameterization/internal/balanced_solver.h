@@ -66,14 +66,14 @@ public:
   Solver_report solve(const Descent_options& options, Monitor& monitor, Vectors& v) const
   {
     return solve(
-      options, monitor, {}, [](Vectors&, Vectors&) {}, v);
+      options, monitor, {}, [](Vectors&) {}, v);
   }
 
-  /// The same, calling `refer(v, scratch)` whenever the residual has passed the next of `references`, a falling
-  /// sequence. It may move v a little along a Moebius transformation, and change the masses.
+  /// The same, calling `refer(v)` when the residual has fallen to the next of `references`, which fall, too. It may
+  /// move v a little along a Moebius transformation, and change the masses.
   template <class Refer>
-  Solver_report solve(const Descent_options& options, Monitor& monitor, std::vector<double> references, Refer refer,
-                      Vectors& v) const
+  Solver_report solve(const Descent_options& options, Monitor& monitor, const std::vector<double>& references,
+                      Refer refer, Vectors& v) const
   {
     constexpr double longest_step = 0.25; // root mean square over the sphere of the angles by which vertices move
     constexpr double progress = 0.8;      // at the limit of rounding the residual falls no more
@@ -81,7 +81,7 @@ public:
     constexpr int balance_steps = 10;
     const int n = multigrid_.size(level_);
     Vectors g = backend_.vectors(n), old_g = backend_.vectors(n), s = backend_.vectors(n), d = backend_.vectors(n);
-    Vectors w = backend_.vectors(n);
+    Vectors& w = multigrid_.scratch(level_);
     Scalars density = backend_.scalars(n);
     Solver_report report;
 
@@ -110,11 +110,10 @@ public:
     for(;; ++report.iterations) {
       balance_forces();
       if(reference != references.end() && report.residual <= *reference) {
-        refer(v, w);
+        ++reference;
+        refer(v);
         begin();
         balance_forces();
-        while(reference != references.end() && report.residual <= *reference)
-          ++reference;
       }
       if(report.iterations == 0)
         first = best = report.residual;

@@ -9,10 +9,13 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSENING_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSENING_H
 
+#include <CGAL/Spherical_parameterization/internal/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/Weighted_graph.h>
+#include <CGAL/Spherical_parameterization/internal/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/sparse_rows.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -23,7 +26,7 @@ namespace Spherical_parameterization {
 namespace internal {
 
 struct Aggregates {
-  std::vector<int> of_vertex; ///< -1 for fixed vertices
+  Host_array<int> of_vertex; ///< -1 for fixed vertices
   int count = 0;
 };
 
@@ -39,13 +42,13 @@ Aggregates aggregate(const Loop& loop, const Weighted_graph& a, double threshold
   constexpr int alone = -2;
   const int n = a.size();
   const int blocks = (n + block_size - 1) / block_size;
-  const std::vector<double>& inverse = a.inverse_diagonal;
+  const Host_array<double>& inverse = a.inverse_diagonal;
   const auto is_strong = [&](int i, int k) {
     const double w = a.weight[k];
     return w > 0 && w * w * inverse[i] * inverse[a.target[k]] > threshold * threshold;
   };
   Aggregates result;
-  std::vector<int>& of = result.of_vertex;
+  Host_array<int>& of = result.of_vertex;
   of.resize(n);
   // Runs f(begin, end, number of the next aggregate, by reference) on every block, and makes the numbers consecutive.
   const auto number_blocks = [&](auto f) {
@@ -75,7 +78,7 @@ Aggregates aggregate(const Loop& loop, const Weighted_graph& a, double threshold
       ++count;
     }
   });
-  std::vector<int> roots(n);
+  Host_array<int> roots(n);
   loop.for_each(blocks, [&](int b) {
     for(int i = b * block_size; i < (std::min)(n, (b + 1) * block_size); ++i)
       roots[i] = of[i] >= 0 ? of[i] + first[b] : of[i];
@@ -110,7 +113,7 @@ template <class Loop>
 Sparse_matrix smoothed_prolongation(const Loop& loop, const Weighted_graph& a, const Aggregates& aggregates,
                                     double omega)
 {
-  const std::vector<int>& of = aggregates.of_vertex;
+  const Host_array<int>& of = aggregates.of_vertex;
   return build_rows(loop, a.size(), [&](int begin, int end, Sparse_matrix& p) {
     constexpr double usual_row_length = 3.2;
     p.offset.reserve(end - begin + 1);
@@ -171,21 +174,14 @@ Weighted_graph galerkin_product(const Loop& loop, const Weighted_graph& a, const
       for(int k = r.offset[i]; k < r.offset[i + 1]; ++k) {
         const int f = r.column[k];
         const double share = r.value[k];
-        double diagonal = a.excess.empty() ? 0 : a.excess[f];
-        const int row_end = a.offset[f + 1];
-        for(int q = a.offset[f]; q < row_end; ++q) {
-          const double w = a.weight[q];
-          diagonal += w;
-          ra.add(a.target[q], -share * w);
-        }
-        ra.add(f, share * diagonal);
+        const int row = a.offset[f];
+        const double diagonal = 1 / a.inverse_diagonal[f]; // vertices without one are in no aggregate
+        ra.add(a.target.data() + row, a.weight.data() + row, a.offset[f + 1] - row, -share);
+        ra.add(&f, &diagonal, 1, share);
       }
       for(int k = 0; k < ra.size(); ++k) {
-        const int f = ra.column(k);
-        const double value = ra.value(k);
-        const int row_end = p.offset[f + 1];
-        for(int q = p.offset[f]; q < row_end; ++q)
-          rap.add(p.column[q], value * p.value[q]);
+        const int row = p.offset[ra.column(k)];
+        rap.add(p.column.data() + row, p.value.data() + row, p.offset[ra.column(k) + 1] - row, ra.value(k));
       }
       double diagonal = 0;
       double off_diagonal = 0;
@@ -214,26 +210,60 @@ Weighted_graph galerkin_product(const Loop& loop, const Weighted_graph& a, const
   return c;
 }
 
+/// Drops the edges of a coarse graph with |w_ij| < threshold min(a_ii, a_jj), which matter to neither end, and of which
+/// Galerkin products have many. The row sums stay, and with them the kernel.
+template <class Loop>
+void drop_weak_edges(const Loop& loop, double threshold, Weighted_graph& a)
+{
+  Host_array<double> inverse(a.size());
+  Sparse_matrix rows = build_rows(loop, a.size(), [&](int begin, int end, Sparse_matrix& out) {
+    for(int i = begin; i < end; ++i) {
+      double diagonal = a.excess.empty() ? 0 : a.excess[i];
+      for(int k = a.offset[i]; k < a.offset[i + 1]; ++k) {
+        const double w = a.weight[k];
+        if(std::abs(w) * (std::max)(a.inverse_diagonal[i], a.inverse_diagonal[a.target[k]]) < threshold)
+          continue;
+        diagonal += w;
+        out.column.push_back(a.target[k]);
+        out.value.push_back(w);
+      }
+      out.offset.push_back(static_cast<int>(out.column.size()));
+      inverse[i] = diagonal > 0 ? 1 / diagonal : 0;
+    }
+  });
+  a.offset = std::move(rows.offset);
+  a.target = std::move(rows.column);
+  a.weight = std::move(rows.value);
+  a.inverse_diagonal = std::move(inverse);
+}
+
 /// Estimate from above of the largest eigenvalue of D^-1 A: power iteration from a fixed start, at most Gershgorin's
 /// bound. Where that is 2 (no negative weights), the eigenvalue is known well enough beforehand to look at a principal
 /// submatrix only: the eigenvectors in question are local.
-inline double spectral_radius(const Weighted_graph& a)
+template <class Loop>
+double spectral_radius(const Loop& loop, const Weighted_graph& a)
 {
   constexpr int iterations = 6;
   constexpr double safety = 1.15;
   constexpr int sample_size = 50000;
-  const std::vector<double>& inverse = a.inverse_diagonal;
-  double bound = 0;
-  for(int i = 0; i < a.size(); ++i) {
-    double sum = 0;
-    for(int k = a.offset[i]; k < a.offset[i + 1]; ++k)
-      sum += std::abs(a.weight[k]);
-    if(inverse[i] > 0)
-      bound = (std::max)(bound, 1 + sum * inverse[i]);
-  }
+  const Host_array<double>& inverse = a.inverse_diagonal;
+  std::atomic<double> bound(0);
+  for_each_part(loop, a.size(), [&](int begin, int end) {
+    double here = 0;
+    for(int i = begin; i < end; ++i) {
+      double sum = 0;
+      for(int k = a.offset[i]; k < a.offset[i + 1]; ++k)
+        sum += std::abs(a.weight[k]);
+      if(inverse[i] > 0)
+        here = (std::max)(here, 1 + sum * inverse[i]);
+    }
+    double known = bound;
+    while(here > known && !bound.compare_exchange_weak(known, here))
+      ;
+  });
   const bool is_positive = bound < 2 + 1e-12;
   const int n = is_positive ? (std::min)(a.size(), sample_size) : a.size();
-  std::vector<double> x(n), y(n);
+  Host_array<double> x(n), y(n);
   unsigned state = 1;
   for(double& e : x) {
     state = state * 1664525u + 1013904223u; // Numerical Recipes' generator: any fixed noise will do
@@ -258,7 +288,7 @@ inline double spectral_radius(const Weighted_graph& a)
       x[i] = s * y[i];
   }
   constexpr double least = 1.7; // from here on two Chebyshev steps do no harm to eigenvalues up to 2
-  return (std::min)(bound, (std::max)(is_positive ? least : 0, safety * radius));
+  return (std::min)(bound.load(), (std::max)(is_positive ? least : 0, safety * radius));
 }
 
 } // namespace internal

@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_FIXED_VERTICES_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_FIXED_VERTICES_H
 
+#include <CGAL/Spherical_parameterization/internal/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/Failure.h>
 #include <CGAL/Spherical_parameterization/internal/point_coordinates.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_triangles.h>
@@ -41,13 +42,13 @@ std::vector<char> fixed_vertices(const std::vector<Vertex>& vertices, Constraine
 /// The directions that the sphere map holds at the fixed vertices, or at all of them; others are left zero. Vectors of
 /// length 1 up to rounding are kept to the last bit. Throws Failure.
 template <class Vertex, class VertexSphereMap>
-std::vector<vec3> given_positions(const std::vector<Vertex>& vertices, const std::vector<int>& position,
-                                  VertexSphereMap sphere_map, const std::vector<char>& is_fixed, bool all)
+Host_array<vec3> given_positions(const std::vector<Vertex>& vertices, const Host_array<int>& position,
+                                 VertexSphereMap sphere_map, const std::vector<char>& is_fixed, bool all)
 {
   typedef typename boost::property_traits<VertexSphereMap>::category Category;
   if constexpr(std::is_convertible_v<Category, boost::readable_property_map_tag>) {
     constexpr double rounding = 1e-15; // of the squared length of a normalised vector
-    std::vector<vec3> given(vertices.size(), vec3{0, 0, 0});
+    Host_array<vec3> given(vertices.size(), vec3{0, 0, 0});
     std::vector<std::tuple<double, double, double, int>> fixed;
     for(std::size_t i = 0; i < vertices.size(); ++i) {
       const bool is_fixed_vertex = !is_fixed.empty() && is_fixed[i];

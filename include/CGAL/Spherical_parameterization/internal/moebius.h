@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MOEBIUS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MOEBIUS_H
 
+#include <CGAL/Spherical_parameterization/internal/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/Host_backend.h>
 
 #include <Eigen/Dense>
@@ -77,7 +78,7 @@ void centre(const Backend& backend, const typename Backend::Scalars& area, int m
 /// of boosts, each followed by a rotation.
 class Moebius_alignment {
 public:
-  Moebius_alignment(std::vector<vec3> from, const std::vector<vec3>& to)
+  Moebius_alignment(Host_array<vec3> from, const Host_array<vec3>& to)
   {
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
     for(std::size_t k = 0; k < from.size(); ++k)
@@ -95,7 +96,7 @@ public:
         Step candidate = {t * step.tail<3>(), rotation(t * step.head<3>())};
         if(candidate.centre.norm() >= 0.9)
           continue;
-        std::vector<vec3> moved = from;
+        Host_array<vec3> moved = from;
         for(vec3& p : moved)
           p = transformed(candidate, p);
         const double next = distance2(moved, to);
@@ -129,7 +130,7 @@ private:
     return unit(to_vec3(s.rotation * to_eigen(boost(p, to_vec3(s.centre)))));
   }
 
-  void apply(const Step& s, std::vector<vec3>& points)
+  void apply(const Step& s, Host_array<vec3>& points)
   {
     steps_.push_back(s);
     for(vec3& p : points)
@@ -142,7 +143,7 @@ private:
     return angle > 0 ? Eigen::AngleAxisd(angle, r / angle).toRotationMatrix() : Eigen::Matrix3d::Identity();
   }
 
-  static double distance2(const std::vector<vec3>& a, const std::vector<vec3>& b)
+  static double distance2(const Host_array<vec3>& a, const Host_array<vec3>& b)
   {
     double sum = 0;
     for(std::size_t k = 0; k < a.size(); ++k)
@@ -151,7 +152,7 @@ private:
   }
 
   /// Rotation vector and boost centre, from d x = r x x - 2 P_x c.
-  static Eigen::Matrix<double, 6, 1> gauss_newton_step(const std::vector<vec3>& from, const std::vector<vec3>& to)
+  static Eigen::Matrix<double, 6, 1> gauss_newton_step(const Host_array<vec3>& from, const Host_array<vec3>& to)
   {
     Eigen::Matrix<double, 6, 6> normal = Eigen::Matrix<double, 6, 6>::Zero();
     Eigen::Matrix<double, 6, 1> right = Eigen::Matrix<double, 6, 1>::Zero();

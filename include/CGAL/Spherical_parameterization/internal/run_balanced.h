@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RUN_BALANCED_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RUN_BALANCED_H
 
+#include <CGAL/Spherical_parameterization/internal/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/Failure.h>
 #include <CGAL/Spherical_parameterization/internal/Map_task.h>
 #include <CGAL/Spherical_parameterization/internal/Multigrid.h>
@@ -101,7 +102,7 @@ inline Weighted_graph stiffening_springs(const Map_task& task, double exponent)
 }
 
 /// The quadratic springs that pull like `springs` at v, with the energy densities on the diagonal: the preconditioner.
-inline Weighted_graph springs_at(const Weighted_graph& springs, double exponent, const std::vector<vec3>& v,
+inline Weighted_graph springs_at(const Weighted_graph& springs, double exponent, const Host_array<vec3>& v,
                                  const std::vector<char>& is_fixed)
 {
   Weighted_graph result = springs;
@@ -134,7 +135,7 @@ Solver_report solve_stiffening(const Backend& backend, const Map_task& task, dou
   Solver_report report;
   double goal = accuracy;
   for(std::size_t done = 0, made = 1;; done += made) {
-    const std::vector<vec3> position = backend.download(v); // all set-up is the host's
+    const Host_array<vec3> position = backend.download(v); // all set-up is the host's
     const auto current = std::make_shared<Weighted_graph>(springs_at(*springs, exponent, position, task.is_fixed));
     Multigrid<Backend> multigrid(backend, current);
     report.residual = std::sqrt(backend.barycentric_residual2(multigrid.matrix(0), v));
@@ -165,8 +166,8 @@ Solver_report solve_fixed(const Backend& backend, Map_task& task, double accurac
                           typename Backend::Vectors& v)
 {
   const Stopwatch watch;
-  const std::vector<vec3> positions = start_positions(backend, task);
-  task.graph->update_diagonal(task.is_fixed);
+  const Host_array<vec3> positions = start_positions(backend, task);
+  task.graph->update_diagonal(task.is_fixed, backend.host_loop());
   Multigrid<Backend> multigrid(backend, task.graph);
   typename Backend::Scalars mass = backend.scalars(task.size());
   task.result.seconds.start_map = watch.seconds();
@@ -189,7 +190,7 @@ Solver_report solve_fixed(const Backend& backend, Map_task& task, double accurac
 
 /// Without fixed vertices, exponent 2: the balanced critical point.
 ///
-/// The masses of the balance are the spring densities of a reference map, the solution itself to 1e-5, with the
+/// The masses of the balance are the spring densities of a reference map, the solution itself to 1e-4, with the
 /// centroid of the source area at the centre. (On a conformal map the density of energy is that of area.) The reference
 /// is taken early and renewed, so that it is a small change each time, and the descent goes on as if nothing had
 /// happened.
@@ -198,13 +199,13 @@ Solver_report solve_balanced(const Backend& backend, Map_task& task, double accu
                              typename Backend::Vectors& v)
 {
   const Stopwatch watch;
-  task.graph->update_diagonal({});
+  task.graph->update_diagonal({}, backend.host_loop());
   Multigrid<Backend> multigrid(backend, task.graph);
   const typename Backend::Scalars area = backend.upload(task.area);
   typename Backend::Scalars mass = backend.scalars(task.size());
-  const auto refer_to = [&](typename Backend::Vectors& x, typename Backend::Vectors& scratch) {
+  const auto refer_to = [&](typename Backend::Vectors& x) {
     constexpr int maximum_steps = 50;
-    centre(backend, area, maximum_steps, x, scratch);
+    centre(backend, area, maximum_steps, x, multigrid.scratch(0));
     backend.spring_masses(multigrid.matrix(0), x, mass);
   };
   Balanced_solver<Backend> solver(backend, multigrid.matrix(0), multigrid, 0, 2, Gauge::BALANCED, mass);
@@ -213,9 +214,8 @@ Solver_report solve_balanced(const Backend& backend, Map_task& task, double accu
   const auto start = [&](typename Backend::Vectors& x) {
     const Stopwatch start_watch;
     x = start_map(backend, multigrid, task);
-    typename Backend::Vectors scratch = backend.vectors(task.size());
-    refer_to(x, scratch);
-    references = {1e-1, 1e-3, 1e-5};
+    refer_to(x);
+    references = {1e-2, 1e-4};
     task.result.seconds.start_map = start_watch.seconds();
   };
   const auto descend = [&](const Descent_options& options, typename Backend::Vectors& x) {
@@ -228,7 +228,7 @@ Solver_report solve_balanced(const Backend& backend, Map_task& task, double accu
 }
 
 template <class Backend>
-std::vector<vec3> run(const Backend& backend, const Balanced& method, Map_task& task, Solver_report& report)
+Host_array<vec3> run(const Backend& backend, const Balanced& method, Map_task& task, Solver_report& report)
 {
   const double accuracy = accuracy_on(backend, task, Balanced::default_accuracy);
   const std::size_t maximum_iterations = task.number_of_iterations.value_or(Balanced::default_number_of_iterations);
@@ -243,7 +243,7 @@ std::vector<vec3> run(const Backend& backend, const Balanced& method, Map_task& 
   else
     report = solve_balanced(backend, task, accuracy, maximum_iterations, v);
   task.result.seconds.solve = watch.seconds() - task.result.seconds.start_map - task.result.seconds.certify;
-  return backend.download(v);
+  return backend.download(std::move(v));
 }
 
 } // namespace internal

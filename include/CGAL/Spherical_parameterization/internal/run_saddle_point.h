@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RUN_SADDLE_POINT_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RUN_SADDLE_POINT_H
 
+#include <CGAL/Spherical_parameterization/internal/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/Map_task.h>
 #include <CGAL/Spherical_parameterization/internal/Solver_report.h>
 #include <CGAL/Spherical_parameterization/internal/saddle_point_solver.h>
@@ -14,7 +15,6 @@
 
 #include <cmath>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Spherical_parameterization {
@@ -31,10 +31,10 @@ inline void check_options(const Saddle_point& method)
 inline bool needs_given_start(const Saddle_point& method) { return method.start == Saddle_point::Start::GIVEN; }
 
 template <class Backend>
-std::vector<vec3> run(const Backend& backend, const Saddle_point& method, Map_task& task, Solver_report& report)
+Host_array<vec3> run(const Backend& backend, const Saddle_point& method, Map_task& task, Solver_report& report)
 {
   Stopwatch watch;
-  std::vector<vec3> start;
+  Host_array<vec3> start;
   switch(method.start) {
   case Saddle_point::Start::HARMONIC: start = start_positions(backend, task); break;
   case Saddle_point::Start::GIVEN: start = task.given; break;
@@ -53,7 +53,7 @@ std::vector<vec3> run(const Backend& backend, const Saddle_point& method, Map_ta
     for(int i = 0; i < task.size(); ++i)
       if(task.is_fixed[i])
         start[i] = task.given[i];
-  task.graph->update_diagonal(task.is_fixed);
+  task.graph->update_diagonal(task.is_fixed, backend.host_loop());
   const typename Backend::Matrix matrix = backend.upload(Shared_graph(task.graph));
   typename Backend::Vectors v = backend.upload(std::move(start));
   task.result.seconds.start_map = watch.seconds();

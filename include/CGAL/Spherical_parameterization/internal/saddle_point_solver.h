@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SADDLE_POINT_SOLVER_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SADDLE_POINT_SOLVER_H
 
+#include <CGAL/Spherical_parameterization/internal/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/Monitor.h>
 #include <CGAL/Spherical_parameterization/internal/Solver_report.h>
 #include <CGAL/Spherical_parameterization/internal/Weighted_graph.h>
@@ -20,10 +21,10 @@ namespace internal {
 
 /// Greedy colouring in vertex order: vertices of one colour have no edge between them, so that a Gauss-Seidel sweep may
 /// treat them at once, and gives the same result on every backend.
-inline std::vector<std::vector<int>> greedy_colouring(const Weighted_graph& a)
+inline std::vector<Host_array<int>> greedy_colouring(const Weighted_graph& a)
 {
-  std::vector<std::vector<int>> colours;
-  std::vector<int> colour(a.size(), -1);
+  std::vector<Host_array<int>> colours;
+  Host_array<int> colour(a.size(), -1);
   std::vector<int> used_by;
   for(int i = 0; i < a.size(); ++i) {
     for(int k = a.offset[i]; k < a.offset[i + 1]; ++k)

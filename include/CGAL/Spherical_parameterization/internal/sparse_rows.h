@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPARSE_ROWS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPARSE_ROWS_H
 
+#include <CGAL/Spherical_parameterization/internal/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/Weighted_graph.h>
 
 #include <algorithm>
@@ -31,27 +32,39 @@ public:
       throw std::bad_alloc();
   }
 
-  void add(int column, double value)
+  /// Adds factor value[k] to column[k] for all k < count.
+  ///
+  /// Whether a column is new cannot be foreseen: the loop does the same in either case, since a branch taken wrongly
+  /// would cost more than all the rest.
+  void add(const int* column, const double* value, int count, double factor)
   {
-    const int position = position_.get()[column]; // from 1 on
-    if(position > 0)
-      entry_[position - 1].value += value;
-    else {
-      if(size_ == entry_.size())
-        entry_.resize(2 * entry_.size());
-      entry_[size_] = {column, value};
-      position_.get()[column] = static_cast<int>(++size_);
+    if(size_ + count >= static_cast<int>(entry_.size()))
+      entry_.resize(2 * (size_ + count) + 64, Entry{0, 0});
+    int* const position = position_.get();
+    Entry* const entry = entry_.data();
+    int size = size_;
+    for(int k = 0; k < count; ++k) {
+      const int c = column[k];
+      const int known = position[c]; // from 1 on
+      const int here = known == 0 ? size + 1 : known;
+      size += known == 0;
+      position[c] = here;
+      entry[here].column = c;
+      entry[here].value += factor * value[k];
     }
+    size_ = size;
   }
 
-  int size() const { return static_cast<int>(size_); }
-  int column(int k) const { return entry_[k].column; }
-  double value(int k) const { return entry_[k].value; }
+  int size() const { return size_; }
+  int column(int k) const { return entry_[k + 1].column; }
+  double value(int k) const { return entry_[k + 1].value; }
 
   void clear()
   {
-    for(std::size_t k = 0; k < size_; ++k)
+    for(int k = 1; k <= size_; ++k) {
       position_.get()[entry_[k].column] = 0;
+      entry_[k].value = 0;
+    }
     size_ = 0;
   }
 
@@ -61,8 +74,8 @@ private:
     double value;
   };
   std::unique_ptr<int[], void (*)(void*)> position_;
-  std::vector<Entry> entry_ = std::vector<Entry>(64);
-  std::size_t size_ = 0;
+  std::vector<Entry> entry_; // the first one is not used; beyond the last one, values are 0
+  int size_ = 0;
 };
 
 /// Builds a sparse matrix in parallel, part by part: `append_rows(begin, end, rows)` appends the rows from `begin` to
@@ -107,7 +120,7 @@ Sparse_matrix transposed(const Loop& loop, const Sparse_matrix& a, int columns)
   const int n = a.rows();
   const int parts = (std::min)(loop.concurrency(), n / rows_per_part + 1);
   const auto begin = [&](int part) { return static_cast<int>(static_cast<long long>(n) * part / parts); };
-  std::vector<std::vector<int>> position(parts);
+  std::vector<Host_array<int>> position(parts);
   loop.for_each(parts, [&](int part) {
     position[part].assign(columns, 0);
     for(int k = a.offset[begin(part)]; k < a.offset[begin(part + 1)]; ++k)

@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPHERICAL_TRIANGLES_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPHERICAL_TRIANGLES_H
 
+#include <CGAL/Spherical_parameterization/internal/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/vertex_formulas.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -52,7 +53,7 @@ struct Certificate {
 /// Examines a map given by unit vectors: without flipped faces and with degree 1 it is a bijection, since it then is a
 /// covering of the sphere, and the sphere is simply connected.
 template <class Loop>
-Certificate certify(const Loop& loop, const std::vector<std::array<int, 3>>& faces, const std::vector<vec3>& v)
+Certificate certify(const Loop& loop, const Host_array<std::array<int, 3>>& faces, const Host_array<vec3>& v)
 {
   struct Part {
     Certificate certificate;

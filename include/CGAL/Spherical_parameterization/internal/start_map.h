@@ -4,11 +4,13 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_START_MAP_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_START_MAP_H
 
+#include <CGAL/Spherical_parameterization/internal/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/Map_task.h>
 #include <CGAL/Spherical_parameterization/internal/Multigrid.h>
 #include <CGAL/Spherical_parameterization/internal/balanced_solver.h>
 #include <CGAL/Spherical_parameterization/internal/conjugate_gradients.h>
 #include <CGAL/Spherical_parameterization/internal/moebius.h>
+#include <CGAL/Spherical_parameterization/internal/spherical_triangles.h>
 
 #include <Eigen/Dense>
 
@@ -16,7 +18,6 @@
 #include <array>
 #include <cmath>
 #include <memory>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -27,21 +28,21 @@ namespace internal {
 /// The harmonic map of level k to the plane, without the triangle `corners`, which goes to an equilateral one (Tutte's
 /// embedding with weights). Since only the corners feel a force, L z is a combination of two dipoles between them: two
 /// right-hand sides of the singular Laplacian itself, and no other matrix is needed. The planar coordinates are
-/// returned in x and y.
+/// returned in x and y; the iterations are added to `iterations`.
 template <class Backend>
-std::vector<vec3> planar_map(const Backend& backend, Multigrid<Backend>& multigrid, std::size_t k,
-                             std::array<int, 3> corners, double accuracy, Monitor& monitor, double share_of_work,
-                             std::size_t& iterations)
+Host_array<vec3> planar_map(const Backend& backend, Multigrid<Backend>& multigrid, std::size_t k,
+                            std::array<int, 3> corners, double accuracy, Monitor& monitor, double share_of_work,
+                            std::size_t& iterations)
 {
   const int n = multigrid.size(k);
-  std::vector<vec3> dipoles(n, make_vec3(0, 0, 0));
+  Host_array<vec3> dipoles(n, make_vec3(0, 0, 0));
   dipoles[corners[0]].x = 1;
   dipoles[corners[1]].y = 1;
   dipoles[corners[2]] = make_vec3(-1, -1, 0);
   typename Backend::Vectors solution = backend.vectors(n);
-  iterations = conjugate_gradients(backend, multigrid, k, backend.upload(std::move(dipoles)), accuracy, monitor,
-                                   share_of_work, solution);
-  std::vector<vec3> z = backend.download(solution);
+  iterations += conjugate_gradients(backend, multigrid, k, backend.upload(std::move(dipoles)), accuracy, monitor,
+                                    share_of_work, solution);
+  Host_array<vec3> z = backend.download(solution);
 
   // The affine map that sends the corners to the equilateral triangle, clockwise: the face lies outside of it, so that
   // all other faces come out counter-clockwise.
@@ -62,7 +63,7 @@ std::vector<vec3> planar_map(const Backend& backend, Multigrid<Backend>& multigr
 
 /// Inverse stereographic projection that keeps the orientation (the origin goes to the north pole), after the median of
 /// the points has been moved to the origin and their median distance from it scaled to 1.
-inline void to_sphere(std::vector<vec3>& z)
+inline void to_sphere(Host_array<vec3>& z)
 {
   constexpr std::size_t sample_size = 50000; // an estimate is good enough: the Moebius transformation comes after
   const std::size_t stride = 1 + z.size() / sample_size;
@@ -84,74 +85,114 @@ inline void to_sphere(std::vector<vec3>& z)
   }
 }
 
-/// The vertices of level k as seen from the finest one.
-struct Coarse_level {
-  std::size_t k = 0;
-  std::vector<int> vertex_of; ///< by vertex of the finest level
-  std::array<int, 3> corners; ///< where the three corners of the largest face went that still has three
-};
+/// The mesh as level k of the hierarchy sees it, with a vertex for every aggregate.
+struct Coarse_mesh {
+  Host_array<int> vertex_of;            ///< by vertex of the finest level; -1: none
+  Host_array<std::array<int, 3>> faces; ///< the faces that still have three vertices
+  std::array<int, 3> largest_face;      ///< of these, where the largest face of the mesh went
+  bool is_complete = false;             ///< whether no vertex was lost (negative weights can do that), and a face left
 
-/// The coarsest level on which a start map is still worth its work, and on which some face is left.
-template <class Backend>
-Coarse_level coarse_start_level(const Multigrid<Backend>& multigrid, const Map_task& task)
-{
-  constexpr int smallest_size = 1000;
-  Coarse_level level;
-  while(level.k + 1 < multigrid.number_of_levels() && multigrid.size(level.k + 1) >= smallest_size)
-    ++level.k;
-  for(;; --level.k) {
-    level.vertex_of.resize(task.size());
-    std::iota(level.vertex_of.begin(), level.vertex_of.end(), 0);
-    for(std::size_t k = 0; k < level.k; ++k)
-      for(int& i : level.vertex_of)
-        i = multigrid.aggregate_of(k)[i];
+  template <class Backend>
+  Coarse_mesh(const Backend& backend, const Multigrid<Backend>& multigrid, std::size_t k, const Map_task& task)
+  {
+    const auto& loop = backend.host_loop();
+    vertex_of.resize(task.size());
+    const int lost = first_index(loop, task.size(), [&](int i) {
+      int c = i;
+      for(std::size_t level = 0; level < k && c >= 0; ++level)
+        c = multigrid.aggregate_of(level)[c];
+      vertex_of[i] = c;
+      return c < 0;
+    });
+    if(lost < task.size())
+      return;
+
+    struct Part {
+      std::vector<std::array<int, 3>> faces;
+      double largest = -1; // squared area
+      std::array<int, 3> largest_face;
+    };
+    constexpr int part_size = 8192;
+    const int number_of_faces = static_cast<int>(task.faces.size());
+    std::vector<Part> parts(number_of_faces / part_size + 1);
+    loop.for_each(static_cast<int>(parts.size()), [&](int p) {
+      Part& part = parts[p];
+      for(int f = p * part_size; f < (std::min)(number_of_faces, (p + 1) * part_size); ++f) {
+        const std::array<int, 3>& fine = task.faces[f];
+        const std::array<int, 3> coarse = {vertex_of[fine[0]], vertex_of[fine[1]], vertex_of[fine[2]]};
+        if(coarse[0] == coarse[1] || coarse[1] == coarse[2] || coarse[2] == coarse[0])
+          continue;
+        part.faces.push_back(coarse);
+        const vec3 n = normal(task.points, fine);
+        if(inner(n, n) > part.largest) {
+          part.largest = inner(n, n);
+          part.largest_face = coarse;
+        }
+      }
+    });
     double largest = -1;
-    for(const std::array<int, 3>& f : task.faces) {
-      const std::array<int, 3> corners = {level.vertex_of[f[0]], level.vertex_of[f[1]], level.vertex_of[f[2]]};
-      if(corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0])
-        continue;
-      const vec3 n = normal(task.points, f);
-      if(inner(n, n) > largest) {
-        largest = inner(n, n);
-        level.corners = corners;
+    for(const Part& part : parts) {
+      faces.insert(faces.end(), part.faces.begin(), part.faces.end());
+      if(part.largest > largest) {
+        largest = part.largest;
+        largest_face = part.largest_face;
       }
     }
-    if(largest >= 0)
-      return level;
+    is_complete = !faces.empty();
+  }
+};
+
+/// The planar harmonic map of a coarse level brought to the sphere, boosted until the centroid of the source area lies
+/// at the centre. Returns the level: the coarsest one on which a start map is still worth its work, and whose map has
+/// degree 1. (Aggregates need not be discs: orientation may be lost or reversed on the way down.)
+template <class Backend>
+std::size_t coarse_start_map(const Backend& backend, Multigrid<Backend>& multigrid, const Map_task& task,
+                             typename Backend::Vectors& v)
+{
+  constexpr int smallest_size = 400;
+  constexpr double planar_accuracy = 1e-12; // the boost may enlarge what lies far inside a million times
+  constexpr int maximum_steps = 50;
+  std::size_t k = 0;
+  while(k + 1 < multigrid.number_of_levels() && multigrid.size(k + 1) >= smallest_size)
+    ++k;
+  for(;; --k) {
+    const Coarse_mesh mesh(backend, multigrid, k, task);
+    if(!mesh.is_complete)
+      continue;
+    Host_array<vec3> z = planar_map(backend, multigrid, k, mesh.largest_face, planar_accuracy, task.monitor,
+                                    start_share, task.result.start_iterations);
+    to_sphere(z);
+    const int degree = certify(backend.host_loop(), mesh.faces, z).degree;
+    if(k > 0 && std::abs(degree) != 1)
+      continue;
+    if(degree == -1)
+      for(vec3& p : z)
+        p.x = -p.x;
+    Host_array<double> area(z.size(), 0);
+    for(int i = 0; i < task.size(); ++i)
+      area[mesh.vertex_of[i]] += task.area[i];
+    v = backend.upload(std::move(z));
+    centre(backend, backend.upload(std::move(area)), maximum_steps, v, multigrid.scratch(k));
+    return k;
   }
 }
 
-/// A map of degree 1 to start from, near the harmonic one of the mesh without fixed vertices: the planar harmonic map
-/// of a coarse level brought to the sphere, boosted until the centroid of the source area lies at the centre, and from
-/// there up level by level, each map being the descent's start on the next finer one. On the finest level it is only
-/// interpolated, and not smooth.
+/// A map of degree 1 to start from, near the harmonic one of the mesh without fixed vertices: that of a coarse level,
+/// and from there up level by level, each map being the descent's start on the next finer one. On the finest level it
+/// is only interpolated, and not smooth.
 ///
 /// `multigrid`: of the graph without fixed vertices.
 template <class Backend>
 typename Backend::Vectors start_map(const Backend& backend, Multigrid<Backend>& multigrid, const Map_task& task)
 {
-  constexpr double planar_accuracy = 1e-6;
   constexpr Descent_options coarse_descent = {1e-2, 30, 30, 1000, 0, start_share};
-  const Coarse_level start = coarse_start_level(multigrid, task);
-  std::vector<vec3> z = planar_map(backend, multigrid, start.k, start.corners, planar_accuracy, task.monitor,
-                                   start_share, task.result.start_iterations);
-  to_sphere(z);
-  std::vector<double> area(z.size(), 0);
-  for(int i = 0; i < task.size(); ++i)
-    area[start.vertex_of[i]] += task.area[i];
-  typename Backend::Vectors v = backend.upload(std::move(z));
-  {
-    constexpr int maximum_steps = 50;
-    typename Backend::Vectors scratch = backend.vectors(multigrid.size(start.k));
-    centre(backend, backend.upload(std::move(area)), maximum_steps, v, scratch);
-  }
-
-  for(std::size_t k = start.k; k > 0; --k) {
+  typename Backend::Vectors v;
+  for(std::size_t k = coarse_start_map(backend, multigrid, task, v); k > 0; --k) {
     typename Backend::Scalars mass = backend.scalars(multigrid.size(k));
     backend.spring_masses(multigrid.matrix(k), v, mass);
     Balanced_solver<Backend> solver(backend, multigrid.matrix(k), multigrid, k, 2, Gauge::BALANCED, mass);
     task.result.start_iterations += solver.solve(coarse_descent, task.monitor, v).iterations;
-    typename Backend::Vectors finer = backend.vectors(multigrid.size(k - 1));
+    typename Backend::Vectors& finer = multigrid.scratch(k - 1);
     backend.transfer(multigrid.prolongation(k - 1), v, finer);
     v = backend.vectors(multigrid.size(k - 1));
     backend.normalise(multigrid.matrix(k - 1), finer, v);
@@ -162,15 +203,15 @@ typename Backend::Vectors start_map(const Backend& backend, Multigrid<Backend>& 
 /// The start map of a task with fixed vertices, or of a method without hierarchy: one is set up for the graph without
 /// fixed vertices. The map is moved by the Moebius transformation that suits the fixed vertices best.
 template <class Backend>
-std::vector<vec3> start_positions(const Backend& backend, const Map_task& task)
+Host_array<vec3> start_positions(const Backend& backend, const Map_task& task)
 {
   const auto free_graph = std::make_shared<Weighted_graph>(*task.graph);
-  free_graph->update_diagonal({});
+  free_graph->update_diagonal({}, backend.host_loop());
   Multigrid<Backend> multigrid(backend, free_graph);
-  std::vector<vec3> start = backend.download(start_map(backend, multigrid, task));
+  Host_array<vec3> start = backend.download(start_map(backend, multigrid, task));
 
   if(task.has_fixed()) {
-    std::vector<vec3> from, to;
+    Host_array<vec3> from, to;
     for(int i = 0; i < task.size(); ++i)
       if(task.is_fixed[i]) {
         from.push_back(start[i]);

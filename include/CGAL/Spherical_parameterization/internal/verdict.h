@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_VERDICT_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_VERDICT_H
 
+#include <CGAL/Spherical_parameterization/internal/Host_array.h>
 #include <CGAL/Spherical_parameterization/Result.h>
 #include <CGAL/Spherical_parameterization/internal/Failure.h>
 #include <CGAL/Spherical_parameterization/internal/Monitor.h>
@@ -13,7 +14,6 @@
 #include <array>
 #include <sstream>
 #include <string>
-#include <vector>
 
 namespace CGAL {
 namespace Spherical_parameterization {
@@ -29,7 +29,7 @@ inline std::string to_string(double x)
 
 /// Fills in the certificate and decides: nothing but a converged map of degree 1 without flipped faces is `OK`.
 template <class Loop>
-void pass_verdict(const Loop& loop, const std::vector<std::array<int, 3>>& faces, const std::vector<vec3>& v,
+void pass_verdict(const Loop& loop, const Host_array<std::array<int, 3>>& faces, const Host_array<vec3>& v,
                   const Solver_report& report, const Monitor& monitor, Result& result)
 {
   const Certificate certificate = certify(loop, faces, v);

@@ -150,7 +150,8 @@ std::size_t coarse_start_map(const Backend& backend, Multigrid<Backend>& multigr
                              typename Backend::Vectors& v)
 {
   constexpr int smallest_size = 400;
-  constexpr double planar_accuracy = 1e-12; // the boost may enlarge what lies far inside a million times
+  // The boost may enlarge what lies far inside a million times.
+  const double planar_accuracy = (std::max)(1e-12, backend.best_accuracy(task.size()));
   constexpr int maximum_steps = 50;
   std::size_t k = 0;
   while(k + 1 < multigrid.number_of_levels() && multigrid.size(k + 1) >= smallest_size)

@@ -9,11 +9,11 @@
 namespace CGAL {
 namespace Spherical_parameterization {
 
-/// The fast method, and the default: a planar harmonic start map, then the balanced critical point of the spring
+/// The fast method, and the default: a harmonic start map, then the balanced critical point of the spring
 /// energy by Riemannian conjugate gradients, preconditioned with one multigrid cycle.
 ///
 /// Without fixed vertices and with exponent 2 the six-dimensional freedom of the problem (rotations and Moebius
-/// boosts) is removed by balancing: sum of m_i v_i = 0, with m_i the spherical vertex areas of the start map.
+/// boosts) is removed by balancing: sum of m_i v_i = 0, with m_i the density of the energy in the map itself (to 1e-4).
 /// The residual is that of the stationarity P_i((Lv)_i - m_i mu) = 0, P_i the projection to the tangent plane.
 /// With three or more fixed vertices, or with an exponent above 2, nothing is balanced, and the residual is that of
 /// eq. (2) of the paper, v_i parallel to its weighted neighbour mean.
@@ -54,7 +54,7 @@ struct Saddle_point {
   /// Where the iteration starts.
   enum class Start {
     CENTROID, ///< vertices projected from their centroid, as the authors do
-    HARMONIC, ///< the planar start map of `Balanced`
+    HARMONIC, ///< the start map of `Balanced`
     GIVEN     ///< what the sphere map holds on entry; it must be readable
   };
   Splitting splitting = Splitting::JACOBI;

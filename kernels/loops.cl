@@ -57,8 +57,16 @@ sparse_view make_sparse_view(INDICES offset, INDICES column, CONST_SCALARS value
   real s[K] = {0}
 
 #define FOR_EACH_OF_BLOCK(i, n)                                                                                        \
-  for(int i = (int)get_group_id(0) * BLOCK + (int)get_local_id(0), end = min((n), ((int)get_group_id(0) + 1) * BLOCK); \
-      i < end; i += LANES)
+  for(int turn = 0; turn < BLOCK / LANES; ++turn, IN_STEP)                                                             \
+    for(int i = (int)get_group_id(0) * BLOCK + turn * LANES + (int)get_local_id(0); i < (n); i = (n))
+
+/* On a CPU work-items are run one after the other. Without a barrier each would run through its whole share of the
+ * block, in strides that no cache likes. */
+#ifdef CGAL_SP_CPU
+#define IN_STEP barrier(CLK_LOCAL_MEM_FENCE)
+#else
+#define IN_STEP (void)0
+#endif
 
 #define ADD_UP(K) add_lanes(K, s, lanes, partial)
 

@@ -294,8 +294,9 @@ TEST_CASE("without a cache folder all goes on", "[opencl]")
     const Variable cache("XDG_CACHE_HOME", folder.string());
     run();
     const OpenCL_device device = SP::opencl_device();
-    const std::string key = internal::program_key(device.device(), internal::kernel_source(),
-                                                  internal::build_options(device.is_double_precision()));
+    const std::string key =
+      internal::program_key(device.device(), internal::kernel_source(),
+                            internal::build_options(device.device(), device.is_double_precision()));
     const auto good = internal::Binary_cache().load(key);
     if(!good) // this driver hands out none
       return;

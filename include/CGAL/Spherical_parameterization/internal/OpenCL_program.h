@@ -96,9 +96,11 @@ inline cl::Program build_program(cl_context context, cl_device_id device, const 
   return program;
 }
 
-inline std::string build_options(bool is_double)
+inline std::string build_options(cl_device_id device, bool is_double)
 {
-  return std::string("-cl-std=CL1.2") + (is_double ? " -D CGAL_SP_DOUBLE" : "");
+  const auto type = opencl_value<cl_device_type>(clGetDeviceInfo, "clGetDeviceInfo", device, CL_DEVICE_TYPE);
+  return std::string("-cl-std=CL1.2") + (is_double ? " -D CGAL_SP_DOUBLE" : "") +
+         ((type & CL_DEVICE_TYPE_CPU) != 0 ? " -D CGAL_SP_CPU" : "");
 }
 
 /// The kernels of this package for one device, compiled when they are asked for first. Any number of threads may ask.
@@ -108,7 +110,7 @@ public:
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if(program_() == nullptr)
-      program_ = build_program(context, device, kernel_source(), build_options(is_double));
+      program_ = build_program(context, device, kernel_source(), build_options(device, is_double));
     return program_;
   }
 

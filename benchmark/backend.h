@@ -7,11 +7,8 @@
 #include "mesh.h"
 
 #include <CGAL/Spherical_parameterization/Result.h>
+#include <CGAL/Spherical_parameterization/internal/Any_policy.h>
 #include <CGAL/Spherical_parameterization/methods.h>
-#include <CGAL/tags.h>
-#ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
-#include <CGAL/Spherical_parameterization/OpenCL_device.h>
-#endif
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/task_arena.h>
 #endif
@@ -29,16 +26,7 @@ using CGAL::Spherical_parameterization::Result;
 using CGAL::Spherical_parameterization::Saddle_point;
 
 /// Every execution policy of this build.
-using Policy = std::variant<CGAL::Sequential_tag
-#ifdef CGAL_LINKED_WITH_TBB
-                            ,
-                            CGAL::Parallel_tag
-#endif
-#ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
-                            ,
-                            CGAL::Spherical_parameterization::OpenCL_device
-#endif
-                            >;
+using Policy = CGAL::Spherical_parameterization::internal::Any_policy;
 
 /// A policy, and on how many cores it may run.
 struct Backend {

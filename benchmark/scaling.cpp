@@ -82,8 +82,8 @@ void measure(const Options& options, std::size_t maximum_vertices)
                "bytes per vertex: by how much the peak of the resident memory rises during the map, beyond mesh and "
                "sphere map, over the number of vertices; memory of a GPU is not in it"},
               {"model", "vertices", "weights", "backend", "start iterations", "iterations", "start map s", "solve s",
-               "total s", "sweep ms", "counted sweeps", "cost in sweeps", "bytes per vertex", "residual", "flips", "degree", "verdict",
-               "device"});
+               "total s", "sweep ms", "counted sweeps", "cost in sweeps", "bytes per vertex", "residual", "flips",
+               "degree", "verdict", "device"});
   for(const auto& file : options.mesh_files())
     with_mesh(file, [&](Mesh& mesh) {
       for(int level = 0;; ++level) {

@@ -30,8 +30,8 @@ class Sweeper {
 public:
   Sweeper(const ExecutionPolicy& policy, const internal::Weighted_graph& graph, const Host_array<vec3>& start,
           Sweep sweep, int size_of_copy)
-    : device_(policy), sweep_(sweep), matrix_(device_.upload(std::make_shared<const internal::Weighted_graph>(graph))), v_(device_.upload(start)),
-      u_(sweep == Sweep::COPY ? device_.vectors(size_of_copy) : device_.upload(start)),
+    : device_(policy), sweep_(sweep), matrix_(device_.upload(std::make_shared<const internal::Weighted_graph>(graph))),
+      v_(device_.upload(start)), u_(sweep == Sweep::COPY ? device_.vectors(size_of_copy) : device_.upload(start)),
       w_(device_.vectors(sweep == Sweep::COPY ? size_of_copy : graph.size())), last_(device_.vectors(1))
   {}
 

@@ -4,28 +4,15 @@
 #ifndef SPHERICAL_PARAMETERIZATION_TOOL_POLICIES_H
 #define SPHERICAL_PARAMETERIZATION_TOOL_POLICIES_H
 
-#include <CGAL/tags.h>
-#ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
-#include <CGAL/Spherical_parameterization/OpenCL_device.h>
-#endif
+#include <CGAL/Spherical_parameterization/internal/Any_policy.h>
 
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace tool {
 
 /// Every execution policy of this build.
-using Policy = std::variant<CGAL::Sequential_tag
-#ifdef CGAL_LINKED_WITH_TBB
-                            ,
-                            CGAL::Parallel_tag
-#endif
-#ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
-                            ,
-                            CGAL::Spherical_parameterization::OpenCL_device
-#endif
-                            >;
+using Policy = CGAL::Spherical_parameterization::internal::Any_policy;
 
 /// "sequential", "tbb", "opencl": those of this build.
 const std::vector<std::string>& policy_names();

@@ -167,7 +167,9 @@ public:
 private:
   template <class B>
   struct Side {
-    Side(B b, const Weighted_graph& graph) : backend(std::move(b)), matrix(backend.upload(std::make_shared<const Weighted_graph>(graph))) {}
+    Side(B b, const Weighted_graph& graph)
+      : backend(std::move(b)), matrix(backend.upload(std::make_shared<const Weighted_graph>(graph)))
+    {}
     B backend;
     typename B::Matrix matrix;
 

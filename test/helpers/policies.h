@@ -4,33 +4,25 @@
 #ifndef TEST_HELPERS_POLICIES_H
 #define TEST_HELPERS_POLICIES_H
 
-#include <CGAL/tags.h>
+#include <CGAL/Spherical_parameterization/internal/Any_policy.h>
 
 #include <iostream>
 #include <optional>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <variant>
-
-#ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
-#include <CGAL/Spherical_parameterization/OpenCL_device.h>
-#endif
 
 namespace test {
 
-#if defined(CGAL_LINKED_WITH_TBB) && defined(CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL)
-using Parallel_policies = std::tuple<CGAL::Parallel_tag, CGAL::Spherical_parameterization::OpenCL_device>;
-using Policy = std::variant<CGAL::Sequential_tag, CGAL::Parallel_tag, CGAL::Spherical_parameterization::OpenCL_device>;
-#elif defined(CGAL_LINKED_WITH_TBB)
-using Parallel_policies = std::tuple<CGAL::Parallel_tag>;
-using Policy = std::variant<CGAL::Sequential_tag, CGAL::Parallel_tag>;
-#elif defined(CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL)
-using Parallel_policies = std::tuple<CGAL::Spherical_parameterization::OpenCL_device>;
-using Policy = std::variant<CGAL::Sequential_tag, CGAL::Spherical_parameterization::OpenCL_device>;
-#else
-using Parallel_policies = std::tuple<CGAL::Sequential_tag>; // none: what is tested of them holds for it, too
-using Policy = std::variant<CGAL::Sequential_tag>;
-#endif
+using Policy = CGAL::Spherical_parameterization::internal::Any_policy;
+
+/// All but the first. A build that has no more tests the first: what is tested of the others holds for it, too.
+template <class First, class... Others>
+std::tuple<Others...> without_first(std::variant<First, Others...>);
+template <class First>
+std::tuple<First> without_first(std::variant<First>);
+using Parallel_policies = decltype(without_first(std::declval<Policy>()));
 
 /// Says that the test is skipped if the machine has nothing for the policy to run on.
 template <class P>

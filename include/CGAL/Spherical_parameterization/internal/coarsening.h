@@ -15,7 +15,6 @@
 #include <CGAL/Spherical_parameterization/internal/sparse_rows.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -247,20 +246,18 @@ double spectral_radius(const Loop& loop, const Weighted_graph& a)
   constexpr double safety = 1.15;
   constexpr int sample_size = 50000;
   const Host_array<double>& inverse = a.inverse_diagonal;
-  std::atomic<double> bound(0);
-  for_each_part(loop, a.size(), [&](int begin, int end) {
-    double here = 0;
+  const std::vector<double> bounds = results_of_parts(loop, a.size(), [&](int begin, int end) {
+    double bound = 0;
     for(int i = begin; i < end; ++i) {
       double sum = 0;
       for(int k = a.offset[i]; k < a.offset[i + 1]; ++k)
         sum += std::abs(a.weight[k]);
       if(inverse[i] > 0)
-        here = (std::max)(here, 1 + sum * inverse[i]);
+        bound = (std::max)(bound, 1 + sum * inverse[i]);
     }
-    double known = bound;
-    while(here > known && !bound.compare_exchange_weak(known, here))
-      ;
+    return bound;
   });
+  const double bound = *std::max_element(bounds.begin(), bounds.end());
   const bool is_positive = bound < 2 + 1e-12;
   const int n = is_positive ? (std::min)(a.size(), sample_size) : a.size();
   Host_array<double> x(n), y(n);
@@ -288,7 +285,7 @@ double spectral_radius(const Loop& loop, const Weighted_graph& a)
       x[i] = s * y[i];
   }
   constexpr double least = 1.7; // from here on two Chebyshev steps do no harm to eigenvalues up to 2
-  return (std::min)(bound.load(), (std::max)(is_positive ? least : 0, safety * radius));
+  return (std::min)(bound, (std::max)(is_positive ? least : 0, safety * radius));
 }
 
 } // namespace internal

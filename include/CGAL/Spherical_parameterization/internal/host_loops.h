@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <vector>
 
 namespace CGAL {
 namespace Spherical_parameterization {
@@ -49,12 +50,23 @@ typedef Parallel_loop Default_loop;
 typedef Sequential_loop Default_loop;
 #endif
 
+/// The parts into which 0 ... n-1 is cut; the same for any number of threads.
+inline constexpr int part_size = 8192;
+
 /// Runs f(begin, end) on consecutive parts of 0 ... n-1, in any order.
 template <class Loop, class F>
 void for_each_part(const Loop& loop, int n, F f)
 {
-  constexpr int size = 8192;
-  loop.for_each(n / size + 1, [&](int part) { f(part * size, (std::min)(n, (part + 1) * size)); });
+  loop.for_each(n / part_size + 1, [&](int part) { f(part * part_size, (std::min)(n, (part + 1) * part_size)); });
+}
+
+/// The results of f(begin, end) on these parts, in their order.
+template <class Loop, class F>
+auto results_of_parts(const Loop& loop, int n, F f)
+{
+  std::vector<decltype(f(0, 0))> results(n / part_size + 1);
+  for_each_part(loop, n, [&](int begin, int end) { results[begin / part_size] = f(begin, end); });
+  return results;
 }
 
 /// The smallest i in 0 ... n-1 for which `holds(i)`, or n: the same for any number of threads.

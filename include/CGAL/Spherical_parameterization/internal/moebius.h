@@ -62,12 +62,12 @@ void balance(const Backend& backend, const typename Backend::Scalars& mass, doub
   }
 }
 
-/// Boosts v, unit vectors, until the centroid of `area` is at the centre of the sphere, by at most so many steps.
-/// `scratch` has the size of v.
+/// Boosts v, unit vectors, until the centroid of `area` is at the centre of the sphere. `scratch` has the size of v.
 template <class Backend>
-void centre(const Backend& backend, const typename Backend::Scalars& area, int maximum_steps,
-            typename Backend::Vectors& v, typename Backend::Vectors& scratch)
+void centre(const Backend& backend, const typename Backend::Scalars& area, typename Backend::Vectors& v,
+            typename Backend::Vectors& scratch)
 {
+  constexpr int maximum_steps = 50;
   constexpr double tolerance = 1e-5;
   Moments moments = backend.moments(area, v);
   balance(backend, area, tolerance, maximum_steps, v, scratch, moments);

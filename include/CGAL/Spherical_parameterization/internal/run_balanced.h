@@ -204,8 +204,7 @@ Solver_report solve_balanced(const Backend& backend, Map_task& task, double accu
   const typename Backend::Scalars area = backend.upload(task.area);
   typename Backend::Scalars mass = backend.scalars(task.size());
   const auto refer_to = [&](typename Backend::Vectors& x) {
-    constexpr int maximum_steps = 50;
-    centre(backend, area, maximum_steps, x, multigrid.scratch(0));
+    centre(backend, area, x, multigrid.scratch(0));
     backend.spring_masses(multigrid.matrix(0), x, mass);
   };
   Balanced_solver<Backend> solver(backend, multigrid.matrix(0), multigrid, 0, 2, Gauge::BALANCED, mass);

@@ -61,7 +61,7 @@ Host_array<vec3> run(const Backend& backend, const Saddle_point& method, Map_tas
   report = solver.solve(v, accuracy_on(backend, task, Saddle_point::default_accuracy),
                         task.number_of_iterations.value_or(Saddle_point::default_number_of_iterations), task.monitor);
   task.result.seconds.solve = watch.seconds() - task.result.seconds.start_map;
-  return backend.download(v);
+  return backend.download(std::move(v));
 }
 
 } // namespace internal

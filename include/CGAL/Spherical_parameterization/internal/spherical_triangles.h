@@ -5,6 +5,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPHERICAL_TRIANGLES_H
 
 #include <CGAL/Spherical_parameterization/internal/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/vertex_formulas.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -59,12 +60,9 @@ Certificate certify(const Loop& loop, const Host_array<std::array<int, 3>>& face
     Certificate certificate;
     double area = 0;
   };
-  constexpr int part_size = 8192;
-  const int number_of_faces = static_cast<int>(faces.size());
-  std::vector<Part> parts(number_of_faces / part_size + 1);
-  loop.for_each(static_cast<int>(parts.size()), [&](int p) {
+  const std::vector<Part> parts = results_of_parts(loop, static_cast<int>(faces.size()), [&](int begin, int end) {
     Part part;
-    for(int f = p * part_size; f < (std::min)(number_of_faces, (p + 1) * part_size); ++f) {
+    for(int f = begin; f < end; ++f) {
       const vec3 a = v[faces[f][0]], b = v[faces[f][1]], c = v[faces[f][2]];
       if(!is_finite(a) || !is_finite(b) || !is_finite(c)) {
         ++part.certificate.flipped_faces;
@@ -76,7 +74,7 @@ Certificate certify(const Loop& loop, const Host_array<std::array<int, 3>>& face
       part.area += area;
       part.certificate.smallest_area = (std::min)(part.certificate.smallest_area, std::abs(area));
     }
-    parts[p] = part;
+    return part;
   });
 
   Certificate result;

@@ -112,24 +112,23 @@ struct Coarse_mesh {
       double largest = -1; // squared area
       std::array<int, 3> largest_face;
     };
-    constexpr int part_size = 8192;
-    const int number_of_faces = static_cast<int>(task.faces.size());
-    std::vector<Part> parts(number_of_faces / part_size + 1);
-    loop.for_each(static_cast<int>(parts.size()), [&](int p) {
-      Part& part = parts[p];
-      for(int f = p * part_size; f < (std::min)(number_of_faces, (p + 1) * part_size); ++f) {
-        const std::array<int, 3>& fine = task.faces[f];
-        const std::array<int, 3> coarse = {vertex_of[fine[0]], vertex_of[fine[1]], vertex_of[fine[2]]};
-        if(coarse[0] == coarse[1] || coarse[1] == coarse[2] || coarse[2] == coarse[0])
-          continue;
-        part.faces.push_back(coarse);
-        const vec3 n = normal(task.points, fine);
-        if(inner(n, n) > part.largest) {
-          part.largest = inner(n, n);
-          part.largest_face = coarse;
+    const std::vector<Part> parts =
+      results_of_parts(loop, static_cast<int>(task.faces.size()), [&](int begin, int end) {
+        Part part;
+        for(int f = begin; f < end; ++f) {
+          const std::array<int, 3>& fine = task.faces[f];
+          const std::array<int, 3> coarse = {vertex_of[fine[0]], vertex_of[fine[1]], vertex_of[fine[2]]};
+          if(coarse[0] == coarse[1] || coarse[1] == coarse[2] || coarse[2] == coarse[0])
+            continue;
+          part.faces.push_back(coarse);
+          const vec3 n = normal(task.points, fine);
+          if(inner(n, n) > part.largest) {
+            part.largest = inner(n, n);
+            part.largest_face = coarse;
+          }
         }
-      }
-    });
+        return part;
+      });
     double largest = -1;
     for(const Part& part : parts) {
       faces.insert(faces.end(), part.faces.begin(), part.faces.end());
@@ -152,7 +151,6 @@ std::size_t coarse_start_map(const Backend& backend, Multigrid<Backend>& multigr
   constexpr int smallest_size = 400;
   // The boost may enlarge what lies far inside a million times.
   const double planar_accuracy = (std::max)(1e-12, backend.best_accuracy(task.size()));
-  constexpr int maximum_steps = 50;
   std::size_t k = 0;
   while(k + 1 < multigrid.number_of_levels() && multigrid.size(k + 1) >= smallest_size)
     ++k;
@@ -173,7 +171,7 @@ std::size_t coarse_start_map(const Backend& backend, Multigrid<Backend>& multigr
     for(int i = 0; i < task.size(); ++i)
       area[mesh.vertex_of[i]] += task.area[i];
     v = backend.upload(std::move(z));
-    centre(backend, backend.upload(std::move(area)), maximum_steps, v, multigrid.scratch(k));
+    centre(backend, backend.upload(std::move(area)), v, multigrid.scratch(k));
     return k;
   }
 }

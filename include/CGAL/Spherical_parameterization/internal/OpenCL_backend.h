@@ -135,7 +135,8 @@ public:
   /// @{
   std::array<double, 4> gradient(const Matrix& a, double p, const Vectors& v, Vectors& g, Scalars& density) const
   {
-    return sum<4>("sp_gradient", v.size(), a, p, v, g, density);
+    return p == 2 ? sum<4>("sp_gradient", v.size(), a, v, g, density)
+                  : sum<4>("sp_stiffening_gradient", v.size(), a, p, v, g, density);
   }
 
   void spring_masses(const Matrix& a, const Vectors& v, Scalars& m) const
@@ -167,7 +168,8 @@ public:
   std::array<double, 5> curvature(const Matrix& a, double p, const Scalars& mass, vec3 mu, const Vectors& v,
                                   const Vectors& d, const Scalars& density) const
   {
-    return sum<5>("sp_curvature", v.size(), a, p, mass, mu, v, d, density);
+    return p == 2 ? sum<5>("sp_curvature", v.size(), a, mass, mu, v, d, density)
+                  : sum<5>("sp_stiffening_curvature", v.size(), a, p, mass, mu, v, d, density);
   }
 
   Moments retract(const Scalars& mass, double alpha, vec3 c, const Vectors& v, const Vectors& d, Vectors& w) const

@@ -24,7 +24,7 @@ std::vector<Backend> find_backends()
 #endif
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
   try {
-    found.push_back({"opencl", SP::opencl_device()});
+    found.push_back({"opencl", SP::opencl_device().set_smallest_mesh(0)}); // what the device can do is measured
   } catch(const std::exception&) { // no device: the backend is not available
   }
 #endif

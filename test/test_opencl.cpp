@@ -311,7 +311,7 @@ TEST_CASE("single precision: a valid map, or an honest refusal", "[opencl]")
   if(!there_is_a_device())
     return;
   Settings settings;
-  settings.policy = SP::opencl_device(Precision::SINGLE);
+  settings.policy = SP::opencl_device(Precision::SINGLE).set_smallest_mesh(0);
   const Soup soup = GENERATE(tetrahedron(), bumpy_sphere(4), dumbbell(4), spiky_star(4, 2), capsule(20, 12));
   Sphere sphere;
   const Result result = solve(soup, sphere, settings);

@@ -51,6 +51,20 @@ TEST_CASE("devices: an environment that asks for a device that is not there", "[
     contains(run.out, "no default: no OpenCL device is called 'abacus', as CGAL_SPHERICAL_PARAMETERIZATION_DEVICE"));
 }
 
+TEST_CASE("map: a small mesh stays on the host, and the report says so", "[tool][opencl]")
+{
+  if(!some_policy<SP::OpenCL_device>())
+    return;
+  Scratch scratch;
+  const std::string input = write_off(scratch / "in.off", icosphere(2));
+  const Process_result run =
+    run_tool({"map", input, "-o", scratch / "out.off", "--policy", "opencl", "--report", scratch / "report.json"});
+  CAPTURE(run.err);
+  CHECK(run.exit_code == 0);
+  const auto report = nlohmann::json::parse(text_of(scratch / "report.json"));
+  CHECK(report.at("device") == "one core of the host, for want of 10000 vertices");
+}
+
 TEST_CASE("without an OpenCL driver all else works", "[tool][opencl]")
 {
   Scratch scratch;
@@ -77,7 +91,7 @@ TEST_CASE("map: a device by number or by part of its name", "[tool][opencl]")
   if(!some_policy<SP::OpenCL_device>())
     return;
   Scratch scratch;
-  const std::string input = write_off(scratch / "in.off", icosphere(2));
+  const std::string input = write_off(scratch / "in.off", icosphere(5));
   check_refused(scratch, input, "no OpenCL device 99", {"--policy", "opencl", "--device", "99"});
   check_refused(scratch, input, "'abacus'", {"--policy", "opencl", "--device", "abacus"});
 

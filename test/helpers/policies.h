@@ -32,14 +32,14 @@ std::optional<P> some_policy()
 }
 
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
-/// The device of the user's choice, in double precision.
+/// The device of the user's choice, in double precision, for small meshes, too.
 template <>
 inline std::optional<CGAL::Spherical_parameterization::OpenCL_device> some_policy()
 {
   using CGAL::Spherical_parameterization::OpenCL_device;
   for(const auto& device : CGAL::Spherical_parameterization::opencl_devices())
     if(device.has_fp64)
-      return CGAL::Spherical_parameterization::opencl_device(OpenCL_device::Precision::DOUBLE);
+      return CGAL::Spherical_parameterization::opencl_device(OpenCL_device::Precision::DOUBLE).set_smallest_mesh(0);
   std::cout << "SKIPPED: there is no OpenCL device with double precision; for the CPU, install the Debian package "
                "pocl-opencl-icd"
             << std::endl;

@@ -27,6 +27,17 @@ class Backend {
   static_assert(std::is_same_v<ExecutionPolicy, CGAL::Parallel_tag>, "not an execution policy of this package");
 };
 
+/// Calls `f(backend, name)` with the backend on which `policy` maps a mesh of n vertices, and what to call it.
+template <class ExecutionPolicy>
+struct Choice_of_backend {
+  template <class F>
+  static void call(const ExecutionPolicy& policy, int /* n */, F f)
+  {
+    const Backend<ExecutionPolicy> backend(policy);
+    f(backend, backend.device_name());
+  }
+};
+
 } // namespace internal
 } // namespace Spherical_parameterization
 } // namespace CGAL

@@ -25,6 +25,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -113,22 +114,24 @@ Result parameterize(const ExecutionPolicy& policy, const TriangleMesh& mesh, con
                                              internal::needs_given_start(method));
     result.seconds.read = watch.seconds();
 
-    const internal::Backend<ExecutionPolicy> backend(policy);
-    result.device = backend.device_name();
-    internal::Solver_report report;
-    internal::Host_array<internal::vec3> v = internal::run(backend, method, task, report);
-    if(backend.best_accuracy(task.size()) > 0) // low precision: back to the sphere, as far as doubles go
-      for(internal::vec3& p : v)
-        p = internal::unit(p);
-    for(std::size_t i = 0; i < is_fixed.size(); ++i)
-      if(is_fixed[i]) // to the last bit
-        v[i] = task.given[i];
+    internal::Choice_of_backend<ExecutionPolicy>::call(
+      policy, task.size(), [&](const auto& backend, const std::string& device) {
+        result.device = device;
+        internal::Solver_report report;
+        internal::Host_array<internal::vec3> v = internal::run(backend, method, task, report);
+        if(backend.best_accuracy(task.size()) > 0) // low precision: back to the sphere, as far as doubles go
+          for(internal::vec3& p : v)
+            p = internal::unit(p);
+        for(std::size_t i = 0; i < is_fixed.size(); ++i)
+          if(is_fixed[i]) // to the last bit
+            v[i] = task.given[i];
 
-    const internal::Stopwatch certify_watch;
-    for(std::size_t i = 0; i < v.size(); ++i)
-      put(sphere_map, source.vertex[i], Sphere_point{v[i].x, v[i].y, v[i].z});
-    internal::pass_verdict(backend.host_loop(), source.face, v, report, monitor, result);
-    result.seconds.certify += certify_watch.seconds();
+        const internal::Stopwatch certify_watch;
+        for(std::size_t i = 0; i < v.size(); ++i)
+          put(sphere_map, source.vertex[i], Sphere_point{v[i].x, v[i].y, v[i].z});
+        internal::pass_verdict(backend.host_loop(), source.face, v, report, monitor, result);
+        result.seconds.certify += certify_watch.seconds();
+      });
     monitor.advance(1);
   } catch(const internal::Failure& failure) {
     result.error = failure.code;

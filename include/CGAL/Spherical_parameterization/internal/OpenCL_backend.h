@@ -11,6 +11,8 @@
 #include <CGAL/Spherical_parameterization/internal/Weighted_graph.h>
 #include <CGAL/Spherical_parameterization/internal/vertex_formulas.h>
 
+#include <CGAL/tags.h>
+
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -239,6 +241,23 @@ private:
 
   OpenCL_runtime device_;
   Host_loop loop_;
+};
+
+/// Small meshes stay on the host.
+template <>
+struct Choice_of_backend<OpenCL_device> {
+  template <class F>
+  static void call(const OpenCL_device& device, int n, F f)
+  {
+    const std::size_t smallest = device.smallest_mesh();
+    if(static_cast<std::size_t>(n) >= smallest) {
+      const Backend<OpenCL_device> backend(device);
+      f(backend, backend.device_name());
+    } else {
+      const Backend<CGAL::Sequential_tag> backend{CGAL::Sequential_tag()};
+      f(backend, backend.device_name() + " of the host, for want of " + std::to_string(smallest) + " vertices");
+    }
+  }
 };
 
 } // namespace internal

@@ -84,6 +84,9 @@ inline OpenCL_device_info opencl_device_info(cl_device_id device)
 /// counts, too). In single precision the residual does not come down to the default accuracy: accuracies below
 /// 3e-7 sqrt(n), with n vertices, are taken for that; `Result::device` names the precision. The certificate is exact in
 /// either case.
+///
+/// A mesh with fewer than `smallest_mesh()` vertices is mapped on one core of the host, which is done before a device
+/// has been told everything; `Result::device` says so.
 class OpenCL_device {
 public:
   enum class Precision {
@@ -114,6 +117,14 @@ public:
   const OpenCL_device_info& info() const { return info_; }
   bool is_double_precision() const { return is_double_; }
 
+  /// In vertices. The default is where a CPU as a device (PoCL) draws level with one core.
+  std::size_t smallest_mesh() const { return smallest_mesh_; }
+  OpenCL_device& set_smallest_mesh(std::size_t number_of_vertices)
+  {
+    smallest_mesh_ = number_of_vertices;
+    return *this;
+  }
+
   /// \cond
   cl_context context() const { return context_; } // kept alive by the queue
   cl_device_id device() const { return device_; }
@@ -126,6 +137,7 @@ private:
   cl_context context_;
   OpenCL_device_info info_;
   bool is_double_;
+  std::size_t smallest_mesh_ = 10000;
   std::shared_ptr<internal::OpenCL_program> program_;
 };
 

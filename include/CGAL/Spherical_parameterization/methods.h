@@ -23,7 +23,7 @@ namespace Spherical_parameterization {
 ///
 /// Named parameters: `accuracy` bounds the residual, `number_of_iterations` the descent steps.
 struct Balanced {
-  static constexpr double default_accuracy = 1e-9;
+  static constexpr double default_accuracy = 5e-9;
   static constexpr std::size_t default_number_of_iterations = 500;
 
   /// Exponent p >= 2 of the spring energy E_p = 1/p sum w_ij l_ij^2 (|v_i - v_j| / l_ij)^p, l_ij the length of the edge

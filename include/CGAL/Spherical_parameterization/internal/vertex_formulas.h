@@ -185,34 +185,32 @@ CGAL_SP_FUNCTION vec3 boost(vec3 x, vec3 c)
 
 /* ---- the published method ---------------------------------------------------------------------------------------- */
 
-/* sum_j w_ij u_j / sum_j w_ij */
-CGAL_SP_FUNCTION vec3 neighbour_mean(int i, graph_view a, CGAL_SP_GLOBAL const vec3* u)
+/* sum_j w_ij u_j */
+CGAL_SP_FUNCTION vec3 neighbour_sum(int i, graph_view a, CGAL_SP_GLOBAL const vec3* u)
 {
   vec3 sum = make_vec3(0, 0, 0);
-  real total = 0;
   const int end = a.offset[i + 1];
-  for(int k = a.offset[i]; k < end; ++k) {
+  for(int k = a.offset[i]; k < end; ++k)
     sum = add_scaled(sum, a.weight[k], u[a.target[k]]);
-    total += a.weight[k];
-  }
-  return scale(1 / total, sum);
+  return sum;
 }
 
-/* Lines 3 to 5 of Algorithm 1: relax towards the neighbour mean, then back to the plane u_i . v_i = 1. */
+/* Lines 3 to 5 of Algorithm 1: relax towards the mean of the neighbours, then back to the plane u_i . v_i = 1. The
+ * graph has no excess. */
 CGAL_SP_FUNCTION vec3 saddle_point_relaxation(int i, graph_view a, real omega, CGAL_SP_GLOBAL const vec3* v,
                                               CGAL_SP_GLOBAL const vec3* u)
 {
   if(a.inverse_diagonal[i] == 0)
     return u[i];
-  const vec3 moved = add_scaled(scale(1 - omega, u[i]), omega, neighbour_mean(i, a, u));
+  const vec3 moved = add_scaled(scale(1 - omega, u[i]), omega * a.inverse_diagonal[i], neighbour_sum(i, a, u));
   const real lambda = inner(v[i], moved) - 1;
   return add_scaled(moved, -lambda, v[i]);
 }
 
-/* r_i = v_i - m / |m|, m the neighbour mean: the residual of eq. (2) */
+/* r_i = v_i - m / |m|, m = sum_j w_ij v_j: the residual of eq. (2) */
 CGAL_SP_FUNCTION vec3 barycentric_residual(int i, graph_view a, CGAL_SP_GLOBAL const vec3* v)
 {
-  return a.inverse_diagonal[i] == 0 ? make_vec3(0, 0, 0) : sub(v[i], unit(neighbour_mean(i, a, v)));
+  return a.inverse_diagonal[i] == 0 ? make_vec3(0, 0, 0) : sub(v[i], unit(neighbour_sum(i, a, v)));
 }
 
 #ifndef __OPENCL_C_VERSION__

@@ -20,11 +20,15 @@ std::vector<Backend> find_backends()
 {
   std::vector<Backend> found = {{"sequential", CGAL::Sequential_tag()}};
 #ifdef CGAL_LINKED_WITH_TBB
-  found.push_back({"tbb", CGAL::Parallel_tag(), tbb::this_task_arena::max_concurrency()});
+  const int threads = tbb::this_task_arena::max_concurrency();
+  found.push_back({"tbb", CGAL::Parallel_tag(), threads});
+#else
+  [[maybe_unused]] const int threads = 1;
 #endif
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
   try {
-    found.push_back({"opencl", SP::opencl_device().set_smallest_mesh(0)}); // what the device can do is measured
+    // what the device can do is measured, on small meshes, too
+    found.push_back({"opencl", SP::opencl_device().set_smallest_mesh(0), threads});
   } catch(const std::exception&) { // no device: the backend is not available
   }
 #endif

@@ -32,7 +32,7 @@ using Policy = CGAL::Spherical_parameterization::internal::Any_policy;
 struct Backend {
   std::string name; ///< "sequential", "tbb" or "opencl"
   Policy policy;
-  int threads = 1; ///< of TBB; means nothing for the others
+  int threads = 1; ///< of TBB; for opencl, of its set-up on the host
 
   std::string label() const
   {

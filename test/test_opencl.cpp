@@ -196,6 +196,23 @@ TEST_CASE("an array that does not fit is reported with its size", "[opencl]")
   CHECK(contains(error.what(), " GB does not fit on " + device.info().name));
 }
 
+TEST_CASE("a shared array outlives its owner's other users, and no longer than it is needed", "[opencl]")
+{
+  if(!there_is_a_device())
+    return;
+  const internal::OpenCL_runtime runtime(SP::opencl_device());
+  auto host = std::make_shared<const internal::Host_array<int>>(internal::Host_array<int>{3, 1, 2});
+  const std::weak_ptr<const internal::Host_array<int>> watch = host;
+  {
+    const internal::OpenCL_array<int> array = runtime.share(*host, host);
+    host.reset();
+    CHECK(array.size() == 3);
+    CHECK(watch.expired() == !runtime.policy().info().is_cpu);
+  }
+  CHECK(clFinish(runtime.policy().queue()()) == CL_SUCCESS);
+  CHECK(watch.expired());
+}
+
 TEST_CASE("only verbs that return numbers wait for the device", "[opencl]")
 {
   if(!there_is_a_device())

@@ -16,7 +16,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -68,12 +70,15 @@ public:
   }
   Matrix upload(const Shared_graph& host) const
   {
-    return {upload(host->offset), upload(host->target), upload(host->weight), upload(host->excess),
-            upload(host->inverse_diagonal)};
+    const auto share = [&](const auto& array) { return device_.share(array, host); };
+    return {share(host->offset), share(host->target), share(host->weight), share(host->excess),
+            share(host->inverse_diagonal)};
   }
-  Transfer upload(const Sparse_matrix& host) const
+  Transfer upload(Sparse_matrix matrix) const
   {
-    return {upload(host.offset), upload(host.column), upload(host.value)};
+    const auto host = std::make_shared<const Sparse_matrix>(std::move(matrix));
+    const auto share = [&](const auto& array) { return device_.share(array, host); };
+    return {share(host->offset), share(host->column), share(host->value)};
   }
   Host_array<vec3> download(const Vectors& x) const { return device_.download(x); }
   Colouring colouring(const std::vector<Host_array<int>>& colours) const

@@ -26,6 +26,7 @@ struct OpenCL_device_info {
   std::size_t largest_allocation = 0; ///< of one array, in bytes
   bool has_fp64 = false;              ///< double precision
   bool is_gpu = false;
+  bool is_cpu = false; ///< works in the memory of the host
 };
 
 namespace internal {
@@ -66,6 +67,7 @@ inline OpenCL_device_info opencl_device_info(cl_device_id device)
   info.largest_allocation = number(CL_DEVICE_MAX_MEM_ALLOC_SIZE);
   info.has_fp64 = text(CL_DEVICE_EXTENSIONS).find("cl_khr_fp64") != std::string::npos;
   info.is_gpu = (number(CL_DEVICE_TYPE) & CL_DEVICE_TYPE_GPU) != 0;
+  info.is_cpu = (number(CL_DEVICE_TYPE) & CL_DEVICE_TYPE_CPU) != 0;
   return info;
 }
 

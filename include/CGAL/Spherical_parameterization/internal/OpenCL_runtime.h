@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <map>
+#include <memory>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -83,6 +84,23 @@ public:
     return {host.size(), allocate(CL_MEM_COPY_HOST_PTR, rounded.size() * sizeof(float), rounded.data())};
   }
 
+  /// An array that is only read. A device that works in the memory of the host reads `host` itself, and keeps `owner`
+  /// alive for that; any other gets a copy.
+  template <class T>
+  OpenCL_array<T> share(const Host_array<T>& host, std::shared_ptr<const void> owner) const
+  {
+    const bool has_own_memory = !policy_.info().is_cpu;
+    if(host.empty() || has_own_memory || !(std::is_same_v<T, int> || is_double()))
+      return upload(host);
+    OpenCL_array<T> x(host.size(),
+                      allocate(CL_MEM_READ_ONLY | CL_MEM_USE_HOST_PTR, host.size() * sizeof(T), host.data()));
+    // called when all kernels that use it are done, which may be after x is gone
+    auto kept = std::make_unique<std::shared_ptr<const void>>(std::move(owner));
+    check(clSetMemObjectDestructorCallback(x.memory(), &release, kept.get()), "clSetMemObjectDestructorCallback");
+    kept.release();
+    return x;
+  }
+
   Host_array<vec3> download(const OpenCL_array<vec3>& x) const
   {
     Host_array<vec3> host(x.size());
@@ -128,6 +146,8 @@ private:
   // those of kernels/loops.cl and of Host_backend
   static constexpr std::size_t lanes = 64;
   static constexpr std::size_t block_size = 1024;
+
+  static void CL_CALLBACK release(cl_mem, void* owner) { delete static_cast<std::shared_ptr<const void>*>(owner); }
 
   bool is_double() const { return policy_.is_double_precision(); }
   cl_command_queue queue() const { return policy_.queue()(); }

@@ -53,8 +53,8 @@ void write_report(const std::string& file, const Report& report)
                      {"solve", result.seconds.solve},        {"certify", result.seconds.certify},
                      {"write", report.seconds_write},        {"total", report.seconds_total}};
   json["peak_memory_bytes"] = peak_memory_bytes();
-  json["error"] = known(!report.error.empty(), report.error);
-  json["error_code"] = report.error_code;
+  json["error"] = known(bool(report.failure), report.failure.text);
+  json["error_code"] = report.failure.code;
 
   Atomic_file out(file);
   // file names need not be valid UTF-8, JSON must be

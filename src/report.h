@@ -4,6 +4,8 @@
 #ifndef SPHERICAL_PARAMETERIZATION_TOOL_REPORT_H
 #define SPHERICAL_PARAMETERIZATION_TOOL_REPORT_H
 
+#include "failure.h"
+
 #include <CGAL/Spherical_parameterization/Result.h>
 
 #include <string>
@@ -20,9 +22,7 @@ struct Report {
   double seconds_read = 0;   ///< reading and checking the file
   double seconds_write = 0;
   double seconds_total = 0;
-  std::string error;         ///< empty if all went well
-  std::string error_code = "OK";
-  std::string build_log;     ///< of OpenCL kernels that did not compile; too long for the JSON file
+  Failure failure;           ///< but for the OpenCL build log: that is too long for the JSON file
 };
 
 /// Writes the report as JSON. What is not known, since there is no map, is null. Throws a `Refusal`.

@@ -96,6 +96,11 @@ void map(const Map_options& options, Mapped_mesh& input, Report& report)
     Atomic_file(options.report);
   map_input(options, input);
 
+  if(!options.report.empty()) {
+    const Stopwatch measuring;
+    report.distortion = CGAL::Spherical_parameterization::distortion_summary(input.mesh, input.sphere);
+    report.seconds_measure = measuring.seconds();
+  }
   const Stopwatch writing;
   write(options, input.mesh, input.sphere, sphere_file, stretch_file.get());
   report.seconds_write = writing.seconds();

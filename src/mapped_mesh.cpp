@@ -56,7 +56,7 @@ void read_input(const Mapping_options& options, Mapped_mesh& input)
   stop_if_interrupted(options.input);
 }
 
-void map_input(const Mapping_options& options, Mapped_mesh& input)
+void map_input(const Mapping_options& options, Mapped_mesh& input, Map_quality quality)
 {
   if(!options.sphere.empty())
     read_sphere(options.sphere, options.input, input);
@@ -65,7 +65,8 @@ void map_input(const Mapping_options& options, Mapped_mesh& input)
   stop_if_interrupted(options.input);
 
   const CGAL::Spherical_parameterization::Result& result = input.result;
-  if(!result) {
+  const bool is_accepted = result || (quality == Map_quality::CONVERGED && result.error == Error_code::NOT_BIJECTIVE);
+  if(!is_accepted) {
     const std::string& file = result.error == Error_code::BAD_CONSTRAINTS ? options.fixed
                               : options.sphere.empty()                    ? options.input
                                                                           : options.sphere;

@@ -34,9 +34,15 @@ struct Mapped_mesh {
 /// device that is not there is better known before the work, too.
 void read_input(const Mapping_options& options, Mapped_mesh& input);
 
-/// Maps the mesh with a progress bar, or reads the sphere that the user has. Throws a `Refusal` if there is no
-/// certified map; then, too, `input.result` says what happened.
-void map_input(const Mapping_options& options, Mapped_mesh& input);
+/// What a command needs.
+enum class Map_quality {
+  CERTIFIED, ///< no flipped face, degree 1
+  CONVERGED  ///< or flipped faces where limbs are too thin for doubles
+};
+
+/// Maps the mesh with a progress bar, or reads the sphere that the user has. Throws a `Refusal` if there is no such map;
+/// then, too, `input.result` says what happened.
+void map_input(const Mapping_options& options, Mapped_mesh& input, Map_quality quality = Map_quality::CERTIFIED);
 
 } // namespace tool
 

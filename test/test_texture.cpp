@@ -264,7 +264,7 @@ TEST_CASE("by default the south pole is a vertex, and in the limb of a capsule",
   // the middle of a capsule is large on the sphere or small, its ends are what it is about: the axis is that of the tube
   const Vector to_pole = soup.points[std::size_t(pole - map.sphere.begin())] - CGAL::ORIGIN;
   const double extent = std::max({std::abs(to_pole.x()), std::abs(to_pole.y()), std::abs(to_pole.z())});
-  CHECK(extent / std::sqrt(to_pole.squared_length()) > 0.99);
+  CHECK(extent / std::sqrt(to_pole.squared_length()) > 0.9); // on a cap
   CHECK(t.report.moved_faces == 0);
 }
 

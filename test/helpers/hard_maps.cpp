@@ -42,10 +42,10 @@ Mapped_soup needles(int n, double half_width, unsigned seed)
   for(std::size_t side = 0; side < 2; ++side)
     for(std::size_t i = 0; i < m; ++i) {
       const double angle = 2 * pi * (double(i) + double(side) / 2) / n, z = side == 0 ? half_width : -half_width;
-      map.sphere.push_back(apply(rotation, Point(std::cos(angle), std::sin(angle), z)));
+      map.sphere.push_back(test::apply(rotation, Point(std::cos(angle), std::sin(angle), z)));
     }
-  map.sphere.push_back(apply(rotation, Point(0, 0, 1)));
-  map.sphere.push_back(apply(rotation, Point(0, 0, -1)));
+  map.sphere.push_back(test::apply(rotation, Point(0, 0, 1)));
+  map.sphere.push_back(test::apply(rotation, Point(0, 0, -1)));
   for(std::size_t i = 0; i < m; ++i) {
     const std::size_t j = (i + 1) % m;
     faces.push_back({i, j, north});
@@ -60,7 +60,7 @@ Mapped_soup needles(int n, double half_width, unsigned seed)
 Mapped_soup small_star(double scale, unsigned seed)
 {
   const auto rotation = random_rotation(seed);
-  const Soup soup = transformed(icosphere(2), [&](const Point& p) { return apply(rotation, p); });
+  const Soup soup = transformed(icosphere(2), [&](const Point& p) { return test::apply(rotation, p); });
   Mapped_soup map = {"small star " + std::to_string(scale), soup, soup.points};
   for(const auto& f : soup.faces)
     if(std::find(f.begin(), f.end(), 0) != f.end())

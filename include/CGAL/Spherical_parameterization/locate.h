@@ -60,9 +60,10 @@ public:
   template <class Direction>
   Face_location locate(const Direction& direction) const
   {
-    const internal::vec3 q = internal::coordinates(direction);
-    if(!internal::is_finite(q) || (q.x == 0 && q.y == 0 && q.z == 0))
+    const internal::vec3 given = internal::coordinates(direction);
+    if(!internal::is_finite(given) || (given.x == 0 && given.y == 0 && given.z == 0))
       throw std::invalid_argument("no direction to locate: zero or not finite");
+    const internal::vec3 q = scaled(given);
     const std::size_t f = walk(q, start(q));
     const Face& face = face_[f];
     return {descriptor_[f], internal::barycentric_coordinates(
@@ -139,9 +140,16 @@ private:
   /// Some face near q.
   std::size_t start(internal::vec3 q) const
   {
-    const int exponent = std::ilogb((std::max)({std::abs(q.x), std::abs(q.y), std::abs(q.z)}));
-    const internal::vec3 scaled = {std::ldexp(q.x, -exponent), std::ldexp(q.y, -exponent), std::ldexp(q.z, -exponent)};
-    return some_face_[tree_.near(internal::unit(scaled), point_)];
+    return some_face_[tree_.near(internal::unit(q), point_)];
+  }
+
+  /// The same direction, of length about 1: by a power of two, so that no digit is lost.
+  static internal::vec3 scaled(internal::vec3 q)
+  {
+    if(const double square = internal::inner(q, q); square > 0.5 && square < 2)
+      return q;
+    const int exponent = 1 + std::ilogb((std::max)({std::abs(q.x), std::abs(q.y), std::abs(q.z)}));
+    return {std::ldexp(q.x, -exponent), std::ldexp(q.y, -exponent), std::ldexp(q.z, -exponent)};
   }
 
   std::size_t walk(internal::vec3 q, std::size_t f) const

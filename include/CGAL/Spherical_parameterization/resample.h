@@ -33,14 +33,15 @@ void make_icosphere(int level, Graph& out, VertexSphereMap sphere_map)
     throw std::invalid_argument("the level of an icosphere is 0 to 12");
   typedef typename boost::property_traits<VertexSphereMap>::value_type Point;
   const internal::Icosphere icosphere(level);
-  std::vector<typename boost::graph_traits<Graph>::vertex_descriptor> vertex;
+  typedef typename boost::graph_traits<Graph>::vertex_descriptor vertex_descriptor;
+  std::vector<vertex_descriptor> vertex;
   vertex.reserve(icosphere.points.size());
   for(const internal::vec3& p : icosphere.points) {
     vertex.push_back(add_vertex(out));
     put(sphere_map, vertex.back(), Point(p.x, p.y, p.z));
   }
   for(const auto& [a, b, c] : icosphere.triangles)
-    CGAL::Euler::add_face(std::array<decltype(vertex[0]), 3>{vertex[a], vertex[b], vertex[c]}, out);
+    CGAL::Euler::add_face(std::array<vertex_descriptor, 3>{vertex[a], vertex[b], vertex[c]}, out);
 }
 
 /// A shape as a function on the sphere, sampled: adds an icosphere to `out`, and to every vertex of it the point of the shape

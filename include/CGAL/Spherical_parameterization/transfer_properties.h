@@ -12,22 +12,31 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <array>
+#include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Spherical_parameterization {
 
 namespace internal {
 
+template <class Value, class = void>
+struct Is_linear : std::false_type {};
+template <class Value>
+struct Is_linear<Value, std::void_t<decltype(1. * std::declval<const Value&>() + 1. * std::declval<const Value&>())>>
+  : std::true_type {};
+
 /// w_0 x_0 + w_1 x_1 + w_2 x_2 of numbers, vectors of any library, or points (which CGAL does not add up).
 template <class Value>
 Value weighted_mean(const std::array<double, 3>& w, const Value& x0, const Value& x1, const Value& x2)
 {
-  if constexpr(Has_xyz<Value>::value) {
+  if constexpr(Is_linear<Value>::value)
+    return static_cast<Value>(w[0] * x0 + w[1] * x1 + w[2] * x2);
+  else {
     const vec3 a = coordinates(x0), b = coordinates(x1), c = coordinates(x2);
     const vec3 sum = add(scale(w[0], a), add(scale(w[1], b), scale(w[2], c)));
     return Value(sum.x, sum.y, sum.z);
-  } else
-    return static_cast<Value>(w[0] * x0 + w[1] * x1 + w[2] * x2);
+  }
 }
 
 } // namespace internal
@@ -51,7 +60,8 @@ typename boost::property_traits<VertexMap>::value_type interpolate(const Triangl
 /// that `from` has under its image.
 /// \param from        the inverse of the map of the mesh that has the data
 /// \param from_map    readable, key vertex_descriptor of that mesh; see `interpolate()`
-/// \param to_sphere   readable, key vertex_descriptor of `to`; a map in the same position as that of `from`
+/// \param to_sphere   readable, key vertex_descriptor of `to`; a map in the same position as that of `from` (see
+///                    `align_maps.h`)
 /// \param to_map      writable, key vertex_descriptor of `to`
 /// \throws std::invalid_argument at an image that is no direction
 template <class FromMesh, class FromMap, class ToMesh, class ToSphereMap, class ToMap>

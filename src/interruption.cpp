@@ -3,6 +3,9 @@
 
 #include "interruption.h"
 
+#include "error_code_names.h"
+#include "refusal.h"
+
 #include <csignal>
 #include <initializer_list>
 
@@ -29,6 +32,12 @@ void watch_for_interruption()
 bool was_interrupted()
 {
   return interrupted != 0;
+}
+
+void stop_if_interrupted(const std::string& input)
+{
+  if(was_interrupted())
+    throw Refusal(name(Error_code::INTERRUPTED), input, "interrupted", "nothing has been written");
 }
 
 } // namespace tool

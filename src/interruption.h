@@ -4,12 +4,17 @@
 #ifndef SPHERICAL_PARAMETERIZATION_TOOL_INTERRUPTION_H
 #define SPHERICAL_PARAMETERIZATION_TOOL_INTERRUPTION_H
 
+#include <string>
+
 namespace tool {
 
 /// From now on the first SIGINT or SIGTERM is only noted, so that work can end in good order. A second one kills.
 void watch_for_interruption();
 
 bool was_interrupted();
+
+/// Throws a `Refusal` of the file `input` if it was.
+void stop_if_interrupted(const std::string& input);
 
 } // namespace tool
 

@@ -3,6 +3,9 @@
 
 #include "devices_command.h"
 #include "map_command.h"
+#include "resample_command.h"
+#include "segment_command.h"
+#include "texture_command.h"
 
 #include <CGAL/assertions.h>
 #include <CGAL/version.h>
@@ -24,15 +27,17 @@ int run(int argc, char** argv)
 {
   int exit_code = 0;
   CLI::App app("Spherical parameterization of closed triangle meshes of genus 0", "spherical-parameterization");
-  app.set_version_flag("--version", "spherical-parameterization " SPHERICAL_PARAMETERIZATION_VERSION
-                                    " (CGAL " CGAL_VERSION_STR ")");
+  app.set_version_flag("--version",
+                       "spherical-parameterization " SPHERICAL_PARAMETERIZATION_VERSION " (CGAL " CGAL_VERSION_STR ")");
   app.require_subcommand(1);
   tool::add_map_command(app, exit_code);
+  tool::add_segment_command(app, exit_code);
+  tool::add_texture_command(app, exit_code);
+  tool::add_resample_command(app, exit_code);
   tool::add_devices_command(app, exit_code);
   try {
     app.parse(argc, argv);
-  }
-  catch(const CLI::ParseError& stop) { // also what --help and --version throw
+  } catch(const CLI::ParseError& stop) { // also what --help and --version throw
     return app.exit(stop) == 0 ? 0 : wrong_usage;
   }
   return exit_code;
@@ -45,8 +50,7 @@ int main(int argc, char** argv)
   CGAL::set_error_handler(print_nothing);
   try {
     return run(argc, argv);
-  }
-  catch(const std::exception& exception) {
+  } catch(const std::exception& exception) {
     std::cerr << "spherical-parameterization: " << exception.what() << std::endl;
     return failure;
   }

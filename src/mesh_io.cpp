@@ -19,14 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string lower_case_extension(const std::string& file)
-{
-  std::string extension = fs::path(file).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
-
 void check_file(const std::string& file)
 {
   std::error_code error;
@@ -95,6 +87,14 @@ Mesh build_mesh(const std::string& file, const Polygon_soup& soup)
 }
 
 } // namespace
+
+std::string lower_case_extension(const std::string& file)
+{
+  std::string extension = fs::path(file).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
 
 Input_mesh read_mesh(const std::string& file, Polygons polygons)
 {

@@ -20,6 +20,9 @@ using Sphere_map = Mesh::Property_map<Mesh::Vertex_index, Point>;
 /// \name Reading
 /// @{
 
+/// As in ".off".
+std::string lower_case_extension(const std::string& file);
+
 /// What to do with faces of more than three vertices.
 enum class Polygons { REFUSE, TRIANGULATE };
 

@@ -23,11 +23,35 @@ std::size_t peak_memory_bytes()
 #endif
 }
 
+using Json = nlohmann::ordered_json;
+
+Json to_json(const CGAL::Spherical_parameterization::Distribution& d)
+{
+  return {{"mean", d.mean},
+          {"standard_deviation", d.deviation},
+          {"min", d.min},
+          {"percentile_1", d.percentile_1},
+          {"percentile_5", d.percentile_5},
+          {"median", d.median},
+          {"percentile_95", d.percentile_95},
+          {"percentile_99", d.percentile_99},
+          {"max", d.max}};
+}
+
+Json to_json(const CGAL::Spherical_parameterization::Distortion_summary& d)
+{
+  return {{"log_area_stretch", to_json(d.log_area_stretch)},
+          {"angle_distortion", to_json(d.angle_distortion)},
+          {"dilatation", to_json(d.dilatation)},
+          {"symmetric_dirichlet", to_json(d.symmetric_dirichlet)},
+          {"spherical_symmetric_dirichlet", to_json(d.spherical_symmetric_dirichlet)},
+          {"degenerate_faces", d.degenerate_faces}};
+}
+
 } // namespace
 
 void write_report(const std::string& file, const Report& report)
 {
-  using Json = nlohmann::ordered_json;
   const CGAL::Spherical_parameterization::Result& result = report.result;
   const bool has_mesh = result.number_of_vertices > 0;
   const bool has_map = result.degree != 0 || result.residual != 0;
@@ -49,12 +73,14 @@ void write_report(const std::string& file, const Report& report)
   json["flipped_faces"] = known(has_map, result.flipped_faces);
   json["degree"] = known(has_map, result.degree);
   json["smallest_area"] = known(has_map, result.smallest_area);
-  json["seconds"] = {{"read", report.seconds_read},          {"start_map", result.seconds.start_map},
-                     {"solve", result.seconds.solve},        {"certify", result.seconds.certify},
-                     {"write", report.seconds_write},        {"total", report.seconds_total}};
+  json["distortion"] = report.distortion ? to_json(*report.distortion) : Json(nullptr);
+  json["seconds"] = {{"read", report.seconds_read},       {"start_map", result.seconds.start_map},
+                     {"solve", result.seconds.solve},     {"certify", result.seconds.certify},
+                     {"measure", report.seconds_measure}, {"write", report.seconds_write},
+                     {"total", report.seconds_total}};
   json["peak_memory_bytes"] = peak_memory_bytes();
-  json["error"] = known(!report.error.empty(), report.error);
-  json["error_code"] = report.error_code;
+  json["error"] = known(bool(report.failure), report.failure.text);
+  json["error_code"] = report.failure.code;
 
   Atomic_file out(file);
   // file names need not be valid UTF-8, JSON must be

@@ -4,8 +4,12 @@
 #ifndef SPHERICAL_PARAMETERIZATION_TOOL_REPORT_H
 #define SPHERICAL_PARAMETERIZATION_TOOL_REPORT_H
 
-#include <CGAL/Spherical_parameterization/Result.h>
+#include "failure.h"
 
+#include <CGAL/Spherical_parameterization/Result.h>
+#include <CGAL/Spherical_parameterization/distortion_summary.h>
+
+#include <optional>
 #include <string>
 
 namespace tool {
@@ -17,12 +21,12 @@ struct Report {
   std::string method;
   std::string policy;
   CGAL::Spherical_parameterization::Result result;
-  double seconds_read = 0;   ///< reading and checking the file
+  double seconds_read = 0;                                                        ///< reading and checking the file
+  std::optional<CGAL::Spherical_parameterization::Distortion_summary> distortion; ///< of a certified map
+  double seconds_measure = 0;                                                     ///< the distortion
   double seconds_write = 0;
   double seconds_total = 0;
-  std::string error;         ///< empty if all went well
-  std::string error_code = "OK";
-  std::string build_log;     ///< of OpenCL kernels that did not compile; too long for the JSON file
+  Failure failure; ///< but for the OpenCL build log: that is too long for the JSON file
 };
 
 /// Writes the report as JSON. What is not known, since there is no map, is null. Throws a `Refusal`.

@@ -144,9 +144,13 @@ TEST_CASE("map: the report says what was done and how good the map is", "[tool]"
   CHECK(report.at("flipped_faces") == 0);
   CHECK(report.at("degree") == 1);
   CHECK(report.at("error").is_null());
+  const auto& energies = report.at("distortion").at("symmetric_dirichlet");
+  CHECK(energies.at("min") >= 4);
+  CHECK(energies.at("median") <= energies.at("percentile_95"));
+  CHECK(report.at("distortion").at("degenerate_faces") == 0);
   CHECK(report.at("peak_memory_bytes") > 1000 * 1000);
   double sum = 0;
-  for(const char* phase : {"read", "start_map", "solve", "certify", "write"}) {
+  for(const char* phase : {"read", "start_map", "solve", "certify", "measure", "write"}) {
     CHECK(report.at("seconds").at(phase) >= 0);
     sum += report.at("seconds").at(phase).get<double>();
   }

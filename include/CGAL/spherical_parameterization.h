@@ -7,10 +7,16 @@
 /// The whole package in one header.
 
 #include <CGAL/Spherical_parameterization/Result.h>
+#include <CGAL/Spherical_parameterization/align_maps.h>
+#include <CGAL/Spherical_parameterization/distortion_summary.h>
 #include <CGAL/Spherical_parameterization/edge_weights.h>
 #include <CGAL/Spherical_parameterization/execution.h>
+#include <CGAL/Spherical_parameterization/locate.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 #include <CGAL/Spherical_parameterization/methods.h>
 #include <CGAL/Spherical_parameterization/parameterize.h>
+#include <CGAL/Spherical_parameterization/resample.h>
+#include <CGAL/Spherical_parameterization/texture_coordinates.h>
+#include <CGAL/Spherical_parameterization/transfer_properties.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_H

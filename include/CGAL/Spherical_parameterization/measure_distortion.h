@@ -4,16 +4,16 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_MEASURE_DISTORTION_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_MEASURE_DISTORTION_H
 
+#include <CGAL/Spherical_parameterization/internal/Face_measures.h>
 #include <CGAL/Spherical_parameterization/internal/named_parameters.h>
-#include <CGAL/Spherical_parameterization/internal/point_coordinates.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_triangles.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
 #include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -23,14 +23,19 @@ namespace Spherical_parameterization {
 
 namespace internal {
 
-/// The images of the corners of face f, in the order of its halfedges.
-template <class TriangleMesh, class VertexMap>
-std::array<vec3, 3> corners(const TriangleMesh& mesh, VertexMap map,
-                            typename boost::graph_traits<TriangleMesh>::face_descriptor f)
+/// Writes value(k) for every k of the range; returns the smallest and the largest value.
+template <class Range, class Map, class Value>
+std::pair<double, double> put_values(const Range& range, Map map, const Value& value)
 {
-  const auto h = halfedge(f, mesh);
-  return {coordinates(get(map, source(h, mesh))), coordinates(get(map, target(h, mesh))),
-          coordinates(get(map, target(next(h, mesh), mesh)))};
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::pair<double, double> result(infinity, -infinity);
+  for(auto k : range) {
+    const double x = value(k);
+    put(map, k, x);
+    result.first = (std::min)(result.first, x);
+    result.second = (std::max)(result.second, x);
+  }
+  return result;
 }
 
 } // namespace internal
@@ -64,12 +69,83 @@ int degree_of_map(const TriangleMesh& mesh, VertexSphereMap sphere_map)
   return static_cast<int>(std::lround(total / (4 * std::acos(-1.))));
 }
 
-/// The area stretch of Definition 1 of T. Athanasiadis and I. Fudos, SMI 2011, as a natural logarithm: for every vertex
-/// the mean over its faces of log((source area / total source area) / (spherical area / 4 pi)). Positive where the map
-/// shrinks, as in limbs, where it reaches 60 and more. Areas below 1e-300 of the total count as that.
-/// \param sphere_map  readable, key vertex_descriptor, value unit vectors
-/// \param stretch_map writable, key vertex_descriptor, value double
+/// \name Measures per face
+/// Each writes one value per face and returns the smallest and the largest one.
+/// \param sphere_map  readable, key vertex_descriptor, value unit vectors; a valid map
+/// \param face_map    writable, key face_descriptor, value double
 /// \param np          `vertex_point_map`
+/// @{
+
+/// The area stretch of Definition 1 of T. Athanasiadis and I. Fudos, SMI 2011, as a natural logarithm:
+/// log((source area / total source area) / (spherical area / 4 pi)). Positive where the map shrinks, as in limbs, where it
+/// reaches 60 and more. Areas below 1e-300 of the total count as that.
+template <class TriangleMesh, class VertexSphereMap, class FaceMap,
+          class NamedParameters = parameters::Default_named_parameters>
+std::pair<double, double> face_log_area_stretch(const TriangleMesh& mesh, VertexSphereMap sphere_map, FaceMap face_map,
+                                                const NamedParameters& np = parameters::default_values())
+{
+  const auto measures = internal::make_face_measures(mesh, sphere_map, np);
+  return internal::put_values(faces(mesh), face_map, [&](auto f) { return measures.log_area_stretch(f); });
+}
+
+/// Mean over the three corners of |angle between the great circles - angle in the source|, in radians, in [0, pi).
+template <class TriangleMesh, class VertexSphereMap, class FaceMap,
+          class NamedParameters = parameters::Default_named_parameters>
+std::pair<double, double> face_angle_distortion(const TriangleMesh& mesh, VertexSphereMap sphere_map, FaceMap face_map,
+                                                const NamedParameters& np = parameters::default_values())
+{
+  const auto measures = internal::make_face_measures(mesh, sphere_map, np);
+  return internal::put_values(faces(mesh), face_map, [&](auto f) { return measures.angle_distortion(f); });
+}
+
+/// The quasi-conformal dilatation sigma_1 / sigma_2 >= 1 of the affine map between the flat triangles; 1 where it is
+/// conformal, infinite for faces without area.
+template <class TriangleMesh, class VertexSphereMap, class FaceMap,
+          class NamedParameters = parameters::Default_named_parameters>
+std::pair<double, double> face_dilatation(const TriangleMesh& mesh, VertexSphereMap sphere_map, FaceMap face_map,
+                                          const NamedParameters& np = parameters::default_values())
+{
+  const auto measures = internal::make_face_measures(mesh, sphere_map, np);
+  return internal::put_values(faces(mesh), face_map, [&](auto f) { return measures.dilatation(f); });
+}
+
+/// The symmetric Dirichlet energy sigma_1^2 + sigma_2^2 + 1/sigma_1^2 + 1/sigma_2^2 >= 4 of the affine map between the
+/// flat triangles, both surfaces scaled to the same area; 4 where it is isometric, infinite for faces without area.
+/// J. Smith and S. Schaefer, "Bijective parameterization with free boundaries", SIGGRAPH 2015.
+template <class TriangleMesh, class VertexSphereMap, class FaceMap,
+          class NamedParameters = parameters::Default_named_parameters>
+std::pair<double, double> face_symmetric_dirichlet(const TriangleMesh& mesh, VertexSphereMap sphere_map,
+                                                   FaceMap face_map,
+                                                   const NamedParameters& np = parameters::default_values())
+{
+  const auto measures = internal::make_face_measures(mesh, sphere_map, np);
+  return internal::put_values(faces(mesh), face_map, [&](auto f) { return measures.flat_symmetric_dirichlet(f); });
+}
+
+/// @}
+/// \name Measures per vertex
+/// @{
+
+/// Any measure per face as one per vertex: the mean over the faces of a vertex, as in Definition 1 of the paper.
+/// \param face_map   readable, key face_descriptor, value double
+/// \param vertex_map writable, key vertex_descriptor, value double
+/// \return the smallest and the largest value
+template <class TriangleMesh, class FaceMap, class VertexMap>
+std::pair<double, double> mean_over_faces(const TriangleMesh& mesh, FaceMap face_map, VertexMap vertex_map)
+{
+  return internal::put_values(vertices(mesh), vertex_map, [&](auto v) {
+    double sum = 0;
+    int count = 0;
+    for(auto h : halfedges_around_target(halfedge(v, mesh), mesh)) {
+      sum += get(face_map, face(h, mesh));
+      ++count;
+    }
+    return sum / count;
+  });
+}
+
+/// The area stretch of Definition 1 itself: for every vertex the mean of `face_log_area_stretch()`.
+/// \param stretch_map writable, key vertex_descriptor, value double
 /// \return the smallest and the largest value
 template <class TriangleMesh, class VertexSphereMap, class VertexStretchMap,
           class NamedParameters = parameters::Default_named_parameters>
@@ -77,35 +153,13 @@ std::pair<double, double> log_area_stretch(const TriangleMesh& mesh, VertexSpher
                                            VertexStretchMap stretch_map,
                                            const NamedParameters& np = parameters::default_values())
 {
-  const auto points = internal::vertex_points(mesh, np);
-  constexpr double floor = 1e-300;
-  const auto source_area = [&](auto f) {
-    const auto p = internal::corners(mesh, points, f);
-    const internal::vec3 n = internal::outer(internal::sub(p[1], p[0]), internal::sub(p[2], p[0]));
-    return std::sqrt(internal::inner(n, n)) / 2;
-  };
-  double total = 0;
-  for(auto f : faces(mesh))
-    total += source_area(f);
-
-  std::pair<double, double> range(std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity());
-  for(auto v : vertices(mesh)) {
-    double sum = 0;
-    int count = 0;
-    for(auto h : halfedges_around_target(halfedge(v, mesh), mesh)) {
-      const auto f = face(h, mesh);
-      const auto c = internal::corners(mesh, sphere_map, f);
-      const double share = internal::spherical_area(c[0], c[1], c[2]) / (4 * std::acos(-1.));
-      sum += std::log((std::max)(source_area(f) / total, floor)) - std::log((std::max)(share, floor));
-      ++count;
-    }
-    const double stretch = sum / count;
-    put(stretch_map, v, stretch);
-    range.first = (std::min)(range.first, stretch);
-    range.second = (std::max)(range.second, stretch);
-  }
-  return range;
+  const auto measures = internal::make_face_measures(mesh, sphere_map, np);
+  typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
+  const auto of_face = [&](face_descriptor f) { return measures.log_area_stretch(f); };
+  return mean_over_faces(mesh, boost::make_function_property_map<face_descriptor>(of_face), stretch_map);
 }
+
+/// @}
 
 } // namespace Spherical_parameterization
 } // namespace CGAL

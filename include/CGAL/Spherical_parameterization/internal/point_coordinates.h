@@ -36,6 +36,8 @@ vec3 coordinates(const Point& p)
     return {to_double(p[0]), to_double(p[1]), to_double(p[2])};
 }
 
+inline vec3 coordinates(const vec3& p) { return p; }
+
 /// Whether several threads may read coordinates of this type at once: built-in numbers, unlike lazy exact ones.
 template <class Point>
 constexpr bool are_plain_coordinates()

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "map_options.h"
-
-#include "mesh_io.h"
+#include "mapping_options.h"
 
 #include <CLI/CLI.hpp>
 
-#include <filesystem>
+#include <algorithm>
+#include <iterator>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -16,15 +15,12 @@
 namespace tool {
 namespace {
 
-namespace fs = std::filesystem;
+const std::string weights_group = "Weights", method_group = "Method", place_group = "Where to run",
+                  effort_group = "Effort";
+const std::string mapping_groups[] = {weights_group, method_group, place_group, effort_group};
+
 using CGAL::Spherical_parameterization::Balanced;
 using CGAL::Spherical_parameterization::Saddle_point;
-
-void require(bool condition, const char* option, const std::string& rule)
-{
-  if(!condition)
-    throw CLI::ValidationError(option, rule);
-}
 
 /// " [balanced 1e-09, saddle-point 1e-07]"
 template <class Number>
@@ -35,41 +31,7 @@ std::string defaults(Number balanced, Number saddle_point)
   return text.str();
 }
 
-bool is_same_file(const std::string& a, const std::string& b)
-{
-  std::error_code error; // of files that do not exist: then their names decide
-  return fs::equivalent(a, b, error) || fs::weakly_canonical(a, error) == fs::weakly_canonical(b, error);
-}
-
-/// Replaces regular files only: renaming a new file over a device would remove the device.
-bool can_be_replaced(const std::string& file)
-{
-  std::error_code error;
-  const fs::file_status status = fs::status(file, error);
-  return status.type() == fs::file_type::not_found || status.type() == fs::file_type::regular;
-}
-
-void check_files(const Map_options& options)
-{
-  require(output_format(options.sphere) != Mesh_format::UNKNOWN, "--output",
-          "'" + options.sphere + "' has none of the extensions .off, .obj, .ply");
-  require(options.stretch_ply.empty() || output_format(options.stretch_ply) == Mesh_format::PLY, "--stretch-ply",
-          "'" + options.stretch_ply + "' has not the extension .ply");
-
-  std::vector<std::pair<const char*, std::string>> files = {{"IN", options.input}, {"--fixed", options.fixed}};
-  for(const auto& [option, file] : {std::pair("--output", options.sphere), std::pair("--report", options.report),
-                                    std::pair("--stretch-ply", options.stretch_ply)}) {
-    if(file.empty())
-      continue;
-    require(can_be_replaced(file), option, "'" + file + "' exists and is no regular file");
-    for(const auto& [other_option, other_file] : files)
-      require(other_file.empty() || !is_same_file(file, other_file), option,
-              std::string("is the same file as ") + other_option);
-    files.emplace_back(option, file);
-  }
-}
-
-void check_weights(const Map_options& options)
+void check_weights(const Mapping_options& options)
 {
   const bool is_conformal = options.weights == "conformal";
   require(is_conformal || !options.min_angle, "--min-angle", "is for --weights conformal only");
@@ -80,7 +42,7 @@ void check_weights(const Map_options& options)
           "angles must be 0 < --min-angle <= --max-angle < 90");
 }
 
-void check_method(const Map_options& options)
+void check_method(const Mapping_options& options)
 {
   const bool is_balanced = options.method == "balanced";
   const std::string saddle_point_only = "is for --method saddle-point only";
@@ -98,7 +60,7 @@ void check_method(const Map_options& options)
   require(options.check_interval.value_or(1) > 0, "--check-interval", "must be positive");
 }
 
-void check_device(const Map_options& options)
+void check_device(const Mapping_options& options)
 {
   const std::string opencl_only = "is for --policy opencl only";
   const bool is_opencl = options.policy == "opencl";
@@ -108,85 +70,84 @@ void check_device(const Map_options& options)
 
 } // namespace
 
-void add_map_options(CLI::App& command, Map_options& options)
+void add_mapping_options(CLI::App& command, Mapping_options& options)
 {
   command.add_option("IN", options.input, "Closed triangle mesh of genus 0: .off, .obj, .ply or .stl")->required();
-  command
-      .add_option("-o,--output", options.sphere,
-                  "Where the sphere goes: .off, .obj or .ply, with the vertices and faces of IN in the same order")
-      ->required();
+  command.add_flag("--triangulate", options.triangulate, "Cut polygons of IN into triangles instead of refusing them");
 
-  const char* group = "Weights";
+  std::string group = weights_group;
   command.add_option("--weights", options.weights, "Which map: evenly spread, angle-preserving, or shape-preserving")
-      ->check(CLI::IsMember({"barycentric", "conformal", "mean-value"}))
-      ->capture_default_str()
-      ->group(group);
+    ->check(CLI::IsMember({"barycentric", "conformal", "mean-value"}))
+    ->capture_default_str()
+    ->group(group);
   command.add_option("--min-angle", options.min_angle, "Conformal: smaller angles count as this, in degrees [5]")
-      ->group(group);
+    ->group(group);
   command.add_option("--max-angle", options.max_angle, "Conformal: larger angles count as this, in degrees [85]")
-      ->group(group);
+    ->group(group);
 
-  group = "Method";
+  group = method_group;
   command.add_option("--method", options.method, "The fast method, or the published one")
-      ->check(CLI::IsMember({"balanced", "saddle-point"}))
-      ->capture_default_str()
-      ->group(group);
+    ->check(CLI::IsMember({"balanced", "saddle-point"}))
+    ->capture_default_str()
+    ->group(group);
   command
-      .add_option("--spring-exponent", options.spring_exponent,
-                  "Balanced: of the spring energy, >= 2; larger ones equalise areas [2]")
-      ->group(group);
+    .add_option("--spring-exponent", options.spring_exponent,
+                "Balanced: of the spring energy, >= 2; larger ones equalise areas [2]")
+    ->group(group);
   command.add_option("--splitting", options.splitting, "Saddle-point: how the sweeps go [jacobi]")
-      ->check(CLI::IsMember({"jacobi", "gauss-seidel"}))
-      ->group(group);
+    ->check(CLI::IsMember({"jacobi", "gauss-seidel"}))
+    ->group(group);
   command.add_option("--relaxation", options.relaxation, "Saddle-point: in (0,1), gauss-seidel (0,2) [0.95]")
-      ->group(group);
+    ->group(group);
   command.add_option("--check-interval", options.check_interval, "Saddle-point: sweeps between two tests [1000]")
-      ->group(group);
+    ->group(group);
   command.add_option("--start", options.start, "Saddle-point: the start map [centroid]")
-      ->check(CLI::IsMember({"centroid", "harmonic"}))
-      ->group(group);
+    ->check(CLI::IsMember({"centroid", "harmonic"}))
+    ->group(group);
   command.add_option("--fixed", options.fixed, "File of lines 'index x y z': vertices (from 0 on) to keep there")
-      ->group(group);
+    ->group(group);
 
-  group = "Where to run";
+  group = place_group;
   command.add_option("--policy", options.policy, "One core, all cores, or an OpenCL device: the same map")
-      ->check(CLI::IsMember(policy_names()))
-      ->capture_default_str()
-      ->group(group);
+    ->check(CLI::IsMember(policy_names()))
+    ->capture_default_str()
+    ->group(group);
   command
-      .add_option("--device", options.device,
-                  "OpenCL: its number in the list of the command 'devices', or part of its name "
-                  "[$CGAL_SPHERICAL_PARAMETERIZATION_DEVICE]")
-      ->group(group);
+    .add_option("--device", options.device,
+                "OpenCL: its number in the list of the command 'devices', or part of its name "
+                "[$CGAL_SPHERICAL_PARAMETERIZATION_DEVICE]")
+    ->group(group);
   command.add_option("--precision", options.precision, "OpenCL: of the numbers [double where the device has it]")
-      ->check(CLI::IsMember({"double", "single"}))
-      ->group(group);
+    ->check(CLI::IsMember({"double", "single"}))
+    ->group(group);
 
-  group = "Effort";
+  group = effort_group;
   command
-      .add_option("--accuracy", options.accuracy,
-                  "Residual to reach" + defaults(Balanced::default_accuracy, Saddle_point::default_accuracy))
-      ->group(group);
+    .add_option("--accuracy", options.accuracy,
+                "Residual to reach" + defaults(Balanced::default_accuracy, Saddle_point::default_accuracy))
+    ->group(group);
   command
-      .add_option("--iterations", options.iterations,
-                  "At most so many" +
-                      defaults(Balanced::default_number_of_iterations, Saddle_point::default_number_of_iterations))
-      ->group(group);
+    .add_option("--iterations", options.iterations,
+                "At most so many" +
+                  defaults(Balanced::default_number_of_iterations, Saddle_point::default_number_of_iterations))
+    ->group(group);
   command.add_option("--max-time", options.max_time, "At most so many seconds [no limit]")->group(group);
-
-  group = "Files";
-  command.add_flag("--triangulate", options.triangulate, "Cut polygons of IN into triangles instead of refusing them")
-      ->group(group);
-  command.add_option("--report", options.report, "Write figures and errors as JSON")->group(group);
-  command.add_option("--stretch-ply", options.stretch_ply, "Write IN coloured by log area stretch as PLY")
-      ->group(group);
-
-  command.footer("Exit code: 0 a certified map has been written, 1 none (the reason is on stderr), 2 wrong usage.");
 }
 
-void check_map_options(const Map_options& options)
+void add_sphere_option(CLI::App& command, Mapping_options& options)
 {
-  check_files(options);
+  const std::vector<CLI::Option*> how_to_map = command.get_options([](const CLI::Option* option) {
+    return std::find(std::begin(mapping_groups), std::end(mapping_groups), option->get_group()) !=
+           std::end(mapping_groups);
+  });
+  CLI::Option* sphere = command.add_option(
+    "--sphere", options.sphere, "A sphere of IN that 'map' has written, to be used instead of mapping again");
+  for(CLI::Option* option : how_to_map)
+    sphere->excludes(option);
+}
+
+void check_mapping_options(const Mapping_options& options)
+{
   check_weights(options);
   check_method(options);
   check_device(options);
@@ -195,7 +156,12 @@ void check_map_options(const Map_options& options)
   require(!options.max_time || *options.max_time > 0, "--max-time", "must be positive");
 }
 
-Map_settings map_settings(const Map_options& options)
+std::vector<File_option> input_files(const Mapping_options& options)
+{
+  return {{"IN", options.input}, {"--sphere", options.sphere}, {"--fixed", options.fixed}};
+}
+
+Map_settings map_settings(const Mapping_options& options)
 {
   Map_settings settings;
   if(options.weights == "barycentric")

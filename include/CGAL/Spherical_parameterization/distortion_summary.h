@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_DISTORTION_SUMMARY_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_DISTORTION_SUMMARY_H
+
+#include <CGAL/Spherical_parameterization/internal/Face_measures.h>
+#include <CGAL/Spherical_parameterization/internal/named_parameters.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+
+/// How a measure is spread over the surface: every face counts with its source area.
+struct Distribution {
+  double mean = 0;
+  double deviation = 0; ///< root of the mean square difference from the mean
+  double min = 0, percentile_1 = 0, percentile_5 = 0, median = 0, percentile_95 = 0, percentile_99 = 0, max = 0;
+};
+
+/// The distortion of a map; see `measure_distortion.h` for the measures.
+struct Distortion_summary {
+  Distribution log_area_stretch;
+  Distribution angle_distortion; ///< radians
+  Distribution dilatation;
+  Distribution symmetric_dirichlet; ///< between flat triangles; 4 = isometric
+  /// With det(a, b, c) / 2 in place of the area of the flat triangle abc on the sphere: the inscribed polyhedron of a map
+  /// may be far from the sphere, as with long edges along a tube, and the flat measure does not see it.
+  Distribution spherical_symmetric_dirichlet;
+  std::size_t degenerate_faces = 0; ///< source faces without area: they do not count
+};
+
+namespace internal {
+
+/// `values` are pairs of value and weight; they get sorted.
+inline Distribution distribution(std::vector<std::pair<double, double>>& values)
+{
+  Distribution d;
+  if(values.empty())
+    return d;
+  std::sort(values.begin(), values.end());
+  double total = 0, sum = 0;
+  for(const auto& [value, weight] : values) {
+    total += weight;
+    sum += weight * value;
+  }
+  d.mean = sum / total;
+  double squares = 0;
+  for(const auto& [value, weight] : values)
+    squares += weight * (value - d.mean) * (value - d.mean);
+  d.deviation = std::sqrt(squares / total);
+  d.min = values.front().first;
+  d.max = values.back().first;
+
+  double below = 0;
+  auto it = values.begin();
+  for(const auto& [share, quantile] :
+      {std::pair(0.01, &d.percentile_1), std::pair(0.05, &d.percentile_5), std::pair(0.5, &d.median),
+       std::pair(0.95, &d.percentile_95), std::pair(0.99, &d.percentile_99)}) {
+    while(it + 1 != values.end() && below + it->second < share * total)
+      below += (it++)->second;
+    *quantile = it->first;
+  }
+  return d;
+}
+
+} // namespace internal
+
+/// Measures all faces of a valid map.
+/// \param sphere_map  readable, key vertex_descriptor, value unit vectors
+/// \param np          `vertex_point_map`
+/// Complexity: O(n log n).
+template <class TriangleMesh, class VertexSphereMap, class NamedParameters = parameters::Default_named_parameters>
+Distortion_summary distortion_summary(const TriangleMesh& mesh, VertexSphereMap sphere_map,
+                                      const NamedParameters& np = parameters::default_values())
+{
+  const auto measures = internal::make_face_measures(mesh, sphere_map, np);
+  Distortion_summary summary;
+  const auto summarize = [&](const auto& measure) {
+    std::vector<std::pair<double, double>> values;
+    summary.degenerate_faces = 0;
+    for(auto f : faces(mesh)) {
+      const double area = measures.source_area(f);
+      if(area > 0)
+        values.emplace_back(measure(f), area);
+      else
+        ++summary.degenerate_faces;
+    }
+    return internal::distribution(values);
+  };
+  summary.log_area_stretch = summarize([&](auto f) { return measures.log_area_stretch(f); });
+  summary.angle_distortion = summarize([&](auto f) { return measures.angle_distortion(f); });
+  summary.dilatation = summarize([&](auto f) { return measures.dilatation(f); });
+  summary.symmetric_dirichlet = summarize([&](auto f) { return measures.flat_symmetric_dirichlet(f); });
+  summary.spherical_symmetric_dirichlet =
+    summarize([&](auto f) { return measures.spherical_symmetric_dirichlet(f); });
+  return summary;
+}
+
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_DISTORTION_SUMMARY_H

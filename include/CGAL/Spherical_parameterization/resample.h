@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_RESAMPLE_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_RESAMPLE_H
+
+#include <CGAL/Spherical_parameterization/internal/icosphere.h>
+#include <CGAL/Spherical_parameterization/transfer_properties.h>
+
+#include <CGAL/boost/graph/Euler_operations.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <array>
+#include <stdexcept>
+#include <vector>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+
+/// The largest level of `make_icosphere()`: 167,772,162 vertices, beyond which 32-bit numbers of halfedges end.
+constexpr int largest_icosphere_level = 12;
+
+/// Adds an icosphere to `out`: an icosahedron of which every triangle has been cut in four `level` times.
+/// \param out         MutableFaceGraph, empty
+/// \param sphere_map  writable, key vertex_descriptor of `out`, value constructible from three numbers: unit vectors
+/// \throws std::invalid_argument if the level is not in 0 ... `largest_icosphere_level`
+template <class Graph, class VertexSphereMap>
+void make_icosphere(int level, Graph& out, VertexSphereMap sphere_map)
+{
+  if(level < 0 || level > largest_icosphere_level)
+    throw std::invalid_argument("the level of an icosphere is 0 to 12");
+  typedef typename boost::property_traits<VertexSphereMap>::value_type Point;
+  const internal::Icosphere icosphere(level);
+  typedef typename boost::graph_traits<Graph>::vertex_descriptor vertex_descriptor;
+  std::vector<vertex_descriptor> vertex;
+  vertex.reserve(icosphere.points.size());
+  for(const internal::vec3& p : icosphere.points) {
+    vertex.push_back(add_vertex(out));
+    put(sphere_map, vertex.back(), Point(p.x, p.y, p.z));
+  }
+  for(const auto& [a, b, c] : icosphere.triangles)
+    CGAL::Euler::add_face(std::array<vertex_descriptor, 3>{vertex[a], vertex[b], vertex[c]}, out);
+}
+
+/// A shape as a function on the sphere, sampled: adds an icosphere to `out`, and to every vertex of it the point of the shape
+/// that has its direction as image. Two shapes sampled at one level have the same vertices and faces, which is what
+/// morphing and statistics of shapes need.
+///
+/// The samples are even on the sphere and not on the shape: a limb that the map makes tiny gets few of them or none.
+/// Barycentric weights or larger spring exponents keep limbs wider.
+///
+/// \param shape       the inverse of the map of the shape
+/// \param points      readable, key vertex_descriptor of the shape; see `interpolate()`
+/// \param out         MutableFaceGraph, empty
+/// \param out_points  writable, key vertex_descriptor of `out`
+/// \param out_sphere  writable, likewise: the directions
+/// \throws std::invalid_argument if the level is not in 0 ... `largest_icosphere_level`
+/// Complexity: 10 * 4^level + 2 queries.
+template <class TriangleMesh, class VertexPointMap, class Graph, class OutPointMap, class OutSphereMap>
+void resample(const Spherical_locator<TriangleMesh>& shape, VertexPointMap points, int level, Graph& out,
+              OutPointMap out_points, OutSphereMap out_sphere)
+{
+  make_icosphere(level, out, out_sphere);
+  transfer_vertex_property(shape, points, out, out_sphere, out_points);
+}
+
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_RESAMPLE_H

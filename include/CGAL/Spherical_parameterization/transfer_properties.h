@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_TRANSFER_PROPERTIES_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_TRANSFER_PROPERTIES_H
+
+#include <CGAL/Spherical_parameterization/locate.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <array>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+
+namespace internal {
+
+template <class Value, class = void>
+struct Is_linear : std::false_type {};
+template <class Value>
+struct Is_linear<Value, std::void_t<decltype(1. * std::declval<const Value&>() + 1. * std::declval<const Value&>())>>
+  : std::true_type {};
+
+/// w_0 x_0 + w_1 x_1 + w_2 x_2 of numbers, vectors of any library, or points (which CGAL does not add up).
+template <class Value>
+Value weighted_mean(const std::array<double, 3>& w, const Value& x0, const Value& x1, const Value& x2)
+{
+  if constexpr(Is_linear<Value>::value)
+    return static_cast<Value>(w[0] * x0 + w[1] * x1 + w[2] * x2);
+  else {
+    const vec3 a = coordinates(x0), b = coordinates(x1), c = coordinates(x2);
+    const vec3 sum = add(scale(w[0], a), add(scale(w[1], b), scale(w[2], c)));
+    return Value(sum.x, sum.y, sum.z);
+  }
+}
+
+} // namespace internal
+
+/// The value at a point of the mesh, interpolated linearly between the vertices.
+/// \param vertex_map  readable, key vertex_descriptor; value a number, a vector that can be multiplied by a double
+///                    and added, or a point or vector with x(), y(), z()
+template <class TriangleMesh, class VertexMap>
+typename boost::property_traits<VertexMap>::value_type interpolate(const TriangleMesh& mesh,
+                                                                   const Face_location<TriangleMesh>& location,
+                                                                   VertexMap vertex_map)
+{
+  const auto h = halfedge(location.first, mesh);
+  typedef typename boost::property_traits<VertexMap>::value_type Value;
+  return internal::weighted_mean<Value>(location.second, get(vertex_map, source(h, mesh)),
+                                        get(vertex_map, target(h, mesh)),
+                                        get(vertex_map, target(next(h, mesh), mesh)));
+}
+
+/// Carries data of vertices from one mesh to another (or to another map of the same mesh): every vertex gets the value
+/// that `from` has under its image.
+/// \param from        the inverse of the map of the mesh that has the data
+/// \param from_map    readable, key vertex_descriptor of that mesh; see `interpolate()`
+/// \param to_sphere   readable, key vertex_descriptor of `to`; a map in the same position as that of `from` (see
+///                    `align_maps.h`)
+/// \param to_map      writable, key vertex_descriptor of `to`
+/// \throws std::invalid_argument at an image that is no direction
+template <class FromMesh, class FromMap, class ToMesh, class ToSphereMap, class ToMap>
+void transfer_vertex_property(const Spherical_locator<FromMesh>& from, FromMap from_map, const ToMesh& to,
+                              ToSphereMap to_sphere, ToMap to_map)
+{
+  for(auto v : vertices(to))
+    put(to_map, v, interpolate(from.mesh(), from.locate(get(to_sphere, v)), from_map));
+}
+
+/// Carries data of faces, such as labels: every face gets the value of the face of `from` under its centre.
+/// \param from_map    readable, key face_descriptor of the mesh that has the data
+/// \param to_map      writable, key face_descriptor of `to`
+template <class FromMesh, class FromMap, class ToMesh, class ToSphereMap, class ToMap>
+void transfer_face_property(const Spherical_locator<FromMesh>& from, FromMap from_map, const ToMesh& to,
+                            ToSphereMap to_sphere, ToMap to_map)
+{
+  for(auto f : faces(to)) {
+    const auto corner = internal::corners(to, to_sphere, f);
+    const internal::vec3 centre = internal::add(corner[0], internal::add(corner[1], corner[2]));
+    put(to_map, f, get(from_map, from.locate(centre).first));
+  }
+}
+
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_TRANSFER_PROPERTIES_H

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The measures per face of measure_distortion.h against singular values from a library, and their summary.
+
+#include "helpers/meshes.h"
+#include "helpers/property_maps.h"
+#include "helpers/solve.h"
+
+#include <CGAL/Spherical_parameterization/distortion_summary.h>
+#include <CGAL/Spherical_parameterization/measure_distortion.h>
+
+#include <catch2/catch.hpp>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+using namespace test;
+
+namespace {
+
+using Vertex = Mesh::Vertex_index;
+using Face = Mesh::Face_index;
+
+/// A face in coordinates of its plane: columns are two edges.
+Eigen::Matrix2d in_plane(const Point& a, const Point& b, const Point& c)
+{
+  const Vector e = b - a, g = c - a, x = e / std::sqrt(e.squared_length()), n = CGAL::cross_product(e, g);
+  const Vector y = CGAL::cross_product(n, x) / std::sqrt(n.squared_length());
+  Eigen::Matrix2d columns;
+  columns << e * x, g * x, e * y, g * y;
+  return columns;
+}
+
+struct Expected {
+  std::vector<double> dilatation, energy, area_weight, angle;
+};
+
+/// By singular value decomposition.
+Expected expected(const Soup& soup, const Sphere& sphere)
+{
+  double source = 0, target = 0;
+  std::vector<Eigen::Vector2d> singular;
+  Expected result;
+  for(const auto& f : soup.faces) {
+    const Eigen::Matrix2d p = in_plane(soup.points[f[0]], soup.points[f[1]], soup.points[f[2]]);
+    const Eigen::Matrix2d v = in_plane(sphere[f[0]], sphere[f[1]], sphere[f[2]]);
+    source += p.determinant() / 2;
+    target += v.determinant() / 2;
+    singular.push_back(Eigen::JacobiSVD<Eigen::Matrix2d>(v * p.inverse()).singularValues());
+    result.area_weight.push_back(p.determinant() / 2);
+    double sum = 0;
+    for(std::size_t k = 0; k < 3; ++k) {
+      const auto angle = [&](const Vector& a, const Vector& b) {
+        return std::acos(a * b / std::sqrt(a.squared_length() * b.squared_length()));
+      };
+      const Point &o = soup.points[f[k]], &a = soup.points[f[(k + 1) % 3]], &b = soup.points[f[(k + 2) % 3]];
+      const Vector n = sphere[f[k]] - CGAL::ORIGIN; // the angle of great circles is that of their planes
+      const Vector first = CGAL::cross_product(n, sphere[f[(k + 1) % 3]] - CGAL::ORIGIN);
+      const Vector second = CGAL::cross_product(n, sphere[f[(k + 2) % 3]] - CGAL::ORIGIN);
+      sum += std::abs(angle(first, second) - angle(a - o, b - o));
+    }
+    result.angle.push_back(sum / 3);
+  }
+  for(const Eigen::Vector2d& s : singular) {
+    const Eigen::Vector2d t = s * std::sqrt(source / target);
+    result.dilatation.push_back(s[0] / s[1]);
+    result.energy.push_back(t[0] * t[0] + t[1] * t[1] + 1 / (t[0] * t[0]) + 1 / (t[1] * t[1]));
+  }
+  return result;
+}
+
+Readable_map<Vertex, Point> on(const Sphere& sphere)
+{
+  return {[&](const Vertex& v) { return sphere[v]; }};
+}
+
+} // namespace
+
+TEST_CASE("dilatation, symmetric Dirichlet energy and angles against a decomposition", "[measures]")
+{
+  const Soup soup = spiky_star(3, 1);
+  Settings settings;
+  settings.weights = Weights::BARYCENTRIC;
+  const Sphere sphere = solve_or_throw(soup, settings);
+  const Mesh mesh = make_mesh(soup);
+  const Expected e = expected(soup, sphere);
+  std::map<Face, double> dilatation, energy, angle;
+  const auto [d_min, d_max] = SP::face_dilatation(mesh, on(sphere), Writable_map<Face, double>{&dilatation});
+  const auto [e_min, e_max] = SP::face_symmetric_dirichlet(mesh, on(sphere), Writable_map<Face, double>{&energy});
+  const auto [a_min, a_max] = SP::face_angle_distortion(mesh, on(sphere), Writable_map<Face, double>{&angle});
+  for(Face f : faces(mesh)) {
+    CHECK(dilatation.at(f) == Approx(e.dilatation[f]).epsilon(1e-7));
+    CHECK(energy.at(f) == Approx(e.energy[f]).epsilon(1e-9));
+    CHECK(angle.at(f) == Approx(e.angle[f]).margin(1e-9));
+  }
+  CHECK(d_min == Approx(*std::min_element(e.dilatation.begin(), e.dilatation.end())).epsilon(1e-7));
+  CHECK(d_max == Approx(*std::max_element(e.dilatation.begin(), e.dilatation.end())).epsilon(1e-7));
+  CHECK(e_min >= 4);
+  CHECK(e_max > 10);
+  CHECK(a_min >= 0);
+  CHECK(a_max < std::acos(-1.));
+  CHECK(d_min >= 1);
+
+  const SP::Distortion_summary summary = SP::distortion_summary(mesh, on(sphere));
+  double total = 0, mean = 0;
+  for(std::size_t f = 0; f < e.energy.size(); ++f) {
+    total += e.area_weight[f];
+    mean += e.area_weight[f] * e.energy[f];
+  }
+  CHECK(summary.symmetric_dirichlet.mean == Approx(mean / total).epsilon(1e-9));
+  CHECK(summary.symmetric_dirichlet.min == e_min);
+  CHECK(summary.symmetric_dirichlet.max == e_max);
+  CHECK(summary.spherical_symmetric_dirichlet.mean == Approx(mean / total).epsilon(0.2)); // fine triangles
+  CHECK(summary.spherical_symmetric_dirichlet.mean != summary.symmetric_dirichlet.mean);
+  CHECK(summary.degenerate_faces == 0);
+}
+
+TEST_CASE("an isometry of the inscribed polyhedron has energy 4 and dilatation 1, at any size and place", "[measures]")
+{
+  const Soup sphere = icosphere(2);
+  const auto rotation = random_rotation(1);
+  const double size = GENERATE(1., 1e-150, 1e150, 1e-3), shift = GENERATE(0., 1e6);
+  const Soup soup = transformed(sphere, [&](const Point& p) {
+    const Point q = test::apply(rotation, p);
+    return Point(size * (q.x() + shift), size * (q.y() - shift), size * q.z());
+  });
+  const Mesh mesh = make_mesh(soup);
+  const SP::Distortion_summary s = SP::distortion_summary(mesh, on(sphere.points));
+  CAPTURE(size, shift);
+  const double tolerance = shift > 0 ? 1e-4 : 1e-7;
+  CHECK(s.symmetric_dirichlet.max == Approx(4).epsilon(tolerance));
+  CHECK(s.symmetric_dirichlet.min == Approx(4).epsilon(tolerance));
+  CHECK(s.dilatation.max == Approx(1).epsilon(tolerance));
+  CHECK(std::abs(s.log_area_stretch.mean) < 0.01); // spherical triangles are a little larger than flat ones
+  CHECK(s.log_area_stretch.deviation < 0.02);
+  CHECK(s.angle_distortion.max < 0.02);
+}
+
+TEST_CASE("measures per vertex are means over faces", "[measures]")
+{
+  const Soup soup = bumpy_sphere(2);
+  const Sphere sphere = icosphere(2).points;
+  const Mesh mesh = make_mesh(soup);
+  std::map<Face, double> of_face;
+  std::map<Vertex, double> of_vertex, stretch;
+  SP::face_log_area_stretch(mesh, on(sphere), Writable_map<Face, double>{&of_face});
+  const auto range = SP::mean_over_faces(mesh, Readable_map<Face, double>{[&](Face f) { return of_face.at(f); }},
+                                         Writable_map<Vertex, double>{&of_vertex});
+  CHECK(range == SP::log_area_stretch(mesh, on(sphere), Writable_map<Vertex, double>{&stretch}));
+  CHECK(of_vertex == stretch);
+}
+
+TEST_CASE("quantiles count faces by their area", "[measures]")
+{
+  std::vector<std::pair<double, double>> values; // value, weight
+  for(int k = 100; k > 0; --k)
+    values.emplace_back(k, 1);
+  values.emplace_back(1000, 100); // half of all
+  const SP::Distribution d = SP::internal::distribution(values);
+  CHECK(d.min == 1);
+  CHECK(d.max == 1000);
+  CHECK(d.percentile_1 == 2);
+  CHECK(d.percentile_5 == 10);
+  CHECK(d.median == 100);
+  CHECK(d.percentile_95 == 1000);
+  CHECK(d.percentile_99 == 1000);
+  CHECK(d.mean == Approx((5050 + 100000) / 200.));
+}
+
+TEST_CASE("faces without area do not count", "[measures]")
+{
+  const Soup soup = coincident_points();
+  const Mesh mesh = make_mesh(soup);
+  Settings settings;
+  settings.weights = Weights::BARYCENTRIC;
+  const Sphere sphere = solve_or_throw(soup, settings);
+  const SP::Distortion_summary s = SP::distortion_summary(mesh, on(sphere));
+  CHECK(s.degenerate_faces == 2);
+  CHECK(std::isfinite(s.dilatation.max));
+  CHECK(std::isfinite(s.symmetric_dirichlet.mean));
+  std::map<Face, double> dilatation;
+  CHECK(SP::face_dilatation(mesh, on(sphere), Writable_map<Face, double>{&dilatation}).second ==
+        std::numeric_limits<double>::infinity());
+}

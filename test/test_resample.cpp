@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// transfer_properties.h and resample.h: data from one map to another.
+
+#include "helpers/certificate.h"
+#include "helpers/meshes.h"
+#include "helpers/property_maps.h"
+#include "helpers/solve.h"
+
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Spherical_parameterization/resample.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <catch2/catch.hpp>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace test;
+
+namespace {
+
+using Vertex = Mesh::Vertex_index;
+using Face = Mesh::Face_index;
+using Locator = SP::Spherical_locator<Mesh>;
+
+template <class Value>
+Readable_map<Vertex, Value> of_vertex(std::function<Value(Vertex)> f)
+{
+  return {std::move(f)};
+}
+
+} // namespace
+
+TEST_CASE("transfer to the same map gives every vertex its own value", "[transfer]")
+{
+  const Soup soup = spiky_star(3, 1);
+  const Sphere sphere = solve_or_throw(soup);
+  const Mesh mesh = make_mesh(soup);
+  const auto on_sphere = of_vertex<Point>([&](Vertex v) { return sphere[v]; });
+  std::map<Vertex, Point> points;
+  SP::transfer_vertex_property(Locator(mesh, on_sphere), mesh.points(), mesh, on_sphere,
+                               Writable_map<Vertex, Point>{&points});
+  for(Vertex v : vertices(mesh))
+    CHECK(points.at(v) == mesh.point(v));
+}
+
+TEST_CASE("values of all kinds are interpolated", "[transfer]")
+{
+  const Mesh coarse = make_mesh(icosphere(3)), fine = make_mesh(icosphere(4));
+  const Locator locator(coarse, coarse.points());
+  const auto value = [](const Point& p) { return 1 + 2 * p.x() - p.y() + 3 * p.z(); };
+  std::map<Vertex, double> number;
+  std::map<Vertex, float> single;
+  std::map<Vertex, Vector> vector;
+  std::map<Vertex, Eigen::Vector2d> pair;
+  SP::transfer_vertex_property(locator, of_vertex<double>([&](Vertex v) { return value(coarse.point(v)); }), fine,
+                               fine.points(), Writable_map<Vertex, double>{&number});
+  SP::transfer_vertex_property(locator, of_vertex<float>([&](Vertex v) { return float(value(coarse.point(v))); }), fine,
+                               fine.points(), Writable_map<Vertex, float>{&single});
+  SP::transfer_vertex_property(locator, of_vertex<Vector>([&](Vertex v) { return 2 * (coarse.point(v) - CGAL::ORIGIN); }),
+                               fine, fine.points(), Writable_map<Vertex, Vector>{&vector});
+  SP::transfer_vertex_property(
+    locator, of_vertex<Eigen::Vector2d>([&](Vertex v) { return Eigen::Vector2d(coarse.point(v).x(), 1); }), fine,
+    fine.points(), Writable_map<Vertex, Eigen::Vector2d>{&pair});
+  for(Vertex v : vertices(fine)) {
+    // the coarse vertices are among the fine ones, and the others are in the middle of an edge: a linear function is off
+    // by the sagitta of that edge, 1 - cos(angle / 2)
+    CHECK(number.at(v) == Approx(value(fine.point(v))).margin(0.03));
+    CHECK(double(single.at(v)) == Approx(number.at(v)).margin(1e-5));
+    CHECK((vector.at(v) - 2 * (fine.point(v) - CGAL::ORIGIN)).squared_length() < 4e-4);
+    CHECK(pair.at(v)[1] == Approx(1).epsilon(1e-15));
+  }
+  for(Vertex v : vertices(coarse)) // the first ones
+    CHECK(number.at(v) == value(coarse.point(v)));
+}
+
+TEST_CASE("labels of faces are transferred as they are", "[transfer]")
+{
+  const Mesh coarse = make_mesh(icosphere(3)), fine = make_mesh(icosphere(4));
+  std::map<Face, int> labels;
+  SP::transfer_face_property(Locator(coarse, coarse.points()),
+                             Readable_map<Face, int>{[](Face f) { return int(f.idx()); }}, fine, fine.points(),
+                             Writable_map<Face, int>{&labels});
+  std::map<int, int> count;
+  for(const auto& entry : labels)
+    ++count[entry.second];
+  CHECK(labels.size() == fine.number_of_faces());
+  CHECK(count.size() == coarse.number_of_faces());
+  for(const auto& entry : count)
+    CHECK(entry.second == 4); // the four that a coarse face was cut into
+}
+
+TEST_CASE("icospheres", "[resample]")
+{
+  for(int level = 0; level < 5; ++level) {
+    Mesh mesh;
+    SP::make_icosphere(level, mesh, mesh.points());
+    const std::size_t power = std::size_t(1) << (2 * level);
+    CHECK(mesh.number_of_vertices() == 10 * power + 2);
+    CHECK(mesh.number_of_faces() == 20 * power);
+    CHECK(CGAL::is_closed(mesh));
+    CHECK(mesh.is_valid());
+    const Soup soup = make_soup(mesh);
+    CHECK(count_flipped_faces(soup, soup.points) == 0);
+    CHECK(degree(soup, soup.points) == 1);
+    CHECK(count_vertices_off_sphere(soup.points) == 0);
+  }
+  Mesh mesh;
+  CHECK_THROWS_AS(SP::make_icosphere(-1, mesh, mesh.points()), std::invalid_argument);
+  CHECK_THROWS_AS(SP::make_icosphere(SP::largest_icosphere_level + 1, mesh, mesh.points()), std::invalid_argument);
+}
+
+TEST_CASE("a resampled shape consists of points of the shape, and converges to it", "[resample]")
+{
+  const Soup soup = dumbbell(3);
+  Settings settings;
+  settings.weights = Weights::BARYCENTRIC;
+  const Sphere sphere = solve_or_throw(soup, settings);
+  Mesh shape = make_mesh(soup);
+  const Locator locator(shape, of_vertex<Point>([&](Vertex v) { return sphere[v]; }));
+  const auto area = [](const Mesh& mesh) {
+    double sum = 0;
+    for(Face f : faces(mesh)) {
+      const auto h = mesh.halfedge(f);
+      sum += std::sqrt(
+        CGAL::squared_area(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h)))));
+    }
+    return sum;
+  };
+  double error = 1;
+  for(int level : {2, 3, 4, 5}) {
+    Mesh out;
+    const auto directions = out.add_property_map<Vertex, Point>("v:sphere").first;
+    SP::resample(locator, shape.points(), level, out, out.points(), directions);
+    for(Vertex v : vertices(out)) {
+      const auto [f, w] = locator.locate(directions[v]);
+      const auto h = shape.halfedge(f);
+      const Point p = CGAL::barycenter(shape.point(shape.source(h)), w[0], shape.point(shape.target(h)), w[1],
+                                       shape.point(shape.target(shape.next(h))), w[2]);
+      CHECK(CGAL::squared_distance(p, out.point(v)) < 1e-26);
+    }
+    const double new_error = std::abs(area(out) / area(shape) - 1);
+    CHECK(new_error < error);
+    error = new_error;
+  }
+  CHECK(error < 0.01);
+}
+
+TEST_CASE("resampling between types of meshes and kernels", "[resample]")
+{
+  using Polyhedron = CGAL::Polyhedron_3<CGAL::Simple_cartesian<double>>;
+  using Polyhedron_vertex = boost::graph_traits<Polyhedron>::vertex_descriptor;
+  const Mesh shape = make_mesh(icosphere(2));
+  Polyhedron out;
+  std::map<Polyhedron_vertex, Point> directions;
+  std::map<Polyhedron_vertex, Point> points;
+  SP::resample(Locator(shape, shape.points()), shape.points(), 1, out, Writable_map<Polyhedron_vertex, Point>{&points},
+               Read_write_map<Polyhedron_vertex, Point>{&directions});
+  CHECK(out.size_of_vertices() == 42);
+  CHECK(points.size() == 42);
+}

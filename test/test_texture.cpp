@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// texture_coordinates.h: every face of every valid map has its place in the texture.
+
+#include "helpers/hard_maps.h"
+#include "helpers/meshes.h"
+#include "helpers/property_maps.h"
+#include "helpers/solve.h"
+
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Spherical_parameterization/texture_coordinates.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+using namespace test;
+using SP::Texture_chart;
+using SP::Texture_options;
+
+namespace {
+
+using Point_2 = Kernel::Point_2;
+using Halfedge = Mesh::Halfedge_index;
+using Triangle = std::array<Point_2, 3>;
+
+const double pi = std::acos(-1.);
+
+/// The texture of a map: one triangle per face, its corners in the order of the soup.
+struct Texture {
+  SP::Texture_report report;
+  std::vector<Triangle> triangles;
+};
+
+Texture texture(const Mapped_soup& map, const Texture_options& options)
+{
+  const Mesh mesh = make_mesh(map.soup);
+  std::map<Halfedge, Point_2> uv;
+  Texture result;
+  result.report =
+    SP::texture_coordinates(mesh, Readable_map<Mesh::Vertex_index, Point>{[&](auto v) { return map.sphere[v]; }},
+                            Writable_map<Halfedge, Point_2>{&uv}, options);
+  CHECK(uv.size() == 3 * map.soup.faces.size());
+  for(std::size_t f = 0; f < map.soup.faces.size(); ++f) {
+    Halfedge h = mesh.halfedge(Mesh::Face_index(Mesh::size_type(f)));
+    while(mesh.target(h) != Mesh::Vertex_index(Mesh::size_type(map.soup.faces[f][0])))
+      h = mesh.next(h);
+    result.triangles.push_back({uv.at(h), uv.at(mesh.next(h)), uv.at(mesh.prev(h))});
+  }
+  return result;
+}
+
+Texture_options options(Texture_chart chart, int bits = 52)
+{
+  Texture_options o;
+  o.chart = chart;
+  o.bits = bits;
+  return o;
+}
+
+SP::Texture_axes axes(const Vector& north, const Vector& meridian)
+{
+  return {{north.x(), north.y(), north.z()}, {meridian.x(), meridian.y(), meridian.z()}};
+}
+
+/// Whether the point is in the triangle, its border included.
+bool contains(const Triangle& t, const Point_2& p)
+{
+  return CGAL::orientation(t[0], t[1], p) != CGAL::RIGHT_TURN && CGAL::orientation(t[1], t[2], p) != CGAL::RIGHT_TURN &&
+         CGAL::orientation(t[2], t[0], p) != CGAL::RIGHT_TURN;
+}
+
+/// u and v of a point of the sphere.
+Point_2 latitude_longitude(const SP::Texture_axes& a, const Point& p)
+{
+  const Vector north(a.north[0], a.north[1], a.north[2]), meridian(a.meridian[0], a.meridian[1], a.meridian[2]);
+  const Vector z = north / std::sqrt(north.squared_length()), off = meridian - (meridian * z) * z;
+  const Vector x = off / std::sqrt(off.squared_length()), y = CGAL::cross_product(z, x), q = p - CGAL::ORIGIN;
+  const double u = std::atan2(q * y, q * x) / (2 * pi);
+  return Point_2(u - std::floor(u), 0.5 + std::atan2(q * z, std::hypot(q * x, q * y)) / pi);
+}
+
+double distance_modulo_turns(const Point_2& a, const Point_2& b)
+{
+  const double u = a.x() - b.x();
+  return std::hypot(u - std::nearbyint(u), a.y() - b.y());
+}
+
+} // namespace
+
+TEST_CASE("every face has a counter-clockwise uv triangle", "[texture]")
+{
+  const auto chart = GENERATE(Texture_chart::LATITUDE_LONGITUDE, Texture_chart::OCTAHEDRAL);
+  const int bits = GENERATE(52, 23, 8);
+  for(const Mapped_soup& map : hard_maps())
+    for(unsigned seed = 0; seed < 8; ++seed) {
+      Texture_options o = options(chart, bits);
+      if(seed > 0) {
+        const auto rows = random_rotation(seed);
+        o.axes = axes(rows[0], rows[1]);
+      }
+      const Texture t = texture(map, o);
+      CAPTURE(map.name, bits, seed, t.report.moved_faces, t.report.largest_move);
+      std::size_t flipped = 0, outside = 0, off_grid = 0;
+      for(const Triangle& uv : t.triangles) {
+        flipped += CGAL::orientation(uv[0], uv[1], uv[2]) != CGAL::LEFT_TURN;
+        for(const Point_2& p : uv) {
+          const bool is_inside = chart == Texture_chart::LATITUDE_LONGITUDE
+                                   ? p.x() >= 0 && p.x() < 2 && p.y() >= 0 && p.y() <= 1
+                                   : p.x() > -1 && p.x() < 2 && p.y() > -1 && p.y() < 2;
+          outside += !is_inside;
+          for(const double x : {p.x(), p.y()})
+            off_grid += std::ldexp(x, bits) != std::nearbyint(std::ldexp(x, bits)) ||
+                        (bits <= 23 && double(float(x)) != x);
+        }
+      }
+      CHECK(flipped == 0);
+      CHECK(outside == 0);
+      CHECK(off_grid == 0);
+    }
+}
+
+TEST_CASE("uv are longitude and latitude, but for the corners that the report counts", "[texture]")
+{
+  for(const Mapped_soup& map : hard_maps()) {
+    const auto rows = random_rotation(9);
+    Texture_options o = options(Texture_chart::LATITUDE_LONGITUDE);
+    o.axes = axes(rows[0], rows[1]);
+    const Texture t = texture(map, o);
+    std::size_t moved = 0;
+    double largest = 0;
+    for(std::size_t f = 0; f < t.triangles.size(); ++f) {
+      double distance = 0;
+      for(std::size_t k = 0; k < 3; ++k)
+        distance = std::max(distance, distance_modulo_turns(t.triangles[f][k],
+                                                            latitude_longitude(*o.axes, map.sphere[map.soup.faces[f][k]])));
+      moved += distance > 1e-13;
+      largest = std::max(largest, distance);
+    }
+    CAPTURE(map.name);
+    CHECK(moved <= t.report.moved_faces);
+    CHECK(largest <= t.report.largest_move + 1e-13);
+  }
+}
+
+TEST_CASE("nothing is moved where nothing has to be", "[texture]")
+{
+  const auto chart = GENERATE(Texture_chart::LATITUDE_LONGITUDE, Texture_chart::OCTAHEDRAL);
+  for(unsigned seed = 0; seed < 5; ++seed) {
+    const auto rows = random_rotation(seed);
+    Texture_options o = options(chart, 23);
+    o.axes = axes(rows[0], rows[1]);
+    CHECK(texture({"", icosphere(4), icosphere(4).points}, o).report.moved_faces == 0);
+  }
+}
+
+TEST_CASE("the texture covers the square once", "[texture]")
+{
+  // Neighbours have the very same coordinates along their edge, modulo whole turns: without moved corners, and away from
+  // the poles, every point is in one triangle.
+  const Soup soup = bumpy_sphere(3);
+  Settings settings;
+  const Mapped_soup map = {"bumpy", soup, solve_or_throw(soup, settings)};
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> u(0, 1), v(0.1, 0.9);
+  for(unsigned seed = 0; seed < 3; ++seed) {
+    Texture_options o = options(Texture_chart::LATITUDE_LONGITUDE);
+    const auto rows = random_rotation(seed);
+    o.axes = axes(rows[0], rows[1]);
+    const Texture t = texture(map, o);
+    REQUIRE(t.report.moved_faces == 0);
+    CHECK(t.report.seam_faces > 10);
+    for(int k = 0; k < 300; ++k) {
+      const double x = u(random), y = v(random);
+      int covered = 0;
+      for(const Triangle& uv : t.triangles)
+        covered += contains(uv, Point_2(x, y)) || contains(uv, Point_2(x + 1, y));
+      CHECK(covered == 1);
+    }
+  }
+}
+
+TEST_CASE("the octahedral square is covered once, and areas differ by little", "[texture]")
+{
+  const Soup soup = icosphere(4);
+  const Mapped_soup map = {"icosphere", soup, soup.points};
+  Texture_options o = options(Texture_chart::OCTAHEDRAL);
+  const auto rows = random_rotation(3);
+  o.axes = axes(rows[0], rows[1]);
+  const Texture t = texture(map, o);
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> inside(0.05, 0.95);
+  int wrong = 0;
+  for(int k = 0; k < 300; ++k) {
+    const Point_2 p(inside(random), inside(random));
+    int covered = 0;
+    for(const Triangle& uv : t.triangles)
+      covered += contains(uv, p);
+    wrong += covered != 1;
+  }
+  CHECK(wrong <= 6); // faces across a bend of the octahedron overlap, or leave gaps, of second order
+  double smallest = 1, largest = 0;
+  for(const Triangle& uv : t.triangles) {
+    const double area = CGAL::area(uv[0], uv[1], uv[2]);
+    smallest = std::min(smallest, area);
+    largest = std::max(largest, area);
+  }
+  CHECK(largest < 8 * smallest); // 3 sqrt(3) by the projection, the rest by the icosphere
+}
+
+TEST_CASE("poles in a vertex, on an edge, in a face; the seam through vertices", "[texture]")
+{
+  const Soup soup = flat_octahedron(2);
+  Mapped_soup map = {"octahedron", soup, soup.points};
+  for(Point& p : map.sphere) {
+    const double length = std::sqrt((p - CGAL::ORIGIN).squared_length());
+    p = Point(p.x() / length, p.y() / length, p.z() / length);
+  }
+  const Vector north = GENERATE(values<Vector>({Vector(0, 0, 1), Vector(0, 0, -5), Vector(1, 0, 0), Vector(1, 1, 0), Vector(0, -1, 1),
+                                Vector(1, 1, 1), Vector(-1, 1, -1), Vector(0.1, 0.2, 0.3)}));
+  for(const Vector& meridian : {Vector(1, 2, 0), Vector(0, 1, 2), Vector(1, 0, 3)}) {
+    Texture_options o = options(Texture_chart::LATITUDE_LONGITUDE, 23);
+    o.axes = axes(north, meridian);
+    const Texture t = texture(map, o);
+    CAPTURE(north, meridian);
+    CHECK(t.report.pole_faces >= 2);
+    for(const Triangle& uv : t.triangles)
+      CHECK(CGAL::orientation(uv[0], uv[1], uv[2]) == CGAL::LEFT_TURN);
+  }
+}
+
+TEST_CASE("a corner at a pole has the mean u of its face", "[texture]")
+{
+  const Mapped_soup map = {"octahedron", flat_octahedron(0), flat_octahedron(0).points};
+  Texture_options o = options(Texture_chart::LATITUDE_LONGITUDE);
+  o.axes = axes(Vector(0, 0, 1), Vector(1, 1, 0));
+  const Texture t = texture(map, o);
+  CHECK(t.report.pole_faces == 8);
+  CHECK(t.report.moved_faces == 0);
+  CHECK(t.report.seam_faces == 2);
+  double area = 0;
+  for(const Triangle& uv : t.triangles) {
+    std::array<double, 3> u = {uv[0].x(), uv[1].x(), uv[2].x()};
+    std::sort(u.begin(), u.end());
+    CHECK(u[1] == Approx((u[0] + u[2]) / 2).epsilon(1e-14));
+    CHECK(u[2] - u[0] == Approx(0.25).epsilon(1e-14));
+    area += CGAL::area(uv[0], uv[1], uv[2]);
+  }
+  CHECK(area == Approx(0.5).epsilon(1e-14));
+}
+
+TEST_CASE("by default the south pole is a vertex, and in the limb of a capsule", "[texture]")
+{
+  const Soup soup = capsule(4, 24);
+  Settings settings;
+  const Mapped_soup map = {"capsule", soup, solve_or_throw(soup, settings)};
+  const Texture t = texture(map, options(Texture_chart::LATITUDE_LONGITUDE));
+  const auto& north = t.report.axes.north;
+  const Point south(-north[0], -north[1], -north[2]);
+  const auto pole = std::find(map.sphere.begin(), map.sphere.end(), south);
+  REQUIRE(pole != map.sphere.end());
+  // the middle of a capsule is large on the sphere or small, its ends are what it is about: the axis is that of the tube
+  const Vector to_pole = soup.points[std::size_t(pole - map.sphere.begin())] - CGAL::ORIGIN;
+  const double extent = std::max({std::abs(to_pole.x()), std::abs(to_pole.y()), std::abs(to_pole.z())});
+  CHECK(extent / std::sqrt(to_pole.squared_length()) > 0.9); // on a cap
+  CHECK(t.report.moved_faces == 0);
+}
+
+TEST_CASE("the same texture on a Polyhedron_3", "[texture]")
+{
+  using Polyhedron = CGAL::Polyhedron_3<Kernel>;
+  const Soup soup = icosphere(2);
+  const Polyhedron polyhedron = make_graph<Polyhedron>(soup);
+  std::map<boost::graph_traits<Polyhedron>::halfedge_descriptor, Point_2> uv;
+  const auto points = get(CGAL::vertex_point, polyhedron);
+  Texture_options o = options(Texture_chart::LATITUDE_LONGITUDE);
+  const auto rows = random_rotation(4);
+  o.axes = axes(rows[0], rows[1]);
+  SP::texture_coordinates(polyhedron, points, boost::make_assoc_property_map(uv), o);
+  const Texture t = texture({"", soup, soup.points}, o);
+  std::size_t k = 0;
+  for(auto f : faces(polyhedron)) {
+    const Triangle& expected = t.triangles[k++];
+    auto h = halfedge(f, polyhedron);
+    for(int i = 0; i < 3; ++i, h = next(h, polyhedron))
+      CHECK(std::find(expected.begin(), expected.end(), uv.at(h)) != expected.end());
+  }
+}
+
+TEST_CASE("textures: wrong arguments", "[texture]")
+{
+  const Soup soup = icosphere(1);
+  Mapped_soup map = {"", soup, soup.points};
+  Texture_options o;
+  SECTION("bits") { o.bits = GENERATE(-1, 0, 53); }
+  SECTION("parallel axes") { o.axes = axes(Vector(1, 2, 3), Vector(-2, -4, -6)); }
+  SECTION("no axis") { o.axes = axes(Vector(0, 0, 0), Vector(1, 0, 0)); }
+  SECTION("infinite axis") { o.axes = axes(Vector(0, 0, 1), Vector(std::numeric_limits<double>::infinity(), 0, 0)); }
+  SECTION("NaN") { o.axes = axes(Vector(0, std::numeric_limits<double>::quiet_NaN(), 1), Vector(1, 0, 0)); }
+  SECTION("flipped faces") { map.sphere[3] = Point(-soup.points[3].x(), -soup.points[3].y(), -soup.points[3].z()); }
+  const Mesh mesh = make_mesh(soup);
+  std::map<Halfedge, Point_2> uv;
+  const Readable_map<Mesh::Vertex_index, Point> sphere{[&](auto v) { return map.sphere[v]; }};
+  CHECK_THROWS_AS(SP::texture_coordinates(mesh, sphere, Writable_map<Halfedge, Point_2>{&uv}, o),
+                  std::invalid_argument);
+  CHECK(uv.empty());
+}

@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The sub-commands of the tool that use a map: texture, resample, segment; and --sphere, which they share.
+
+#include "helpers/certificate.h"
+#include "helpers/meshes.h"
+#include "helpers/tool.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <sstream>
+
+using namespace test;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// What an OBJ file with texture coordinates has; all indices from 0 on.
+struct Textured {
+  std::string material;
+  std::vector<Point> points;
+  std::vector<std::array<float, 2>> uv; ///< as a viewer reads them
+  std::vector<std::array<std::size_t, 3>> vertex, texture;
+};
+
+Textured read_textured(const std::string& file)
+{
+  Textured result;
+  std::ifstream in(file);
+  for(std::string line; std::getline(in, line);) {
+    std::istringstream words(line);
+    std::string word;
+    words >> word;
+    if(word == "mtllib")
+      words >> result.material;
+    else if(word == "v") {
+      double x, y, z;
+      words >> x >> y >> z;
+      result.points.emplace_back(x, y, z);
+    } else if(word == "vt") {
+      result.uv.emplace_back();
+      words >> result.uv.back()[0] >> result.uv.back()[1];
+    } else if(word == "f") {
+      result.vertex.emplace_back();
+      result.texture.emplace_back();
+      for(std::size_t k = 0; k < 3; ++k) {
+        char slash = ' ';
+        words >> result.vertex.back()[k] >> slash >> result.texture.back()[k];
+        CHECK(slash == '/');
+        --result.vertex.back()[k];
+        --result.texture.back()[k];
+      }
+    }
+    CHECK_FALSE(words.fail());
+  }
+  return result;
+}
+
+/// Arguments that make every command write what it writes.
+std::vector<std::string> command_line(const std::string& command, const std::string& input, const Scratch& scratch)
+{
+  const std::string output = command == "texture" ? "out.obj" : command == "segment" ? "out.ply" : "out.off";
+  return {command, input, "-o", scratch / output};
+}
+
+std::vector<std::string> with(std::vector<std::string> arguments, const std::vector<std::string>& more)
+{
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+void check_exit(const Process_result& run, const std::string& word)
+{
+  CAPTURE(run.err, word);
+  CHECK(run.exit_code == 1);
+  CHECK(is_one_line(run.err));
+  CHECK(run.err.find(word) != std::string::npos);
+}
+
+} // namespace
+
+TEST_CASE("texture: every face has a counter-clockwise triangle of floats", "[tool]")
+{
+  Scratch scratch;
+  const Soup soup = spiky_star(4, 2);
+  const std::string input = write_off(scratch / "in.off", soup);
+  const std::string chart = GENERATE("latitude-longitude", "octahedral");
+  const Process_result run =
+    run_tool(with(command_line("texture", input, scratch), {"--chart", chart, "--policy", "sequential"}));
+  CAPTURE(run.out, run.err);
+  REQUIRE(run.exit_code == 0);
+  const Textured t = read_textured(scratch / "out.obj");
+  CHECK(t.points == soup.points);
+  REQUIRE(t.vertex.size() == soup.faces.size());
+  CHECK(t.uv.size() >= soup.points.size());
+  CHECK(t.uv.size() < 1.2 * double(soup.points.size()) + 100); // shared but for seams
+  std::size_t flipped = 0;
+  for(std::size_t f = 0; f < soup.faces.size(); ++f) {
+    std::array<Kernel::Point_2, 3> uv;
+    std::set<std::size_t> corners;
+    for(std::size_t k = 0; k < 3; ++k) {
+      const auto& p = t.uv.at(t.texture[f][k]);
+      uv[k] = Kernel::Point_2(double(p[0]), double(p[1]));
+      corners.insert(t.vertex[f][k]);
+    }
+    flipped += CGAL::orientation(uv[0], uv[1], uv[2]) != CGAL::LEFT_TURN;
+    CHECK(corners == std::set<std::size_t>(soup.faces[f].begin(), soup.faces[f].end()));
+  }
+  CHECK(flipped == 0);
+
+  CHECK(t.material == "out.mtl");
+  CHECK(text_of(scratch / "out.mtl").find("map_Kd out.png\n") != std::string::npos);
+  const std::string png = text_of(scratch / "out.png");
+  CHECK(png.substr(0, 8) == "\x89PNG\r\n\x1a\n");
+  CHECK(png.size() > 1000);
+  CHECK(scratch.number_of_files() == 4);
+}
+
+TEST_CASE("texture: another image, and a pole where the user wants it", "[tool]")
+{
+  Scratch scratch;
+  const std::string input = write_off(scratch / "in.off", bumpy_sphere(2));
+  write_text(scratch / "earth.png", "not looked at");
+  const Process_result run =
+    run_tool(with(command_line("texture", input, scratch), {"--image", scratch / "earth.png", "--north", "0", "0", "2"}));
+  CAPTURE(run.err);
+  REQUIRE(run.exit_code == 0);
+  CHECK(text_of(scratch / "out.mtl").find("map_Kd earth.png\n") != std::string::npos);
+  CHECK_FALSE(fs::exists(scratch / "out.png"));
+  CHECK(run.out.find("north pole at 0 0 2") != std::string::npos);
+}
+
+TEST_CASE("resample: vertices and faces of an icosphere, points of the shape", "[tool]")
+{
+  Scratch scratch;
+  const Soup soup = ellipsoid(1, 2, 3, 4);
+  const std::string input = write_off(scratch / "in.off", soup);
+  const std::string format = GENERATE("off", "obj", "ply");
+  const std::string output = scratch / ("out." + format), sphere_output = scratch / ("sphere." + format);
+  const Process_result run =
+    run_tool({"resample", input, "-o", output, "--output-sphere", sphere_output, "--level", "4"});
+  CAPTURE(run.err);
+  REQUIRE(run.exit_code == 0);
+  const Soup out = read(output), sphere = read(sphere_output);
+  CHECK(out.points.size() == 2562);
+  CHECK(out.faces.size() == 5120);
+  CHECK(out.faces == sphere.faces);
+  CHECK(count_flipped_faces(sphere, sphere.points) == 0);
+  CHECK(degree(sphere, sphere.points) == 1);
+  for(const Point& p : out.points) {
+    const double radius = p.x() * p.x() + p.y() * p.y() / 4 + p.z() * p.z() / 9;
+    CHECK(radius == Approx(1).margin(0.02)); // flat faces between points of the ellipsoid
+  }
+}
+
+TEST_CASE("segment: one label per face, and colours for them", "[tool]")
+{
+  Scratch scratch;
+  const Soup soup = dumbbell(4);
+  const std::string input = write_off(scratch / "in.off", soup);
+  const Process_result run =
+    run_tool(with(command_line("segment", input, scratch), {"--labels", scratch / "labels.txt"}));
+  CAPTURE(run.err);
+  REQUIRE(run.exit_code == 0);
+  std::istringstream in(text_of(scratch / "labels.txt"));
+  const std::vector<int> labels((std::istream_iterator<int>(in)), std::istream_iterator<int>());
+  CHECK(labels.size() == soup.faces.size());
+  const std::set<int> different(labels.begin(), labels.end());
+  CHECK(different.size() >= 2);
+  CHECK(*different.begin() == 0);
+  CHECK(*different.rbegin() == int(different.size()) - 1);
+
+  std::vector<CGAL::IO::Color> face_colours, vertex_colours;
+  Soup coloured;
+  std::ifstream ply(scratch / "out.ply", std::ios::binary);
+  REQUIRE(CGAL::IO::read_PLY(ply, coloured.points, coloured.faces, face_colours, vertex_colours));
+  CHECK(coloured.faces == soup.faces);
+  REQUIRE(face_colours.size() == labels.size());
+  std::map<int, std::set<std::array<int, 3>>> colours;
+  std::set<std::array<int, 3>> all;
+  for(std::size_t f = 0; f < labels.size(); ++f) {
+    const auto& c = face_colours[f];
+    colours[labels[f]].insert({c.red(), c.green(), c.blue()});
+    all.insert({c.red(), c.green(), c.blue()});
+  }
+  for(const auto& of_label : colours)
+    CHECK(of_label.second.size() == 1);
+  CHECK(all.size() == different.size());
+
+  REQUIRE(run_tool(with(command_line("segment", input, scratch), {"--labels", scratch / "two.txt", "--segments", "1"}))
+            .exit_code == 0);
+  CHECK(text_of(scratch / "two.txt").find('1') == std::string::npos);
+}
+
+TEST_CASE("--sphere: the map of 'map' gives the same as mapping again", "[tool]")
+{
+  Scratch scratch;
+  const std::string input = write_off(scratch / "in.off", bumpy_sphere(3));
+  const std::string format = GENERATE("off", "obj", "ply");
+  const std::string sphere = scratch / ("sphere." + format);
+  REQUIRE(run_tool({"map", input, "-o", sphere}).exit_code == 0);
+  for(const std::string command : {"texture", "resample", "segment"}) {
+    const std::vector<std::string> arguments = command_line(command, input, scratch);
+    REQUIRE(run_tool(arguments).exit_code == 0);
+    const std::string mapped = text_of(arguments.back());
+    const Process_result run = run_tool(with(arguments, {"--sphere", sphere}));
+    CAPTURE(run.err);
+    REQUIRE(run.exit_code == 0);
+    CHECK(text_of(arguments.back()) == mapped);
+  }
+}
+
+TEST_CASE("--sphere: what is no map of the mesh is refused", "[tool]")
+{
+  Scratch scratch;
+  const Soup soup = bumpy_sphere(2);
+  const std::string input = write_off(scratch / "in.off", soup);
+  const Soup good = icosphere(2);
+  Soup bad = good;
+  std::string word;
+  SECTION("other numbers of vertices")
+  {
+    bad = icosphere(1);
+    word = "42";
+  }
+  SECTION("faces in another order")
+  {
+    std::swap(bad.faces[7], bad.faces[9]);
+    word = "face 7";
+  }
+  SECTION("a flipped face")
+  {
+    bad.points[5] = CGAL::ORIGIN - (bad.points[5] - CGAL::ORIGIN);
+    word = "flipped";
+  }
+  SECTION("inside out")
+  {
+    for(Point& p : bad.points)
+      p = CGAL::ORIGIN - (p - CGAL::ORIGIN);
+    word = "flipped";
+  }
+  SECTION("not on the sphere")
+  {
+    bad.points[5] = Point(3, 2, 1);
+    word = "vertex 5";
+  }
+  const std::string sphere = write_off(scratch / "sphere.off", bad);
+  check_exit(run_tool(with(command_line("texture", input, scratch), {"--sphere", sphere})), word);
+  check_exit(run_tool(with(command_line("resample", input, scratch), {"--sphere", sphere})), "sphere.off");
+  check_exit(run_tool(with(command_line("texture", input, scratch), {"--sphere", scratch / "none.off"})), "none.off");
+  CHECK(scratch.number_of_files() == 2);
+  const std::string good_sphere = write_off(scratch / "sphere.off", good);
+  CHECK(run_tool(with(command_line("texture", input, scratch), {"--sphere", good_sphere})).exit_code == 0);
+}
+
+TEST_CASE("--sphere: few digits and corners in another order will do", "[tool]")
+{
+  Scratch scratch;
+  const std::string input = write_off(scratch / "in.off", bumpy_sphere(2));
+  Soup soup = icosphere(2);
+  for(Point& p : soup.points)
+    p = Point(double(float(p.x())), double(float(p.y())), double(float(p.z())));
+  for(auto& f : soup.faces)
+    std::rotate(f.begin(), f.begin() + 1, f.end());
+  const std::string sphere = write_off(scratch / "sphere.off", soup);
+  const Process_result run = run_tool(with(command_line("texture", input, scratch), {"--sphere", sphere}));
+  CAPTURE(run.err);
+  CHECK(run.exit_code == 0);
+}
+
+TEST_CASE("commands that use a map refuse what 'map' refuses, and write nothing", "[tool]")
+{
+  Scratch scratch;
+  const std::string torus_file = write_off(scratch / "torus.off", torus(12, 8));
+  const std::string tube = write_off(scratch / "tube.off", capsule(20, 12));
+  for(const std::string command : {"texture", "resample", "segment"}) {
+    check_exit(run_tool(command_line(command, torus_file, scratch)), "genus");
+    check_exit(run_tool(with(command_line(command, tube, scratch), {"--max-time", "1e-9"})), "time");
+    if(command != "segment") // which needs no certified map
+      check_exit(run_tool(command_line(command, tube, scratch)), "flipped");
+  }
+  CHECK(scratch.number_of_files() == 2);
+}
+
+TEST_CASE("commands that use a map: wrong usage", "[tool]")
+{
+  Scratch scratch;
+  const std::string input = write_off(scratch / "in.off", icosphere(1));
+  const std::string mesh = write_off(scratch / "mesh.mtl", icosphere(1));
+  for(const std::vector<std::string>& arguments :
+      {std::vector<std::string>{"texture", input},
+       {"texture", input, "-o", scratch / "out.ply"},
+       {"texture", input, "-o", scratch / "out.obj", "--chart", "mercator"},
+       {"texture", input, "-o", scratch / "out.obj", "--north", "0", "0", "0"},
+       {"texture", input, "-o", scratch / "out.obj", "--north", "0", "1"},
+       {"texture", input, "-o", scratch / "mesh.obj", "--sphere", mesh}, // the material would overwrite the sphere
+       {"resample", input, "-o", scratch / "out.off", "--level", "-1"},
+       {"resample", input, "-o", scratch / "out.off", "--level", "13"},
+       {"resample", input, "-o", scratch / "out.off", "--output-sphere", scratch / "out.off"},
+       {"segment", input, "-o", scratch / "out.off"},
+       {"segment", input, "-o", scratch / "out.ply", "--segments", "0"},
+       {"segment", input, "-o", scratch / "out.ply", "--labels", input},
+       {"segment", input, "-o", scratch / "out.ply", "--sphere", input, "--weights", "conformal"},
+       {"resample", input, "-o", scratch / "out.off", "--sphere", input, "--max-time", "3"}}) {
+    const Process_result run = run_tool(arguments);
+    CAPTURE(arguments, run.out, run.err);
+    CHECK(run.exit_code == 2);
+    CHECK(scratch.number_of_files() == 2);
+  }
+}

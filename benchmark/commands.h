@@ -18,6 +18,7 @@ void add_published_command(CLI::App& app);
 void add_order_command(CLI::App& app);
 void add_scaling_command(CLI::App& app);
 void add_foreign_command(CLI::App& app);
+void add_segmentation_command(CLI::App& app);
 void add_checks_command(CLI::App& app);
 
 } // namespace benchmark

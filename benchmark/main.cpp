@@ -23,6 +23,7 @@ int main(int argc, char** argv)
   benchmark::add_order_command(app);
   benchmark::add_scaling_command(app);
   benchmark::add_foreign_command(app);
+  benchmark::add_segmentation_command(app);
   benchmark::add_checks_command(app);
   try {
     app.parse(argc, argv);

@@ -10,7 +10,7 @@ packages=(
   build-essential cmake
   libcgal-dev libboost-dev libeigen3-dev libgmp-dev libmpfr-dev     # the library
   libtbb-dev ocl-icd-opencl-dev opencl-clhpp-headers pocl-opencl-icd # its parallel backends
-  libcli11-dev nlohmann-json3-dev                                   # the tool
+  libcli11-dev nlohmann-json3-dev libboost-mpi-dev libopenmpi-dev openmpi-bin # the tool
   catch2 libopenmesh-dev libcgal-demo                               # the tests
   f3d xvfb xauth                                                    # pictures
   "$@"

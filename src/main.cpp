@@ -3,6 +3,8 @@
 
 #include "devices_command.h"
 #include "map_command.h"
+#include "search_command.h"
+#include "signature_command.h"
 
 #include <CGAL/assertions.h>
 #include <CGAL/version.h>
@@ -28,6 +30,8 @@ int run(int argc, char** argv)
                                     " (CGAL " CGAL_VERSION_STR ")");
   app.require_subcommand(1);
   tool::add_map_command(app, exit_code);
+  tool::add_signature_command(app, exit_code);
+  tool::add_search_command(app, exit_code);
   tool::add_devices_command(app, exit_code);
   try {
     app.parse(argc, argv);

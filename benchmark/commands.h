@@ -20,6 +20,7 @@ void add_scaling_command(CLI::App& app);
 void add_foreign_command(CLI::App& app);
 void add_segmentation_command(CLI::App& app);
 void add_checks_command(CLI::App& app);
+void add_retrieval_command(CLI::App& app);
 
 } // namespace benchmark
 

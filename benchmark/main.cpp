@@ -25,6 +25,7 @@ int main(int argc, char** argv)
   benchmark::add_foreign_command(app);
   benchmark::add_segmentation_command(app);
   benchmark::add_checks_command(app);
+  benchmark::add_retrieval_command(app);
   try {
     app.parse(argc, argv);
   } catch(const CLI::ParseError& error) {

@@ -4,7 +4,9 @@
 #include "devices_command.h"
 #include "map_command.h"
 #include "resample_command.h"
+#include "search_command.h"
 #include "segment_command.h"
+#include "signature_command.h"
 #include "texture_command.h"
 
 #include <CGAL/assertions.h>
@@ -34,6 +36,8 @@ int run(int argc, char** argv)
   tool::add_segment_command(app, exit_code);
   tool::add_texture_command(app, exit_code);
   tool::add_resample_command(app, exit_code);
+  tool::add_signature_command(app, exit_code);
+  tool::add_search_command(app, exit_code);
   tool::add_devices_command(app, exit_code);
   try {
     app.parse(argc, argv);

@@ -108,6 +108,12 @@ Input_mesh read_mesh(const std::string& file, Polygons polygons)
   return input;
 }
 
+bool is_mesh_file(const std::string& file)
+{
+  const std::string extension = lower_case_extension(file);
+  return extension == ".off" || extension == ".obj" || extension == ".ply" || extension == ".stl";
+}
+
 Mesh_format output_format(const std::string& file)
 {
   const std::string extension = lower_case_extension(file);

@@ -35,6 +35,9 @@ struct Input_mesh {
 /// the same for faces (of STL files: in the order in which they appear first). Anything else throws a `Refusal`.
 Input_mesh read_mesh(const std::string& file, Polygons polygons = Polygons::REFUSE);
 
+/// Whether the extension is one of those that `read_mesh()` reads.
+bool is_mesh_file(const std::string& file);
+
 /// @}
 /// \name Writing
 /// @{

@@ -60,6 +60,7 @@ Process_result run_process(const std::vector<std::string>& command, const Proces
     std::this_thread::sleep_for(std::chrono::milliseconds(options.interrupt_after));
     kill(child, SIGINT);
   }
+  options.meanwhile(child);
   Process_result result;
   int status = 0;
   rusage usage;

@@ -4,6 +4,7 @@
 #ifndef TEST_HELPERS_PROCESS_H
 #define TEST_HELPERS_PROCESS_H
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct Process_result {
 struct Process_options {
   int interrupt_after = 0;     ///< milliseconds until SIGINT is sent; 0: never
   std::string directory = "."; ///< where it runs
+  std::function<void(int pid)> meanwhile = [](int) {}; ///< called while it runs
 };
 
 /// Standard input is empty.

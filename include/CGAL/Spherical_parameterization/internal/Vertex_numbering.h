@@ -23,48 +23,63 @@ template <class Descriptor>
 struct Has_idx<Descriptor, std::void_t<decltype(static_cast<std::size_t>(std::declval<const Descriptor&>().idx()))>>
   : std::true_type {};
 
-/// The position of every vertex in vertices(mesh), 0 ... n-1. The mesh's own indices are not relied upon: they may have
-/// holes (Surface_mesh with garbage) or never have been set (Polyhedron_3). Descriptors that are an index
+/// The position of every element of a range of descriptors, 0 ... n-1. The mesh's own indices are not relied upon: they
+/// may have holes (Surface_mesh with garbage) or never have been set (Polyhedron_3). Descriptors that are an index
 /// (Surface_mesh, OpenMesh) look their position up in an array, all others in a hash table.
-template <class TriangleMesh>
-class Vertex_numbering {
-  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
-
+template <class Descriptor>
+class Numbering {
 public:
-  explicit Vertex_numbering(const TriangleMesh& mesh)
+  template <class Range>
+  explicit Numbering(const Range& descriptors)
   {
-    for(vertex_descriptor v : vertices(mesh))
-      insert(v, size_++);
+    for(Descriptor d : descriptors)
+      insert(d, size_++);
   }
 
-  int operator()(vertex_descriptor v) const
+  int operator()(Descriptor d) const
   {
-    if constexpr(Has_idx<vertex_descriptor>::value)
-      return table_[static_cast<std::size_t>(v.idx())];
+    if constexpr(Has_idx<Descriptor>::value)
+      return table_[static_cast<std::size_t>(d.idx())];
     else
-      return table_.at(v);
+      return table_.at(d);
   }
 
   std::size_t size() const { return static_cast<std::size_t>(size_); }
 
 private:
-  typedef std::conditional_t<Has_idx<vertex_descriptor>::value, std::vector<int>,
-                             std::unordered_map<vertex_descriptor, int, boost::hash<vertex_descriptor>>>
+  typedef std::conditional_t<Has_idx<Descriptor>::value, std::vector<int>,
+                             std::unordered_map<Descriptor, int, boost::hash<Descriptor>>>
     Table;
 
-  void insert(vertex_descriptor v, int position)
+  void insert(Descriptor d, int position)
   {
-    if constexpr(Has_idx<vertex_descriptor>::value) {
-      const std::size_t i = static_cast<std::size_t>(v.idx());
+    if constexpr(Has_idx<Descriptor>::value) {
+      const std::size_t i = static_cast<std::size_t>(d.idx());
       if(i >= table_.size())
         table_.resize(i + 1, -1);
       table_[i] = position;
     } else
-      table_.emplace(v, position);
+      table_.emplace(d, position);
   }
 
   int size_ = 0;
   Table table_;
+};
+
+/// The positions in vertices(mesh).
+template <class TriangleMesh>
+struct Vertex_numbering : Numbering<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> {
+  explicit Vertex_numbering(const TriangleMesh& mesh)
+    : Numbering<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>(vertices(mesh))
+  {}
+};
+
+/// The positions in faces(mesh).
+template <class TriangleMesh>
+struct Face_numbering : Numbering<typename boost::graph_traits<TriangleMesh>::face_descriptor> {
+  explicit Face_numbering(const TriangleMesh& mesh)
+    : Numbering<typename boost::graph_traits<TriangleMesh>::face_descriptor>(faces(mesh))
+  {}
 };
 
 } // namespace internal

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DISCRETE_SURFACE_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DISCRETE_SURFACE_H
+
+#include <CGAL/Spherical_parameterization/internal/Host_backend.h>
+#include <CGAL/Spherical_parameterization/internal/Intrinsic_triangulation.h>
+#include <CGAL/Spherical_parameterization/internal/Monitor.h>
+#include <CGAL/Spherical_parameterization/internal/Multigrid.h>
+#include <CGAL/Spherical_parameterization/internal/conjugate_gradients.h>
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+/// A closed surface scaled to area 4 pi, with the operators on its piecewise linear functions. The Laplacian is the
+/// cotangent one, not clamped; the triangulation being Delaunay, no weight is negative.
+class Discrete_surface {
+public:
+  typedef Eigen::VectorXd Vector;
+  typedef Eigen::SparseMatrix<double> Matrix;
+
+  explicit Discrete_surface(Intrinsic_triangulation triangulation)
+    : triangulation_(std::move(triangulation)), size_(triangulation_.number_of_vertices()), mass_(Vector::Zero(size_)),
+      defect_(Vector::Constant(size_, 2 * pi())), laplacian_(size_, size_)
+  {
+    const Intrinsic_triangulation& t = triangulation_;
+    double total = 0;
+    for(int f = 0; f < t.number_of_faces(); ++f)
+      total += t.area(3 * f);
+    area_unit_ = total / (4 * pi());
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(4 * t.number_of_halfedges());
+    for(int h = 0; h < t.number_of_halfedges(); ++h) {
+      const int i = t.origin(h), j = t.target(h);
+      mass_[i] += area(h) / 3;
+      defect_[t.apex(h)] -= t.angle(h);
+      const double w = t.cotangent(h) / 2;
+      entries.emplace_back(i, i, w);
+      entries.emplace_back(j, j, w);
+      entries.emplace_back(i, j, -w);
+      entries.emplace_back(j, i, -w);
+    }
+    laplacian_.setFromTriplets(entries.begin(), entries.end());
+  }
+
+  static double pi() { return std::acos(-1.); }
+  int size() const { return size_; }
+  const Vector& mass() const { return mass_; }           ///< a third of the area round every vertex
+  const Vector& defect() const { return defect_; }       ///< the curvature of every vertex, 4 pi in all
+  const Matrix& laplacian() const { return laplacian_; } ///< positive semidefinite, constants in the kernel
+
+  /// L x = b for a b of sum zero; x is defined up to a constant.
+  Vector solve_poisson(const Vector& b) const { return solve(0, b); }
+
+  /// One implicit step of the heat equation, of time t: (M + t L)^-1 M x.
+  Vector smooth(const Vector& x, double t) const { return solve(1 / t, mass_.cwiseProduct(x) / t); }
+
+  /// |grad x|, constant on every triangle, averaged over the triangles round every vertex by area.
+  Vector gradient_norm(const Vector& x) const
+  {
+    const Intrinsic_triangulation& t = triangulation_;
+    Vector sum = Vector::Zero(size_), weight = Vector::Zero(size_);
+    for(int f = 0; f < t.number_of_faces(); ++f) {
+      double energy = 0; // integral of |grad x|^2
+      for(int h = 3 * f; h < 3 * f + 3; ++h) {
+        const double difference = x[t.origin(h)] - x[t.target(h)];
+        energy += t.cotangent(h) * difference * difference / 2;
+      }
+      const double a = area(3 * f);
+      const double norm = std::sqrt((std::max)(energy, 0.) / a);
+      for(int h = 3 * f; h < 3 * f + 3; ++h) {
+        sum[t.origin(h)] += a * norm;
+        weight[t.origin(h)] += a;
+      }
+    }
+    return sum.cwiseQuotient(weight);
+  }
+
+private:
+  /// Up to this size Cholesky's factorisation is as fast as multigrid and gives a residual of rounding, whatever the
+  /// triangles are like; at 134,000 vertices it takes five times as long.
+  static constexpr int largest_factorised = 100000;
+
+  double area(int h) const { return triangulation_.area(h) / area_unit_; }
+
+  /// (L + shift M) x = b
+  Vector solve(double shift, const Vector& b) const
+  {
+    if(size_ > largest_factorised) {
+      Vector x = solve_by_multigrid(shift, b);
+      const Vector residual = laplacian_ * x + shift * mass_.cwiseProduct(x) - b;
+      if(residual.norm() <= 1e-6 * b.norm()) // false for NaN
+        return x;
+    }
+    Matrix a = laplacian_;
+    if(shift > 0)
+      a.diagonal() += shift * mass_;
+    else
+      a.coeffRef(0, 0) *= 2; // holds x at 0 there: a spring that no force pulls, since b sums to zero
+    return Eigen::SimplicialLDLT<Matrix>(a).solve(b);
+  }
+
+  Vector solve_by_multigrid(double shift, const Vector& b) const
+  {
+    typedef Host_backend<Default_loop> Backend;
+    constexpr double accuracy = 1e-9; // relative, in the energy norm
+    const auto graph = std::make_shared<Weighted_graph>();
+    for(int i = 0; i < size_; ++i) {
+      for(Matrix::InnerIterator entry(laplacian_, i); entry; ++entry)
+        if(entry.row() != i && entry.value() < 0) { // what is positive is rounding
+          graph->target.push_back(static_cast<int>(entry.row()));
+          graph->weight.push_back(-entry.value());
+        }
+      graph->offset.push_back(static_cast<int>(graph->target.size()));
+    }
+    if(shift > 0)
+      for(int i = 0; i < size_; ++i)
+        graph->excess.push_back(shift * mass_[i]);
+    const Backend backend;
+    graph->update_diagonal({}, backend.host_loop());
+    Multigrid<Backend> multigrid(backend, graph);
+    Host_array<vec3> right(size_);
+    for(int i = 0; i < size_; ++i)
+      right[i] = make_vec3(b[i], 0, 0);
+    Backend::Vectors solution = backend.vectors(size_);
+    Monitor monitor(std::numeric_limits<double>::infinity(), {}, false);
+    conjugate_gradients(backend, multigrid, 0, std::move(right), accuracy, monitor, 0, solution);
+    Vector x(size_);
+    for(int i = 0; i < size_; ++i)
+      x[i] = solution[i].x;
+    return x;
+  }
+
+  Intrinsic_triangulation triangulation_;
+  int size_;
+  double area_unit_; ///< 4 pi of these are the area before scaling
+  Vector mass_, defect_;
+  Matrix laplacian_;
+};
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DISCRETE_SURFACE_H

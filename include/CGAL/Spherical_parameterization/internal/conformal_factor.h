@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CONFORMAL_FACTOR_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CONFORMAL_FACTOR_H
+
+#include <CGAL/Spherical_parameterization/Result.h>
+#include <CGAL/Spherical_parameterization/internal/Discrete_surface.h>
+#include <CGAL/Spherical_parameterization/internal/Failure.h>
+#include <CGAL/Spherical_parameterization/internal/Source_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/Vertex_numbering.h>
+#include <CGAL/Spherical_parameterization/internal/named_parameters.h>
+#include <CGAL/Spherical_parameterization/internal/point_coordinates.h>
+#include <CGAL/Spherical_parameterization/internal/spherical_triangles.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+/// The opposite of every halfedge 3f + k, which leaves corner k of face f.
+template <class TriangleMesh>
+std::vector<int> twins(const TriangleMesh& mesh)
+{
+  const Face_numbering<TriangleMesh> numbering(mesh);
+  std::vector<int> result;
+  result.reserve(3 * numbering.size());
+  for(auto f : faces(mesh)) {
+    auto h = halfedge(f, mesh);
+    for(int k = 0; k < 3; ++k, h = next(h, mesh)) {
+      const auto other = opposite(h, mesh);
+      const auto first = halfedge(face(other, mesh), mesh);
+      const int corner = other == first ? 0 : other == next(first, mesh) ? 1 : 2;
+      result.push_back(3 * numbering(face(other, mesh)) + corner);
+    }
+  }
+  return result;
+}
+
+/// The logarithm u of the factor by which the conformal map to the sphere enlarges areas, on a surface of area 4 pi.
+///
+/// The metric e^u g of the sphere has curvature 1, so that L u / 2 = b - K with K the angle defects and b the spherical
+/// areas of the vertices (J. Kazdan, F. Warner, "Curvature functions for compact 2-manifolds", Annals of Mathematics 99, 1974). A map is needed
+/// for b only, which it has to give where the sphere is large: what it says about limbs, where triangles may be smaller
+/// than doubles resolve, does not matter. Read off the areas of the map itself, u depends much on the tessellation
+/// there.
+template <class TriangleMesh>
+struct Conformal_factor {
+  Source_mesh<TriangleMesh> source;
+  Discrete_surface surface;
+  Discrete_surface::Vector u; ///< by vertex of `source`; the integral of e^u is 4 pi
+
+  /// Throws std::invalid_argument where the mesh is no closed surface of genus 0 with an area, or the map no map.
+  template <class VertexPointMap, class VertexSphereMap>
+  Conformal_factor(const TriangleMesh& mesh, VertexPointMap points, VertexSphereMap sphere_map)
+    : source(checked(mesh, points)),
+      surface(Intrinsic_triangulation(source.face, twins(mesh), source.point))
+  {
+    const Discrete_surface::Vector b = spherical_areas(sphere_map);
+    const double total = b.sum();
+    if(!(total > 0) || !std::isfinite(total))
+      throw std::invalid_argument("the sphere map has no area");
+    const double pi = Discrete_surface::pi();
+    u = 2 * surface.solve_poisson(b * (4 * pi / total) - surface.defect());
+    const double largest = u.maxCoeff();
+    const double integral = surface.mass().dot((u.array() - largest).exp().matrix());
+    u.array() += std::log(4 * pi / integral) - largest;
+    if(!u.allFinite())
+      throw std::invalid_argument("the surface has no usable metric");
+  }
+
+private:
+  template <class VertexPointMap>
+  static Source_mesh<TriangleMesh> checked(const TriangleMesh& mesh, VertexPointMap points)
+  try {
+    Source_mesh<TriangleMesh> result(mesh, points);
+    double area = 0;
+    for(double a : result.area)
+      area += a;
+    if(!(area > 0))
+      throw Failure{Error_code::DEGENERATE_FACE, "no face has an area"};
+    return result;
+  } catch(const Failure& failure) {
+    throw std::invalid_argument(std::string(get_error_message(failure.code)) + ": " + failure.detail);
+  }
+
+  /// A third of the areas round every vertex, without sign.
+  template <class VertexSphereMap>
+  Discrete_surface::Vector spherical_areas(VertexSphereMap sphere_map) const
+  {
+    std::vector<vec3> image;
+    image.reserve(source.vertex.size());
+    for(auto v : source.vertex)
+      image.push_back(coordinates(get(sphere_map, v)));
+    Discrete_surface::Vector area = Discrete_surface::Vector::Zero(surface.size());
+    for(const auto& [i, j, k] : source.face) {
+      const double third = std::abs(spherical_area(image[i], image[j], image[k])) / 3;
+      for(int corner : {i, j, k})
+        area[corner] += third;
+    }
+    return area;
+  }
+};
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CONFORMAL_FACTOR_H

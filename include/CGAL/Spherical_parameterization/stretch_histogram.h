@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_STRETCH_HISTOGRAM_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_STRETCH_HISTOGRAM_H
+
+#include <CGAL/Spherical_parameterization/internal/Vertex_numbering.h>
+#include <CGAL/Spherical_parameterization/internal/histogram.h>
+#include <CGAL/Spherical_parameterization/internal/named_parameters.h>
+#include <CGAL/Spherical_parameterization/measure_distortion.h>
+
+#include <CGAL/assertions.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+
+/// Which histogram of the area stretch.
+struct Stretch_histogram {
+  /// How the surface is weighed. Every point has the stretch of the vertex in whose barycentric cell it lies.
+  enum class Sampling {
+    EXACT_AREAS, ///< no sampling: every vertex counts with the area of its cell
+    UNIFORM,     ///< evenly spaced in the accumulated area of the faces
+    RANDOM,      ///< independent points, uniformly distributed by area
+    VERTICES     ///< no sampling, and every vertex counts alike: depends on the tessellation
+  };
+  /// What is counted.
+  enum class Scale {
+    LOGARITHMIC, ///< log of the stretch, which reaches 60 in limbs
+    LINEAR       ///< the stretch itself
+  };
+  Sampling sampling = Sampling::EXACT_AREAS;
+  Scale scale = Scale::LOGARITHMIC;
+  std::size_t bins = 32;
+  double low = -4, high = 28;           ///< of the bins, on the scale; what lies outside counts in the first or last one
+  std::size_t number_of_samples = 4096; ///< `UNIFORM` and `RANDOM`; fewer than about 4096 add noise
+  std::uint32_t random_seed = 0;        ///< `RANDOM`
+};
+
+namespace internal {
+
+/// Writes numbers to an array, in the order of vertices(mesh).
+template <class TriangleMesh>
+struct Array_map {
+  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor key_type;
+  typedef double value_type;
+  typedef void reference;
+  typedef boost::writable_property_map_tag category;
+
+  const Vertex_numbering<TriangleMesh>* numbering;
+  std::vector<double>* values;
+
+  friend void put(const Array_map& map, const key_type& v, double value)
+  {
+    (*map.values)[(*map.numbering)(v)] = value;
+  }
+};
+
+inline double flat_area(const std::array<vec3, 3>& p)
+{
+  const vec3 n = outer(sub(p[1], p[0]), sub(p[2], p[0]));
+  return std::sqrt(inner(n, n)) / 2;
+}
+
+/// Area-uniform points of a triangle mesh, as the numbers of the barycentric cells in which they are.
+class Cell_sampler {
+public:
+  /// \param accumulated  of the areas of the faces, ends with their sum
+  Cell_sampler(const std::vector<double>& accumulated, const std::vector<std::array<int, 3>>& corners)
+    : accumulated_(accumulated), corners_(corners)
+  {}
+
+  /// The cell at `position` in [0, 1) of all area, with (s, t) in the unit square choosing a point of the face there.
+  int operator()(double position, double s, double t) const
+  {
+    const auto it = std::upper_bound(accumulated_.begin(), accumulated_.end(), position * accumulated_.back());
+    const auto f = (std::min)(static_cast<std::size_t>(it - accumulated_.begin()), corners_.size() - 1);
+    if(s + t > 1) { // folds the square on the triangle
+      s = 1 - s;
+      t = 1 - t;
+    }
+    const std::array<double, 3> barycentric = {s, t, 1 - s - t};
+    return corners_[f][std::max_element(barycentric.begin(), barycentric.end()) - barycentric.begin()];
+  }
+
+private:
+  const std::vector<double>& accumulated_;
+  const std::vector<std::array<int, 3>>& corners_;
+};
+
+/// Number of samples by cell.
+inline std::vector<double> sample_cells(const Stretch_histogram& options, const Cell_sampler& cell, std::size_t cells)
+{
+  std::vector<double> count(cells, 0);
+  const std::size_t n = options.number_of_samples;
+  if(options.sampling == Stretch_histogram::Sampling::RANDOM) {
+    std::mt19937 generator(options.random_seed);
+    const auto uniform = [&] { return generator() * 0x1p-32; }; // the same numbers with every standard library
+    for(std::size_t k = 0; k < n; ++k) {
+      const double position = uniform(), s = uniform(), t = uniform();
+      ++count[cell(position, s, t)];
+    }
+  } else {
+    // M. Roberts' sequence: multiples of the inverse powers of the plastic number fill the unit square evenly.
+    constexpr double plastic = 1.32471795724474602596;
+    for(std::size_t k = 0; k < n; ++k) {
+      const double s = std::fmod(0.5 + k / plastic, 1.), t = std::fmod(0.5 + k / (plastic * plastic), 1.);
+      ++count[cell((k + 0.5) / n, s, t)];
+    }
+  }
+  return count;
+}
+
+} // namespace internal
+
+/// The signature of T. Athanasiadis and I. Fudos, SMI 2011, section 5.3: the histogram of the area stretch factor of
+/// Definition 1, as `log_area_stretch()` measures it. Shares, which add up to 1. See `shape_signature()` for one that
+/// tells shapes apart better, and depends less on the tessellation.
+///
+/// \param sphere_map  readable, key vertex_descriptor, value unit vectors
+/// \param options     \pre bins >= 2, low < high, number_of_samples >= 1
+/// \param np          `vertex_point_map`
+template <class TriangleMesh, class VertexSphereMap, class NamedParameters = parameters::Default_named_parameters>
+std::vector<double> stretch_histogram(const TriangleMesh& mesh, VertexSphereMap sphere_map,
+                                      const Stretch_histogram& options = {},
+                                      const NamedParameters& np = parameters::default_values())
+{
+  CGAL_precondition(options.bins >= 2 && options.low < options.high && options.number_of_samples >= 1);
+  const internal::Vertex_numbering<TriangleMesh> numbering(mesh);
+  std::vector<double> stretch(numbering.size());
+  log_area_stretch(mesh, sphere_map, internal::Array_map<TriangleMesh>{&numbering, &stretch}, np);
+
+  const auto points = internal::vertex_points(mesh, np);
+  std::vector<double> accumulated, cell_area(stretch.size(), 0);
+  std::vector<std::array<int, 3>> corners;
+  double total = 0;
+  for(auto f : faces(mesh)) {
+    const auto h = halfedge(f, mesh);
+    corners.push_back({numbering(source(h, mesh)), numbering(target(h, mesh)), numbering(target(next(h, mesh), mesh))});
+    const double area = internal::flat_area(internal::corners(mesh, points, f));
+    accumulated.push_back(total += area);
+    for(int i : corners.back())
+      cell_area[i] += area / 3;
+  }
+  const std::vector<double> weight =
+    options.sampling == Stretch_histogram::Sampling::EXACT_AREAS ? cell_area
+    : options.sampling == Stretch_histogram::Sampling::VERTICES
+      ? std::vector<double>(stretch.size(), 1)
+      : internal::sample_cells(options, internal::Cell_sampler(accumulated, corners), stretch.size());
+
+  internal::Histogram histogram(options.bins, options.low, options.high);
+  for(std::size_t i = 0; i < stretch.size(); ++i)
+    histogram.add(options.scale == Stretch_histogram::Scale::LINEAR ? std::exp(stretch[i]) : stretch[i], weight[i]);
+  return histogram.shares();
+}
+
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_STRETCH_HISTOGRAM_H

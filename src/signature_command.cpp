@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#include "signature_command.h"
+
+#include "interruption.h"
+#include "mesh_list.h"
+#include "mpi_workers.h"
+#include "refusal.h"
+#include "signature_batch.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace tool {
+namespace {
+
+struct Signature_options {
+  std::vector<std::string> inputs;
+  std::string list;
+  std::string output;
+  int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+};
+
+int batch(const Signature_options& options, Signature_workers& workers)
+{
+  const std::vector<std::string> meshes = list_meshes(options.inputs, options.list);
+  if(meshes.empty())
+    throw Refusal(unreadable_file, options.list.empty() ? options.inputs.front() : options.list, "there is no mesh file",
+                  "meshes are read from .off, .obj, .ply and .stl files");
+  const Batch_summary summary = run_batch(meshes, options.output, workers);
+  for(const std::string& why : summary.without_signature)
+    std::cerr << "spherical-parameterization: " << why << '\n';
+  const std::size_t signatures = summary.meshes - summary.without_signature.size();
+  std::cout << options.output << ": " << summary.meshes << " meshes, " << signatures << " signatures";
+  if(summary.resumed > 0)
+    std::cout << ", " << summary.resumed << " rows from an earlier run";
+  std::cout << std::endl;
+  return signatures > 0 ? 0 : 1;
+}
+
+int run(const Signature_options& options)
+{
+  watch_for_interruption();
+  try {
+    if(is_launched_by_mpi())
+      return run_on_all_ranks(options.jobs, [&](Signature_workers& workers) { return batch(options, workers); });
+    Local_workers workers(options.jobs);
+    return batch(options, workers);
+  } catch(const Refusal& refusal) {
+    std::cerr << "spherical-parameterization: " << refusal.what() << std::endl;
+    return 1;
+  }
+}
+
+} // namespace
+
+void add_signature_command(CLI::App& app, int& exit_code)
+{
+  CLI::App* command = app.add_subcommand("signature", "Describe the shapes of meshes by numbers, for the command search");
+  const auto options = std::make_shared<Signature_options>();
+  command->add_option("IN", options->inputs, "Closed triangle meshes of genus 0: .off, .obj, .ply or .stl; folders of them");
+  command->add_option("--list", options->list, "Text file with one more IN per line")->check(CLI::ExistingFile);
+  command->add_option("-o,--output", options->output, "Where the index goes: a CSV file with one row per mesh")->required();
+  command
+      ->add_option("-j,--jobs", options->jobs, "So many meshes at the same time; with mpirun, in every process")
+      ->check(CLI::Range(1, 4096))
+      ->capture_default_str();
+  command->footer("Meshes without signature have a row that says why. A run that was stopped goes on where it was when the\n"
+                  "same command is given again. mpirun -n N spreads the work over N processes.\n"
+                  "Exit code: 0 the index has been written, 1 not, or it has no signature (the reason is on stderr), 2 wrong "
+                  "usage.");
+  command->callback([options, &exit_code] {
+    if(options->inputs.empty() && options->list.empty())
+      throw CLI::RequiredError("IN or --list");
+    exit_code = run(*options);
+  });
+}
+
+} // namespace tool

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The command search, on an index made by the command signature.
+
+#include "helpers/meshes.h"
+#include "helpers/tool.h"
+
+#include <catch2/catch.hpp>
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+using namespace test;
+
+namespace {
+
+struct Hit {
+  double distance;
+  std::string name;
+};
+
+std::vector<Hit> hits(const std::string& out)
+{
+  std::istringstream in(out);
+  std::string header;
+  std::getline(in, header);
+  CHECK(header == "distance  name");
+  std::vector<Hit> result;
+  for(Hit hit; in >> hit.distance && std::getline(in >> std::ws, hit.name);)
+    result.push_back(hit);
+  return result;
+}
+
+std::string make_index(const Scratch& scratch)
+{
+  for(int i = 0; i < 4; ++i) {
+    write_off(scratch / ("star" + std::to_string(i) + ".off"), spiky_star(4, 3 + 0.05 * i));
+    write_off(scratch / ("dumbbell" + std::to_string(i) + ".off"),
+              transformed(dumbbell(4), [i](const Point& p) { return Point(p.x(), p.y(), (1 + 0.03 * i) * p.z()); }));
+  }
+  write_off(scratch / "torus.off", torus(8, 8)); // has no signature
+  const std::string index = scratch / "index.csv";
+  REQUIRE(run_tool({"signature", scratch.folder(), "-o", index}).exit_code == 0);
+  return index;
+}
+
+} // namespace
+
+TEST_CASE("search: the class of the query comes first", "[tool][search]")
+{
+  Scratch scratch;
+  const std::string index = make_index(scratch);
+  const std::string kind = GENERATE("star", "dumbbell");
+  const std::string query = scratch / (kind + "2.off");
+  const Process_result run = run_tool({"search", query, "--index", index});
+  CAPTURE(run.out, run.err);
+  REQUIRE(run.exit_code == 0);
+  const std::vector<Hit> found = hits(run.out);
+  REQUIRE(found.size() == 8); // all that have a signature
+  CHECK(found[0].name == query);
+  CHECK(found[0].distance == 0);
+  for(std::size_t i = 1; i < found.size(); ++i) {
+    CHECK(found[i].distance >= found[i - 1].distance);
+    CHECK((found[i].name.find(kind) != std::string::npos) == (i < 4));
+  }
+  const std::vector<Hit> first = hits(run_tool({"search", query, "--index", index, "-k", "3"}).out);
+  REQUIRE(first.size() == 3);
+  CHECK(first[2].name == found[2].name);
+}
+
+TEST_CASE("search: what is wrong is said in one line", "[tool][search]")
+{
+  Scratch scratch;
+  const std::string good = write_off(scratch / "good.off", icosphere(2));
+  const std::string bad = write_off(scratch / "bad.off", open_sphere(2));
+  const std::string index = scratch / "index.csv", broken = scratch / "broken.csv";
+  REQUIRE(run_tool({"signature", good, "-o", index}).exit_code == 0);
+  const auto check = [&](const std::string& query, const std::string& file, const std::string& word) {
+    const Process_result run = run_tool({"search", query, "--index", file});
+    CAPTURE(word, run.err);
+    CHECK(run.exit_code == 1);
+    CHECK(is_one_line(run.err));
+    CHECK(run.err.find(word) != std::string::npos);
+  };
+  check(bad, index, "closed");
+  check(scratch / "none.off", index, "does not exist");
+  const std::string text = text_of(index);
+  write_text(broken, "a,b\n1,2\n");
+  check(good, broken, "line 1");
+  write_text(broken, text + "x,12,OK\n");
+  check(good, broken, "line 3");
+  write_text(broken, text.substr(0, text.size() - 30));
+  check(good, broken, "line 2");
+  write_text(broken, "");
+  check(good, broken, "no signature");
+  CHECK(run_tool({"search", good}).exit_code == 2);
+  CHECK(run_tool({"search", good, "--index", scratch / "none.csv"}).exit_code == 2);
+  CHECK(run_tool({"search", good, "--index", index, "-k", "0"}).exit_code == 2);
+}

@@ -63,6 +63,14 @@ struct Saddle_point {
   std::size_t check_interval = 1000; ///< sweeps between two tests for convergence
 };
 
+/// Certified by construction, with low distortion of lengths.
+struct Isometric {
+  static constexpr double default_accuracy = 1e-4;
+  static constexpr std::size_t default_number_of_iterations = 20;
+
+  double area_exponent = 1;
+};
+
 } // namespace Spherical_parameterization
 } // namespace CGAL
 

@@ -15,6 +15,7 @@
 #include <CGAL/Spherical_parameterization/internal/fixed_vertices.h>
 #include <CGAL/Spherical_parameterization/internal/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/run_balanced.h>
+#include <CGAL/Spherical_parameterization/internal/run_isometric.h>
 #include <CGAL/Spherical_parameterization/internal/run_saddle_point.h>
 #include <CGAL/Spherical_parameterization/internal/verdict.h>
 #include <CGAL/Spherical_parameterization/methods.h>
@@ -93,7 +94,9 @@ Result parameterize(const ExecutionPolicy& policy, const TriangleMesh& mesh, con
     internal::Source_mesh<TriangleMesh> source(mesh, points, loop);
     result.number_of_vertices = source.vertex.size();
     result.number_of_faces = source.face.size();
-    if constexpr(is_default_parameter<NamedParameters, internal::edge_weight_tag>::value)
+    if(!internal::needs_weights(method))
+      ; // nothing to read
+    else if constexpr(is_default_parameter<NamedParameters, internal::edge_weight_tag>::value)
       source.set_weights(mesh, conformal_weights(mesh, 5, 85, np), loop);
     else
       source.set_weights(mesh, get_parameter(np, internal::edge_weight_tag()), loop);

@@ -34,6 +34,7 @@ inline void check_options(const Balanced& method)
 }
 
 inline bool needs_given_start(const Balanced&) { return false; }
+inline bool needs_weights(const Balanced&) { return true; }
 
 /// Where a converged map has flipped faces, the accuracy is tightened by this factor as long as doubles allow it: the
 /// residual is measured on the whole sphere, and a limb of size 1e-12 is right only when it is far below that.

@@ -29,6 +29,7 @@ inline void check_options(const Saddle_point& method)
 }
 
 inline bool needs_given_start(const Saddle_point& method) { return method.start == Saddle_point::Start::GIVEN; }
+inline bool needs_weights(const Saddle_point&) { return true; }
 
 template <class Backend>
 Host_array<vec3> run(const Backend& backend, const Saddle_point& method, Map_task& task, Solver_report& report)

@@ -33,8 +33,18 @@ inline double spherical_area(vec3 a, vec3 b, vec3 c)
 }
 
 /// Whether (a, b, c) is positively oriented as seen from outside: the sign of det(a, b, c), exactly.
+///
+/// The filter: det(a, b, c) = a . ((b - a) x (c - a)), which rounding changes by at most 16 u |a| |b - a| |c - a|,
+/// u = 2^-53, far from underflow. It decides about all but the thinnest triangles, however small they are.
 inline bool is_positively_oriented(vec3 a, vec3 b, vec3 c)
 {
+  constexpr double rounding2 = 256 * 1.2325951644078310e-32; // (16 u)^2
+  constexpr double underflow = 1e-100;
+  const vec3 ab = sub(b, a), ac = sub(c, a);
+  const double determinant = inner(a, outer(ab, ac));
+  if(std::abs(determinant) > underflow &&
+     determinant * determinant > 1.01 * rounding2 * inner(a, a) * inner(ab, ab) * inner(ac, ac))
+    return determinant > 0;
   typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
   const auto point = [](vec3 p) { return Kernel::Point_3(p.x, p.y, p.z); };
   return Kernel().orientation_3_object()(Kernel::Point_3(0, 0, 0), point(a), point(b), point(c)) == CGAL::POSITIVE;

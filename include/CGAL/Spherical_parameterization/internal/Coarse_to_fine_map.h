@@ -66,6 +66,8 @@ private:
   /// While there are vertices to come, needles count as better than they are: they would squeeze what is inserted.
   static constexpr Metric_bounds coarse_bounds = {100, 1e-4};
   static constexpr Metric_bounds final_bounds = {1e3, 1e-8};
+  static constexpr double linear_tolerance = 0.1; ///< of Newton's equations
+  static constexpr double least_gain = 1e-4;      ///< of the energy, for which a Newton step is worth while
 
   void decimate()
   {
@@ -109,12 +111,22 @@ private:
       if(failed.empty())
         return;
       round = std::move(failed);
-      relax(Metric_bounds{1, 1}, 3);
+      make_room();
     }
     const int v = mesh_.vertex(round.front());
     throw Failure{Error_code::NOT_BIJECTIVE, "no position in double precision was found for " +
                                                counted(round.size(), "vertex", "vertices") + ", the first one is " +
                                                std::to_string(v)};
+  }
+
+  /// Pulls all faces towards the same shape and size.
+  void make_room()
+  {
+    constexpr int sweeps = 3;
+    Map_level l = level({1, 1});
+    for(int s = 0; s < sweeps; ++s)
+      relax_all(loop_, distortion_, l);
+    l.store(loop_, map_);
   }
 
   std::vector<int> try_to_insert(const std::vector<int>& round)
@@ -170,45 +182,46 @@ private:
     return result;
   }
 
-  void relax(const Metric_bounds& bounds, int sweeps)
-  {
-    Map_level l = level(bounds);
-    for(int s = 0; s < sweeps; ++s)
-      relax_all(loop_, distortion_, l);
-    l.store(loop_, map_);
-  }
-
   void relax_level()
   {
+    constexpr int sweeps = 2, sweeps_of_regions = 3, rings = 2;
+    constexpr double bad_factor = 20; // times the mean distortion
+    constexpr double growth = 1.3;
     Map_level l = level(coarse_bounds);
-    relax_all(loop_, distortion_, l);
-    if(l.size() >= 1.3 * last_newton_) {
-      last_newton_ = l.size();
+    for(int s = 0; s < sweeps; ++s)
       relax_all(loop_, distortion_, l);
-      if(l.size() <= 6000) {
-        Newton_relaxation<Loop> newton(loop_, distortion_, l);
-        for(int it = 0; it < 20; ++it) {
-          const double gain = newton.step(50, 1e-2);
-          if(gain < 1e-4)
-            break;
-          relax_all(loop_, distortion_, l);
-        }
-      }
+    if(l.size() >= growth * last_newton_) {
+      last_newton_ = l.size();
+      relax_globally(l);
     }
-    std::vector<int> region = distorted_regions(loop_, distortion_, l, 20, 2);
-    for(int s = 0; s < 3 && !region.empty(); ++s)
+    const std::vector<int> region = distorted_regions(loop_, distortion_, l, bad_factor, rings);
+    for(int s = 0; s < sweeps_of_regions && !region.empty(); ++s)
       relax_region(loop_, distortion_, region, l);
     l.store(loop_, map_);
   }
 
+  /// Newton's method on coarse meshes, where limbs find their places for little: the number of steps falls with the
+  /// size.
+  void relax_globally(Map_level& l)
+  {
+    constexpr int maximum_size = 6000, maximum_steps = 100, maximum_work = 100000, maximum_iterations = 50;
+    if(l.size() > maximum_size)
+      return;
+    Newton_relaxation<Loop> newton(loop_, distortion_, l);
+    const int steps = (std::min)(maximum_steps, maximum_work / l.size());
+    for(int s = 0; s < steps && newton.step(maximum_iterations, linear_tolerance) > least_gain; ++s)
+      relax_all(loop_, distortion_, l);
+  }
+
   void finish(Solver_report& report)
   {
+    constexpr int sweeps = 5, maximum_iterations = 100, steps = 2;
     Map_level l = level(final_bounds);
-    for(int s = 0; s < 5; ++s)
+    for(int s = 0; s < sweeps; ++s)
       relax_all(loop_, distortion_, l);
     Newton_relaxation<Loop> newton(loop_, distortion_, l);
-    for(int it = 0; it < 2; ++it) {
-      report.residual = newton.step(100, 1e-2);
+    for(int s = 0; s < steps; ++s) {
+      report.residual = newton.step(maximum_iterations, linear_tolerance);
       ++report.iterations;
       relax_all(loop_, distortion_, l);
     }

@@ -33,7 +33,7 @@ template <class Loop>
 class Newton_relaxation {
 public:
   Newton_relaxation(const Loop& loop, const Distortion& distortion, Map_level& level)
-    : loop_(loop), distortion_(distortion), level_(level), s_(level.size()), t_(level.size()), gradient_(level.size()),
+    : loop_(loop), distortion_(distortion), level_(level), tangents_(level.size()), factor_(level.size()), gradient_(level.size()),
       middle_(level.size()), entry_(level.offset(level.size()))
   {}
 
@@ -51,56 +51,34 @@ private:
     float ss, st, ts, tt;
   };
 
-  /// Gradient, diagonal blocks and tangents first, since the other blocks refer to the tangents of both ends.
+  /// All blocks in orthonormal tangents first, then in those that the diagonal blocks ask for.
   void assemble()
   {
-    for_each_of_level(loop_, 0, level_.size(), [&](int i) { assemble_diagonal(i); });
     for_each_of_level(loop_, 0, level_.size(), [&](int i) { assemble_row(i); });
+    for_each_of_level(loop_, 0, level_.size(), [&](int i) { normalise_row(i); });
   }
 
-  void assemble_diagonal(int i)
-  {
-    constexpr double shift = 1e-8; // of the trace: rotations of the sphere cost nothing
-    const vec3 x = level_.position()[i];
-    const Tangents tangents(x);
-    Block diagonal = {0, 0, 0, 0};
-    vec3 gradient = {0, 0, 0};
-    for(int c = level_.offset(i); c < level_.offset(i + 1); ++c) {
-      const Star_face f = level_.star_face(level_.corner(c));
-      const Distortion::Psi psi = distortion_.psi(f.determinant(x) / f.twice_area);
-      const vec3 pull = add_scaled(scale(-f.cot_j, sub(f.k, x)), -f.cot_k, sub(f.j, x));
-      gradient = add_scaled(add_scaled(gradient, psi.value, pull), f.dirichlet(x) * psi.first / f.twice_area,
-                            outer(f.j, f.k));
-      const Face_hessian hessian(distortion_, x, f);
-      const Block frame = hessian.frame(tangents.s, tangents.t);
-      const Block b = hessian.block(0, frame, 0, frame);
-      diagonal = {diagonal.ss + b.ss, diagonal.st + b.st, diagonal.ts + b.ts, diagonal.tt + b.tt};
-    }
-    // the sphere bends away from the tangent plane
-    const double bend = (std::max)(0., -inner(gradient, x)) + shift * (diagonal.ss + diagonal.tt);
-    const double a = std::sqrt(diagonal.ss + bend), b = diagonal.ts / a;
-    const double c = std::sqrt((std::max)(diagonal.tt + bend - b * b, shift * (a * a)));
-    s_[i] = scale(1 / a, tangents.s);
-    t_[i] = add_scaled(scale(1 / c, tangents.t), -b / (a * c), tangents.s);
-    gradient_[i] = {inner(gradient, s_[i]), inner(gradient, t_[i])};
-  }
-
-  /// The blocks of row i, those left of the diagonal first.
+  /// Gradient and blocks of row i, those left of the diagonal first.
   void assemble_row(int i)
   {
     const vec3 x = level_.position()[i];
+    const Tangents tangents(x);
     const int begin = level_.offset(i), end = level_.offset(i + 1);
-    boost::container::small_vector<Block, 16> block(end - begin, Block{0, 0, 0, 0});
-    const auto add_to = [&](int k, const Block& b) {
-      Block& sum = block[k - begin];
+    boost::container::small_vector<Block, 12> block(end - begin, Block{0, 0, 0, 0});
+    Block diagonal = {0, 0, 0, 0};
+    const auto add_to = [](Block& sum, const Block& b) {
       sum = {sum.ss + b.ss, sum.st + b.st, sum.ts + b.ts, sum.tt + b.tt};
     };
+    vec3 gradient = {0, 0, 0};
     for(int c = begin; c < end; ++c) {
-      const Map_level::Corner& corner = level_.corner(c);
-      const Face_hessian hessian(distortion_, x, level_.star_face(corner));
-      const Block frame = hessian.frame(s_[i], t_[i]);
-      add_to(c, hessian.block(0, frame, 1, hessian.frame(s_[corner.j], t_[corner.j])));
-      add_to(c + 1 == end ? begin : c + 1, hessian.block(0, frame, 2, hessian.frame(s_[corner.k], t_[corner.k])));
+      const Star_face f = level_.star_face(level_.corner(c));
+      const Tangents at_j(f.j), at_k(f.k);
+      const Face_hessian hessian(distortion_, x, f);
+      gradient = add(gradient, hessian.gradient());
+      const Face_hessian::Frame frame = hessian.frame(0, tangents.s, tangents.t);
+      add_to(diagonal, hessian.block(0, frame, 0, frame));
+      add_to(block[c - begin], hessian.block(0, frame, 1, hessian.frame(1, at_j.s, at_j.t)));
+      add_to(block[c + 1 == end ? 0 : c + 1 - begin], hessian.block(0, frame, 2, hessian.frame(2, at_k.s, at_k.t)));
     }
     int lower = begin, upper = end;
     for(int c = begin; c < end; ++c) {
@@ -109,6 +87,28 @@ private:
       entry_[j < i ? lower++ : --upper] = {j, float(b.ss), float(b.st), float(b.ts), float(b.tt)};
     }
     middle_[i] = lower;
+
+    // The sphere bends away from the tangent plane, or towards the other side: not more than leaves the block positive.
+    constexpr double least_share = 0.01;
+    const double mean = (diagonal.ss + diagonal.tt) / 2, half = (diagonal.ss - diagonal.tt) / 2;
+    const double smallest = mean - std::sqrt(half * half + diagonal.st * diagonal.st);
+    const double bend = (std::max)(-inner(gradient, x), 2 * least_share * std::abs(mean) - smallest);
+    const double a = std::sqrt(diagonal.ss + bend), b = diagonal.ts / a;
+    const double c = std::sqrt((std::max)(diagonal.tt + bend - b * b, least_share * least_share * a * a));
+    factor_[i] = {1 / a, 0, -b / (a * c), 1 / c};
+    tangents_[i] = {add_scaled(scale(factor_[i].ss, tangents.s), factor_[i].st, tangents.t),
+                    add_scaled(scale(factor_[i].ts, tangents.s), factor_[i].tt, tangents.t)};
+    gradient_[i] = {inner(gradient, tangents_[i].s), inner(gradient, tangents_[i].t)};
+  }
+
+  void normalise_row(int i)
+  {
+    for(int k = level_.offset(i); k < level_.offset(i + 1); ++k) {
+      Entry& e = entry_[k];
+      const Block b =
+        product(factor_[i], product(Block{e.ss, e.st, e.ts, e.tt}, transposed(factor_[e.column])));
+      e = {e.column, float(b.ss), float(b.st), float(b.ts), float(b.tt)};
+    }
   }
 
   /// x_i -= sum over the entries B_ij y_j
@@ -170,7 +170,7 @@ private:
     solve_upper(x, t);
     std::vector<vec3> direction(n);
     for_each_of_level(loop_, 0, n,
-                      [&](int i) { direction[i] = add_scaled(scale(t[i].s, s_[i]), t[i].t, t_[i]); });
+                      [&](int i) { direction[i] = add_scaled(scale(t[i].s, tangents_[i].s), t[i].t, tangents_[i].t); });
     slope_ = sum_over_level(loop_, n,
                             [&](int i) { return gradient_[i].s * t[i].s + gradient_[i].t * t[i].t; }) /
              level_.area();
@@ -229,7 +229,11 @@ private:
   const Loop& loop_;
   const Distortion& distortion_;
   Map_level& level_;
-  Host_array<vec3> s_, t_; ///< tangents in which the diagonal blocks are the identity
+  struct Tangent_pair {
+    vec3 s, t;
+  };
+  Host_array<Tangent_pair> tangents_; ///< in which the diagonal blocks are the identity
+  Host_array<Block> factor_;          ///< which make them of the orthonormal ones
   Host_array<Planar> gradient_;
   Host_array<int> middle_; ///< where in row i the entries right of the diagonal begin
   Host_array<Entry> entry_;

@@ -39,7 +39,8 @@ template <class Loop>
 class Coarse_to_fine_map {
 public:
   Coarse_to_fine_map(const Loop& loop, const Isometric& method, Map_task& task)
-    : loop_(loop), distortion_(method.area_exponent), task_(task), mesh_(task.faces, task.size()),
+    : loop_(loop), method_(method), exponent_((std::min)(method.area_exponent, largest_coarse_exponent)),
+      distortion_(exponent_), task_(task), mesh_(task.faces, task.size()),
       map_{Host_array<vec3>(task.size(), vec3{0, 0, 0}), std::vector<int>(task.size(), -1)}
   {
     for(double a : task.area)
@@ -54,7 +55,8 @@ public:
       insert(std::move(rounds_.back()));
       if(rounds_.size() > 1) {
         relax_level();
-        advance();
+        if(!advance())
+          give_up();
       }
     }
     finish(report);
@@ -66,6 +68,7 @@ private:
   /// While there are vertices to come, needles count as better than they are: they would squeeze what is inserted.
   static constexpr Metric_bounds coarse_bounds = {100, 1e-4};
   static constexpr Metric_bounds final_bounds = {1e3, 1e-8};
+  static constexpr double largest_coarse_exponent = 3;
   static constexpr double linear_tolerance = 0.1; ///< of Newton's equations
   static constexpr double least_gain = 1e-4;      ///< of the energy, for which a Newton step is worth while
 
@@ -213,27 +216,42 @@ private:
       relax_all(loop_, distortion_, l);
   }
 
+  /// The whole mesh, with its own shape. Exponents that are too stiff for an arbitrary start are approached from below.
   void finish(Solver_report& report)
   {
-    constexpr int sweeps = 5, maximum_iterations = 100, steps = 2;
+    constexpr int sweeps = 5, maximum_iterations = 100, steps_per_exponent = 6;
+    constexpr double growth_of_exponent = 1.5;
     Map_level l = level(final_bounds);
-    for(int s = 0; s < sweeps; ++s)
+    for(int s = 0; s < sweeps && advance(); ++s)
       relax_all(loop_, distortion_, l);
-    Newton_relaxation<Loop> newton(loop_, distortion_, l);
-    for(int s = 0; s < steps; ++s) {
-      report.residual = newton.step(maximum_iterations, linear_tolerance);
-      ++report.iterations;
-      relax_all(loop_, distortion_, l);
+    const double accuracy = task_.accuracy.value_or(Isometric::default_accuracy);
+    const auto descend = [&](int maximum_steps) {
+      Newton_relaxation<Loop> newton(loop_, distortion_, l);
+      for(int s = 0; s < maximum_steps && advance(); ++s) {
+        report.residual = newton.step(maximum_iterations, linear_tolerance);
+        ++report.iterations;
+        relax_all(loop_, distortion_, l);
+        if(report.residual < accuracy)
+          return;
+      }
+    };
+    descend(static_cast<int>(task_.number_of_iterations.value_or(Isometric::default_number_of_iterations)));
+    while(exponent_ < method_.area_exponent) {
+      exponent_ = (std::min)(method_.area_exponent, growth_of_exponent * exponent_);
+      distortion_ = Distortion(exponent_);
+      descend(steps_per_exponent);
     }
     l.store(loop_, map_);
     report.energy = l.energy(loop_, distortion_);
-    report.has_converged = true;
+    report.has_converged = !task_.monitor.is_interrupted();
   }
 
-  void advance()
+  /// Tells the user about the progress; returns whether to go on.
+  bool advance()
   {
-    if(!task_.monitor.advance(share_of_decimation + (1 - share_of_decimation) * 0.7 * mesh_.number_of_vertices() / task_.size()))
-      give_up();
+    constexpr double share_of_last_level = 0.4;
+    const double done = double(mesh_.number_of_vertices()) / task_.size();
+    return task_.monitor.advance(share_of_decimation + (1 - share_of_decimation - share_of_last_level) * done);
   }
 
   [[noreturn]] void give_up() const
@@ -244,6 +262,8 @@ private:
   static constexpr double share_of_decimation = 0.15;
 
   const Loop& loop_;
+  Isometric method_;
+  double exponent_; ///< of the area, at the moment
   Distortion distortion_;
   Map_task& task_;
   Progressive_mesh mesh_;

@@ -5,6 +5,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_FACE_HESSIAN_H
 
 #include <CGAL/Spherical_parameterization/internal/Distortion.h>
+#include <CGAL/Spherical_parameterization/internal/Planar.h>
 #include <CGAL/Spherical_parameterization/internal/Star.h>
 #include <CGAL/Spherical_parameterization/internal/vertex_formulas.h>
 
@@ -14,23 +15,6 @@
 namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
-
-/// A vector in a tangent plane, or its product with tangents.
-struct Planar {
-  double s, t;
-};
-
-/// 2x2, by rows
-struct Block {
-  double ss, st, ts, tt;
-};
-
-inline Block transposed(const Block& b) { return {b.ss, b.ts, b.st, b.tt}; }
-
-inline Block product(const Block& a, const Block& b)
-{
-  return {a.ss * b.ss + a.st * b.ts, a.ss * b.st + a.st * b.tt, a.ts * b.ss + a.tt * b.ts, a.ts * b.st + a.tt * b.tt};
-}
 
 /// The second derivative of the distortion of a face by the positions of its corners, d = det and L as in `Distortion`
 /// and `Star_face`:  psi L'' + psi' (L' d' + d' L') + L psi'' d' d' + L psi' d''.

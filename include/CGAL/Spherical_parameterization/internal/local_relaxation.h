@@ -42,7 +42,7 @@ template <class Loop>
 std::vector<int> distorted_regions(const Loop& loop, const Distortion& distortion, const Map_level& level,
                                    double factor, int rings)
 {
-  const double limit = factor * level.energy(loop, distortion);
+  const double bound = factor * level.energy(loop, distortion);
   std::vector<char> is_distorted(level.size());
   for_each_of_level(loop, 0, level.size(), [&](int i) {
     Star star;
@@ -50,7 +50,7 @@ std::vector<int> distorted_regions(const Loop& loop, const Distortion& distortio
     double area = 0;
     for(const Star_face& f : star)
       area += f.twice_area / 2;
-    is_distorted[i] = star_energy(distortion, star, level.position()[i]) > limit * area;
+    is_distorted[i] = star_energy(distortion, star, level.position()[i]) > bound * area;
   });
   std::vector<int> region;
   for(int i = 0; i < level.size(); ++i)

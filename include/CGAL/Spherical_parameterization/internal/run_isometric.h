@@ -26,7 +26,14 @@ inline void check_options(const Isometric& method)
 }
 
 inline bool needs_given_start(const Isometric&) { return false; }
-inline bool needs_weights(const Isometric&) { return false; }
+inline std::string name(const Isometric&) { return "isometric"; }
+
+/// There are none.
+template <class Set_weights>
+std::string weigh(const Isometric&, Set_weights)
+{
+  return {};
+}
 
 /// Geodesic edges can be embedded only if they are determined by their ends.
 inline void check_simplicial(const Weighted_graph& graph)
@@ -47,6 +54,7 @@ Host_array<vec3> run(const Backend& backend, const Isometric& method, Map_task& 
   const Stopwatch watch;
   Coarse_to_fine_map<typename Backend::Host_loop> map(backend.host_loop(), method, task);
   map.run(report);
+  task.is_on_sphere = true;
   task.result.seconds.solve = watch.seconds();
   return map.positions();
 }

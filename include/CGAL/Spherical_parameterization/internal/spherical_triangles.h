@@ -57,6 +57,7 @@ struct Certificate {
   std::size_t flipped_faces = 0; ///< faces that are not positively oriented, or have a coordinate that is not finite
   int degree = 0;                ///< sum of the signed areas over 4 pi
   double smallest_area = std::numeric_limits<double>::infinity(); ///< without sign
+  double smallest_edge = std::numeric_limits<double>::infinity(); ///< chord
 
   bool is_valid() const { return flipped_faces == 0 && degree == 1; }
 };
@@ -69,6 +70,7 @@ Certificate certify(const Loop& loop, const Host_array<std::array<int, 3>>& face
   struct Part {
     Certificate certificate;
     double area = 0;
+    double shortest2 = std::numeric_limits<double>::infinity();
   };
   const std::vector<Part> parts = results_of_parts(loop, static_cast<int>(faces.size()), [&](int begin, int end) {
     Part part;
@@ -83,7 +85,10 @@ Certificate certify(const Loop& loop, const Host_array<std::array<int, 3>>& face
       const double area = spherical_area(a, b, c);
       part.area += area;
       part.certificate.smallest_area = (std::min)(part.certificate.smallest_area, std::abs(area));
+      for(vec3 edge : {sub(b, a), sub(c, b), sub(a, c)})
+        part.shortest2 = (std::min)(part.shortest2, inner(edge, edge));
     }
+    part.certificate.smallest_edge = std::sqrt(part.shortest2);
     return part;
   });
 
@@ -92,6 +97,7 @@ Certificate certify(const Loop& loop, const Host_array<std::array<int, 3>>& face
   for(const Part& part : parts) {
     result.flipped_faces += part.certificate.flipped_faces;
     result.smallest_area = (std::min)(result.smallest_area, part.certificate.smallest_area);
+    result.smallest_edge = (std::min)(result.smallest_edge, part.certificate.smallest_edge);
     total += part.area;
   }
   result.degree = static_cast<int>(std::lround(total / (4 * std::acos(-1.))));

@@ -5,6 +5,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_VERTEX_INSERTION_H
 
 #include <CGAL/Spherical_parameterization/internal/Distortion.h>
+#include <CGAL/Spherical_parameterization/internal/Planar.h>
 #include <CGAL/Spherical_parameterization/internal/Star.h>
 #include <CGAL/Spherical_parameterization/internal/vertex_formulas.h>
 
@@ -23,9 +24,6 @@ namespace internal {
 /// few times as large as the star. Found with rounding errors: to be checked.
 inline vec3 kernel_point(const Star& star, vec3 v)
 {
-  struct Planar {
-    double s, t;
-  };
   typedef boost::container::small_vector<Planar, 24> Polygon;
   const Tangents tangents(v);
   double size = 0;

@@ -40,8 +40,9 @@ class Coarse_to_fine_map {
 public:
   Coarse_to_fine_map(const Loop& loop, const Isometric& method, Map_task& task)
     : loop_(loop), method_(method), exponent_((std::min)(method.area_exponent, largest_coarse_exponent)),
-      distortion_(exponent_), task_(task), mesh_(task.faces, task.size()),
-      map_{Host_array<vec3>(task.size(), vec3{0, 0, 0}), std::vector<int>(task.size(), -1)}
+      distortion_(exponent_), task_(task),
+      mesh_(task.faces, task.size()), map_{Host_array<vec3>(task.size(), vec3{0, 0, 0}),
+                                           std::vector<int>(task.size(), -1)}
   {
     for(double a : task.area)
       source_area_ += a;

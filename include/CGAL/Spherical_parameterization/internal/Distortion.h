@@ -38,11 +38,11 @@ public:
   Psi psi(double ratio) const
   {
     const double inverse = 1 / ratio, inverse2 = inverse * inverse;
-    const double area = ratio + inverse;                       // 2 E_a
-    const double log_slope = (1 - inverse2) / area;            // (log E_a)'
+    const double area = ratio + inverse;            // 2 E_a
+    const double log_slope = (1 - inverse2) / area; // (log E_a)'
     const double log_bend = 2 * inverse2 * inverse / area - log_slope * log_slope;
-    const double slope = theta_ * log_slope - inverse;         // (log psi)'
-    const double bend = theta_ * log_bend + inverse2;          // (log psi)''
+    const double slope = theta_ * log_slope - inverse; // (log psi)'
+    const double bend = theta_ * log_bend + inverse2;  // (log psi)''
     const double psi = value(ratio);
     return {psi, slope * psi, (slope * slope + bend) * psi};
   }

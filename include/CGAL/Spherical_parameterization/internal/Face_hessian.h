@@ -57,7 +57,8 @@ public:
   {
     return {s,
             t,
-            is_lifted_ ? Block{inner(axis_[0], s), inner(axis_[0], t), inner(axis_[1], s), inner(axis_[1], t)} : Block(),
+            is_lifted_ ? Block{inner(axis_[0], s), inner(axis_[0], t), inner(axis_[1], s), inner(axis_[1], t)}
+                       : Block(),
             {inner(pull_[corner], s), inner(pull_[corner], t)},
             {inner(turn_[corner], s), inner(turn_[corner], t)}};
   }
@@ -91,8 +92,9 @@ private:
   Block lift(int m, const Block& axes_m, int n, const Block& axes_n) const
   {
     const Planar g = gradient_[m], h = gradient_[n];
-    const Block principal = {stretch_[0] * g.s * h.s + shear_ * g.t * h.t, coupling_ * g.s * h.t + exchange_ * g.t * h.s,
-                             coupling_ * g.t * h.s + exchange_ * g.s * h.t, stretch_[1] * g.t * h.t + shear_ * g.s * h.s};
+    const Block principal = {
+      stretch_[0] * g.s * h.s + shear_ * g.t * h.t, coupling_ * g.s * h.t + exchange_ * g.t * h.s,
+      coupling_ * g.t * h.s + exchange_ * g.s * h.t, stretch_[1] * g.t * h.t + shear_ * g.s * h.s};
     return product(transposed(axes_m), product(principal, axes_n));
   }
 
@@ -126,9 +128,8 @@ private:
     // The source triangle in the plane, its first side on the first axis, and the gradients of its hat functions.
     const double side = std::sqrt(f.twice_area * (f.cot_x + f.cot_j));
     const double apex_x = f.twice_area * f.cot_x / side, apex_y = f.twice_area / side;
-    const double gradient[3][2] = {{-1 / side, apex_x / (side * apex_y) - 1 / apex_y},
-                                   {1 / side, -apex_x / (side * apex_y)},
-                                   {0, 1 / apex_y}};
+    const double gradient[3][2] = {
+      {-1 / side, apex_x / (side * apex_y) - 1 / apex_y}, {1 / side, -apex_x / (side * apex_y)}, {0, 1 / apex_y}};
     // The image triangle in its plane, and the linear map (a, b; 0, d).
     const double length = std::sqrt(inner(first, first));
     const vec3 p = scale(1 / length, first), q = outer(scale(1 / twice_area, area_vector), p);
@@ -156,7 +157,7 @@ private:
   double cotangent_[3];
   vec3 pull_[3], turn_[3];
   double psi_, slope_, twist_force_, bend_;
-  bool is_lifted_; ///< there are negative eigenvalues; else the rest is not set
+  bool is_lifted_;     ///< there are negative eigenvalues; else the rest is not set
   vec3 axis_[2];       ///< principal directions of the image
   Planar gradient_[3]; ///< of the hat functions, along those of the source
   double stretch_[2], coupling_, shear_, exchange_;

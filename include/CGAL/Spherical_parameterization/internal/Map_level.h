@@ -25,33 +25,34 @@ struct Partial_map {
   std::vector<int> colour; ///< neighbours differ
 };
 
-/// The vertices in a part of the loops over a level; fewer are not worth a task.
-constexpr int level_part = 512;
+/// How many steps of a loop are worth a task: of about a microsecond, and of a few nanoseconds.
+constexpr int few_steps = 64, many_steps = 2048;
 
-/// Runs f(begin) ... f(end-1), in parallel if it is worth it.
-template <class Loop, class F>
+/// Runs f(begin) ... f(end-1), in parallel if there are enough.
+template <int Enough = few_steps, class Loop, class F>
 void for_each_of_level(const Loop& loop, int begin, int end, F f)
 {
-  if(end - begin < level_part)
+  if(end - begin < 2 * Enough)
     Sequential_loop().for_each(end - begin, [&](int i) { f(begin + i); });
   else
-    loop.for_each(end - begin, [&](int i) { f(begin + i); });
+    for_each_part<Enough>(loop, end - begin, [&](int first, int last) {
+      for(int i = first; i < last; ++i)
+        f(begin + i);
+    });
 }
 
 /// The sum of f(0) ... f(n-1), the same for any number of threads.
-template <class Loop, class F>
+template <int Enough = few_steps, class Loop, class F>
 double sum_over_level(const Loop& loop, int n, F f)
 {
-  const auto sum = [&](int begin, int end) {
-    double s = 0;
-    for(int i = begin; i < end; ++i)
-      s += f(i);
-    return s;
-  };
+  constexpr int part = 8 * Enough;
   double total = 0;
-  if(n < level_part)
-    return sum(0, n);
-  for(double s : results_of_parts<level_part>(loop, n, sum))
+  for(double s : results_of_parts<part>(loop, n, [&](int begin, int end) {
+        double sum = 0;
+        for(int i = begin; i < end; ++i)
+          sum += f(i);
+        return sum;
+      }))
     total += s;
   return total;
 }
@@ -113,8 +114,7 @@ public:
   Star_face star_face(const Corner& c) const
   {
     const Face_metric& m = c.metric;
-    return {position_[c.j],  position_[c.k],  m.cotangent[0], m.cotangent[1],
-            m.cotangent[2], area_scale_ * m.twice_area};
+    return {position_[c.j], position_[c.k], m.cotangent[0], m.cotangent[1], m.cotangent[2], area_scale_ * m.twice_area};
   }
 
   void gather(int i, Star& star) const
@@ -131,9 +131,8 @@ public:
     return sum_over_faces(loop,
                           [&](vec3 x, const Star_face& f) {
                             const double determinant = f.determinant(x);
-                            return determinant > 0
-                                     ? f.dirichlet(x) * distortion.value(determinant / f.twice_area)
-                                     : std::numeric_limits<double>::infinity();
+                            return determinant > 0 ? f.dirichlet(x) * distortion.value(determinant / f.twice_area)
+                                                   : std::numeric_limits<double>::infinity();
                           }) /
            area_;
   }
@@ -202,9 +201,9 @@ private:
     area_ = image / 2;
   }
 
-  std::vector<int> vertex_;       ///< number of vertex i in the whole mesh
+  std::vector<int> vertex_; ///< number of vertex i in the whole mesh
   std::vector<int> colour_begin_;
-  Host_array<int> offset_;        ///< of the corners at vertex i, which are counterclockwise
+  Host_array<int> offset_; ///< of the corners at vertex i, which are counterclockwise
   Host_array<Corner> corner_;
   Host_array<vec3> position_;
   double area_scale_ = 1;

@@ -6,7 +6,7 @@
 
 #include <CGAL/Spherical_parameterization/internal/Host_array.h>
 
-#include <CGAL/assertions.h>
+#include <boost/container/small_vector.hpp>
 
 #include <algorithm>
 #include <array>
@@ -86,15 +86,14 @@ public:
     const int u = vertex_[half_edge], v = vertex_[next(half_edge)];
     if(number_of_vertices_ <= 4)
       return false;
+    boost::container::small_vector<int, 24> ring;
+    for_each_corner(u, [&](int c) { ring.push_back(vertex_[next(c)]); });
     int common = 0;
-    const int first = corner_[u];
-    int c = first;
-    do {
-      const int w = vertex_[next(c)];
-      if(w != v && are_adjacent(w, v) && ++common > 2)
-        return false;
-      c = rotated(c);
-    } while(c != first);
+    if(degree_[v] <= 2 * degree_[u])
+      for_each_corner(v, [&](int c) { common += std::find(ring.begin(), ring.end(), vertex_[next(c)]) != ring.end(); });
+    else // v may have very many neighbours
+      for(int w : ring)
+        common += w != v && are_adjacent(w, v);
     return common == 2;
   }
 
@@ -141,7 +140,7 @@ private:
   /// The two faces (u, v, left) and (v, u, right) of an edge, and the corners opposite to their other edges.
   struct Diamond {
     int u, v, left, right;
-    int u_right;   ///< corner at u in the right face
+    int u_right;                                      ///< corner at u in the right face
     int left_of_u, left_of_v, right_of_u, right_of_v; ///< opposite to the edges u-left, v-left, u-right, v-right
   };
 

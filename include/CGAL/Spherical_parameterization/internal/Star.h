@@ -65,8 +65,7 @@ inline double star_energy(const Distortion& distortion, const Star& star, vec3 x
 /// Whether all faces of the star with centre x are positively oriented, exactly.
 inline bool is_valid_centre(const Star& star, vec3 x)
 {
-  return std::all_of(star.begin(), star.end(),
-                     [x](const Star_face& f) { return is_positively_oriented(x, f.j, f.k); });
+  return std::all_of(star.begin(), star.end(), [x](const Star_face& f) { return is_positively_oriented(x, f.j, f.k); });
 }
 
 /// The solution s of |H| s = -g, |H| the symmetric matrix with the absolute eigenvalues of H (and none much smaller

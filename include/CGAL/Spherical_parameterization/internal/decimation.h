@@ -45,10 +45,9 @@ public:
   double operator()(vec3 p) const
   {
     const auto& c = coefficient_;
-    return (std::max)(0., c[0] * p.x * p.x + c[1] * p.y * p.y + c[2] * p.z * p.z +
-                            2 * (c[3] * p.x * p.y + c[4] * p.x * p.z + c[5] * p.y * p.z + c[6] * p.x + c[7] * p.y +
-                                 c[8] * p.z) +
-                            c[9]);
+    return (std::max)(
+      0., c[0] * p.x * p.x + c[1] * p.y * p.y + c[2] * p.z * p.z +
+            2 * (c[3] * p.x * p.y + c[4] * p.x * p.z + c[5] * p.y * p.z + c[6] * p.x + c[7] * p.y + c[8] * p.z) + c[9]);
   }
 
 private:
@@ -135,9 +134,8 @@ private:
   /// The cheapest collapse of u into a neighbour.
   Collapse best_collapse(int u) const
   {
-    Collapse best;
     if(mesh_.degree(u) > maximum_degree_)
-      return best;
+      return Collapse();
     struct Ring_face {
       int corner;
       vec3 a, b, normal; ///< the side opposite to u, and the normal
@@ -151,23 +149,30 @@ private:
       ring.push_back({c, a, b, normal});
       area += std::sqrt(inner(normal, normal)) / 2;
     });
-    for(std::size_t i = 0; i < ring.size(); ++i) {
-      const int v = mesh_.vertex(Progressive_mesh::next(ring[i].corner));
-      const vec3 p = ring[i].a, edge = sub(p, point_[u]);
-      double cost =
-        quadric_[u](p) + quadric_[v](p) + length_weight * area * inner(edge, edge) + least_cost_;
-      const int degree = mesh_.degree(u) + mesh_.degree(v) - 4;
-      if(degree > good_degree)
-        cost *= std::ldexp(1, (std::min)(degree - good_degree, 200));
-      if(degree < 4)
-        cost /= 2;
-      if(cost >= best.cost)
-        continue;
-      cost *= shape_factor(ring, i);
-      if(cost < best.cost && mesh_.is_collapsible(ring[i].corner))
-        best = {cost, ring[i].corner};
+    boost::container::small_vector<Collapse, 24> collapses;
+    for(std::size_t i = 0; i < ring.size(); ++i)
+      collapses.push_back({cost(u, ring, i, area), ring[i].corner});
+    const auto is_cheaper = [](const Collapse& a, const Collapse& b) { return a.cost < b.cost; };
+    while(!collapses.empty()) {
+      const auto cheapest = std::min_element(collapses.begin(), collapses.end(), is_cheaper);
+      if(mesh_.is_collapsible(cheapest->half_edge))
+        return *cheapest;
+      collapses.erase(cheapest);
     }
-    return best;
+    return Collapse();
+  }
+
+  template <class Ring>
+  double cost(int u, const Ring& ring, std::size_t i, double area) const
+  {
+    const int v = mesh_.vertex(Progressive_mesh::next(ring[i].corner));
+    const vec3 p = ring[i].a, edge = sub(p, point_[u]);
+    const int degree = mesh_.degree(u) + mesh_.degree(v) - 4;
+    const double degree_factor = degree > good_degree ? std::ldexp(1, (std::min)(degree - good_degree, 200))
+                                 : degree < 4         ? 0.5
+                                                      : 1;
+    return (quadric_[u](p) + quadric_[v](p) + length_weight * area * inner(edge, edge) + least_cost_) * degree_factor *
+           shape_factor(ring, i);
   }
 
   /// What badly shaped or turned triangles multiply the cost by when u moves to the first point of ring[i].
@@ -206,9 +211,8 @@ private:
 
   std::vector<int> cheapest_candidates()
   {
-    remaining_.erase(
-      std::remove_if(remaining_.begin(), remaining_.end(), [&](int v) { return mesh_.is_removed(v); }),
-      remaining_.end());
+    remaining_.erase(std::remove_if(remaining_.begin(), remaining_.end(), [&](int v) { return mesh_.is_removed(v); }),
+                     remaining_.end());
     std::vector<int> candidates;
     for(int v : remaining_)
       if(best_[v].half_edge >= 0)
@@ -231,8 +235,8 @@ private:
     const int target = mesh_.vertex(Progressive_mesh::next(best_[u].half_edge));
     bool result = role_[u] == FREE && role_[target] == FREE;
     if(result)
-      mesh_.for_each_corner(
-        u, [&](int c) { result = result && role_[mesh_.vertex(Progressive_mesh::next(c))] != BUSY; });
+      mesh_.for_each_corner(u,
+                            [&](int c) { result = result && role_[mesh_.vertex(Progressive_mesh::next(c))] != BUSY; });
     return result;
   }
 

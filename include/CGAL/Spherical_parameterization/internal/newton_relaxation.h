@@ -33,8 +33,8 @@ template <class Loop>
 class Newton_relaxation {
 public:
   Newton_relaxation(const Loop& loop, const Distortion& distortion, Map_level& level)
-    : loop_(loop), distortion_(distortion), level_(level), tangents_(level.size()), factor_(level.size()), gradient_(level.size()),
-      middle_(level.size()), entry_(level.offset(level.size()))
+    : loop_(loop), distortion_(distortion), level_(level), tangents_(level.size()), factor_(level.size()),
+      gradient_(level.size()), middle_(level.size()), entry_(level.offset(level.size()))
   {}
 
   /// One step, taken only if the energy falls and the map stays bijective. Returns the share of the energy it took off.
@@ -105,8 +105,7 @@ private:
   {
     for(int k = level_.offset(i); k < level_.offset(i + 1); ++k) {
       Entry& e = entry_[k];
-      const Block b =
-        product(factor_[i], product(Block{e.ss, e.st, e.ts, e.tt}, transposed(factor_[e.column])));
+      const Block b = product(factor_[i], product(Block{e.ss, e.st, e.ts, e.tt}, transposed(factor_[e.column])));
       e = {e.column, float(b.ss), float(b.st), float(b.ts), float(b.tt)};
     }
   }
@@ -127,8 +126,8 @@ private:
   void solve_upper(const Host_array<Planar>& x, Host_array<Planar>& y) const
   {
     for(int colour = level_.number_of_colours() - 1; colour >= 0; --colour)
-      for_each_of_level(loop_, level_.colour_begin(colour), level_.colour_begin(colour + 1),
-                        [&](int i) { y[i] = reduced(x[i], middle_[i], level_.offset(i + 1), y); });
+      for_each_of_level<many_steps>(loop_, level_.colour_begin(colour), level_.colour_begin(colour + 1),
+                                    [&](int i) { y[i] = reduced(x[i], middle_[i], level_.offset(i + 1), y); });
   }
 
   /// y = (I + L)^-1 x
@@ -136,8 +135,8 @@ private:
   void solve_lower(X x, Host_array<Planar>& y) const
   {
     for(int colour = 0; colour < level_.number_of_colours(); ++colour)
-      for_each_of_level(loop_, level_.colour_begin(colour), level_.colour_begin(colour + 1),
-                        [&](int i) { y[i] = reduced(x(i), level_.offset(i), middle_[i], y); });
+      for_each_of_level<many_steps>(loop_, level_.colour_begin(colour), level_.colour_begin(colour + 1),
+                                    [&](int i) { y[i] = reduced(x(i), level_.offset(i), middle_[i], y); });
   }
 
   /// The approximate Newton direction.
@@ -148,32 +147,34 @@ private:
     solve_lower([&](int i) { return Planar{-gradient_[i].s, -gradient_[i].t}; }, r);
     p = r;
     const auto square = [](Planar a) { return a.s * a.s + a.t * a.t; };
-    double rr = sum_over_level(loop_, n, [&](int i) { return square(r[i]); });
+    double rr = sum_over_level<many_steps>(loop_, n, [&](int i) { return square(r[i]); });
     const double goal = tolerance * tolerance * rr;
     for(int it = 0; it < maximum_iterations && rr > goal; ++it) {
       solve_upper(p, t);
       solve_lower([&](int i) { return Planar{p[i].s - t[i].s, p[i].t - t[i].t}; }, w);
-      const double pq = sum_over_level(
+      const double pq = sum_over_level<many_steps>(
         loop_, n, [&](int i) { return p[i].s * (t[i].s + w[i].s) + p[i].t * (t[i].t + w[i].t); });
       if(!(pq > 0))
         break;
       const double alpha = rr / pq;
-      const double next = sum_over_level(loop_, n, [&](int i) {
+      const double next = sum_over_level<many_steps>(loop_, n, [&](int i) {
         x[i] = {x[i].s + alpha * p[i].s, x[i].t + alpha * p[i].t};
         r[i] = {r[i].s - alpha * (t[i].s + w[i].s), r[i].t - alpha * (t[i].t + w[i].t)};
         return square(r[i]);
       });
       const double beta = next / rr;
       rr = next;
-      for_each_of_level(loop_, 0, n, [&](int i) { p[i] = {r[i].s + beta * p[i].s, r[i].t + beta * p[i].t}; });
+      for_each_of_level<many_steps>(loop_, 0, n, [&](int i) {
+        p[i] = {r[i].s + beta * p[i].s, r[i].t + beta * p[i].t};
+      });
     }
     solve_upper(x, t);
     std::vector<vec3> direction(n);
-    for_each_of_level(loop_, 0, n,
-                      [&](int i) { direction[i] = add_scaled(scale(t[i].s, tangents_[i].s), t[i].t, tangents_[i].t); });
-    slope_ = sum_over_level(loop_, n,
-                            [&](int i) { return gradient_[i].s * t[i].s + gradient_[i].t * t[i].t; }) /
-             level_.area();
+    for_each_of_level<many_steps>(
+      loop_, 0, n, [&](int i) { direction[i] = add_scaled(scale(t[i].s, tangents_[i].s), t[i].t, tangents_[i].t); });
+    slope_ =
+      sum_over_level<many_steps>(loop_, n, [&](int i) { return gradient_[i].s * t[i].s + gradient_[i].t * t[i].t; }) /
+      level_.area();
     return direction;
   }
 
@@ -191,8 +192,8 @@ private:
           const vec3 x = level_.position()[i], y = level_.position()[corner.j], z = level_.position()[corner.k];
           const auto determinant = [&](double s) {
             const vec3 a = add_scaled(x, s, direction[i]);
-            return inner(a, outer(sub(add_scaled(y, s, direction[corner.j]), a),
-                                  sub(add_scaled(z, s, direction[corner.k]), a)));
+            return inner(
+              a, outer(sub(add_scaled(y, s, direction[corner.j]), a), sub(add_scaled(z, s, direction[corner.k]), a)));
           };
           const double least = least_share * determinant(0);
           while(t > 1e-6 && !(determinant(t) > least))
@@ -201,7 +202,7 @@ private:
       return t;
     };
     double t = 1;
-    for(double part : results_of_parts<level_part>(loop_, level_.size(), feasible))
+    for(double part : results_of_parts<8 * few_steps>(loop_, level_.size(), feasible))
       t = (std::min)(t, part);
     return t;
   }

@@ -41,8 +41,9 @@ inline void check_simplicial(const Weighted_graph& graph)
   for(int i = 0; i < graph.size(); ++i)
     for(int k = graph.offset[i]; k < graph.offset[i + 1]; ++k)
       if(graph.target[k] == i || (k > graph.offset[i] && graph.target[k] == graph.target[k - 1]))
-        throw Failure{Error_code::NON_MANIFOLD, "two edges have the same ends, or an edge has one end only: there is no "
-                                                "map with straight edges"};
+        throw Failure{Error_code::NON_MANIFOLD,
+                      "two edges have the same ends, or an edge has one end only: there is no "
+                      "map with straight edges"};
 }
 
 template <class Backend>

@@ -77,6 +77,13 @@ struct Result {
                                  ///< stationarity the method claims, relative to the weight sum of a vertex
   double energy = 0;             ///< spring energy of the map, 1/p * sum over edges
   double smallest_area = 0;      ///< of all spherical triangles, without sign; from 1e-26 on rounding flips faces
+  double smallest_edge = 0;      ///< length of the shortest chord, in units of 2^-52: how many roundings it is long
+  /// @}
+
+  /// \name Method
+  /// @{
+  std::string method;          ///< that found the map: "balanced", "balanced with exponent 3", "isometric", ...
+  std::string fallback_reason; ///< `Automatic`: what was wrong with the maps before; empty if the first one was valid
   /// @}
 
   /// \name Work

@@ -63,6 +63,49 @@ struct Saddle_point {
   std::size_t check_interval = 1000; ///< sweeps between two tests for convergence
 };
 
+/// The map that always exists: bijective by construction, with little distortion of lengths.
+///
+/// Coarse to fine: the mesh is decimated to a tetrahedron, whose map is known; the vertices come back one round after
+/// the other, each into the kernel of its star, and after every round the distortion is relaxed. Nothing is moved but to
+/// where an exact predicate finds all faces positively oriented. The energy is the symmetric Dirichlet energy
+/// s^2 + t^2 + 1/s^2 + 1/t^2 of the principal stretches s, t, integrated over the source (with `area_exponent` 1).
+/// E. Praun and H. Hoppe, "Spherical parametrization and remeshing", SIGGRAPH 2003; X. Hu, X.-M. Fu, L. Liu, "Advanced
+/// hierarchical spherical parameterizations", TVCG 2018. See doc/isometric_method.md.
+///
+/// Guarantee: what is handed out is bijective. Should doubles have no position for a vertex, which did not happen with
+/// any mesh so far, the result is `NOT_BIJECTIVE` and there is no map. That the energy is at its minimum is not claimed.
+/// Faces without area count as small ones of a good shape. Weights are not used; vertices cannot be fixed.
+///
+/// Named parameters: `number_of_iterations` bounds the Newton steps for the whole mesh, `accuracy` is the relative gain
+/// of energy below which they end earlier.
+struct Isometric {
+  static constexpr double default_accuracy = 1e-4;
+  static constexpr std::size_t default_number_of_iterations = 2;
+
+  /// What slides from angle to area preservation: the exponent theta >= 0 of the area distortion in
+  /// E_c E_a^theta, E_c = (s/t + t/s) / 2, E_a = (st + 1/(st)) / 2 (P. Degener, J. Meseth, R. Klein, "An adaptable surface
+  /// parametrization method", IMR 2003). 0 is conformal, as far as the descent comes; 1 isometric, as far as the surface
+  /// allows; 30 and more authalic.
+  double area_exponent = 1;
+};
+
+/// The map that was asked for if it is valid, else one that is:
+/// 1. `Balanced{spring_exponent}`;
+/// 2. `Balanced` with the exponent `larger_spring_exponent`, if that is larger, which keeps limbs wider;
+/// 3. `Isometric{area_exponent}`, unless vertices are fixed.
+/// `Result::method` says which one it was, `Result::fallback_reason` why not an earlier one. Weights that are not
+/// positive because of a face without area lead to the third one.
+///
+/// Named parameters: `accuracy` and `number_of_iterations` as of `Balanced`.
+struct Automatic {
+  static constexpr double default_accuracy = Balanced::default_accuracy;
+  static constexpr std::size_t default_number_of_iterations = Balanced::default_number_of_iterations;
+
+  double spring_exponent = 2;
+  double larger_spring_exponent = 3;
+  double area_exponent = 1;
+};
+
 } // namespace Spherical_parameterization
 } // namespace CGAL
 

@@ -14,7 +14,9 @@
 #include <CGAL/Spherical_parameterization/internal/Source_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/fixed_vertices.h>
 #include <CGAL/Spherical_parameterization/internal/named_parameters.h>
+#include <CGAL/Spherical_parameterization/internal/run_automatic.h>
 #include <CGAL/Spherical_parameterization/internal/run_balanced.h>
+#include <CGAL/Spherical_parameterization/internal/run_isometric.h>
 #include <CGAL/Spherical_parameterization/internal/run_saddle_point.h>
 #include <CGAL/Spherical_parameterization/internal/verdict.h>
 #include <CGAL/Spherical_parameterization/methods.h>
@@ -45,7 +47,7 @@ namespace Spherical_parameterization {
 ///                an `OpenCL_device`, if OpenCL_device.h is included. The result does not depend on it, to the last bit
 ///                (but see `OpenCL_device`).
 /// \param mesh    a model of `FaceListGraph` and `HalfedgeListGraph`; its own indices are not used
-/// \param method  `Balanced` or `Saddle_point`
+/// \param method  `Balanced`, `Saddle_point`, `Isometric` or `Automatic`
 /// \param sphere_map  writable property map, key vertex_descriptor, value constructible as `value_type{x, y, z}` from
 ///                three doubles. Must be readable where there are fixed vertices (their positions, which will be
 ///                normalised) or for `Saddle_point::Start::GIVEN`.
@@ -94,17 +96,21 @@ Result parameterize(const ExecutionPolicy& policy, const TriangleMesh& mesh, con
     internal::Source_mesh<TriangleMesh> source(mesh, points, loop);
     result.number_of_vertices = source.vertex.size();
     result.number_of_faces = source.face.size();
-    if constexpr(is_default_parameter<NamedParameters, internal::edge_weight_tag>::value)
-      source.set_weights(mesh, conformal_weights(mesh, 5, 85, np), loop);
-    else
-      source.set_weights(mesh, get_parameter(np, internal::edge_weight_tag()), loop);
+    const auto set_weights = [&] {
+      if constexpr(is_default_parameter<NamedParameters, internal::edge_weight_tag>::value)
+        source.set_weights(mesh, conformal_weights(mesh, 5, 85, np), loop);
+      else
+        source.set_weights(mesh, get_parameter(np, internal::edge_weight_tag()), loop);
+    };
+    const std::string missing_weights = internal::weigh(method, set_weights);
 
     const auto is_constrained =
       choose_parameter(get_parameter(np, internal_np::vertex_is_constrained),
                        Static_boolean_property_map<typename Graph_traits::vertex_descriptor, false>());
     const std::vector<char> is_fixed = internal::fixed_vertices(source.vertex, is_constrained);
     internal::Map_task task = {source.graph, source.face, source.point, source.area, is_fixed,
-                               {},           {},          {},           monitor,     result};
+                               {},           {},          {},           monitor,     result,
+                               missing_weights};
     if constexpr(!is_default_parameter<NamedParameters, internal_np::accuracy_t>::value)
       task.accuracy = get_parameter(np, internal_np::accuracy);
     if constexpr(!is_default_parameter<NamedParameters, internal_np::number_of_iterations_t>::value)
@@ -117,9 +123,10 @@ Result parameterize(const ExecutionPolicy& policy, const TriangleMesh& mesh, con
     internal::Choice_of_backend<ExecutionPolicy>::call(
       policy, task.size(), [&](const auto& backend, const std::string& device) {
         result.device = device;
+        result.method = internal::name(method);
         internal::Solver_report report;
         internal::Host_array<internal::vec3> v = internal::run(backend, method, task, report);
-        if(backend.best_accuracy(task.size()) > 0) // low precision: back to the sphere, as far as doubles go
+        if(backend.best_accuracy(task.size()) > 0 && !task.is_on_sphere) // low precision: as near as doubles are
           for(internal::vec3& p : v)
             p = internal::unit(p);
         for(std::size_t i = 0; i < is_fixed.size(); ++i)

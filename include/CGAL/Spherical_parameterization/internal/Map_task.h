@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -34,6 +35,8 @@ struct Map_task {
   std::optional<std::size_t> number_of_iterations;
   Monitor& monitor;
   Result& result;
+  std::string missing_weights; ///< why the graph has no weights though the method could use them; else empty
+  bool is_on_sphere = false;   ///< the map handed over is certified as it is, to the last bit
 
   bool has_fixed() const { return !is_fixed.empty(); }
   int size() const { return graph->size(); }

@@ -54,18 +54,18 @@ typedef Sequential_loop Default_loop;
 inline constexpr int part_size = 8192;
 
 /// Runs f(begin, end) on consecutive parts of 0 ... n-1, in any order.
-template <class Loop, class F>
+template <int Size = part_size, class Loop, class F>
 void for_each_part(const Loop& loop, int n, F f)
 {
-  loop.for_each(n / part_size + 1, [&](int part) { f(part * part_size, (std::min)(n, (part + 1) * part_size)); });
+  loop.for_each(n / Size + 1, [&](int part) { f(part * Size, (std::min)(n, (part + 1) * Size)); });
 }
 
 /// The results of f(begin, end) on these parts, in their order.
-template <class Loop, class F>
+template <int Size = part_size, class Loop, class F>
 auto results_of_parts(const Loop& loop, int n, F f)
 {
-  std::vector<decltype(f(0, 0))> results(n / part_size + 1);
-  for_each_part(loop, n, [&](int begin, int end) { results[begin / part_size] = f(begin, end); });
+  std::vector<decltype(f(0, 0))> results(n / Size + 1);
+  for_each_part<Size>(loop, n, [&](int begin, int end) { results[begin / Size] = f(begin, end); });
   return results;
 }
 

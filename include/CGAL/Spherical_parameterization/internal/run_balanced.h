@@ -11,6 +11,7 @@
 #include <CGAL/Spherical_parameterization/internal/Solver_report.h>
 #include <CGAL/Spherical_parameterization/internal/balanced_solver.h>
 #include <CGAL/Spherical_parameterization/internal/start_map.h>
+#include <CGAL/Spherical_parameterization/internal/verdict.h>
 #include <CGAL/Spherical_parameterization/methods.h>
 
 #include <CGAL/assertions.h>
@@ -20,6 +21,7 @@
 #include <cstddef>
 #include <memory>
 #include <numeric>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -34,6 +36,19 @@ inline void check_options(const Balanced& method)
 }
 
 inline bool needs_given_start(const Balanced&) { return false; }
+
+inline std::string name(const Balanced& method)
+{
+  return method.spring_exponent == 2 ? "balanced" : "balanced with exponent " + to_string(method.spring_exponent);
+}
+
+/// Reads the weights, without which there is no map. Throws Failure.
+template <class Set_weights>
+std::string weigh(const Balanced&, Set_weights set_weights)
+{
+  set_weights();
+  return {};
+}
 
 /// Where a converged map has flipped faces, the accuracy is tightened by this factor as long as doubles allow it: the
 /// residual is measured on the whole sphere, and a limb of size 1e-12 is right only when it is far below that.

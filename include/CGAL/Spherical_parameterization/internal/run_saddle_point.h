@@ -16,6 +16,8 @@
 #include <cmath>
 #include <utility>
 
+#include <string>
+
 namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
@@ -29,6 +31,15 @@ inline void check_options(const Saddle_point& method)
 }
 
 inline bool needs_given_start(const Saddle_point& method) { return method.start == Saddle_point::Start::GIVEN; }
+inline std::string name(const Saddle_point&) { return "saddle-point"; }
+
+/// Reads the weights, without which there is no map. Throws Failure.
+template <class Set_weights>
+std::string weigh(const Saddle_point&, Set_weights set_weights)
+{
+  set_weights();
+  return {};
+}
 
 template <class Backend>
 Host_array<vec3> run(const Backend& backend, const Saddle_point& method, Map_task& task, Solver_report& report)

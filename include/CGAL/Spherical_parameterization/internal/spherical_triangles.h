@@ -33,8 +33,18 @@ inline double spherical_area(vec3 a, vec3 b, vec3 c)
 }
 
 /// Whether (a, b, c) is positively oriented as seen from outside: the sign of det(a, b, c), exactly.
+///
+/// The filter: det(a, b, c) = a . ((b - a) x (c - a)), which rounding changes by at most 16 u |a| |b - a| |c - a|,
+/// u = 2^-53, far from underflow. It decides about all but the thinnest triangles, however small they are.
 inline bool is_positively_oriented(vec3 a, vec3 b, vec3 c)
 {
+  constexpr double rounding2 = 256 * 1.2325951644078310e-32; // (16 u)^2
+  constexpr double underflow = 1e-100;
+  const vec3 ab = sub(b, a), ac = sub(c, a);
+  const double determinant = inner(a, outer(ab, ac));
+  if(std::abs(determinant) > underflow &&
+     determinant * determinant > 1.01 * rounding2 * inner(a, a) * inner(ab, ab) * inner(ac, ac))
+    return determinant > 0;
   typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
   const auto point = [](vec3 p) { return Kernel::Point_3(p.x, p.y, p.z); };
   return Kernel().orientation_3_object()(Kernel::Point_3(0, 0, 0), point(a), point(b), point(c)) == CGAL::POSITIVE;
@@ -47,6 +57,7 @@ struct Certificate {
   std::size_t flipped_faces = 0; ///< faces that are not positively oriented, or have a coordinate that is not finite
   int degree = 0;                ///< sum of the signed areas over 4 pi
   double smallest_area = std::numeric_limits<double>::infinity(); ///< without sign
+  double smallest_edge = std::numeric_limits<double>::infinity(); ///< chord
 
   bool is_valid() const { return flipped_faces == 0 && degree == 1; }
 };
@@ -59,6 +70,7 @@ Certificate certify(const Loop& loop, const Host_array<std::array<int, 3>>& face
   struct Part {
     Certificate certificate;
     double area = 0;
+    double shortest2 = std::numeric_limits<double>::infinity();
   };
   const std::vector<Part> parts = results_of_parts(loop, static_cast<int>(faces.size()), [&](int begin, int end) {
     Part part;
@@ -73,7 +85,10 @@ Certificate certify(const Loop& loop, const Host_array<std::array<int, 3>>& face
       const double area = spherical_area(a, b, c);
       part.area += area;
       part.certificate.smallest_area = (std::min)(part.certificate.smallest_area, std::abs(area));
+      for(vec3 edge : {sub(b, a), sub(c, b), sub(a, c)})
+        part.shortest2 = (std::min)(part.shortest2, inner(edge, edge));
     }
+    part.certificate.smallest_edge = std::sqrt(part.shortest2);
     return part;
   });
 
@@ -82,6 +97,7 @@ Certificate certify(const Loop& loop, const Host_array<std::array<int, 3>>& face
   for(const Part& part : parts) {
     result.flipped_faces += part.certificate.flipped_faces;
     result.smallest_area = (std::min)(result.smallest_area, part.certificate.smallest_area);
+    result.smallest_edge = (std::min)(result.smallest_edge, part.certificate.smallest_edge);
     total += part.area;
   }
   result.degree = static_cast<int>(std::lround(total / (4 * std::acos(-1.))));

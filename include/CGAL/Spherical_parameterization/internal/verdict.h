@@ -12,6 +12,7 @@
 #include <CGAL/Spherical_parameterization/internal/spherical_triangles.h>
 
 #include <array>
+#include <cmath>
 #include <sstream>
 #include <string>
 
@@ -36,6 +37,7 @@ void pass_verdict(const Loop& loop, const Host_array<std::array<int, 3>>& faces,
   result.flipped_faces = certificate.flipped_faces;
   result.degree = certificate.degree;
   result.smallest_area = certificate.smallest_area;
+  result.smallest_edge = std::ldexp(certificate.smallest_edge, 52);
   result.iterations = report.iterations;
   result.sweeps = report.sweeps;
   result.residual = report.residual;
@@ -60,9 +62,10 @@ void pass_verdict(const Loop& loop, const Host_array<std::array<int, 3>>& faces,
     result.error = Error_code::NOT_BIJECTIVE;
     result.detail = state;
     result.detail += result.smallest_area < area_of_rounding
-                       ? ": limbs shrink below the resolution of the coordinates; use barycentric weights or a "
-                         "larger spring exponent"
-                       : ": the critical point found is degenerate; use other weights or a larger spring exponent";
+                       ? ": limbs shrink below the resolution of the coordinates; use barycentric weights, a "
+                         "larger spring exponent, or the isometric method"
+                       : ": the critical point found is degenerate; use other weights, a larger spring exponent, "
+                         "or the isometric method";
   }
 }
 

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MAP_LEVEL_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MAP_LEVEL_H
+
+#include <CGAL/Spherical_parameterization/internal/Distortion.h>
+#include <CGAL/Spherical_parameterization/internal/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/Progressive_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/Star.h>
+#include <CGAL/Spherical_parameterization/internal/host_loops.h>
+#include <CGAL/Spherical_parameterization/internal/vertex_formulas.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+/// A map of the vertices of a progressive mesh that are not removed.
+struct Partial_map {
+  Host_array<vec3> position;
+  std::vector<int> colour; ///< neighbours differ
+};
+
+/// How many steps of a loop are worth a task: of about a microsecond, and of a few nanoseconds.
+constexpr int few_steps = 64, many_steps = 2048;
+
+/// Runs f(begin) ... f(end-1), in parallel if there are enough.
+template <int Enough = few_steps, class Loop, class F>
+void for_each_of_level(const Loop& loop, int begin, int end, F f)
+{
+  if(end - begin < 2 * Enough)
+    Sequential_loop().for_each(end - begin, [&](int i) { f(begin + i); });
+  else
+    for_each_part<Enough>(loop, end - begin, [&](int first, int last) {
+      for(int i = first; i < last; ++i)
+        f(begin + i);
+    });
+}
+
+/// The sum of f(0) ... f(n-1), the same for any number of threads.
+template <int Enough = few_steps, class Loop, class F>
+double sum_over_level(const Loop& loop, int n, F f)
+{
+  constexpr int part = 8 * Enough;
+  double total = 0;
+  for(double s : results_of_parts<part>(loop, n, [&](int begin, int end) {
+        double sum = 0;
+        for(int i = begin; i < end; ++i)
+          sum += f(i);
+        return sum;
+      }))
+    total += s;
+  return total;
+}
+
+/// The current mesh of a progressive mesh as compact arrays, with a map to the sphere: what is relaxed.
+///
+/// Vertices are sorted by colour. Those of one colour are not adjacent, so that all of them can be moved at once, with
+/// the same result as one after the other.
+class Map_level {
+public:
+  /// A face (i, j, k) at vertex i.
+  struct Corner {
+    int j, k;
+    Face_metric metric; ///< of the source; the first corner is i
+  };
+
+  /// The areas of source faces are bounded relative to their mean, as if the whole surface had so many faces as the
+  /// level.
+  template <class Loop>
+  Map_level(const Loop& loop, const Progressive_mesh& mesh, const Host_array<vec3>& points, double source_area,
+            const Metric_bounds& bounds, const Partial_map& map)
+  {
+    std::vector<int> index(mesh.capacity());
+    sort_by_colour(mesh, map, index);
+    const int n = size();
+    offset_.resize(n + 1);
+    offset_[0] = 0;
+    for(int i = 0; i < n; ++i)
+      offset_[i + 1] = offset_[i] + mesh.degree(vertex_[i]);
+    corner_.resize(offset_[n]);
+    position_.resize(n);
+    const Metric_bounds absolute = {bounds.aspect, bounds.area * source_area / (2. * n - 4)};
+    for_each_of_level(loop, 0, n, [&](int i) {
+      int at = offset_[i];
+      const vec3 p = points[vertex_[i]];
+      position_[i] = map.position[vertex_[i]];
+      mesh.for_each_corner(vertex_[i], [&](int c) {
+        const int j = mesh.vertex(Progressive_mesh::next(c)), k = mesh.vertex(Progressive_mesh::previous(c));
+        corner_[at++] = {index[j], index[k], face_metric(sub(points[j], p), sub(points[k], p), absolute)};
+      });
+    });
+    fit_scale(loop);
+  }
+
+  int size() const { return static_cast<int>(vertex_.size()); }
+  int number_of_colours() const { return static_cast<int>(colour_begin_.size()) - 1; }
+  /// The first vertex of a colour; the end of the vertices of the one before.
+  int colour_begin(int colour) const { return colour_begin_[colour]; }
+  int offset(int i) const { return offset_[i]; }
+  const Corner& corner(int k) const { return corner_[k]; }
+  const Host_array<vec3>& position() const { return position_; }
+  Host_array<vec3>& position() { return position_; }
+
+  /// Sphere area per source area
+  double area_scale() const { return area_scale_; }
+  /// Of the source, scaled to the sphere
+  double area() const { return area_; }
+
+  Star_face star_face(const Corner& c) const
+  {
+    const Face_metric& m = c.metric;
+    return {position_[c.j], position_[c.k], m.cotangent[0], m.cotangent[1], m.cotangent[2], area_scale_ * m.twice_area};
+  }
+
+  void gather(int i, Star& star) const
+  {
+    star.clear();
+    for(int c = offset_[i]; c < offset_[i + 1]; ++c)
+      star.push_back(star_face(corner_[c]));
+  }
+
+  /// The mean distortion of the map, over the source area. Infinite unless all faces are positive.
+  template <class Loop>
+  double energy(const Loop& loop, const Distortion& distortion) const
+  {
+    return sum_over_faces(loop,
+                          [&](vec3 x, const Star_face& f) {
+                            const double determinant = f.determinant(x);
+                            return determinant > 0 ? f.dirichlet(x) * distortion.value(determinant / f.twice_area)
+                                                   : std::numeric_limits<double>::infinity();
+                          }) /
+           area_;
+  }
+
+  /// Whether the map is a bijection: all faces are positively oriented, exactly, and cover the sphere once.
+  template <class Loop>
+  bool is_bijective(const Loop& loop) const
+  {
+    const double full = 4 * std::acos(-1.);
+    const double covered = sum_over_faces(loop, [&](vec3 x, const Star_face& f) {
+      return is_positively_oriented(x, f.j, f.k) ? spherical_area(x, f.j, f.k)
+                                                 : -std::numeric_limits<double>::infinity();
+    });
+    return covered > 0.5 * full && covered < 1.5 * full;
+  }
+
+  template <class Loop>
+  void store(const Loop& loop, Partial_map& map) const
+  {
+    for_each_of_level(loop, 0, size(), [&](int i) { map.position[vertex_[i]] = position_[i]; });
+  }
+
+private:
+  void sort_by_colour(const Progressive_mesh& mesh, const Partial_map& map, std::vector<int>& index)
+  {
+    colour_begin_ = {0};
+    for(int v = 0; v < mesh.capacity(); ++v)
+      if(!mesh.is_removed(v)) {
+        const std::size_t c = static_cast<std::size_t>(map.colour[v]);
+        if(colour_begin_.size() < c + 2)
+          colour_begin_.resize(c + 2, 0);
+        ++colour_begin_[c + 1];
+      }
+    for(std::size_t c = 1; c < colour_begin_.size(); ++c)
+      colour_begin_[c] += colour_begin_[c - 1];
+    std::vector<int> end(colour_begin_.begin(), colour_begin_.end() - 1);
+    vertex_.resize(colour_begin_.back());
+    for(int v = 0; v < mesh.capacity(); ++v)
+      if(!mesh.is_removed(v)) {
+        index[v] = end[map.colour[v]]++;
+        vertex_[index[v]] = v;
+      }
+  }
+
+  /// f(x, face) summed over all faces, each from its smallest vertex.
+  template <class Loop, class F>
+  double sum_over_faces(const Loop& loop, F f) const
+  {
+    return sum_over_level(loop, size(), [&](int i) {
+      double sum = 0;
+      for(int c = offset_[i]; c < offset_[i + 1]; ++c)
+        if(i < corner_[c].j && i < corner_[c].k)
+          sum += f(position_[i], star_face(corner_[c]));
+      return sum;
+    });
+  }
+
+  /// Scales the source to the area of the polyhedron that the map is, its faces weighted with their distances from the
+  /// centre: what the determinants add up to.
+  template <class Loop>
+  void fit_scale(const Loop& loop)
+  {
+    const double source = sum_over_faces(loop, [](vec3, const Star_face& f) { return f.twice_area; });
+    const double image = sum_over_faces(loop, [](vec3 x, const Star_face& f) { return f.determinant(x); });
+    area_scale_ = image / source;
+    area_ = image / 2;
+  }
+
+  std::vector<int> vertex_; ///< number of vertex i in the whole mesh
+  std::vector<int> colour_begin_;
+  Host_array<int> offset_; ///< of the corners at vertex i, which are counterclockwise
+  Host_array<Corner> corner_;
+  Host_array<vec3> position_;
+  double area_scale_ = 1;
+  double area_ = 0;
+};
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MAP_LEVEL_H

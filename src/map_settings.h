@@ -26,7 +26,9 @@ struct Conformal_weights {
 /// All that decides about the map of a given mesh.
 struct Map_settings {
   std::variant<Barycentric_weights, Conformal_weights, Mean_value_weights> weights;
-  std::variant<CGAL::Spherical_parameterization::Balanced, CGAL::Spherical_parameterization::Saddle_point> method;
+  std::variant<CGAL::Spherical_parameterization::Balanced, CGAL::Spherical_parameterization::Saddle_point,
+               CGAL::Spherical_parameterization::Isometric, CGAL::Spherical_parameterization::Automatic>
+    method;
   Policy policy;
   std::optional<double> accuracy;           ///< default: that of the method
   std::optional<std::size_t> iterations;    ///< default: that of the method

@@ -15,19 +15,35 @@
 namespace tool {
 namespace {
 
+<<<<<<< HEAD:src/mapping_options.cpp
 const std::string weights_group = "Weights", method_group = "Method", place_group = "Where to run",
                   effort_group = "Effort";
 const std::string mapping_groups[] = {weights_group, method_group, place_group, effort_group};
 
+=======
+namespace fs = std::filesystem;
+using CGAL::Spherical_parameterization::Automatic;
+>>>>>>> iso:src/map_options.cpp
 using CGAL::Spherical_parameterization::Balanced;
+using CGAL::Spherical_parameterization::Isometric;
 using CGAL::Spherical_parameterization::Saddle_point;
 
+<<<<<<< HEAD:src/mapping_options.cpp
 /// " [balanced 1e-09, saddle-point 1e-07]"
+=======
+void require(bool condition, const char* option, const std::string& rule)
+{
+  if(!condition)
+    throw CLI::ValidationError(option, rule);
+}
+
+/// " [balanced 1e-09, saddle-point 1e-07, isometric 0.0001]"
+>>>>>>> iso:src/map_options.cpp
 template <class Number>
-std::string defaults(Number balanced, Number saddle_point)
+std::string defaults(Number balanced, Number saddle_point, Number isometric)
 {
   std::ostringstream text;
-  text << " [balanced " << balanced << ", saddle-point " << saddle_point << ']';
+  text << " [balanced " << balanced << ", saddle-point " << saddle_point << ", isometric " << isometric << ']';
   return text.str();
 }
 
@@ -44,19 +60,25 @@ void check_weights(const Mapping_options& options)
 
 void check_method(const Mapping_options& options)
 {
-  const bool is_balanced = options.method == "balanced";
+  const bool is_saddle_point = options.method == "saddle-point";
+  const bool is_automatic = options.method == "automatic";
   const std::string saddle_point_only = "is for --method saddle-point only";
-  require(is_balanced || !options.spring_exponent, "--spring-exponent", "is for --method balanced only");
-  require(!is_balanced || !options.splitting, "--splitting", saddle_point_only);
-  require(!is_balanced || !options.start, "--start", saddle_point_only);
-  require(!is_balanced || !options.relaxation, "--relaxation", saddle_point_only);
-  require(!is_balanced || !options.check_interval, "--check-interval", saddle_point_only);
+  require(options.method == "balanced" || is_automatic || !options.spring_exponent, "--spring-exponent",
+          "is for --method balanced and automatic only");
+  require(options.method == "isometric" || is_automatic || !options.area_exponent, "--area-exponent",
+          "is for --method isometric and automatic only");
+  require(is_saddle_point || !options.splitting, "--splitting", saddle_point_only);
+  require(is_saddle_point || !options.start, "--start", saddle_point_only);
+  require(is_saddle_point || !options.relaxation, "--relaxation", saddle_point_only);
+  require(is_saddle_point || !options.check_interval, "--check-interval", saddle_point_only);
 
   const double largest_relaxation = options.splitting == "gauss-seidel" ? 2 : 1;
   require(!options.relaxation || (*options.relaxation > 0 && *options.relaxation < largest_relaxation), "--relaxation",
           "must be in (0,1) with the Jacobi splitting and in (0,2) with the Gauss-Seidel splitting");
   require(!options.spring_exponent || (*options.spring_exponent >= 2 && *options.spring_exponent < 1e3),
           "--spring-exponent", "must be at least 2");
+  require(!options.area_exponent || (*options.area_exponent >= 0 && *options.area_exponent < 1e3), "--area-exponent",
+          "must not be negative");
   require(options.check_interval.value_or(1) > 0, "--check-interval", "must be positive");
 }
 
@@ -85,6 +107,7 @@ void add_mapping_options(CLI::App& command, Mapping_options& options)
   command.add_option("--max-angle", options.max_angle, "Conformal: larger angles count as this, in degrees [85]")
     ->group(group);
 
+<<<<<<< HEAD:src/mapping_options.cpp
   group = method_group;
   command.add_option("--method", options.method, "The fast method, or the published one")
     ->check(CLI::IsMember({"balanced", "saddle-point"}))
@@ -94,6 +117,22 @@ void add_mapping_options(CLI::App& command, Mapping_options& options)
     .add_option("--spring-exponent", options.spring_exponent,
                 "Balanced: of the spring energy, >= 2; larger ones equalise areas [2]")
     ->group(group);
+=======
+  group = "Method";
+  command.add_option("--method", options.method, "The fast method, the published one, the one with low distortion of lengths, or the "
+                                                 "first valid map of the fast and the last one")
+      ->check(CLI::IsMember({"balanced", "saddle-point", "isometric", "automatic"}))
+      ->capture_default_str()
+      ->group(group);
+  command
+      .add_option("--spring-exponent", options.spring_exponent,
+                  "Balanced: of the spring energy, >= 2; larger ones equalise areas [2]")
+      ->group(group);
+  command
+      .add_option("--area-exponent", options.area_exponent,
+                  "Isometric: 0 preserves angles, 1 lengths, 30 and more areas [1]")
+      ->group(group);
+>>>>>>> iso:src/map_options.cpp
   command.add_option("--splitting", options.splitting, "Saddle-point: how the sweeps go [jacobi]")
     ->check(CLI::IsMember({"jacobi", "gauss-seidel"}))
     ->group(group);
@@ -123,6 +162,7 @@ void add_mapping_options(CLI::App& command, Mapping_options& options)
 
   group = effort_group;
   command
+<<<<<<< HEAD:src/mapping_options.cpp
     .add_option("--accuracy", options.accuracy,
                 "Residual to reach" + defaults(Balanced::default_accuracy, Saddle_point::default_accuracy))
     ->group(group);
@@ -131,6 +171,18 @@ void add_mapping_options(CLI::App& command, Mapping_options& options)
                 "At most so many" +
                   defaults(Balanced::default_number_of_iterations, Saddle_point::default_number_of_iterations))
     ->group(group);
+=======
+      .add_option("--accuracy", options.accuracy,
+                  "Residual to reach" + defaults(Balanced::default_accuracy, Saddle_point::default_accuracy,
+                                                  Isometric::default_accuracy))
+      ->group(group);
+  command
+      .add_option("--iterations", options.iterations,
+                  "At most so many" +
+                      defaults(Balanced::default_number_of_iterations, Saddle_point::default_number_of_iterations,
+                               Isometric::default_number_of_iterations))
+      ->group(group);
+>>>>>>> iso:src/map_options.cpp
   command.add_option("--max-time", options.max_time, "At most so many seconds [no limit]")->group(group);
 }
 
@@ -178,6 +230,15 @@ Map_settings map_settings(const Mapping_options& options)
   if(options.method == "balanced") {
     Balanced method;
     method.spring_exponent = options.spring_exponent.value_or(method.spring_exponent);
+    settings.method = method;
+  } else if(options.method == "isometric") {
+    Isometric method;
+    method.area_exponent = options.area_exponent.value_or(method.area_exponent);
+    settings.method = method;
+  } else if(options.method == "automatic") {
+    Automatic method;
+    method.spring_exponent = options.spring_exponent.value_or(method.spring_exponent);
+    method.area_exponent = options.area_exponent.value_or(method.area_exponent);
     settings.method = method;
   } else {
     Saddle_point method;

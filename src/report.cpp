@@ -63,6 +63,8 @@ void write_report(const std::string& file, const Report& report)
   json["faces"] = known(has_mesh, result.number_of_faces);
   json["weights"] = report.weights;
   json["method"] = report.method;
+  json["method_used"] = known(has_map, result.method);
+  json["fallback_reason"] = known(!result.fallback_reason.empty(), result.fallback_reason);
   json["policy"] = report.policy;
   json["device"] = known(!result.device.empty(), result.device);
   json["start_iterations"] = known(has_map, result.start_iterations);
@@ -73,11 +75,18 @@ void write_report(const std::string& file, const Report& report)
   json["flipped_faces"] = known(has_map, result.flipped_faces);
   json["degree"] = known(has_map, result.degree);
   json["smallest_area"] = known(has_map, result.smallest_area);
+<<<<<<< HEAD
   json["distortion"] = report.distortion ? to_json(*report.distortion) : Json(nullptr);
   json["seconds"] = {{"read", report.seconds_read},       {"start_map", result.seconds.start_map},
                      {"solve", result.seconds.solve},     {"certify", result.seconds.certify},
                      {"measure", report.seconds_measure}, {"write", report.seconds_write},
                      {"total", report.seconds_total}};
+=======
+  json["smallest_edge"] = known(has_map, result.smallest_edge);
+  json["seconds"] = {{"read", report.seconds_read},          {"start_map", result.seconds.start_map},
+                     {"solve", result.seconds.solve},        {"certify", result.seconds.certify},
+                     {"write", report.seconds_write},        {"total", report.seconds_total}};
+>>>>>>> iso
   json["peak_memory_bytes"] = peak_memory_bytes();
   json["error"] = known(bool(report.failure), report.failure.text);
   json["error_code"] = report.failure.code;

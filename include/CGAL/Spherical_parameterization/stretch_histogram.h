@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_STRETCH_HISTOGRAM_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_STRETCH_HISTOGRAM_H
 
+#include <CGAL/Spherical_parameterization/internal/face_distortion.h>
 #include <CGAL/Spherical_parameterization/internal/Vertex_numbering.h>
 #include <CGAL/Spherical_parameterization/internal/histogram.h>
 #include <CGAL/Spherical_parameterization/internal/named_parameters.h>
@@ -41,7 +42,7 @@ struct Stretch_histogram {
   Sampling sampling = Sampling::EXACT_AREAS;
   Scale scale = Scale::LOGARITHMIC;
   std::size_t bins = 32;
-  double low = -4, high = 28;           ///< of the bins, on the scale; what lies outside counts in the first or last one
+  double low = -4, high = 28; ///< of the bins, on the scale; what lies outside counts in the first or last one
   std::size_t number_of_samples = 4096; ///< `UNIFORM` and `RANDOM`; fewer than about 4096 add noise
   std::uint32_t random_seed = 0;        ///< `RANDOM`
 };
@@ -59,17 +60,8 @@ struct Array_map {
   const Vertex_numbering<TriangleMesh>* numbering;
   std::vector<double>* values;
 
-  friend void put(const Array_map& map, const key_type& v, double value)
-  {
-    (*map.values)[(*map.numbering)(v)] = value;
-  }
+  friend void put(const Array_map& map, const key_type& v, double value) { (*map.values)[(*map.numbering)(v)] = value; }
 };
-
-inline double flat_area(const std::array<vec3, 3>& p)
-{
-  const vec3 n = outer(sub(p[1], p[0]), sub(p[2], p[0]));
-  return std::sqrt(inner(n, n)) / 2;
-}
 
 /// Area-uniform points of a triangle mesh, as the numbers of the barycentric cells in which they are.
 class Cell_sampler {

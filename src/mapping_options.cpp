@@ -15,30 +15,16 @@
 namespace tool {
 namespace {
 
-<<<<<<< HEAD:src/mapping_options.cpp
 const std::string weights_group = "Weights", method_group = "Method", place_group = "Where to run",
                   effort_group = "Effort";
 const std::string mapping_groups[] = {weights_group, method_group, place_group, effort_group};
 
-=======
-namespace fs = std::filesystem;
 using CGAL::Spherical_parameterization::Automatic;
->>>>>>> iso:src/map_options.cpp
 using CGAL::Spherical_parameterization::Balanced;
 using CGAL::Spherical_parameterization::Isometric;
 using CGAL::Spherical_parameterization::Saddle_point;
 
-<<<<<<< HEAD:src/mapping_options.cpp
-/// " [balanced 1e-09, saddle-point 1e-07]"
-=======
-void require(bool condition, const char* option, const std::string& rule)
-{
-  if(!condition)
-    throw CLI::ValidationError(option, rule);
-}
-
-/// " [balanced 1e-09, saddle-point 1e-07, isometric 0.0001]"
->>>>>>> iso:src/map_options.cpp
+/// " [balanced 5e-09, saddle-point 1e-07, isometric 0.0001]"
 template <class Number>
 std::string defaults(Number balanced, Number saddle_point, Number isometric)
 {
@@ -107,32 +93,22 @@ void add_mapping_options(CLI::App& command, Mapping_options& options)
   command.add_option("--max-angle", options.max_angle, "Conformal: larger angles count as this, in degrees [85]")
     ->group(group);
 
-<<<<<<< HEAD:src/mapping_options.cpp
   group = method_group;
-  command.add_option("--method", options.method, "The fast method, or the published one")
-    ->check(CLI::IsMember({"balanced", "saddle-point"}))
+  command
+    .add_option("--method", options.method,
+                "The fast method, the published one, the one that keeps lengths, or the first valid map of the fast "
+                "and the last one")
+    ->check(CLI::IsMember({"balanced", "saddle-point", "isometric", "automatic"}))
     ->capture_default_str()
     ->group(group);
   command
     .add_option("--spring-exponent", options.spring_exponent,
                 "Balanced: of the spring energy, >= 2; larger ones equalise areas [2]")
     ->group(group);
-=======
-  group = "Method";
-  command.add_option("--method", options.method, "The fast method, the published one, the one with low distortion of lengths, or the "
-                                                 "first valid map of the fast and the last one")
-      ->check(CLI::IsMember({"balanced", "saddle-point", "isometric", "automatic"}))
-      ->capture_default_str()
-      ->group(group);
   command
-      .add_option("--spring-exponent", options.spring_exponent,
-                  "Balanced: of the spring energy, >= 2; larger ones equalise areas [2]")
-      ->group(group);
-  command
-      .add_option("--area-exponent", options.area_exponent,
-                  "Isometric: 0 preserves angles, 1 lengths, 30 and more areas [1]")
-      ->group(group);
->>>>>>> iso:src/map_options.cpp
+    .add_option("--area-exponent", options.area_exponent,
+                "Isometric: 0 preserves angles, 1 lengths, 30 and more areas [1]")
+    ->group(group);
   command.add_option("--splitting", options.splitting, "Saddle-point: how the sweeps go [jacobi]")
     ->check(CLI::IsMember({"jacobi", "gauss-seidel"}))
     ->group(group);
@@ -162,27 +138,16 @@ void add_mapping_options(CLI::App& command, Mapping_options& options)
 
   group = effort_group;
   command
-<<<<<<< HEAD:src/mapping_options.cpp
     .add_option("--accuracy", options.accuracy,
-                "Residual to reach" + defaults(Balanced::default_accuracy, Saddle_point::default_accuracy))
+                "Residual to reach" +
+                  defaults(Balanced::default_accuracy, Saddle_point::default_accuracy, Isometric::default_accuracy))
     ->group(group);
   command
     .add_option("--iterations", options.iterations,
-                "At most so many" +
-                  defaults(Balanced::default_number_of_iterations, Saddle_point::default_number_of_iterations))
+                "At most so many" + defaults(Balanced::default_number_of_iterations,
+                                             Saddle_point::default_number_of_iterations,
+                                             Isometric::default_number_of_iterations))
     ->group(group);
-=======
-      .add_option("--accuracy", options.accuracy,
-                  "Residual to reach" + defaults(Balanced::default_accuracy, Saddle_point::default_accuracy,
-                                                  Isometric::default_accuracy))
-      ->group(group);
-  command
-      .add_option("--iterations", options.iterations,
-                  "At most so many" +
-                      defaults(Balanced::default_number_of_iterations, Saddle_point::default_number_of_iterations,
-                               Isometric::default_number_of_iterations))
-      ->group(group);
->>>>>>> iso:src/map_options.cpp
   command.add_option("--max-time", options.max_time, "At most so many seconds [no limit]")->group(group);
 }
 

@@ -31,6 +31,7 @@ struct Mapping_options {
 
   std::string method = "balanced";
   std::optional<double> spring_exponent;
+  std::optional<double> area_exponent;
   std::optional<std::string> splitting;
   std::optional<std::string> start;
   std::optional<double> relaxation;

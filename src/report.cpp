@@ -75,18 +75,12 @@ void write_report(const std::string& file, const Report& report)
   json["flipped_faces"] = known(has_map, result.flipped_faces);
   json["degree"] = known(has_map, result.degree);
   json["smallest_area"] = known(has_map, result.smallest_area);
-<<<<<<< HEAD
+  json["smallest_edge"] = known(has_map, result.smallest_edge);
   json["distortion"] = report.distortion ? to_json(*report.distortion) : Json(nullptr);
   json["seconds"] = {{"read", report.seconds_read},       {"start_map", result.seconds.start_map},
                      {"solve", result.seconds.solve},     {"certify", result.seconds.certify},
                      {"measure", report.seconds_measure}, {"write", report.seconds_write},
                      {"total", report.seconds_total}};
-=======
-  json["smallest_edge"] = known(has_map, result.smallest_edge);
-  json["seconds"] = {{"read", report.seconds_read},          {"start_map", result.seconds.start_map},
-                     {"solve", result.seconds.solve},        {"certify", result.seconds.certify},
-                     {"write", report.seconds_write},        {"total", report.seconds_total}};
->>>>>>> iso
   json["peak_memory_bytes"] = peak_memory_bytes();
   json["error"] = known(bool(report.failure), report.failure.text);
   json["error_code"] = report.failure.code;

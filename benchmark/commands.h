@@ -19,6 +19,8 @@ void add_order_command(CLI::App& app);
 void add_scaling_command(CLI::App& app);
 void add_foreign_command(CLI::App& app);
 void add_checks_command(CLI::App& app);
+void add_texture_command(CLI::App& app);
+void add_locate_command(CLI::App& app);
 
 } // namespace benchmark
 

@@ -24,6 +24,8 @@ int main(int argc, char** argv)
   benchmark::add_scaling_command(app);
   benchmark::add_foreign_command(app);
   benchmark::add_checks_command(app);
+  benchmark::add_texture_command(app);
+  benchmark::add_locate_command(app);
   try {
     app.parse(argc, argv);
   } catch(const CLI::ParseError& error) {

@@ -21,6 +21,8 @@ void add_foreign_command(CLI::App& app);
 void add_segmentation_command(CLI::App& app);
 void add_checks_command(CLI::App& app);
 void add_retrieval_command(CLI::App& app);
+void add_texture_command(CLI::App& app);
+void add_locate_command(CLI::App& app);
 
 } // namespace benchmark
 

@@ -26,6 +26,8 @@ int main(int argc, char** argv)
   benchmark::add_segmentation_command(app);
   benchmark::add_checks_command(app);
   benchmark::add_retrieval_command(app);
+  benchmark::add_texture_command(app);
+  benchmark::add_locate_command(app);
   try {
     app.parse(argc, argv);
   } catch(const CLI::ParseError& error) {

@@ -61,7 +61,7 @@ void write_textured_obj(std::ostream& out, const Mesh& mesh, Uv_map uv, const st
 
 void write_material(std::ostream& out, const std::string& image_file)
 {
-  out << "newmtl texture\nKa 1 1 1\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd " << image_file << '\n';
+  out << "newmtl texture\nKa 0 0 0\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd " << image_file << '\n';
 }
 
 void write_checker(std::ostream& out, int columns, int rows)

@@ -18,6 +18,7 @@ struct Descriptor {
   std::string name;
   bool needs_map;
   std::function<Descriptor_values(const Mesh&, Sphere_map)> compute; ///< the map is a conformal one, or stands in for it
+  bool is_slow = false; ///< seconds per mesh: left out where many meshes are made
 };
 
 /// The package's signature, its parts and its variants.
@@ -26,9 +27,9 @@ std::vector<Descriptor> own_descriptors();
 /// What else there is: the paper's recipe, D2, SDF, and ShapeDNA where there is Spectra.
 std::vector<Descriptor> other_descriptors();
 
-/// The map that the descriptors are given: the conformal one; where that is not certified the barycentric one; where
-/// that is neither, the conformal one as it is. Throws std::runtime_error where there is nothing to map.
-/// Returns "conformal", "barycentric" or "uncertified".
+/// The map that the descriptors are given: the conformal one, certified or not; where it does not converge, the
+/// barycentric one if that is certified. Throws std::runtime_error where there is nothing to map. Returns "conformal",
+/// "barycentric" or "uncertified".
 const char* map_for_descriptors(Mesh& mesh, Sphere_map sphere);
 
 } // namespace benchmark

@@ -115,8 +115,8 @@ std::vector<Descriptor> other_descriptors()
   return {stretch_descriptor("paper: stretch histogram", paper),
           stretch_descriptor("log stretch, exact areas", Stretch_histogram()),
           {"D2", false, d2},
-          {"SDF", false, [](const Mesh& mesh, Sphere_map) { return sdf(mesh, true); }},
-          {"log SDF", false, [](const Mesh& mesh, Sphere_map) { return sdf(mesh, false); }},
+          {"SDF", false, [](const Mesh& mesh, Sphere_map) { return sdf(mesh, true); }, true},
+          {"log SDF", false, [](const Mesh& mesh, Sphere_map) { return sdf(mesh, false); }, true},
 #ifdef BENCHMARK_WITH_SPECTRA
           {"ShapeDNA", false, shape_dna}
 #endif

@@ -90,14 +90,18 @@ std::vector<Descriptor> own_descriptors()
 const char* map_for_descriptors(Mesh& mesh, Sphere_map sphere)
 {
   const Backend backend = backends_by_name({"sequential"}).front();
-  if(compute_map(backend, mesh, Weights::CONFORMAL, Balanced(), sphere))
+  const Result result = compute_map(backend, mesh, Weights::CONFORMAL, Balanced(), sphere);
+  if(result)
     return "conformal";
-  const auto other = mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:barycentric").first;
-  if(!compute_map(backend, mesh, Weights::BARYCENTRIC, Balanced(), other))
-    return "uncertified";
-  for(auto v : mesh.vertices())
-    sphere[v] = other[v];
-  return "barycentric";
+  if(result.error == SP::Error_code::NOT_CONVERGED) {
+    const auto other = mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:barycentric").first;
+    if(compute_map(backend, mesh, Weights::BARYCENTRIC, Balanced(), other)) {
+      for(auto v : mesh.vertices())
+        sphere[v] = other[v];
+      return "barycentric";
+    }
+  }
+  return "uncertified";
 }
 
 } // namespace benchmark

@@ -189,6 +189,21 @@ void tabulate_variants(const Options& options, const Collection& collection, con
   }
 }
 
+/// Without those descriptors that are slow.
+Collection fast_part(const Collection& collection)
+{
+  Collection result;
+  result.models = collection.models;
+  result.described.resize(collection.described.size());
+  for(std::size_t d = 0; d < collection.descriptors.size(); ++d)
+    if(!collection.descriptors[d].is_slow) {
+      result.descriptors.push_back(collection.descriptors[d]);
+      for(std::size_t i = 0; i < result.described.size(); ++i)
+        result.described[i].values.push_back(collection.described[i].values[d]);
+    }
+  return result;
+}
+
 void measure(const Options& options, const std::string& folder, const std::vector<std::string>& variants_of)
 {
   Collection collection;
@@ -209,7 +224,7 @@ void measure(const Options& options, const std::string& folder, const std::vecto
   for(const std::string& group : variants_of) {
     if(collection.groups().count(group) == 0)
       throw std::runtime_error("no group '" + group + "' in " + folder);
-    tabulate_variants(options, collection, group);
+    tabulate_variants(options, fast_part(collection), group);
   }
 }
 

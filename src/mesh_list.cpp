@@ -21,7 +21,7 @@ std::vector<std::string> meshes_in(const std::string& folder)
 {
   std::vector<std::string> files;
   std::error_code error;
-  fs::recursive_directory_iterator it(folder, fs::directory_options::follow_directory_symlink, error), end;
+  fs::recursive_directory_iterator it(folder, error), end;
   for(; !error && it != end; it.increment(error)) {
     std::error_code none; // of a link to nowhere: no regular file
     if(it->is_regular_file(none) && is_mesh_file(it->path().string()))

@@ -5,8 +5,8 @@
 
 #include <CGAL/Dimension.h>
 #include <CGAL/K_neighbor_search.h>
+#include <CGAL/Kd_tree_rectangle.h>
 #include <CGAL/Search_traits.h>
-#include <CGAL/Weighted_Minkowski_distance.h>
 
 #include <algorithm>
 #include <utility>
@@ -30,10 +30,44 @@ struct Coordinates {
   }
 };
 
-typedef CGAL::Search_traits<double, Signature_point, const double*, Coordinates,
-                            CGAL::Dimension_tag<static_cast<int>(Shape_signature::size)>>
-  Traits;
-typedef CGAL::Weighted_Minkowski_distance<Traits> L1;
+typedef CGAL::Dimension_tag<static_cast<int>(Shape_signature::size)> Dimension;
+typedef CGAL::Search_traits<double, Signature_point, const double*, Coordinates, Dimension> Traits;
+
+/// `distance()`, for the k-d tree. CGAL's Weighted_Minkowski_distance is not right in more than three dimensions of fixed
+/// number (CGAL 5.5.1).
+struct L1 {
+  typedef double FT;
+  typedef Signature_point Point_d;
+  typedef Signature_point Query_item;
+  typedef Dimension D;
+  typedef CGAL::Kd_tree_rectangle<FT, D> Rectangle;
+
+  FT transformed_distance(const Query_item& q, const Point_d& p) const
+  {
+    return distance(*q.signature, *p.signature);
+  }
+  FT min_distance_to_rectangle(const Query_item& q, const Rectangle& r) const
+  {
+    FT sum = 0;
+    for(int i = 0; i < D::value; ++i) {
+      const double x = q.signature->values[static_cast<std::size_t>(i)];
+      sum += std::max({r.min_coord(i) - x, x - r.max_coord(i), 0.});
+    }
+    return sum;
+  }
+  FT max_distance_to_rectangle(const Query_item& q, const Rectangle& r) const
+  {
+    FT sum = 0;
+    for(int i = 0; i < D::value; ++i) {
+      const double x = q.signature->values[static_cast<std::size_t>(i)];
+      sum += std::max(r.max_coord(i) - x, x - r.min_coord(i));
+    }
+    return sum;
+  }
+  FT transformed_distance(FT d) const { return d; }
+  FT inverse_of_transformed_distance(FT d) const { return d; }
+};
+
 typedef CGAL::K_neighbor_search<Traits, L1> Search;
 
 } // namespace
@@ -48,9 +82,7 @@ std::vector<Neighbour> nearest_signatures(const std::vector<Signature_row>& rows
   if(points.empty() || k == 0)
     return {};
   Search::Tree tree(points.begin(), points.end());
-  const std::vector<double> weights(Shape_signature::size, 1);
-  const L1 distance(1, static_cast<int>(weights.size()), weights.begin(), weights.end());
-  Search search(tree, {nullptr, &query}, static_cast<unsigned int>(std::min(k, points.size())), 0, true, distance);
+  Search search(tree, {nullptr, &query}, static_cast<unsigned int>(std::min(k, points.size())));
 
   std::vector<Neighbour> neighbours;
   for(const auto& [point, sum] : search)

@@ -42,15 +42,16 @@ void sign(const std::string& file, const std::function<bool()>& go_on, Signature
     throw Refusal(name(result.error), file,
                   get_error_message(result.error) + (result.detail.empty() ? "" : ": " + result.detail), "");
   Sphere_map sphere = conformal;
-  row.map = "conformal";
-  if(!result) {
+  row.map = result ? "conformal" : "uncertified";
+  if(result.error == Error_code::NOT_CONVERGED) {
     const Sphere_map barycentric = mesh.add_property_map<Mesh::Vertex_index, Point>("v:barycentric").first;
     const Result other = compute(barycentric, Barycentric_weights());
     if(other.error == Error_code::INTERRUPTED)
       return;
-    row.map = other ? "barycentric" : "uncertified";
-    if(other)
+    if(other) {
+      row.map = "barycentric";
       sphere = barycentric;
+    }
   }
   row.signature = CGAL::Spherical_parameterization::shape_signature(mesh, sphere);
 }

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -25,8 +26,14 @@ struct Signature_options {
   std::vector<std::string> inputs;
   std::string list;
   std::string output;
-  int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  std::optional<int> jobs;
 };
+
+/// Processes of mpirun are usually as many as there are cores.
+int default_jobs()
+{
+  return is_launched_by_mpi() ? 1 : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+}
 
 int batch(const Signature_options& options, Signature_workers& workers)
 {
@@ -48,10 +55,11 @@ int batch(const Signature_options& options, Signature_workers& workers)
 int run(const Signature_options& options)
 {
   watch_for_interruption();
+  const int jobs = options.jobs.value_or(default_jobs());
   try {
     if(is_launched_by_mpi())
-      return run_on_all_ranks(options.jobs, [&](Signature_workers& workers) { return batch(options, workers); });
-    Local_workers workers(options.jobs);
+      return run_on_all_ranks(jobs, [&](Signature_workers& workers) { return batch(options, workers); });
+    Local_workers workers(jobs);
     return batch(options, workers);
   } catch(const Refusal& refusal) {
     std::cerr << "spherical-parameterization: " << refusal.what() << std::endl;
@@ -69,9 +77,8 @@ void add_signature_command(CLI::App& app, int& exit_code)
   command->add_option("--list", options->list, "Text file with one more IN per line")->check(CLI::ExistingFile);
   command->add_option("-o,--output", options->output, "Where the index goes: a CSV file with one row per mesh")->required();
   command
-      ->add_option("-j,--jobs", options->jobs, "So many meshes at the same time; with mpirun, in every process")
-      ->check(CLI::Range(1, 4096))
-      ->capture_default_str();
+      ->add_option("-j,--jobs", options->jobs, "So many meshes at the same time [all cores; with mpirun: in every process, 1]")
+      ->check(CLI::Range(1, 4096));
   command->footer("Meshes without signature have a row that says why. A run that was stopped goes on where it was when the\n"
                   "same command is given again. mpirun -n N spreads the work over N processes.\n"
                   "Exit code: 0 the index has been written, 1 not, or it has no signature (the reason is on stderr), 2 wrong "

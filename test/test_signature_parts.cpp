@@ -127,7 +127,7 @@ TEST_CASE("conformal factor: that of a boost of the sphere", "[signature]")
   const Soup soup = icosphere(5);
   const Mesh mesh = make_mesh(soup);
   const vec3 c = {0.3, 0.1, -0.2};
-  const auto moved = [&](const Point& p) { return CGAL::Spherical_parameterization::internal::boost({p.x(), p.y(), p.z()}, c); };
+  const auto moved = [&](const Point& p) { return SP::internal::boost({p.x(), p.y(), p.z()}, c); };
   const Conformal_factor<Mesh> factor(
     mesh, mesh.points(), Readable_map<Mesh::Vertex_index, Point>{[&](const Mesh::Vertex_index& v) {
       const vec3 q = moved(mesh.point(v));

@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# `cmake --install`: headers, tool, what find_package() and pkg-config need; `cpack`: a .deb and a .tar.gz of them.
+# Nothing of it knows the prefix, so that the installed tree can be moved.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(config_folder ${CMAKE_INSTALL_LIBDIR}/cmake/CGAL_Spherical_parameterization)
+install(TARGETS CGAL_Spherical_parameterization EXPORT CGAL_Spherical_parameterization)
+install(EXPORT CGAL_Spherical_parameterization DESTINATION ${config_folder}
+  NAMESPACE CGAL_Spherical_parameterization:: FILE CGAL_Spherical_parameterization-targets.cmake)
+configure_package_config_file(cmake/config.cmake.in CGAL_Spherical_parameterizationConfig.cmake
+  INSTALL_DESTINATION ${config_folder} PATH_VARS CMAKE_INSTALL_INCLUDEDIR)
+write_basic_package_version_file(CGAL_Spherical_parameterizationConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
+install(FILES
+  ${CMAKE_CURRENT_BINARY_DIR}/CGAL_Spherical_parameterizationConfig.cmake
+  ${CMAKE_CURRENT_BINARY_DIR}/CGAL_Spherical_parameterizationConfigVersion.cmake
+  DESTINATION ${config_folder})
+
+install(DIRECTORY include/CGAL DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+if(CGAL_SP_WITH_OPENCL)
+  install(DIRECTORY ${PROJECT_BINARY_DIR}/include/CGAL DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+endif()
+
+set(pc_folder ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+file(RELATIVE_PATH CGAL_SP_PREFIX_FROM_PC /prefix/${pc_folder} /prefix)
+configure_file(cmake/package.pc.in cgal-spherical-parameterization.pc @ONLY)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/cgal-spherical-parameterization.pc DESTINATION ${pc_folder})
+
+install(FILES README.md LICENSE LICENSE.GPL DESTINATION ${CMAKE_INSTALL_DOCDIR})
+if(CGAL_SP_WITH_TOOL)
+  install(TARGETS spherical-parameterization)
+endif()
+
+set(CPACK_GENERATOR DEB TGZ)
+set(CPACK_PACKAGE_NAME cgal-spherical-parameterization)
+set(CPACK_PACKAGE_VENDOR "the authors of CGAL Spherical Parameterization")
+set(CPACK_PACKAGE_CONTACT "the authors of CGAL Spherical Parameterization <cgal-spherical-parameterization@localhost>")
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ${CGAL_SP_WITH_TOOL})
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "libcgal-dev (>= ${CGAL_SP_OLDEST_CGAL}), libboost-dev, libeigen3-dev, libgmp-dev, libmpfr-dev")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libtbb-dev, ocl-icd-opencl-dev, opencl-clhpp-headers")
+set(CPACK_DEBIAN_PACKAGE_SECTION math)
+include(CPack)

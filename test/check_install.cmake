@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Installs the package to a folder with a space in its name, moves it, and builds and runs a project that uses it.
+# cmake -D BUILD=... -D SOURCE=... -D SCRATCH=... -D COMPONENTS=... -D EXPECTED=... -P check_install.cmake
+function(run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT code EQUAL 0)
+    message(FATAL_ERROR "${ARGN}: ${code}\n${output}")
+  endif()
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+file(REMOVE_RECURSE "${SCRATCH}")
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix "${SCRATCH}/first place")
+file(RENAME "${SCRATCH}/first place" "${SCRATCH}/second place")
+run(${CMAKE_COMMAND} -S ${SOURCE} -B "${SCRATCH}/build" "-DCMAKE_PREFIX_PATH=${SCRATCH}/second place"
+  "-DCOMPONENTS=${COMPONENTS}" -DCMAKE_BUILD_TYPE=Debug)
+run(${CMAKE_COMMAND} --build "${SCRATCH}/build" --parallel 2)
+run("${SCRATCH}/build/consumer")
+if(NOT output MATCHES "${EXPECTED}\n")
+  message(FATAL_ERROR "expected '${EXPECTED}', got '${output}'")
+endif()
+find_program(PKG_CONFIG pkg-config)
+if(PKG_CONFIG)
+  file(GLOB_RECURSE pc "${SCRATCH}/second place/*.pc")
+  get_filename_component(folder "${pc}" DIRECTORY)
+  run(${CMAKE_COMMAND} -E env "PKG_CONFIG_PATH=${folder}" ${PKG_CONFIG} --cflags cgal-spherical-parameterization)
+  if(NOT output MATCHES "second.* place/")
+    message(FATAL_ERROR "pkg-config does not find the headers where they are: '${output}'")
+  endif()
+endif()

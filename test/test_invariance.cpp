@@ -69,7 +69,7 @@ TEST_CASE("the same call gives the same bits", "[invariance]")
 {
   const Soup soup = fixture(2);
   Settings settings;
-  settings.method = GENERATE(std::variant<SP::Balanced, SP::Saddle_point>(SP::Balanced()), SP::Saddle_point());
+  settings.method = GENERATE(decltype(settings.method)(SP::Balanced()), SP::Saddle_point(), SP::Isometric());
   settings.number_of_iterations = 5;
   Sphere first, second;
   const Result result = solve(soup, first, settings);

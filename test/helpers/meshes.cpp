@@ -214,6 +214,100 @@ Soup capsule(double ratio, int n_around)
   return soup;
 }
 
+Soup spiral(int turns, int n_around)
+{
+  const int n_along = 48 * turns;
+  const std::size_t n = std::size_t(n_around), rings = std::size_t(n_along);
+  Soup soup;
+  auto frame = [&](double t, Vector& radial, Vector& binormal) {
+    const double angle = 2 * pi * turns * t, radius = 8, rise = 4. * turns;
+    const Vector tangent(-2 * pi * turns * radius * std::sin(angle), 2 * pi * turns * radius * std::cos(angle), rise);
+    radial = Vector(std::cos(angle), std::sin(angle), 0);
+    binormal = CGAL::cross_product(tangent, radial);
+    binormal /= std::sqrt(binormal.squared_length());
+    return Point(radius * std::cos(angle), radius * std::sin(angle), rise * t);
+  };
+  Vector radial, binormal;
+  for(std::size_t k = 0; k < rings; ++k) {
+    const Point centre = frame(double(k) / (n_along - 1), radial, binormal);
+    for(std::size_t i = 0; i < n; ++i) {
+      const double angle = 2 * pi * double(i) / n_around;
+      soup.points.push_back(centre + std::cos(angle) * radial + std::sin(angle) * binormal);
+    }
+  }
+  soup.points.push_back(frame(-1. / n_along, radial, binormal));
+  soup.points.push_back(frame(1 + 1. / n_along, radial, binormal));
+  const std::size_t first = soup.points.size() - 2, last = first + 1;
+  for(std::size_t i = 0; i < n; ++i) {
+    const std::size_t j = (i + 1) % n;
+    soup.faces.push_back({first, i, j});
+    for(std::size_t k = 0; k + 1 < rings; ++k)
+      soup.faces.insert(soup.faces.end(), {{k * n + i, (k + 1) * n + i, k * n + j},
+                                           {k * n + j, (k + 1) * n + i, (k + 1) * n + j}});
+    soup.faces.push_back({last, (rings - 1) * n + j, (rings - 1) * n + i});
+  }
+  return soup;
+}
+
+Soup comb(int teeth, int length)
+{
+  std::set<std::array<int, 3>> cells;
+  for(int x = 0; x < 2 * teeth - 1; ++x)
+    for(int y = 0; y <= (x % 2 == 0 ? length : 0); ++y)
+      cells.insert({x, y, 0});
+  return triangulated(cubes(cells));
+}
+
+Soup tree(int depth)
+{
+  std::set<std::array<int, 3>> cells;
+  const std::function<void(std::array<int, 3>, int)> grow = [&](std::array<int, 3> root, int level) {
+    if(level == depth)
+      return;
+    for(int sign : {-1, 1}) {
+      std::array<int, 3> tip = root;
+      for(int i = 0; i <= 4 << ((5 - level) / 2); ++i, tip[level % 2] += sign)
+        cells.insert(tip);
+      tip[level % 2] -= sign;
+      grow(tip, level + 1);
+    }
+  };
+  grow({0, 0, 0}, 0);
+  return triangulated(cubes(cells));
+}
+
+Soup bipyramid(int n)
+{
+  const std::size_t un = std::size_t(n);
+  Soup soup;
+  for(int i = 0; i < n; ++i)
+    soup.points.emplace_back(std::cos(2 * pi * i / n), std::sin(2 * pi * i / n), 0);
+  soup.points.emplace_back(0, 0, 1);
+  soup.points.emplace_back(0, 0, -1);
+  for(std::size_t i = 0; i < un; ++i)
+    soup.faces.insert(soup.faces.end(), {{i, (i + 1) % un, un}, {(i + 1) % un, i, un + 1}});
+  return soup;
+}
+
+Soup needles(int level, double epsilon)
+{
+  const Soup coarse = bumpy_sphere(level);
+  Soup soup;
+  soup.points = coarse.points;
+  for(std::size_t f = 0; f < coarse.faces.size(); ++f) {
+    const auto& t = coarse.faces[f];
+    if(f % 3 != 0) {
+      soup.faces.push_back(t);
+      continue;
+    }
+    const std::size_t m = soup.points.size();
+    const Vector inwards = CGAL::midpoint(soup.points[t[1]], soup.points[t[2]]) - soup.points[t[0]];
+    soup.points.push_back(soup.points[t[0]] + epsilon * inwards);
+    soup.faces.insert(soup.faces.end(), {{t[0], t[1], m}, {t[1], t[2], m}, {t[2], t[0], m}});
+  }
+  return soup;
+}
+
 Soup torus(int n, int m)
 {
   Soup soup;
@@ -319,6 +413,19 @@ Soup coincident_points()
   const auto& f = soup.faces[0];
   soup.points[f[0]] = soup.points[f[1]];
   return soup;
+}
+
+Soup many_coincident_points(int level)
+{
+  Soup soup = bumpy_sphere(level);
+  for(std::size_t f = 0; f < soup.faces.size(); f += 10)
+    soup.points[soup.faces[f][0]] = soup.points[soup.faces[f][1]];
+  return soup;
+}
+
+Soup one_point(int level)
+{
+  return transformed(icosphere(level), [](const Point&) { return Point(1, 2, 3); });
 }
 
 Soup transformed(Soup soup, const std::function<Point(const Point&)>& f)

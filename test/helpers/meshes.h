@@ -25,6 +25,13 @@ Soup cross();                              ///< seven cubes
 /// A tube with two half-sphere caps; `ratio` is the length of the tube over its circumference, `n_around` a multiple
 /// of four. A conformal map shrinks the middle by exp(-pi ratio).
 Soup capsule(double ratio, int n_around);
+/// A tube along a helix of so many turns, eight times as wide as the tube, with caps that are cones.
+Soup spiral(int turns, int n_around);
+Soup comb(int teeth, int length); ///< cubes: teeth of width 1 along a bar
+Soup tree(int depth);             ///< cubes: an H-tree, each branch ending in two; depth at most 6
+Soup bipyramid(int n);            ///< two vertices of degree n, n of degree 4
+/// Every third face of an icosphere cut in three, close to one of its corners: edges `epsilon` times as long as others.
+Soup needles(int level, double epsilon);
 /// @}
 
 /// \name Meshes that have to be refused
@@ -45,6 +52,8 @@ Mesh pinched_sphere();       ///< an icosphere with two vertices glued to one
 /// @{
 Soup collinear_face();    ///< one face with three points exactly on a line
 Soup coincident_points(); ///< two faces with two equal points
+Soup many_coincident_points(int level); ///< every fifth vertex at the place of a neighbour
+Soup one_point(int level);              ///< all vertices at the same place
 /// @}
 
 /// \name The same mesh in another way

@@ -26,7 +26,7 @@ using Splitting = SP::Saddle_point::Splitting;
 /// The arguments and the named parameters of `parameterize()`, all of them.
 struct Settings {
   Policy policy = default_policy();
-  std::variant<SP::Balanced, SP::Saddle_point> method = SP::Balanced();
+  std::variant<SP::Balanced, SP::Saddle_point, SP::Isometric, SP::Automatic> method = SP::Balanced();
   Weights weights = Weights::CONFORMAL;
   /// weights that differ from those of `weights`, by the number of the edge
   std::map<std::size_t, double> weight_of_edge = {};

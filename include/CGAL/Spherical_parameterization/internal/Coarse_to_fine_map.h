@@ -46,6 +46,8 @@ public:
   {
     for(double a : task.area)
       source_area_ += a;
+    if(!(source_area_ > 0)) // all points on a line: then all faces count as equal
+      source_area_ = 1;
   }
 
   void run(Solver_report& report)

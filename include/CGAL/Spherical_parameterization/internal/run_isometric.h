@@ -35,15 +35,16 @@ std::string weigh(const Isometric&, Set_weights)
   return {};
 }
 
-/// Geodesic edges can be embedded only if they are determined by their ends.
+/// Throws the Failure if there is no map whose edges are geodesic: these are determined by their ends.
 inline void check_simplicial(const Weighted_graph& graph)
 {
+  const char* const problem = "there is no map with geodesic edges: ";
+  if(graph.size() < 4)
+    throw Failure{Error_code::NOT_BIJECTIVE, std::string(problem) + "the mesh has fewer than four vertices"};
   for(int i = 0; i < graph.size(); ++i)
     for(int k = graph.offset[i]; k < graph.offset[i + 1]; ++k)
       if(graph.target[k] == i || (k > graph.offset[i] && graph.target[k] == graph.target[k - 1]))
-        throw Failure{Error_code::NON_MANIFOLD,
-                      "two edges have the same ends, or an edge has one end only: there is no "
-                      "map with straight edges"};
+        throw Failure{Error_code::NOT_BIJECTIVE, std::string(problem) + "two edges of the mesh have the same ends"};
 }
 
 template <class Backend>

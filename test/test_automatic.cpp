@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The automatic method hands over the map that was asked for where that is valid, and else the next one that is.
+
+#include "helpers/certificate.h"
+#include "helpers/meshes.h"
+#include "helpers/solve.h"
+
+#include <catch2/catch.hpp>
+
+using namespace test;
+
+namespace {
+
+Result solve_automatically(const Soup& soup, Sphere& sphere, Settings settings = {})
+{
+  settings.method = SP::Automatic();
+  const Result result = solve(soup, sphere, settings);
+  CAPTURE(result);
+  CHECK(bool(result));
+  CHECK(count_flipped_faces(soup, sphere) == 0);
+  CHECK(degree(soup, sphere) == 1);
+  return result;
+}
+
+} // namespace
+
+TEST_CASE("automatic: where the map asked for is valid, it is that one", "[automatic]")
+{
+  const Soup soup = spiky_star(4, 1.5);
+  Sphere sphere, balanced;
+  const Result result = solve_automatically(soup, sphere);
+  CHECK(result.method == "balanced");
+  CHECK(result.fallback_reason.empty());
+  const Result expected = solve(soup, balanced);
+  CHECK(sphere == balanced);
+  CHECK(result.residual == expected.residual);
+}
+
+TEST_CASE("automatic: a larger exponent where the limbs are too thin", "[automatic]")
+{
+  Sphere sphere;
+  const Result result = solve_automatically(capsule(12, 24), sphere);
+  CHECK(result.method != "balanced");
+  CHECK(result.fallback_reason.find("balanced: ") == 0);
+  CHECK(result.fallback_reason.find("flipped") != std::string::npos);
+}
+
+TEST_CASE("automatic: isometric where no harmonic map is valid", "[automatic]")
+{
+  Sphere sphere;
+  const Result result = solve_automatically(capsule(30, 12), sphere);
+  CHECK(result.method == "isometric");
+  CHECK(result.fallback_reason.find("exponent 3") != std::string::npos);
+}
+
+TEST_CASE("automatic: isometric where a face without area leaves no weights", "[automatic]")
+{
+  Settings settings;
+  settings.weights = Weights::MEAN_VALUE;
+  Sphere sphere;
+  const Result result = solve_automatically(coincident_points(), sphere, settings);
+  CHECK(result.method == "isometric");
+  CHECK(!result.fallback_reason.empty());
+}
+
+TEST_CASE("automatic: weights that are wrong are refused all the same", "[automatic]")
+{
+  Settings settings;
+  settings.method = SP::Automatic();
+  settings.weight_of_edge[3] = -1;
+  Sphere sphere;
+  CHECK(solve(icosphere(2), sphere, settings).error == Error_code::BAD_WEIGHT);
+}
+
+TEST_CASE("automatic: fixed vertices are kept, and a map that is not valid is called so", "[automatic]")
+{
+  const Soup soup = capsule(30, 12);
+  Settings settings;
+  settings.method = SP::Automatic();
+  settings.number_of_iterations = 30;
+  settings.fixed = {{0, Point(1, 0, 0)}, {100, Point(0, 1, 0)}, {200, Point(0, 0, 1)}};
+  Sphere sphere;
+  const Result result = solve(soup, sphere, settings);
+  CHECK_FALSE(bool(result));
+  CHECK(result.method != "isometric");
+  CHECK(sphere[100] == Point(0, 1, 0));
+}
+
+TEST_CASE("automatic: stopping it stops all of it", "[automatic]")
+{
+  Settings settings;
+  settings.method = SP::Automatic();
+  settings.callback = [](double fraction) { return fraction < 0.2; };
+  Sphere sphere;
+  CHECK(solve(capsule(30, 12), sphere, settings).error == Error_code::INTERRUPTED);
+}

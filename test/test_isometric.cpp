@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The isometric method finds a map of everything, moves as little as the surface allows, and slides from angle to area
+// preservation.
+
+#include "helpers/certificate.h"
+#include "helpers/meshes.h"
+#include "helpers/solve.h"
+
+#include <catch2/catch.hpp>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/task_arena.h>
+#endif
+
+#include <cmath>
+#include <utility>
+
+using namespace test;
+
+namespace {
+
+Settings isometric(double area_exponent = 1)
+{
+  Settings settings;
+  settings.method = SP::Isometric{area_exponent};
+  settings.accuracy = SP::Isometric::default_accuracy;
+  settings.number_of_iterations = SP::Isometric::default_number_of_iterations;
+  return settings;
+}
+
+void check_valid(const Soup& soup, const Settings& settings = isometric())
+{
+  Sphere sphere;
+  const Result result = solve(soup, sphere, settings);
+  CAPTURE(result, soup.points.size());
+  CHECK(bool(result));
+  CHECK(result.detail.empty());
+  CHECK(result.method == "isometric");
+  CHECK(result.flipped_faces == 0);
+  CHECK(count_flipped_faces(soup, sphere) == 0);
+  CHECK(degree(soup, sphere) == 1);
+  CHECK(count_vertices_off_sphere(sphere) == 0);
+}
+
+/// What the map does to the faces, weighted with their source areas.
+struct Figures {
+  double symmetric_dirichlet = 0; ///< mean of s^2 + t^2 + 1/s^2 + 1/t^2, after scaling to equal areas
+  double conformal = 0;           ///< mean of (s/t + t/s) / 2
+  double log_area_deviation = 0;  ///< standard deviation, faces equally weighted
+};
+
+Figures measure(const Soup& soup, const Sphere& sphere)
+{
+  struct Face {
+    double area, image, squares; ///< squares: s^2 + t^2
+  };
+  std::vector<Face> faces;
+  double area = 0, image = 0;
+  for(const auto& f : soup.faces) {
+    const Vector a = soup.points[f[1]] - soup.points[f[0]], b = soup.points[f[2]] - soup.points[f[0]];
+    const Vector c = sphere[f[1]] - sphere[f[0]], d = sphere[f[2]] - sphere[f[0]];
+    const double twice_area = std::sqrt(CGAL::cross_product(a, b).squared_length());
+    const double squares = (b * b * (c * c) - 2 * (a * b) * (c * d) + a * a * (d * d)) / (twice_area * twice_area);
+    faces.push_back({twice_area / 2, std::sqrt(CGAL::cross_product(c, d).squared_length()) / 2, squares});
+    area += faces.back().area;
+    image += faces.back().image;
+  }
+  Figures figures;
+  double sum = 0, square = 0;
+  for(const Face& f : faces) {
+    const double ratio = f.image / f.area, scaled = ratio * area / image;
+    figures.symmetric_dirichlet += f.area / area * f.squares * area / image * (1 + 1 / (scaled * scaled));
+    figures.conformal += f.area / area * f.squares / (2 * ratio);
+    sum += std::log(scaled);
+    square += std::log(scaled) * std::log(scaled);
+  }
+  const double n = double(faces.size());
+  figures.log_area_deviation = std::sqrt(square / n - sum / n * sum / n);
+  return figures;
+}
+
+Figures figures_of(const Soup& soup, const Settings& settings) { return measure(soup, solve_or_throw(soup, settings)); }
+
+} // namespace
+
+TEST_CASE("small meshes have isometric maps", "[isometric]")
+{
+  check_valid(tetrahedron());
+  check_valid(cube());
+  check_valid(cross());
+  check_valid(icosphere(0));
+  check_valid(bipyramid(3));
+  check_valid(collinear_face());
+}
+
+TEST_CASE("capsules of any length have isometric maps", "[isometric]")
+{
+  check_valid(capsule(GENERATE(1., 6., 12., 30., 100.), 12));
+}
+
+TEST_CASE("spirals, combs and trees have isometric maps", "[isometric]")
+{
+  SECTION("spiral") { check_valid(spiral(GENERATE(1, 4, 12), 10)); }
+  SECTION("comb") { check_valid(comb(200, 5)); }
+  SECTION("tree") { check_valid(tree(6)); }
+  SECTION("star") { check_valid(spiky_star(4, 5)); }
+}
+
+TEST_CASE("needles have isometric maps", "[isometric]")
+{
+  check_valid(needles(3, GENERATE(1e-3, 1e-9, 1e-15)));
+  check_valid(ellipsoid(1, 1, 1e9, 3));
+  check_valid(ellipsoid(1, 1, 1e-9, 3));
+}
+
+TEST_CASE("faces without area do no harm to isometric maps", "[isometric]")
+{
+  check_valid(coincident_points());
+  check_valid(many_coincident_points(4));
+  check_valid(ellipsoid(1, 1, 0, 3));
+  check_valid(one_point(2));
+}
+
+TEST_CASE("vertices of high degree have isometric maps", "[isometric]") { check_valid(bipyramid(1000)); }
+
+TEST_CASE("an isometric map of a round sphere is the sphere", "[isometric]")
+{
+  const Soup soup = icosphere(4);
+  CHECK(distance_up_to_rotation(soup.points, solve_or_throw(soup, isometric())) < 0.01);
+  CHECK(figures_of(soup, isometric()).symmetric_dirichlet < 4.001);
+}
+
+TEST_CASE("isometric maps are far less distorted than conformal ones", "[isometric]")
+{
+  const Soup soup = spiky_star(4, 1.5);
+  CHECK(figures_of(soup, isometric()).symmetric_dirichlet < 0.2 * figures_of(soup, Settings()).symmetric_dirichlet);
+}
+
+TEST_CASE("the exponent slides from angle to area preservation", "[isometric]")
+{
+  const Soup soup = GENERATE(0, 1) == 0 ? spiky_star(4, 1.5) : dumbbell(4);
+  Figures before = figures_of(soup, isometric(0));
+  for(double exponent : {0.3, 1., 3., 10., 30.}) {
+    const Figures next = figures_of(soup, isometric(exponent));
+    CAPTURE(exponent);
+    CHECK(next.log_area_deviation < before.log_area_deviation);
+    CHECK(next.conformal > before.conformal);
+    before = next;
+  }
+  CHECK(before.log_area_deviation < 0.1);
+}
+
+TEST_CASE("the isometric energy is the one that is reported", "[isometric]")
+{
+  // On a fine mesh, where the determinant of a triangle is twice its area.
+  const Soup soup = bumpy_sphere(5);
+  Sphere sphere;
+  const Result result = solve(soup, sphere, isometric());
+  CHECK(result.energy == Approx(measure(soup, sphere).symmetric_dirichlet).epsilon(1e-3));
+  CHECK(result.smallest_edge > 1e9);
+}
+
+TEST_CASE("scaling by a power of two, and exact translations, leave isometric maps as they are", "[isometric]")
+{
+  const Soup soup = transformed(flat_octahedron(4), [](const Point& p) { return Point(p.x(), 2 * p.y(), 4 * p.z()); });
+  const Sphere sphere = solve_or_throw(soup, isometric());
+  for(int exponent : {-990, -100, 100, 990}) {
+    const double s = std::ldexp(1., exponent);
+    const Soup scaled = transformed(soup, [=](const Point& p) { return Point(s * p.x(), s * p.y(), s * p.z()); });
+    CHECK(solve_or_throw(scaled, isometric()) == sphere);
+  }
+  const Soup moved =
+    transformed(soup, [](const Point& p) { return Point(p.x() + (1 << 30), p.y() - (1 << 30), p.z() + 3); });
+  CHECK(solve_or_throw(moved, isometric()) == sphere);
+}
+
+TEST_CASE("any scale and any place give valid isometric maps", "[isometric]")
+{
+  const double s = GENERATE(1e-300, 1e-150, 1e150, 1e300);
+  check_valid(transformed(spiky_star(3, 2), [=](const Point& p) { return Point(s * p.x(), s * p.y(), s * p.z()); }));
+  check_valid(transformed(spiky_star(3, 2), [](const Point& p) { return Point(p.x() + 1e9, p.y(), p.z() - 1e9); }));
+}
+
+TEST_CASE("isometric maps do not depend on the policy", "[isometric]")
+{
+  const Soup soup = spiky_star(5, 1.5);
+  Settings settings = isometric();
+  settings.policy = CGAL::Sequential_tag();
+  const Sphere sphere = solve_or_throw(soup, settings);
+  settings.policy = default_policy();
+  CHECK(solve_or_throw(soup, settings) == sphere);
+#ifdef CGAL_LINKED_WITH_TBB
+  settings.policy = CGAL::Parallel_tag();
+  for(int threads : {1, 2, 5}) {
+    tbb::task_arena arena(threads);
+    arena.execute([&] { CHECK(solve_or_throw(soup, settings) == sphere); });
+  }
+#endif
+}
+
+TEST_CASE("the isometric method does not fix vertices", "[isometric]")
+{
+  const Soup soup = icosphere(2);
+  Settings settings = isometric();
+  settings.fixed = {{0, soup.points[0]}, {1, soup.points[1]}, {2, soup.points[2]}};
+  Sphere sphere;
+  CHECK(solve(soup, sphere, settings).error == Error_code::BAD_CONSTRAINTS);
+}
+
+TEST_CASE("meshes that have no straight embedding are refused by the isometric method", "[isometric]")
+{
+  Sphere sphere;
+  Mesh mesh = make_mesh(tetrahedron());
+  CGAL::Euler::flip_edge(*halfedges(mesh).begin(), mesh); // two edges between the other two vertices
+  Settings settings = isometric();
+  settings.weights = Weights::BARYCENTRIC;
+  CHECK(solve(mesh, sphere, settings).error == Error_code::NOT_BIJECTIVE);
+
+  Soup pillow;
+  pillow.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  pillow.faces = {{0, 1, 2}, {0, 2, 1}};
+  CHECK(solve(pillow, sphere, settings).error == Error_code::NOT_BIJECTIVE);
+}
+
+TEST_CASE("the isometric method can be stopped at any time", "[isometric]")
+{
+  const Soup soup = spiky_star(4, 1.5);
+  Settings settings = isometric();
+  const double when = GENERATE(0., 0.1, 0.3, 0.59);
+  settings.callback = [=](double fraction) { return fraction <= when; };
+  Sphere sphere;
+  const Result result = solve(soup, sphere, settings);
+  CAPTURE(result, when);
+  CHECK(result.error == Error_code::INTERRUPTED);
+  CHECK(!result.detail.empty());
+
+  settings.callback = [](double) { return true; };
+  settings.maximum_running_time = 0;
+  CHECK(solve(soup, sphere, settings).error == Error_code::INTERRUPTED);
+}
+
+TEST_CASE("an isometric map that is interrupted at the end is bijective", "[isometric]")
+{
+  const Soup soup = spiky_star(4, 1.5);
+  Settings settings = isometric();
+  settings.callback = [](double fraction) { return fraction < 0.6; }; // all vertices are there
+  Sphere sphere;
+  const Result result = solve(soup, sphere, settings);
+  CHECK(result.error == Error_code::INTERRUPTED);
+  CHECK(count_flipped_faces(soup, sphere) == 0);
+  CHECK(degree(soup, sphere) == 1);
+}
+
+TEST_CASE("the progress of the isometric method never goes back and ends at 1", "[isometric]")
+{
+  double last = 0;
+  Settings settings = isometric();
+  settings.callback = [&](double fraction) {
+    CHECK(fraction >= last);
+    last = fraction;
+    return true;
+  };
+  solve_or_throw(spiky_star(4, 1.5), settings);
+  CHECK(last == 1);
+}

@@ -6,7 +6,6 @@
 
 /// The whole package in one header.
 
-#include <CGAL/Spherical_parameterization/Result.h>
 #include <CGAL/Spherical_parameterization/align_maps.h>
 #include <CGAL/Spherical_parameterization/distortion_summary.h>
 #include <CGAL/Spherical_parameterization/edge_weights.h>
@@ -16,7 +15,12 @@
 #include <CGAL/Spherical_parameterization/methods.h>
 #include <CGAL/Spherical_parameterization/parameterize.h>
 #include <CGAL/Spherical_parameterization/resample.h>
+#include <CGAL/Spherical_parameterization/Result.h>
+#include <CGAL/Spherical_parameterization/segmentation.h>
+#include <CGAL/Spherical_parameterization/shape_signature.h>
+#include <CGAL/Spherical_parameterization/stretch_histogram.h>
 #include <CGAL/Spherical_parameterization/texture_coordinates.h>
 #include <CGAL/Spherical_parameterization/transfer_properties.h>
+#include <CGAL/Spherical_parameterization/version.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_H

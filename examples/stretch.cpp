@@ -22,7 +22,7 @@ Mesh peanut()
   Mesh mesh;
   SP::make_icosphere(4, mesh, mesh.points());
   for(Point_3& p : mesh.points())
-    p = Point_3(p.x() * (0.3 + p.z() * p.z()), p.y() * (0.3 + p.z() * p.z()), 3 * p.z());
+    p = Point_3(p.x() * (0.4 + 0.6 * p.z() * p.z()), p.y() * (0.4 + 0.6 * p.z() * p.z()), 1.5 * p.z());
   return mesh;
 }
 

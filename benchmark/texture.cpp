@@ -36,11 +36,12 @@ std::size_t count_flipped(const Mesh& mesh, Uv_map uv)
 void measure(const Options& options)
 {
   const Backend backend = options.backends().front();
-  Table table(options.output, "texture", "Texture coordinates",
-              {"flipped: uv triangles that are not counter-clockwise, by exact predicates; moved: faces with a corner of "
-               "their own; unresolved: of these the ones smaller than the grid"},
-              {"model", "weights", "faces", "map", "chart", "bits", "flipped", "seam", "moved", "unresolved",
-               "largest move", "s"});
+  Table table(
+    options.output, "texture", "Texture coordinates",
+    {"flipped: uv triangles that are not counter-clockwise, by exact predicates; moved: faces with a corner of "
+     "their own; unresolved: of these the ones smaller than the grid"},
+    {"model", "weights", "faces", "map", "chart", "bits", "flipped", "seam", "moved", "unresolved", "largest move",
+     "s"});
   for(const auto& file : options.mesh_files())
     with_mesh(file, [&](Mesh& mesh) {
       const Sphere_map sphere = sphere_map(mesh);
@@ -48,8 +49,8 @@ void measure(const Options& options)
       for(Weights weights : both_weights) {
         const Result map = compute_map(backend, mesh, weights, SP::Balanced(), sphere);
         if(!map) {
-          table.add_row({model_name(file), name(weights), mesh.number_of_faces(), verdict(map), "", "", "", "", "", "",
-                         "", ""});
+          table.add_row(
+            {model_name(file), name(weights), mesh.number_of_faces(), verdict(map), "", "", "", "", "", "", "", ""});
           continue;
         }
         for(const auto chart : {SP::Texture_chart::LATITUDE_LONGITUDE, SP::Texture_chart::OCTAHEDRAL})

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 //
-// Morphs one shape into another one: both are sampled at the vertices of one icosphere, after the map of the second has been
-// brought into the position of that of the first. Without files a box becomes a spindle.
+// Morphs one shape into another one: both are sampled at the vertices of one icosphere, after the map of the second has
+// been brought into the position of that of the first. Without files a box becomes a spindle.
 //
 //   morph [MESH_A MESH_B [T [MORPHED]]]     T from 0 (A) to 1 (B)
 
@@ -37,8 +37,8 @@ void make_shape(Shape& shape, bool is_box)
 bool map(Shape& shape)
 {
   shape.sphere = shape.mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:sphere").first;
-  const auto result = SP::parameterize(shape.mesh, shape.sphere,
-                                       CGAL::parameters::edge_weight_map(SP::barycentric_weights(shape.mesh)));
+  const auto result =
+    SP::parameterize(shape.mesh, shape.sphere, CGAL::parameters::edge_weight_map(SP::barycentric_weights(shape.mesh)));
   if(!result)
     std::cerr << result << '\n';
   return bool(result);

@@ -30,8 +30,7 @@ int main(int argc, char* argv[])
   }
   auto sphere = mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:sphere").first;
   // equal weights: limbs stay wider on the sphere than with conformal ones, and get more samples
-  const auto result =
-    SP::parameterize(mesh, sphere, CGAL::parameters::edge_weight_map(SP::barycentric_weights(mesh)));
+  const auto result = SP::parameterize(mesh, sphere, CGAL::parameters::edge_weight_map(SP::barycentric_weights(mesh)));
   if(!result)
     return std::cerr << result << '\n', 1;
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 //
-// Where a spherical map shrinks a mesh, and what it does to angles: prints the distortion of the map of MESH, or else of a
-// peanut, and the vertex that is stretched most, which is the tip of a limb.
+// Where a spherical map shrinks a mesh, and what it does to angles: prints the distortion of the map of MESH, or else
+// of a peanut, and the vertex that is stretched most, which is the tip of a limb.
 //
 //   stretch [MESH]
 
@@ -22,7 +22,7 @@ Mesh peanut()
   Mesh mesh;
   SP::make_icosphere(4, mesh, mesh.points());
   for(Point_3& p : mesh.points())
-    p = Point_3(p.x() * (0.3 + p.z() * p.z()), p.y() * (0.3 + p.z() * p.z()), 3 * p.z());
+    p = Point_3(p.x() * (0.4 + 0.6 * p.z() * p.z()), p.y() * (0.4 + 0.6 * p.z() * p.z()), 1.5 * p.z());
   return mesh;
 }
 

@@ -8,6 +8,7 @@
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/Spherical_parameterization/align_maps.h>
 #include <CGAL/Spherical_parameterization/resample.h>
 #include <CGAL/boost/graph/helpers.h>
 
@@ -17,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 using namespace test;
 
@@ -60,14 +62,15 @@ TEST_CASE("values of all kinds are interpolated", "[transfer]")
                                fine.points(), Writable_map<Vertex, double>{&number});
   SP::transfer_vertex_property(locator, of_vertex<float>([&](Vertex v) { return float(value(coarse.point(v))); }), fine,
                                fine.points(), Writable_map<Vertex, float>{&single});
-  SP::transfer_vertex_property(locator, of_vertex<Vector>([&](Vertex v) { return 2 * (coarse.point(v) - CGAL::ORIGIN); }),
-                               fine, fine.points(), Writable_map<Vertex, Vector>{&vector});
+  SP::transfer_vertex_property(locator,
+                               of_vertex<Vector>([&](Vertex v) { return 2 * (coarse.point(v) - CGAL::ORIGIN); }), fine,
+                               fine.points(), Writable_map<Vertex, Vector>{&vector});
   SP::transfer_vertex_property(
     locator, of_vertex<Eigen::Vector2d>([&](Vertex v) { return Eigen::Vector2d(coarse.point(v).x(), 1); }), fine,
     fine.points(), Writable_map<Vertex, Eigen::Vector2d>{&pair});
   for(Vertex v : vertices(fine)) {
-    // the coarse vertices are among the fine ones, and the others are in the middle of an edge: a linear function is off
-    // by the sagitta of that edge, 1 - cos(angle / 2)
+    // the coarse vertices are among the fine ones, and the others are in the middle of an edge: a linear function is
+    // off by the sagitta of that edge, 1 - cos(angle / 2)
     CHECK(number.at(v) == Approx(value(fine.point(v))).margin(0.03));
     CHECK(double(single.at(v)) == Approx(number.at(v)).margin(1e-5));
     CHECK((vector.at(v) - 2 * (fine.point(v) - CGAL::ORIGIN)).squared_length() < 4e-4);
@@ -125,8 +128,8 @@ TEST_CASE("a resampled shape consists of points of the shape, and converges to i
     double sum = 0;
     for(Face f : faces(mesh)) {
       const auto h = mesh.halfedge(f);
-      sum += std::sqrt(
-        CGAL::squared_area(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h)))));
+      sum += std::sqrt(CGAL::squared_area(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+                                          mesh.point(mesh.target(mesh.next(h)))));
     }
     return sum;
   };
@@ -161,4 +164,56 @@ TEST_CASE("resampling between types of meshes and kernels", "[resample]")
                Read_write_map<Polyhedron_vertex, Point>{&directions});
   CHECK(out.size_of_vertices() == 42);
   CHECK(points.size() == 42);
+}
+
+TEST_CASE("the rotations of the icosahedron are sixty, and proper", "[align]")
+{
+  const auto rotations = SP::internal::rotations_of_icosahedron(SP::internal::Icosphere(0));
+  REQUIRE(rotations.size() == 60);
+  const auto points = SP::internal::Icosphere(0).points;
+  std::set<std::vector<long>> different;
+  for(const SP::Rotation& r : rotations) {
+    const Vector x(r[0][0], r[0][1], r[0][2]), y(r[1][0], r[1][1], r[1][2]), z(r[2][0], r[2][1], r[2][2]);
+    CHECK((CGAL::cross_product(x, y) - z).squared_length() < 1e-28); // orthonormal and of determinant 1
+    CHECK(std::abs(x * y) < 1e-14);
+    CHECK(x.squared_length() == Approx(1).epsilon(1e-14));
+    std::vector<long> image;
+    for(const auto& p : points) { // vertices go to vertices
+      const auto q = SP::internal::rotated(r, p);
+      const auto at = std::find_if(points.begin(), points.end(), [&](const auto& other) {
+        return SP::internal::inner(SP::internal::sub(other, q), SP::internal::sub(other, q)) < 1e-28;
+      });
+      image.push_back(long(at - points.begin()));
+      CHECK(at != points.end());
+    }
+    different.insert(image);
+  }
+  CHECK(different.size() == 60);
+}
+
+TEST_CASE("maps of the same shape are brought into the same position", "[align]")
+{
+  const Soup soup = bumpy_sphere(3);
+  const Sphere sphere = solve_or_throw(soup);
+  const Mesh mesh = make_mesh(soup);
+  const auto on_sphere = of_vertex<Point>([&](Vertex v) { return sphere[v]; });
+  const Locator locator(mesh, on_sphere);
+  for(unsigned seed = 0; seed < 3; ++seed) {
+    const auto rows = random_rotation(seed);
+    // the second shape is larger and elsewhere, and its map is rotated
+    Mesh other = mesh;
+    for(Point& p : other.points())
+      p = Point(3 * p.x() + 7, 3 * p.y(), 3 * p.z() - 100);
+    const auto rotated_sphere = of_vertex<Point>([&](Vertex v) { return test::apply(rows, sphere[v]); });
+    const SP::Rotation found =
+      SP::aligning_rotation(locator, mesh.points(), Locator(other, rotated_sphere), other.points());
+    for(std::size_t i = 0; i < 3; ++i)
+      for(std::size_t j = 0; j < 3; ++j)
+        CHECK(found[i][j] == Approx(rows[i][int(j)]).margin(5e-3));
+    const auto seen = SP::rotated_map(on_sphere, found);
+    for(Vertex v : vertices(mesh)) {
+      const auto p = get(seen, v);
+      CHECK((Point(p[0], p[1], p[2]) - get(rotated_sphere, v)).squared_length() < 1e-4);
+    }
+  }
 }

@@ -112,8 +112,8 @@ TEST_CASE("every face has a counter-clockwise uv triangle", "[texture]")
                                    : p.x() > -1 && p.x() < 2 && p.y() > -1 && p.y() < 2;
           outside += !is_inside;
           for(const double x : {p.x(), p.y()})
-            off_grid += std::ldexp(x, bits) != std::nearbyint(std::ldexp(x, bits)) ||
-                        (bits <= 23 && double(float(x)) != x);
+            off_grid +=
+              std::ldexp(x, bits) != std::nearbyint(std::ldexp(x, bits)) || (bits <= 23 && double(float(x)) != x);
         }
       }
       CHECK(flipped == 0);
@@ -134,8 +134,9 @@ TEST_CASE("uv are longitude and latitude, but for the corners that the report co
     for(std::size_t f = 0; f < t.triangles.size(); ++f) {
       double distance = 0;
       for(std::size_t k = 0; k < 3; ++k)
-        distance = std::max(distance, distance_modulo_turns(t.triangles[f][k],
-                                                            latitude_longitude(*o.axes, map.sphere[map.soup.faces[f][k]])));
+        distance =
+          std::max(distance, distance_modulo_turns(t.triangles[f][k],
+                                                   latitude_longitude(*o.axes, map.sphere[map.soup.faces[f][k]])));
       moved += distance > 1e-13;
       largest = std::max(largest, distance);
     }
@@ -158,8 +159,8 @@ TEST_CASE("nothing is moved where nothing has to be", "[texture]")
 
 TEST_CASE("the texture covers the square once", "[texture]")
 {
-  // Neighbours have the very same coordinates along their edge, modulo whole turns: without moved corners, and away from
-  // the poles, every point is in one triangle.
+  // Neighbours have the very same coordinates along their edge, modulo whole turns: without moved corners, and away
+  // from the poles, every point is in one triangle.
   const Soup soup = bumpy_sphere(3);
   Settings settings;
   const Mapped_soup map = {"bumpy", soup, solve_or_throw(soup, settings)};
@@ -218,8 +219,9 @@ TEST_CASE("poles in a vertex, on an edge, in a face; the seam through vertices",
     const double length = std::sqrt((p - CGAL::ORIGIN).squared_length());
     p = Point(p.x() / length, p.y() / length, p.z() / length);
   }
-  const Vector north = GENERATE(values<Vector>({Vector(0, 0, 1), Vector(0, 0, -5), Vector(1, 0, 0), Vector(1, 1, 0), Vector(0, -1, 1),
-                                Vector(1, 1, 1), Vector(-1, 1, -1), Vector(0.1, 0.2, 0.3)}));
+  const Vector north =
+    GENERATE(values<Vector>({Vector(0, 0, 1), Vector(0, 0, -5), Vector(1, 0, 0), Vector(1, 1, 0), Vector(0, -1, 1),
+                             Vector(1, 1, 1), Vector(-1, 1, -1), Vector(0.1, 0.2, 0.3)}));
   for(const Vector& meridian : {Vector(1, 2, 0), Vector(0, 1, 2), Vector(1, 0, 3)}) {
     Texture_options o = options(Texture_chart::LATITUDE_LONGITUDE, 23);
     o.axes = axes(north, meridian);
@@ -261,7 +263,8 @@ TEST_CASE("by default the south pole is a vertex, and in the limb of a capsule",
   const Point south(-north[0], -north[1], -north[2]);
   const auto pole = std::find(map.sphere.begin(), map.sphere.end(), south);
   REQUIRE(pole != map.sphere.end());
-  // the middle of a capsule is large on the sphere or small, its ends are what it is about: the axis is that of the tube
+  // the middle of a capsule is large on the sphere or small, its ends are what it is about: the axis is that of the
+  // tube
   const Vector to_pole = soup.points[std::size_t(pole - map.sphere.begin())] - CGAL::ORIGIN;
   const double extent = std::max({std::abs(to_pole.x()), std::abs(to_pole.y()), std::abs(to_pole.z())});
   CHECK(extent / std::sqrt(to_pole.squared_length()) > 0.9); // on a cap

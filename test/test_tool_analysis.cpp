@@ -127,8 +127,8 @@ TEST_CASE("texture: another image, and a pole where the user wants it", "[tool]"
   Scratch scratch;
   const std::string input = write_off(scratch / "in.off", bumpy_sphere(2));
   write_text(scratch / "earth.png", "not looked at");
-  const Process_result run =
-    run_tool(with(command_line("texture", input, scratch), {"--image", scratch / "earth.png", "--north", "0", "0", "2"}));
+  const Process_result run = run_tool(
+    with(command_line("texture", input, scratch), {"--image", scratch / "earth.png", "--north", "0", "0", "2"}));
   CAPTURE(run.err);
   REQUIRE(run.exit_code == 0);
   CHECK(text_of(scratch / "out.mtl").find("map_Kd earth.png\n") != std::string::npos);

@@ -71,10 +71,11 @@ Mapped_soup small_star(double scale, unsigned seed)
 
 std::vector<Mapped_soup> hard_maps()
 {
-  return {identity("tetrahedron", transformed(tetrahedron(), [](const Point& p) {
-                     const double length = std::sqrt((p - CGAL::ORIGIN).squared_length());
-                     return Point(p.x() / length, p.y() / length, p.z() / length);
-                   })),
+  return {identity("tetrahedron", transformed(tetrahedron(),
+                                              [](const Point& p) {
+                                                const double length = std::sqrt((p - CGAL::ORIGIN).squared_length());
+                                                return Point(p.x() / length, p.y() / length, p.z() / length);
+                                              })),
           identity("icosahedron", icosphere(0)),
           solved("octahedron", flat_octahedron(0)),
           solved("fine octahedron", flat_octahedron(3)),

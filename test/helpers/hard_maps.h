@@ -18,8 +18,8 @@ struct Mapped_soup {
   Sphere sphere;
 };
 
-/// Two fans and between them a band of needles, `n` on either side, that are `half_width` times 2 thin and follow a great
-/// circle: any chart that bends it by more flips the needles. In a random position.
+/// Two fans and between them a band of needles, `n` on either side, that are `half_width` times 2 thin and follow a
+/// great circle: any chart that bends it by more flips the needles. In a random position.
 Mapped_soup needles(int n, double half_width, unsigned seed);
 
 /// A sphere with the star of one vertex `scale` times as large as it was. In a random position.

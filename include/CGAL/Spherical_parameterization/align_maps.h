@@ -87,10 +87,10 @@ inline void normalize(std::vector<vec3>& points)
 
 } // namespace internal
 
-/// The rotation of the sphere that leads from the map `a` to the map `b`: maps are unique only up to rotation, and data is
-/// transferred, and shapes are morphed, between maps in the same position. It is the one for which the two shapes, both as
-/// functions on the sphere and freed from place and size, are correlated best. The shapes have to stand in space in the
-/// same way.
+/// The rotation of the sphere that leads from the map `a` to the map `b`: maps are unique only up to rotation, and data
+/// is transferred, and shapes are morphed, between maps in the same position. It is the one for which the two shapes,
+/// both as functions on the sphere and freed from place and size, are correlated best. The shapes have to stand in
+/// space in the same way.
 ///
 /// Sixty starts and a pattern search from the best of them; the result is a good optimum, to 1e-3, and not proven to be
 /// the best of all.

@@ -30,8 +30,8 @@ struct Distortion_summary {
   Distribution angle_distortion; ///< radians
   Distribution dilatation;
   Distribution symmetric_dirichlet; ///< between flat triangles; 4 = isometric
-  /// With det(a, b, c) / 2 in place of the area of the flat triangle abc on the sphere: the inscribed polyhedron of a map
-  /// may be far from the sphere, as with long edges along a tube, and the flat measure does not see it.
+  /// With det(a, b, c) / 2 in place of the area of the flat triangle abc on the sphere: the inscribed polyhedron of a
+  /// map may be far from the sphere, as with long edges along a tube, and the flat measure does not see it.
   Distribution spherical_symmetric_dirichlet;
   std::size_t degenerate_faces = 0; ///< source faces without area: they do not count
 };
@@ -98,8 +98,7 @@ Distortion_summary distortion_summary(const TriangleMesh& mesh, VertexSphereMap 
   summary.angle_distortion = summarize([&](auto f) { return measures.angle_distortion(f); });
   summary.dilatation = summarize([&](auto f) { return measures.dilatation(f); });
   summary.symmetric_dirichlet = summarize([&](auto f) { return measures.flat_symmetric_dirichlet(f); });
-  summary.spherical_symmetric_dirichlet =
-    summarize([&](auto f) { return measures.spherical_symmetric_dirichlet(f); });
+  summary.spherical_symmetric_dirichlet = summarize([&](auto f) { return measures.spherical_symmetric_dirichlet(f); });
   return summary;
 }
 

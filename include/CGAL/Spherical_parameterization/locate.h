@@ -24,8 +24,8 @@
 namespace CGAL {
 namespace Spherical_parameterization {
 
-/// A point of a mesh: a face, and weights (non-negative, sum 1) of its corners source(h), target(h), target(next(h)) with
-/// h = halfedge(f). The same as `CGAL::Polygon_mesh_processing::Face_location`.
+/// A point of a mesh: a face, and weights (non-negative, sum 1) of its corners source(h), target(h), target(next(h))
+/// with h = halfedge(f). The same as `CGAL::Polygon_mesh_processing::Face_location`.
 template <class TriangleMesh>
 using Face_location = std::pair<typename boost::graph_traits<TriangleMesh>::face_descriptor, std::array<double, 3>>;
 
@@ -52,8 +52,8 @@ public:
     : Spherical_locator(mesh, valid_points(mesh, sphere_map))
   {}
 
-  /// The face whose image contains `direction`, and the weights for which the mean of the images of its corners has that
-  /// direction. On an edge or at a vertex it is one of the faces there.
+  /// The face whose image contains `direction`, and the weights for which the mean of the images of its corners has
+  /// that direction. On an edge or at a vertex it is one of the faces there.
   /// \param direction any vector that is finite and not zero: with x(), y(), z() or operator[]
   /// \throws std::invalid_argument if it is none
   /// Complexity: O(log n) expected, for triangles that are not all slivers.
@@ -78,7 +78,8 @@ private:
     std::array<int, 3> neighbour; ///< across the edge from vertex k to vertex k+1
   };
 
-  Spherical_locator(const TriangleMesh& mesh, const std::vector<internal::vec3>& unsorted) : mesh_(&mesh), tree_(unsorted)
+  Spherical_locator(const TriangleMesh& mesh, const std::vector<internal::vec3>& unsorted)
+    : mesh_(&mesh), tree_(unsorted)
   {
     std::vector<int> rank(unsorted.size());
     point_.reserve(unsorted.size());
@@ -112,8 +113,7 @@ private:
     }
     std::vector<int> order(face_.size());
     std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](int f, int g) { return face_[f].vertex[0] < face_[g].vertex[0]; });
+    std::stable_sort(order.begin(), order.end(), [&](int f, int g) { return face_[f].vertex[0] < face_[g].vertex[0]; });
     std::vector<Face> sorted_faces;
     std::vector<face_descriptor> sorted_descriptors;
     for(int f : order) {
@@ -138,10 +138,7 @@ private:
   }
 
   /// Some face near q.
-  std::size_t start(internal::vec3 q) const
-  {
-    return some_face_[tree_.near(internal::unit(q), point_)];
-  }
+  std::size_t start(internal::vec3 q) const { return some_face_[tree_.near(internal::unit(q), point_)]; }
 
   /// The same direction, of length about 1: by a power of two, so that no digit is lost.
   static internal::vec3 scaled(internal::vec3 q)

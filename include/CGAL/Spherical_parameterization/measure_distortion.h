@@ -77,8 +77,8 @@ int degree_of_map(const TriangleMesh& mesh, VertexSphereMap sphere_map)
 /// @{
 
 /// The area stretch of Definition 1 of T. Athanasiadis and I. Fudos, SMI 2011, as a natural logarithm:
-/// log((source area / total source area) / (spherical area / 4 pi)). Positive where the map shrinks, as in limbs, where it
-/// reaches 60 and more. Areas below 1e-300 of the total count as that.
+/// log((source area / total source area) / (spherical area / 4 pi)). Positive where the map shrinks, as in limbs, where
+/// it reaches 60 and more. Areas below 1e-300 of the total count as that.
 template <class TriangleMesh, class VertexSphereMap, class FaceMap,
           class NamedParameters = parameters::Default_named_parameters>
 std::pair<double, double> face_log_area_stretch(const TriangleMesh& mesh, VertexSphereMap sphere_map, FaceMap face_map,

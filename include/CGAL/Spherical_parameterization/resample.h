@@ -44,9 +44,9 @@ void make_icosphere(int level, Graph& out, VertexSphereMap sphere_map)
     CGAL::Euler::add_face(std::array<vertex_descriptor, 3>{vertex[a], vertex[b], vertex[c]}, out);
 }
 
-/// A shape as a function on the sphere, sampled: adds an icosphere to `out`, and to every vertex of it the point of the shape
-/// that has its direction as image. Two shapes sampled at one level have the same vertices and faces, which is what
-/// morphing and statistics of shapes need.
+/// A shape as a function on the sphere, sampled: adds an icosphere to `out`, and to every vertex of it the point of the
+/// shape that has its direction as image. Two shapes sampled at one level have the same vertices and faces, which is
+/// what morphing and statistics of shapes need.
 ///
 /// The samples are even on the sphere and not on the shape: a limb that the map makes tiny gets few of them or none.
 /// Barycentric weights or larger spring exponents keep limbs wider.

@@ -43,8 +43,8 @@ struct Texture_axes {
 
 struct Texture_options {
   Texture_chart chart = Texture_chart::LATITUDE_LONGITUDE;
-  /// Default: where the texture of latitude and longitude is least distorted, the south pole in a vertex, mostly in the tip
-  /// of a limb.
+  /// Default: where the texture of latitude and longitude is least distorted, the south pole in a vertex, mostly in the
+  /// tip of a limb.
   std::optional<Texture_axes> axes;
   /// Coordinates are multiples of 2^-bits, 1 to 52. With 23 they are floats, as viewers use, without further rounding.
   int bits = 52;
@@ -55,8 +55,8 @@ struct Texture_report {
   Texture_axes axes;
   std::size_t seam_faces = 0; ///< with a corner past the side of the square
   std::size_t pole_faces = 0; ///< round a pole, or with a corner there (latitude and longitude)
-  /// Faces of which a corner was moved, since the plane triangle between the images of the corners would have been flipped
-  /// or degenerate: those that are too small for the grid, and long ones along which the chart is curved.
+  /// Faces of which a corner was moved, since the plane triangle between the images of the corners would have been
+  /// flipped or degenerate: those that are too small for the grid, and long ones along which the chart is curved.
   std::size_t moved_faces = 0;
   std::size_t unresolved_faces = 0; ///< of these the ones too small: moved by at most two cells of the grid
   double largest_move = 0;
@@ -66,8 +66,8 @@ struct Texture_report {
 ///
 /// Guarantee: every face has a counter-clockwise uv triangle that is not degenerate, by an exact predicate on the
 /// coordinates handed out; also for limbs that are smaller on the sphere than the coordinates resolve. This may open
-/// seams between neighbouring faces: in limbs narrower than a cell of the grid, and along faces so long and thin that the
-/// chart bends them by more than their width (`Texture_report` says how many and how far). u and v are in [0, 1],
+/// seams between neighbouring faces: in limbs narrower than a cell of the grid, and along faces so long and thin that
+/// the chart bends them by more than their width (`Texture_report` says how many and how far). u and v are in [0, 1],
 /// for faces across the seam in [-1, 2].
 ///
 /// \param sphere_map readable, key vertex_descriptor, value unit vectors; a valid map
@@ -149,7 +149,8 @@ Texture_report texture_coordinates(const TriangleMesh& mesh, VertexSphereMap sph
   const internal::Frame frame = internal::frame_of(report.axes);
   const internal::Uv_grid grid(options.bits);
   if(options.chart == Texture_chart::LATITUDE_LONGITUDE)
-    internal::put_texture_coordinates(mesh, sphere_map, uv_map, internal::Latitude_longitude_chart(frame), grid, report);
+    internal::put_texture_coordinates(mesh, sphere_map, uv_map, internal::Latitude_longitude_chart(frame), grid,
+                                      report);
   else
     internal::put_texture_coordinates(mesh, sphere_map, uv_map, internal::Octahedral_chart(frame), grid, report);
   return report;

@@ -45,15 +45,13 @@ Value weighted_mean(const std::array<double, 3>& w, const Value& x0, const Value
 /// \param vertex_map  readable, key vertex_descriptor; value a number, a vector that can be multiplied by a double
 ///                    and added, or a point or vector with x(), y(), z()
 template <class TriangleMesh, class VertexMap>
-typename boost::property_traits<VertexMap>::value_type interpolate(const TriangleMesh& mesh,
-                                                                   const Face_location<TriangleMesh>& location,
-                                                                   VertexMap vertex_map)
+typename boost::property_traits<VertexMap>::value_type
+interpolate(const TriangleMesh& mesh, const Face_location<TriangleMesh>& location, VertexMap vertex_map)
 {
   const auto h = halfedge(location.first, mesh);
   typedef typename boost::property_traits<VertexMap>::value_type Value;
   return internal::weighted_mean<Value>(location.second, get(vertex_map, source(h, mesh)),
-                                        get(vertex_map, target(h, mesh)),
-                                        get(vertex_map, target(next(h, mesh), mesh)));
+                                        get(vertex_map, target(h, mesh)), get(vertex_map, target(next(h, mesh), mesh)));
 }
 
 /// Carries data of vertices from one mesh to another (or to another map of the same mesh): every vertex gets the value

@@ -19,8 +19,8 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
-/// All that is measured about single faces of a map. The source mesh is scaled to a unit box, so that meshes of any size
-/// and place have areas; limbs have areas down to 1e-150 on the sphere, below which everything counts as 1e-300.
+/// All that is measured about single faces of a map. The source mesh is scaled to a unit box, so that meshes of any
+/// size and place have areas; limbs have areas down to 1e-150 on the sphere, below which everything counts as 1e-300.
 template <class TriangleMesh, class VertexPointMap, class VertexSphereMap>
 class Face_measures {
   typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;

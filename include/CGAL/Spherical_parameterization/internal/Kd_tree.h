@@ -16,8 +16,8 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
-/// A balanced tree of points that finds some point near another one: the nearest of those in its leaf, which is not always
-/// the nearest of all. That is enough to start a walk, and takes one way down the tree.
+/// A balanced tree of points that finds some point near another one: the nearest of those in its leaf, which is not
+/// always the nearest of all. That is enough to start a walk, and takes one way down the tree.
 class Kd_tree {
 public:
   /// \param points  at least one

@@ -17,8 +17,9 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
-/// An icosahedron of which every triangle has been cut in four `level` times, on the unit sphere: 10 * 4^level + 2 points and
-/// 20 * 4^level triangles, counter-clockwise seen from outside. The first points are those of the lower levels.
+/// An icosahedron of which every triangle has been cut in four `level` times, on the unit sphere: 10 * 4^level + 2
+/// points and 20 * 4^level triangles, counter-clockwise seen from outside. The first points are those of the lower
+/// levels.
 struct Icosphere {
   std::vector<vec3> points;
   std::vector<std::array<int, 3>> triangles;

@@ -24,15 +24,16 @@ struct Face_sample {
   double area;
 };
 
-/// Directions that may become a pole: the tips of the limbs first, since a limb with a pole in its tip has all of u round
-/// it, and elsewhere is a speck. Vertices by falling stretch, none closer to another than 0.1.
+/// Directions that may become a pole: the tips of the limbs first, since a limb with a pole in its tip has all of u
+/// round it, and elsewhere is a speck. Vertices by falling stretch, none closer to another than 0.1.
 inline std::vector<vec3> pole_candidates(const std::vector<vec3>& directions, const std::vector<double>& stretch)
 {
   constexpr std::size_t most = 48;
   std::vector<std::size_t> order(directions.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t i, std::size_t j) { return stretch[i] > stretch[j] || (stretch[i] == stretch[j] && i < j); });
+  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+    return stretch[i] > stretch[j] || (stretch[i] == stretch[j] && i < j);
+  });
   std::vector<vec3> candidates;
   for(std::size_t i : order) {
     const bool is_far = std::all_of(candidates.begin(), candidates.end(), [&](vec3 c) {

@@ -19,8 +19,9 @@ namespace internal {
 
 /// det(a, b, q) and a bound of its rounding error.
 ///
-/// It is taken as a . ((b - a) x (q - a)): in a limb that is far smaller than the unit the differences are all but exact, and
-/// the bound is relative to them, where a bound for the plain determinant (and for its interval arithmetic) fails.
+/// It is taken as a . ((b - a) x (q - a)): in a limb that is far smaller than the unit the differences are all but
+/// exact, and the bound is relative to them, where a bound for the plain determinant (and for its interval arithmetic)
+/// fails.
 struct Determinant {
   double value, error;
 
@@ -51,8 +52,7 @@ inline int side_of_great_circle(vec3 a, vec3 b, vec3 q)
     return 0;
   typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
   const auto point = [](vec3 p) { return Kernel::Point_3(p.x, p.y, p.z); };
-  return static_cast<int>(
-    Kernel().orientation_3_object()(Kernel::Point_3(0, 0, 0), point(a), point(b), point(q)));
+  return static_cast<int>(Kernel().orientation_3_object()(Kernel::Point_3(0, 0, 0), point(a), point(b), point(q)));
 }
 
 /// Weights (non-negative, sum 1) for which the weighted mean of the corners v has the direction q, each exact to 1e-12.
@@ -78,8 +78,7 @@ inline std::array<double, 3> barycentric_coordinates(const std::array<vec3, 3>& 
     std::array<FT, 3> exact;
     for(int k = 0; k < 3; ++k) {
       const vec3 a = v[(k + 1) % 3], b = v[(k + 2) % 3];
-      exact[k] = FT(q.x) * (FT(a.y) * FT(b.z) - FT(a.z) * FT(b.y)) +
-                 FT(q.y) * (FT(a.z) * FT(b.x) - FT(a.x) * FT(b.z)) +
+      exact[k] = FT(q.x) * (FT(a.y) * FT(b.z) - FT(a.z) * FT(b.y)) + FT(q.y) * (FT(a.z) * FT(b.x) - FT(a.x) * FT(b.z)) +
                  FT(q.z) * (FT(a.x) * FT(b.y) - FT(a.y) * FT(b.x));
     }
     const FT total = exact[0] + exact[1] + exact[2];

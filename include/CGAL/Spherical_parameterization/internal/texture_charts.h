@@ -28,8 +28,8 @@ struct Frame {
     y = outer(z, x);
   }
 
-  /// Coordinates in the frame. The offset from the nearer pole is taken first, which is exact near it: a limb with the pole
-  /// in its tip keeps all its digits.
+  /// Coordinates in the frame. The offset from the nearer pole is taken first, which is exact near it: a limb with the
+  /// pole in its tip keeps all its digits.
   vec3 operator()(vec3 p) const
   {
     const double height = inner(p, z);
@@ -53,9 +53,9 @@ inline double shortest_turn(double from, double to)
   return d - std::nearbyint(d);
 }
 
-/// u = longitude / 2 pi, v = 1/2 + latitude / pi. Corners are continued past u = 1 from the westernmost one, which is in
-/// [0, 1). A corner at a pole has the mean u of the two others. A face round a pole leaves out the edge nearest to the
-/// pole: what is north of it is no triangle on the chart.
+/// u = longitude / 2 pi, v = 1/2 + latitude / pi. Corners are continued past u = 1 from the westernmost one, which is
+/// in [0, 1). A corner at a pole has the mean u of the two others. A face round a pole leaves out the edge nearest to
+/// the pole: what is north of it is no triangle on the chart.
 class Latitude_longitude_chart {
 public:
   explicit Latitude_longitude_chart(const Frame& frame) : frame_(frame) {}
@@ -116,10 +116,10 @@ private:
   Frame frame_;
 };
 
-/// The octahedral map: central projection to the octahedron |x| + |y| + |z| = 1, whose northern half becomes the diamond in
-/// the middle of the square and whose southern faces are unfolded to its corners. Each octant is mapped projectively:
-/// faces inside of one cannot flip. The sides of the square are glued to themselves by half-turns about their
-/// midpoints; corners are continued across them.
+/// The octahedral map: central projection to the octahedron |x| + |y| + |z| = 1, whose northern half becomes the
+/// diamond in the middle of the square and whose southern faces are unfolded to its corners. Each octant is mapped
+/// projectively: faces inside of one cannot flip. The sides of the square are glued to themselves by half-turns about
+/// their midpoints; corners are continued across them.
 class Octahedral_chart {
 public:
   explicit Octahedral_chart(const Frame& frame) : frame_(frame) {}

@@ -45,9 +45,9 @@ public:
   vec2 rounded(vec2 p) const { return {rounded(p.x), rounded(p.y)}; }
   Uv_triangle rounded(const Uv_triangle& t) const { return {rounded(t[0]), rounded(t[1]), rounded(t[2])}; }
 
-  /// A counter-clockwise triangle of the grid close to `t`, for triangles that rounding, or the curvature of the chart, has
-  /// flipped: the corner opposite to the longest edge moves to its proper side, as far as `area` (that of the triangle
-  /// before it was flipped) says, but at least by one cell.
+  /// A counter-clockwise triangle of the grid close to `t`, for triangles that rounding, or the curvature of the chart,
+  /// has flipped: the corner opposite to the longest edge moves to its proper side, as far as `area` (that of the
+  /// triangle before it was flipped) says, but at least by one cell.
   Uv_triangle turned_over(const Uv_triangle& t, double area) const
   {
     Uv_triangle r = rounded(t);

@@ -127,7 +127,7 @@ TEST_CASE("signature: files, folders and lists, each mesh once", "[tool][signatu
   Scratch scratch;
   fs::create_directories(scratch / "folder");
   const std::string a = write_off(scratch / "folder/a.off", icosphere(2));
-  const std::string b = write_off(scratch / "b, \"quoted\".off", icosphere(1));
+  const std::string b = write_off(scratch / "b, \"quoted\".off", dumbbell(2));
   write_text(scratch / "list.txt", b + "\r\n\n" + (scratch / "folder") + "\n");
   const std::string output = scratch / "out.csv";
   const Process_result run = run_tool({"signature", a, "--list", scratch / "list.txt", "-o", output});
@@ -136,7 +136,7 @@ TEST_CASE("signature: files, folders and lists, each mesh once", "[tool][signatu
   const std::vector<std::string> lines = lines_of(text_of(output));
   REQUIRE(lines.size() == 3);
   CHECK(lines[1].rfind(a, 0) == 0);
-  CHECK(lines[2].find("b, \"\"quoted\"\".off\",42,OK,") != std::string::npos);
+  CHECK(lines[2].find("b, \"\"quoted\"\".off\",162,OK,") != std::string::npos);
   const Process_result search = run_tool({"search", b, "--index", output, "-k", "1"});
   CHECK(search.out.find("0.0000  " + b) != std::string::npos);
 }

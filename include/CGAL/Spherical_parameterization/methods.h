@@ -79,8 +79,8 @@ struct Saddle_point {
 /// Named parameters: `number_of_iterations` bounds the Newton steps for the whole mesh, `accuracy` is the relative gain
 /// of energy below which they end earlier.
 struct Isometric {
-  static constexpr double default_accuracy = 1e-4;
-  static constexpr std::size_t default_number_of_iterations = 2;
+  static constexpr double default_accuracy = 1e-3;
+  static constexpr std::size_t default_number_of_iterations = 5;
 
   /// What slides from angle to area preservation: the exponent theta >= 0 of the area distortion in
   /// E_c E_a^theta, E_c = (s/t + t/s) / 2, E_a = (st + 1/(st)) / 2 (P. Degener, J. Meseth, R. Klein, "An adaptable surface

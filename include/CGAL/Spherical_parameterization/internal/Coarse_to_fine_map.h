@@ -22,7 +22,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -119,10 +119,8 @@ private:
       round = std::move(failed);
       make_room();
     }
-    const int v = mesh_.vertex(round.front());
     throw Failure{Error_code::NOT_BIJECTIVE, "no position in double precision was found for " +
-                                               counted(round.size(), "vertex", "vertices") + ", the first one is " +
-                                               std::to_string(v)};
+                                               counted(round.size(), "vertex", "vertices") + "; repair the mesh"};
   }
 
   /// Pulls all faces towards the same shape and size.
@@ -222,15 +220,16 @@ private:
   /// The whole mesh, with its own shape. Exponents that are too stiff for an arbitrary start are approached from below.
   void finish(Solver_report& report)
   {
-    constexpr int sweeps = 5, maximum_iterations = 100, steps_per_exponent = 6;
+    constexpr int sweeps = 5, maximum_iterations = 100;
+    constexpr std::size_t steps_per_exponent = 6;
     constexpr double growth_of_exponent = 1.5;
     Map_level l = level(final_bounds);
     for(int s = 0; s < sweeps && advance(); ++s)
       relax_all(loop_, distortion_, l);
     const double accuracy = task_.accuracy.value_or(Isometric::default_accuracy);
-    const auto descend = [&](int maximum_steps) {
+    const auto descend = [&](std::size_t maximum_steps) {
       Newton_relaxation<Loop> newton(loop_, distortion_, l);
-      for(int s = 0; s < maximum_steps && advance(); ++s) {
+      for(std::size_t s = 0; s < maximum_steps && advance(); ++s) {
         report.residual = newton.step(maximum_iterations, linear_tolerance);
         ++report.iterations;
         relax_all(loop_, distortion_, l);
@@ -238,7 +237,7 @@ private:
           return;
       }
     };
-    descend(static_cast<int>(task_.number_of_iterations.value_or(Isometric::default_number_of_iterations)));
+    descend(task_.number_of_iterations.value_or(Isometric::default_number_of_iterations));
     while(exponent_ < method_.area_exponent) {
       exponent_ = (std::min)(method_.area_exponent, growth_of_exponent * exponent_);
       distortion_ = Distortion(exponent_);

@@ -16,6 +16,8 @@
 
 #include <CGAL/assertions.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <string>
 #include <utility>
 
@@ -60,9 +62,14 @@ public:
     if(task_.missing_weights.empty()) {
       if(attempt(Balanced{method.spring_exponent}) || !can_go_on())
         return std::move(map_);
-      if(method.larger_spring_exponent > method.spring_exponent &&
-         (attempt(Balanced{method.larger_spring_exponent}) || !can_go_on()))
-        return std::move(map_);
+      if(method.larger_spring_exponent > method.spring_exponent) {
+        const auto iterations = task_.number_of_iterations;
+        task_.number_of_iterations = (std::min)(iterations.value_or(patience), patience);
+        const bool is_valid = attempt(Balanced{method.larger_spring_exponent});
+        task_.number_of_iterations = iterations;
+        if(is_valid || !can_go_on())
+          return std::move(map_);
+      }
     } else
       task_.result.fallback_reason = task_.missing_weights;
 
@@ -80,6 +87,9 @@ public:
   }
 
 private:
+  /// Iterations of the larger exponent: where it helps, it does so soon.
+  static constexpr std::size_t patience = 100;
+
   /// Returns whether the map is valid, and says what is wrong with it if not.
   bool attempt(const Balanced& method)
   {

@@ -12,5 +12,6 @@
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 #include <CGAL/Spherical_parameterization/methods.h>
 #include <CGAL/Spherical_parameterization/parameterize.h>
+#include <CGAL/Spherical_parameterization/segmentation.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_H

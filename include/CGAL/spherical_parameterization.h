@@ -6,6 +6,7 @@
 
 /// The whole package in one header.
 
+#include <CGAL/Spherical_parameterization/Result.h>
 #include <CGAL/Spherical_parameterization/align_maps.h>
 #include <CGAL/Spherical_parameterization/distortion_summary.h>
 #include <CGAL/Spherical_parameterization/edge_weights.h>
@@ -15,7 +16,6 @@
 #include <CGAL/Spherical_parameterization/methods.h>
 #include <CGAL/Spherical_parameterization/parameterize.h>
 #include <CGAL/Spherical_parameterization/resample.h>
-#include <CGAL/Spherical_parameterization/Result.h>
 #include <CGAL/Spherical_parameterization/segmentation.h>
 #include <CGAL/Spherical_parameterization/shape_signature.h>
 #include <CGAL/Spherical_parameterization/stretch_histogram.h>

@@ -71,7 +71,7 @@ struct Girth_profiles : Segment_limits {};
 /// 2), taken in descending order; a region grows from each over the faces whose logarithmic stretch differs by at most
 /// `threshold` from that of the seed, and seeds it meets are dropped.
 struct Region_growing : Segment_limits {
-  double threshold = 3;
+  double threshold = 1;
 };
 
 /// What became of a segmentation. `segment_map` is written only if there is no error.

@@ -9,12 +9,14 @@
 #include <CGAL/Spherical_parameterization/internal/point_coordinates.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_triangles.h>
 
+#include <boost/functional/hash.hpp>
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -22,33 +24,31 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
-/// Where each halfedge of the triangles lies: the face across the side from corner k to corner k+1, for every face.
-inline std::vector<std::array<int, 3>> faces_across(const Host_array<std::array<int, 3>>& face)
+/// The number of the face across each side of every face, faces numbered as faces(mesh) lists them. Side k is the k-th
+/// halfedge from halfedge(f, mesh) on, which in Source_mesh goes from corner k to corner k+1.
+template <class TriangleMesh>
+std::vector<std::array<int, 3>> faces_across(const TriangleMesh& mesh)
 {
-  struct Side {
-    int low, high, place; // the ends of the edge, and 3 * face + k
-  };
-  std::vector<Side> sides;
-  sides.reserve(3 * face.size());
-  for(int f = 0; f < static_cast<int>(face.size()); ++f)
-    for(int k = 0; k < 3; ++k) {
-      const std::pair<int, int> ends = std::minmax(face[f][k], face[f][(k + 1) % 3]);
-      sides.push_back({ends.first, ends.second, 3 * f + k});
+  typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
+  std::unordered_map<face_descriptor, int, boost::hash<face_descriptor>> number;
+  for(face_descriptor f : faces(mesh))
+    number.emplace(f, static_cast<int>(number.size()));
+  std::vector<std::array<int, 3>> across;
+  across.reserve(number.size());
+  for(face_descriptor f : faces(mesh)) {
+    auto h = halfedge(f, mesh);
+    std::array<int, 3> row;
+    for(int& neighbour : row) {
+      neighbour = number.at(face(opposite(h, mesh), mesh));
+      h = next(h, mesh);
     }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return std::tie(a.low, a.high, a.place) < std::tie(b.low, b.high, b.place);
-  });
-  std::vector<std::array<int, 3>> across(face.size());
-  for(std::size_t i = 0; i + 1 < sides.size(); i += 2) {
-    const int a = sides[i].place, b = sides[i + 1].place;
-    across[a / 3][a % 3] = b / 3;
-    across[b / 3][b % 3] = a / 3;
+    across.push_back(row);
   }
   return across;
 }
 
 /// What segmentation looks at: a mesh and its sphere as arrays, the mesh scaled to area 1 so that all lengths and areas
-/// are dimensionless. Closed triangle meshes of genus 0 only, without more than one edge between two vertices.
+/// are dimensionless. Closed triangle meshes of genus 0 only.
 struct Segmentation_mesh {
   Host_array<vec3> point;
   Host_array<vec3> sphere; ///< unit vectors
@@ -96,7 +96,7 @@ Segmentation_mesh read_segmentation_mesh(const TriangleMesh& mesh, VertexPointMa
   result.point = std::move(source.point);
   result.face = std::move(source.face);
   result.graph = source.graph;
-  result.across = faces_across(result.face);
+  result.across = faces_across(mesh);
 
   double largest = 0;
   for(const vec3& p : result.point)

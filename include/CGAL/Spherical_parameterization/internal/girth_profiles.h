@@ -185,7 +185,7 @@ inline void add_girth_cuts(const Segmentation_mesh& mesh, const Bundle& bundle, 
   constexpr double gap = 0.3;                 // to the nearest tips, so that isolines do not wind round them
   constexpr double least_area = 0.005;        // inside an isoline: less is noise
   constexpr double end_significance = 0.4;    // of the narrowest place of a profile that is still narrowing at its end
-  constexpr double least_significance = 0.16; // twice that of a hemisphere's great circle, 1 / (4 pi)
+  constexpr double least_significance = 0.16; // that of the great circle of a ball, 1 / (2 pi)
   constexpr double same_cut = 0.2;            // a neck and a cut that differ by less than this share of the area
   constexpr double deepest = -36;             // log radius beyond which positions do not resolve anything
   const bool is_single = bundle.number_of_tips == 1;

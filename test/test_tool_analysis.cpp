@@ -198,7 +198,7 @@ TEST_CASE("segment: one label per face, and colours for them", "[tool]")
   CHECK(text_of(scratch / "two.txt").find('1') == std::string::npos);
 }
 
-TEST_CASE("--sphere: the map of 'map' gives the same as mapping again", "[tool]")
+TEST_CASE("option --sphere: the map of 'map' gives the same as mapping again", "[tool]")
 {
   Scratch scratch;
   const std::string input = write_off(scratch / "in.off", bumpy_sphere(3));
@@ -216,7 +216,7 @@ TEST_CASE("--sphere: the map of 'map' gives the same as mapping again", "[tool]"
   }
 }
 
-TEST_CASE("--sphere: what is no map of the mesh is refused", "[tool]")
+TEST_CASE("option --sphere: what is no map of the mesh is refused", "[tool]")
 {
   Scratch scratch;
   const Soup soup = bumpy_sphere(2);
@@ -259,7 +259,7 @@ TEST_CASE("--sphere: what is no map of the mesh is refused", "[tool]")
   CHECK(run_tool(with(command_line("texture", input, scratch), {"--sphere", good_sphere})).exit_code == 0);
 }
 
-TEST_CASE("--sphere: few digits and corners in another order will do", "[tool]")
+TEST_CASE("option --sphere: few digits and corners in another order will do", "[tool]")
 {
   Scratch scratch;
   const std::string input = write_off(scratch / "in.off", bumpy_sphere(2));

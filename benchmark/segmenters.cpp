@@ -56,7 +56,7 @@ Timed_labels cut_graph(Mesh& mesh, Value_map values, Segment_map segments, Graph
 Timed_labels cut_stretch(Mesh& mesh, Sphere_map sphere, Value_map values, Segment_map segments)
 {
   const Stopwatch watch;
-  const auto [least, greatest] = SP::log_area_stretch_of_faces(mesh, sphere, values);
+  const auto [least, greatest] = SP::face_log_area_stretch(mesh, sphere, values);
   for(Mesh::Face_index f : mesh.faces())
     values[f] = (values[f] - least) / (greatest - least);
   return cut_graph(mesh, values, segments, default_cut, watch.seconds());

@@ -4,7 +4,7 @@
 // Segmentation of a mesh into body and limbs by its spherical parameterization. As with CGAL's SDF values, the measure
 // and the cut are separate calls:
 //
-//   log_area_stretch_of_faces(mesh, sphere, stretch);                          // like sdf_values()
+//   face_log_area_stretch(mesh, sphere, stretch);                              // like sdf_values()
 //   segmentation_from_area_stretch(mesh, sphere, stretch, segments);           // like segmentation_from_sdf_values()
 //   segmentation_via_area_stretch(mesh, sphere, segments);                     // both
 //
@@ -22,6 +22,7 @@
 #include <CGAL/Spherical_parameterization/internal/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/region_growing.h>
 #include <CGAL/Spherical_parameterization/internal/segment_selection.h>
+#include <CGAL/Spherical_parameterization/measure_distortion.h>
 
 #include <CGAL/assertions.h>
 
@@ -117,56 +118,15 @@ inline std::vector<int> segments_of(const Segmentation_mesh& mesh, const std::ve
 
 } // namespace internal
 
-/// The measure: log((source area / total source area) / (spherical area / 4 pi)) of every face. Positive where the map
-/// shrinks, as in limbs. Shares of the sphere below 1e-36, and those of flipped faces, count as 1e-36: doubles resolve
-/// nothing smaller near length 1, so that limbs that are too thin end in a plateau.
-///
-/// For `CGAL::segmentation_from_sdf_values()` shift and scale the values to [0, 1] with what is returned.
-/// \param sphere_map  readable, key vertex_descriptor, value unit vectors
-/// \param stretch_map writable, key face_descriptor, value double
-/// \param np          `vertex_point_map`
-/// \return the smallest and the largest value
-template <class TriangleMesh, class VertexSphereMap, class FaceStretchMap,
-          class NamedParameters = parameters::Default_named_parameters>
-std::pair<double, double> log_area_stretch_of_faces(const TriangleMesh& mesh, VertexSphereMap sphere_map,
-                                                    FaceStretchMap stretch_map,
-                                                    const NamedParameters& np = parameters::default_values())
-{
-  const auto points = internal::vertex_points(mesh, np);
-  const auto corners = [&](auto map, auto f) {
-    const auto h = halfedge(f, mesh);
-    return std::array<internal::vec3, 3>{internal::coordinates(get(map, source(h, mesh))),
-                                         internal::coordinates(get(map, target(h, mesh))),
-                                         internal::coordinates(get(map, target(next(h, mesh), mesh)))};
-  };
-  const auto source_area = [&](auto f) {
-    const auto p = corners(points, f);
-    const internal::vec3 n = internal::outer(internal::sub(p[1], p[0]), internal::sub(p[2], p[0]));
-    return std::sqrt(internal::inner(n, n)) / 2;
-  };
-  const auto log_of_share = [](double share, double least) { return std::log(share > least ? share : least); };
-  double total = 0;
-  for(auto f : faces(mesh))
-    total += source_area(f);
-  std::pair<double, double> range(std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity());
-  for(auto f : faces(mesh)) {
-    const auto c = corners(sphere_map, f);
-    const double share = internal::spherical_area(c[0], c[1], c[2]) / (4 * std::acos(-1.));
-    const double stretch = log_of_share(source_area(f) / total, 1e-300) - log_of_share(share, 1e-36);
-    put(stretch_map, f, stretch);
-    range.first = (std::min)(range.first, stretch);
-    range.second = (std::max)(range.second, stretch);
-  }
-  return range;
-}
-
 /// The cut. Every segment is connected; their numbers are 0 ... n-1 in the order of their first faces.
 ///
 /// Deterministic. Scaling and rotating the mesh and rotating the sphere change nothing, but where decisions hang on
 /// rounding; nor does another numbering, but where the shape leaves a choice, as symmetric ones do.
 /// \param mesh        a closed triangle mesh of genus 0
 /// \param sphere_map  readable, key vertex_descriptor, value of any length but 0
-/// \param stretch_map readable, key face_descriptor, value double: what log_area_stretch_of_faces() has written
+/// \param stretch_map readable, key face_descriptor, value double: what face_log_area_stretch() has written. Faces
+///                    with less than 1e-36 of the sphere, and flipped ones, count as if they had 1e-36: doubles resolve
+///                    nothing smaller near length 1, so that limbs that are too thin end in a plateau.
 /// \param segment_map writable, key face_descriptor, value constructible from std::size_t
 /// \param method      `Majority_vote`, `Girth_profiles` or `Region_growing`
 /// \param np          `vertex_point_map`
@@ -179,6 +139,8 @@ Segmentation_result segmentation_from_area_stretch(const TriangleMesh& mesh, Ver
                                                    const NamedParameters& np = parameters::default_values())
 {
   typedef typename boost::property_traits<FaceSegmentMap>::value_type Segment_id;
+  constexpr double least_share = 1e-36;
+  constexpr double least_area = 1e-300;
   internal::check_limits(method);
   Segmentation_result result;
   try {
@@ -187,10 +149,11 @@ Segmentation_result segmentation_from_area_stretch(const TriangleMesh& mesh, Ver
     std::vector<double> stretch;
     stretch.reserve(arrays.face.size());
     for(auto f : faces(mesh)) {
-      stretch.push_back(get(stretch_map, f));
-      if(!std::isfinite(stretch.back()))
+      const double value = get(stretch_map, f);
+      if(!std::isfinite(value))
         throw internal::Failure{Error_code::NON_FINITE_COORDINATE,
-                                "the stretch of face " + std::to_string(stretch.size() - 1)};
+                                "the stretch of face " + std::to_string(stretch.size())};
+      stretch.push_back((std::min)(value, std::log((std::max)(arrays.area[stretch.size()], least_area) / least_share)));
     }
     const std::vector<int> segment = internal::segments_of(arrays, stretch, method);
     std::size_t i = 0;
@@ -216,7 +179,7 @@ Segmentation_result segmentation_via_area_stretch(const TriangleMesh& mesh, Vert
   typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
   std::unordered_map<face_descriptor, double, boost::hash<face_descriptor>> stretch;
   const boost::associative_property_map<decltype(stretch)> stretch_map(stretch);
-  log_area_stretch_of_faces(mesh, sphere_map, stretch_map, np);
+  face_log_area_stretch(mesh, sphere_map, stretch_map, np);
   return segmentation_from_area_stretch(mesh, sphere_map, stretch_map, segment_map, method, np);
 }
 

@@ -41,7 +41,7 @@ struct Stretch_histogram {
   Sampling sampling = Sampling::EXACT_AREAS;
   Scale scale = Scale::LOGARITHMIC;
   std::size_t bins = 32;
-  double low = -4, high = 28;           ///< of the bins, on the scale; what lies outside counts in the first or last one
+  double low = -4, high = 28; ///< of the bins, on the scale; what lies outside counts in the first or last one
   std::size_t number_of_samples = 4096; ///< `UNIFORM` and `RANDOM`; fewer than about 4096 add noise
   std::uint32_t random_seed = 0;        ///< `RANDOM`
 };
@@ -59,10 +59,7 @@ struct Array_map {
   const Vertex_numbering<TriangleMesh>* numbering;
   std::vector<double>* values;
 
-  friend void put(const Array_map& map, const key_type& v, double value)
-  {
-    (*map.values)[(*map.numbering)(v)] = value;
-  }
+  friend void put(const Array_map& map, const key_type& v, double value) { (*map.values)[(*map.numbering)(v)] = value; }
 };
 
 inline double flat_area(const std::array<vec3, 3>& p)

@@ -17,7 +17,8 @@ namespace benchmark {
 struct Descriptor {
   std::string name;
   bool needs_map;
-  std::function<Descriptor_values(const Mesh&, Sphere_map)> compute; ///< the map is a conformal one, or stands in for it
+  std::function<Descriptor_values(const Mesh&, Sphere_map)>
+    compute;            ///< the map is a conformal one, or stands in for it
   bool is_slow = false; ///< seconds per mesh: left out where many meshes are made
 };
 

@@ -31,9 +31,8 @@ using SP::internal::Histogram;
 
 Descriptor stretch_descriptor(const std::string& name, const Stretch_histogram& options)
 {
-  return {name, true, [options](const Mesh& mesh, Sphere_map sphere) {
-            return SP::stretch_histogram(mesh, sphere, options);
-          }};
+  return {name, true,
+          [options](const Mesh& mesh, Sphere_map sphere) { return SP::stretch_histogram(mesh, sphere, options); }};
 }
 
 /// The distances of random points of the surface, over their mean: R. Osada, T. Funkhouser, B. Chazelle, D. Dobkin,
@@ -78,9 +77,9 @@ Descriptor_values sdf(const Mesh& mesh, bool is_normalised)
 }
 
 #ifdef BENCHMARK_WITH_SPECTRA
-/// The smallest 30 eigenvalues of the Laplacian that are not 0, scaled to area 4 pi and over their number, to which they
-/// are proportional by Weyl's law: M. Reuter, F.-E. Wolter, N. Peinecke, "Laplace-Beltrami spectra as 'Shape-DNA' of
-/// surfaces and solids", CAD 38 (2006). On the intrinsic Delaunay triangulation, like the package's signature.
+/// The smallest 30 eigenvalues of the Laplacian that are not 0, scaled to area 4 pi and over their number, to which
+/// they are proportional by Weyl's law: M. Reuter, F.-E. Wolter, N. Peinecke, "Laplace-Beltrami spectra as 'Shape-DNA'
+/// of surfaces and solids", CAD 38 (2006). On the intrinsic Delaunay triangulation, like the package's signature.
 Descriptor_values shape_dna(const Mesh& mesh, Sphere_map)
 {
   constexpr int count = 30;

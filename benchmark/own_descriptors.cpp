@@ -35,7 +35,7 @@ Descriptor_values without_poisson(const Mesh& mesh, Sphere_map sphere)
   Discrete_surface::Vector u(factor.surface.size());
   for(int i = 0; i < u.size(); ++i)
     u[i] = -stretch[factor.source.vertex[i]];
-  u = factor.surface.smooth(u, 0.003);
+  u = SP::internal::smoothed(factor.surface, u, 0.003);
   Shape_signature signature;
   SP::internal::add_girths(factor.surface, u, signature);
   SP::internal::add_limbs(factor.surface, u, signature);
@@ -48,7 +48,7 @@ Descriptor_values first_version(const Mesh& mesh, Sphere_map sphere)
   constexpr std::size_t limbs = 12;
   const Conformal_factor factor(mesh, mesh.points(), sphere);
   const Discrete_surface& surface = factor.surface;
-  const Discrete_surface::Vector u = surface.smooth(factor.u, 0.003);
+  const Discrete_surface::Vector u = SP::internal::smoothed(surface, factor.u, 0.003);
   const Discrete_surface::Vector gradient = surface.gradient_norm(u);
   SP::internal::Histogram histogram(32, -1, 5);
   for(int i = 0; i < surface.size(); ++i)
@@ -57,11 +57,10 @@ Descriptor_values first_version(const Mesh& mesh, Sphere_map sphere)
   for(double share : histogram.shares())
     values.push_back(share / SP::internal::girth_unit);
 
-  std::vector<SP::internal::Basin> basins =
-    SP::internal::basins(u, surface.mass(), [&](int i, const auto& visit) {
-      for(Discrete_surface::Matrix::InnerIterator entry(surface.laplacian(), i); entry; ++entry)
-        visit(static_cast<int>(entry.row()));
-    });
+  std::vector<SP::internal::Basin> basins = SP::internal::basins(u, surface.mass(), [&](int i, const auto& visit) {
+    for(Discrete_surface::Matrix::InnerIterator entry(surface.laplacian(), i); entry; ++entry)
+      visit(static_cast<int>(entry.row()));
+  });
   basins.resize(limbs, {0, 0});
   std::vector<double> masses;
   for(const auto& basin : basins) {

@@ -107,11 +107,11 @@ struct Collection {
 
 void tabulate_groups(const Options& options, const Collection& collection)
 {
-  Table table(options.output, "retrieval", "Retrieval",
-              {"every model is a query among the others of its group; means over the queries, in percent",
-               "seconds: per mesh on one core, the map included where it is needed"},
-              {"group", "models", "descriptor", "nearest neighbour", "first tier", "second tier", "E-measure", "DCG",
-               "seconds"});
+  Table table(
+    options.output, "retrieval", "Retrieval",
+    {"every model is a query among the others of its group; means over the queries, in percent",
+     "seconds: per mesh on one core, the map included where it is needed"},
+    {"group", "models", "descriptor", "nearest neighbour", "first tier", "second tier", "E-measure", "DCG", "seconds"});
   std::vector<std::string> groups;
   for(const auto& [group, classes] : collection.groups())
     if(classes > 1) // otherwise everything is a hit
@@ -128,16 +128,16 @@ void tabulate_groups(const Options& options, const Collection& collection)
 
 void tabulate_pairs_of_groups(const Options& options, const Collection& collection)
 {
-  Table table(options.output, "retrieval_across_groups", "Retrieval across groups",
-              {"models of the first group are searched for among those of the second one; classes that both have count"},
-              {"queries from", "searched", "descriptor", "queries", "nearest neighbour", "first tier"});
+  Table table(
+    options.output, "retrieval_across_groups", "Retrieval across groups",
+    {"models of the first group are searched for among those of the second one; classes that both have count"},
+    {"queries from", "searched", "descriptor", "queries", "nearest neighbour", "first tier"});
   for(const auto& [from, from_classes] : collection.groups())
     for(const auto& [to, to_classes] : collection.groups())
       for(std::size_t d = 0; from != to && to_classes > 1 && d < collection.descriptors.size(); ++d) {
         const Retrieval_measures m = measure_retrieval(collection.labelled(from, d), collection.labelled(to, d));
         if(m.queries > 0)
-          table.add_row(
-            {from, to, collection.descriptors[d].name, m.queries, m.nearest_neighbour, m.first_tier});
+          table.add_row({from, to, collection.descriptors[d].name, m.queries, m.nearest_neighbour, m.first_tier});
       }
 }
 
@@ -183,9 +183,8 @@ void tabulate_variants(const Options& options, const Collection& collection, con
         }
       });
     for(std::size_t d = 0; d < between.size(); ++d)
-      table.add_row({variant.name, static_cast<std::size_t>(vertices / members.size()),
-                     collection.descriptors[d].name, within[d] / members.size() / (between[d] / pairs),
-                     100 * first[d] / members.size()});
+      table.add_row({variant.name, static_cast<std::size_t>(vertices / members.size()), collection.descriptors[d].name,
+                     within[d] / members.size() / (between[d] / pairs), 100 * first[d] / members.size()});
   }
 }
 

@@ -15,7 +15,8 @@ namespace tool {
 bool is_launched_by_mpi();
 
 /// Starts MPI. Rank 0 calls `batch` with the threads of all ranks as its workers, so many on each; the others work for
-/// it until it is done. If one rank ends otherwise, all do. Returns what `batch` returns on rank 0, and 0 on the others.
+/// it until it is done. If one rank ends otherwise, all do. Returns what `batch` returns on rank 0, and 0 on the
+/// others.
 ///
 /// Throws a `Refusal` in builds without MPI.
 int run_on_all_ranks(int threads_per_rank, const std::function<int(Signature_workers&)>& batch);

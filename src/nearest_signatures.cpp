@@ -33,8 +33,8 @@ struct Coordinates {
 typedef CGAL::Dimension_tag<static_cast<int>(Shape_signature::size)> Dimension;
 typedef CGAL::Search_traits<double, Signature_point, const double*, Coordinates, Dimension> Traits;
 
-/// `distance()`, for the k-d tree. CGAL's Weighted_Minkowski_distance is not right in more than three dimensions of fixed
-/// number (CGAL 5.5.1).
+/// `distance()`, for the k-d tree. CGAL's Weighted_Minkowski_distance is not right in more than three dimensions of
+/// fixed number (CGAL 5.5.1).
 struct L1 {
   typedef double FT;
   typedef Signature_point Point_d;
@@ -42,10 +42,7 @@ struct L1 {
   typedef Dimension D;
   typedef CGAL::Kd_tree_rectangle<FT, D> Rectangle;
 
-  FT transformed_distance(const Query_item& q, const Point_d& p) const
-  {
-    return distance(*q.signature, *p.signature);
-  }
+  FT transformed_distance(const Query_item& q, const Point_d& p) const { return distance(*q.signature, *p.signature); }
   FT min_distance_to_rectangle(const Query_item& q, const Rectangle& r) const
   {
     FT sum = 0;

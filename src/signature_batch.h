@@ -14,7 +14,7 @@ namespace tool {
 
 struct Batch_summary {
   std::size_t meshes = 0;
-  std::size_t resumed = 0;                ///< of these, how many an earlier run had done
+  std::size_t resumed = 0;                    ///< of these, how many an earlier run had done
   std::vector<std::string> without_signature; ///< why, one line each
 };
 

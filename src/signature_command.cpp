@@ -39,8 +39,8 @@ int batch(const Signature_options& options, Signature_workers& workers)
 {
   const std::vector<std::string> meshes = list_meshes(options.inputs, options.list);
   if(meshes.empty())
-    throw Refusal(unreadable_file, options.list.empty() ? options.inputs.front() : options.list, "there is no mesh file",
-                  "meshes are read from .off, .obj, .ply and .stl files");
+    throw Refusal(unreadable_file, options.list.empty() ? options.inputs.front() : options.list,
+                  "there is no mesh file", "meshes are read from .off, .obj, .ply and .stl files");
   const Batch_summary summary = run_batch(meshes, options.output, workers);
   for(const std::string& why : summary.without_signature)
     std::cerr << "spherical-parameterization: " << why << '\n';
@@ -71,18 +71,23 @@ int run(const Signature_options& options)
 
 void add_signature_command(CLI::App& app, int& exit_code)
 {
-  CLI::App* command = app.add_subcommand("signature", "Describe the shapes of meshes by numbers, for the command search");
+  CLI::App* command =
+    app.add_subcommand("signature", "Describe the shapes of meshes by numbers, for the command search");
   const auto options = std::make_shared<Signature_options>();
-  command->add_option("IN", options->inputs, "Closed triangle meshes of genus 0: .off, .obj, .ply or .stl; folders of them");
+  command->add_option("IN", options->inputs,
+                      "Closed triangle meshes of genus 0: .off, .obj, .ply or .stl; folders of them");
   command->add_option("--list", options->list, "Text file with one more IN per line")->check(CLI::ExistingFile);
-  command->add_option("-o,--output", options->output, "Where the index goes: a CSV file with one row per mesh")->required();
+  command->add_option("-o,--output", options->output, "Where the index goes: a CSV file with one row per mesh")
+    ->required();
   command
-      ->add_option("-j,--jobs", options->jobs, "So many meshes at the same time [all cores; with mpirun: in every process, 1]")
-      ->check(CLI::Range(1, 4096));
-  command->footer("Meshes without signature have a row that says why. A run that was stopped goes on where it was when the\n"
-                  "same command is given again. mpirun -n N spreads the work over N processes.\n"
-                  "Exit code: 0 the index has been written, 1 not, or it has no signature (the reason is on stderr), 2 wrong "
-                  "usage.");
+    ->add_option("-j,--jobs", options->jobs,
+                 "So many meshes at the same time [all cores; with mpirun: in every process, 1]")
+    ->check(CLI::Range(1, 4096));
+  command->footer(
+    "Meshes without signature have a row that says why. A run that was stopped goes on where it was when the\n"
+    "same command is given again. mpirun -n N spreads the work over N processes.\n"
+    "Exit code: 0 the index has been written, 1 not, or it has no signature (the reason is on stderr), 2 wrong "
+    "usage.");
   command->callback([options, &exit_code] {
     if(options->inputs.empty() && options->list.empty())
       throw CLI::RequiredError("IN or --list");

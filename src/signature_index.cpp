@@ -99,8 +99,7 @@ std::optional<Signature_row> from_index_line(const std::string& line)
   if(row.status == "OK") {
     row.signature.emplace();
     for(std::size_t i = 0; i < Shape_signature::size; ++i)
-      if(!read_number(field[text_columns + i], row.signature->values[i]) ||
-         !std::isfinite(row.signature->values[i]))
+      if(!read_number(field[text_columns + i], row.signature->values[i]) || !std::isfinite(row.signature->values[i]))
         return std::nullopt;
   }
   return row;

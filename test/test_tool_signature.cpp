@@ -40,10 +40,10 @@ std::string make_folder(const Scratch& scratch)
   const std::string folder = scratch / "meshes";
   fs::create_directories(folder + "/more");
   for(int i = 0; i < 22; ++i)
-    write_off(folder + (i % 2 ? "/more/" : "/") + std::to_string(i) + ".off",
-              i % 3 == 0   ? dumbbell(4)
-              : i % 3 == 1 ? ellipsoid(1, 1 + 0.1 * i, 2, 4)
-                           : spiky_star(4, 1 + 0.1 * i));
+    write_off(folder + (i % 2 ? "/more/" : "/") + std::to_string(i) + ".off", i % 3 == 0 ? dumbbell(4)
+                                                                              : i % 3 == 1
+                                                                                ? ellipsoid(1, 1 + 0.1 * i, 2, 4)
+                                                                                : spiky_star(4, 1 + 0.1 * i));
   write_off(folder + "/torus.off", torus(8, 8));
   write_text(folder + "/more/broken.off", "OFF\n1 2");
   write_text(folder + "/no_mesh.txt", "not looked at");

@@ -85,8 +85,8 @@ inline void add_limbs(const Discrete_surface& surface, const Discrete_surface::V
   for(const Basin& limb : limbs) {
     const double excess = (std::max)(limb.persistence - shortest, 0.);
     *length++ = std::sqrt(excess) / limb_unit;
-    *mass++ = mass_weight * std::sqrt(limb.mass / (4 * Discrete_surface::pi())) * (std::min)(excess / shortest, 1.) /
-              limb_unit;
+    *mass++ =
+      mass_weight * std::sqrt(limb.mass / (4 * Discrete_surface::pi())) * (std::min)(excess / shortest, 1.) / limb_unit;
   }
   std::sort(signature.values.end() - Shape_signature::limbs, signature.values.end(), std::greater<double>());
 }
@@ -117,7 +117,7 @@ Shape_signature shape_signature(const TriangleMesh& mesh, VertexSphereMap sphere
 {
   constexpr double smoothing_time = 0.003; // of a surface of area 4 pi: over a twentieth of the radius of that ball
   const internal::Conformal_factor<TriangleMesh> factor(mesh, internal::vertex_points(mesh, np), sphere_map);
-  const internal::Discrete_surface::Vector u = factor.surface.smooth(factor.u, smoothing_time);
+  const internal::Discrete_surface::Vector u = internal::smoothed(factor.surface, factor.u, smoothing_time);
   Shape_signature signature;
   internal::add_girths(factor.surface, u, signature);
   internal::add_limbs(factor.surface, u, signature);

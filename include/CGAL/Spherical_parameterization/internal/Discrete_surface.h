@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -62,12 +61,6 @@ public:
   const Vector& defect() const { return defect_; }       ///< the curvature of every vertex, 4 pi in all
   const Matrix& laplacian() const { return laplacian_; } ///< positive semidefinite, constants in the kernel
 
-  /// L x = b for a b of sum zero; x is defined up to a constant.
-  Vector solve_poisson(const Vector& b) const { return solve(0, b); }
-
-  /// One implicit step of the heat equation, of time t: (M + t L)^-1 M x.
-  Vector smooth(const Vector& x, double t) const { return solve(1 / t, mass_.cwiseProduct(x) / t); }
-
   /// |grad x|, constant on every triangle, averaged over the triangles round every vertex by area.
   Vector gradient_norm(const Vector& x) const
   {
@@ -90,59 +83,7 @@ public:
   }
 
 private:
-  /// Up to this size Cholesky's factorisation is as fast as multigrid and gives a residual of rounding, whatever the
-  /// triangles are like; at 134,000 vertices it takes five times as long.
-  static constexpr int largest_factorised = 100000;
-
   double area(int h) const { return triangulation_.area(h) / area_unit_; }
-
-  /// (L + shift M) x = b
-  Vector solve(double shift, const Vector& b) const
-  {
-    if(size_ > largest_factorised) {
-      Vector x = solve_by_multigrid(shift, b);
-      const Vector residual = laplacian_ * x + shift * mass_.cwiseProduct(x) - b;
-      if(residual.norm() <= 1e-6 * b.norm()) // false for NaN
-        return x;
-    }
-    Matrix a = laplacian_;
-    if(shift > 0)
-      a.diagonal() += shift * mass_;
-    else
-      a.coeffRef(0, 0) *= 2; // holds x at 0 there: a spring that no force pulls, since b sums to zero
-    return Eigen::SimplicialLDLT<Matrix>(a).solve(b);
-  }
-
-  Vector solve_by_multigrid(double shift, const Vector& b) const
-  {
-    typedef Host_backend<Default_loop> Backend;
-    constexpr double accuracy = 1e-9; // relative, in the energy norm
-    const auto graph = std::make_shared<Weighted_graph>();
-    for(int i = 0; i < size_; ++i) {
-      for(Matrix::InnerIterator entry(laplacian_, i); entry; ++entry)
-        if(entry.row() != i && entry.value() < 0) { // what is positive is rounding
-          graph->target.push_back(static_cast<int>(entry.row()));
-          graph->weight.push_back(-entry.value());
-        }
-      graph->offset.push_back(static_cast<int>(graph->target.size()));
-    }
-    if(shift > 0)
-      for(int i = 0; i < size_; ++i)
-        graph->excess.push_back(shift * mass_[i]);
-    const Backend backend;
-    graph->update_diagonal({}, backend.host_loop());
-    Multigrid<Backend> multigrid(backend, graph);
-    Host_array<vec3> right(size_);
-    for(int i = 0; i < size_; ++i)
-      right[i] = make_vec3(b[i], 0, 0);
-    Backend::Vectors solution = backend.vectors(size_);
-    Monitor monitor(std::numeric_limits<double>::infinity(), {}, false);
-    conjugate_gradients(backend, multigrid, 0, std::move(right), accuracy, monitor, 0, solution);
-    Vector x(size_);
-    for(int i = 0; i < size_; ++i)
-      x[i] = solution[i].x;
-    return x;
-  }
 
   Intrinsic_triangulation triangulation_;
   int size_;
@@ -150,6 +91,107 @@ private:
   Vector mass_, defect_;
   Matrix laplacian_;
 };
+
+/// Solves (L + shift M) x = b on a surface, set up once for several right-hand sides.
+class Surface_solver {
+  typedef Host_backend<Default_loop> Backend;
+  typedef Discrete_surface::Vector Vector;
+  typedef Discrete_surface::Matrix Matrix;
+
+public:
+  /// \param shift  if 0, the right-hand sides have to sum to zero, and solutions are defined up to a constant
+  /// The surface has to outlive this.
+  explicit Surface_solver(const Discrete_surface& surface, double shift = 0) : surface_(surface), shift_(shift)
+  {
+    if(surface.size() > largest_factorised)
+      set_up_multigrid();
+    else
+      factorise();
+  }
+
+  Surface_solver(const Surface_solver&) = delete; // the hierarchy refers to the backend
+  Surface_solver& operator=(const Surface_solver&) = delete;
+
+  Vector operator()(const Vector& b)
+  {
+    if(multigrid_) {
+      Vector x = solve_by_multigrid(b);
+      const Vector residual = surface_.laplacian() * x + shift_ * surface_.mass().cwiseProduct(x) - b;
+      if(residual.norm() <= 1e-6 * b.norm()) // false for NaN
+        return x;
+      multigrid_.reset();
+      factorise();
+    }
+    return cholesky_.solve(b);
+  }
+
+private:
+  /// Up to this size Cholesky's factorisation is as fast as multigrid and gives a residual of rounding, whatever the
+  /// triangles are like; at 134,000 vertices it takes five times as long.
+  static constexpr int largest_factorised = 100000;
+
+  void factorise()
+  {
+    Matrix a = surface_.laplacian();
+    if(shift_ > 0)
+      a.diagonal() += shift_ * surface_.mass();
+    else
+      a.coeffRef(0, 0) *= 2; // holds x at 0 there: a spring that no force pulls, since b sums to zero
+    cholesky_.compute(a);
+  }
+
+  void set_up_multigrid()
+  {
+    const Matrix& laplacian = surface_.laplacian();
+    const auto graph = std::make_shared<Weighted_graph>();
+    for(int i = 0; i < surface_.size(); ++i) {
+      for(Matrix::InnerIterator entry(laplacian, i); entry; ++entry)
+        if(entry.row() != i && entry.value() < 0) { // what is positive is rounding
+          graph->target.push_back(static_cast<int>(entry.row()));
+          graph->weight.push_back(-entry.value());
+        }
+      graph->offset.push_back(static_cast<int>(graph->target.size()));
+    }
+    if(shift_ > 0)
+      for(int i = 0; i < surface_.size(); ++i)
+        graph->excess.push_back(shift_ * surface_.mass()[i]);
+    graph->update_diagonal({}, backend_.host_loop());
+    multigrid_ = std::make_unique<Multigrid<Backend>>(backend_, graph);
+  }
+
+  Vector solve_by_multigrid(const Vector& b)
+  {
+    constexpr double accuracy = 1e-9; // relative, in the energy norm
+    Backend::Vectors right(surface_.size());
+    for(int i = 0; i < surface_.size(); ++i)
+      right[i] = make_vec3(b[i], 0, 0);
+    Backend::Vectors solution = backend_.vectors(surface_.size());
+    Monitor monitor(std::numeric_limits<double>::infinity(), {}, false);
+    conjugate_gradients(backend_, *multigrid_, 0, std::move(right), accuracy, monitor, 0, solution);
+    Vector x(surface_.size());
+    for(int i = 0; i < surface_.size(); ++i)
+      x[i] = solution[i].x;
+    return x;
+  }
+
+  const Discrete_surface& surface_;
+  double shift_;
+  Backend backend_;
+  std::unique_ptr<Multigrid<Backend>> multigrid_;
+  Eigen::SimplicialLDLT<Matrix> cholesky_;
+};
+
+/// L x = b for a b of sum zero; x is defined up to a constant.
+inline Discrete_surface::Vector solve_poisson(const Discrete_surface& surface, const Discrete_surface::Vector& b)
+{
+  return Surface_solver(surface)(b);
+}
+
+/// One implicit step of the heat equation, of time t: (M + t L)^-1 M x.
+inline Discrete_surface::Vector smoothed(const Discrete_surface& surface, const Discrete_surface::Vector& x, double t)
+{
+  return Surface_solver(surface, 1 / t)(surface.mass().cwiseProduct(x) / t);
+}
 
 } // namespace internal
 } // namespace Spherical_parameterization

@@ -18,8 +18,8 @@ namespace Spherical_parameterization {
 namespace internal {
 
 /// A closed triangulated surface given by nothing but the lengths of its edges, made Delaunay by flipping edges inside
-/// the surface: the shape stays, to rounding, and all cotangent weights become nonnegative, however bad the triangles of
-/// the mesh. M. Fisher, B. Springborn, A. Bobenko, P. Schroeder, "An algorithm for the construction of intrinsic
+/// the surface: the shape stays, to rounding, and all cotangent weights become nonnegative, however bad the triangles
+/// of the mesh. M. Fisher, B. Springborn, A. Bobenko, P. Schroeder, "An algorithm for the construction of intrinsic
 /// Delaunay triangulations with applications to digital geometry processing", Computing 81 (2007).
 ///
 /// Halfedge 3f + k goes from corner k of triangle f to the next one. Triangles may end up with two equal corners.

@@ -46,10 +46,12 @@ std::vector<int> twins(const TriangleMesh& mesh)
 /// The logarithm u of the factor by which the conformal map to the sphere enlarges areas, on a surface of area 4 pi.
 ///
 /// The metric e^u g of the sphere has curvature 1, so that L u / 2 = b - K with K the angle defects and b the spherical
-/// areas of the vertices (J. Kazdan, F. Warner, "Curvature functions for compact 2-manifolds", Annals of Mathematics 99, 1974). A map is needed
-/// for b only, which it has to give where the sphere is large: what it says about limbs, where triangles may be smaller
-/// than doubles resolve, does not matter. Read off the areas of the map itself, u depends much on the tessellation
-/// there.
+/// areas of the vertices (J. Kazdan, F. Warner, "Curvature functions for compact 2-manifolds", Annals of Mathematics
+/// 99, 1974). A map is needed for b only, which it has to give where the sphere is large: what it says about limbs,
+/// where triangles may be smaller than doubles resolve, does not matter. Since the map is not quite conformal where
+/// angles had to be clamped, b is then corrected to M e^u, and u solved for again, a few times: on a round sphere this
+/// divides a deviation that is a harmonic of degree l by l (l + 1) / 2, and leaves but the Moebius transformations (l =
+/// 1) as the map has them. Read off the areas of the map itself, u depends much on the tessellation there.
 template <class TriangleMesh>
 struct Conformal_factor {
   Source_mesh<TriangleMesh> source;
@@ -59,23 +61,30 @@ struct Conformal_factor {
   /// Throws std::invalid_argument where the mesh is no closed surface of genus 0 with an area, or the map no map.
   template <class VertexPointMap, class VertexSphereMap>
   Conformal_factor(const TriangleMesh& mesh, VertexPointMap points, VertexSphereMap sphere_map)
-    : source(checked(mesh, points)),
-      surface(Intrinsic_triangulation(source.face, twins(mesh), source.point))
+    : source(checked(mesh, points)), surface(Intrinsic_triangulation(source.face, twins(mesh), source.point))
   {
     const Discrete_surface::Vector b = spherical_areas(sphere_map);
     const double total = b.sum();
     if(!(total > 0) || !std::isfinite(total))
       throw std::invalid_argument("the sphere map has no area");
     const double pi = Discrete_surface::pi();
-    u = 2 * surface.solve_poisson(b * (4 * pi / total) - surface.defect());
-    const double largest = u.maxCoeff();
-    const double integral = surface.mass().dot((u.array() - largest).exp().matrix());
-    u.array() += std::log(4 * pi / integral) - largest;
+    Surface_solver solve(surface);
+    Discrete_surface::Vector curvature = b * (4 * pi / total);
+    for(int step = 0; step <= corrections; ++step) {
+      u = 2 * solve(curvature - surface.defect());
+      const double largest = u.maxCoeff();
+      curvature = surface.mass().cwiseProduct((u.array() - largest).exp().matrix());
+      const double integral = curvature.sum();
+      u.array() += std::log(4 * pi / integral) - largest;
+      curvature *= 4 * pi / integral;
+    }
     if(!u.allFinite())
       throw std::invalid_argument("the surface has no usable metric");
   }
 
 private:
+  static constexpr int corrections = 2; // more make up for little of clamping, and let coarse meshes drift along boosts
+
   template <class VertexPointMap>
   static Source_mesh<TriangleMesh> checked(const TriangleMesh& mesh, VertexPointMap points)
   try {

@@ -2,6 +2,7 @@
 // segmentation.h: what every segmentation has to be, on generated bodies.
 
 #include "helpers/meshes.h"
+#include "helpers/partitions.h"
 #include "helpers/property_maps.h"
 #include "helpers/solve.h"
 
@@ -15,6 +16,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <set>
 #include <variant>
 #include <vector>
@@ -142,21 +144,11 @@ void check_segments(const Soup& soup, const Labels& labels, std::size_t count)
 /// Share of the pairs of faces that one keeps together and the other does not.
 double rand_error(const Labels& a, const Labels& b)
 {
-  std::map<std::pair<std::size_t, std::size_t>, double> joint;
-  std::map<std::size_t, double> in_a, in_b;
-  for(std::size_t f = 0; f < a.size(); ++f) {
-    ++joint[{a[f], b[f]}];
-    ++in_a[a[f]];
-    ++in_b[b[f]];
-  }
-  const auto pairs = [](const auto& counts) {
-    double sum = 0;
-    for(const auto& [key, n] : counts)
-      sum += n * (n - 1) / 2;
-    return sum;
-  };
-  const double n = double(a.size());
-  return (pairs(in_a) + pairs(in_b) - 2 * pairs(joint)) / (n * (n - 1) / 2);
+  std::vector<std::size_t> faces(a.size());
+  std::iota(faces.begin(), faces.end(), std::size_t(0));
+  const auto part_of = [](const Labels& labels) { return [&](std::size_t f) { return labels[f]; }; };
+  const Pairs_together pairs(faces, part_of(a), part_of(b));
+  return (pairs.in_a + pairs.in_b - 2 * pairs.in_both) / pairs.all;
 }
 
 Labels segments_or_throw(const Soup& soup, const Sphere& sphere, const Method& method)

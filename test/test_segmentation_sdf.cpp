@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Segmentation beside CGAL's by the shape diameter function, on CGAL's own meshes (Debian package libcgal-demo).
 
+#include "helpers/partitions.h"
 #include "helpers/soup.h"
 
 #include <CGAL/Spherical_parameterization/parameterize.h>
@@ -14,10 +15,8 @@
 #include <chrono>
 #include <filesystem>
 #include <iostream>
-#include <map>
 #include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 using namespace test;
@@ -38,22 +37,9 @@ private:
 /// L. Hubert and P. Arabie, "Comparing partitions", 1985: 1 for equal partitions, 0 expected for unrelated ones.
 double adjusted_rand_index(const Mesh& mesh, Segment_map a, Segment_map b)
 {
-  std::map<std::pair<std::size_t, std::size_t>, double> joint;
-  std::map<std::size_t, double> in_a, in_b;
-  for(auto f : mesh.faces()) {
-    ++joint[{a[f], b[f]}];
-    ++in_a[a[f]];
-    ++in_b[b[f]];
-  }
-  const auto pairs = [](const auto& counts) {
-    double sum = 0;
-    for(const auto& [key, n] : counts)
-      sum += n * (n - 1) / 2;
-    return sum;
-  };
-  const double n = double(mesh.number_of_faces());
-  const double expected = pairs(in_a) * pairs(in_b) / (n * (n - 1) / 2);
-  return (pairs(joint) - expected) / ((pairs(in_a) + pairs(in_b)) / 2 - expected);
+  const Pairs_together pairs(mesh.faces(), [&](auto f) { return a[f]; }, [&](auto f) { return b[f]; });
+  const double expected = pairs.in_a * pairs.in_b / pairs.all;
+  return (pairs.in_both - expected) / ((pairs.in_a + pairs.in_b) / 2 - expected);
 }
 
 std::size_t count_ids(const Mesh& mesh, Segment_map segments)

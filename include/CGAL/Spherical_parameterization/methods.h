@@ -77,10 +77,10 @@ struct Saddle_point {
 /// Faces without area count as small ones of a good shape. Weights are not used; vertices cannot be fixed.
 ///
 /// Named parameters: `number_of_iterations` bounds the Newton steps for the whole mesh, `accuracy` is the relative gain
-/// of energy below which they end earlier.
+/// of energy that such a step has to promise for another one to follow.
 struct Isometric {
-  static constexpr double default_accuracy = 1e-3;
-  static constexpr std::size_t default_number_of_iterations = 5;
+  static constexpr double default_accuracy = 5e-4;
+  static constexpr std::size_t default_number_of_iterations = 20;
 
   /// What slides from angle to area preservation: the exponent theta >= 0 of the area distortion in
   /// E_c E_a^theta, E_c = (s/t + t/s) / 2, E_a = (st + 1/(st)) / 2 (P. Degener, J. Meseth, R. Klein, "An adaptable surface

@@ -230,7 +230,8 @@ private:
     const auto descend = [&](std::size_t maximum_steps) {
       Newton_relaxation<Loop> newton(loop_, distortion_, l);
       for(std::size_t s = 0; s < maximum_steps && advance(); ++s) {
-        report.residual = newton.step(maximum_iterations, linear_tolerance);
+        newton.step(maximum_iterations, linear_tolerance);
+        report.residual = newton.promised_gain();
         ++report.iterations;
         relax_all(loop_, distortion_, l);
         if(report.residual < accuracy)

@@ -19,10 +19,11 @@ namespace internal {
 /// The second derivative of the distortion of a face by the positions of its corners, d = det and L as in `Distortion`
 /// and `Star_face`:  psi L'' + psi' (L' d' + d' L') + L psi'' d' d' + L psi' d''.
 ///
-/// What would make it indefinite is taken off: the negative eigenvalues of the same for the flat triangle, whose
-/// eigensystem is known (B. Smith, F. de Goes, T. Kim, "Analytic eigensystems for isotropic distortion energies", TOG
-/// 2019): a twist, a flip, and two stretches along the principal directions. What the curvature of the sphere adds is
-/// kept, since it matters on coarse levels; so that the sum over the faces is not positive for certain.
+/// A share `lift` of what would make it indefinite is taken off: the negative eigenvalues of the same for the flat
+/// triangle, whose eigensystem is known (B. Smith, F. de Goes, T. Kim, "Analytic eigensystems for isotropic distortion
+/// energies", TOG 2019): a twist, a flip, and two stretches along the principal directions. What the curvature of the
+/// sphere adds is kept, since it matters on coarse levels; so that the sum over the faces is not positive for certain,
+/// even with `lift` = 1.
 class Face_hessian {
 public:
   /// Tangents at a corner, and what they are to the face.
@@ -33,7 +34,7 @@ public:
   };
 
   /// \pre the triangle x, f.j, f.k is not degenerate
-  Face_hessian(const Distortion& distortion, vec3 x, const Star_face& f)
+  Face_hessian(const Distortion& distortion, vec3 x, const Star_face& f, double lift)
     : x_{x, f.j, f.k}, cotangent_{f.cot_x, f.cot_j, f.cot_k}
   {
     const double determinant = f.determinant(x), dirichlet = f.dirichlet(x);
@@ -47,7 +48,7 @@ public:
       pull_[k] = add_scaled(scale(-cotangent_[m], sub(x_[n], x_[k])), -cotangent_[n], sub(x_[m], x_[k]));
       turn_[k] = outer(x_[m], x_[n]);
     }
-    analyse_flat_triangle(distortion, f, dirichlet);
+    analyse_flat_triangle(distortion, f, dirichlet, lift);
   }
 
   /// The gradient at the first corner
@@ -99,7 +100,7 @@ private:
   }
 
   /// The negative eigenvalues of the flat triangle, if there are any, and their eigenvectors.
-  void analyse_flat_triangle(const Distortion& distortion, const Star_face& f, double dirichlet)
+  void analyse_flat_triangle(const Distortion& distortion, const Star_face& f, double dirichlet, double share)
   {
     const vec3 first = sub(x_[1], x_[0]), second = sub(x_[2], x_[0]), area_vector = outer(first, second);
     const double twice_area = std::sqrt(inner(area_vector, area_vector));
@@ -117,7 +118,7 @@ private:
     is_lifted_ = twist > 0 || flip > 0 || lift > 0;
     if(!is_lifted_)
       return;
-    const double area = f.twice_area / 2;
+    const double area = share * f.twice_area / 2;
     shear_ = area * (flip + twist) / 2;
     exchange_ = area * (flip - twist) / 2;
     const double both = area * (lift + lift_all) / 2, one = spread > 0 ? area * (lift - lift_all) / (2 * spread) : 0;

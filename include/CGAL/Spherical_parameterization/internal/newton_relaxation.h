@@ -22,8 +22,12 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
-/// Newton's method for all vertices of a level at once, with the Hessians of the faces made positive, and the linear
-/// systems solved by conjugate gradients, preconditioned by symmetric Gauss-Seidel in the order of the colours.
+/// Newton's method for all vertices of a level at once. The linear systems are solved by conjugate gradients,
+/// preconditioned by symmetric Gauss-Seidel in the order of the colours.
+///
+/// Half of what makes the Hessians of the faces positive is added to them. With all of it, the sum is far too stiff
+/// where a surface is compressed, as in limbs, and they creep to their places; with none, it is often indefinite. Where
+/// conjugate gradients find that it is, the same step is tried again with all.
 ///
 /// Every vertex gets tangents in which its diagonal block is the identity. The matrix is then I + L + L^T, and S. C.
 /// Eisenstat's trick ("Efficient implementation of a class of preconditioned conjugate gradient methods", 1981) gives
@@ -40,10 +44,19 @@ public:
   /// One step, taken only if the energy falls and the map stays bijective. Returns the share of the energy it took off.
   double step(int maximum_iterations, double tolerance)
   {
-    assemble();
-    const std::vector<vec3> direction = solve(maximum_iterations, tolerance);
+    std::vector<vec3> direction;
+    for(double lift : {0.5, 1.}) {
+      assemble(lift);
+      direction = solve(maximum_iterations, tolerance);
+      if(!is_indefinite_)
+        break;
+    }
     return search(direction);
   }
+
+  /// The share of the energy that the last step would have taken off, had the energy been its parabola. A step that is
+  /// cut short by a few faces that are about to flip gains less than there is to gain.
+  double promised_gain() const { return promised_gain_; }
 
 private:
   struct Entry {
@@ -52,14 +65,14 @@ private:
   };
 
   /// All blocks in orthonormal tangents first, then in those that the diagonal blocks ask for.
-  void assemble()
+  void assemble(double lift)
   {
-    for_each_of_level(loop_, 0, level_.size(), [&](int i) { assemble_row(i); });
+    for_each_of_level(loop_, 0, level_.size(), [&](int i) { assemble_row(i, lift); });
     for_each_of_level(loop_, 0, level_.size(), [&](int i) { normalise_row(i); });
   }
 
   /// Gradient and blocks of row i, those left of the diagonal first.
-  void assemble_row(int i)
+  void assemble_row(int i, double lift)
   {
     const vec3 x = level_.position()[i];
     const Tangents tangents(x);
@@ -73,7 +86,7 @@ private:
     for(int c = begin; c < end; ++c) {
       const Star_face f = level_.star_face(level_.corner(c));
       const Tangents at_j(f.j), at_k(f.k);
-      const Face_hessian hessian(distortion_, x, f);
+      const Face_hessian hessian(distortion_, x, f, lift);
       gradient = add(gradient, hessian.gradient());
       const Face_hessian::Frame frame = hessian.frame(0, tangents.s, tangents.t);
       add_to(diagonal, hessian.block(0, frame, 0, frame));
@@ -139,8 +152,8 @@ private:
                                     [&](int i) { y[i] = reduced(x(i), level_.offset(i), middle_[i], y); });
   }
 
-  /// The approximate Newton direction.
-  std::vector<vec3> solve(int maximum_iterations, double tolerance) const
+  /// The approximate Newton direction, as far as the matrix is positive.
+  std::vector<vec3> solve(int maximum_iterations, double tolerance)
   {
     const int n = level_.size();
     Host_array<Planar> x(n, Planar{0, 0}), r(n), p, t(n), w(n);
@@ -149,13 +162,18 @@ private:
     const auto square = [](Planar a) { return a.s * a.s + a.t * a.t; };
     double rr = sum_over_level<many_steps>(loop_, n, [&](int i) { return square(r[i]); });
     const double goal = tolerance * tolerance * rr;
+    is_indefinite_ = false;
     for(int it = 0; it < maximum_iterations && rr > goal; ++it) {
       solve_upper(p, t);
       solve_lower([&](int i) { return Planar{p[i].s - t[i].s, p[i].t - t[i].t}; }, w);
       const double pq = sum_over_level<many_steps>(
         loop_, n, [&](int i) { return p[i].s * (t[i].s + w[i].s) + p[i].t * (t[i].t + w[i].t); });
-      if(!(pq > 0))
+      if(!(pq > 0)) {
+        is_indefinite_ = true;
+        if(it == 0)
+          x = p;
         break;
+      }
       const double alpha = rr / pq;
       const double next = sum_over_level<many_steps>(loop_, n, [&](int i) {
         x[i] = {x[i].s + alpha * p[i].s, x[i].t + alpha * p[i].t};
@@ -211,20 +229,42 @@ private:
   {
     constexpr double armijo = 1e-4;
     constexpr int maximum_halvings = 30;
+    const double before = level_.energy(loop_, distortion_);
+    promised_gain_ = -slope_ / 2 / before;
     if(!(slope_ < 0))
       return 0;
-    const double before = level_.energy(loop_, distortion_);
     const Host_array<vec3> start = level_.position();
-    double t = feasible_step(direction);
-    for(int halving = 0; halving < maximum_halvings; ++halving, t /= 2) {
+    const auto energy_at = [&](double t) {
       for_each_of_level(loop_, 0, level_.size(),
                         [&](int i) { level_.position()[i] = unit(add_scaled(start[i], t, direction[i])); });
-      const double after = level_.energy(loop_, distortion_);
+      return level_.energy(loop_, distortion_);
+    };
+    double t = feasible_step(direction);
+    for(int halving = 0; halving < maximum_halvings; ++halving, t /= 2) {
+      const double after = energy_at(t);
       if(after <= before + armijo * t * slope_ && level_.is_bijective(loop_))
-        return (before - after) / before;
+        return (before - longer_step(t, before, after, energy_at)) / before;
     }
     level_.position() = start;
     return 0;
+  }
+
+  /// Where the energy still falls nearly as fast after the step t as before, since the matrix is stiffer than the map,
+  /// a longer one is tried: to the minimum of the parabola. Returns the energy where that ends.
+  template <class Energy>
+  double longer_step(double t, double before, double after, const Energy& energy_at)
+  {
+    constexpr double longest = 4, worthwhile = 1.3; // of the step t
+    const double linear = slope_ * t, quadratic = after - before - linear;
+    const double factor = longest * 2 * quadratic > -linear ? -linear / (2 * quadratic) : longest;
+    if(factor < worthwhile)
+      return after;
+    const Host_array<vec3> position = level_.position();
+    const double further = energy_at(factor * t);
+    if(further < after && level_.is_bijective(loop_))
+      return further;
+    level_.position() = position;
+    return after;
   }
 
   const Loop& loop_;
@@ -238,7 +278,9 @@ private:
   Host_array<Planar> gradient_;
   Host_array<int> middle_; ///< where in row i the entries right of the diagonal begin
   Host_array<Entry> entry_;
-  mutable double slope_ = 0; ///< of the mean energy along the direction
+  double slope_ = 0; ///< of the mean energy along the direction
+  double promised_gain_ = 0;
+  bool is_indefinite_ = false; ///< the matrix, as far as conjugate gradients saw
 };
 
 } // namespace internal

@@ -22,12 +22,12 @@ read -ra targets <<<"${TARGETS:-test_maps test_concepts test_analysis test_signa
 jobs=${JOBS:-$(nproc)}
 
 rows=(
-  installed,g++,17,Release
-  installed,clang++,20,Debug
-  trixie,g++,20,Debug
-  trixie,clang++,17,Release
-  sid,g++,20,Release
-  sid,clang++,17,Debug
+  'installed,g++,17,Release'
+  'installed,clang++,20,Debug'
+  'trixie,g++,20,Debug'
+  'trixie,clang++,17,Release'
+  'sid,g++,20,Release'
+  'sid,clang++,17,Debug'
 )
 case ${1:-} in
 --list)
@@ -48,6 +48,7 @@ esac
 cgal_of() {
   local release=$1 folder=$build/cgal-$1 codename mirror options deb
   if [ ! -d "$folder/usr" ]; then
+    # shellcheck source=/dev/null
     codename=$(. /etc/os-release && echo "$VERSION_CODENAME")
     # shellcheck disable=SC2016  # the names are apt's
     mirror=$(apt-get indextargets --format '$(RELEASE) $(COMPONENT) $(REPO_URI)' 'Created-By: Packages' |

@@ -30,6 +30,10 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/cgal-spherical-parameterization.pc DES
 install(FILES README.md LICENSE LICENSE.GPL DESTINATION ${CMAKE_INSTALL_DOCDIR})
 if(CGAL_SP_WITH_TOOL)
   install(TARGETS spherical-parameterization)
+  install(FILES doc/man/spherical-parameterization.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+  # where bash-completion looks: under the name of the program
+  install(FILES src/completion/spherical-parameterization.bash RENAME spherical-parameterization
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
 endif()
 
 set(CPACK_GENERATOR DEB TGZ)

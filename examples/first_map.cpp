@@ -28,9 +28,10 @@ int main(int argc, char* argv[])
   }
   auto sphere = mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:sphere").first;
   const auto result = CGAL::Spherical_parameterization::parameterize(mesh, sphere);
-  std::cout << result << '\n';
   if(!result)
-    return 1;
+    return std::cerr << result << '\n', 1;
+  std::cout << "valid spherical map of " << result.number_of_vertices << " vertices: " << result.flipped_faces
+            << " flipped faces, degree " << result.degree << '\n';
   const auto parameters = CGAL::parameters::vertex_point_map(sphere).stream_precision(17);
   return argc < 3 || CGAL::IO::write_polygon_mesh(argv[2], mesh, parameters) ? 0 : 1;
 }

@@ -53,6 +53,7 @@ int main(int argc, char* argv[])
       }
   }
   const SP::Shape_signature query = signature(meshes[0]);
+  std::cout.precision(2);
   for(std::size_t i = 1; i < meshes.size(); ++i)
     std::cout << SP::distance(query, signature(meshes[i])) << "  " << names[i] << '\n';
   return 0;

@@ -21,8 +21,10 @@ Mesh peanut()
 {
   Mesh mesh;
   SP::make_icosphere(4, mesh, mesh.points());
-  for(Point_3& p : mesh.points())
-    p = Point_3(p.x() * (0.4 + 0.6 * p.z() * p.z()), p.y() * (0.4 + 0.6 * p.z() * p.z()), 1.5 * p.z());
+  for(Point_3& p : mesh.points()) {
+    const double radius = (0.4 + 0.6 * p.z() * p.z()) * (1 - 0.2 * p.z()); // one end is thinner than the other
+    p = Point_3(radius * p.x(), radius * p.y(), 1.5 * p.z());
+  }
   return mesh;
 }
 
@@ -42,6 +44,7 @@ int main(int argc, char* argv[])
   if(!result)
     return std::cerr << result << '\n', 1;
 
+  std::cout.precision(3);
   const SP::Distortion_summary distortion = SP::distortion_summary(mesh, sphere);
   print("log area stretch", distortion.log_area_stretch);
   print("dilatation", distortion.dilatation);

@@ -4,7 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_H
 
-/// The whole package in one header.
+// The whole package in one header.
 
 #include <CGAL/Spherical_parameterization/Result.h>
 #include <CGAL/Spherical_parameterization/align_maps.h>

@@ -4,11 +4,10 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_OPENCL_DEVICE_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_OPENCL_DEVICE_H
 
-/// The execution policy for OpenCL devices (version 1.2 or later). Include it, and link with OpenCL, to have it:
-/// \code
-///   const OpenCL_device device = opencl_device();
-///   const Result result = parameterize(device, mesh, Balanced(), sphere_map);
-/// \endcode
+// The execution policy for OpenCL devices (version 1.2 or later). Include it, and link with OpenCL, to have it:
+//
+//   const OpenCL_device device = opencl_device();
+//   const Result result = parameterize(device, mesh, Balanced(), sphere_map);
 
 #include <CGAL/Spherical_parameterization/OpenCL_error.h>
 #include <CGAL/Spherical_parameterization/internal/OpenCL_backend.h>
@@ -24,7 +23,11 @@
 namespace CGAL {
 namespace Spherical_parameterization {
 
+/// \addtogroup PkgSphericalParameterizationPolicies
+/// @{
+
 /// Every device of every platform, in an order that stays while no driver comes or goes. No driver: no device.
+/// \return what each of them says of itself
 inline std::vector<OpenCL_device_info> opencl_devices()
 {
   std::vector<OpenCL_device_info> result;
@@ -33,7 +36,10 @@ inline std::vector<OpenCL_device_info> opencl_devices()
   return result;
 }
 
-/// Device `k` of opencl_devices(), with a context and a queue of its own.
+/// Device `k` of `opencl_devices()`, with a context and a queue of its own.
+/// \param k          its number there, from 0
+/// \param precision  in what to compute
+/// \return the policy
 /// \throws OpenCL_error if there is no such device, or if it cannot do with the precision
 inline OpenCL_device opencl_device(std::size_t k,
                                    OpenCL_device::Precision precision = OpenCL_device::Precision::AUTOMATIC)
@@ -50,11 +56,10 @@ inline OpenCL_device opencl_device(std::size_t k,
   return OpenCL_device(queue, precision);
 }
 
-/// The device a user has asked for: `wanted` is its number, or a part of its name, in which capitals do not matter.
-/// Where it is empty, what the environment variable `CGAL_SPHERICAL_PARAMETERIZATION_DEVICE` says counts; where that is
-/// empty, too, the first GPU with double precision; without one, the first device.
-/// \return its number in opencl_devices()
-/// \throws OpenCL_error if there is no such device
+/// The device a user has asked for. Where `wanted` is empty, what the environment variable
+/// `CGAL_SPHERICAL_PARAMETERIZATION_DEVICE` says counts; where that is empty, too, the first GPU with double precision;
+/// without one, the first device. \param wanted  its number, or a part of its name, in which capitals do not matter; or
+/// empty \return its number in `opencl_devices()` \throws OpenCL_error if there is no such device
 inline std::size_t find_opencl_device(std::string wanted = std::string())
 {
   const char* const variable = "CGAL_SPHERICAL_PARAMETERIZATION_DEVICE";
@@ -99,12 +104,16 @@ inline std::size_t find_opencl_device(std::string wanted = std::string())
   return named;
 }
 
-/// The device that find_opencl_device() finds without being told more.
+/// The device that `find_opencl_device()` finds without being told more.
+/// \param precision  in what to compute
+/// \return the policy
 /// \throws OpenCL_error if there is no such device, or if it cannot do with the precision
 inline OpenCL_device opencl_device(OpenCL_device::Precision precision = OpenCL_device::Precision::AUTOMATIC)
 {
   return opencl_device(find_opencl_device(), precision);
 }
+
+/// @}
 
 } // namespace Spherical_parameterization
 } // namespace CGAL

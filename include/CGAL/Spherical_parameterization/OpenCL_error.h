@@ -13,7 +13,12 @@
 namespace CGAL {
 namespace Spherical_parameterization {
 
+/// \addtogroup PkgSphericalParameterizationPolicies
+/// @{
+
 /// The name of an error code of OpenCL, say `"CL_OUT_OF_RESOURCES"`.
+/// \param code  what a function of OpenCL has returned
+/// \return the name of the macro, or that it is unknown
 inline const char* opencl_error_name(cl_int code)
 {
   switch(code) {
@@ -74,8 +79,10 @@ inline const char* opencl_error_name(cl_int code)
 /// Whatever goes wrong with OpenCL. Nothing is left behind on the device when it is thrown.
 class OpenCL_error : public std::runtime_error {
 public:
-  /// \param call  what failed: the function of OpenCL or of this package
+  /// \param call         what failed: the function of OpenCL or of this package
+  /// \param code         the error code of OpenCL
   /// \param explanation  what a user can make of it
+  /// \param build_log    of the compiler, if a build has failed
   OpenCL_error(std::string call, cl_int code, const std::string& explanation = "OpenCL failed",
                std::string build_log = std::string())
     : std::runtime_error(explanation + " (" + call + ": " + opencl_error_name(code) + ", " + std::to_string(code) +
@@ -83,16 +90,22 @@ public:
       call_(std::move(call)), code_(code), build_log_(std::move(build_log))
   {}
 
+  /// \return what failed: the function of OpenCL or of this package
   const std::string& call() const { return call_; }
+  /// \return the error code of OpenCL
   cl_int code() const { return code_; }
+  /// \return its name
   const char* code_name() const { return opencl_error_name(code_); }
-  const std::string& build_log() const { return build_log_; } ///< empty unless a build has failed
+  /// \return the messages of the compiler; empty unless a build has failed
+  const std::string& build_log() const { return build_log_; }
 
 private:
   std::string call_;
   cl_int code_;
   std::string build_log_;
 };
+
+/// @}
 
 } // namespace Spherical_parameterization
 } // namespace CGAL

@@ -11,6 +11,9 @@
 namespace CGAL {
 namespace Spherical_parameterization {
 
+/// \addtogroup PkgSphericalParameterizationMap
+/// @{
+
 /// Everything that can be wrong with the input, or with the map that was found.
 /// Only `OK` stands for a certified spherical map.
 enum class Error_code {
@@ -33,7 +36,9 @@ enum class Error_code {
   NOT_BIJECTIVE             ///< converged, but faces are flipped or the degree is not 1
 };
 
-/// The sentence a user reads for `code`; `Result::detail` adds what and where.
+/// The sentence a user reads for an error; `Result::detail` adds what and where.
+/// \param code  what is wrong, or `OK`
+/// \return a string that is never freed, without full stop
 // clang-format off
 inline const char* get_error_message(Error_code code)
 {
@@ -62,11 +67,11 @@ inline const char* get_error_message(Error_code code)
 
 /// What `parameterize()` did and how good the map is. Times are wall-clock seconds.
 struct Result {
-  Error_code error = Error_code::OK;
-  std::string detail; ///< what, where and what to do; empty if `OK`
+  Error_code error = Error_code::OK; ///< `OK` if and only if the map is certified
+  std::string detail;                ///< what, where and what to do; empty if `OK`
 
-  std::size_t number_of_vertices = 0;
-  std::size_t number_of_faces = 0;
+  std::size_t number_of_vertices = 0; ///< of the mesh
+  std::size_t number_of_faces = 0;    ///< of the mesh
 
   /// \name Certificate
   /// Counted with exact predicates on the double coordinates that were handed out.
@@ -92,21 +97,26 @@ struct Result {
   std::size_t start_iterations = 0; ///< of the start map, on all coarse levels together
   std::size_t iterations = 0;       ///< iterations of the method: descent steps, or saddle-point problems solved
   std::size_t sweeps = 0;           ///< Jacobi or Gauss-Seidel sweeps (saddle-point method; else 0)
+  /// Wall-clock time of each phase, in seconds.
   struct Seconds {
     double read = 0;      ///< from the FaceGraph to arrays, with all checks of the input
     double start_map = 0; ///< set-up of the multigrid hierarchy, and the start map
     double solve = 0;     ///< from the start map to the result
     double certify = 0;   ///< certificate, residual, and writing the property map
-    double total = 0;
-  } seconds;
+    double total = 0;     ///< all of the call
+  };
+  Seconds seconds;    ///< how long it took
   std::string device; ///< what the policy ran on
   /// @}
 
-  /// `true` iff the map is certified
+  /// \return `true` iff the map is certified
   explicit operator bool() const { return error == Error_code::OK; }
 };
 
 /// One line for a log: the verdict and the figures behind it.
+/// \param out  a stream
+/// \param r    what to write
+/// \return `out`
 inline std::ostream& operator<<(std::ostream& out, const Result& r)
 {
   out << get_error_message(r.error);
@@ -118,6 +128,8 @@ inline std::ostream& operator<<(std::ostream& out, const Result& r)
         << r.seconds.total << " s)";
   return out;
 }
+
+/// @}
 
 } // namespace Spherical_parameterization
 } // namespace CGAL

@@ -19,6 +19,9 @@
 namespace CGAL {
 namespace Spherical_parameterization {
 
+/// \addtogroup PkgSphericalParameterizationInverse
+/// @{
+
 /// A rotation of the sphere by its rows, orthonormal, determinant 1.
 typedef std::array<std::array<double, 3>, 3> Rotation;
 
@@ -94,8 +97,12 @@ inline void normalize(std::vector<vec3>& points)
 ///
 /// Sixty starts and a pattern search from the best of them; the result is a good optimum, to 1e-3, and not proven to be
 /// the best of all.
-/// \param points_a    readable, key vertex_descriptor of the mesh of `a`, value with x(), y(), z(); likewise `points_b`
+/// \param a         the inverse of the first map
+/// \param points_a  readable, key vertex_descriptor of the mesh of `a`, value with x(), y(), z()
+/// \param b         the inverse of the second map
+/// \param points_b  readable, key vertex_descriptor of the mesh of `b`, value with x(), y(), z()
 /// \return R such that R x under `b` is what x is under `a`; see `rotated_map()`
+///
 /// Complexity: about 400,000 queries.
 template <class MeshA, class PointMapA, class MeshB, class PointMapB>
 Rotation aligning_rotation(const Spherical_locator<MeshA>& a, PointMapA points_a, const Spherical_locator<MeshB>& b,
@@ -151,13 +158,15 @@ Rotation aligning_rotation(const Spherical_locator<MeshA>& a, PointMapA points_a
 /// position. Nothing is stored: rotated coordinates would be rounded, which can flip the faces of thin limbs.
 template <class VertexSphereMap>
 struct Rotated_map {
+  /// \cond SKIP_IN_MANUAL
   typedef typename boost::property_traits<VertexSphereMap>::key_type key_type;
   typedef std::array<double, 3> value_type;
   typedef value_type reference;
   typedef boost::readable_property_map_tag category;
+  /// \endcond
 
-  VertexSphereMap sphere_map;
-  Rotation rotation;
+  VertexSphereMap sphere_map; ///< readable, key vertex_descriptor
+  Rotation rotation;          ///< what its values are turned by
 
   friend value_type get(const Rotated_map& map, const key_type& key)
   {
@@ -166,11 +175,17 @@ struct Rotated_map {
   }
 };
 
+/// Makes a `Rotated_map`.
+/// \param sphere_map  readable, key vertex_descriptor, value unit vectors
+/// \param rotation    what its values are turned by
+/// \return a readable property map with values of type `std::array<double, 3>`
 template <class VertexSphereMap>
 Rotated_map<VertexSphereMap> rotated_map(VertexSphereMap sphere_map, const Rotation& rotation)
 {
   return {sphere_map, rotation};
 }
+
+/// @}
 
 } // namespace Spherical_parameterization
 } // namespace CGAL

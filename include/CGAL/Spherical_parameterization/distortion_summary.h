@@ -17,19 +17,28 @@
 namespace CGAL {
 namespace Spherical_parameterization {
 
+/// \addtogroup PkgSphericalParameterizationMeasures
+/// @{
+
 /// How a measure is spread over the surface: every face counts with its source area.
 struct Distribution {
-  double mean = 0;
-  double deviation = 0; ///< root of the mean square difference from the mean
-  double min = 0, percentile_1 = 0, percentile_5 = 0, median = 0, percentile_95 = 0, percentile_99 = 0, max = 0;
+  double mean = 0;          ///< weighted by area
+  double deviation = 0;     ///< root of the mean square difference from the mean
+  double min = 0;           ///< the smallest value
+  double percentile_1 = 0;  ///< 1 % of the area have smaller values
+  double percentile_5 = 0;  ///< 5 % of the area have smaller values
+  double median = 0;        ///< half of the area has smaller values
+  double percentile_95 = 0; ///< 5 % of the area have larger values
+  double percentile_99 = 0; ///< 1 % of the area have larger values
+  double max = 0;           ///< the largest value
 };
 
 /// The distortion of a map; see `measure_distortion.h` for the measures.
 struct Distortion_summary {
-  Distribution log_area_stretch;
-  Distribution angle_distortion; ///< radians
-  Distribution dilatation;
-  Distribution symmetric_dirichlet; ///< between flat triangles; 4 = isometric
+  Distribution log_area_stretch;    ///< see `face_log_area_stretch()`
+  Distribution angle_distortion;    ///< radians; see `face_angle_distortion()`
+  Distribution dilatation;          ///< see `face_dilatation()`
+  Distribution symmetric_dirichlet; ///< between flat triangles; 4 = isometric; see `face_symmetric_dirichlet()`
   /// With det(a, b, c) / 2 in place of the area of the flat triangle abc on the sphere: the inscribed polyhedron of a
   /// map may be far from the sphere, as with long edges along a tube, and the flat measure does not see it.
   Distribution spherical_symmetric_dirichlet;
@@ -73,8 +82,11 @@ inline Distribution distribution(std::vector<std::pair<double, double>>& values)
 } // namespace internal
 
 /// Measures all faces of a valid map.
+/// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param sphere_map  readable, key vertex_descriptor, value unit vectors
-/// \param np          `vertex_point_map`
+/// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
+/// \return how each measure is distributed over the source area
+///
 /// Complexity: O(n log n).
 template <class TriangleMesh, class VertexSphereMap, class NamedParameters = parameters::Default_named_parameters>
 Distortion_summary distortion_summary(const TriangleMesh& mesh, VertexSphereMap sphere_map,
@@ -101,6 +113,8 @@ Distortion_summary distortion_summary(const TriangleMesh& mesh, VertexSphereMap 
   summary.spherical_symmetric_dirichlet = summarize([&](auto f) { return measures.spherical_symmetric_dirichlet(f); });
   return summary;
 }
+
+/// @}
 
 } // namespace Spherical_parameterization
 } // namespace CGAL

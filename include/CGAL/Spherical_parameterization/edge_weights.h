@@ -19,19 +19,25 @@
 namespace CGAL {
 namespace Spherical_parameterization {
 
+/// \addtogroup PkgSphericalParameterizationWeights
+/// @{
+
 /// \name Spring weights
 /// Readable property maps from edges to double, computed on access. They keep references: the mesh must outlive them.
 /// Any other readable map from edges to positive numbers can take their place.
 /// @{
 
 /// w = 1 for every edge: each vertex goes to the projected mean of its neighbours. Depends on the connectivity alone.
+/// \cgalModels{SphericalParameterizationWeightMap}
 template <class TriangleMesh>
 class Barycentric_weight_map {
 public:
+  /// \cond SKIP_IN_MANUAL
   typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor key_type;
   typedef double value_type;
   typedef double reference;
   typedef boost::readable_property_map_tag category;
+  /// \endcond
 
   friend double get(const Barycentric_weight_map&, const key_type&) { return 1; }
 };
@@ -39,17 +45,24 @@ public:
 /// w = (cot alpha + cot beta) / 2, alpha and beta the angles opposite to the edge, each clamped to [minimum, maximum]
 /// degrees: inside (0, 90) this keeps all weights positive, also at faces without area (whose angles count as 0 or 180
 /// degrees). The map is conformal up to discretisation and clamping.
+/// \cgalModels{SphericalParameterizationWeightMap}
 template <class TriangleMesh, class VertexPointMap>
 class Conformal_weight_map {
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
 
 public:
+  /// \cond SKIP_IN_MANUAL
   typedef typename Graph_traits::edge_descriptor key_type;
   typedef double value_type;
   typedef double reference;
   typedef boost::readable_property_map_tag category;
+  /// \endcond
 
-  /// \pre 0 < minimum_angle <= maximum_angle < 90, in degrees
+  /// \param mesh           must outlive the map
+  /// \param points         readable, key vertex_descriptor, value with x(), y(), z()
+  /// \param minimum_angle  of the clamping, in degrees
+  /// \param maximum_angle  of the clamping, in degrees
+  /// \pre 0 < minimum_angle <= maximum_angle < 90
   Conformal_weight_map(const TriangleMesh& mesh, VertexPointMap points, double minimum_angle, double maximum_angle)
     : mesh_(&mesh), points_(points), largest_(cotangent_of_degrees(minimum_angle)),
       smallest_(cotangent_of_degrees(maximum_angle))
@@ -89,17 +102,22 @@ private:
 /// M. Floater, "Mean value coordinates", CAGD 20 (2003), symmetrised: the coordinates (tan a/2 + tan b/2) / |e| of
 /// either end with respect to the other, a and b the angles at it next to the edge, are averaged, since a spring has
 /// one weight. Not defined at faces without area.
+/// \cgalModels{SphericalParameterizationWeightMap}
 template <class TriangleMesh, class VertexPointMap>
 class Mean_value_weight_map {
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
   typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
 
 public:
+  /// \cond SKIP_IN_MANUAL
   typedef typename Graph_traits::edge_descriptor key_type;
   typedef double value_type;
   typedef double reference;
   typedef boost::readable_property_map_tag category;
+  /// \endcond
 
+  /// \param mesh    must outlive the map
+  /// \param points  readable, key vertex_descriptor, value with x(), y(), z()
   Mean_value_weight_map(const TriangleMesh& mesh, VertexPointMap points) : mesh_(&mesh), points_(points) {}
 
   friend double get(const Mean_value_weight_map& m, const key_type& e)
@@ -141,6 +159,7 @@ private:
 };
 
 /// Weights 1; the map is barycentric.
+/// \return a `Barycentric_weight_map`
 template <class TriangleMesh>
 Barycentric_weight_map<TriangleMesh> barycentric_weights(const TriangleMesh&)
 {
@@ -148,7 +167,11 @@ Barycentric_weight_map<TriangleMesh> barycentric_weights(const TriangleMesh&)
 }
 
 /// Clamped cotangent weights, the default of `parameterize()`.
-/// \param np  `vertex_point_map`
+/// \param mesh           must outlive the map
+/// \param minimum_angle  of the clamping, in degrees; above 0
+/// \param maximum_angle  of the clamping, in degrees; below 90
+/// \param np             optional named parameters: `vertex_point_map`, by default the mesh's own
+/// \return a `Conformal_weight_map`
 template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
 auto conformal_weights(const TriangleMesh& mesh, double minimum_angle = 5, double maximum_angle = 85,
                        const NamedParameters& np = parameters::default_values())
@@ -158,13 +181,17 @@ auto conformal_weights(const TriangleMesh& mesh, double minimum_angle = 5, doubl
 }
 
 /// Symmetrised mean value weights.
-/// \param np  `vertex_point_map`
+/// \param mesh  must outlive the map
+/// \param np    optional named parameters: `vertex_point_map`, by default the mesh's own
+/// \return a `Mean_value_weight_map`
 template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
 auto mean_value_weights(const TriangleMesh& mesh, const NamedParameters& np = parameters::default_values())
 {
   const auto points = internal::vertex_points(mesh, np);
   return Mean_value_weight_map<TriangleMesh, std::decay_t<decltype(points)>>(mesh, points);
 }
+/// @}
+
 /// @}
 
 } // namespace Spherical_parameterization

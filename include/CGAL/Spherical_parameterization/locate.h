@@ -24,6 +24,9 @@
 namespace CGAL {
 namespace Spherical_parameterization {
 
+/// \addtogroup PkgSphericalParameterizationInverse
+/// @{
+
 /// A point of a mesh: a face, and weights (non-negative, sum 1) of its corners source(h), target(h), target(next(h))
 /// with h = halfedge(f). The same as `CGAL::Polygon_mesh_processing::Face_location`.
 template <class TriangleMesh>
@@ -41,11 +44,14 @@ class Spherical_locator {
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
 
 public:
-  typedef typename Graph_traits::face_descriptor face_descriptor;
+  typedef typename Graph_traits::face_descriptor face_descriptor; ///< of the mesh
+  /// What `locate()` returns.
   typedef Spherical_parameterization::Face_location<TriangleMesh> Face_location;
 
-  /// \param sphere_map readable, key vertex_descriptor, value unit vectors
+  /// \param mesh        a closed triangle mesh; must outlive the locator
+  /// \param sphere_map  readable, key vertex_descriptor, value unit vectors
   /// \throws std::invalid_argument if the map is not valid: there are flipped faces, or its degree is not 1
+  ///
   /// Complexity: O(n log n).
   template <class VertexSphereMap>
   Spherical_locator(const TriangleMesh& mesh, VertexSphereMap sphere_map)
@@ -55,7 +61,9 @@ public:
   /// The face whose image contains `direction`, and the weights for which the mean of the images of its corners has
   /// that direction. On an edge or at a vertex it is one of the faces there.
   /// \param direction any vector that is finite and not zero: with x(), y(), z() or operator[]
+  /// \return the face and the weights, exact to 1e-12
   /// \throws std::invalid_argument if it is none
+  ///
   /// Complexity: O(log n) expected, for triangles that are not all slivers.
   template <class Direction>
   Face_location locate(const Direction& direction) const
@@ -70,6 +78,7 @@ public:
                               {point_[face.vertex[0]], point_[face.vertex[1]], point_[face.vertex[2]]}, q)};
   }
 
+  /// \return the mesh whose map this is the inverse of
   const TriangleMesh& mesh() const { return *mesh_; }
 
 private:
@@ -174,6 +183,8 @@ private:
   std::vector<Face> face_;
   std::vector<face_descriptor> descriptor_;
 };
+
+/// @}
 
 } // namespace Spherical_parameterization
 } // namespace CGAL

@@ -21,6 +21,9 @@
 namespace CGAL {
 namespace Spherical_parameterization {
 
+/// \addtogroup PkgSphericalParameterizationMeasures
+/// @{
+
 namespace internal {
 
 /// Writes value(k) for every k of the range; returns the smallest and the largest value.
@@ -42,7 +45,11 @@ std::pair<double, double> put_values(const Range& range, Map map, const Value& v
 
 /// Number of faces (a, b, c) with orientation(O, a, b, c) <= 0, by exact predicates on the coordinates as doubles.
 /// A map without such faces and of degree 1 is bijective.
+/// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param sphere_map  readable, key vertex_descriptor; need not be normalised
+/// \return the number of faces that are flipped, degenerate, or not finite
+///
+/// Complexity: linear.
 template <class TriangleMesh, class VertexSphereMap>
 std::size_t number_of_flipped_faces(const TriangleMesh& mesh, VertexSphereMap sphere_map)
 {
@@ -57,7 +64,11 @@ std::size_t number_of_flipped_faces(const TriangleMesh& mesh, VertexSphereMap sp
 }
 
 /// How often the map covers the sphere, counted with orientation: the sum of the signed spherical areas over 4 pi.
+/// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param sphere_map  readable, key vertex_descriptor, value unit vectors
+/// \return the degree: 1 for a valid map, -1 for a mirrored one
+///
+/// Complexity: linear.
 template <class TriangleMesh, class VertexSphereMap>
 int degree_of_map(const TriangleMesh& mesh, VertexSphereMap sphere_map)
 {
@@ -70,15 +81,17 @@ int degree_of_map(const TriangleMesh& mesh, VertexSphereMap sphere_map)
 }
 
 /// \name Measures per face
-/// Each writes one value per face and returns the smallest and the largest one.
-/// \param sphere_map  readable, key vertex_descriptor, value unit vectors; a valid map
-/// \param face_map    writable, key face_descriptor, value double
-/// \param np          `vertex_point_map`
+/// Each writes one value per face and returns the smallest and the largest one. All are linear in the size of the mesh.
 /// @{
 
 /// The area stretch of Definition 1 of T. Athanasiadis and I. Fudos, SMI 2011, as a natural logarithm:
 /// log((source area / total source area) / (spherical area / 4 pi)). Positive where the map shrinks, as in limbs, where
 /// it reaches 60 and more. Areas below 1e-300 of the total count as that.
+/// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \param sphere_map  readable, key vertex_descriptor, value unit vectors; a valid map
+/// \param face_map    writable, key face_descriptor, value double
+/// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
+/// \return the smallest and the largest value
 template <class TriangleMesh, class VertexSphereMap, class FaceMap,
           class NamedParameters = parameters::Default_named_parameters>
 std::pair<double, double> face_log_area_stretch(const TriangleMesh& mesh, VertexSphereMap sphere_map, FaceMap face_map,
@@ -89,6 +102,11 @@ std::pair<double, double> face_log_area_stretch(const TriangleMesh& mesh, Vertex
 }
 
 /// Mean over the three corners of |angle between the great circles - angle in the source|, in radians, in [0, pi).
+/// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \param sphere_map  readable, key vertex_descriptor, value unit vectors; a valid map
+/// \param face_map    writable, key face_descriptor, value double
+/// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
+/// \return the smallest and the largest value
 template <class TriangleMesh, class VertexSphereMap, class FaceMap,
           class NamedParameters = parameters::Default_named_parameters>
 std::pair<double, double> face_angle_distortion(const TriangleMesh& mesh, VertexSphereMap sphere_map, FaceMap face_map,
@@ -100,6 +118,11 @@ std::pair<double, double> face_angle_distortion(const TriangleMesh& mesh, Vertex
 
 /// The quasi-conformal dilatation sigma_1 / sigma_2 >= 1 of the affine map between the flat triangles; 1 where it is
 /// conformal, infinite for faces without area.
+/// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \param sphere_map  readable, key vertex_descriptor, value unit vectors; a valid map
+/// \param face_map    writable, key face_descriptor, value double
+/// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
+/// \return the smallest and the largest value
 template <class TriangleMesh, class VertexSphereMap, class FaceMap,
           class NamedParameters = parameters::Default_named_parameters>
 std::pair<double, double> face_dilatation(const TriangleMesh& mesh, VertexSphereMap sphere_map, FaceMap face_map,
@@ -112,6 +135,11 @@ std::pair<double, double> face_dilatation(const TriangleMesh& mesh, VertexSphere
 /// The symmetric Dirichlet energy sigma_1^2 + sigma_2^2 + 1/sigma_1^2 + 1/sigma_2^2 >= 4 of the affine map between the
 /// flat triangles, both surfaces scaled to the same area; 4 where it is isometric, infinite for faces without area.
 /// J. Smith and S. Schaefer, "Bijective parameterization with free boundaries", SIGGRAPH 2015.
+/// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \param sphere_map  readable, key vertex_descriptor, value unit vectors; a valid map
+/// \param face_map    writable, key face_descriptor, value double
+/// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
+/// \return the smallest and the largest value
 template <class TriangleMesh, class VertexSphereMap, class FaceMap,
           class NamedParameters = parameters::Default_named_parameters>
 std::pair<double, double> face_symmetric_dirichlet(const TriangleMesh& mesh, VertexSphereMap sphere_map,
@@ -127,8 +155,9 @@ std::pair<double, double> face_symmetric_dirichlet(const TriangleMesh& mesh, Ver
 /// @{
 
 /// Any measure per face as one per vertex: the mean over the faces of a vertex, as in Definition 1 of the paper.
-/// \param face_map   readable, key face_descriptor, value double
-/// \param vertex_map writable, key vertex_descriptor, value double
+/// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \param face_map    readable, key face_descriptor, value double
+/// \param vertex_map  writable, key vertex_descriptor, value double
 /// \return the smallest and the largest value
 template <class TriangleMesh, class FaceMap, class VertexMap>
 std::pair<double, double> mean_over_faces(const TriangleMesh& mesh, FaceMap face_map, VertexMap vertex_map)
@@ -145,7 +174,10 @@ std::pair<double, double> mean_over_faces(const TriangleMesh& mesh, FaceMap face
 }
 
 /// The area stretch of Definition 1 itself: for every vertex the mean of `face_log_area_stretch()`.
+/// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \param sphere_map  readable, key vertex_descriptor, value unit vectors; a valid map
 /// \param stretch_map writable, key vertex_descriptor, value double
+/// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
 /// \return the smallest and the largest value
 template <class TriangleMesh, class VertexSphereMap, class VertexStretchMap,
           class NamedParameters = parameters::Default_named_parameters>
@@ -158,6 +190,8 @@ std::pair<double, double> log_area_stretch(const TriangleMesh& mesh, VertexSpher
   const auto of_face = [&](face_descriptor f) { return measures.log_area_stretch(f); };
   return mean_over_faces(mesh, boost::make_function_property_map<face_descriptor>(of_face), stretch_map);
 }
+
+/// @}
 
 /// @}
 

@@ -35,6 +35,9 @@
 namespace CGAL {
 namespace Spherical_parameterization {
 
+/// \addtogroup PkgSphericalParameterizationMap
+/// @{
+
 /// Maps a closed triangle mesh of genus 0 to the unit sphere.
 ///
 /// The result is certified: `Result::error` is `OK` if and only if the method has converged, every face is positively
@@ -43,24 +46,64 @@ namespace Spherical_parameterization {
 /// whenever there is a map (`NOT_CONVERGED`, `INTERRUPTED` and `NOT_BIJECTIVE`: the best one found).
 /// Calls on different meshes, or on the same mesh with different maps, may run concurrently.
 ///
+/// \tparam ExecutionPolicy  a model of `SphericalParameterizationPolicy`
+/// \tparam TriangleMesh     a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam Method           a model of `SphericalParameterizationMethod`
+/// \tparam VertexSphereMap  a model of `VertexSphereMap`
+/// \tparam NamedParameters  a sequence of CGAL's named parameters
 /// \param policy  where to run: `CGAL::Sequential_tag`; `CGAL::Parallel_tag`, if linked with TBB (`CGAL::TBB_support`);
 ///                an `OpenCL_device`, if OpenCL_device.h is included. The result does not depend on it, to the last bit
 ///                (but see `OpenCL_device`).
-/// \param mesh    a model of `FaceListGraph` and `HalfedgeListGraph`; its own indices are not used
+/// \param mesh    a closed triangle mesh of genus 0; its own indices are not used
 /// \param method  `Balanced`, `Saddle_point`, `Isometric` or `Automatic`
-/// \param sphere_map  writable property map, key vertex_descriptor, value constructible as `value_type{x, y, z}` from
-///                three doubles. Must be readable where there are fixed vertices (their positions, which will be
-///                normalised) or for `Saddle_point::Start::GIVEN`.
-/// \param np  optional named parameters:
-///   - `edge_weight_map`: readable, edge_descriptor to a positive number; default `conformal_weights(mesh)`. Unless the
-///      policy is `CGAL::Sequential_tag`, it is read by several threads at once.
-///      Before CGAL 6.1 it has to come first in the chain.
-///   - `vertex_point_map`: readable; default the mesh's own
-///   - `vertex_is_constrained_map`: readable, vertex_descriptor to bool; three vertices or more at distinct positions
-///   - `accuracy`, `number_of_iterations`: see the method
-///   - `maximum_running_time`: in seconds; default unlimited
-///   - `callback`: called with the fraction of the work done, in [0, 1]; returns whether to go on
-///   - `verbose`: logs every iteration to `std::cerr`
+/// \param sphere_map  where the unit vectors go. Must be readable where there are fixed vertices (their positions,
+/// which
+///                will be normalised) or for `Saddle_point::Start::GIVEN`.
+/// \param np  an optional sequence of named parameters:
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{edge_weight_map}
+///     \cgalParamDescription{the spring constants. Unless the policy is `CGAL::Sequential_tag`, they are read by
+///     several
+///       threads at once. Before CGAL 6.1 this parameter has to come first in the chain.}
+///     \cgalParamType{a model of `SphericalParameterizationWeightMap`}
+///     \cgalParamDefault{`conformal_weights(mesh)`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{the points of the mesh, in any unit}
+///     \cgalParamType{a readable property map with key vertex_descriptor and a value with `x()`\, `y()` and `z()`}
+///     \cgalParamDefault{the mesh's own}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_is_constrained_map}
+///     \cgalParamDescription{which vertices are fixed where `sphere_map` has them: three or more\, at distinct
+///     positions} \cgalParamType{a readable property map with key vertex_descriptor and value `bool`}
+///     \cgalParamDefault{no vertex}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{accuracy}
+///     \cgalParamDescription{what the residual has to come down to; see the method}
+///     \cgalParamType{`double`\, positive}
+///     \cgalParamDefault{the method's `default_accuracy`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{number_of_iterations}
+///     \cgalParamDescription{the most iterations; see the method}
+///     \cgalParamType{an integer}
+///     \cgalParamDefault{the method's `default_number_of_iterations`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_running_time}
+///     \cgalParamDescription{wall-clock seconds after which the result is `INTERRUPTED`}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{unlimited}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{callback}
+///     \cgalParamDescription{called with the fraction of the work done\, in [0\, 1]; returns whether to go on}
+///     \cgalParamType{callable as `bool(double)`}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{verbose}
+///     \cgalParamDescription{logs every iteration to `std::cerr`}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
 /// \return the verdict, the certificate, and what the work was; see `Result`
 /// \throws std::bad_alloc, `OpenCL_error`, and whatever the property maps and the callback throw
 ///
@@ -148,13 +191,19 @@ Result parameterize(const ExecutionPolicy& policy, const TriangleMesh& mesh, con
   return result;
 }
 
-/// The default: `Balanced` on one core.
+/// The default: `Balanced` on one core, as `parameterize(CGAL::Sequential_tag(), mesh, Balanced(), sphere_map, np)`.
+/// \param mesh        a closed triangle mesh of genus 0
+/// \param sphere_map  where the unit vectors go
+/// \param np          the named parameters of the function above
+/// \return the verdict, the certificate, and what the work was
 template <class TriangleMesh, class VertexSphereMap, class NamedParameters = parameters::Default_named_parameters>
 Result parameterize(const TriangleMesh& mesh, VertexSphereMap sphere_map,
                     const NamedParameters& np = parameters::default_values())
 {
   return parameterize(CGAL::Sequential_tag(), mesh, Balanced(), sphere_map, np);
 }
+
+/// @}
 
 } // namespace Spherical_parameterization
 } // namespace CGAL

@@ -19,11 +19,15 @@
 namespace CGAL {
 namespace Spherical_parameterization {
 
+/// \addtogroup PkgSphericalParameterizationInverse
+/// @{
+
 /// The largest level of `make_icosphere()`: 167,772,162 vertices, beyond which 32-bit numbers of halfedges end.
 constexpr int largest_icosphere_level = 12;
 
 /// Adds an icosphere to `out`: an icosahedron of which every triangle has been cut in four `level` times.
-/// \param out         MutableFaceGraph, empty
+/// \param level       0 for an icosahedron
+/// \param out         a model of `MutableFaceGraph`, empty
 /// \param sphere_map  writable, key vertex_descriptor of `out`, value constructible from three numbers: unit vectors
 /// \throws std::invalid_argument if the level is not in 0 ... `largest_icosphere_level`
 template <class Graph, class VertexSphereMap>
@@ -53,10 +57,12 @@ void make_icosphere(int level, Graph& out, VertexSphereMap sphere_map)
 ///
 /// \param shape       the inverse of the map of the shape
 /// \param points      readable, key vertex_descriptor of the shape; see `interpolate()`
-/// \param out         MutableFaceGraph, empty
+/// \param level       of the icosphere
+/// \param out         a model of `MutableFaceGraph`, empty
 /// \param out_points  writable, key vertex_descriptor of `out`
 /// \param out_sphere  writable, likewise: the directions
 /// \throws std::invalid_argument if the level is not in 0 ... `largest_icosphere_level`
+///
 /// Complexity: 10 * 4^level + 2 queries.
 template <class TriangleMesh, class VertexPointMap, class Graph, class OutPointMap, class OutSphereMap>
 void resample(const Spherical_locator<TriangleMesh>& shape, VertexPointMap points, int level, Graph& out,
@@ -65,6 +71,8 @@ void resample(const Spherical_locator<TriangleMesh>& shape, VertexPointMap point
   make_icosphere(level, out, out_sphere);
   transfer_vertex_property(shape, points, out, out_sphere, out_points);
 }
+
+/// @}
 
 } // namespace Spherical_parameterization
 } // namespace CGAL

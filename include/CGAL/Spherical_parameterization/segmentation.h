@@ -43,6 +43,9 @@
 namespace CGAL {
 namespace Spherical_parameterization {
 
+/// \addtogroup PkgSphericalParameterizationSegmentation
+/// @{
+
 /// What all methods of segmentation understand.
 struct Segment_limits {
   /// Segments smaller than this share of the whole area, in [0, 1], are given to a neighbour.
@@ -61,26 +64,33 @@ struct Segment_limits {
 /// abstain from cutting, and three of the four scales have to agree.
 ///
 /// O(n log n); on one core 15,000 faces take about 0.3 s.
+///
+/// \cgalModels{SphericalSegmentationMethod}
 struct Majority_vote : Segment_limits {};
 
 /// Girth profiles alone: the fastest. Cuts limbs off where, along the isolines round their tips on the sphere, the
 /// girth starts to grow like that of a body, and at necks. What is no limb is one segment. O(n) for each tip.
+///
+/// \cgalModels{SphericalSegmentationMethod}
 struct Girth_profiles : Segment_limits {};
 
 /// The published method: T. Athanasiadis and I. Fudos, "Parallel computation of spherical parameterizations for mesh
 /// analysis", Computers & Graphics 35 (SMI 2011), section 5.1. Seeds are the local extrema of the stretch (Definition
 /// 2), taken in descending order; a region grows from each over the faces whose logarithmic stretch differs by at most
 /// `threshold` from that of the seed, and seeds it meets are dropped.
+///
+/// \cgalModels{SphericalSegmentationMethod}
 struct Region_growing : Segment_limits {
-  double threshold = 1;
+  double threshold = 1; ///< difference of logarithms of the stretch; 0 or more
 };
 
 /// What became of a segmentation. `segment_map` is written only if there is no error.
 struct Segmentation_result {
-  Error_code error = Error_code::OK; ///< what is wrong with the mesh or the map
-  std::string detail;                ///< what and where; empty if `OK`
-  std::size_t number_of_segments = 0;
+  Error_code error = Error_code::OK;  ///< what is wrong with the mesh or the map
+  std::string detail;                 ///< what and where; empty if `OK`
+  std::size_t number_of_segments = 0; ///< 0 if there is an error
 
+  /// \return `true` iff there is no error
   explicit operator bool() const { return error == Error_code::OK; }
 };
 
@@ -124,12 +134,12 @@ inline std::vector<int> segments_of(const Segmentation_mesh& mesh, const std::ve
 /// rounding; nor does another numbering, but where the shape leaves a choice, as symmetric ones do.
 /// \param mesh        a closed triangle mesh of genus 0
 /// \param sphere_map  readable, key vertex_descriptor, value of any length but 0
-/// \param stretch_map readable, key face_descriptor, value double: what face_log_area_stretch() has written. Faces
+/// \param stretch_map readable, key face_descriptor, value double: what `face_log_area_stretch()` has written. Faces
 ///                    with less than 1e-36 of the sphere, and flipped ones, count as if they had 1e-36: doubles resolve
 ///                    nothing smaller near length 1, so that limbs that are too thin end in a plateau.
 /// \param segment_map writable, key face_descriptor, value constructible from std::size_t
 /// \param method      `Majority_vote`, `Girth_profiles` or `Region_growing`
-/// \param np          `vertex_point_map`
+/// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
 /// \return the number of segments, or what is wrong with the mesh or the maps
 template <class TriangleMesh, class VertexSphereMap, class FaceStretchMap, class FaceSegmentMap,
           class Method = Majority_vote, class NamedParameters = parameters::Default_named_parameters>
@@ -170,6 +180,12 @@ Segmentation_result segmentation_from_area_stretch(const TriangleMesh& mesh, Ver
 }
 
 /// Measure and cut in one call.
+/// \param mesh        a closed triangle mesh of genus 0
+/// \param sphere_map  readable, key vertex_descriptor, value unit vectors; the map need not be valid
+/// \param segment_map writable, key face_descriptor, value constructible from std::size_t
+/// \param method      `Majority_vote`, `Girth_profiles` or `Region_growing`
+/// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
+/// \return the number of segments, or what is wrong with the mesh or the map
 template <class TriangleMesh, class VertexSphereMap, class FaceSegmentMap, class Method = Majority_vote,
           class NamedParameters = parameters::Default_named_parameters>
 Segmentation_result segmentation_via_area_stretch(const TriangleMesh& mesh, VertexSphereMap sphere_map,
@@ -182,6 +198,8 @@ Segmentation_result segmentation_via_area_stretch(const TriangleMesh& mesh, Vert
   face_log_area_stretch(mesh, sphere_map, stretch_map, np);
   return segmentation_from_area_stretch(mesh, sphere_map, stretch_map, segment_map, method, np);
 }
+
+/// @}
 
 } // namespace Spherical_parameterization
 } // namespace CGAL

@@ -19,6 +19,9 @@
 namespace CGAL {
 namespace Spherical_parameterization {
 
+/// \addtogroup PkgSphericalParameterizationSearch
+/// @{
+
 /// A shape as a point of R^96 with the distance L1: near to those of its other poses, and independent of position,
 /// size and orientation (reflections included). See `shape_signature()`.
 ///
@@ -28,15 +31,18 @@ namespace Spherical_parameterization {
 /// - 80 ... 87: how long the limbs are, longest first
 /// - 88 ... 95: how much of the surface they are, largest first
 struct Shape_signature {
-  static constexpr std::size_t coarse_bins = 16;
-  static constexpr std::size_t fine_bins = 64;
-  static constexpr std::size_t limbs = 8;
-  static constexpr std::size_t size = coarse_bins + fine_bins + 2 * limbs;
+  static constexpr std::size_t coarse_bins = 16;                           ///< of the coarse histogram
+  static constexpr std::size_t fine_bins = 64;                             ///< of the fine histogram
+  static constexpr std::size_t limbs = 8;                                  ///< the longest ones
+  static constexpr std::size_t size = coarse_bins + fine_bins + 2 * limbs; ///< 96
 
-  std::array<double, size> values{};
+  std::array<double, size> values{}; ///< the coordinates
 };
 
 /// L1, in [0, infinity). Poses of a shape are typically .2 apart, other shapes 2.
+/// \param a  a signature
+/// \param b  another one
+/// \return the sum of the absolute differences
 inline double distance(const Shape_signature& a, const Shape_signature& b)
 {
   double sum = 0;
@@ -105,7 +111,8 @@ inline void add_limbs(const Discrete_surface& surface, const Discrete_surface::V
 /// \param sphere_map  readable, key vertex_descriptor, value unit vectors; a conformal map to the sphere whose centroid
 ///        of the source area is at the centre, as `parameterize()` computes it. Only where the sphere is large does it
 ///        have to be right: a map that fails to be bijective in thin limbs will do, and so will a barycentric one.
-/// \param np  `vertex_point_map`
+/// \param np  optional named parameters: `vertex_point_map`, by default the mesh's own
+/// \return the signature
 /// \throws std::invalid_argument for a mesh that is not closed, of genus 0, finite and with an area; and for a map
 ///         without area
 ///
@@ -123,6 +130,8 @@ Shape_signature shape_signature(const TriangleMesh& mesh, VertexSphereMap sphere
   internal::add_limbs(factor.surface, u, signature);
   return signature;
 }
+
+/// @}
 
 } // namespace Spherical_parameterization
 } // namespace CGAL

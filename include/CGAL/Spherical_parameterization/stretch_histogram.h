@@ -25,6 +25,9 @@
 namespace CGAL {
 namespace Spherical_parameterization {
 
+/// \addtogroup PkgSphericalParameterizationSearch
+/// @{
+
 /// Which histogram of the area stretch.
 struct Stretch_histogram {
   /// How the surface is weighed. Every point has the stretch of the vertex in whose barycentric cell it lies.
@@ -39,12 +42,13 @@ struct Stretch_histogram {
     LOGARITHMIC, ///< log of the stretch, which reaches 60 in limbs
     LINEAR       ///< the stretch itself
   };
-  Sampling sampling = Sampling::EXACT_AREAS;
-  Scale scale = Scale::LOGARITHMIC;
-  std::size_t bins = 32;
-  double low = -4, high = 28; ///< of the bins, on the scale; what lies outside counts in the first or last one
-  std::size_t number_of_samples = 4096; ///< `UNIFORM` and `RANDOM`; fewer than about 4096 add noise
-  std::uint32_t random_seed = 0;        ///< `RANDOM`
+  Sampling sampling = Sampling::EXACT_AREAS; ///< how the surface is weighed
+  Scale scale = Scale::LOGARITHMIC;          ///< what is counted
+  std::size_t bins = 32;                     ///< 2 or more
+  double low = -4;                           ///< where the first bin begins, on the scale; what lies below counts there
+  double high = 28;                          ///< where the last bin ends; what lies above counts there
+  std::size_t number_of_samples = 4096;      ///< `UNIFORM` and `RANDOM`; fewer than about 4096 add noise
+  std::uint32_t random_seed = 0;             ///< `RANDOM`
 };
 
 namespace internal {
@@ -118,9 +122,14 @@ inline std::vector<double> sample_cells(const Stretch_histogram& options, const 
 /// Definition 1, as `log_area_stretch()` measures it. Shares, which add up to 1. See `shape_signature()` for one that
 /// tells shapes apart better, and depends less on the tessellation.
 ///
+/// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param sphere_map  readable, key vertex_descriptor, value unit vectors
-/// \param options     \pre bins >= 2, low < high, number_of_samples >= 1
-/// \param np          `vertex_point_map`
+/// \param options     which histogram
+/// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
+/// \return one share for each bin
+/// \pre options.bins >= 2, options.low < options.high, options.number_of_samples >= 1
+///
+/// Complexity: linear in the size of the mesh and the number of samples.
 template <class TriangleMesh, class VertexSphereMap, class NamedParameters = parameters::Default_named_parameters>
 std::vector<double> stretch_histogram(const TriangleMesh& mesh, VertexSphereMap sphere_map,
                                       const Stretch_histogram& options = {},
@@ -154,6 +163,8 @@ std::vector<double> stretch_histogram(const TriangleMesh& mesh, VertexSphereMap 
     histogram.add(options.scale == Stretch_histogram::Scale::LINEAR ? std::exp(stretch[i]) : stretch[i], weight[i]);
   return histogram.shares();
 }
+
+/// @}
 
 } // namespace Spherical_parameterization
 } // namespace CGAL

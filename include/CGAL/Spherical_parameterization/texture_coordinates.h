@@ -24,6 +24,9 @@
 namespace CGAL {
 namespace Spherical_parameterization {
 
+/// \addtogroup PkgSphericalParameterizationTexture
+/// @{
+
 /// How the sphere is laid out in the plane.
 enum class Texture_chart {
   /// u = longitude / 2 pi, v = 1/2 + latitude / pi, as for maps of the earth. Faces across the seam are continued past
@@ -41,8 +44,9 @@ struct Texture_axes {
   std::array<double, 3> meridian; ///< longitude 0
 };
 
+/// What `texture_coordinates()` is to do.
 struct Texture_options {
-  Texture_chart chart = Texture_chart::LATITUDE_LONGITUDE;
+  Texture_chart chart = Texture_chart::LATITUDE_LONGITUDE; ///< how the sphere is laid out in the plane
   /// Default: where the texture of latitude and longitude is least distorted, the south pole in a vertex, mostly in the
   /// tip of a limb.
   std::optional<Texture_axes> axes;
@@ -52,14 +56,14 @@ struct Texture_options {
 
 /// What `texture_coordinates()` had to do.
 struct Texture_report {
-  Texture_axes axes;
+  Texture_axes axes;          ///< where the chart is: those of the options, or those that were chosen
   std::size_t seam_faces = 0; ///< with a corner past the side of the square
   std::size_t pole_faces = 0; ///< round a pole, or with a corner there (latitude and longitude)
   /// Faces of which a corner was moved, since the plane triangle between the images of the corners would have been
   /// flipped or degenerate: those that are too small for the grid, and long ones along which the chart is curved.
   std::size_t moved_faces = 0;
   std::size_t unresolved_faces = 0; ///< of these the ones too small: moved by at most two cells of the grid
-  double largest_move = 0;
+  double largest_move = 0;          ///< how far a corner was moved at most, in units of u and v
 };
 
 /// Texture coordinates for every corner of a valid map.
@@ -70,12 +74,16 @@ struct Texture_report {
 /// the chart bends them by more than their width (`Texture_report` says how many and how far). u and v are in [0, 1],
 /// for faces across the seam in [-1, 2].
 ///
-/// \param sphere_map readable, key vertex_descriptor, value unit vectors; a valid map
-/// \param uv_map     writable, key halfedge_descriptor, value constructible from two doubles: the corner of face(h) at
-///                   target(h)
-/// \param np         `vertex_point_map`, for the choice of the poles
+/// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \param sphere_map  readable, key vertex_descriptor, value unit vectors; a valid map
+/// \param uv_map      writable, key halfedge_descriptor, value constructible from two doubles: the corner of face(h) at
+///                    target(h)
+/// \param options     the chart, where it is on the sphere, and the grid of the coordinates
+/// \param np          optional named parameters: `vertex_point_map`, for the choice of the poles
+/// \return what had to be done
 /// \throws std::invalid_argument if the map has flipped faces, the axes are parallel or not finite, or the bits make no
 ///         sense; before anything is written
+///
 /// Complexity: O(n log n); the logarithm is for the choice of the poles.
 template <class TriangleMesh, class VertexSphereMap, class HalfedgeUVMap,
           class NamedParameters = parameters::Default_named_parameters>
@@ -155,6 +163,8 @@ Texture_report texture_coordinates(const TriangleMesh& mesh, VertexSphereMap sph
     internal::put_texture_coordinates(mesh, sphere_map, uv_map, internal::Octahedral_chart(frame), grid, report);
   return report;
 }
+
+/// @}
 
 } // namespace Spherical_parameterization
 } // namespace CGAL

@@ -18,6 +18,9 @@
 namespace CGAL {
 namespace Spherical_parameterization {
 
+/// \addtogroup PkgSphericalParameterizationInverse
+/// @{
+
 namespace internal {
 
 template <class Value, class = void>
@@ -42,8 +45,11 @@ Value weighted_mean(const std::array<double, 3>& w, const Value& x0, const Value
 } // namespace internal
 
 /// The value at a point of the mesh, interpolated linearly between the vertices.
+/// \param mesh        a triangle mesh
+/// \param location    a face of it, and the weights of its corners
 /// \param vertex_map  readable, key vertex_descriptor; value a number, a vector that can be multiplied by a double
 ///                    and added, or a point or vector with x(), y(), z()
+/// \return the weighted mean of the values at the corners
 template <class TriangleMesh, class VertexMap>
 typename boost::property_traits<VertexMap>::value_type
 interpolate(const TriangleMesh& mesh, const Face_location<TriangleMesh>& location, VertexMap vertex_map)
@@ -58,10 +64,13 @@ interpolate(const TriangleMesh& mesh, const Face_location<TriangleMesh>& locatio
 /// that `from` has under its image.
 /// \param from        the inverse of the map of the mesh that has the data
 /// \param from_map    readable, key vertex_descriptor of that mesh; see `interpolate()`
+/// \param to          the mesh that gets the data
 /// \param to_sphere   readable, key vertex_descriptor of `to`; a map in the same position as that of `from` (see
 ///                    `align_maps.h`)
 /// \param to_map      writable, key vertex_descriptor of `to`
 /// \throws std::invalid_argument at an image that is no direction
+///
+/// Complexity: one query (`Spherical_locator::locate()`) for each vertex of `to`.
 template <class FromMesh, class FromMap, class ToMesh, class ToSphereMap, class ToMap>
 void transfer_vertex_property(const Spherical_locator<FromMesh>& from, FromMap from_map, const ToMesh& to,
                               ToSphereMap to_sphere, ToMap to_map)
@@ -71,8 +80,14 @@ void transfer_vertex_property(const Spherical_locator<FromMesh>& from, FromMap f
 }
 
 /// Carries data of faces, such as labels: every face gets the value of the face of `from` under its centre.
+/// \param from        the inverse of the map of the mesh that has the data
 /// \param from_map    readable, key face_descriptor of the mesh that has the data
+/// \param to          the mesh that gets the data
+/// \param to_sphere   readable, key vertex_descriptor of `to`; a map in the same position as that of `from`
 /// \param to_map      writable, key face_descriptor of `to`
+/// \throws std::invalid_argument at a centre that is no direction
+///
+/// Complexity: one query for each face of `to`.
 template <class FromMesh, class FromMap, class ToMesh, class ToSphereMap, class ToMap>
 void transfer_face_property(const Spherical_locator<FromMesh>& from, FromMap from_map, const ToMesh& to,
                             ToSphereMap to_sphere, ToMap to_map)
@@ -83,6 +98,8 @@ void transfer_face_property(const Spherical_locator<FromMesh>& from, FromMap fro
     put(to_map, f, get(from_map, from.locate(centre).first));
   }
 }
+
+/// @}
 
 } // namespace Spherical_parameterization
 } // namespace CGAL

@@ -16,17 +16,20 @@
 namespace CGAL {
 namespace Spherical_parameterization {
 
+/// \addtogroup PkgSphericalParameterizationPolicies
+/// @{
+
 /// What a device says of itself.
 struct OpenCL_device_info {
-  std::string platform;
-  std::string name;
+  std::string platform;               ///< whose driver it is
+  std::string name;                   ///< of the device
   std::string driver;                 ///< its version
   std::string version;                ///< of OpenCL
   std::size_t memory = 0;             ///< in bytes
   std::size_t largest_allocation = 0; ///< of one array, in bytes
   bool has_fp64 = false;              ///< double precision
-  bool is_gpu = false;
-  bool is_cpu = false; ///< works in the memory of the host
+  bool is_gpu = false;                ///< a graphics processor
+  bool is_cpu = false;                ///< works in the memory of the host
 };
 
 namespace internal {
@@ -89,15 +92,19 @@ inline OpenCL_device_info opencl_device_info(cl_device_id device)
 ///
 /// A mesh with fewer than `smallest_mesh()` vertices is mapped on one core of the host, which is done before a device
 /// has been told everything; `Result::device` says so.
+///
+/// \cgalModels{SphericalParameterizationPolicy}
 class OpenCL_device {
 public:
+  /// In what the device computes.
   enum class Precision {
     AUTOMATIC, ///< double where the device has it
-    DOUBLE,
-    SINGLE
+    DOUBLE,    ///< 64 bits, or an `OpenCL_error`
+    SINGLE     ///< 32 bits
   };
 
-  /// \param queue  in order, of the device and the context in which to work
+  /// \param queue      in order, of the device and the context in which to work
+  /// \param precision  in what to compute
   /// \throws OpenCL_error if the device cannot do with the precision, or the queue is not in order
   explicit OpenCL_device(cl::CommandQueue queue, Precision precision = Precision::AUTOMATIC)
     : queue_(std::move(queue)), program_(std::make_shared<internal::OpenCL_program>())
@@ -115,19 +122,27 @@ public:
       throw OpenCL_error("OpenCL_device", CL_INVALID_QUEUE_PROPERTIES, "the queue has to be in order");
   }
 
+  /// \return the queue that all work goes to
   const cl::CommandQueue& queue() const { return queue_; }
+  /// \return what the device says of itself
   const OpenCL_device_info& info() const { return info_; }
+  /// \return whether it computes with 64 bits
   bool is_double_precision() const { return is_double_; }
 
-  /// In vertices. The default is where a CPU as a device (PoCL) draws level with one core.
+  /// \return the least number of vertices that the device gets. The default is where a CPU as a device (PoCL) draws
+  /// level
+  ///         with one core.
   std::size_t smallest_mesh() const { return smallest_mesh_; }
+  /// Sends smaller meshes to the host.
+  /// \param number_of_vertices  the least that the device gets; 0 for all meshes
+  /// \return this device
   OpenCL_device& set_smallest_mesh(std::size_t number_of_vertices)
   {
     smallest_mesh_ = number_of_vertices;
     return *this;
   }
 
-  /// \cond
+  /// \cond SKIP_IN_MANUAL
   cl_context context() const { return context_; } // kept alive by the queue
   cl_device_id device() const { return device_; }
   cl::Program program() const { return program_->get(context_, device_, is_double_); }
@@ -142,6 +157,8 @@ private:
   std::size_t smallest_mesh_ = 10000;
   std::shared_ptr<internal::OpenCL_program> program_;
 };
+
+/// @}
 
 } // namespace Spherical_parameterization
 } // namespace CGAL

@@ -160,6 +160,13 @@ TEST_CASE("signature: the same shape by other triangles is nearer than other sha
   }
 }
 
+TEST_CASE("signature: that of a coarse mesh is that of its surface", "[signature]")
+{
+  const Soup soup = decimated(spiky_star(4, 3), 0.05);
+  REQUIRE(soup.points.size() < 200);
+  CHECK(distance_between(soup, subdivided(subdivided(soup))) < 0.2);
+}
+
 TEST_CASE("signature: another pose of a shape is nearer than other shapes", "[signature]")
 {
   const Soup straight = capsule(3, 32);

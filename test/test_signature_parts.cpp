@@ -112,6 +112,25 @@ TEST_CASE("discrete surface: large ones are solved as accurately as small ones",
   CHECK((surface.laplacian() * solve_poisson(surface, b) - b).norm() < 1e-6 * b.norm());
 }
 
+TEST_CASE("midpoint refinement: the same surface in four times as many faces", "[signature]")
+{
+  const Mesh mesh = make_mesh(bumpy_sphere(1));
+  const Source_mesh<Mesh> source(mesh, mesh.points());
+  const Triangle_arrays coarse = {source.face, twins(mesh), source.point};
+  const Triangle_arrays fine = refined_at_midpoints(refined_at_midpoints(coarse));
+  REQUIRE(fine.face.size() == 16 * coarse.face.size());
+  CHECK(2 * fine.point.size() == fine.face.size() + 4); // Euler
+  CHECK(total_area(Intrinsic_triangulation(fine.face, fine.twin, fine.point)) ==
+        Approx(total_area(Intrinsic_triangulation(coarse.face, coarse.twin, coarse.point))));
+  for(std::size_t h = 0; h < fine.twin.size(); ++h) {
+    const auto origin = [&](std::size_t g) { return fine.face[g / 3][g % 3]; };
+    const std::size_t t = fine.twin[h];
+    CHECK(static_cast<std::size_t>(fine.twin[t]) == h);
+    CHECK(origin(h) == origin(t / 3 * 3 + (t + 1) % 3));
+    CHECK(origin(t) == origin(h / 3 * 3 + (h + 1) % 3));
+  }
+}
+
 TEST_CASE("conformal factor: the sphere is mapped to itself without stretch", "[signature]")
 {
   const Soup soup = icosphere(4);

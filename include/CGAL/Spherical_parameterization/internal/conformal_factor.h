@@ -8,6 +8,7 @@
 #include <CGAL/Spherical_parameterization/internal/Discrete_surface.h>
 #include <CGAL/Spherical_parameterization/internal/Failure.h>
 #include <CGAL/Spherical_parameterization/internal/Source_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/midpoint_refinement.h>
 #include <CGAL/Spherical_parameterization/internal/Vertex_numbering.h>
 #include <CGAL/Spherical_parameterization/internal/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/point_coordinates.h>
@@ -52,16 +53,22 @@ std::vector<int> twins(const TriangleMesh& mesh)
 /// angles had to be clamped, b is then corrected to M e^u, and u solved for again, a few times: on a round sphere this
 /// divides a deviation that is a harmonic of degree l by l (l + 1) / 2, and leaves but the Moebius transformations (l =
 /// 1) as the map has them. Read off the areas of the map itself, u depends much on the tessellation there.
+///
+/// On a coarse mesh linear functions do not follow u along a limb. So the faces may be cut into four, again and again; the
+/// surface stays what it is.
 template <class TriangleMesh>
 struct Conformal_factor {
   Source_mesh<TriangleMesh> source;
+  Triangle_arrays fine; ///< `source`, refined; vertices keep their numbers, the pieces of a face stand together
   Discrete_surface surface;
-  Discrete_surface::Vector u; ///< by vertex of `source`; the integral of e^u is 4 pi
+  Discrete_surface::Vector u; ///< by vertex, those of `source` first; the integral of e^u is 4 pi
 
+  /// The mesh is refined until it has `fewest_vertices`.
   /// Throws std::invalid_argument where the mesh is no closed surface of genus 0 with an area, or the map no map.
   template <class VertexPointMap, class VertexSphereMap>
-  Conformal_factor(const TriangleMesh& mesh, VertexPointMap points, VertexSphereMap sphere_map)
-    : source(checked(mesh, points)), surface(Intrinsic_triangulation(source.face, twins(mesh), source.point))
+  Conformal_factor(const TriangleMesh& mesh, VertexPointMap points, VertexSphereMap sphere_map, int fewest_vertices = 0)
+    : source(checked(mesh, points)), fine(refined({source.face, twins(mesh), source.point}, fewest_vertices)),
+      surface(Intrinsic_triangulation(fine.face, fine.twin, fine.point))
   {
     const Discrete_surface::Vector b = spherical_areas(sphere_map);
     const double total = b.sum();
@@ -99,7 +106,14 @@ private:
     throw std::invalid_argument(std::string(get_error_message(failure.code)) + ": " + failure.detail);
   }
 
-  /// A third of the areas round every vertex, without sign.
+  static Triangle_arrays refined(Triangle_arrays mesh, int fewest_vertices)
+  {
+    while(static_cast<int>(mesh.point.size()) < fewest_vertices)
+      mesh = refined_at_midpoints(mesh);
+    return mesh;
+  }
+
+  /// A third of the areas round every vertex, without sign. All pieces of a face have the same share of its image.
   template <class VertexSphereMap>
   Discrete_surface::Vector spherical_areas(VertexSphereMap sphere_map) const
   {
@@ -107,10 +121,12 @@ private:
     image.reserve(source.vertex.size());
     for(auto v : source.vertex)
       image.push_back(coordinates(get(sphere_map, v)));
+    const std::size_t pieces = fine.face.size() / source.face.size();
     Discrete_surface::Vector area = Discrete_surface::Vector::Zero(surface.size());
-    for(const auto& [i, j, k] : source.face) {
-      const double third = std::abs(spherical_area(image[i], image[j], image[k])) / 3;
-      for(int corner : {i, j, k})
+    for(std::size_t f = 0; f < fine.face.size(); ++f) {
+      const auto& [i, j, k] = source.face[f / pieces];
+      const double third = std::abs(spherical_area(image[i], image[j], image[k])) / (3. * pieces);
+      for(int corner : fine.face[f])
         area[corner] += third;
     }
     return area;

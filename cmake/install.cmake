@@ -22,6 +22,7 @@ if(CGAL_SP_WITH_OPENCL)
   install(DIRECTORY ${PROJECT_BINARY_DIR}/include/CGAL DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 endif()
 
+# -frounding-math, in the .pc file: what CGAL::CGAL adds, since its exact predicates change the rounding mode.
 set(pc_folder ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 file(RELATIVE_PATH CGAL_SP_PREFIX_FROM_PC /prefix/${pc_folder} /prefix)
 configure_file(cmake/package.pc.in cgal-spherical-parameterization.pc @ONLY)
@@ -30,6 +31,10 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/cgal-spherical-parameterization.pc DES
 install(FILES README.md LICENSE LICENSE.GPL DESTINATION ${CMAKE_INSTALL_DOCDIR})
 if(CGAL_SP_WITH_TOOL)
   install(TARGETS spherical-parameterization)
+  install(FILES doc/man/spherical-parameterization.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+  # where bash-completion looks: under the name of the program
+  install(FILES src/completion/spherical-parameterization.bash RENAME spherical-parameterization
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
 endif()
 
 set(CPACK_GENERATOR DEB TGZ)

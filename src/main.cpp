@@ -2,6 +2,7 @@
 // Part of CGAL Spherical Parameterization.
 
 #include "devices_command.h"
+#include "help_formatter.h"
 #include "map_command.h"
 #include "resample_command.h"
 #include "search_command.h"
@@ -16,6 +17,7 @@
 
 #include <exception>
 #include <iostream>
+#include <memory>
 
 namespace {
 
@@ -31,6 +33,9 @@ int run(int argc, char** argv)
   CLI::App app("Spherical parameterization of closed triangle meshes of genus 0", "spherical-parameterization");
   app.set_version_flag("--version",
                        "spherical-parameterization " SPHERICAL_PARAMETERIZATION_VERSION " (CGAL " CGAL_VERSION_STR ")");
+  app.formatter(std::make_shared<tool::Help_formatter>()); // of the commands, too
+  app.footer("'spherical-parameterization COMMAND --help' lists the options of a command.\n"
+             "Example: spherical-parameterization map bunny.ply -o sphere.off --stretch-ply stretch.ply");
   app.require_subcommand(1);
   tool::add_map_command(app, exit_code);
   tool::add_segment_command(app, exit_code);

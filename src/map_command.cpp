@@ -34,10 +34,13 @@ void add_map_options(CLI::App& command, Map_options& options)
   command
     .add_option("-o,--output", options.output,
                 "Where the sphere goes: .off, .obj or .ply, with the vertices and faces of IN in the same order")
-    ->required();
-  command.add_option("--report", options.report, "Write figures and errors as JSON");
-  command.add_option("--stretch-ply", options.stretch_ply, "Write IN coloured by log area stretch as PLY");
-  command.footer("Exit code: 0 a certified map has been written, 1 none (the reason is on stderr), 2 wrong usage.");
+    ->required()
+    ->type_name("FILE");
+  command.add_option("--report", options.report, "Write all figures, or the error, as JSON")->type_name("FILE");
+  command.add_option("--stretch-ply", options.stretch_ply, "Write IN coloured by log area stretch as PLY")
+    ->type_name("FILE");
+  command.footer("Example: spherical-parameterization map bunny.ply -o sphere.off --method automatic\n"
+                 "Exit code: 0 a certified map has been written, 1 none (the reason is on stderr), 2 wrong usage.");
 }
 
 void check_map_options(const Map_options& options)

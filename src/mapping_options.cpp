@@ -80,11 +80,15 @@ void check_device(const Mapping_options& options)
 
 void add_mapping_options(CLI::App& command, Mapping_options& options)
 {
-  command.add_option("IN", options.input, "Closed triangle mesh of genus 0: .off, .obj, .ply or .stl")->required();
+  command.add_option("IN", options.input, "Closed triangle mesh of genus 0: .off, .obj, .ply or .stl")
+    ->required()
+    ->type_name("FILE");
   command.add_flag("--triangulate", options.triangulate, "Cut polygons of IN into triangles instead of refusing them");
 
   std::string group = weights_group;
-  command.add_option("--weights", options.weights, "Which map: evenly spread, angle-preserving, or shape-preserving")
+  command
+    .add_option("--weights", options.weights,
+                "Of the edges: barycentric (connectivity alone), conformal (keeps angles), mean-value (in between)")
     ->check(CLI::IsMember({"barycentric", "conformal", "mean-value"}))
     ->capture_default_str()
     ->group(group);
@@ -96,41 +100,51 @@ void add_mapping_options(CLI::App& command, Mapping_options& options)
   group = method_group;
   command
     .add_option("--method", options.method,
-                "The fast method, the published one, the one that keeps lengths, or the first valid map of the fast "
-                "and the last one")
+                "balanced (fast), saddle-point (as published), isometric (keeps lengths, exists for every mesh), "
+                "automatic (balanced; where that is not valid, isometric)")
     ->check(CLI::IsMember({"balanced", "saddle-point", "isometric", "automatic"}))
     ->capture_default_str()
     ->group(group);
   command
     .add_option("--spring-exponent", options.spring_exponent,
-                "Balanced: of the spring energy, >= 2; larger ones equalise areas [2]")
+                "Balanced, automatic: of the spring energy, >= 2; larger ones equalise areas [2]")
     ->group(group);
   command
     .add_option("--area-exponent", options.area_exponent,
-                "Isometric: 0 preserves angles, 1 lengths, 30 and more areas [1]")
+                "Isometric, automatic: 0 preserves angles, 1 lengths, 30 and more areas [1]")
     ->group(group);
-  command.add_option("--splitting", options.splitting, "Saddle-point: how the sweeps go [jacobi]")
+  command.add_option("--splitting", options.splitting, "Saddle-point: of the Laplacian, for its sweeps [jacobi]")
     ->check(CLI::IsMember({"jacobi", "gauss-seidel"}))
     ->group(group);
-  command.add_option("--relaxation", options.relaxation, "Saddle-point: in (0,1), gauss-seidel (0,2) [0.95]")
+  command
+    .add_option("--relaxation", options.relaxation, "Saddle-point: of the sweeps, in (0,1), gauss-seidel (0,2) [0.95]")
     ->group(group);
-  command.add_option("--check-interval", options.check_interval, "Saddle-point: sweeps between two tests [1000]")
+  command
+    .add_option("--check-interval", options.check_interval,
+                "Saddle-point: sweeps between two tests for convergence [1000]")
     ->group(group);
-  command.add_option("--start", options.start, "Saddle-point: the start map [centroid]")
+  command
+    .add_option("--start", options.start,
+                "Saddle-point: the start map, from the centroid of the mesh or harmonic [centroid]")
     ->check(CLI::IsMember({"centroid", "harmonic"}))
     ->group(group);
-  command.add_option("--fixed", options.fixed, "File of lines 'index x y z': vertices (from 0 on) to keep there")
+  command
+    .add_option("--fixed", options.fixed,
+                "Lines 'index x y z': three or more vertices (numbers from 0 on) and where on the sphere to keep them")
+    ->type_name("FILE")
     ->group(group);
 
   group = place_group;
-  command.add_option("--policy", options.policy, "One core, all cores, or an OpenCL device: the same map")
+  command
+    .add_option("--policy", options.policy, "sequential (one core), tbb (all cores), opencl (a device): the same map")
     ->check(CLI::IsMember(policy_names()))
     ->capture_default_str()
     ->group(group);
   command
     .add_option("--device", options.device,
                 "OpenCL: its number in the list of the command 'devices', or part of its name "
-                "[$CGAL_SPHERICAL_PARAMETERIZATION_DEVICE]")
+                "[$CGAL_SPHERICAL_PARAMETERIZATION_DEVICE, else the first GPU]")
+    ->type_name("NUMBER|NAME")
     ->group(group);
   command.add_option("--precision", options.precision, "OpenCL: of the numbers [double where the device has it]")
     ->check(CLI::IsMember({"double", "single"}))
@@ -139,14 +153,14 @@ void add_mapping_options(CLI::App& command, Mapping_options& options)
   group = effort_group;
   command
     .add_option("--accuracy", options.accuracy,
-                "Residual to reach" +
+                "Residual to reach; isometric: gain of energy to end at" +
                   defaults(Balanced::default_accuracy, Saddle_point::default_accuracy, Isometric::default_accuracy))
     ->group(group);
   command
     .add_option("--iterations", options.iterations,
-                "At most so many" + defaults(Balanced::default_number_of_iterations,
-                                             Saddle_point::default_number_of_iterations,
-                                             Isometric::default_number_of_iterations))
+                "At most so many steps" + defaults(Balanced::default_number_of_iterations,
+                                                   Saddle_point::default_number_of_iterations,
+                                                   Isometric::default_number_of_iterations))
     ->group(group);
   command.add_option("--max-time", options.max_time, "At most so many seconds [no limit]")->group(group);
 }
@@ -158,7 +172,9 @@ void add_sphere_option(CLI::App& command, Mapping_options& options)
            std::end(mapping_groups);
   });
   CLI::Option* sphere = command.add_option(
-    "--sphere", options.sphere, "A sphere of IN that 'map' has written, to be used instead of mapping again");
+    "--sphere", options.sphere,
+    "A sphere of IN that 'map' has written, instead of mapping again: excludes all options on how to map");
+  sphere->type_name("FILE");
   for(CLI::Option* option : how_to_map)
     sphere->excludes(option);
 }

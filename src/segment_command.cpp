@@ -75,10 +75,14 @@ void add_segment_command(CLI::App& app, int& exit_code)
   const auto options = std::make_shared<Segment_options>();
   add_mapping_options(*command, *options);
   add_sphere_option(*command, *options);
-  command->add_option("-o,--output", options->output, "Where IN coloured by segments goes: .ply")->required();
-  command->add_option("--labels", options->labels, "Write the segment of every face, from 0 on, one per line");
+  command->add_option("-o,--output", options->output, "Where IN coloured by segments goes: .ply")
+    ->required()
+    ->type_name("FILE");
+  command->add_option("--labels", options->labels, "Write the segment of every face, from 0 on, one per line")
+    ->type_name("FILE");
   command->add_option("--segments", options->segments, "Cut into so many, if there are [as many as the shape has]");
-  command->footer("Exit code: 0 the files have been written, 1 not (the reason is on stderr), 2 wrong usage.");
+  command->footer("Example: spherical-parameterization segment bunny.ply -o segments.ply --labels labels.txt\n"
+                  "Exit code: 0 the files have been written, 1 not (the reason is on stderr), 2 wrong usage.");
   command->callback([options, &exit_code] {
     check(*options);
     exit_code = report_failure(guarded(options->input, [&] { segment(*options); }));

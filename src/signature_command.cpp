@@ -74,11 +74,13 @@ void add_signature_command(CLI::App& app, int& exit_code)
   CLI::App* command =
     app.add_subcommand("signature", "Describe the shapes of meshes by numbers, for the command search");
   const auto options = std::make_shared<Signature_options>();
-  command->add_option("IN", options->inputs,
-                      "Closed triangle meshes of genus 0: .off, .obj, .ply or .stl; folders of them");
+  command
+    ->add_option("IN", options->inputs, "Closed triangle meshes of genus 0: .off, .obj, .ply or .stl; folders of them")
+    ->type_name("FILE|FOLDER");
   command->add_option("--list", options->list, "Text file with one more IN per line")->check(CLI::ExistingFile);
   command->add_option("-o,--output", options->output, "Where the index goes: a CSV file with one row per mesh")
-    ->required();
+    ->required()
+    ->type_name("FILE");
   command
     ->add_option("-j,--jobs", options->jobs,
                  "So many meshes at the same time [all cores; with mpirun: in every process, 1]")
@@ -86,6 +88,7 @@ void add_signature_command(CLI::App& app, int& exit_code)
   command->footer(
     "Meshes without signature have a row that says why. A run that was stopped goes on where it was when the\n"
     "same command is given again. mpirun -n N spreads the work over N processes.\n"
+    "Example: spherical-parameterization signature scans/ -o index.csv\n"
     "Exit code: 0 the index has been written, 1 not, or it has no signature (the reason is on stderr), 2 wrong "
     "usage.");
   command->callback([options, &exit_code] {

@@ -128,14 +128,17 @@ void add_texture_command(CLI::App& app, int& exit_code)
   command
     ->add_option("-o,--output", options->output,
                  "Where the textured mesh goes: .obj; the material goes to .mtl and a checker to .png next to it")
-    ->required();
+    ->required()
+    ->type_name("FILE");
   command->add_option("--chart", options->chart, "How the sphere is laid out in the plane")
     ->check(CLI::IsMember({"latitude-longitude", "octahedral"}))
     ->capture_default_str();
-  command->add_option("--north", options->north,
-                      "X Y Z: north pole on the sphere [so that the texture is least distorted]");
-  command->add_option("--image", options->image, "Let the material use this image instead of a checker");
-  command->footer("Exit code: 0 the files have been written, 1 not (the reason is on stderr), 2 wrong usage.");
+  command->add_option("--north", options->north, "North pole on the sphere [where the texture is least distorted]")
+    ->type_name("X Y Z");
+  command->add_option("--image", options->image, "Let the material use this image instead of a checker")
+    ->type_name("FILE");
+  command->footer("Example: spherical-parameterization texture bunny.ply -o textured.obj --chart octahedral\n"
+                  "Exit code: 0 the files have been written, 1 not (the reason is on stderr), 2 wrong usage.");
   command->callback([options, &exit_code] {
     check(*options);
     exit_code = report_failure(guarded(options->input, [&] { texture(*options); }));

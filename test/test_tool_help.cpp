@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the tool says of itself: --help, the man page, and the completion in bash.
+
+#include "helpers/tool.h"
+
+#include <algorithm>
+#include <regex>
+#include <set>
+#include <sstream>
+
+using namespace test;
+
+namespace {
+
+typedef std::set<std::string> Words;
+
+std::vector<std::string> lines_of(const std::string& text)
+{
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for(std::string line; std::getline(in, line);)
+    lines.push_back(line);
+  return lines;
+}
+
+std::string help(const std::string& command)
+{
+  const Process_result run =
+    run_tool(command.empty() ? std::vector<std::string>{"--help"} : std::vector<std::string>{command, "--help"});
+  REQUIRE(run.exit_code == 0);
+  return run.out;
+}
+
+/// The first words of the lines of `text` that are indented by two, if they match.
+Words entries(const std::string& text, const std::string& pattern)
+{
+  Words words;
+  const std::regex entry("  (" + pattern + ")( .*)?");
+  std::smatch match;
+  for(const std::string& line : lines_of(text))
+    if(std::regex_match(line, match, entry)) {
+      std::istringstream names(match[1]);
+      for(std::string name; std::getline(names, name, ',');)
+        words.insert(name);
+    }
+  return words;
+}
+
+Words options_of(const std::string& command) { return entries(help(command), "-[^ ]*"); }
+
+Words commands()
+{
+  const std::string text = help("");
+  return entries(text.substr(text.find("\nSubcommands:")), "[a-z]+");
+}
+
+Words commands_and_none()
+{
+  Words words = commands();
+  words.insert("");
+  return words;
+}
+
+/// What bash completes the last of the words to.
+Words completions(std::vector<std::string> words, const std::string& directory = ".")
+{
+  words.insert(words.begin(), TOOL);
+  const std::string script = ". \"$1\"; shift; COMP_WORDS=(\"$@\"); COMP_CWORD=$(($# - 1)); "
+                             "_spherical_parameterization \"$1\" \"${COMP_WORDS[COMP_CWORD]}\" "
+                             "\"${COMP_WORDS[COMP_CWORD - 1]}\"; printf '%s\\n' \"${COMPREPLY[@]}\"";
+  std::vector<std::string> command = {"/bin/bash", "-c", script, "bash", BASH_COMPLETION};
+  command.insert(command.end(), words.begin(), words.end());
+  Process_options options;
+  options.directory = directory;
+  const Process_result run = run_process(command, options);
+  CAPTURE(run.err);
+  REQUIRE(run.exit_code == 0);
+  CHECK(run.err.empty());
+  const std::vector<std::string> lines = lines_of(run.out);
+  Words result(lines.begin(), lines.end());
+  result.erase("");
+  return result;
+}
+
+} // namespace
+
+TEST_CASE("help fits a terminal, and has an example", "[tool]")
+{
+  for(const std::string& command : commands_and_none()) {
+    CAPTURE(command);
+    for(const std::string& line : lines_of(help(command))) {
+      CAPTURE(line);
+      // 30 columns for the name, 70 for the description; a usage line may be long
+      CHECK((line.size() <= 110 || line.rfind("Example:", 0) == 0));
+      CHECK(line.find("Excludes") == std::string::npos);
+    }
+    if(command != "devices")
+      CHECK(help(command).find("\nExample: ") != std::string::npos);
+  }
+}
+
+TEST_CASE("the man page has all commands and options", "[tool]")
+{
+  const std::string page = std::regex_replace(text_of(MAN_PAGE), std::regex("\\\\-"), "-");
+  REQUIRE(commands().size() >= 7);
+  for(const std::string& command : commands()) {
+    CAPTURE(command);
+    CHECK(page.find("\n.TP\n.B " + command + "\n") != std::string::npos);
+  }
+  std::size_t number_of_options = 0;
+  for(const std::string& command : commands_and_none())
+    for(const std::string& option : options_of(command)) {
+      CAPTURE(command, option);
+      CHECK(std::regex_search(page, std::regex("[^-a-z]" + option + "[^-a-z]")));
+      ++number_of_options;
+    }
+  CHECK(number_of_options > 30);
+
+  // and no others
+  const Words sets[] = {options_of(""),         options_of("map"),       options_of("segment"), options_of("texture"),
+                        options_of("resample"), options_of("signature"), options_of("search")};
+  const std::regex option("[^-a-z](--[-a-z]+)");
+  for(std::sregex_iterator i(page.begin(), page.end(), option), end; i != end; ++i) {
+    const std::string name = (*i)[1];
+    CAPTURE(name);
+    CHECK(std::any_of(std::begin(sets), std::end(sets), [&](const Words& words) { return words.count(name) > 0; }));
+  }
+}
+
+TEST_CASE("completion in bash: commands and options", "[tool]")
+{
+  Words words = commands();
+  const Words options = options_of("");
+  words.insert(options.begin(), options.end());
+  CHECK(completions({""}) == words);
+  CHECK(completions({"se"}) == Words{"search", "segment"});
+  for(const std::string& command : commands()) {
+    CAPTURE(command);
+    CHECK(completions({command, "-"}) == options_of(command));
+  }
+  CHECK(completions({"map", "in.off", "--max-"}) == Words{"--max-angle", "--max-time"});
+  CHECK(completions({"nonsense", "-"}).empty());
+}
+
+TEST_CASE("completion in bash: values", "[tool]")
+{
+  CHECK(completions({"map", "--method", ""}) == Words{"automatic", "balanced", "isometric", "saddle-point"});
+  CHECK(completions({"segment", "in.off", "--weights", "c"}) == Words{"conformal"});
+  CHECK(completions({"map", "--weights", "=", "mean"}) == Words{"mean-value"});
+  CHECK(completions({"map", "--weights", "="}).size() == 3);
+  CHECK(completions({"map", "--policy", "seq"}) == Words{"sequential"});
+  CHECK(completions({"texture", "--chart", ""}) == Words{"latitude-longitude", "octahedral"});
+  CHECK(completions({"map", "--accuracy", ""}).empty());
+  CHECK(completions({"search", "-k", ""}).empty());
+}
+
+TEST_CASE("completion in bash: files", "[tool]")
+{
+  Scratch scratch;
+  write_text(scratch / "a mesh.off", "");
+  write_text(scratch / "BIG.STL", "");
+  write_text(scratch / "notes.txt", "");
+  std::filesystem::create_directory(scratch / "folder");
+  const std::string here = scratch.folder();
+  CHECK(completions({"map", ""}, here) == Words{"BIG.STL", "a mesh.off", "folder"});
+  CHECK(completions({"map", "--triangulate", "a"}, here) == Words{"a mesh.off"});
+  CHECK(completions({"map", "--fixed", ""}, here) == Words{"BIG.STL", "a mesh.off", "folder", "notes.txt"});
+  CHECK(completions({"signature", "--list", "no"}, here) == Words{"notes.txt"});
+}

@@ -120,7 +120,7 @@ figure_stretch() {
       if [ $choice = isometric ]; then map $mesh x --method isometric; else map $mesh x --weights $choice; fi
       by_vertices x.stretch.ply "st_${mesh}_$choice.png" 300 $(view $mesh)
       red=$(sed -n 's/^comment.*red at //p;/^element/q' x.stretch.ply)
-      panels+=("$(panel "st_${mesh}_$choice.png" "$choice: to $(awk "BEGIN { printf \"1/%.0f\", exp($red) }")" 320)")
+      panels+=("$(panel "st_${mesh}_$choice.png" "$choice: $(awk "BEGIN { printf \"%.0e\", exp(-$red) }")" 320)")
     done
     row "row_$mesh.png" "${panels[@]}"
     rows+=("row_$mesh.png")

@@ -7,7 +7,6 @@
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/Random.h>
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_ratio_stop_predicate.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 
 namespace benchmark {
@@ -34,7 +33,10 @@ Mesh remeshed(Mesh mesh, double relative_edge_length)
 Mesh decimated(Mesh mesh, double share_of_edges)
 {
   namespace SMS = CGAL::Surface_mesh_simplification;
-  SMS::edge_collapse(mesh, SMS::Count_ratio_stop_predicate<Mesh>(share_of_edges));
+  // CGAL's predicate has another name from 5.6 on.
+  SMS::edge_collapse(mesh, [&](const auto&, const auto&, std::size_t initial, std::size_t current) {
+    return double(current) < share_of_edges * double(initial);
+  });
   mesh.collect_garbage();
   return mesh;
 }

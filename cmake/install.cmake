@@ -22,6 +22,7 @@ if(CGAL_SP_WITH_OPENCL)
   install(DIRECTORY ${PROJECT_BINARY_DIR}/include/CGAL DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 endif()
 
+# -frounding-math, in the .pc file: what CGAL::CGAL adds, since its exact predicates change the rounding mode.
 set(pc_folder ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 file(RELATIVE_PATH CGAL_SP_PREFIX_FROM_PC /prefix/${pc_folder} /prefix)
 configure_file(cmake/package.pc.in cgal-spherical-parameterization.pc @ONLY)

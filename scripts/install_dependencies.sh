@@ -12,7 +12,7 @@ packages=(
   libtbb-dev ocl-icd-opencl-dev opencl-clhpp-headers pocl-opencl-icd # its parallel backends
   libcli11-dev nlohmann-json3-dev libpng-dev                        # the tool
   libboost-mpi-dev libopenmpi-dev openmpi-bin                       # its batches on a cluster
-  catch2 libopenmesh-dev libcgal-demo                               # the tests
+  catch2 libopenmesh-dev libcgal-demo doxygen                       # the tests, of which the manual is one
   f3d xvfb xauth                                                    # pictures
   "$@"
 )

@@ -11,6 +11,7 @@ namespace tool {
 using CGAL::Spherical_parameterization::Error_code;
 
 /// The name of an error code, for programs that read the report.
+// clang-format off
 inline const char* name(Error_code code)
 {
   switch(code) {
@@ -34,6 +35,7 @@ inline const char* name(Error_code code)
   }
   return "UNKNOWN";
 }
+// clang-format on
 
 } // namespace tool
 

@@ -57,11 +57,10 @@ void add_search_command(CLI::App& app, int& exit_code)
     ->required()
     ->check(CLI::ExistingFile);
   command->add_option("-k", options->count, "List so many")->check(CLI::PositiveNumber)->capture_default_str();
-  command->footer(
-    "Prints a line per mesh: the distance of its signature, and its name. Poses of the same shape are typically\n"
-    ".2 apart, and unlike shapes 2.\n"
-    "Example: spherical-parameterization search bunny.ply --index index.csv -k 5\n"
-    "Exit code: 0 found, 1 the mesh or the index was refused (the reason is on stderr), 2 wrong usage.");
+  command->footer("Prints a line per mesh: the distance of its signature, and its name. Poses of the same shape are\n"
+                  "typically .2 apart, and unlike shapes 2.\n"
+                  "Example: spherical-parameterization search bunny.ply --index index.csv -k 5\n"
+                  "Exit code: 0 found, 1 the mesh or the index was refused (the reason is on stderr), 2 wrong usage.");
   command->callback([options, &exit_code] {
     try {
       search(*options);

@@ -85,12 +85,11 @@ void add_signature_command(CLI::App& app, int& exit_code)
     ->add_option("-j,--jobs", options->jobs,
                  "So many meshes at the same time [all cores; with mpirun: in every process, 1]")
     ->check(CLI::Range(1, 4096));
-  command->footer(
-    "Meshes without signature have a row that says why. A run that was stopped goes on where it was when the\n"
-    "same command is given again. mpirun -n N spreads the work over N processes.\n"
-    "Example: spherical-parameterization signature scans/ -o index.csv\n"
-    "Exit code: 0 the index has been written, 1 not, or it has no signature (the reason is on stderr), 2 wrong "
-    "usage.");
+  command->footer("Meshes without signature have a row that says why. A run that was stopped goes on where it was\n"
+                  "when the same command is given again. mpirun -n N spreads the work over N processes.\n"
+                  "Example: spherical-parameterization signature scans/ -o index.csv\n"
+                  "Exit code: 0 the index has been written, 1 not, or it has no signature (the reason is on stderr),\n"
+                  "2 wrong usage.");
   command->callback([options, &exit_code] {
     if(options->inputs.empty() && options->list.empty())
       throw CLI::RequiredError("IN or --list");

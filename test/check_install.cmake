@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Installs the package to a folder with a space in its name, moves it, and builds and runs a project that uses it.
-# cmake -D BUILD=... -D SOURCE=... -D SCRATCH=... -D COMPONENTS=... -D EXPECTED=... -P check_install.cmake
+# Installs the package to a folder with a space in its name, moves it, and builds and runs a project that uses it: with
+# find_package(), and without components also with pkg-config. With TOOL, runs the installed tool.
+# cmake -D BUILD=... -D SOURCE=... -D SCRATCH=... -D COMPONENTS=... -D EXPECTED=... -D CXX=... -D TOOL=ON|OFF
+#   -P check_install.cmake
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT code EQUAL 0)
@@ -19,12 +21,27 @@ run("${SCRATCH}/build/consumer")
 if(NOT output MATCHES "${EXPECTED}\n")
   message(FATAL_ERROR "expected '${EXPECTED}', got '${output}'")
 endif()
+if(TOOL)
+  run("${SCRATCH}/second place/bin/spherical-parameterization" map --help)
+  file(GLOB_RECURSE page "${SCRATCH}/second place/*/man1/spherical-parameterization.1")
+  file(GLOB_RECURSE completion "${SCRATCH}/second place/*/bash-completion/completions/spherical-parameterization")
+  if(NOT page OR NOT completion)
+    message(FATAL_ERROR "the man page ('${page}') or the completion ('${completion}') is missing")
+  endif()
+endif()
 find_program(PKG_CONFIG pkg-config)
-if(PKG_CONFIG)
+if(PKG_CONFIG AND COMPONENTS STREQUAL "")
   file(GLOB_RECURSE pc "${SCRATCH}/second place/*.pc")
   get_filename_component(folder "${pc}" DIRECTORY)
-  run(${CMAKE_COMMAND} -E env "PKG_CONFIG_PATH=${folder}" ${PKG_CONFIG} --cflags cgal-spherical-parameterization)
-  if(NOT output MATCHES "second.* place/")
-    message(FATAL_ERROR "pkg-config does not find the headers where they are: '${output}'")
+  set(pkg_config ${CMAKE_COMMAND} -E env "PKG_CONFIG_PATH=${folder}" ${PKG_CONFIG} cgal-spherical-parameterization)
+  run(${pkg_config} --cflags)
+  separate_arguments(compile_flags UNIX_COMMAND "${output}")
+  run(${pkg_config} --libs)
+  separate_arguments(link_flags UNIX_COMMAND "${output}")
+  run(${CXX} -std=c++17 ${SOURCE}/main.cpp ${SOURCE}/other.cpp ${compile_flags} ${link_flags}
+    -o "${SCRATCH}/build/from pkg-config")
+  run("${SCRATCH}/build/from pkg-config")
+  if(NOT output MATCHES "${EXPECTED}\n")
+    message(FATAL_ERROR "with pkg-config: expected '${EXPECTED}', got '${output}'")
   endif()
 endif()

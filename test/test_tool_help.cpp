@@ -90,8 +90,7 @@ TEST_CASE("help fits a terminal, and has an example", "[tool]")
     CAPTURE(command);
     for(const std::string& line : lines_of(help(command))) {
       CAPTURE(line);
-      // 30 columns for the name, 70 for the description; a usage line may be long
-      CHECK((line.size() <= 110 || line.rfind("Example:", 0) == 0));
+      CHECK(line.size() <= 100);
       CHECK(line.find("Excludes") == std::string::npos);
     }
     if(command != "devices")
@@ -139,7 +138,6 @@ TEST_CASE("completion in bash: commands and options", "[tool]")
     CHECK(completions({command, "-"}) == options_of(command));
   }
   CHECK(completions({"map", "in.off", "--max-"}) == Words{"--max-angle", "--max-time"});
-  CHECK(completions({"nonsense", "-"}).empty());
 }
 
 TEST_CASE("completion in bash: values", "[tool]")

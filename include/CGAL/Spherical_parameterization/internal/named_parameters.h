@@ -21,9 +21,9 @@ enum spherical_edge_weight_t { spherical_edge_weight };
 namespace parameters {
 template <class EdgeWeightMap>
 Named_function_parameters<EdgeWeightMap, internal_np::spherical_edge_weight_t>
-edge_weight_map(const EdgeWeightMap& weights)
+edge_weight_map(const EdgeWeightMap& edge_weights)
 {
-  return Named_function_parameters<EdgeWeightMap, internal_np::spherical_edge_weight_t>(weights);
+  return Named_function_parameters<EdgeWeightMap, internal_np::spherical_edge_weight_t>(edge_weights);
 }
 } // namespace parameters
 #endif

@@ -15,9 +15,11 @@
 
 #include <CLI/CLI.hpp>
 
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <memory>
+#include <new>
 
 namespace {
 
@@ -57,8 +59,12 @@ int run(int argc, char** argv)
 int main(int argc, char** argv)
 {
   CGAL::set_error_handler(print_nothing);
+  std::signal(SIGXFSZ, SIG_IGN); // a file that exceeds its limit is then an error like a full disk
   try {
     return run(argc, argv);
+  } catch(const std::bad_alloc&) {
+    std::cerr << "spherical-parameterization: not enough memory" << std::endl;
+    return failure;
   } catch(const std::exception& exception) {
     std::cerr << "spherical-parameterization: " << exception.what() << std::endl;
     return failure;

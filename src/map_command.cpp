@@ -77,12 +77,15 @@ void print_certificate(const Map_options& options, const Mapped_mesh& input, con
             << " faces\n"
             << "valid spherical map: " << result.flipped_faces << " flipped faces, degree " << result.degree
             << ", residual " << result.residual << '\n'
-            << options.method << ", " << options.weights << " weights, " << options.policy << " on " << result.device
-            << ": " << result.start_iterations << " + " << result.iterations << " iterations";
+            << (options.method == "automatic" ? "automatic: " : "") << result.method << ", " << options.weights
+            << " weights, " << options.policy << " on " << result.device << ": " << result.start_iterations << " + "
+            << result.iterations << " iterations";
   if(result.sweeps > 0)
     std::cout << " of " << result.sweeps << " sweeps in all";
-  std::cout << '\n'
-            << report.seconds_total << " s: read " << input.seconds_read << ", start map " << result.seconds.start_map
+  std::cout << '\n';
+  if(!result.fallback_reason.empty())
+    std::cout << "after failures: " << result.fallback_reason << '\n';
+  std::cout << report.seconds_total << " s: read " << input.seconds_read << ", start map " << result.seconds.start_map
             << ", solve " << result.seconds.solve << ", certify " << result.seconds.certify << ", write "
             << report.seconds_write << '\n'
             << "written: " << options.output << (options.stretch_ply.empty() ? "" : " and " + options.stretch_ply)

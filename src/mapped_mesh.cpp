@@ -17,10 +17,13 @@ namespace tool {
 namespace {
 
 /// What the options of this program can do about it; the other details of the library say what to do by themselves.
-const char* remedy(Error_code code)
+std::string remedy(const Mapping_options& options, Error_code code)
 {
+  const bool has_fall_back = options.method != "automatic" && options.method != "isometric" && options.fixed.empty();
   switch(code) {
-  case Error_code::NOT_CONVERGED: return "allow more --iterations, or try other --weights or the other --method";
+  case Error_code::NOT_CONVERGED:
+    return std::string("allow more --iterations, or try ") + (has_fall_back ? "--method automatic" : "other --weights");
+  case Error_code::NOT_BIJECTIVE: return has_fall_back && options.sphere.empty() ? "try --method automatic" : "";
   case Error_code::INTERRUPTED: return "allow more --max-time";
   default: return "";
   }
@@ -72,7 +75,7 @@ void map_input(const Mapping_options& options, Mapped_mesh& input, Map_quality q
                                                                           : options.sphere;
     throw Refusal(name(result.error), file,
                   get_error_message(result.error) + (result.detail.empty() ? "" : ": " + result.detail),
-                  remedy(result.error));
+                  remedy(options, result.error));
   }
 }
 

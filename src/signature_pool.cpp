@@ -5,12 +5,20 @@
 
 #include "sign_mesh.h"
 
+#include <system_error>
+
 namespace tool {
 
 Signature_pool::Signature_pool(int threads)
 {
-  for(int i = 0; i < threads; ++i)
-    threads_.emplace_back([this] { work(); });
+  threads_.reserve(static_cast<std::size_t>(threads));
+  try {
+    for(int i = 0; i < threads; ++i)
+      threads_.emplace_back([this] { work_or_report(); });
+  } catch(const std::system_error&) { // the system has no more of them
+    if(threads_.empty())
+      throw;
+  }
 }
 
 Signature_pool::~Signature_pool()
@@ -37,12 +45,25 @@ void Signature_pool::start(const std::string& mesh)
 std::optional<Finished_line> Signature_pool::wait_for(std::chrono::milliseconds time)
 {
   std::unique_lock<std::mutex> lock(mutex_);
-  if(!has_result_.wait_for(lock, time, [this] { return !finished_.empty(); }))
+  if(!has_result_.wait_for(lock, time, [this] { return !finished_.empty() || error_; }))
     return std::nullopt;
+  if(error_)
+    std::rethrow_exception(error_);
   Finished_line result = std::move(finished_.front());
   finished_.pop_front();
   --busy_;
   return result;
+}
+
+void Signature_pool::work_or_report()
+{
+  try {
+    work();
+  } catch(...) { // whatever is wrong with a mesh is in its line: this is about the program, as when memory runs out
+    const std::lock_guard<std::mutex> lock(mutex_);
+    error_ = std::current_exception();
+    has_result_.notify_one();
+  }
 }
 
 void Signature_pool::work()

@@ -10,7 +10,9 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace tool {
@@ -39,16 +41,14 @@ void write_textured_obj(std::ostream& out, const Mesh& mesh, Uv_map uv, const st
   std::vector<std::size_t> index_of(mesh.number_of_halfedges()); // from 1 on
   std::size_t count = 0;
   for(const Mesh::Vertex_index v : mesh.vertices()) {
-    std::vector<Mesh::Halfedge_index> different;
+    std::map<std::pair<double, double>, std::size_t> index_at;
     for(const Mesh::Halfedge_index h : mesh.halfedges_around_target(mesh.halfedge(v))) {
-      const auto same = std::find_if(different.begin(), different.end(),
-                                     [&](Mesh::Halfedge_index other) { return uv[other] == uv[h]; });
-      if(same == different.end()) {
-        different.push_back(h);
-        index_of[h] = ++count;
+      const auto [place, is_new] = index_at.try_emplace({uv[h].x(), uv[h].y()}, count + 1);
+      if(is_new) {
+        ++count;
         out << "vt " << uv[h] << '\n';
-      } else
-        index_of[h] = index_of[*same];
+      }
+      index_of[h] = place->second;
     }
   }
   for(const Mesh::Face_index f : mesh.faces()) {

@@ -7,6 +7,10 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <iterator>
+#include <vector>
+
 using namespace test;
 
 namespace {
@@ -86,4 +90,30 @@ TEST_CASE("automatic: stopping it stops all of it", "[automatic]")
   settings.callback = [](double fraction) { return fraction < 0.2; };
   Sphere sphere;
   CHECK(solve(capsule(30, 12), sphere, settings).error == Error_code::INTERRUPTED);
+}
+
+TEST_CASE("automatic: the progress never goes back, and every map that is tried moves it", "[automatic]")
+{
+  Settings settings;
+  settings.method = SP::Automatic();
+  std::vector<double> fractions;
+  settings.callback = [&](double fraction) {
+    fractions.push_back(fraction);
+    return true;
+  };
+  Sphere sphere;
+  SECTION("the first one is valid")
+  {
+    CHECK(solve(spiky_star(3, 1), sphere, settings).method == "balanced");
+    CHECK(*std::prev(fractions.end(), 2) <= 0.5); // others might have been needed
+  }
+  SECTION("the last one is valid")
+  {
+    CHECK(solve(capsule(30, 12), sphere, settings).method == "isometric");
+    for(const double begin : {0., 0.5, 0.75})
+      CHECK(std::count_if(fractions.begin(), fractions.end(), [&](double f) { return f > begin && f < begin + 0.25; }) >
+            5);
+  }
+  CHECK(std::is_sorted(fractions.begin(), fractions.end()));
+  CHECK(fractions.back() == 1);
 }

@@ -71,8 +71,11 @@ public:
     const internal::vec3 given = internal::coordinates(direction);
     if(!internal::is_finite(given) || (given.x == 0 && given.y == 0 && given.z == 0))
       throw std::invalid_argument("no direction to locate: zero or not finite");
-    const internal::vec3 q = scaled(given);
-    const std::size_t f = walk(q, start(q));
+    const int exponent = binary_exponent(given);
+    const internal::vec3 q = scaled(given, -exponent);
+    // Where one coordinate is 1e300 times smaller than another, scaling takes digits off; the tests do with any length.
+    const bool is_same = internal::is_equal(scaled(q, exponent), given);
+    const std::size_t f = walk(is_same ? q : given, start(q));
     const Face& face = face_[f];
     return {descriptor_[f], internal::barycentric_coordinates(
                               {point_[face.vertex[0]], point_[face.vertex[1]], point_[face.vertex[2]]}, q)};
@@ -132,16 +135,18 @@ private:
     face_.swap(sorted_faces);
     descriptor_.swap(sorted_descriptors);
 
-    // the edges out of every vertex, as pairs of the other end and the face to the left
+    // the edges out of every vertex, as pairs of the other end and the face to the left, sorted
     std::vector<std::vector<std::pair<int, int>>> edges(point_.size());
     for(std::size_t f = 0; f < face_.size(); ++f)
       for(int k = 0; k < 3; ++k)
         edges[face_[f].vertex[k]].emplace_back(face_[f].vertex[(k + 1) % 3], static_cast<int>(f));
+    for(auto& out : edges)
+      std::sort(out.begin(), out.end());
     for(Face& face : face_)
-      for(int k = 0; k < 3; ++k)
-        for(const auto& [end, neighbour] : edges[face.vertex[(k + 1) % 3]])
-          if(end == face.vertex[k])
-            face.neighbour[k] = neighbour;
+      for(int k = 0; k < 3; ++k) {
+        const auto& out = edges[face.vertex[(k + 1) % 3]];
+        face.neighbour[k] = std::lower_bound(out.begin(), out.end(), std::pair<int, int>(face.vertex[k], 0))->second;
+      }
     for(const auto& out : edges)
       some_face_.push_back(out.front().second);
   }
@@ -149,13 +154,20 @@ private:
   /// Some face near q.
   std::size_t start(internal::vec3 q) const { return some_face_[tree_.near(internal::unit(q), point_)]; }
 
-  /// The same direction, of length about 1: by a power of two, so that no digit is lost.
-  static internal::vec3 scaled(internal::vec3 q)
+  /// The power of two of which the length of q is about; 0 for unit vectors.
+  static int binary_exponent(internal::vec3 q)
   {
-    if(const double square = internal::inner(q, q); square > 0.5 && square < 2)
-      return q;
-    const int exponent = 1 + std::ilogb((std::max)({std::abs(q.x), std::abs(q.y), std::abs(q.z)}));
-    return {std::ldexp(q.x, -exponent), std::ldexp(q.y, -exponent), std::ldexp(q.z, -exponent)};
+    const double square = internal::inner(q, q);
+    if(square > 0.5 && square < 2)
+      return 0;
+    return 1 + std::ilogb((std::max)({std::abs(q.x), std::abs(q.y), std::abs(q.z)}));
+  }
+
+  static internal::vec3 scaled(internal::vec3 q, int exponent)
+  {
+    return exponent == 0
+             ? q
+             : internal::vec3{std::ldexp(q.x, exponent), std::ldexp(q.y, exponent), std::ldexp(q.z, exponent)};
   }
 
   std::size_t walk(internal::vec3 q, std::size_t f) const

@@ -152,9 +152,8 @@ Result parameterize(const ExecutionPolicy& policy, const TriangleMesh& mesh, con
       choose_parameter(get_parameter(np, internal_np::vertex_is_constrained),
                        Static_boolean_property_map<typename Graph_traits::vertex_descriptor, false>());
     const std::vector<char> is_fixed = internal::fixed_vertices(source.vertex, is_constrained);
-    internal::Map_task task = {source.graph, source.face, source.point, source.area, is_fixed,
-                               {},           {},          {},           monitor,     result,
-                               missing_weights};
+    internal::Map_task task = {source.graph, source.face, source.point, source.area, is_fixed,       {},
+                               {},           {},          monitor,      result,      missing_weights};
     if constexpr(!is_default_parameter<NamedParameters, internal_np::accuracy_t>::value)
       task.accuracy = get_parameter(np, internal_np::accuracy);
     if constexpr(!is_default_parameter<NamedParameters, internal_np::number_of_iterations_t>::value)
@@ -180,9 +179,10 @@ Result parameterize(const ExecutionPolicy& policy, const TriangleMesh& mesh, con
         const internal::Stopwatch certify_watch;
         for(std::size_t i = 0; i < v.size(); ++i)
           put(sphere_map, source.vertex[i], Sphere_point{v[i].x, v[i].y, v[i].z});
-        internal::pass_verdict(backend.host_loop(), source.face, v, report, monitor, result);
+        internal::pass_verdict(backend.host_loop(), source.face, v, task.has_fixed(), report, monitor, result);
         result.seconds.certify += certify_watch.seconds();
       });
+    monitor.begin_stage(1, 1);
     monitor.advance(1);
   } catch(const internal::Failure& failure) {
     result.error = failure.code;

@@ -33,11 +33,19 @@ public:
     : limit_(maximum_running_time), callback_(std::move(callback)), verbose_(verbose)
   {}
 
-  /// `fraction` in [0,1] is how far the work has come; it never goes back. Returns whether to go on.
+  /// From here on `advance()` counts within the stage of the work from `begin` to `end`, in [0,1].
+  void begin_stage(double begin, double end)
+  {
+    begin_ = begin;
+    end_ = end;
+  }
+
+  /// `fraction` in [0,1] is how far the stage has come; it never goes back. Returns whether to go on.
   bool advance(double fraction)
   {
     if(!is_interrupted_) {
-      fraction_ = (std::max)(fraction_, (std::min)(1., fraction));
+      if(fraction > 0) // and no NaN
+        fraction_ = (std::max)(fraction_, begin_ + (std::min)(1., fraction) * (end_ - begin_));
       if(watch_.seconds() >= limit_)
         interrupt("the time limit was reached");
       else if(callback_ && !callback_(fraction_))
@@ -74,6 +82,7 @@ private:
   std::function<bool(double)> callback_;
   bool verbose_;
   double fraction_ = 0;
+  double begin_ = 0, end_ = 1; ///< of the stage
   bool is_interrupted_ = false;
   std::string reason_;
 };

@@ -20,6 +20,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <string>
@@ -54,6 +55,7 @@ public:
   template <class VertexPointMap, class Loop = Sequential_loop>
   Source_mesh(const TriangleMesh& mesh, VertexPointMap points, const Loop& loop = Loop())
   {
+    check_size(mesh);
     const Vertex_numbering<TriangleMesh> numbering(mesh);
     const std::vector<face_descriptor> face_descriptors(faces(mesh).begin(), faces(mesh).end());
     const std::vector<vertex_descriptor> vertex_descriptors(vertices(mesh).begin(), vertices(mesh).end());
@@ -132,11 +134,24 @@ private:
     Host_array<int> offset, target;
   };
 
+  /// All numbers of vertices and halfedges are of type int. Looks at no element, and allocates nothing.
+  static void check_size(const TriangleMesh& mesh)
+  {
+    constexpr std::size_t limit = static_cast<std::size_t>((std::numeric_limits<int>::max)());
+    const auto size = [](const auto& range) {
+      return static_cast<std::size_t>(std::distance(range.begin(), range.end()));
+    };
+    const std::size_t vertex_count = size(vertices(mesh)), face_count = size(faces(mesh));
+    if(vertex_count > limit || face_count > limit / 3)
+      throw Failure{Error_code::TOO_LARGE, std::to_string(vertex_count) + " vertices and " +
+                                             std::to_string(face_count) +
+                                             " faces; at most 715,827,882 faces are supported"};
+  }
+
   template <class Loop>
   static bool are_triangles(const TriangleMesh& mesh, const std::vector<face_descriptor>& descriptors, const Loop& loop)
   {
-    constexpr std::size_t limit = static_cast<std::size_t>((std::numeric_limits<int>::max)());
-    if(descriptors.empty() || 3 * descriptors.size() > limit)
+    if(descriptors.empty())
       return false;
     const int n = static_cast<int>(descriptors.size());
     return first_index(loop, n, [&](int f) { return !is_triangle(halfedge(descriptors[f], mesh), mesh); }) == n;
@@ -189,9 +204,6 @@ private:
     }
     if(face_count == 0)
       throw Failure{Error_code::EMPTY_MESH, "there is nothing to map"};
-    constexpr std::size_t limit = static_cast<std::size_t>((std::numeric_limits<int>::max)());
-    if(3 * face_count > limit)
-      throw Failure{Error_code::TOO_LARGE, std::to_string(face_count) + " faces; at most 715,827,882 are supported"};
 
     // Incident faces of each vertex as the faces tell it, to be compared with the walk round the vertex.
     Host_array<int> incident(numbering.size(), 0);

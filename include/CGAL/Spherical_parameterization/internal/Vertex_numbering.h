@@ -8,6 +8,9 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
+#include <iterator>
+#include <limits>
+#include <stdexcept>
 #include <type_traits>
 #include <unordered_map>
 #include <utility>
@@ -29,9 +32,12 @@ struct Has_idx<Descriptor, std::void_t<decltype(static_cast<std::size_t>(std::de
 template <class Descriptor>
 class Numbering {
 public:
+  /// Throws std::length_error if there are more than an int can number.
   template <class Range>
   explicit Numbering(const Range& descriptors)
   {
+    if(std::distance(descriptors.begin(), descriptors.end()) > (std::numeric_limits<int>::max)())
+      throw std::length_error("a mesh of more than 2^31 - 1 elements of one kind");
     for(Descriptor d : descriptors)
       insert(d, size_++);
   }

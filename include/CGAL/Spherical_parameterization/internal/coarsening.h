@@ -107,7 +107,8 @@ Aggregates aggregate(const Loop& loop, const Weighted_graph& a, double threshold
   return result;
 }
 
-/// P = (I - omega D^-1 A) T, T the piecewise constant interpolation from the aggregates.
+/// P = (I - omega D^-1 A) T, T the piecewise constant interpolation from the aggregates. Vertices of a very high
+/// degree, as the poles of a globe have, keep the row of T: one of their degree would make the Galerkin product dense.
 template <class Loop>
 Sparse_matrix smoothed_prolongation(const Loop& loop, const Weighted_graph& a, const Aggregates& aggregates,
                                     double omega)
@@ -115,6 +116,7 @@ Sparse_matrix smoothed_prolongation(const Loop& loop, const Weighted_graph& a, c
   const Host_array<int>& of = aggregates.of_vertex;
   return build_rows(loop, a.size(), [&](int begin, int end, Sparse_matrix& p) {
     constexpr double usual_row_length = 3.2;
+    constexpr int longest_smoothed_row = 256;
     p.offset.reserve(end - begin + 1);
     p.column.reserve(static_cast<std::size_t>(usual_row_length * (end - begin)));
     p.value.reserve(static_cast<std::size_t>(usual_row_length * (end - begin)));
@@ -123,7 +125,10 @@ Sparse_matrix smoothed_prolongation(const Loop& loop, const Weighted_graph& a, c
     for(int i = begin; i < end; ++i) {
       column.clear();
       value.clear();
-      if(of[i] >= 0) {
+      if(of[i] >= 0 && a.offset[i + 1] - a.offset[i] > longest_smoothed_row) {
+        column.push_back(of[i]);
+        value.push_back(1);
+      } else if(of[i] >= 0) {
         const double factor = omega * a.inverse_diagonal[i];
         column.push_back(of[i]);
         value.push_back(a.excess.empty() ? 1 : 1 - factor * a.excess[i]);

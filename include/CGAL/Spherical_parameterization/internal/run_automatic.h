@@ -59,12 +59,15 @@ public:
 
   Host_array<vec3> operator()(const Automatic& method)
   {
+    // How many will be needed nobody knows: each takes half of the progress that is left, the last one the rest.
     if(task_.missing_weights.empty()) {
+      task_.monitor.begin_stage(0, 0.5);
       if(attempt(Balanced{method.spring_exponent}) || !can_go_on())
         return std::move(map_);
       if(method.larger_spring_exponent > method.spring_exponent) {
         const auto iterations = task_.number_of_iterations;
         task_.number_of_iterations = (std::min)(iterations.value_or(patience), patience);
+        task_.monitor.begin_stage(0.5, 0.75);
         const bool is_valid = attempt(Balanced{method.larger_spring_exponent});
         task_.number_of_iterations = iterations;
         if(is_valid || !can_go_on())
@@ -79,6 +82,7 @@ public:
       return std::move(map_);
     }
     const Isometric last{method.area_exponent};
+    task_.monitor.begin_stage(map_.empty() ? 0 : 0.75, 1);
     task_.result.method = name(last);
     task_.accuracy.reset(); // these are for the springs
     task_.number_of_iterations.reset();

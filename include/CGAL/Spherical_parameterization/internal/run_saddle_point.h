@@ -7,6 +7,7 @@
 #include <CGAL/Spherical_parameterization/internal/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/Map_task.h>
 #include <CGAL/Spherical_parameterization/internal/Solver_report.h>
+#include <CGAL/Spherical_parameterization/internal/point_coordinates.h>
 #include <CGAL/Spherical_parameterization/internal/saddle_point_solver.h>
 #include <CGAL/Spherical_parameterization/internal/start_map.h>
 #include <CGAL/Spherical_parameterization/methods.h>
@@ -54,7 +55,7 @@ Host_array<vec3> run(const Backend& backend, const Saddle_point& method, Map_tas
     for(const vec3& p : task.points)
       centroid = add_scaled(centroid, 1. / task.size(), p);
     for(const vec3& p : task.points) {
-      const vec3 d = sub(p, centroid);
+      const vec3 d = scaled_to_unit_box(sub(p, centroid));
       start.push_back(inner(d, d) > 0 ? unit(d) : make_vec3(0, 0, 1));
     }
     break;

@@ -83,7 +83,7 @@ inline std::array<double, 3> barycentric_coordinates(const std::array<vec3, 3>& 
     }
     const FT total = exact[0] + exact[1] + exact[2];
     for(int k = 0; k < 3; ++k)
-      w[k] = CGAL::to_double(FT(exact[k] / total));
+      w[k] = (std::max)(CGAL::to_double(FT(exact[k] / total)), 0.); // q may be rounded
     sum = w[0] + w[1] + w[2];
   }
   return {w[0] / sum, w[1] / sum, w[2] / sum};

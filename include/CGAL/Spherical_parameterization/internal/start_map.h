@@ -62,7 +62,8 @@ Host_array<vec3> planar_map(const Backend& backend, Multigrid<Backend>& multigri
 }
 
 /// Inverse stereographic projection that keeps the orientation (the origin goes to the north pole), after the median of
-/// the points has been moved to the origin and their median distance from it scaled to 1.
+/// the points has been moved to the origin and their median distance from it scaled to 1. Points that are not finite,
+/// since doubles cannot tell the corners of the planar map apart, go to the north pole: the certificate counts them.
 inline void to_sphere(Host_array<vec3>& z)
 {
   constexpr std::size_t sample_size = 50000; // an estimate is good enough: the Moebius transformation comes after
@@ -78,10 +79,12 @@ inline void to_sphere(Host_array<vec3>& z)
   };
   const vec3 centre = {median([](vec3 p) { return p.x; }), median([](vec3 p) { return p.y; }), 0};
   const double radius = median([&](vec3 p) { return std::hypot(p.x - centre.x, p.y - centre.y); });
+  const double factor = radius > 0 ? 1 / radius : 1; // most of the points may be as good as the same
   for(vec3& p : z) {
-    const vec3 q = scale(1 / radius, sub(p, centre));
+    const vec3 q = scale(factor, sub(p, centre));
     const double s = inner(q, q);
-    p = unit(make_vec3(2 * q.x, 2 * q.y, 1 - s));
+    const vec3 direction = s < 1e100 ? unit(make_vec3(2 * q.x, 2 * q.y, 1 - s)) : make_vec3(0, 0, -1);
+    p = is_finite(direction) ? direction : make_vec3(0, 0, 1);
   }
 }
 

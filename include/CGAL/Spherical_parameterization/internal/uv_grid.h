@@ -63,7 +63,7 @@ public:
     const vec2 along = scale(1 / length, sub(q, p)), left = {-along.y, along.x};
     const double place = std::clamp(inner(sub(r[apex], p), along), 0., length);
     const vec2 foot = add(p, scale(place, along));
-    double height = std::clamp(2 * area / length, cell_, 0.25);
+    double height = std::clamp(2 * area / length, cell_, (std::max)(cell_, 0.25));
     do {
       r[apex] = rounded(add(foot, scale(height, left)));
       height *= 2; // twice at most: rounding moves a point by less than a cell

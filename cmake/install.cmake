@@ -28,7 +28,7 @@ file(RELATIVE_PATH CGAL_SP_PREFIX_FROM_PC /prefix/${pc_folder} /prefix)
 configure_file(cmake/package.pc.in cgal-spherical-parameterization.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/cgal-spherical-parameterization.pc DESTINATION ${pc_folder})
 
-install(FILES README.md LICENSE LICENSE.GPL DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES README.md CHANGELOG.md CITATION.cff LICENSE LICENSE.GPL DESTINATION ${CMAKE_INSTALL_DOCDIR})
 if(CGAL_SP_WITH_TOOL)
   install(TARGETS spherical-parameterization)
   install(FILES doc/man/spherical-parameterization.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)

@@ -3,7 +3,8 @@
 # coverage.sh
 # Builds the tests without optimization, runs them, and prints which share of the lines of include/ and src/ they have
 # executed. The details are in BUILD/coverage.html.
-# Environment: BUILD (folder, default build-coverage), JOBS, TESTS (a regular expression of CTest; default: all tests)
+# Environment: BUILD (folder, default build-coverage), JOBS; TARGETS and TESTS (a regular expression of CTest), for a part
+# of the tests
 set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 build=${BUILD:-$root/build-coverage}
@@ -15,7 +16,8 @@ if ! command -v gcovr >/dev/null; then
 fi
 cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS="--coverage -fprofile-update=atomic" \
   -DCMAKE_CXX_FLAGS_DEBUG=-O1 -DCGAL_SP_WITH_BENCHMARKS=OFF -DCGAL_SP_WITH_MPI=OFF
-cmake --build "$build" --parallel "$jobs"
+read -ra targets <<<"${TARGETS:-all}"
+cmake --build "$build" --parallel "$jobs" --target "${targets[@]}"
 find "$build" -name '*.gcda' -delete
 (cd "$build" && ctest --output-on-failure --no-tests=error -j "$jobs" -R "${TESTS:-.}" -E '^install/' </dev/null)
 # Of an inline function each object file has its own counters: gcovr adds them up.

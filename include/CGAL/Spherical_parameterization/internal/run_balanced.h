@@ -150,7 +150,7 @@ Solver_report solve_stiffening(const Backend& backend, const Map_task& task, dou
   Solver_report report;
   double goal = accuracy;
   for(std::size_t done = 0, made = 1;; done += made) {
-    const Host_array<vec3> position = backend.download(v); // all set-up is the host's
+    const Host_array<vec3>& position = backend.download(v); // all set-up is the host's
     const auto current = std::make_shared<Weighted_graph>(springs_at(*springs, exponent, position, task.is_fixed));
     Multigrid<Backend> multigrid(backend, current);
     report.residual = std::sqrt(backend.barycentric_residual2(multigrid.matrix(0), v));

@@ -29,12 +29,28 @@ Atomic_file::~Atomic_file()
   std::filesystem::remove(temporary_, ignored);
 }
 
-void Atomic_file::commit()
+void Atomic_file::commit() { commit_all({this}); }
+
+void Atomic_file::commit_all(std::initializer_list<Atomic_file*> files)
+{
+  for(Atomic_file* file : files)
+    if(file)
+      file->complete();
+  for(Atomic_file* file : files)
+    if(file)
+      file->rename();
+}
+
+void Atomic_file::complete()
 {
   errno = 0;
   out_.close(); // flushes
   if(!out_)
     refuse("could not be written completely (" + std::generic_category().message(errno) + ")");
+}
+
+void Atomic_file::rename()
+{
   std::error_code error;
   std::filesystem::rename(temporary_, file_, error);
   if(error)

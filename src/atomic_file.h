@@ -5,6 +5,7 @@
 #define SPHERICAL_PARAMETERIZATION_TOOL_ATOMIC_FILE_H
 
 #include <fstream>
+#include <initializer_list>
 #include <ostream>
 #include <string>
 
@@ -27,7 +28,13 @@ public:
   /// Gives the file its name, or throws a `Refusal` if not all of it could be written.
   void commit();
 
+  /// The same for files that belong together, those that are null left out: none gets its name before all of them have
+  /// been written.
+  static void commit_all(std::initializer_list<Atomic_file*> files);
+
 private:
+  void complete();
+  void rename();
   [[noreturn]] void refuse(const std::string& wrong) const;
 
   std::string file_;

@@ -61,9 +61,7 @@ void write(const Map_options& options, const Mesh& mesh, Sphere_map sphere, Atom
   if(stretch_file)
     write_stretch_ply(stretch_file->stream(), mesh, sphere);
   stop_if_interrupted(options.input);
-  if(stretch_file)
-    stretch_file->commit();
-  sphere_file.commit();
+  Atomic_file::commit_all({stretch_file, &sphere_file});
 }
 
 void print_certificate(const Map_options& options, const Mapped_mesh& input, const Report& report)

@@ -54,9 +54,7 @@ void resample(const Resample_options& options)
   if(sphere_file)
     write_mesh(sphere_file->stream(), output_format(options.output_sphere), out, directions);
   stop_if_interrupted(options.input);
-  if(sphere_file)
-    sphere_file->commit();
-  file.commit();
+  Atomic_file::commit_all({sphere_file.get(), &file});
   std::cout << options.output << ": " << out.number_of_vertices() << " vertices, " << out.number_of_faces() << " faces"
             << std::endl;
 }

@@ -61,9 +61,7 @@ void segment(const Segment_options& options)
     for(const Mesh::Face_index f : input.mesh.faces())
       labels->stream() << segments[f] << '\n';
   stop_if_interrupted(options.input);
-  if(labels)
-    labels->commit();
-  ply.commit();
+  Atomic_file::commit_all({labels.get(), &ply});
   std::cout << options.input << ": " << result.number_of_segments << " segments" << std::endl;
 }
 

@@ -109,10 +109,7 @@ void texture(const Texture_command_options& options)
   if(png)
     write_checker(png->stream(), 32, options.chart == "octahedral" ? 32 : 16);
   stop_if_interrupted(options.input);
-  if(png)
-    png->commit();
-  mtl.commit();
-  obj.commit();
+  Atomic_file::commit_all({png.get(), &mtl, &obj});
   print(options, report);
 }
 

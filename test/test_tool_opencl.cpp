@@ -105,3 +105,36 @@ TEST_CASE("map: a device by number or by part of its name", "[tool][opencl]")
     CHECK(report.at("device") == device.name + " (" + device.platform + "), single precision");
   }
 }
+
+TEST_CASE("map: a device that fails in the middle is reported in one line, and nothing is written", "[tool][opencl]")
+{
+  if(!some_policy<SP::OpenCL_device>())
+    return;
+  Scratch scratch;
+  const std::string input = write_off(scratch / "in.off", spiky_star(5, 1)); // large enough for devices
+  const auto with_failure_at = [&](long call, const std::vector<std::string>& options) {
+    std::vector<std::string> arguments = {"map", input, "-o", scratch / "out.off", "--policy", "opencl"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return run_tool_with({"LD_PRELOAD=" FAILING_OPENCL, "FAIL_OPENCL_AT=" + std::to_string(call)}, arguments);
+  };
+  for(const std::vector<std::string>& options : {std::vector<std::string>{"--method", "balanced"},
+                                                 {"--method", "balanced", "--spring-exponent", "3"},
+                                                 {"--method", "saddle-point", "--iterations", "2"},
+                                                 {"--method", "automatic"}}) {
+    int failures = 0;
+    for(long call = 1;; call = call * 3 + 1) { // the set-up is dense, the iterations are all alike
+      const Process_result run = with_failure_at(call, options);
+      CAPTURE(options, call, run.exit_code, run.out, run.err);
+      if(!contains(run.err, "CL_")) { // there are not so many calls
+        CHECK(failures > 3);
+        break;
+      }
+      ++failures;
+      CHECK(run.exit_code == 1);
+      CHECK(is_one_line(run.err));
+      CHECK((contains(run.err, "CL_OUT_OF_RESOURCES") || contains(run.err, "CL_MEM_OBJECT_ALLOCATION_FAILURE")));
+      CHECK(scratch.number_of_files() == 1);
+    }
+    std::filesystem::remove(scratch / "out.off");
+  }
+}

@@ -34,6 +34,15 @@ struct Capture {
   }
 };
 
+void limit(decltype(RLIMIT_AS) resource, long value)
+{
+  if(value <= 0)
+    return;
+  const rlimit both = {static_cast<rlim_t>(value), static_cast<rlim_t>(value)};
+  if(setrlimit(resource, &both) != 0)
+    _exit(125);
+}
+
 } // namespace
 
 Process_result run_process(const std::vector<std::string>& command, const Process_options& options)
@@ -50,6 +59,8 @@ Process_result run_process(const std::vector<std::string>& command, const Proces
   if(child == 0) {
     if(chdir(options.directory.c_str()) != 0)
       _exit(126);
+    limit(RLIMIT_FSIZE, options.largest_file);
+    limit(RLIMIT_AS, options.address_space);
     dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
     dup2(fileno(out.file), STDOUT_FILENO);
     dup2(fileno(err.file), STDERR_FILENO);

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Input_file.h"
+#include "targets.h"
+
+#include "fixed_vertices.h"
+#include "mapped_mesh.h"
+#include "mesh_io.h"
+#include "read_sphere.h"
+#include "refusal.h"
+
+#include <CGAL/boost/graph/helpers.h>
+
+#include <cmath>
+#include <cstring>
+#include <optional>
+#include <sstream>
+#include <string>
+
+namespace fuzz {
+namespace {
+
+void check_refusal(const tool::Refusal& refusal)
+{
+  const std::string text = refusal.what();
+  promise(text.find_first_of("\n\r") == std::string::npos && text.find('\0') == std::string::npos,
+          "a refusal of several lines: " + text);
+  promise(!refusal.code().empty(), "a refusal without code: " + text);
+}
+
+std::optional<tool::Mesh> read(const std::string& file, tool::Polygons polygons)
+{
+  try {
+    return tool::read_mesh(file, polygons).mesh;
+  } catch(const tool::Refusal& refusal) {
+    check_refusal(refusal);
+    return std::nullopt;
+  }
+}
+
+/// What the rest of the tool takes for granted.
+void check_mesh(const tool::Mesh& mesh)
+{
+  promise(CGAL::is_valid_polygon_mesh(mesh), "a mesh that is broken");
+  promise(CGAL::is_triangle_mesh(mesh) && CGAL::is_closed(mesh), "a mesh that is not closed, or has polygons");
+  promise(mesh.number_of_vertices() == mesh.number_of_faces() / 2 + 2, "a mesh of another genus, or in parts");
+  for(const auto v : mesh.vertices())
+    for(int i = 0; i < 3; ++i)
+      promise(std::isfinite(mesh.point(v)[i]), "a coordinate that is not finite");
+}
+
+/// What is written is read again, to the last bit.
+void check_round_trip(tool::Mesh& mesh)
+{
+  const auto points = mesh.add_property_map<tool::Mesh::Vertex_index, tool::Point>("v:copy").first;
+  for(const auto v : mesh.vertices())
+    points[v] = mesh.point(v);
+  std::ostringstream out;
+  tool::write_mesh(out, tool::Mesh_format::OFF, mesh, points);
+  const std::string text = out.str();
+  const Input_file copy(".copy.off", reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
+  const std::optional<tool::Mesh> again = read(copy.name(), tool::Polygons::REFUSE);
+  promise(again && again->number_of_vertices() == mesh.number_of_vertices() &&
+            again->number_of_faces() == mesh.number_of_faces(),
+          "a mesh that cannot be read again");
+  for(const auto v : mesh.vertices())
+    promise(again->point(v) == mesh.point(v), "a point that comes back changed");
+}
+
+} // namespace
+
+void read_meshes(const std::uint8_t* data, std::size_t size)
+{
+  if(size == 0)
+    return;
+  const char* const extensions[] = {".off", ".ply", ".obj", ".stl", ".txt"};
+  const std::string extension = extensions[*data % 5];
+  const bool triangulate = *data >= 128;
+  const Input_file file(extension, data + 1, size - 1);
+  if(extension == ".txt") {
+    try {
+      tool::read_fixed_vertices(file.name(), 12);
+    } catch(const tool::Refusal& refusal) {
+      check_refusal(refusal);
+    }
+    return;
+  }
+  std::optional<tool::Mesh> mesh =
+    read(file.name(), triangulate ? tool::Polygons::TRIANGULATE : tool::Polygons::REFUSE);
+  if(!mesh)
+    return;
+  check_mesh(*mesh);
+  check_round_trip(*mesh);
+
+  tool::Mapped_mesh input;
+  input.mesh = *mesh;
+  input.sphere = input.mesh.add_property_map<tool::Mesh::Vertex_index, tool::Point>("v:sphere").first;
+  try {
+    tool::read_sphere(file.name(), "the mesh", input);
+    for(const auto v : input.mesh.vertices()) {
+      const tool::Point p = input.sphere[v];
+      promise(std::abs(std::hypot(p.x(), p.y(), p.z()) - 1) < 1e-12, "a sphere that is none");
+    }
+  } catch(const tool::Refusal& refusal) {
+    check_refusal(refusal);
+  }
+}
+
+} // namespace fuzz

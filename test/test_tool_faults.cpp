@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a machine can do to the tool: no space, no permission, no memory, no time, Ctrl-C. Every output is then there
+// complete or not at all, no other file is left, and one line says what is wrong.
+
+#include "helpers/meshes.h"
+#include "helpers/tool.h"
+
+#include <chrono>
+#include <set>
+
+using namespace test;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Bytes on a disk as good as full: enough for the line on standard error, which is a file, too, and for no output.
+constexpr long little = 600;
+
+std::set<std::string> files_in(const std::string& folder)
+{
+  std::set<std::string> files;
+  for(const auto& entry : fs::directory_iterator(folder))
+    files.insert(entry.path().filename().string());
+  return files;
+}
+
+/// A command that writes, with the names of what it writes, the first one last.
+struct Command {
+  std::vector<std::string> arguments;
+  std::vector<std::string> outputs;
+};
+
+/// All commands that write, working on `input` in the folder, where `sphere.off` is its map.
+std::vector<Command> commands(const Scratch& scratch, const std::string& input)
+{
+  const std::string sphere = scratch / "sphere.off";
+  return {{{"map", input, "-o", scratch / "out.off", "--stretch-ply", scratch / "stretch.ply", "--report",
+            scratch / "report.json"},
+           {"out.off", "stretch.ply", "report.json"}},
+          {{"map", input, "-o", scratch / "out.off"}, {"out.off"}},
+          {{"segment", input, "--sphere", sphere, "-o", scratch / "out.ply", "--labels", scratch / "labels.txt"},
+           {"out.ply", "labels.txt"}},
+          {{"texture", input, "--sphere", sphere, "-o", scratch / "out.obj"}, {"out.obj", "out.mtl", "out.png"}},
+          {{"resample", input, "--sphere", sphere, "-o", scratch / "out.off", "--output-sphere", scratch / "ico.off"},
+           {"out.off", "ico.off"}},
+          {{"signature", input, "-o", scratch / "index.csv"}, {"index.csv"}}};
+}
+
+/// Prepares the folder: the input, and its map.
+std::string prepare(const Scratch& scratch, int level = 4)
+{
+  const std::string input = write_off(scratch / "in.off", spiky_star(level, 1));
+  REQUIRE(run_tool({"map", input, "-o", scratch / "sphere.off"}).exit_code == 0);
+  return input;
+}
+
+/// What has to hold after a command that failed: one line, and nothing new but a journal, which is there to go on from,
+/// and the report of the failure itself.
+void check_failed(const Process_result& run, const Scratch& scratch, const std::set<std::string>& before)
+{
+  CAPTURE(run.out, run.err);
+  CHECK(run.exit_code == 1);
+  CHECK(is_one_line(run.err));
+  CHECK(run.out.empty());
+  std::set<std::string> after = files_in(scratch.folder());
+  for(const char* kept : {"index.csv.journal", "report.json"})
+    after.erase(kept);
+  CHECK(after == before);
+}
+
+void remove_outputs(const Scratch& scratch, const Command& command)
+{
+  for(const std::string& output : command.outputs)
+    fs::remove_all(scratch / output);
+  fs::remove_all(scratch / "index.csv.journal");
+}
+
+} // namespace
+
+TEST_CASE("faults: a disk that is full leaves nothing half-written", "[tool][faults]")
+{
+  Scratch scratch;
+  const std::string input = prepare(scratch);
+  const auto before = files_in(scratch.folder());
+  for(const Command& command : commands(scratch, input)) {
+    CAPTURE(command.arguments);
+    REQUIRE(run_tool(command.arguments).exit_code == 0);
+    long largest = 0;
+    for(const std::string& output : command.outputs)
+      largest = std::max(largest, static_cast<long>(fs::file_size(scratch / output)));
+    remove_outputs(scratch, command);
+    for(const long space : {little, largest / 2, largest - 1}) {
+      CAPTURE(space);
+      Process_options options;
+      options.largest_file = space;
+      const Process_result run = run_tool(command.arguments, options);
+      check_failed(run, scratch, before);
+      CHECK(run.err.find("written") != std::string::npos);
+      remove_outputs(scratch, command);
+    }
+  }
+}
+
+TEST_CASE("faults: an old output stays as it was where the new one cannot be written", "[tool][faults]")
+{
+  Scratch scratch;
+  const std::string input = prepare(scratch);
+  for(const Command& command : commands(scratch, input)) {
+    CAPTURE(command.arguments);
+    for(const std::string& output : command.outputs)
+      if(output != "report.json")
+        write_text(scratch / output, "old");
+    const auto before = files_in(scratch.folder());
+    Process_options options;
+    options.largest_file = little;
+    check_failed(run_tool(command.arguments, options), scratch, before);
+    for(const std::string& output : command.outputs)
+      if(output != "report.json")
+        CHECK(text_of(scratch / output) == "old");
+    remove_outputs(scratch, command);
+  }
+}
+
+TEST_CASE("faults: a folder that does not exist, and a folder in the place of a file", "[tool][faults]")
+{
+  Scratch scratch;
+  const std::string input = prepare(scratch);
+  for(const Command& command : commands(scratch, input))
+    for(const std::string& output : command.outputs) {
+      if(output == "report.json" || output == "out.mtl" || output == "out.png")
+        continue;
+      CAPTURE(command.arguments, output);
+      const auto before = files_in(scratch.folder());
+      std::vector<std::string> arguments = command.arguments;
+      std::replace(arguments.begin(), arguments.end(), scratch / output, scratch / ("no folder/" + output));
+      check_failed(run_tool(arguments), scratch, before);
+      remove_outputs(scratch, command);
+
+      fs::create_directory(scratch / output);
+      const Process_result run = run_tool(command.arguments);
+      CAPTURE(run.err);
+      CHECK(run.exit_code != 0);
+      CHECK_FALSE(run.err.empty());
+      CHECK(fs::is_empty(scratch / output));
+      remove_outputs(scratch, command);
+      CHECK(files_in(scratch.folder()) == before);
+    }
+}
+
+TEST_CASE("faults: too little memory is said in one line, whenever it is missing", "[tool][faults]")
+{
+  Scratch scratch;
+  const std::string input = prepare(scratch, 6); // which needs more than the program does without a mesh
+  const auto before = files_in(scratch.folder());
+  constexpr long mebi = 1 << 20;
+  // A program in which nothing is needed but the libraries tells where to begin.
+  long enough = 16 * mebi;
+  for(Process_options options; options.address_space = enough, run_tool({"--version"}, options).exit_code != 0;)
+    enough += 4 * mebi;
+  for(const Command& command : commands(scratch, input)) {
+    std::vector<std::string> arguments = command.arguments;
+    if(arguments.front() == "map") // threads of TBB need more than the rest
+      arguments.insert(arguments.end(), {"--policy", "sequential"});
+    if(arguments.front() == "signature")
+      arguments.insert(arguments.end(), {"-j", "1"});
+    CAPTURE(arguments);
+    int failures = 0;
+    bool is_done = false;
+    for(long space = enough; !is_done; space += 8 * mebi) {
+      REQUIRE(space < enough + 1024 * mebi);
+      Process_options options;
+      options.address_space = space;
+      const Process_result run = run_tool(arguments, options);
+      CAPTURE(space / mebi, run.exit_code, run.err);
+      is_done = run.exit_code == 0;
+      if(!is_done) {
+        ++failures;
+        CHECK(run.exit_code == 1);
+        CHECK(is_one_line(run.err));
+        std::set<std::string> after = files_in(scratch.folder());
+        for(const char* kept : {"index.csv.journal", "index.csv", "report.json"}) // with a row that says so
+          after.erase(kept);
+        CHECK(after == before);
+      }
+      remove_outputs(scratch, command);
+    }
+    CHECK(failures > 0);
+  }
+}
+
+namespace {
+
+struct Mapping {
+  std::vector<std::string> options;
+  bool is_endless; ///< does it go on for longer than the test?
+};
+
+std::vector<Mapping> mappings()
+{
+  return {{{"--method", "balanced"}, false},
+          {{"--method", "balanced", "--spring-exponent", "4"}, false},
+          {{"--method", "saddle-point", "--accuracy", "1e-14"}, true},
+          {{"--method", "saddle-point", "--splitting", "gauss-seidel", "--accuracy", "1e-14"}, true},
+          {{"--method", "isometric"}, false},
+          {{"--method", "automatic"}, false}};
+}
+
+/// Stops the command at moments all over its time, by `stop(milliseconds, arguments)`, and checks that it ends soon,
+/// with all of its output or with none.
+template <class Stop>
+void check_stops(const Scratch& scratch, const std::vector<std::string>& arguments, bool is_endless, const Stop& stop)
+{
+  typedef std::chrono::steady_clock Clock;
+  constexpr std::chrono::milliseconds soon(10000); // on a busy machine, too
+  const auto before = files_in(scratch.folder());
+  std::chrono::milliseconds time(2000);
+  if(!is_endless) {
+    const auto begin = Clock::now();
+    REQUIRE(run_tool(arguments).exit_code == 0);
+    time = std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - begin);
+    fs::remove(scratch / "out.off");
+  }
+  for(const double share : {0.02, 0.1, 0.2, 0.35, 0.5, 0.65, 0.8, 0.95}) {
+    const int after = std::max(1, static_cast<int>(share * static_cast<double>(time.count())));
+    const auto begin = Clock::now();
+    const Process_result run = stop(after, arguments);
+    CAPTURE(arguments, after, run.exit_code, run.out, run.err);
+    CHECK(Clock::now() - begin < std::chrono::milliseconds(after) + soon);
+    if(run.exit_code == 0) { // it was done before
+      CHECK_FALSE(is_endless);
+      CHECK(run.err.empty());
+      CHECK(read(scratch / "out.off").points.size() == read(scratch / "in.off").points.size());
+      fs::remove(scratch / "out.off");
+    } else if(run.exit_code == 128 + 2) // killed before the program had begun
+      CHECK(run.err.empty());
+    else {
+      CHECK(run.exit_code == 1);
+      CHECK(is_one_line(run.err));
+    }
+    CHECK(files_in(scratch.folder()) == before);
+  }
+}
+
+std::vector<std::string> policies()
+{
+  std::vector<std::string> names = {"sequential"};
+#ifdef CGAL_LINKED_WITH_TBB
+  names.push_back("tbb");
+#endif
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
+  if(some_policy<CGAL::Spherical_parameterization::OpenCL_device>())
+    names.push_back("opencl");
+#endif
+  return names;
+}
+
+template <class Stop>
+void check_stops_of_all_methods(const Stop& stop)
+{
+  Scratch scratch;
+  for(const std::string& policy : policies()) {
+    const int level = policy == "opencl" ? 5 : 4; // devices are not used for less
+    const std::string input = write_off(scratch / "in.off", spiky_star(level, 1));
+    for(const Mapping& mapping : mappings()) {
+      std::vector<std::string> arguments = {"map", input, "-o", scratch / "out.off", "--policy", policy};
+      arguments.insert(arguments.end(), mapping.options.begin(), mapping.options.end());
+      check_stops(scratch, arguments, mapping.is_endless, stop);
+    }
+  }
+}
+
+} // namespace
+
+TEST_CASE("faults: SIGINT in any phase of any method ends it in good order", "[tool][faults]")
+{
+  check_stops_of_all_methods([](int after, const std::vector<std::string>& command) {
+    Process_options options;
+    options.interrupt_after = after;
+    return run_tool(command, options);
+  });
+}
+
+TEST_CASE("faults: the time limit in any phase of any method ends it in good order", "[tool][faults]")
+{
+  check_stops_of_all_methods([](int after, std::vector<std::string> command) {
+    command.insert(command.end(), {"--max-time", std::to_string(after / 1000.)});
+    return run_tool(command);
+  });
+}
+
+TEST_CASE("faults: SIGINT in a command that uses a map", "[tool][faults]")
+{
+  Scratch scratch;
+  const std::string input = prepare(scratch);
+  for(const Command& command : commands(scratch, input)) {
+    if(command.arguments.front() == "map")
+      continue;
+    for(const int after : {1, 5, 10, 20, 40, 80, 160}) {
+      const auto before = files_in(scratch.folder());
+      Process_options options;
+      options.interrupt_after = after;
+      const Process_result run = run_tool(command.arguments, options);
+      CAPTURE(command.arguments, after, run.exit_code, run.out, run.err);
+      if(run.exit_code == 0)
+        for(const std::string& output : command.outputs)
+          CHECK(fs::exists(scratch / output));
+      else {
+        CHECK((run.exit_code == 1 || run.exit_code == 128 + 2));
+        CHECK((run.exit_code == 1 ? is_one_line(run.err) : run.err.empty()));
+        std::set<std::string> left = files_in(scratch.folder());
+        left.erase("index.csv.journal");
+        CHECK(left == before);
+      }
+      remove_outputs(scratch, command);
+    }
+  }
+}

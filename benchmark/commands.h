@@ -23,6 +23,7 @@ void add_checks_command(CLI::App& app);
 void add_retrieval_command(CLI::App& app);
 void add_texture_command(CLI::App& app);
 void add_locate_command(CLI::App& app);
+void add_mass_command(CLI::App& app);
 
 } // namespace benchmark
 

@@ -28,6 +28,7 @@ int main(int argc, char** argv)
   benchmark::add_retrieval_command(app);
   benchmark::add_texture_command(app);
   benchmark::add_locate_command(app);
+  benchmark::add_mass_command(app);
   try {
     app.parse(argc, argv);
   } catch(const CLI::ParseError& error) {

@@ -5,17 +5,23 @@
 
 #include "atomic_file.h"
 #include "interruption.h"
+#include "journal.h"
 #include "progress_bar.h"
 #include "refusal.h"
 #include "signature_index.h"
-#include "signature_journal.h"
 
 #include <optional>
 
 namespace tool {
 namespace {
 
-void compute_missing(const std::vector<std::string>& meshes, Signature_workers& workers, Signature_journal& journal)
+std::optional<std::string> name_of_line(const std::string& line)
+{
+  const std::optional<Signature_row> row = from_index_line(line);
+  return row ? std::optional(row->name) : std::nullopt;
+}
+
+void compute_missing(const std::vector<std::string>& meshes, Signature_workers& workers, Journal& journal)
 {
   std::vector<std::string> missing;
   for(const std::string& mesh : meshes)
@@ -43,7 +49,7 @@ void compute_missing(const std::vector<std::string>& meshes, Signature_workers& 
 
 Batch_summary run_batch(const std::vector<std::string>& meshes, const std::string& output, Signature_workers& workers)
 {
-  Signature_journal journal(output + ".journal");
+  Journal journal(output + ".journal", index_header(), name_of_line);
   Batch_summary summary;
   summary.meshes = meshes.size();
   for(const std::string& mesh : meshes)

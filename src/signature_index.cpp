@@ -3,6 +3,7 @@
 
 #include "signature_index.h"
 
+#include "csv.h"
 #include "refusal.h"
 
 #include <array>
@@ -15,35 +16,6 @@ namespace tool {
 namespace {
 
 constexpr std::size_t text_columns = 5;
-
-/// In quotes where RFC 4180 asks for them.
-std::string quoted(const std::string& text)
-{
-  if(text.find_first_of(",\"") == std::string::npos)
-    return text;
-  std::string result = "\"";
-  for(char c : text)
-    result += c == '"' ? "\"\"" : std::string(1, c);
-  return result + '"';
-}
-
-/// The fields of a line; none if a quote is left open.
-std::vector<std::string> fields(const std::string& line)
-{
-  std::vector<std::string> result(1);
-  bool is_quoted = false;
-  for(std::size_t i = 0; i < line.size(); ++i) {
-    if(line[i] == '"' && is_quoted && i + 1 < line.size() && line[i + 1] == '"')
-      result.back() += line[i++];
-    else if(line[i] == '"')
-      is_quoted = !is_quoted;
-    else if(line[i] == ',' && !is_quoted)
-      result.emplace_back();
-    else
-      result.back() += line[i];
-  }
-  return is_quoted ? std::vector<std::string>() : result;
-}
 
 template <class Number>
 bool read_number(const std::string& text, Number& number)
@@ -77,8 +49,8 @@ std::string index_header()
 
 std::string to_index_line(const Signature_row& row)
 {
-  std::string line = quoted(row.name) + ',' + (row.vertices > 0 ? std::to_string(row.vertices) : "") + ',' +
-                     row.status + ',' + row.map + ',' + quoted(row.message);
+  std::string line = csv_quoted(row.name) + ',' + (row.vertices > 0 ? std::to_string(row.vertices) : "") + ',' +
+                     row.status + ',' + row.map + ',' + csv_quoted(row.message);
   for(std::size_t i = 0; i < Shape_signature::size; ++i)
     line += ',' + (row.signature ? shortest(row.signature->values[i]) : "");
   return line;
@@ -86,7 +58,7 @@ std::string to_index_line(const Signature_row& row)
 
 std::optional<Signature_row> from_index_line(const std::string& line)
 {
-  const std::vector<std::string> field = fields(line);
+  const std::vector<std::string> field = csv_fields(line);
   if(field.size() != text_columns + Shape_signature::size)
     return std::nullopt;
   Signature_row row;

@@ -50,6 +50,22 @@ TEST_CASE("automatic: isometric where no harmonic map is valid", "[automatic]")
   CHECK(result.fallback_reason.find("flipped") != std::string::npos);
 }
 
+TEST_CASE("automatic: tubes of any length, spirals, combs, trees and needles have valid maps", "[automatic]")
+{
+  Sphere sphere;
+  SECTION("capsules") { solve_automatically(capsule(GENERATE(1., 3., 10., 100.), 8), sphere); }
+  SECTION("spirals") { solve_automatically(spiral(GENERATE(2, 8), 8), sphere); }
+  SECTION("comb") { solve_automatically(comb(200, 3), sphere); }
+  SECTION("tree") { solve_automatically(tree(6), sphere); }
+  SECTION("needles") { solve_automatically(needles(3, 1e-9), sphere); }
+  SECTION("plates and rods")
+  {
+    const double thickness = GENERATE(1e-4, 1e4);
+    solve_automatically(
+      transformed(bumpy_sphere(3), [=](const Point& p) { return Point(p.x(), p.y(), thickness * p.z()); }), sphere);
+  }
+}
+
 TEST_CASE("automatic: isometric where a face without area leaves no weights", "[automatic]")
 {
   Settings settings;

@@ -136,16 +136,12 @@ private:
   std::vector<int> try_to_insert(const std::vector<int>& round)
   {
     const int n = static_cast<int>(round.size());
-    std::vector<int> target(n);
     std::vector<char> is_inserted(n);
-    for(int r = 0; r < n; ++r) {
-      target[r] = mesh_.vertex(Progressive_mesh::next(round[r]));
-      mesh_.undo_collapse(round[r]);
-    }
+    mesh_.undo_collapses(loop_, round);
     const int size = mesh_.number_of_vertices();
     const Metric_bounds bounds = {coarse_bounds.aspect, coarse_bounds.area * source_area_ / (2. * size - 4)};
     for_each_of_level(loop_, 0, n, [&](int r) {
-      const int u = mesh_.vertex(round[r]);
+      const int u = mesh_.vertex(round[r]), v = mesh_.vertex(Progressive_mesh::next(round[r]));
       Star star;
       mesh_.for_each_corner(u, [&](int c) {
         const int j = mesh_.vertex(Progressive_mesh::next(c)), k = mesh_.vertex(Progressive_mesh::previous(c));
@@ -154,13 +150,12 @@ private:
         star.push_back({map_.position[j], map_.position[k], m.cotangent[0], m.cotangent[1], m.cotangent[2],
                         area_scale_ * m.twice_area});
       });
-      is_inserted[r] = insert_vertex(distortion_, star, map_.position[target[r]], map_.position[u]);
+      is_inserted[r] = insert_vertex(distortion_, star, map_.position[v], map_.position[u]);
+      map_.colour[u] = free_colour(u); // its neighbours are not of this round
     });
     std::vector<int> failed;
     for(int r = n - 1; r >= 0; --r)
-      if(is_inserted[r])
-        map_.colour[mesh_.vertex(round[r])] = free_colour(mesh_.vertex(round[r]));
-      else {
+      if(!is_inserted[r]) {
         mesh_.collapse(round[r]);
         failed.push_back(round[r]);
       }

@@ -5,6 +5,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PROGRESSIVE_MESH_H
 
 #include <CGAL/Spherical_parameterization/internal/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/host_loops.h>
 
 #include <boost/container/small_vector.hpp>
 
@@ -118,22 +119,21 @@ public:
     --number_of_vertices_;
   }
 
-  /// Undoes `collapse(half_edge)`. \pre all later collapses that touch its star are undone
-  void undo_collapse(int half_edge)
+  /// Undoes collapses. \pre they do not touch each other's faces, and later ones that touch them are undone
+  template <class Loop>
+  void undo_collapses(const Loop& loop, const std::vector<int>& half_edges)
   {
-    const Diamond d = diamond(half_edge);
-    opposite_[d.left_of_v] = half_edge;
-    opposite_[d.left_of_u] = next(half_edge);
-    opposite_[d.right_of_v] = d.u_right;
-    opposite_[d.right_of_u] = previous(d.u_right);
-    for(int c = next(d.left_of_u); c != d.u_right; c = rotated(c))
-      vertex_[c] = d.u;
-    corner_[d.u] = half_edge;
-    corner_[d.v] = next(half_edge);
-    ++degree_[d.left];
-    ++degree_[d.right];
-    degree_[d.v] -= degree_[d.u] - 4;
-    ++number_of_vertices_;
+    constexpr int steps_of_a_task = 256;
+    for_each_part<steps_of_a_task>(loop, static_cast<int>(half_edges.size()), [&](int begin, int end) {
+      for(int i = begin; i < end; ++i)
+        restore_links(half_edges[i]);
+    });
+    for(int h : half_edges) { // other vertices of their diamonds may be common
+      ++degree_[vertex_[previous(h)]];
+      ++degree_[vertex_[opposite_[previous(h)]]];
+      degree_[vertex_[next(h)]] -= degree_[vertex_[h]] - 4;
+    }
+    number_of_vertices_ += static_cast<int>(half_edges.size());
   }
 
 private:
@@ -150,6 +150,19 @@ private:
     const int u_right = previous(right), v_right = next(right);
     return {vertex_[c],         vertex_[next(c)], vertex_[previous(c)], vertex_[right],    u_right,
             opposite_[next(c)], opposite_[c],     opposite_[v_right],   opposite_[u_right]};
+  }
+
+  void restore_links(int half_edge)
+  {
+    const Diamond d = diamond(half_edge);
+    opposite_[d.left_of_v] = half_edge;
+    opposite_[d.left_of_u] = next(half_edge);
+    opposite_[d.right_of_v] = d.u_right;
+    opposite_[d.right_of_u] = previous(d.u_right);
+    for(int c = next(d.left_of_u); c != d.u_right; c = rotated(c))
+      vertex_[c] = d.u;
+    corner_[d.u] = half_edge;
+    corner_[d.v] = next(half_edge);
   }
 
   void link_opposite_corners()

@@ -16,6 +16,8 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -66,20 +68,17 @@ class Decimation {
 public:
   Decimation(const Loop& loop, const Host_array<vec3>& points, Progressive_mesh& mesh)
     : loop_(loop), point_(points), mesh_(mesh), quadric_(points.size()), best_(points.size()),
-      role_(points.size(), FREE)
+      role_(points.size(), FREE), remaining_(points.size()), is_outdated_(points.size(), true)
   {
+    std::iota(remaining_.begin(), remaining_.end(), 0);
     double twice_area = 0;
-    for(int v = 0; v < mesh.capacity(); ++v) {
-      remaining_.push_back(v);
-      mesh.for_each_corner(v, [&](int c) {
-        const vec3 n = face_normal(c);
-        const double length = std::sqrt(inner(n, n));
-        if(length > 0)
-          quadric_[v].add_plane(scale(1 / length, n), points[v], length / 2);
-        twice_area += length;
-      });
-    }
-    to_update_ = remaining_;
+    for(double of_part : results_of_parts(loop, mesh.capacity(), [&](int begin, int end) {
+          double sum = 0;
+          for(int v = begin; v < end; ++v)
+            sum += initialise_quadric(v);
+          return sum;
+        }))
+      twice_area += of_part;
     const double mean_area = twice_area / 2 / (2. * mesh.capacity()) / 3;
     least_cost_ = 1e-3 * length_weight * mean_area * mean_area;
   }
@@ -91,18 +90,18 @@ public:
     std::vector<int> collapsed;
     while(mesh_.number_of_vertices() > 4 && collapsed.empty()) {
       update_costs();
-      const std::vector<int> candidates = cheapest_candidates();
-      for(int u : candidates)
+      const std::vector<Candidate> candidates = cheapest_candidates();
+      for(const auto& [cost, u] : candidates)
         if(mesh_.number_of_vertices() - static_cast<int>(collapsed.size()) > 4 && is_independent(u)) {
           if(mesh_.is_collapsible(best_[u].half_edge)) {
             occupy(u);
             collapsed.push_back(best_[u].half_edge);
           } else // since an edge has come into being nearby
-            to_update_.push_back(u);
+            is_outdated_[u] = true;
         }
       if(candidates.empty()) { // all that is left has a high degree
         maximum_degree_ *= 2;
-        to_update_ = remaining_;
+        is_outdated_.assign(is_outdated_.size(), true);
       }
     }
     for(int h : collapsed)
@@ -117,6 +116,8 @@ private:
     int half_edge = -1;
   };
 
+  typedef std::pair<double, int> Candidate; ///< cost, vertex
+  static constexpr int steps_of_a_task = 256;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr double length_weight = 1e-3; ///< of the squared length of the edge, times the area of the star
   static constexpr double aspect_scale2 = 25;   ///< an aspect ratio of 5 doubles the cost
@@ -129,6 +130,20 @@ private:
     const vec3 p = point_[mesh_.vertex(c)];
     return outer(sub(point_[mesh_.vertex(Progressive_mesh::next(c))], p),
                  sub(point_[mesh_.vertex(Progressive_mesh::previous(c))], p));
+  }
+
+  /// Returns twice the area of the faces at v.
+  double initialise_quadric(int v)
+  {
+    double twice_area = 0;
+    mesh_.for_each_corner(v, [&](int c) {
+      const vec3 n = face_normal(c);
+      const double length = std::sqrt(inner(n, n));
+      if(length > 0)
+        quadric_[v].add_plane(scale(1 / length, n), point_[v], length / 2);
+      twice_area += length;
+    });
+    return twice_area;
   }
 
   /// The cheapest collapse of u into a neighbour.
@@ -200,31 +215,29 @@ private:
 
   void update_costs()
   {
-    std::sort(to_update_.begin(), to_update_.end());
-    to_update_.erase(std::unique(to_update_.begin(), to_update_.end()), to_update_.end());
-    loop_.for_each(static_cast<int>(to_update_.size()), [&](int i) {
-      const int v = to_update_[i];
-      best_[v] = mesh_.is_removed(v) ? Collapse() : best_collapse(v);
-    });
-    to_update_.clear();
-  }
-
-  std::vector<int> cheapest_candidates()
-  {
     remaining_.erase(std::remove_if(remaining_.begin(), remaining_.end(), [&](int v) { return mesh_.is_removed(v); }),
                      remaining_.end());
-    std::vector<int> candidates;
+    for_each_part<steps_of_a_task>(loop_, static_cast<int>(remaining_.size()), [&](int begin, int end) {
+      for(int i = begin; i < end; ++i) {
+        const int v = remaining_[i];
+        if(is_outdated_[v])
+          best_[v] = best_collapse(v);
+        is_outdated_[v] = false;
+      }
+    });
+  }
+
+  std::vector<Candidate> cheapest_candidates() const
+  {
+    std::vector<Candidate> candidates;
     for(int v : remaining_)
       if(best_[v].half_edge >= 0)
-        candidates.push_back(v);
-    const auto is_cheaper = [&](int u, int v) {
-      return best_[u].cost != best_[v].cost ? best_[u].cost < best_[v].cost : u < v;
-    };
+        candidates.emplace_back(best_[v].cost, v);
     const auto middle =
       candidates.begin() + static_cast<std::ptrdiff_t>(std::ceil(share_of_candidates * candidates.size()));
-    std::nth_element(candidates.begin(), middle, candidates.end(), is_cheaper);
+    std::nth_element(candidates.begin(), middle, candidates.end());
     candidates.erase(middle, candidates.end());
-    std::sort(candidates.begin(), candidates.end(), is_cheaper);
+    std::sort(candidates.begin(), candidates.end());
     return candidates;
   }
 
@@ -252,7 +265,7 @@ private:
     const int u = mesh_.vertex(half_edge), v = mesh_.vertex(Progressive_mesh::next(half_edge));
     mesh_.for_each_corner(u, [&](int c) {
       const int w = mesh_.vertex(Progressive_mesh::next(c));
-      to_update_.push_back(w);
+      is_outdated_[w] = true;
       role_[w] = FREE;
     });
     role_[u] = FREE;
@@ -265,12 +278,12 @@ private:
   const Host_array<vec3>& point_;
   Progressive_mesh& mesh_;
   std::vector<Quadric> quadric_;
-  std::vector<Collapse> best_; ///< of every vertex
-  std::vector<Role> role_;     ///< of every vertex in the collapses chosen for this round
-  std::vector<int> remaining_; ///< vertices that are not removed
-  std::vector<int> to_update_; ///< whose best collapse may have changed
-  double least_cost_ = 0;      ///< so that flat regions do not collapse for nothing, in any order
-  int maximum_degree_ = 24;    ///< of vertices to be removed
+  std::vector<Collapse> best_;    ///< of every vertex
+  std::vector<Role> role_;        ///< of every vertex in the collapses chosen for this round
+  std::vector<int> remaining_;    ///< vertices that were not removed before this round
+  std::vector<char> is_outdated_; ///< whether the best collapse of a vertex may be another one by now
+  double least_cost_ = 0;         ///< so that flat regions do not collapse for nothing, in any order
+  int maximum_degree_ = 24;       ///< of vertices to be removed
 };
 
 } // namespace internal

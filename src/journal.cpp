@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "signature_journal.h"
+#include "journal.h"
 
 #include "refusal.h"
-#include "signature_index.h"
 
 #include <array>
 #include <cerrno>
@@ -17,7 +16,7 @@
 
 namespace tool {
 
-Signature_journal::Signature_journal(const std::string& file)
+Journal::Journal(const std::string& file, const std::string& header, const Name_of& name_of)
   : file_(file), descriptor_(open(file.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666))
 {
   if(descriptor_ < 0)
@@ -27,30 +26,30 @@ Signature_journal::Signature_journal(const std::string& file)
     struct stat status = {}; // without a name: the program that had it open has just finished
     if(flock(descriptor_, LOCK_EX | LOCK_NB) != 0 || fstat(descriptor_, &status) != 0 || status.st_nlink == 0)
       refuse("is in use by another program", "wait for it, or choose another --output");
-    read();
+    read(header, name_of);
   } catch(...) {
     close(descriptor_);
     throw;
   }
 }
 
-Signature_journal::~Signature_journal() { close(descriptor_); }
+Journal::~Journal() { close(descriptor_); }
 
-void Signature_journal::add(const std::string& name, const std::string& line)
+void Journal::add(const std::string& name, const std::string& line)
 {
   write(line + '\n');
   lines_[name] = line;
 }
 
-void Signature_journal::remove() { unlink(file_.c_str()); }
+void Journal::remove() { unlink(file_.c_str()); }
 
-void Signature_journal::refuse(const std::string& wrong, const std::string& remedy) const
+void Journal::refuse(const std::string& wrong, const std::string& remedy) const
 {
   throw Refusal("UNWRITABLE_FILE", file_, wrong, remedy);
 }
 
 /// Reads the lines and cuts off what is torn.
-void Signature_journal::read()
+void Journal::read(const std::string& header, const Name_of& name_of)
 {
   std::string text;
   std::array<char, 1 << 16> buffer;
@@ -59,7 +58,6 @@ void Signature_journal::read()
       refuse("cannot be read (" + std::generic_category().message(errno) + ")", "check the disk");
     text.append(buffer.data(), static_cast<std::size_t>(n));
   }
-  const std::string header = index_header();
   std::size_t begin = 0;
   for(std::size_t end; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1) {
     const std::string line = text.substr(begin, end - begin);
@@ -68,10 +66,10 @@ void Signature_journal::read()
         refuse("is not the journal of this version of the program", "remove it to start from the beginning");
       continue;
     }
-    const std::optional<Signature_row> row = from_index_line(line);
-    if(!row)
+    const std::optional<std::string> name = name_of(line);
+    if(!name)
       break; // nothing that follows can be trusted
-    lines_[row->name] = line;
+    lines_[*name] = line;
   }
   if(begin < text.size() && ftruncate(descriptor_, static_cast<off_t>(begin)) != 0)
     refuse("cannot be written (" + std::generic_category().message(errno) + ")", "check the disk");
@@ -79,7 +77,7 @@ void Signature_journal::read()
     write(header + '\n');
 }
 
-void Signature_journal::write(const std::string& text)
+void Journal::write(const std::string& text)
 {
   for(std::size_t done = 0; done < text.size();) {
     const ssize_t n = ::write(descriptor_, text.data() + done, text.size() - done);

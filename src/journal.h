@@ -1,27 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_SIGNATURE_JOURNAL_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_SIGNATURE_JOURNAL_H
+#ifndef SPHERICAL_PARAMETERIZATION_TOOL_JOURNAL_H
+#define SPHERICAL_PARAMETERIZATION_TOOL_JOURNAL_H
 
+#include <functional>
 #include <map>
+#include <optional>
 #include <string>
 
 namespace tool {
 
-/// What a batch has done so far, in a file next to its output: one line of the index after the other, in the order in
+/// What a batch has done so far, in a file next to its output: one line of a table after the other, in the order in
 /// which they were finished. Whenever the program ends, however it does, a later one finds all lines but for one that
 /// may be torn, which it drops. Only one program at a time can have it open.
-class Signature_journal {
+class Journal {
 public:
-  /// Opens or creates it. Throws a `Refusal`.
-  explicit Signature_journal(const std::string& file);
-  ~Signature_journal();
+  /// The name of what a line is about, if the line is complete.
+  typedef std::function<std::optional<std::string>(const std::string& line)> Name_of;
 
-  Signature_journal(const Signature_journal&) = delete;
-  Signature_journal& operator=(const Signature_journal&) = delete;
+  /// Opens or creates it. `header` is its first line. Throws a `Refusal`.
+  Journal(const std::string& file, const std::string& header, const Name_of& name_of);
+  ~Journal();
 
-  /// The lines by the name of their mesh, without line break.
+  Journal(const Journal&) = delete;
+  Journal& operator=(const Journal&) = delete;
+
+  /// The lines by name, without line break.
   const std::map<std::string, std::string>& lines() const { return lines_; }
 
   /// Hands a line over to the operating system. Throws a `Refusal` if the disk is full.
@@ -34,7 +39,7 @@ public:
 
 private:
   [[noreturn]] void refuse(const std::string& wrong, const std::string& remedy) const;
-  void read();
+  void read(const std::string& header, const Name_of& name_of);
   void write(const std::string& text);
 
   std::string file_;
@@ -44,4 +49,4 @@ private:
 
 } // namespace tool
 
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_SIGNATURE_JOURNAL_H
+#endif // SPHERICAL_PARAMETERIZATION_TOOL_JOURNAL_H

@@ -42,7 +42,8 @@ int main(int argc, char* argv[])
     mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:wanted").first;
   for(Mesh::Vertex_index v : vertices(mesh))
     wanted[v] = sphere[v];
-  const auto result = SP::parameterize(mesh, sphere, CGAL::parameters::vertex_is_constrained_map(is_fixed));
+  const auto result = SP::parameterize(
+    mesh, sphere, CGAL::parameters::edge_weight_map(SP::barycentric_weights(mesh)).vertex_is_constrained_map(is_fixed));
   if(!result)
     return std::cerr << result << '\n', 1;
 

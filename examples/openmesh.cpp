@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 //
-// A mesh of OpenMesh, with its own points and a property of its own for the sphere: no CGAL type is needed. MESH is read,
-// and SPHERE written, by OpenMesh; else an ellipsoid is mapped.
+// A mesh of OpenMesh, with its own points and a property of its own for the sphere: no CGAL type is needed. MESH is
+// read, and SPHERE written, by OpenMesh; else an ellipsoid is mapped.
 //
 //   openmesh [MESH [SPHERE]]
 

@@ -29,15 +29,14 @@ cd "$work"
 
 tool() { "$TOOL" "$@" </dev/null; }
 
-# How each mesh stands best: options of f3d.
-view() {
+# look_at MESH: sets `camera` to the options of f3d that show it best
+look_at() {
+  camera=(--up=+Y --camera-azimuth-angle=35 --camera-elevation-angle=10)
   case $1 in
-  armadillo) echo --up=+Y --camera-azimuth-angle=155 --camera-elevation-angle=8 ;;
-  bull) echo --up=+Y --camera-azimuth-angle=35 --camera-elevation-angle=10 ;;
-  dino) echo --up=+Z --camera-azimuth-angle=50 --camera-elevation-angle=8 ;;
-  hand) echo --up=+Z --camera-azimuth-angle=35 --camera-elevation-angle=10 ;;
-  man) echo --up=+Z --camera-azimuth-angle=15 --camera-elevation-angle=5 ;;
-  *) echo --up=+Y --camera-azimuth-angle=35 --camera-elevation-angle=10 ;;
+  armadillo) camera=(--up=+Y --camera-azimuth-angle=155 --camera-elevation-angle=8) ;;
+  dino) camera=(--up=+Z --camera-azimuth-angle=50 --camera-elevation-angle=8) ;;
+  hand) camera=(--up=+Z --camera-azimuth-angle=35 --camera-elevation-angle=10) ;;
+  man) camera=(--up=+Z --camera-azimuth-angle=15 --camera-elevation-angle=5) ;;
   esac
 }
 
@@ -51,7 +50,7 @@ render() {
     [ "$(identify -format %k big.png)" -eq 1 ] || break
     [ "$attempt" -lt 4 ] || { echo "make_figures.sh: f3d shows nothing of $in" >&2; return 1; }
   done
-  convert big.png -level 0,${brightest:-64}% -trim +repage -resize "${size}x$size" "$png"
+  convert big.png -level "0,${brightest:-64}%" -trim +repage -resize "${size}x$size" "$png"
 }
 by_vertices() { render "$@" --scalars=RGB --comp=-2; }
 by_faces() { render "$@" --scalars=RGB --cells --comp=-2; }
@@ -67,7 +66,7 @@ panel() {
 row() { convert "${@:2}" -background white +append "$1"; }
 finish() { convert "$2" -dither FloydSteinberg -colors 256 -define png:compression-level=9 "PNG8:$images/$1"; }
 
-# sphere_of NAME OPTIONS...: NAME.ply, NAME.off and NAME_stretch.ply
+# map MESH NAME OPTIONS...: NAME.stretch.ply, NAME.sphere.off, and the sphere with the colours of the mesh, NAME.sphere.ply
 map() {
   local mesh=$1 name=$2
   shift 2
@@ -76,6 +75,7 @@ map() {
 }
 
 figure_strip() {
+  look_at armadillo
   map armadillo a --weights conformal
   tool segment armadillo.off --sphere a.sphere.off -o segments.ply
   awk 'NR == FNR { if(FNR > 2) position[FNR - 3] = $0; next }
@@ -83,13 +83,14 @@ figure_strip() {
        { print }
        /^element vertex/ { n = $3 }
        /^end_header/ { in_body = 1 }' a.sphere.off segments.ply >sphere.ply
-  by_vertices a.stretch.ply s1.png 330 $(view armadillo)
-  by_faces segments.ply s2.png 330 $(view armadillo)
-  by_faces sphere.ply s3.png 290 --up=+Y --camera-azimuth-angle=${AZ:-35} --camera-elevation-angle=15
-  tool texture bunny00.off -o bunny.obj
-  brightest=90 render bunny.obj s4.png 330 $(view bunny00)
+  by_vertices a.stretch.ply s1.png 330 "${camera[@]}"
+  by_faces segments.ply s2.png 330 "${camera[@]}"
+  by_faces sphere.ply s3.png 290 --up=+Y --camera-azimuth-angle=35 --camera-elevation-angle=15
   tool resample armadillo.off --method isometric --level 5 -o icosphere.ply
-  render icosphere.ply s5.png 330 $(view armadillo) --edges --line-width=1 --color=0.75,0.85,0.95
+  render icosphere.ply s5.png 330 "${camera[@]}" --edges --line-width=1 --color=0.75,0.85,0.95
+  tool texture bunny00.off -o bunny.obj
+  look_at bunny00
+  brightest=90 render bunny.obj s4.png 330 "${camera[@]}"
   row strip.png "$(panel s1.png 'stretch' 340)" "$(panel s2.png 'segments' 340)" \
     "$(panel s3.png 'the sphere: no flipped face' 340)" "$(panel s5.png 'resampled: an icosphere' 340)" \
     "$(panel s4.png 'texture' 340)"
@@ -101,7 +102,8 @@ figure_method() {
   map homer barycentric --weights barycentric
   map homer isometric --method isometric
   awk -f "$root/doc/figures/faces_of_map.awk" conformal.stretch.ply homer.off project >projected.ply
-  by_vertices conformal.stretch.ply m1.png 300 $(view homer)
+  look_at homer
+  by_vertices conformal.stretch.ply m1.png 300 "${camera[@]}"
   local sphere=(--up=+Y --edges --line-width=1)
   by_faces projected.ply m2.png 280 "${sphere[@]}" --camera-azimuth-angle=35 --camera-elevation-angle=10
   by_faces conformal.sphere.ply m3.png 280 "${sphere[@]}" --camera-azimuth-angle=35
@@ -115,28 +117,30 @@ figure_method() {
 figure_stretch() {
   local rows=()
   for mesh in camel homer; do
+    look_at $mesh
     local panels=()
     for choice in barycentric conformal isometric; do
       if [ $choice = isometric ]; then map $mesh x --method isometric; else map $mesh x --weights $choice; fi
-      by_vertices x.stretch.ply "st_${mesh}_$choice.png" 300 $(view $mesh)
+      by_vertices x.stretch.ply "st_${mesh}_$choice.png" 300 "${camera[@]}"
       red=$(sed -n 's/^comment.*red at //p;/^element/q' x.stretch.ply)
       panels+=("$(panel "st_${mesh}_$choice.png" "$choice: $(awk "BEGIN { printf \"%.0e\", exp(-$red) }")" 320)")
     done
     row "row_$mesh.png" "${panels[@]}"
     rows+=("row_$mesh.png")
   done
-  row stretch.png "${rows[@]}"
+  convert "${rows[@]}" -append stretch.png
   finish stretch.png stretch.png
 }
 
 figure_segmentation() {
   local ours=() sdf=()
   for mesh in armadillo man dino hand triceratops; do
+    look_at $mesh
     tool segment "$mesh.off" -o seg.ply >seg.txt
-    by_faces seg.ply "ours_$mesh.png" 290 $(view $mesh)
+    by_faces seg.ply "ours_$mesh.png" 290 "${camera[@]}"
     ours+=("$(panel "ours_$mesh.png" "$(sed 's/.*: //' seg.txt)" 300)")
     "$SDF_SEGMENTS" "$mesh.off" sdf.ply >sdf.txt
-    by_faces sdf.ply "sdf_$mesh.png" 290 $(view $mesh)
+    by_faces sdf.ply "sdf_$mesh.png" 290 "${camera[@]}"
     sdf+=("$(panel "sdf_$mesh.png" "SDF: $(sed 's/.*: //' sdf.txt)" 300)")
   done
   row ours.png "${ours[@]}"
@@ -147,9 +151,10 @@ figure_segmentation() {
 
 figure_texture() {
   for mesh in cow bull; do
+    look_at $mesh
     for weights in barycentric conformal; do
       tool texture "$mesh.off" --weights $weights -o "t_${mesh}_$weights.obj"
-      brightest=90 render "t_${mesh}_$weights.obj" t.png 480 $(view $mesh)
+      brightest=90 render "t_${mesh}_$weights.obj" t.png 480 "${camera[@]}"
       convert t.png -resize 480x380 -background white -gravity center -extent 500x400 t2.png
       finish "${mesh}_$weights.png" t2.png
     done
@@ -179,7 +184,8 @@ figure_search() {
     while read -r distance name; do
       mesh=$(basename "$name" .off)
       tool map "$name" -o sphere.off --stretch-ply shape.ply >/dev/null # f3d does not read every OFF file
-      render shape.ply "f_$mesh.png" 250 $(view "$mesh") --color=0.8,0.85,0.9
+      look_at "$mesh"
+      render shape.ply "f_$mesh.png" 250 "${camera[@]}" --color=0.8,0.85,0.9
       panels+=("$(panel "f_$mesh.png" "$distance" 270)")
     done <found.txt
     row "row_$query.png" "${panels[@]}"

@@ -1,6 +1,5 @@
 /// \ingroup PkgSphericalParameterizationConcepts
 /// \cgalConcept
-///
 /// How `CGAL::Spherical_parameterization::parameterize()` computes a map: a tag that carries the options of its method as
 /// public members with defaults, so that `Balanced{3}` or
 /// \code

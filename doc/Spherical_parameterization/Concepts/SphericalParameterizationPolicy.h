@@ -1,6 +1,5 @@
 /// \ingroup PkgSphericalParameterizationConcepts
 /// \cgalConcept
-///
 /// Where `CGAL::Spherical_parameterization::parameterize()` runs: a value that says on what, and owns nothing of a run. The
 /// buffers and programs of a run are made inside of the call and gone after it.
 ///

@@ -1,6 +1,5 @@
 /// \ingroup PkgSphericalParameterizationConcepts
 /// \cgalConcept
-///
 /// The spring constant of every edge: what the named parameter `edge_weight_map` takes.
 ///
 /// \cgalRefines{`boost::ReadablePropertyMap`}

@@ -1,6 +1,5 @@
 /// \ingroup PkgSphericalParameterizationConcepts
 /// \cgalConcept
-///
 /// How `CGAL::Spherical_parameterization::segmentation_from_area_stretch()` cuts: a tag that carries the options of its method
 /// as public members with defaults.
 ///

@@ -1,6 +1,5 @@
 /// \ingroup PkgSphericalParameterizationConcepts
 /// \cgalConcept
-///
 /// Where a map to the sphere is kept: a point of the unit sphere for every vertex.
 ///
 /// \cgalRefines{`boost::WritablePropertyMap` for `CGAL::Spherical_parameterization::parameterize()`; also

@@ -99,9 +99,9 @@ private:
   double largest_, smallest_;
 };
 
-/// M. Floater, "Mean value coordinates", CAGD 20 (2003), symmetrised: the coordinates (tan a/2 + tan b/2) / |e| of
-/// either end with respect to the other, a and b the angles at it next to the edge, are averaged, since a spring has
-/// one weight. Not defined at faces without area.
+/// Mean value coordinates, symmetrised: the coordinates (tan a/2 + tan b/2) / |e| of either end with respect to the
+/// other, a and b the angles at it next to the edge, are averaged, since a spring has one weight. Not defined at faces
+/// without area. M. Floater, "Mean value coordinates", CAGD 20 (2003).
 /// \cgalModels{SphericalParameterizationWeightMap}
 template <class TriangleMesh, class VertexPointMap>
 class Mean_value_weight_map {

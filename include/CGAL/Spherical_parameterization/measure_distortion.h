@@ -84,7 +84,7 @@ int degree_of_map(const TriangleMesh& mesh, VertexSphereMap sphere_map)
 /// Each writes one value per face and returns the smallest and the largest one. All are linear in the size of the mesh.
 /// @{
 
-/// The area stretch of Definition 1 of T. Athanasiadis and I. Fudos, SMI 2011, as a natural logarithm:
+/// The area stretch of Definition 1 of the paper (Athanasiadis and Fudos, SMI 2011), as a natural logarithm:
 /// log((source area / total source area) / (spherical area / 4 pi)). Positive where the map shrinks, as in limbs, where
 /// it reaches 60 and more. Areas below 1e-300 of the total count as that.
 /// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`

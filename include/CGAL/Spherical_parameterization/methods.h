@@ -39,10 +39,10 @@ struct Balanced {
   double spring_exponent = 2;
 };
 
-/// The published method: T. Athanasiadis and I. Fudos, "Parallel computation of spherical parameterizations for mesh
-/// analysis", Computers & Graphics 35 (SMI 2011), Algorithm 1. Each outer iteration minimises the spring energy
-/// subject to u_i . v_i = 1 (a saddle-point problem, solved by plain sweeps) and projects u back to the sphere, which
-/// cannot raise the energy (Proposition 1).
+/// The published method, Algorithm 1 of the paper. T. Athanasiadis and I. Fudos, "Parallel computation of spherical
+/// parameterizations for mesh analysis", Computers & Graphics 35 (SMI 2011). Each outer iteration minimises the spring
+/// energy subject to u_i . v_i = 1 (a saddle-point problem, solved by plain sweeps) and projects u back to the sphere,
+/// which cannot raise the energy (Proposition 1).
 ///
 /// Guarantee: the energy falls monotonically. Convergence to a bijective map is not guaranteed: without fixed vertices
 /// the boost modes keep it from settling, and the result then says so (`NOT_CONVERGED`).

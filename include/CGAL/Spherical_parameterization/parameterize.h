@@ -105,7 +105,10 @@ namespace Spherical_parameterization {
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \return the verdict, the certificate, and what the work was; see `Result`
-/// \throws std::bad_alloc, `OpenCL_error`, and whatever the property maps and the callback throw
+/// \throws std::bad_alloc  if there is not enough memory
+/// \throws OpenCL_error    if the device of an `OpenCL_device` fails
+///
+/// What the property maps and the callback throw goes through.
 ///
 /// Complexity: linear in memory, about 600 bytes per vertex; `Balanced` takes as long as a few hundred applications
 /// of the Laplacian for any number of vertices.

@@ -74,10 +74,10 @@ struct Majority_vote : Segment_limits {};
 /// \cgalModels{SphericalSegmentationMethod}
 struct Girth_profiles : Segment_limits {};
 
-/// The published method: T. Athanasiadis and I. Fudos, "Parallel computation of spherical parameterizations for mesh
-/// analysis", Computers & Graphics 35 (SMI 2011), section 5.1. Seeds are the local extrema of the stretch (Definition
-/// 2), taken in descending order; a region grows from each over the faces whose logarithmic stretch differs by at most
-/// `threshold` from that of the seed, and seeds it meets are dropped.
+/// The published method: region growing over the stretch. T. Athanasiadis and I. Fudos, "Parallel computation of
+/// spherical parameterizations for mesh analysis", Computers & Graphics 35 (SMI 2011), section 5.1. Seeds are the local
+/// extrema of the stretch (Definition 2), taken in descending order; a region grows from each over the faces whose
+/// logarithmic stretch differs by at most `threshold` from that of the seed, and seeds it meets are dropped.
 ///
 /// \cgalModels{SphericalSegmentationMethod}
 struct Region_growing : Segment_limits {
@@ -128,7 +128,8 @@ inline std::vector<int> segments_of(const Segmentation_mesh& mesh, const std::ve
 
 } // namespace internal
 
-/// The cut. Every segment is connected; their numbers are 0 ... n-1 in the order of their first faces.
+/// Cuts a mesh by its stretch. Every segment is connected; their numbers are 0 ... n-1 in the order of their first
+/// faces.
 ///
 /// Deterministic. Scaling and rotating the mesh and rotating the sphere change nothing, but where decisions hang on
 /// rounding; nor does another numbering, but where the shape leaves a choice, as symmetric ones do.

@@ -39,7 +39,7 @@ struct Shape_signature {
   std::array<double, size> values{}; ///< the coordinates
 };
 
-/// L1, in [0, infinity). Poses of a shape are typically .2 apart, other shapes 2.
+/// How unlike two shapes are: L1, in [0, infinity). Poses of a shape are typically .2 apart, other shapes 2.
 /// \param a  a signature
 /// \param b  another one
 /// \return the sum of the absolute differences

@@ -118,9 +118,9 @@ inline std::vector<double> sample_cells(const Stretch_histogram& options, const 
 
 } // namespace internal
 
-/// The signature of T. Athanasiadis and I. Fudos, SMI 2011, section 5.3: the histogram of the area stretch factor of
-/// Definition 1, as `log_area_stretch()` measures it. Shares, which add up to 1. See `shape_signature()` for one that
-/// tells shapes apart better, and depends less on the tessellation.
+/// The signature of the paper: the histogram of the area stretch factor of Definition 1, as `log_area_stretch()`
+/// measures it. T. Athanasiadis and I. Fudos, SMI 2011, section 5.3. Shares, which add up to 1. See `shape_signature()`
+/// for one that tells shapes apart better, and depends less on the tessellation.
 ///
 /// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param sphere_map  readable, key vertex_descriptor, value unit vectors

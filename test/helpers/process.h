@@ -17,8 +17,8 @@ struct Process_result {
 };
 
 struct Process_options {
-  int interrupt_after = 0;     ///< milliseconds until SIGINT is sent; 0: never
-  std::string directory = "."; ///< where it runs
+  int interrupt_after = 0;                             ///< milliseconds until SIGINT is sent; 0: never
+  std::string directory = ".";                         ///< where it runs
   std::function<void(int pid)> meanwhile = [](int) {}; ///< called while it runs
 };
 

@@ -154,9 +154,8 @@ Result parameterize(const ExecutionPolicy& policy, const TriangleMesh& mesh, con
       choose_parameter(get_parameter(np, internal_np::vertex_is_constrained),
                        Static_boolean_property_map<typename Graph_traits::vertex_descriptor, false>());
     const std::vector<char> is_fixed = internal::fixed_vertices(source.vertex, is_constrained);
-    internal::Map_task task = {source.graph, source.face, source.point, source.area, is_fixed,
-                               {},           {},          {},           monitor,     result,
-                               missing_weights};
+    internal::Map_task task = {source.graph, source.face, source.point, source.area, is_fixed,       {},
+                               {},           {},          monitor,      result,      missing_weights};
     if constexpr(!is_default_parameter<NamedParameters, internal_np::accuracy_t>::value)
       task.accuracy = get_parameter(np, internal_np::accuracy);
     if constexpr(!is_default_parameter<NamedParameters, internal_np::number_of_iterations_t>::value)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 //
-// An OpenCL device of the user's choice: DEVICE is its number in the list that is printed, or a part of its name. Without
-// it, the environment variable CGAL_SPHERICAL_PARAMETERIZATION_DEVICE decides, or else the first GPU. A machine
+// An OpenCL device of the user's choice: DEVICE is its number in the list that is printed, or a part of its name.
+// Without it, the environment variable CGAL_SPHERICAL_PARAMETERIZATION_DEVICE decides, or else the first GPU. A machine
 // without any device is no reason to fail: then the host maps the mesh.
 //
 //   device_choice [DEVICE]

@@ -2,8 +2,8 @@
 // Part of CGAL Spherical Parameterization.
 //
 // Fixed vertices: landmarks of an ellipsoid are kept where they are wanted on the sphere, and all other vertices find
-// their places between them. The landmarks are twisted about the axis, those of the northern half by ANGLE degrees
-// and those of the southern half by as much the other way.
+// their places between them. Wanted is the free map, twisted about the axis: north by ANGLE degrees, south by as much
+// the other way.
 //
 //   fixed_vertices [ANGLE]
 
@@ -24,24 +24,24 @@ int main(int argc, char* argv[])
   const double angle = (argc > 1 ? std::atof(argv[1]) : 10) * std::acos(-1.) / 180;
   Mesh mesh;
   SP::make_icosphere(4, mesh, mesh.points());
+  for(Point_3& p : mesh.points())
+    p = Point_3(p.x(), p.y(), 2 * p.z());
   auto sphere = mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:sphere").first;
+  if(const auto result = SP::parameterize(mesh, sphere); !result)
+    return std::cerr << result << '\n', 1;
+
   auto is_fixed = mesh.add_property_map<Mesh::Vertex_index, bool>("v:is_fixed", false).first;
+  auto wanted = mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:wanted").first;
   const std::size_t landmarks = 42; // the vertices of the icosphere of level 1: many and well spread, as they should be
   for(Mesh::Vertex_index v : vertices(mesh)) {
-    const Point_3 p = mesh.point(v);
-    if(v.idx() < landmarks) {
-      const double turn = angle * p.z();
-      is_fixed[v] = true;
-      sphere[v] = Point_3(std::cos(turn) * p.x() - std::sin(turn) * p.y(),
-                          std::sin(turn) * p.x() + std::cos(turn) * p.y(), p.z());
-    }
-    mesh.point(v) = Point_3(p.x(), p.y(), 2 * p.z());
+    const Point_3 p = sphere[v];
+    const double turn = angle * p.z();
+    wanted[v] =
+      Point_3(std::cos(turn) * p.x() - std::sin(turn) * p.y(), std::sin(turn) * p.x() + std::cos(turn) * p.y(), p.z());
+    is_fixed[v] = v.idx() < landmarks;
+    if(is_fixed[v])
+      sphere[v] = wanted[v];
   }
-
-  const Mesh::Property_map<Mesh::Vertex_index, Point_3> wanted =
-    mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:wanted").first;
-  for(Mesh::Vertex_index v : vertices(mesh))
-    wanted[v] = sphere[v];
   const auto result = SP::parameterize(mesh, sphere, CGAL::parameters::vertex_is_constrained_map(is_fixed));
   if(!result)
     return std::cerr << result << '\n', 1;

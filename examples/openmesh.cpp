@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 //
-// A mesh of OpenMesh, with its own points and a property of its own for the sphere: no CGAL type is needed. MESH is read,
-// and SPHERE written, by OpenMesh; else an octahedron is mapped.
+// A mesh of OpenMesh, with its own points and a property of its own for the sphere: no CGAL type is needed. MESH is
+// read, and SPHERE written, by OpenMesh; else an ellipsoid is mapped.
 //
 //   openmesh [MESH [SPHERE]]
 
@@ -18,27 +18,14 @@
 namespace SP = CGAL::Spherical_parameterization;
 typedef OpenMesh::TriMesh_ArrayKernelT<OpenMesh::DefaultTraitsDouble> Mesh;
 
-void make_octahedron(Mesh& mesh, double height)
-{
-  OpenMesh::VertexHandle v[6];
-  for(int k = 0; k < 3; ++k)
-    for(int side = 0; side < 2; ++side) {
-      OpenMesh::Vec3d p(0, 0, 0);
-      p[k] = (side == 0 ? 1 : -1) * (k == 2 ? height : 1);
-      v[2 * k + side] = mesh.add_vertex(p);
-    }
-  for(int x = 0; x < 2; ++x)
-    for(int y = 0; y < 2; ++y)
-      for(int z = 0; z < 2; ++z) // an odd number of negative coordinates mirrors the face
-        (x + y + z) % 2 == 0 ? mesh.add_face(v[x], v[2 + y], v[4 + z]) : mesh.add_face(v[x], v[4 + z], v[2 + y]);
-}
-
 int main(int argc, char* argv[])
 {
   Mesh mesh;
-  if(argc == 1)
-    make_octahedron(mesh, 2);
-  else if(!OpenMesh::IO::read_mesh(mesh, argv[1]))
+  if(argc == 1) {
+    SP::make_icosphere(3, mesh, get(CGAL::vertex_point, mesh));
+    for(OpenMesh::VertexHandle v : mesh.vertices())
+      mesh.set_point(v, OpenMesh::Vec3d(1, 2, 3) * mesh.point(v)); // component by component
+  } else if(!OpenMesh::IO::read_mesh(mesh, argv[1]))
     return std::cerr << argv[1] << ": cannot be read by OpenMesh\n", 1;
 
   OpenMesh::VPropHandleT<OpenMesh::Vec3d> property;

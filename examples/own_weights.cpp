@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 //
-// Weights of one's own: any property map from edges to positive numbers. Here softer springs give the upper half of
-// MESH, or else of an icosphere, more room on the sphere; 1 is no change, 0.25 four times as soft.
+// Weights of one's own: any property map from edges to positive numbers. Here stiffer springs give the upper half of
+// MESH, or else of an icosphere, more room on the sphere, since the energies of the two halves keep the map in balance;
+// 1 is no change, 4 four times as stiff.
 //
 //   own_weights [MESH [STIFFNESS]]
 
@@ -30,7 +31,7 @@ int main(int argc, char* argv[])
     SP::make_icosphere(4, mesh, mesh.points());
   else if(!CGAL::IO::read_polygon_mesh(argv[1], mesh))
     return std::cerr << argv[1] << ": cannot be read as a polygon mesh\n", 1;
-  const double stiffness = argc > 2 ? std::atof(argv[2]) : 0.25;
+  const double stiffness = argc > 2 ? std::atof(argv[2]) : 4;
 
   const CGAL::Bbox_3 box = PMP::bbox(mesh);
   const double middle = (box.zmin() + box.zmax()) / 2;

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 //
-// A Polyhedron_3, whose vertices have no numbers and no room for a second point: the sphere is kept beside it, in a hash
-// table. MESH, or else an icosahedron drawn out to a spindle.
+// A Polyhedron_3, whose vertices have no numbers and no room for a second point: the sphere is kept beside it, in a
+// hash table. MESH, or else an ellipsoid.
 //
 //   polyhedron [MESH]
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
-#include <CGAL/boost/graph/generators.h>
 #include <CGAL/spherical_parameterization.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -27,7 +26,7 @@ int main(int argc, char* argv[])
 {
   Mesh mesh;
   if(argc == 1) {
-    CGAL::make_icosahedron<Mesh, Point_3>(mesh);
+    SP::make_icosphere(3, mesh, get(CGAL::vertex_point, mesh));
     for(Point_3& p : CGAL::make_range(mesh.points_begin(), mesh.points_end()))
       p = Point_3(p.x(), p.y(), 3 * p.z());
   } else if(!CGAL::IO::read_polygon_mesh(argv[1], mesh))

@@ -53,7 +53,7 @@ sparse_view make_sparse_view(INDICES offset, INDICES column, CONST_SCALARS value
  * over the sums of the block. Lane l adds up the elements with i % LANES == l, then the lanes are added pairwise: the
  * order of Host_backend, to the last bit. */
 #define SUMS(K)                                                                                                        \
-  __local real lanes[(K) * LANES];                                                                                     \
+  __local real lanes[(K)*LANES];                                                                                       \
   real s[K] = {0}
 
 #define FOR_EACH_OF_BLOCK(i, n)                                                                                        \

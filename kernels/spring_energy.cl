@@ -20,10 +20,7 @@
   }                                                                                                                    \
   ADD_UP(4)
 
-KERNEL sp_gradient(int n, MATRIX(a), CONST_VECTORS v, VECTORS g, SCALARS density, SCALARS partial)
-{
-  GRADIENT(2);
-}
+KERNEL sp_gradient(int n, MATRIX(a), CONST_VECTORS v, VECTORS g, SCALARS density, SCALARS partial) { GRADIENT(2); }
 
 KERNEL sp_stiffening_gradient(int n, MATRIX(a), real p, CONST_VECTORS v, VECTORS g, SCALARS density, SCALARS partial)
 {

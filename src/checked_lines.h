@@ -39,8 +39,7 @@ private:
         setg(lines_.data(), lines_.data(), lines_.data() + lines_.size());
         return traits_type::to_int_type(lines_.front());
       }
-    }
-    catch(...) {
+    } catch(...) {
       error_ = std::current_exception();
     }
     setg(nullptr, nullptr, nullptr);
@@ -61,8 +60,8 @@ private:
   }
 
   Next_lines next_;
-  std::string lines_;      // made, but not all read yet
-  off_type position_ = 0;  // of the first of them
+  std::string lines_;     // made, but not all read yet
+  off_type position_ = 0; // of the first of them
   std::exception_ptr error_;
 };
 

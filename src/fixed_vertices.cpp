@@ -35,9 +35,8 @@ std::vector<Fixed_vertex> read_fixed_vertices(const std::string& file, std::size
     for(double& x : direction) {
       const std::string coordinate(tokens.next());
       if(to_number(coordinate, x) != Number::FINITE)
-        lines.refuse(coordinate.empty() ? "fewer than three coordinates"
-                                        : in_quotes(coordinate) + " is no finite number",
-                     remedy);
+        lines.refuse(
+          coordinate.empty() ? "fewer than three coordinates" : in_quotes(coordinate) + " is no finite number", remedy);
     }
     if(!tokens.next().empty())
       lines.refuse("more than four values", remedy);

@@ -14,7 +14,7 @@ namespace tool {
 
 struct Fixed_vertex {
   std::size_t index;
-  Point position;  ///< on the unit sphere
+  Point position; ///< on the unit sphere
 };
 
 /// Reads lines `index x y z`: the number of a vertex, from 0 on, and the direction it is to have on the sphere.

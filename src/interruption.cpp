@@ -29,10 +29,7 @@ void watch_for_interruption()
     std::signal(signal, note_interruption);
 }
 
-bool was_interrupted()
-{
-  return interrupted != 0;
-}
+bool was_interrupted() { return interrupted != 0; }
 
 void stop_if_interrupted(const std::string& input)
 {

@@ -19,7 +19,7 @@ namespace tool {
 struct Barycentric_weights {};
 struct Mean_value_weights {};
 struct Conformal_weights {
-  double min_degrees = 5;  ///< angles are clamped to this range
+  double min_degrees = 5; ///< angles are clamped to this range
   double max_degrees = 85;
 };
 
@@ -30,9 +30,9 @@ struct Map_settings {
                CGAL::Spherical_parameterization::Isometric, CGAL::Spherical_parameterization::Automatic>
     method;
   Policy policy;
-  std::optional<double> accuracy;           ///< default: that of the method
-  std::optional<std::size_t> iterations;    ///< default: that of the method
-  std::optional<double> max_time;           ///< seconds; default: no limit
+  std::optional<double> accuracy;        ///< default: that of the method
+  std::optional<std::size_t> iterations; ///< default: that of the method
+  std::optional<double> max_time;        ///< seconds; default: no limit
   std::vector<Fixed_vertex> fixed_vertices;
 };
 

@@ -40,8 +40,8 @@ enum class Map_quality {
   CONVERGED  ///< or flipped faces where limbs are too thin for doubles
 };
 
-/// Maps the mesh with a progress bar, or reads the sphere that the user has. Throws a `Refusal` if there is no such map;
-/// then, too, `input.result` says what happened.
+/// Maps the mesh with a progress bar, or reads the sphere that the user has. Throws a `Refusal` if there is no such
+/// map; then, too, `input.result` says what happened.
 void map_input(const Mapping_options& options, Mapped_mesh& input, Map_quality quality = Map_quality::CERTIFIED);
 
 } // namespace tool

@@ -28,7 +28,7 @@ enum class Polygons { REFUSE, TRIANGULATE };
 
 struct Input_mesh {
   Mesh mesh;
-  std::size_t triangulated_polygons = 0;  ///< if there are any, the faces are not those of the file
+  std::size_t triangulated_polygons = 0; ///< if there are any, the faces are not those of the file
 };
 
 /// Reads a triangulated sphere from an OFF, OBJ, PLY or STL file. Vertex `i` of the file is vertex `i` of the mesh, and

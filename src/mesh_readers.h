@@ -21,7 +21,7 @@ namespace tool {
 Polygon_soup read_off(const std::string& file);
 Polygon_soup read_obj(const std::string& file);
 Polygon_soup read_ply(const std::string& file);
-Polygon_soup read_stl(const std::string& file);  ///< corners at the same place become one vertex
+Polygon_soup read_stl(const std::string& file); ///< corners at the same place become one vertex
 /// @}
 
 } // namespace tool

@@ -17,10 +17,10 @@ namespace tool {
 namespace {
 
 constexpr Ply_type types[] = {
-  {"char", "int8", 1, true, INT8_MIN, INT8_MAX},       {"uchar", "uint8", 1, true, 0, UINT8_MAX},
-  {"short", "int16", 2, true, INT16_MIN, INT16_MAX},   {"ushort", "uint16", 2, true, 0, UINT16_MAX},
-  {"int", "int32", 4, true, INT32_MIN, INT32_MAX},     {"uint", "uint32", 4, true, 0, UINT32_MAX},
-  {"float", "float32", 4, false, -FLT_MAX, FLT_MAX},   {"double", "float64", 8, false, -DBL_MAX, DBL_MAX}};
+  {"char", "int8", 1, true, INT8_MIN, INT8_MAX},     {"uchar", "uint8", 1, true, 0, UINT8_MAX},
+  {"short", "int16", 2, true, INT16_MIN, INT16_MAX}, {"ushort", "uint16", 2, true, 0, UINT16_MAX},
+  {"int", "int32", 4, true, INT32_MIN, INT32_MAX},   {"uint", "uint32", 4, true, 0, UINT32_MAX},
+  {"float", "float32", 4, false, -FLT_MAX, FLT_MAX}, {"double", "float64", 8, false, -DBL_MAX, DBL_MAX}};
 
 class Header_parser {
 public:
@@ -94,7 +94,8 @@ private:
       refuse("element " + in_quotes(element.name) + " has the count " + in_quotes(token), damaged_);
     if(*count > std::int64_t(largest_count))
       refuse("the header promises " + std::to_string(*count) + " elements " + in_quotes(element.name) +
-               ", more than this tool can number", damaged_);
+               ", more than this tool can number",
+             damaged_);
     element.count = static_cast<std::uint64_t>(*count);
     header_.elements.push_back(element);
   }
@@ -168,7 +169,8 @@ private:
       refuse("the faces have no list 'vertex_indices'", "export it again");
     if(!indices->type->is_integer || indices->type->size != 4)
       refuse(std::string("the vertex indices of the faces are of type '") + indices->type->name +
-               "', only 'int' and 'uint' are supported", "export it again");
+               "', only 'int' and 'uint' are supported",
+             "export it again");
   }
 
   /// CGAL 5.5 dereferences null if properties that it knows by name are of other types than it expects.
@@ -208,9 +210,6 @@ const Ply_property* Ply_element::find(const std::string& property) const
   return found == properties.end() ? nullptr : &*found;
 }
 
-Ply_header read_ply_header(const std::string& file, std::istream& in)
-{
-  return Header_parser(file, in).parse();
-}
+Ply_header read_ply_header(const std::string& file, std::istream& in) { return Header_parser(file, in).parse(); }
 
 } // namespace tool

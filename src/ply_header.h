@@ -24,8 +24,8 @@ struct Ply_type {
 
 struct Ply_property {
   std::string name;
-  const Ply_type* type = nullptr;        ///< of the value, or of each value of a list
-  const Ply_type* count_type = nullptr;  ///< of the length of a list; null if this is no list
+  const Ply_type* type = nullptr;       ///< of the value, or of each value of a list
+  const Ply_type* count_type = nullptr; ///< of the length of a list; null if this is no list
 };
 
 struct Ply_element {

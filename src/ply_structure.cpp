@@ -64,8 +64,9 @@ private:
     const Number number = to_number(token_, value);
     if(number == Number::NONE || (type.is_integer && !to_integer(token_)))
       throw Refusal(unreadable_file, file_,
-                    element.name + " " + std::to_string(index) + " has " + in_quotes(token_) +
-                      " for a value of type " + name, damaged);
+                    element.name + " " + std::to_string(index) + " has " + in_quotes(token_) + " for a value of type " +
+                      name,
+                    damaged);
     if(number == Number::NOT_FINITE || value < type.smallest || value > type.largest)
       throw Refusal(type.is_integer ? unreadable_file : "NON_FINITE_COORDINATE", file_,
                     element.name + " " + std::to_string(index) + " has the value " + in_quotes(token_) +
@@ -109,8 +110,7 @@ private:
 class Structure_check {
 public:
   explicit Structure_check(const std::string& file)
-    : file_(file), in_(file, std::ios::binary), header_(read_ply_header(file, in_)),
-      body_(file, in_, header_.format)
+    : file_(file), in_(file, std::ios::binary), header_(read_ply_header(file, in_)), body_(file, in_, header_.format)
   {}
 
   Ply_counts run()
@@ -123,7 +123,8 @@ public:
         throw Refusal(unreadable_file, file_,
                       "cut short: the header promises " + std::to_string(element.count) + " elements " +
                         in_quotes(element.name) + ", more than " + std::to_string(body_.bytes_left()) +
-                        " bytes can hold", damaged);
+                        " bytes can hold",
+                      damaged);
       if(element.is_vertex())
         counts.vertices = element.count;
       if(element.is_face())
@@ -156,8 +157,7 @@ private:
     return std::max<std::uintmax_t>(size, 1);
   }
 
-  void check_property(const Ply_element& element, std::uint64_t row, const Ply_property& property,
-                      std::size_t vertices)
+  void check_property(const Ply_element& element, std::uint64_t row, const Ply_property& property, std::size_t vertices)
   {
     if(!property.count_type) {
       const double value = body_.next(*property.type, element, row);
@@ -182,7 +182,8 @@ private:
         throw Refusal(unreadable_file, file_,
                       "face " + std::to_string(row) + " has the vertex " +
                         std::to_string(static_cast<std::int64_t>(value)) + ", which is not in 0.." +
-                        std::to_string(std::int64_t(vertices) - 1), damaged);
+                        std::to_string(std::int64_t(vertices) - 1),
+                      damaged);
     }
   }
 
@@ -194,9 +195,6 @@ private:
 
 } // namespace
 
-Ply_counts check_ply_structure(const std::string& file)
-{
-  return Structure_check(file).run();
-}
+Ply_counts check_ply_structure(const std::string& file) { return Structure_check(file).run(); }
 
 } // namespace tool

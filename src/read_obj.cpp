@@ -17,9 +17,10 @@ namespace {
 
 /// The statements of the format that carry no vertex and no face.
 constexpr const char* other_statements[] = {
-  "vt", "vn", "vp", "g", "o", "s", "mg", "usemtl", "mtllib", "usemap", "maplib", "p", "l", "bevel", "c_interp",
-  "d_interp", "lod", "shadow_obj", "trace_obj", "ctech", "stech", "cstype", "deg", "bmat", "step", "curv", "curv2",
-  "surf", "parm", "trim", "hole", "scrv", "sp", "end", "con", "call", "csh", "bsp", "bzp", "cdc", "cdp", "res"};
+  "vt",  "vn",   "vp",    "g",        "o",        "s",    "mg",         "usemtl",    "mtllib", "usemap", "maplib",
+  "p",   "l",    "bevel", "c_interp", "d_interp", "lod",  "shadow_obj", "trace_obj", "ctech",  "stech",  "cstype",
+  "deg", "bmat", "step",  "curv",     "curv2",    "surf", "parm",       "trim",      "hole",   "scrv",   "sp",
+  "end", "con",  "call",  "csh",      "bsp",      "bzp",  "cdc",        "cdp",       "res"};
 
 /// The `v` and `f` lines of an OBJ file with nothing but coordinates and vertex indices.
 /// (CGAL 5.5 stops, or loses corners, at polylines, at tabs between corners and at continued lines.)
@@ -44,7 +45,7 @@ public:
       else if(std::find(std::begin(other_statements), std::end(other_statements), keyword) ==
               std::end(other_statements))
         lines_.refuse("begins with " + in_quotes(keyword) + ", which is no statement of the OBJ format",
-                       "the file is damaged or no OBJ file; export it again");
+                      "the file is damaged or no OBJ file; export it again");
     }
     return true;
   }
@@ -67,13 +68,13 @@ private:
       const std::optional<std::int64_t> index = to_integer(token.substr(0, token.find('/')));
       if(!index || *index == 0)
         lines_.refuse("face " + std::to_string(faces_) + " has the vertex " + in_quotes(token) +
-                         ", which is no index (they start from 1)",
-                       "the file is damaged; export it again");
+                        ", which is no index (they start from 1)",
+                      "the file is damaged; export it again");
       const std::int64_t absolute = *index > 0 ? *index : std::int64_t(vertices_) + 1 + *index;
       if(absolute < 1 || absolute > std::int64_t(largest_count))
         lines_.refuse("face " + std::to_string(faces_) + " has the vertex " + in_quotes(token) +
-                         ", which does not exist",
-                       "the file is damaged or cut short; export it again");
+                        ", which does not exist",
+                      "the file is damaged or cut short; export it again");
       if(std::size_t(absolute) > largest_index_) {
         largest_index_ = std::size_t(absolute);
         largest_index_face_ = faces_;
@@ -83,7 +84,7 @@ private:
     }
     if(corners < 3)
       lines_.refuse("face " + std::to_string(faces_) + " has only " + std::to_string(corners) + " vertices",
-                     "the file is damaged or cut short; export it again");
+                    "the file is damaged or cut short; export it again");
     out += '\n';
     ++faces_;
   }

@@ -69,7 +69,7 @@ private:
     const std::uintmax_t bytes = std::filesystem::file_size(file_);
     if(6 * std::uintmax_t(vertices_) + 8 * std::uintmax_t(faces_) > bytes + 1)
       lines_.refuse("the header promises " + promise() + ", more than " + std::to_string(bytes) + " bytes can hold",
-                     "the file is damaged or cut short; export it again");
+                    "the file is damaged or cut short; export it again");
     has_header_ = true;
     out = "OFF\n" + std::to_string(vertices_) + ' ' + std::to_string(faces_) + " 0\n";
   }
@@ -79,10 +79,10 @@ private:
     const std::optional<std::int64_t> number = to_integer(token);
     if(!number || *number < 0)
       lines_.refuse("expected the numbers of vertices and faces, found " + in_quotes(lines_.text()),
-                     "the header is damaged; export it again");
+                    "the header is damaged; export it again");
     if(*number > std::int64_t(largest_count))
       lines_.refuse("the header promises " + std::to_string(*number) + " elements, more than this tool can number",
-                     "simplify the mesh");
+                    "simplify the mesh");
     return static_cast<std::size_t>(*number);
   }
 
@@ -90,7 +90,7 @@ private:
   {
     if(!lines_.next())
       lines_.refuse_cut_short("the header promises " + promise() + ", but there are only " + std::to_string(vertex_) +
-                               " vertices");
+                              " vertices");
     Tokens tokens(lines_.text());
     lines_.append_point(tokens, "vertex", vertex_, out);
     ++vertex_;
@@ -100,14 +100,14 @@ private:
   {
     if(!lines_.next())
       lines_.refuse_cut_short("the header promises " + promise() + ", but there are only " + std::to_string(face_) +
-                               " faces");
+                              " faces");
     const std::string remedy = "the file is damaged, or the counts in its header are wrong; export it again";
     Tokens tokens(lines_.text());
     const std::string_view first = tokens.next();
     const std::optional<std::int64_t> size = to_integer(first);
     if(!size || *size < 0)
       lines_.refuse("face " + std::to_string(face_) + " has " + in_quotes(first) + " for its number of vertices",
-                     remedy);
+                    remedy);
     if(*size < 3)
       lines_.refuse("face " + std::to_string(face_) + " has only " + std::to_string(*size) + " vertices", remedy);
     out += first;
@@ -116,10 +116,12 @@ private:
       const std::optional<std::int64_t> index = to_integer(token);
       if(token.empty())
         lines_.refuse("face " + std::to_string(face_) + " has fewer than the " + std::to_string(*size) +
-                         " vertices it promises", remedy);
+                        " vertices it promises",
+                      remedy);
       if(!index || *index < 0 || *index >= std::int64_t(vertices_))
         lines_.refuse("face " + std::to_string(face_) + " has the vertex " + in_quotes(token) +
-                         ", which is not in 0.." + std::to_string(vertices_ - 1), remedy);
+                        ", which is not in 0.." + std::to_string(vertices_ - 1),
+                      remedy);
       out += ' ';
       out += token;
     }
@@ -139,7 +141,7 @@ private:
       ++indices;
     if(size && *size >= 3 && indices >= *size)
       lines_.refuse("another face after the " + std::to_string(faces_) + " that the header promises",
-                     "the counts in the header are wrong; export the file again");
+                    "the counts in the header are wrong; export the file again");
   }
 
   std::string promise() const

@@ -38,8 +38,7 @@ public:
       if(!lines_.next()) {
         end_of_file();
         out = "endsolid\n";
-      }
-      else
+      } else
         read_line(out);
     }
     return !out.empty();
@@ -60,28 +59,24 @@ private:
         lines_.refuse(name + " begins before the one before has ended", remedy_);
       in_facet_ = true;
       out = "facet normal 0 0 0 outer loop\n";
-    }
-    else if(keyword == "vertex") {
+    } else if(keyword == "vertex") {
       if(!in_facet_ || corners_ == 3)
         lines_.refuse("a vertex outside of a triangle", remedy_);
       out = "vertex ";
       lines_.append_point(tokens, "corner", 3 * triangles_ + corners_, out);
       ++corners_;
-    }
-    else if(keyword == "endfacet") {
+    } else if(keyword == "endfacet") {
       if(!in_facet_ || corners_ != 3)
         lines_.refuse(name + " has " + std::to_string(corners_) + " corners", remedy_);
       in_facet_ = false;
       corners_ = 0;
       ++triangles_;
       out = "endloop endfacet\n";
-    }
-    else if(keyword == "solid" || keyword == "endsolid") {
+    } else if(keyword == "solid" || keyword == "endsolid") {
       if(in_facet_)
         lines_.refuse(name + " has no end", remedy_);
       in_solid_ = keyword == "solid";
-    }
-    else if(keyword != "outer" && keyword != "endloop")
+    } else if(keyword != "outer" && keyword != "endloop")
       lines_.refuse("begins with " + in_quotes(keyword) + ", which is no keyword of the STL format", remedy_);
   }
 
@@ -124,8 +119,7 @@ bool is_checked_binary(const std::string& file)
   std::memcpy(&triangles, header + 80, sizeof(triangles));
   const std::uintmax_t expected = binary_header_size + triangle_size * triangles;
   if(size < binary_header_size)
-    throw Refusal(unreadable_file, file,
-                  "neither begins with 'solid' nor has the 84 bytes of a binary STL header",
+    throw Refusal(unreadable_file, file, "neither begins with 'solid' nor has the 84 bytes of a binary STL header",
                   "check that this is an STL file");
   if(size < expected)
     throw Refusal(unreadable_file, file,
@@ -164,8 +158,7 @@ Polygon_soup read_stl(const std::string& file)
   if(is_checked_binary(file)) {
     std::ifstream in(file, std::ios::binary);
     complete = CGAL::IO::read_STL(in, soup.points, soup.polygons, CGAL::parameters::verbose(false));
-  }
-  else {
+  } else {
     Stl_lines stl_lines(file);
     Checked_lines lines([&stl_lines](std::string& out) { return stl_lines(out); });
     std::istream in(&lines);

@@ -26,8 +26,7 @@ public:
     if(wrong_.empty()) {
       code_ = code;
       remedy_ = remedy;
-    }
-    else
+    } else
       wrong_ += ", ";
     wrong_ += wrong;
   }
@@ -57,8 +56,7 @@ void check_faces(const Polygon_soup& soup, Troubles& troubles)
     if(p.size() > 3) {
       ++polygons;
       first_polygon = f;
-    }
-    else if(p[0] == p[1] || p[1] == p[2] || p[2] == p[0]) {
+    } else if(p[0] == p[1] || p[1] == p[2] || p[2] == p[0]) {
       ++repeating;
       first_repeating = f;
     }
@@ -225,10 +223,7 @@ std::size_t number_of_components(const Polygon_soup& soup)
 }
 
 /// Returns the genus of a closed connected manifold: V - E + F = 2 - 2 genus, where E = 3/2 F.
-std::size_t genus(std::size_t vertices, std::size_t faces)
-{
-  return (faces / 2 + 2 - vertices) / 2;
-}
+std::size_t genus(std::size_t vertices, std::size_t faces) { return (faces / 2 + 2 - vertices) / 2; }
 
 } // namespace
 

@@ -59,7 +59,8 @@ void write_stretch_ply(std::ostream& out, const Mesh& mesh, Sphere_map sphere)
       << high << "\nelement vertex " << mesh.number_of_vertices()
       << "\nproperty double x\nproperty double y\nproperty double z"
          "\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nproperty double log_area_stretch"
-         "\nelement face " << mesh.number_of_faces() << "\nproperty list uchar int vertex_indices\nend_header\n";
+         "\nelement face "
+      << mesh.number_of_faces() << "\nproperty list uchar int vertex_indices\nend_header\n";
   for(const Mesh::Vertex_index v : mesh.vertices()) {
     out << mesh.point(v);
     for(const double channel : diverging(stretch[v] / (stretch[v] < 0 ? -low : high)))

@@ -138,8 +138,8 @@ void Text_lines::append_point(Tokens& tokens, const char* what, std::size_t inde
                       " has the coordinate " + in_quotes(token_),
                     "every coordinate must be a finite number");
     case Number::NONE:
-      refuse(what + (" " + std::to_string(index)) + " has the coordinate " + in_quotes(token_) +
-               ", which is no number", "the file is damaged; export it again");
+      refuse(what + (" " + std::to_string(index)) + " has the coordinate " + in_quotes(token_) + ", which is no number",
+             "the file is damaged; export it again");
     }
   }
 }

@@ -242,8 +242,8 @@ Soup spiral(int turns, int n_around)
     const std::size_t j = (i + 1) % n;
     soup.faces.push_back({first, i, j});
     for(std::size_t k = 0; k + 1 < rings; ++k)
-      soup.faces.insert(soup.faces.end(), {{k * n + i, (k + 1) * n + i, k * n + j},
-                                           {k * n + j, (k + 1) * n + i, (k + 1) * n + j}});
+      soup.faces.insert(soup.faces.end(),
+                        {{k * n + i, (k + 1) * n + i, k * n + j}, {k * n + j, (k + 1) * n + i, (k + 1) * n + j}});
     soup.faces.push_back({last, (rings - 1) * n + j, (rings - 1) * n + i});
   }
   return soup;

@@ -50,8 +50,8 @@ Mesh pinched_sphere();       ///< an icosphere with two vertices glued to one
 
 /// \name Zero-area faces: refused or not, that depends on the weights
 /// @{
-Soup collinear_face();    ///< one face with three points exactly on a line
-Soup coincident_points(); ///< two faces with two equal points
+Soup collinear_face();                  ///< one face with three points exactly on a line
+Soup coincident_points();               ///< two faces with two equal points
 Soup many_coincident_points(int level); ///< every fifth vertex at the place of a neighbour
 Soup one_point(int level);              ///< all vertices at the same place
 /// @}

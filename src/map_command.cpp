@@ -75,9 +75,9 @@ void print_certificate(const Map_options& options, const Mapped_mesh& input, con
             << " faces\n"
             << "valid spherical map: " << result.flipped_faces << " flipped faces, degree " << result.degree
             << ", residual " << result.residual << '\n'
-            << (options.method == "automatic" ? "automatic: " : "") << result.method << ", " << options.weights
-            << " weights, " << options.policy << " on " << result.device << ": " << result.start_iterations << " + "
-            << result.iterations << " iterations";
+            << (options.method == "automatic" ? "automatic: " : "") << result.method << ", "
+            << (result.method == "isometric" ? "" : options.weights + " weights, ") << options.policy << " on "
+            << result.device << ": " << result.start_iterations << " + " << result.iterations << " iterations";
   if(result.sweeps > 0)
     std::cout << " of " << result.sweeps << " sweeps in all";
   std::cout << '\n';

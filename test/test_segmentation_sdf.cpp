@@ -37,7 +37,8 @@ private:
 /// L. Hubert and P. Arabie, "Comparing partitions", 1985: 1 for equal partitions, 0 expected for unrelated ones.
 double adjusted_rand_index(const Mesh& mesh, Segment_map a, Segment_map b)
 {
-  const Pairs_together pairs(mesh.faces(), [&](auto f) { return a[f]; }, [&](auto f) { return b[f]; });
+  const Pairs_together pairs(
+    mesh.faces(), [&](auto f) { return a[f]; }, [&](auto f) { return b[f]; });
   const double expected = pairs.in_a * pairs.in_b / pairs.all;
   return (pairs.in_both - expected) / ((pairs.in_a + pairs.in_b) / 2 - expected);
 }

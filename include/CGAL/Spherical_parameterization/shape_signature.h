@@ -123,7 +123,7 @@ Shape_signature shape_signature(const TriangleMesh& mesh, VertexSphereMap sphere
                                 const NamedParameters& np = parameters::default_values())
 {
   constexpr double smoothing_time = 0.003; // of a surface of area 4 pi: over a twentieth of the radius of that ball
-  constexpr int fewest_vertices = 2000; // coarser meshes are refined: their faces are as long as limbs are thick
+  constexpr int fewest_vertices = 2000;    // coarser meshes are refined: their faces are as long as limbs are thick
   const internal::Conformal_factor<TriangleMesh> factor(mesh, internal::vertex_points(mesh, np), sphere_map,
                                                         fewest_vertices);
   const internal::Discrete_surface::Vector u = internal::smoothed(factor.surface, factor.u, smoothing_time);

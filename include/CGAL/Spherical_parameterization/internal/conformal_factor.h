@@ -54,8 +54,8 @@ std::vector<int> twins(const TriangleMesh& mesh)
 /// divides a deviation that is a harmonic of degree l by l (l + 1) / 2, and leaves but the Moebius transformations (l =
 /// 1) as the map has them. Read off the areas of the map itself, u depends much on the tessellation there.
 ///
-/// On a coarse mesh linear functions do not follow u along a limb. So the faces may be cut into four, again and again; the
-/// surface stays what it is.
+/// On a coarse mesh linear functions do not follow u along a limb. So the faces may be cut into four, again and again;
+/// the surface stays what it is.
 template <class TriangleMesh>
 struct Conformal_factor {
   Source_mesh<TriangleMesh> source;

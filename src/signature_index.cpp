@@ -50,7 +50,7 @@ std::string index_header()
 std::string to_index_line(const Signature_row& row)
 {
   std::string line = csv_quoted(row.name) + ',' + (row.vertices > 0 ? std::to_string(row.vertices) : "") + ',' +
-                     row.status + ',' + row.map + ',' + csv_quoted(row.message);
+                     csv_quoted(row.status) + ',' + csv_quoted(row.map) + ',' + csv_quoted(row.message);
   for(std::size_t i = 0; i < Shape_signature::size; ++i)
     line += ',' + (row.signature ? shortest(row.signature->values[i]) : "");
   return line;

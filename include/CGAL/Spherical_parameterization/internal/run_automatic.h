@@ -105,6 +105,8 @@ private:
       map_ = run(backend_, method, task_, report_);
     } catch(const Failure& failure) {
       reason = before + name(method) + ": " + failure.detail;
+      if(!can_go_on() && map_.empty())
+        throw Failure{Error_code::INTERRUPTED, task_.monitor.reason() + " before there was a map"};
       return false;
     }
     const Certificate certificate = certify(backend_.host_loop(), task_.faces, map_);

@@ -14,15 +14,6 @@ namespace {
 
 typedef std::set<std::string> Words;
 
-std::vector<std::string> lines_of(const std::string& text)
-{
-  std::vector<std::string> lines;
-  std::istringstream in(text);
-  for(std::string line; std::getline(in, line);)
-    lines.push_back(line);
-  return lines;
-}
-
 std::string help(const std::string& command)
 {
   const Process_result run =

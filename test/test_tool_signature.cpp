@@ -11,7 +11,6 @@
 #include <csignal>
 #include <filesystem>
 #include <iostream>
-#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -24,15 +23,6 @@ using namespace test;
 namespace fs = std::filesystem;
 
 namespace {
-
-std::vector<std::string> lines_of(const std::string& text)
-{
-  std::vector<std::string> lines;
-  std::istringstream in(text);
-  for(std::string line; std::getline(in, line);)
-    lines.push_back(line);
-  return lines;
-}
 
 /// A folder of 24 meshes, two of them bad.
 std::string make_folder(const Scratch& scratch)

@@ -61,6 +61,15 @@ inline std::string text_of(const std::string& file)
   return std::string(std::istreambuf_iterator<char>(in), {});
 }
 
+inline std::vector<std::string> lines_of(const std::string& text)
+{
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for(std::string line; std::getline(in, line);)
+    lines.push_back(line);
+  return lines;
+}
+
 inline void write_text(const std::string& file, const std::string& text)
 {
   std::ofstream(file, std::ios::binary) << text;

@@ -58,8 +58,10 @@ inline OpenCL_device opencl_device(std::size_t k,
 
 /// The device a user has asked for. Where `wanted` is empty, what the environment variable
 /// `CGAL_SPHERICAL_PARAMETERIZATION_DEVICE` says counts; where that is empty, too, the first GPU with double precision;
-/// without one, the first device. \param wanted  its number, or a part of its name, in which capitals do not matter; or
-/// empty \return its number in `opencl_devices()` \throws OpenCL_error if there is no such device
+/// without one, the first device.
+/// \param wanted  its number, or a part of its name, in which capitals do not matter; or empty
+/// \return its number in `opencl_devices()`
+/// \throws OpenCL_error if there is no such device
 inline std::size_t find_opencl_device(std::string wanted = std::string())
 {
   const char* const variable = "CGAL_SPHERICAL_PARAMETERIZATION_DEVICE";

@@ -53,7 +53,19 @@ Process_result run_process(const std::vector<std::string>& command, const Proces
     arguments.push_back(const_cast<char*>(argument.c_str()));
   arguments.push_back(nullptr);
 
+  // Between fork() and execv() the child has our handlers of SIGINT, those of Catch and of PoCL's LLVM, which wait for
+  // ever for threads that it does not have. And if we ignore SIGINT, like what shells run in the background, it should
+  // not.
+  sigset_t interrupt, mask;
+  sigemptyset(&interrupt);
+  sigaddset(&interrupt, SIGINT);
+  pthread_sigmask(SIG_BLOCK, &interrupt, &mask);
   const pid_t child = fork();
+  if(child == 0) {
+    std::signal(SIGINT, SIG_DFL);
+    sigprocmask(SIG_UNBLOCK, &interrupt, nullptr);
+  } else
+    pthread_sigmask(SIG_SETMASK, &mask, nullptr);
   if(child < 0)
     throw std::runtime_error("cannot start " + command.front());
   if(child == 0) {

@@ -40,9 +40,8 @@ class Coarse_to_fine_map {
 public:
   Coarse_to_fine_map(const Loop& loop, const Isometric& method, Map_task& task)
     : loop_(loop), method_(method), exponent_((std::min)(method.area_exponent, largest_coarse_exponent)),
-      distortion_(exponent_), task_(task),
-      mesh_(task.faces, task.size()), map_{Host_array<vec3>(task.size(), vec3{0, 0, 0}),
-                                           std::vector<int>(task.size(), -1)}
+      distortion_(exponent_), task_(task), mesh_(loop, task.faces, task.size()),
+      level_(task.size()), map_{Host_array<vec3>(task.size(), vec3{0, 0, 0}), std::vector<int>(task.size(), -1)}
   {
     for(double a : task.area)
       source_area_ += a;
@@ -127,10 +126,10 @@ private:
   void make_room()
   {
     constexpr int sweeps = 3;
-    Map_level l = level({1, 1});
+    assign_level({1, 1});
     for(int s = 0; s < sweeps; ++s)
-      relax_all(loop_, distortion_, l);
-    l.store(loop_, map_);
+      relax_all(loop_, distortion_, level_);
+    level_.store(loop_, map_);
   }
 
   std::vector<int> try_to_insert(const std::vector<int>& round)
@@ -148,7 +147,7 @@ private:
         const Face_metric m =
           face_metric(sub(task_.points[j], task_.points[u]), sub(task_.points[k], task_.points[u]), bounds);
         star.push_back({map_.position[j], map_.position[k], m.cotangent[0], m.cotangent[1], m.cotangent[2],
-                        area_scale_ * m.twice_area});
+                        level_.area_scale() * m.twice_area});
       });
       is_inserted[r] = insert_vertex(distortion_, star, map_.position[v], map_.position[u]);
       map_.colour[u] = free_colour(u); // its neighbours are not of this round
@@ -174,11 +173,9 @@ private:
     }
   }
 
-  Map_level level(const Metric_bounds& bounds)
+  void assign_level(const Metric_bounds& bounds)
   {
-    Map_level result(loop_, mesh_, task_.points, source_area_, bounds, map_);
-    area_scale_ = result.area_scale();
-    return result;
+    level_.assign(loop_, mesh_, task_.points, source_area_, bounds, map_);
   }
 
   void relax_level()
@@ -186,30 +183,30 @@ private:
     constexpr int sweeps = 2, sweeps_of_regions = 3, rings = 2;
     constexpr double bad_factor = 20; // times the mean distortion
     constexpr double growth = 1.3;
-    Map_level l = level(coarse_bounds);
+    assign_level(coarse_bounds);
     for(int s = 0; s < sweeps; ++s)
-      relax_all(loop_, distortion_, l);
-    if(l.size() >= growth * last_newton_) {
-      last_newton_ = l.size();
-      relax_globally(l);
+      relax_all(loop_, distortion_, level_);
+    if(level_.size() >= growth * last_newton_) {
+      last_newton_ = level_.size();
+      relax_globally();
     }
-    const std::vector<int> region = distorted_regions(loop_, distortion_, l, bad_factor, rings);
+    const std::vector<int> region = distorted_regions(loop_, distortion_, level_, bad_factor, rings);
     for(int s = 0; s < sweeps_of_regions && !region.empty(); ++s)
-      relax_region(loop_, distortion_, region, l);
-    l.store(loop_, map_);
+      relax_region(loop_, distortion_, region, level_);
+    level_.store(loop_, map_);
   }
 
   /// Newton's method on coarse meshes, where limbs find their places for little: the number of steps falls with the
   /// size.
-  void relax_globally(Map_level& l)
+  void relax_globally()
   {
     constexpr int maximum_size = 6000, maximum_steps = 100, maximum_work = 100000, maximum_iterations = 50;
-    if(l.size() > maximum_size)
+    if(level_.size() > maximum_size)
       return;
-    Newton_relaxation<Loop> newton(loop_, distortion_, l);
-    const int steps = (std::min)(maximum_steps, maximum_work / l.size());
+    Newton_relaxation<Loop> newton(loop_, distortion_, level_);
+    const int steps = (std::min)(maximum_steps, maximum_work / level_.size());
     for(int s = 0; s < steps && newton.step(maximum_iterations, linear_tolerance) > least_gain; ++s)
-      relax_all(loop_, distortion_, l);
+      relax_all(loop_, distortion_, level_);
   }
 
   /// The whole mesh, with its own shape. Exponents that are too stiff for an arbitrary start are approached from below.
@@ -218,17 +215,17 @@ private:
     constexpr int sweeps = 5, maximum_iterations = 100;
     constexpr std::size_t steps_per_exponent = 6;
     constexpr double growth_of_exponent = 1.5;
-    Map_level l = level(final_bounds);
+    assign_level(final_bounds);
     for(int s = 0; s < sweeps && advance(); ++s)
-      relax_all(loop_, distortion_, l);
+      relax_all(loop_, distortion_, level_);
     const double accuracy = task_.accuracy.value_or(Isometric::default_accuracy);
     const auto descend = [&](std::size_t maximum_steps) {
-      Newton_relaxation<Loop> newton(loop_, distortion_, l);
+      Newton_relaxation<Loop> newton(loop_, distortion_, level_);
       for(std::size_t s = 0; s < maximum_steps && advance(); ++s) {
         newton.step(maximum_iterations, linear_tolerance);
         report.residual = newton.promised_gain();
         ++report.iterations;
-        relax_all(loop_, distortion_, l);
+        relax_all(loop_, distortion_, level_);
         if(report.residual < accuracy)
           return;
       }
@@ -239,8 +236,8 @@ private:
       distortion_ = Distortion(exponent_);
       descend(steps_per_exponent);
     }
-    l.store(loop_, map_);
-    report.energy = l.energy(loop_, distortion_);
+    level_.store(loop_, map_);
+    report.energy = level_.energy(loop_, distortion_);
     report.has_converged = !task_.monitor.is_interrupted();
   }
 
@@ -265,10 +262,10 @@ private:
   Distortion distortion_;
   Map_task& task_;
   Progressive_mesh mesh_;
+  Map_level level_;
   Partial_map map_;
   std::vector<std::vector<int>> rounds_; ///< the collapsed half-edges of every round
   double source_area_ = 0;
-  double area_scale_ = 1;
   double last_newton_ = 0;
 };
 

@@ -26,13 +26,13 @@ struct Partial_map {
 };
 
 /// How many steps of a loop are worth a task: of about a microsecond, and of a few nanoseconds.
-constexpr int few_steps = 64, many_steps = 2048;
+constexpr int few_steps = 32, many_steps = 512;
 
 /// Runs f(begin) ... f(end-1), in parallel if there are enough.
 template <int Enough = few_steps, class Loop, class F>
 void for_each_of_level(const Loop& loop, int begin, int end, F f)
 {
-  if(end - begin < 2 * Enough)
+  if(end - begin < 4 * Enough)
     Sequential_loop().for_each(end - begin, [&](int i) { f(begin + i); });
   else
     for_each_part<Enough>(loop, end - begin, [&](int first, int last) {
@@ -41,16 +41,21 @@ void for_each_of_level(const Loop& loop, int begin, int end, F f)
     });
 }
 
-/// The sum of f(0) ... f(n-1), the same for any number of threads.
+/// The sum of f(begin) ... f(end-1), the same for any number of threads.
 template <int Enough = few_steps, class Loop, class F>
-double sum_over_level(const Loop& loop, int n, F f)
+double sum_over_level(const Loop& loop, int begin, int end, F f)
 {
-  constexpr int part = 8 * Enough;
+  if(end - begin < 4 * Enough) {
+    double sum = 0;
+    for(int i = begin; i < end; ++i)
+      sum += f(i);
+    return sum;
+  }
   double total = 0;
-  for(double s : results_of_parts<part>(loop, n, [&](int begin, int end) {
+  for(double s : results_of_parts<Enough>(loop, end - begin, [&](int first, int last) {
         double sum = 0;
-        for(int i = begin; i < end; ++i)
-          sum += f(i);
+        for(int i = first; i < last; ++i)
+          sum += f(begin + i);
         return sum;
       }))
     total += s;
@@ -69,14 +74,23 @@ public:
     Face_metric metric; ///< of the source; the first corner is i
   };
 
+  /// Takes the memory for the whole mesh at once: levels grow, and new memory for each would cost more than what they
+  /// do.
+  explicit Map_level(int number_of_vertices) : index_(number_of_vertices)
+  {
+    vertex_.reserve(number_of_vertices);
+    offset_.reserve(number_of_vertices + 1);
+    corner_.reserve(6 * static_cast<std::size_t>(number_of_vertices) - 12);
+    position_.reserve(number_of_vertices);
+  }
+
   /// The areas of source faces are bounded relative to their mean, as if the whole surface had so many faces as the
   /// level.
   template <class Loop>
-  Map_level(const Loop& loop, const Progressive_mesh& mesh, const Host_array<vec3>& points, double source_area,
-            const Metric_bounds& bounds, const Partial_map& map)
+  void assign(const Loop& loop, const Progressive_mesh& mesh, const Host_array<vec3>& points, double source_area,
+              const Metric_bounds& bounds, const Partial_map& map)
   {
-    std::vector<int> index(mesh.capacity());
-    sort_by_colour(mesh, map, index);
+    sort_by_colour(loop, mesh, map);
     const int n = size();
     offset_.resize(n + 1);
     offset_[0] = 0;
@@ -85,13 +99,13 @@ public:
     corner_.resize(offset_[n]);
     position_.resize(n);
     const Metric_bounds absolute = {bounds.aspect, bounds.area * source_area / (2. * n - 4)};
-    for_each_of_level(loop, 0, n, [&](int i) {
+    for_each_vertex(loop, [&](int i) {
       int at = offset_[i];
       const vec3 p = points[vertex_[i]];
       position_[i] = map.position[vertex_[i]];
       mesh.for_each_corner(vertex_[i], [&](int c) {
         const int j = mesh.vertex(Progressive_mesh::next(c)), k = mesh.vertex(Progressive_mesh::previous(c));
-        corner_[at++] = {index[j], index[k], face_metric(sub(points[j], p), sub(points[k], p), absolute)};
+        corner_[at++] = {index_[j], index_[k], face_metric(sub(points[j], p), sub(points[k], p), absolute)};
       });
     });
     fit_scale(loop);
@@ -110,6 +124,33 @@ public:
   double area_scale() const { return area_scale_; }
   /// Of the source, scaled to the sphere
   double area() const { return area_; }
+
+  /// Runs f(i) for all vertices, colour by colour; those of a colour in parallel. All loops over a level are of this
+  /// kind, so that a thread finds in its cache what it wrote in the loop before.
+  template <int Enough = few_steps, class Loop, class F>
+  void for_each_vertex(const Loop& loop, F f) const
+  {
+    for(int colour = 0; colour < number_of_colours(); ++colour)
+      for_each_of_level<Enough>(loop, colour_begin_[colour], colour_begin_[colour + 1], f);
+  }
+
+  /// The same, last colour first.
+  template <int Enough = few_steps, class Loop, class F>
+  void for_each_vertex_backwards(const Loop& loop, F f) const
+  {
+    for(int colour = number_of_colours() - 1; colour >= 0; --colour)
+      for_each_of_level<Enough>(loop, colour_begin_[colour], colour_begin_[colour + 1], f);
+  }
+
+  /// Runs for_each_vertex(), and returns the sum of the f(i), which is the same for any number of threads.
+  template <int Enough = few_steps, class Loop, class F>
+  double sum_over_vertices(const Loop& loop, F f) const
+  {
+    double sum = 0;
+    for(int colour = 0; colour < number_of_colours(); ++colour)
+      sum += sum_over_level<Enough>(loop, colour_begin_[colour], colour_begin_[colour + 1], f);
+    return sum;
+  }
 
   Star_face star_face(const Corner& c) const
   {
@@ -152,36 +193,53 @@ public:
   template <class Loop>
   void store(const Loop& loop, Partial_map& map) const
   {
-    for_each_of_level(loop, 0, size(), [&](int i) { map.position[vertex_[i]] = position_[i]; });
+    for_each_vertex(loop, [&](int i) { map.position[vertex_[i]] = position_[i]; });
   }
 
 private:
-  void sort_by_colour(const Progressive_mesh& mesh, const Partial_map& map, std::vector<int>& index)
+  /// Counting sort, every part of the vertices for itself.
+  template <class Loop>
+  void sort_by_colour(const Loop& loop, const Progressive_mesh& mesh, const Partial_map& map)
   {
+    typedef std::vector<int> Of_colours;
+    const int n = mesh.capacity();
+    std::vector<Of_colours> begin_of_part = results_of_parts(loop, n, [&](int begin, int end) {
+      Of_colours count;
+      for(int v = begin; v < end; ++v)
+        if(!mesh.is_removed(v)) {
+          const std::size_t c = static_cast<std::size_t>(map.colour[v]);
+          if(count.size() <= c)
+            count.resize(c + 1, 0);
+          ++count[c];
+        }
+      return count;
+    });
     colour_begin_ = {0};
-    for(int v = 0; v < mesh.capacity(); ++v)
-      if(!mesh.is_removed(v)) {
-        const std::size_t c = static_cast<std::size_t>(map.colour[v]);
-        if(colour_begin_.size() < c + 2)
-          colour_begin_.resize(c + 2, 0);
-        ++colour_begin_[c + 1];
+    for(std::size_t c = 0, colours = 1; c < colours; ++c) {
+      int total = colour_begin_.back();
+      for(Of_colours& count : begin_of_part) {
+        colours = (std::max)(colours, count.size());
+        if(c < count.size())
+          total += std::exchange(count[c], total);
       }
-    for(std::size_t c = 1; c < colour_begin_.size(); ++c)
-      colour_begin_[c] += colour_begin_[c - 1];
-    std::vector<int> end(colour_begin_.begin(), colour_begin_.end() - 1);
+      colour_begin_.push_back(total);
+    }
     vertex_.resize(colour_begin_.back());
-    for(int v = 0; v < mesh.capacity(); ++v)
-      if(!mesh.is_removed(v)) {
-        index[v] = end[map.colour[v]]++;
-        vertex_[index[v]] = v;
-      }
+    for_each_part(loop, n, [&](int begin, int end) {
+      Of_colours& next = begin_of_part[begin / part_size];
+      for(int v = begin; v < end; ++v)
+        if(!mesh.is_removed(v)) {
+          index_[v] = next[map.colour[v]]++;
+          vertex_[index_[v]] = v;
+        }
+    });
   }
 
   /// f(x, face) summed over all faces, each from its smallest vertex.
   template <class Loop, class F>
   double sum_over_faces(const Loop& loop, F f) const
   {
-    return sum_over_level(loop, size(), [&](int i) {
+    return sum_over_vertices(loop, [&](int i) {
       double sum = 0;
       for(int c = offset_[i]; c < offset_[i + 1]; ++c)
         if(i < corner_[c].j && i < corner_[c].k)
@@ -195,13 +253,15 @@ private:
   template <class Loop>
   void fit_scale(const Loop& loop)
   {
+    area_scale_ = 1;
     const double source = sum_over_faces(loop, [](vec3, const Star_face& f) { return f.twice_area; });
     const double image = sum_over_faces(loop, [](vec3 x, const Star_face& f) { return f.determinant(x); });
     area_scale_ = image / source;
     area_ = image / 2;
   }
 
-  std::vector<int> vertex_; ///< number of vertex i in the whole mesh
+  Host_array<int> vertex_; ///< number of vertex i in the whole mesh
+  Host_array<int> index_;  ///< the inverse
   std::vector<int> colour_begin_;
   Host_array<int> offset_; ///< of the corners at vertex i, which are counterclockwise
   Host_array<Corner> corner_;

@@ -26,7 +26,8 @@ namespace internal {
 class Progressive_mesh {
 public:
   /// \pre closed, oriented, without double edges
-  Progressive_mesh(const Host_array<std::array<int, 3>>& faces, int number_of_vertices)
+  template <class Loop>
+  Progressive_mesh(const Loop& loop, const Host_array<std::array<int, 3>>& faces, int number_of_vertices)
     : vertex_(3 * faces.size()), opposite_(3 * faces.size()), corner_(number_of_vertices), degree_(number_of_vertices),
       number_of_vertices_(number_of_vertices)
   {
@@ -37,7 +38,7 @@ public:
         corner_[vertex_[c]] = c;
         ++degree_[vertex_[c]];
       }
-    link_opposite_corners();
+    link_opposite_corners(loop);
   }
 
   static int next(int c) { return c % 3 == 2 ? c - 2 : c + 1; }
@@ -102,6 +103,13 @@ public:
   /// \pre is_collapsible(half_edge)
   void collapse(int half_edge)
   {
+    collapse_uncounted(half_edge);
+    count_collapses(1);
+  }
+
+  /// The same for several threads at once, which touch no common vertex; to be followed by count_collapses().
+  void collapse_uncounted(int half_edge)
+  {
     const Diamond d = diamond(half_edge);
     for(int c = next(d.left_of_u); c != d.u_right; c = rotated(c)) // while the links are still there
       vertex_[c] = d.v;
@@ -116,8 +124,8 @@ public:
     --degree_[d.left];
     --degree_[d.right];
     degree_[d.v] += degree_[d.u] - 4;
-    --number_of_vertices_;
   }
+  void count_collapses(int count) { number_of_vertices_ -= count; }
 
   /// Undoes collapses. \pre they do not touch each other's faces, and later ones that touch them are undone
   template <class Loop>
@@ -165,7 +173,8 @@ private:
     corner_[d.v] = next(half_edge);
   }
 
-  void link_opposite_corners()
+  template <class Loop>
+  void link_opposite_corners(const Loop& loop)
   {
     // Edges as (smaller end, larger end, corner), grouped by their smaller end.
     const int n = capacity(), m = static_cast<int>(vertex_.size());
@@ -178,14 +187,16 @@ private:
     std::vector<int> end(offset.begin(), offset.end() - 1);
     for(int c = 0; c < m; ++c)
       order[end[ends(c).first]++] = c;
-    for(int v = 0; v < n; ++v) {
-      const auto first = order.begin() + offset[v], last = order.begin() + offset[v + 1];
-      std::sort(first, last, [&](int a, int b) { return ends(a).second < ends(b).second; });
-      for(auto it = first; it != last; it += 2) {
-        opposite_[it[0]] = it[1];
-        opposite_[it[1]] = it[0];
+    for_each_part(loop, n, [&](int begin, int end) {
+      for(int v = begin; v < end; ++v) {
+        const auto first = order.begin() + offset[v], last = order.begin() + offset[v + 1];
+        std::sort(first, last, [&](int a, int b) { return ends(a).second < ends(b).second; });
+        for(auto it = first; it != last; it += 2) {
+          opposite_[it[0]] = it[1];
+          opposite_[it[1]] = it[0];
+        }
       }
-    }
+    });
   }
 
   Host_array<int> vertex_, opposite_;

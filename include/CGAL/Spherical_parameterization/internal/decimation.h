@@ -61,8 +61,8 @@ private:
 ///
 /// Cheap is what keeps the shape, the quality of the triangles, and small degrees: the map is optimised on the coarse
 /// meshes, and its distortion there has to be that of the fine one. A round takes the cheapest collapses that do not
-/// touch each other, one after the other; their costs are found in parallel. The result is the same for any number of
-/// threads.
+/// touch each other, one after the other: first those within broad bands of the surface, all bands at once, then those
+/// across their borders. The result is the same for any number of threads.
 template <class Loop>
 class Decimation {
 public:
@@ -90,22 +90,21 @@ public:
     std::vector<int> collapsed;
     while(mesh_.number_of_vertices() > 4 && collapsed.empty()) {
       update_costs();
-      const std::vector<Candidate> candidates = cheapest_candidates();
-      for(const auto& [cost, u] : candidates)
-        if(mesh_.number_of_vertices() - static_cast<int>(collapsed.size()) > 4 && is_independent(u)) {
-          if(mesh_.is_collapsible(best_[u].half_edge)) {
-            occupy(u);
-            collapsed.push_back(best_[u].half_edge);
-          } else // since an edge has come into being nearby
-            is_outdated_[u] = true;
-        }
-      if(candidates.empty()) { // all that is left has a high degree
+      const double bound = cost_bound();
+      std::vector<Band> bands(mesh_.capacity() / band_size + 1);
+      loop_.for_each(static_cast<int>(bands.size()), [&](int b) { select_within(b, bound, bands[b]); });
+      std::vector<int> across = select_across(bands);
+      loop_.for_each(static_cast<int>(bands.size()), [&](int b) { apply(bands[b].collapsed); });
+      apply(across);
+      for(const Band& b : bands)
+        collapsed.insert(collapsed.end(), b.collapsed.begin(), b.collapsed.end());
+      collapsed.insert(collapsed.end(), across.begin(), across.end());
+      mesh_.count_collapses(static_cast<int>(collapsed.size()));
+      if(collapsed.empty() && !has_candidates()) { // all that is left has a high degree
         maximum_degree_ *= 2;
         is_outdated_.assign(is_outdated_.size(), true);
       }
     }
-    for(int h : collapsed)
-      apply(h);
     return collapsed;
   }
 
@@ -117,7 +116,13 @@ private:
   };
 
   typedef std::pair<double, int> Candidate; ///< cost, vertex
-  static constexpr int steps_of_a_task = 256;
+  /// A part of the numbering of the vertices, which is breadth-first.
+  struct Band {
+    std::vector<int> collapsed;    ///< half-edges whose first vertices have stars within the band
+    std::vector<Candidate> across; ///< the cheap candidates whose stars reach beyond it
+  };
+
+  static constexpr int steps_of_a_task = 256, band_size = 4096;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr double length_weight = 1e-3; ///< of the squared length of the edge, times the area of the star
   static constexpr double aspect_scale2 = 25;   ///< an aspect ratio of 5 doubles the cost
@@ -227,18 +232,70 @@ private:
     });
   }
 
-  std::vector<Candidate> cheapest_candidates() const
+  /// What the dearest candidate of this round may cost, from a sample of all collapses. Infinite if there is none.
+  double cost_bound() const
+  {
+    constexpr std::size_t sample_size = 4096;
+    const std::size_t stride = remaining_.size() / sample_size + 1;
+    std::vector<double> sample;
+    for(std::size_t i = 0; i < remaining_.size(); i += stride)
+      if(best_[remaining_[i]].half_edge >= 0)
+        sample.push_back(best_[remaining_[i]].cost);
+    if(sample.empty())
+      return infinity;
+    const auto last = sample.begin() + static_cast<std::ptrdiff_t>(share_of_candidates * double(sample.size()));
+    std::nth_element(sample.begin(), last, sample.end());
+    return *last;
+  }
+
+  bool has_candidates() const
+  {
+    return std::any_of(remaining_.begin(), remaining_.end(), [&](int v) { return best_[v].half_edge >= 0; });
+  }
+
+  /// Selects among the vertices that cost no more than `bound`. Roles outside the band are neither read nor written.
+  void select_within(int number, double bound, Band& band)
+  {
+    const int begin = number * band_size, end = begin + band_size;
+    std::vector<Candidate> within;
+    for(auto it = std::lower_bound(remaining_.begin(), remaining_.end(), begin); it != remaining_.end() && *it < end;
+        ++it) {
+      const Collapse& best = best_[*it];
+      if(best.half_edge < 0 || best.cost > bound)
+        continue;
+      bool is_within = true;
+      mesh_.for_each_corner(*it, [&](int c) {
+        const int w = mesh_.vertex(Progressive_mesh::next(c));
+        is_within = is_within && begin <= w && w < end;
+      });
+      (is_within ? within : band.across).emplace_back(best.cost, *it);
+    }
+    band.collapsed = select(std::move(within));
+  }
+
+  std::vector<int> select_across(const std::vector<Band>& bands)
   {
     std::vector<Candidate> candidates;
-    for(int v : remaining_)
-      if(best_[v].half_edge >= 0)
-        candidates.emplace_back(best_[v].cost, v);
-    const auto middle =
-      candidates.begin() + static_cast<std::ptrdiff_t>(std::ceil(share_of_candidates * candidates.size()));
-    std::nth_element(candidates.begin(), middle, candidates.end());
-    candidates.erase(middle, candidates.end());
+    for(const Band& b : bands)
+      candidates.insert(candidates.end(), b.across.begin(), b.across.end());
+    return select(std::move(candidates));
+  }
+
+  /// Takes the collapses of independent candidates, the cheapest ones first. At least four vertices remain: each
+  /// collapse has two vertices for itself, and two neighbours that are in none.
+  std::vector<int> select(std::vector<Candidate> candidates)
+  {
     std::sort(candidates.begin(), candidates.end());
-    return candidates;
+    std::vector<int> collapsed;
+    for(const auto& [cost, u] : candidates)
+      if(is_independent(u)) {
+        if(mesh_.is_collapsible(best_[u].half_edge)) {
+          occupy(u);
+          collapsed.push_back(best_[u].half_edge);
+        } else // since an edge has come into being nearby
+          is_outdated_[u] = true;
+      }
+    return collapsed;
   }
 
   /// Whether the collapse of u neither touches a face of another one of this round nor can break its link condition,
@@ -260,18 +317,22 @@ private:
     role_[mesh_.vertex(Progressive_mesh::next(best_[u].half_edge))] = BUSY;
   }
 
-  void apply(int half_edge)
+  void apply(std::vector<int>& half_edges)
   {
-    const int u = mesh_.vertex(half_edge), v = mesh_.vertex(Progressive_mesh::next(half_edge));
-    mesh_.for_each_corner(u, [&](int c) {
-      const int w = mesh_.vertex(Progressive_mesh::next(c));
-      is_outdated_[w] = true;
-      role_[w] = FREE;
-    });
-    role_[u] = FREE;
-    best_[u] = Collapse();
-    quadric_[v].add(quadric_[u]);
-    mesh_.collapse(half_edge);
+    // in the order of the memory, now and when they are undone
+    std::sort(half_edges.begin(), half_edges.end(), [&](int g, int h) { return mesh_.vertex(g) < mesh_.vertex(h); });
+    for(int h : half_edges) {
+      const int u = mesh_.vertex(h), v = mesh_.vertex(Progressive_mesh::next(h));
+      mesh_.for_each_corner(u, [&](int c) {
+        const int w = mesh_.vertex(Progressive_mesh::next(c));
+        is_outdated_[w] = true;
+        role_[w] = FREE;
+      });
+      role_[u] = FREE;
+      best_[u] = Collapse();
+      quadric_[v].add(quadric_[u]);
+      mesh_.collapse_uncounted(h);
+    }
   }
 
   const Loop& loop_;

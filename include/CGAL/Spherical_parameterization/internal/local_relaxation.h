@@ -27,13 +27,11 @@ inline void relax_vertex(const Distortion& distortion, Map_level& level, int i)
     level.position()[i] = x;
 }
 
-/// One step for every vertex, colour by colour: a Gauss-Seidel sweep.
+/// One step for every vertex: a Gauss-Seidel sweep.
 template <class Loop>
 void relax_all(const Loop& loop, const Distortion& distortion, Map_level& level)
 {
-  for(int colour = 0; colour < level.number_of_colours(); ++colour)
-    for_each_of_level(loop, level.colour_begin(colour), level.colour_begin(colour + 1),
-                      [&](int i) { relax_vertex(distortion, level, i); });
+  level.for_each_vertex(loop, [&](int i) { relax_vertex(distortion, level, i); });
 }
 
 /// The vertices whose stars are distorted more than `factor` times as much as the map in the mean, and those up to
@@ -44,7 +42,7 @@ std::vector<int> distorted_regions(const Loop& loop, const Distortion& distortio
 {
   const double bound = factor * level.energy(loop, distortion);
   std::vector<char> is_distorted(level.size());
-  for_each_of_level(loop, 0, level.size(), [&](int i) {
+  level.for_each_vertex(loop, [&](int i) {
     Star star;
     level.gather(i, star);
     double area = 0;

@@ -135,39 +135,40 @@ private:
     return x;
   }
 
-  /// y = (I + L^T)^-1 x
-  void solve_upper(const Host_array<Planar>& x, Host_array<Planar>& y) const
+  /// y_i = x_i - (L y)_i, where y is known in smaller colours: a row of (I + L) y = x
+  Planar lower_row(int i, Planar x, const Host_array<Planar>& y) const
   {
-    for(int colour = level_.number_of_colours() - 1; colour >= 0; --colour)
-      for_each_of_level<many_steps>(loop_, level_.colour_begin(colour), level_.colour_begin(colour + 1),
-                                    [&](int i) { y[i] = reduced(x[i], middle_[i], level_.offset(i + 1), y); });
+    return reduced(x, level_.offset(i), middle_[i], y);
   }
 
-  /// y = (I + L)^-1 x
+  /// y = (I + L^T)^-1 x; x(i) is called once for each i.
   template <class X>
-  void solve_lower(X x, Host_array<Planar>& y) const
+  void solve_upper(X x, Host_array<Planar>& y) const
   {
-    for(int colour = 0; colour < level_.number_of_colours(); ++colour)
-      for_each_of_level<many_steps>(loop_, level_.colour_begin(colour), level_.colour_begin(colour + 1),
-                                    [&](int i) { y[i] = reduced(x(i), level_.offset(i), middle_[i], y); });
+    level_.for_each_vertex_backwards<many_steps>(
+      loop_, [&](int i) { y[i] = reduced(x(i), middle_[i], level_.offset(i + 1), y); });
   }
 
   /// The approximate Newton direction, as far as the matrix is positive.
   std::vector<vec3> solve(int maximum_iterations, double tolerance)
   {
     const int n = level_.size();
-    Host_array<Planar> x(n, Planar{0, 0}), r(n), p, t(n), w(n);
-    solve_lower([&](int i) { return Planar{-gradient_[i].s, -gradient_[i].t}; }, r);
-    p = r;
+    Host_array<Planar> x(n, Planar{0, 0}), r(n), p(n, Planar{0, 0}), t(n), w(n);
     const auto square = [](Planar a) { return a.s * a.s + a.t * a.t; };
-    double rr = sum_over_level<many_steps>(loop_, n, [&](int i) { return square(r[i]); });
+    double rr = level_.sum_over_vertices<many_steps>(loop_, [&](int i) {
+      r[i] = lower_row(i, {-gradient_[i].s, -gradient_[i].t}, r);
+      return square(r[i]);
+    });
     const double goal = tolerance * tolerance * rr;
+    double beta = 0;
     is_indefinite_ = false;
     for(int it = 0; it < maximum_iterations && rr > goal; ++it) {
-      solve_upper(p, t);
-      solve_lower([&](int i) { return Planar{p[i].s - t[i].s, p[i].t - t[i].t}; }, w);
-      const double pq = sum_over_level<many_steps>(
-        loop_, n, [&](int i) { return p[i].s * (t[i].s + w[i].s) + p[i].t * (t[i].t + w[i].t); });
+      const auto next_p = [&](int i) { return p[i] = {r[i].s + beta * p[i].s, r[i].t + beta * p[i].t}; };
+      solve_upper(next_p, t);
+      const double pq = level_.sum_over_vertices<many_steps>(loop_, [&](int i) {
+        w[i] = lower_row(i, {p[i].s - t[i].s, p[i].t - t[i].t}, w);
+        return p[i].s * (t[i].s + w[i].s) + p[i].t * (t[i].t + w[i].t);
+      });
       if(!(pq > 0)) {
         is_indefinite_ = true;
         if(it == 0)
@@ -175,24 +176,21 @@ private:
         break;
       }
       const double alpha = rr / pq;
-      const double next = sum_over_level<many_steps>(loop_, n, [&](int i) {
+      const double next = level_.sum_over_vertices<many_steps>(loop_, [&](int i) {
         x[i] = {x[i].s + alpha * p[i].s, x[i].t + alpha * p[i].t};
         r[i] = {r[i].s - alpha * (t[i].s + w[i].s), r[i].t - alpha * (t[i].t + w[i].t)};
         return square(r[i]);
       });
-      const double beta = next / rr;
+      beta = next / rr;
       rr = next;
-      for_each_of_level<many_steps>(loop_, 0, n, [&](int i) {
-        p[i] = {r[i].s + beta * p[i].s, r[i].t + beta * p[i].t};
-      });
     }
-    solve_upper(x, t);
+    solve_upper([&](int i) { return x[i]; }, t);
     std::vector<vec3> direction(n);
-    for_each_of_level<many_steps>(
-      loop_, 0, n, [&](int i) { direction[i] = add_scaled(scale(t[i].s, tangents_[i].s), t[i].t, tangents_[i].t); });
-    slope_ =
-      sum_over_level<many_steps>(loop_, n, [&](int i) { return gradient_[i].s * t[i].s + gradient_[i].t * t[i].t; }) /
-      level_.area();
+    level_.for_each_vertex<many_steps>(
+      loop_, [&](int i) { direction[i] = add_scaled(scale(t[i].s, tangents_[i].s), t[i].t, tangents_[i].t); });
+    slope_ = level_.sum_over_vertices<many_steps>(loop_, [&](int i) {
+      return gradient_[i].s * t[i].s + gradient_[i].t * t[i].t;
+    }) / level_.area();
     return direction;
   }
 
@@ -235,8 +233,7 @@ private:
       return 0;
     const Host_array<vec3> start = level_.position();
     const auto energy_at = [&](double t) {
-      for_each_of_level(loop_, 0, level_.size(),
-                        [&](int i) { level_.position()[i] = unit(add_scaled(start[i], t, direction[i])); });
+      level_.for_each_vertex(loop_, [&](int i) { level_.position()[i] = unit(add_scaled(start[i], t, direction[i])); });
       return level_.energy(loop_, distortion_);
     };
     double t = feasible_step(direction);

@@ -48,7 +48,8 @@ public:
   /// What `locate()` returns.
   typedef Spherical_parameterization::Face_location<TriangleMesh> Face_location;
 
-  /// \param mesh        a closed triangle mesh; must outlive the locator
+  /// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`; must outlive the
+  ///                    locator
   /// \param sphere_map  readable, key vertex_descriptor, value unit vectors
   /// \throws std::invalid_argument if the map is not valid: there are flipped faces, or its degree is not 1; or if the
   ///         mesh is not closed, or has an isolated vertex

@@ -84,7 +84,7 @@ namespace Spherical_parameterization {
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_iterations}
 ///     \cgalParamDescription{the most iterations; see the method}
-///     \cgalParamType{an integer}
+///     \cgalParamType{an integer that is not negative}
 ///     \cgalParamDefault{the method's `default_number_of_iterations`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_running_time}

@@ -144,7 +144,7 @@ private:
       return static_cast<std::size_t>(std::distance(range.begin(), range.end()));
     };
     const std::size_t vertex_count = size(vertices(mesh)), face_count = size(faces(mesh));
-    if(vertex_count > limit || face_count > limit / 3)
+    if(vertex_count >= limit || face_count > limit / 3)
       throw Failure{Error_code::TOO_LARGE, std::to_string(vertex_count) + " vertices and " +
                                              std::to_string(face_count) +
                                              " faces; at most 715,827,882 faces are supported"};

@@ -24,9 +24,9 @@
 #include <CGAL/property_map.h>
 #include <CGAL/tags.h>
 
+#include <cstddef>
 #include <functional>
 #include <limits>
-#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>

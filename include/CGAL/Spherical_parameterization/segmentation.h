@@ -31,10 +31,8 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <string>
 #include <unordered_map>
 #include <utility>

@@ -20,11 +20,11 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <cstddef>
 #include <iterator>
 #include <limits>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL {

@@ -15,6 +15,7 @@
 #include <CGAL/Spherical_parameterization/internal/twins.h>
 
 #include <cmath>
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <vector>

@@ -61,7 +61,7 @@ Descriptor_values first_version(const Mesh& mesh, Sphere_map sphere)
     for(Discrete_surface::Matrix::InnerIterator entry(surface.laplacian(), i); entry; ++entry)
       visit(static_cast<int>(entry.row()));
   });
-  basins.resize(limbs, {0, 0});
+  basins.resize(limbs, {0, 0, 0});
   std::vector<double> masses;
   for(const auto& basin : basins) {
     values.push_back(std::sqrt(basin.persistence) / SP::internal::limb_unit);

@@ -29,6 +29,7 @@ configure_file(cmake/package.pc.in cgal-spherical-parameterization.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/cgal-spherical-parameterization.pc DESTINATION ${pc_folder})
 
 install(FILES README.md CHANGELOG.md CITATION.cff LICENSE LICENSE.GPL DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY ${PROJECT_BINARY_DIR}/doc/html DESTINATION ${CMAKE_INSTALL_DOCDIR} OPTIONAL) # if the target doc is built
 if(CGAL_SP_WITH_TOOL)
   install(TARGETS spherical-parameterization)
   install(FILES doc/man/spherical-parameterization.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)

@@ -97,7 +97,7 @@ void map(const Map_options& options, Mapped_mesh& input, Report& report)
   Atomic_file sphere_file(options.output);
   const auto stretch_file = options.stretch_ply.empty() ? nullptr : std::make_unique<Atomic_file>(options.stretch_ply);
   if(!options.report.empty())
-    Atomic_file(options.report);
+    Atomic_file(options.report); // it is written at the end, also if there is no map
   map_input(options, input);
 
   if(!options.report.empty()) {

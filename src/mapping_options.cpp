@@ -24,7 +24,7 @@ using CGAL::Spherical_parameterization::Balanced;
 using CGAL::Spherical_parameterization::Isometric;
 using CGAL::Spherical_parameterization::Saddle_point;
 
-/// " [balanced 5e-09, saddle-point 1e-07, isometric 0.0001]"
+/// " [balanced 5e-09, saddle-point 1e-07, isometric 0.0005]"
 template <class Number>
 std::string defaults(Number balanced, Number saddle_point, Number isometric)
 {
@@ -62,9 +62,9 @@ void check_method(const Mapping_options& options)
   require(!options.relaxation || (*options.relaxation > 0 && *options.relaxation < largest_relaxation), "--relaxation",
           "must be in (0,1) with the Jacobi splitting and in (0,2) with the Gauss-Seidel splitting");
   require(!options.spring_exponent || (*options.spring_exponent >= 2 && *options.spring_exponent < 1e3),
-          "--spring-exponent", "must be at least 2");
+          "--spring-exponent", "must be in [2,1000)");
   require(!options.area_exponent || (*options.area_exponent >= 0 && *options.area_exponent < 1e3), "--area-exponent",
-          "must not be negative");
+          "must be in [0,1000)");
   require(options.check_interval.value_or(1) > 0, "--check-interval", "must be positive");
 }
 

@@ -26,6 +26,8 @@ void check_file(const std::string& file)
   const auto refuse = [&file](const std::string& wrong, const std::string& remedy) {
     throw Refusal(unreadable_file, file, wrong, remedy);
   };
+  if(status.type() == fs::file_type::none)
+    refuse("cannot be read (" + error.message() + ")", "check its permissions and those of its folder");
   if(status.type() == fs::file_type::not_found)
     refuse("does not exist", "check the name");
   if(status.type() == fs::file_type::directory)

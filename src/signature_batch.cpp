@@ -47,9 +47,11 @@ void compute_missing(const std::vector<std::string>& meshes, Signature_workers& 
 
 } // namespace
 
+std::string journal_of(const std::string& output) { return output + ".journal"; }
+
 Batch_summary run_batch(const std::vector<std::string>& meshes, const std::string& output, Signature_workers& workers)
 {
-  Journal journal(output + ".journal", index_header(), name_of_line);
+  Journal journal(journal_of(output), index_header(), name_of_line);
   Batch_summary summary;
   summary.meshes = meshes.size();
   for(const std::string& mesh : meshes)

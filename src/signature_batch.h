@@ -18,8 +18,11 @@ struct Batch_summary {
   std::vector<std::string> without_signature; ///< why, one line each
 };
 
-/// Writes the index of `meshes` to `output`, in their order. What is done is kept in the journal `output`.journal as
-/// long as not all is: a batch that was stopped, however, goes on where it was, and ends with the same bytes.
+/// Where a batch that writes to `output` keeps what is done.
+std::string journal_of(const std::string& output);
+
+/// Writes the index of `meshes` to `output`, in their order. What is done is kept in a journal as long as not all is: a
+/// batch that was stopped, however, goes on where it was, and ends with the same bytes.
 /// Throws a `Refusal`, also when interrupted.
 Batch_summary run_batch(const std::vector<std::string>& meshes, const std::string& output, Signature_workers& workers);
 

@@ -4,10 +4,12 @@
 #include "signature_command.h"
 
 #include "interruption.h"
+#include "mesh_io.h"
 #include "mesh_list.h"
 #include "mpi_workers.h"
 #include "refusal.h"
 #include "signature_batch.h"
+#include "usage.h"
 
 #include <CLI/CLI.hpp>
 
@@ -33,6 +35,16 @@ struct Signature_options {
 int default_jobs()
 {
   return is_launched_by_mpi() ? 1 : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+}
+
+/// The index must not take the place of what it is made of.
+void check(const Signature_options& options)
+{
+  if(options.inputs.empty() && options.list.empty())
+    throw CLI::RequiredError("IN or --list");
+  require(!is_mesh_file(options.output), "--output",
+          "'" + options.output + "' has the extension of a mesh; the index is a CSV file");
+  check_files({{"--list", options.list}}, {{"--output", options.output}, {"the journal", journal_of(options.output)}});
 }
 
 int batch(const Signature_options& options, Signature_workers& workers)
@@ -91,8 +103,7 @@ void add_signature_command(CLI::App& app, int& exit_code)
                   "Exit code: 0 the index has been written, 1 not, or it has no signature (the reason is on stderr),\n"
                   "2 wrong usage.");
   command->callback([options, &exit_code] {
-    if(options->inputs.empty() && options->list.empty())
-      throw CLI::RequiredError("IN or --list");
+    check(*options);
     exit_code = run(*options);
   });
 }

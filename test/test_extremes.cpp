@@ -186,6 +186,63 @@ TEST_CASE("extremes: right angles everywhere", "[extremes]")
   check_all_methods(tree(2));
 }
 
+TEST_CASE("extremes: weights in any unit are the same map", "[extremes]")
+{
+  const Mesh mesh = make_mesh(bumpy_sphere(3));
+  const int exponent = GENERATE(-1070, -600, 600, 1000);
+  CAPTURE(exponent);
+  for(const Named_method& m : methods()) {
+    CAPTURE(m.name);
+    Settings settings;
+    settings.method = m.method;
+    settings.weights = Weights::BARYCENTRIC;
+    settings.number_of_iterations = 5;
+    Sphere sphere, of_scaled;
+    const Result result = solve(mesh, sphere, settings);
+    for(std::size_t e = 0; e < mesh.number_of_edges(); ++e)
+      settings.weight_of_edge[e] = std::ldexp(1., exponent);
+    const Result scaled = solve(mesh, of_scaled, settings);
+    CHECK(sphere == of_scaled);
+    CHECK(scaled.error == result.error);
+    CHECK(scaled.residual == result.residual);
+    if(exponent > -1000 && scaled.method != "isometric") // denormal numbers are rounded
+      CHECK(scaled.energy == std::ldexp(result.energy, exponent));
+  }
+}
+
+TEST_CASE("extremes: no face with three different vertices", "[extremes]")
+{
+  // two triangles, each with two sides glued to each other: cones over a loop, along which they meet
+  Mesh mesh;
+  const auto a = mesh.add_vertex(Point(1, 0, 0)), o = mesh.add_vertex(Point(0, 1, 0)),
+             b = mesh.add_vertex(Point(0, 0, 1));
+  const auto loop = mesh.add_edge();
+  for(const auto& [side, apex] : {std::pair(loop, a), std::pair(mesh.opposite(loop), b)}) {
+    const auto seam = mesh.add_edge(), back = mesh.opposite(seam);
+    const auto face = mesh.add_face();
+    mesh.set_target(side, o);
+    mesh.set_target(seam, apex);
+    mesh.set_target(back, o);
+    for(const auto& [h, next] : {std::pair(side, seam), std::pair(seam, back), std::pair(back, side)}) {
+      mesh.set_next(h, next);
+      mesh.set_face(h, face);
+    }
+    mesh.set_halfedge(face, side);
+    mesh.set_halfedge(apex, seam);
+  }
+  mesh.set_halfedge(o, loop);
+  REQUIRE(mesh.is_valid());
+  for(const Named_method& m : methods()) {
+    CAPTURE(m.name);
+    Settings settings;
+    settings.method = m.method;
+    Sphere sphere;
+    const Result result = solve(mesh, sphere, settings);
+    CHECK_FALSE(bool(result));
+    CHECK(!result.detail.empty());
+  }
+}
+
 TEST_CASE("extremes: vertices of all degrees", "[extremes]")
 {
   const int degree = GENERATE(3, 4, 10, 100, 1000);

@@ -9,6 +9,7 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Spherical_parameterization/locate.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 
 #include <catch2/catch.hpp>
 
@@ -214,4 +215,13 @@ TEST_CASE("locating: what is no direction, and what is no map", "[locate]")
                        }).points;
   const Mesh fine_mesh = make_mesh(fine);
   CHECK_THROWS_AS(make_locator(fine_mesh, twice), std::invalid_argument);
+
+  // a hole so small that the degree does not tell, and a vertex without faces
+  Mesh open = make_mesh(fine);
+  CGAL::Euler::remove_face(open.halfedge(Mesh::Face_index(7)), open);
+  CHECK_THROWS_AS(make_locator(open, fine.points), std::invalid_argument);
+  Soup with_isolated = fine;
+  with_isolated.points.push_back(Point(0, 0, 1));
+  const Mesh isolated = make_mesh(with_isolated);
+  CHECK_THROWS_AS(make_locator(isolated, with_isolated.points), std::invalid_argument);
 }

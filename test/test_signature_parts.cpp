@@ -97,7 +97,7 @@ TEST_CASE("discrete surface: harmonics of the sphere", "[signature]")
   }
   // z is an eigenfunction, of the eigenvalue 2
   CHECK((surface.laplacian() * z - 2 * surface.mass().cwiseProduct(z)).norm() < 0.01 * surface.mass().norm());
-  Discrete_surface::Vector x = solve_poisson(surface, 2 * surface.mass().cwiseProduct(z));
+  Discrete_surface::Vector x = Surface_solver(surface)(2 * surface.mass().cwiseProduct(z));
   x.array() -= x.mean();
   CHECK((x - z).cwiseAbs().maxCoeff() < 0.01);
   CHECK((smoothed(surface, z, 0.5) - z / 2).cwiseAbs().maxCoeff() < 0.01); // 1 / (1 + 2 t)
@@ -109,7 +109,7 @@ TEST_CASE("discrete surface: large ones are solved as accurately as small ones",
   const Discrete_surface surface(triangulation_of(bumpy_sphere(7)));
   REQUIRE(surface.size() > 100000); // by multigrid
   const Discrete_surface::Vector b = surface.mass() - surface.defect();
-  CHECK((surface.laplacian() * solve_poisson(surface, b) - b).norm() < 1e-6 * b.norm());
+  CHECK((surface.laplacian() * Surface_solver(surface)(b) - b).norm() < 1e-6 * b.norm());
 }
 
 TEST_CASE("midpoint refinement: the same surface in four times as many faces", "[signature]")
@@ -168,12 +168,16 @@ TEST_CASE("persistence of a function on a path", "[signature]")
       visit(i + 1);
   });
   REQUIRE(found.size() == 4);
+  CHECK(found[0].minimum == 0);
   CHECK(found[0].persistence == 5); // the range, and all mass
   CHECK(found[0].mass == 7);
+  CHECK(found[1].minimum == 4);
   CHECK(found[1].persistence == 3); // 2, meets 0 at 5
   CHECK(found[1].mass == 3);
+  CHECK(found[2].minimum == 2);
   CHECK(found[2].persistence == 2); // 1, meets 0 at 3
   CHECK(found[2].mass == 1);
+  CHECK(found[3].minimum == 6);
   CHECK(found[3].persistence == 0.5); // 3.5, meets 2 at 4
   CHECK(found[3].mass == 1);
 }
@@ -220,4 +224,13 @@ TEST_CASE("stretch histogram: counts what log_area_stretch() says", "[signature]
   options.low = 2; // outside: the first bin
   options.high = 3;
   CHECK(SP::stretch_histogram(mesh, mesh.points(), options) == std::vector<double>{1, 0, 0});
+
+  // however large the mesh is
+  for(const double scale : {1e-200, 1e200}) {
+    const Mesh scaled = make_mesh(
+      transformed(icosphere(4), [&](const Point& p) { return Point(scale * p.x(), scale * p.y(), scale * p.z()); }));
+    CHECK(SP::stretch_histogram(scaled, mesh.points(), options) == std::vector<double>{1, 0, 0});
+  }
+  const Mesh point = make_mesh(one_point(2));
+  CHECK_THROWS_AS(SP::stretch_histogram(point, mesh.points(), options), std::invalid_argument);
 }

@@ -6,7 +6,12 @@
 #include "helpers/tool.h"
 
 #include <chrono>
+#include <cstdint>
+#include <iostream>
 #include <set>
+#include <utility>
+
+#include <sys/mount.h>
 
 using namespace test;
 
@@ -146,6 +151,124 @@ TEST_CASE("faults: a folder that does not exist, and a folder in the place of a 
       remove_outputs(scratch, command);
       CHECK(files_in(scratch.folder()) == before);
     }
+}
+
+namespace {
+
+/// A disk of its own in the place of a folder, if we may.
+class Small_disk {
+public:
+  Small_disk(std::string folder, const std::string& size)
+    : folder_(std::move(folder)), is_there_(mount("tmpfs", folder_.c_str(), "tmpfs", 0, ("size=" + size).c_str()) == 0)
+  {}
+  ~Small_disk()
+  {
+    if(is_there_)
+      umount(folder_.c_str());
+  }
+  Small_disk(const Small_disk&) = delete;
+  Small_disk& operator=(const Small_disk&) = delete;
+
+  bool is_there() const { return is_there_; }
+
+  /// Fills it but for so many bytes, or a few more.
+  void leave(std::uintmax_t bytes) const
+  {
+    const std::string filler = folder_ + "/filler";
+    write_text(filler, "");
+    write_text(filler, std::string(fs::space(folder_).available - bytes, 'x'));
+  }
+
+private:
+  std::string folder_;
+  bool is_there_;
+};
+
+} // namespace
+
+TEST_CASE("faults: a disk that is full, and not only for one file", "[tool][faults]")
+{
+  Scratch scratch;
+  const Small_disk disk(scratch.folder(), "16m");
+  if(!disk.is_there()) {
+    std::cout << "SKIPPED: this user may not mount a tmpfs" << std::endl;
+    return;
+  }
+  const std::string input = prepare(scratch);
+  for(const Command& command : commands(scratch, input)) {
+    CAPTURE(command.arguments);
+    REQUIRE(run_tool(command.arguments).exit_code == 0);
+    std::uintmax_t all = 0;
+    for(const std::string& output : command.outputs)
+      all += fs::file_size(scratch / output);
+    remove_outputs(scratch, command);
+    for(const std::uintmax_t space : {std::uintmax_t(0), all / 2}) {
+      CAPTURE(space);
+      disk.leave(space);
+      const auto before = files_in(scratch.folder());
+      const Process_result run = run_tool(command.arguments);
+      check_failed(run, scratch, before);
+      CHECK(run.err.find("No space left on device") != std::string::npos);
+      fs::remove(scratch / "filler");
+      remove_outputs(scratch, command);
+    }
+  }
+}
+
+TEST_CASE("faults: folders and files that one may not write or read", "[tool][faults]")
+{
+  Scratch scratch;
+  const std::string input = prepare(scratch);
+  Process_options options;
+  options.as_nobody = true;
+  if(run_tool({"--version"}, options).exit_code != 0) {
+    std::cout << "SKIPPED: the user nobody may not run the tool where it is" << std::endl;
+    return;
+  }
+  fs::create_directory(scratch / "closed");
+  fs::copy(input, scratch / "closed/in.off");
+  fs::permissions(scratch / "closed", fs::perms::none);
+  fs::copy(input, scratch / "unreadable.off");
+  fs::permissions(scratch / "unreadable.off", fs::perms::none);
+  const auto before = files_in(scratch.folder());
+  for(const char* file : {"closed/in.off", "unreadable.off"}) {
+    const Process_result run = run_tool({"map", scratch / file, "-o", scratch / "out.off"}, options);
+    check_failed(run, scratch, before);
+    CHECK(run.err.find("permissions") != std::string::npos);
+  }
+  fs::permissions(scratch.folder(),
+                  fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_read | fs::perms::others_exec);
+  for(const Command& command : commands(scratch, input)) {
+    CAPTURE(command.arguments);
+    const Process_result run = run_tool(command.arguments, options);
+    check_failed(run, scratch, before);
+    CHECK(run.err.find("Permission denied") != std::string::npos);
+  }
+  for(const std::string& path : {scratch.folder(), scratch / "closed"})
+    fs::permissions(path, fs::perms::owner_all);
+}
+
+TEST_CASE("faults: a batch goes on with the threads it can have", "[tool][faults]")
+{
+  Scratch scratch;
+  for(int i = 0; i < 5; ++i)
+    write_off(scratch / ("in_" + std::to_string(i) + ".off"), spiky_star(3, 1 + i));
+  REQUIRE(run_tool({"signature", scratch.folder(), "-o", scratch / "expected.csv", "-j", "1"}).exit_code == 0);
+  constexpr long gibi = 1 << 30;
+  Process_options options;
+  options.address_space = 4 * gibi;
+  options.stack = gibi; // so that there is room for two or three
+  const Process_result run =
+    run_tool({"signature", scratch.folder(), "-o", scratch / "index.csv", "-j", "64"}, options);
+  CAPTURE(run.err);
+  CHECK(run.exit_code == 0);
+  CHECK(text_of(scratch / "index.csv") == text_of(scratch / "expected.csv"));
+
+  fs::remove(scratch / "index.csv");
+  const auto before = files_in(scratch.folder());
+  options.stack = 8 * gibi; // and for none
+  check_failed(run_tool({"signature", scratch.folder(), "-o", scratch / "index.csv", "-j", "64"}, options), scratch,
+               before);
 }
 
 TEST_CASE("faults: too little memory is said in one line, whenever it is missing", "[tool][faults]")

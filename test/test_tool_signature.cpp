@@ -247,6 +247,12 @@ TEST_CASE("signature: wrong usage, and outputs that cannot be written", "[tool][
   CHECK(run_tool({"signature", input}).exit_code == 2);
   CHECK(run_tool({"signature", "-o", scratch / "out.csv"}).exit_code == 2);
   CHECK(run_tool({"signature", input, "-o", scratch / "out.csv", "--jobs", "0"}).exit_code == 2);
+  // an index in the place of what it is made of
+  CHECK(run_tool({"signature", input, "-o", input}).exit_code == 2);
+  CHECK(run_tool({"signature", scratch.folder(), "-o", input}).exit_code == 2);
+  write_text(scratch / "list.txt", input + '\n');
+  CHECK(run_tool({"signature", "--list", scratch / "list.txt", "-o", scratch / "list.txt"}).exit_code == 2);
+  CHECK(text_of(scratch / "list.txt") == input + '\n');
   CHECK(run_tool({"signature", input, "-o", scratch / "no/such/folder.csv"}).exit_code == 1);
   CHECK(run_tool({"signature", scratch.folder() + "/", "-o", scratch / "out.csv"}).exit_code == 0);
   fs::create_directories(scratch / "empty");

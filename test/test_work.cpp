@@ -6,7 +6,11 @@
 #include "helpers/check.h"
 #include "helpers/meshes.h"
 
+#include <CGAL/Spherical_parameterization/internal/Multigrid.h>
+
 #include <catch2/catch.hpp>
+
+#include <memory>
 
 using namespace test;
 
@@ -40,4 +44,36 @@ TEST_CASE("work: it grows like the mesh, and no faster")
   CHECK(barycentric < bound);
   CHECK(conformal < growth * counted_sweeps(small, SP::conformal_weights(small)));
   CHECK(barycentric < growth * counted_sweeps(small, SP::barycentric_weights(small)));
+}
+
+TEST_CASE("work: every level of a hierarchy is smaller than the one before, also where hardly anything is coupled")
+{
+  using namespace SP::internal;
+  const double coupling = GENERATE(1., 0.1, 0.03, 0.01, 1e-3, 1e-6, 1e-300);
+  CAPTURE(coupling);
+  constexpr int size = 1000;
+  const auto chain = std::make_shared<Weighted_graph>();
+  for(int i = 0; i < size; ++i) {
+    for(const int neighbour : {i - 1, i + 1})
+      if(neighbour >= 0 && neighbour < size) {
+        chain->target.push_back(neighbour);
+        chain->weight.push_back(coupling);
+      }
+    chain->offset.push_back(static_cast<int>(chain->target.size()));
+    chain->excess.push_back(1);
+  }
+  chain->update_diagonal({});
+  typedef Backend<CGAL::Sequential_tag> Host;
+  const Host host{CGAL::Sequential_tag()};
+  Multigrid<Host> multigrid(host, chain);
+  for(std::size_t k = 0; k + 1 < multigrid.number_of_levels(); ++k)
+    CHECK(multigrid.size(k + 1) <= 0.9 * multigrid.size(k));
+
+  // one cycle solves the system to a third and better
+  Host_array<vec3> b(size), x(size), r(size);
+  for(int i = 0; i < size; ++i)
+    b[i] = make_vec3(std::sin(i), i % 7, 1);
+  multigrid.apply(0, b, x);
+  host.residual(multigrid.matrix(0), b, x, r);
+  CHECK(host.dot(r, r) < host.dot(b, b) / 9);
 }

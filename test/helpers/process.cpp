@@ -10,6 +10,7 @@
 #include <thread>
 
 #include <fcntl.h>
+#include <grp.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -43,6 +44,13 @@ void limit(decltype(RLIMIT_AS) resource, long value)
     _exit(125);
 }
 
+void become_nobody()
+{
+  constexpr uid_t nobody = 65534;
+  if(geteuid() == 0 && (setgroups(0, nullptr) != 0 || setgid(nobody) != 0 || setuid(nobody) != 0))
+    _exit(125);
+}
+
 } // namespace
 
 Process_result run_process(const std::vector<std::string>& command, const Process_options& options)
@@ -73,6 +81,9 @@ Process_result run_process(const std::vector<std::string>& command, const Proces
       _exit(126);
     limit(RLIMIT_FSIZE, options.largest_file);
     limit(RLIMIT_AS, options.address_space);
+    limit(RLIMIT_STACK, options.stack);
+    if(options.as_nobody)
+      become_nobody();
     dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
     dup2(fileno(out.file), STDOUT_FILENO);
     dup2(fileno(err.file), STDERR_FILENO);

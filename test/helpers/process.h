@@ -20,6 +20,8 @@ struct Process_options {
   int interrupt_after = 0;     ///< milliseconds until SIGINT is sent; 0: never
   long largest_file = 0;       ///< bytes that can be written to a file, as if the disk were full then; 0: no limit
   long address_space = 0;      ///< bytes of memory that can be had; 0: no limit
+  long stack = 0;              ///< bytes of it that every thread takes; 0: as usual
+  bool as_nobody = false;      ///< whether root runs it as a user who is not
   std::string directory = "."; ///< where it runs
   std::function<void(int pid)> meanwhile = [](int) {}; ///< called while it runs
 };

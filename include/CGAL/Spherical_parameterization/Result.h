@@ -30,7 +30,7 @@ enum class Error_code {
   NON_FINITE_COORDINATE,    ///< NaN or infinity in a point
   DEGENERATE_FACE,          ///< a face without area, where the weights need one
   BAD_WEIGHT,               ///< an edge weight that is not positive and finite
-  BAD_CONSTRAINTS,          ///< one or two fixed vertices, coincident ones, or a position that is no direction
+  BAD_CONSTRAINTS,          ///< one or two fixed vertices, coincident ones, no direction; or a method that keeps none
   NOT_CONVERGED,            ///< the residual did not reach the accuracy
   INTERRUPTED,              ///< stopped by the callback or the time limit; the best map so far is handed over
   NOT_BIJECTIVE             ///< converged, but faces are flipped or the degree is not 1

@@ -58,7 +58,7 @@ public:
   typedef boost::readable_property_map_tag category;
   /// \endcond
 
-  /// \param mesh           must outlive the map
+  /// \param mesh           a triangle mesh, a model of `HalfedgeGraph`; must outlive the map
   /// \param points         readable, key vertex_descriptor, value with x(), y(), z()
   /// \param minimum_angle  of the clamping, in degrees
   /// \param maximum_angle  of the clamping, in degrees
@@ -116,7 +116,7 @@ public:
   typedef boost::readable_property_map_tag category;
   /// \endcond
 
-  /// \param mesh    must outlive the map
+  /// \param mesh    a triangle mesh, a model of `HalfedgeGraph`; must outlive the map
   /// \param points  readable, key vertex_descriptor, value with x(), y(), z()
   Mean_value_weight_map(const TriangleMesh& mesh, VertexPointMap points) : mesh_(&mesh), points_(points) {}
 
@@ -167,11 +167,12 @@ Barycentric_weight_map<TriangleMesh> barycentric_weights(const TriangleMesh&)
 }
 
 /// Clamped cotangent weights, the default of `parameterize()`.
-/// \param mesh           must outlive the map
-/// \param minimum_angle  of the clamping, in degrees; above 0
-/// \param maximum_angle  of the clamping, in degrees; below 90
+/// \param mesh           a triangle mesh, a model of `HalfedgeGraph`; must outlive the map
+/// \param minimum_angle  of the clamping, in degrees
+/// \param maximum_angle  of the clamping, in degrees
 /// \param np             optional named parameters: `vertex_point_map`, by default the mesh's own
 /// \return a `Conformal_weight_map`
+/// \pre 0 < minimum_angle <= maximum_angle < 90
 template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
 auto conformal_weights(const TriangleMesh& mesh, double minimum_angle = 5, double maximum_angle = 85,
                        const NamedParameters& np = parameters::default_values())
@@ -181,7 +182,7 @@ auto conformal_weights(const TriangleMesh& mesh, double minimum_angle = 5, doubl
 }
 
 /// Symmetrised mean value weights.
-/// \param mesh  must outlive the map
+/// \param mesh  a triangle mesh, a model of `HalfedgeGraph`; must outlive the map
 /// \param np    optional named parameters: `vertex_point_map`, by default the mesh's own
 /// \return a `Mean_value_weight_map`
 template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>

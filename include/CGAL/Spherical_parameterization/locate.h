@@ -48,9 +48,11 @@ public:
   /// What `locate()` returns.
   typedef Spherical_parameterization::Face_location<TriangleMesh> Face_location;
 
-  /// \param mesh        a closed triangle mesh; must outlive the locator
+  /// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`; must outlive the
+  ///                    locator
   /// \param sphere_map  readable, key vertex_descriptor, value unit vectors
-  /// \throws std::invalid_argument if the map is not valid: there are flipped faces, or its degree is not 1
+  /// \throws std::invalid_argument if the map is not valid: there are flipped faces, or its degree is not 1; or if the
+  ///         mesh is not closed, or has an isolated vertex
   ///
   /// Complexity: O(n log n).
   template <class VertexSphereMap>
@@ -145,10 +147,16 @@ private:
     for(Face& face : face_)
       for(int k = 0; k < 3; ++k) {
         const auto& out = edges[face.vertex[(k + 1) % 3]];
-        face.neighbour[k] = std::lower_bound(out.begin(), out.end(), std::pair<int, int>(face.vertex[k], 0))->second;
+        const auto opposite = std::lower_bound(out.begin(), out.end(), std::pair<int, int>(face.vertex[k], 0));
+        if(opposite == out.end() || opposite->first != face.vertex[k])
+          throw std::invalid_argument("no inverse: the mesh is not closed");
+        face.neighbour[k] = opposite->second;
       }
-    for(const auto& out : edges)
+    for(const auto& out : edges) {
+      if(out.empty())
+        throw std::invalid_argument("no inverse: the mesh has an isolated vertex");
       some_face_.push_back(out.front().second);
+    }
   }
 
   /// Some face near q.

@@ -109,7 +109,8 @@ struct Isometric {
 /// 2. `Balanced` with the exponent `larger_spring_exponent`, if that is larger, which keeps limbs wider;
 /// 3. `Isometric{area_exponent}`, unless vertices are fixed.
 /// `Result::method` says which one it was, `Result::fallback_reason` why not an earlier one. Weights that are not
-/// positive because of a face without area lead to the third one.
+/// positive because of a face without area lead to the third one; interrupted there, it hands over what `Isometric`
+/// would.
 ///
 /// Named parameters: `accuracy` and `number_of_iterations` as of `Balanced`.
 ///

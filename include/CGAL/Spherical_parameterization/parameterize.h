@@ -24,9 +24,9 @@
 #include <CGAL/property_map.h>
 #include <CGAL/tags.h>
 
+#include <cstddef>
 #include <functional>
 #include <limits>
-#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -56,15 +56,13 @@ namespace Spherical_parameterization {
 ///                (but see `OpenCL_device`).
 /// \param mesh    a closed triangle mesh of genus 0; its own indices are not used
 /// \param method  `Balanced`, `Saddle_point`, `Isometric` or `Automatic`
-/// \param sphere_map  where the unit vectors go. Must be readable where there are fixed vertices (their positions,
-/// which
-///                will be normalised) or for `Saddle_point::Start::GIVEN`.
+/// \param sphere_map  where the unit vectors go. Must be readable where there are fixed vertices (whose positions it
+///                holds; they will be normalised) or for `Saddle_point::Start::GIVEN`.
 /// \param np  an optional sequence of named parameters:
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{edge_weight_map}
-///     \cgalParamDescription{the spring constants. Unless the policy is `CGAL::Sequential_tag`, they are read by
-///     several
-///       threads at once. Before CGAL 6.1 this parameter has to come first in the chain.}
+///     \cgalParamDescription{the spring constants. Unless the policy is `CGAL::Sequential_tag`\, several threads read
+///       them at once. Before CGAL 6.1 this parameter has to come first in the chain.}
 ///     \cgalParamType{a model of `SphericalParameterizationWeightMap`}
 ///     \cgalParamDefault{`conformal_weights(mesh)`}
 ///   \cgalParamNEnd
@@ -74,8 +72,9 @@ namespace Spherical_parameterization {
 ///     \cgalParamDefault{the mesh's own}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_is_constrained_map}
-///     \cgalParamDescription{which vertices are fixed where `sphere_map` has them: three or more\, at distinct
-///     positions} \cgalParamType{a readable property map with key vertex_descriptor and value `bool`}
+///     \cgalParamDescription{which vertices are fixed where `sphere_map` has them: three or more\, in distinct
+///       directions; not for `Isometric`}
+///     \cgalParamType{a readable property map with key vertex_descriptor and value `bool`}
 ///     \cgalParamDefault{no vertex}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{accuracy}
@@ -85,7 +84,7 @@ namespace Spherical_parameterization {
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_iterations}
 ///     \cgalParamDescription{the most iterations; see the method}
-///     \cgalParamType{an integer}
+///     \cgalParamType{an integer that is not negative}
 ///     \cgalParamDefault{the method's `default_number_of_iterations`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_running_time}
@@ -110,7 +109,7 @@ namespace Spherical_parameterization {
 ///
 /// What the property maps and the callback throw goes through.
 ///
-/// Complexity: linear in memory, about 600 bytes per vertex; `Balanced` takes as long as a few hundred applications
+/// Complexity: linear in memory, about 500 bytes per vertex; `Balanced` takes as long as a few hundred applications
 /// of the Laplacian for any number of vertices.
 template <class ExecutionPolicy, class TriangleMesh, class Method, class VertexSphereMap,
           class NamedParameters = parameters::Default_named_parameters>
@@ -154,8 +153,8 @@ Result parameterize(const ExecutionPolicy& policy, const TriangleMesh& mesh, con
       choose_parameter(get_parameter(np, internal_np::vertex_is_constrained),
                        Static_boolean_property_map<typename Graph_traits::vertex_descriptor, false>());
     const std::vector<char> is_fixed = internal::fixed_vertices(source.vertex, is_constrained);
-    internal::Map_task task = {source.graph, source.face, source.point, source.area, is_fixed,       {},
-                               {},           {},          monitor,      result,      missing_weights};
+    internal::Map_task task = {source.graph, source.face, source.point, source.area,     is_fixed,          {}, {},
+                               {},           monitor,     result,       missing_weights, source.weight_unit};
     if constexpr(!is_default_parameter<NamedParameters, internal_np::accuracy_t>::value)
       task.accuracy = get_parameter(np, internal_np::accuracy);
     if constexpr(!is_default_parameter<NamedParameters, internal_np::number_of_iterations_t>::value)

@@ -31,10 +31,8 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -133,7 +131,7 @@ inline std::vector<int> segments_of(const Segmentation_mesh& mesh, const std::ve
 ///
 /// Deterministic. Scaling and rotating the mesh and rotating the sphere change nothing, but where decisions hang on
 /// rounding; nor does another numbering, but where the shape leaves a choice, as symmetric ones do.
-/// \param mesh        a closed triangle mesh of genus 0
+/// \param mesh        a closed triangle mesh of genus 0, a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param sphere_map  readable, key vertex_descriptor, value of any length but 0
 /// \param stretch_map readable, key face_descriptor, value double: what `face_log_area_stretch()` has written. Faces
 ///                    with less than 1e-36 of the sphere, and flipped ones, count as if they had 1e-36: doubles resolve
@@ -181,7 +179,7 @@ Segmentation_result segmentation_from_area_stretch(const TriangleMesh& mesh, Ver
 }
 
 /// Measure and cut in one call.
-/// \param mesh        a closed triangle mesh of genus 0
+/// \param mesh        a closed triangle mesh of genus 0, a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param sphere_map  readable, key vertex_descriptor, value unit vectors; the map need not be valid
 /// \param segment_map writable, key face_descriptor, value constructible from std::size_t
 /// \param method      `Majority_vote`, `Girth_profiles` or `Region_growing`

@@ -85,7 +85,7 @@ inline void add_limbs(const Discrete_surface& surface, const Discrete_surface::V
     for(Discrete_surface::Matrix::InnerIterator entry(surface.laplacian(), i); entry; ++entry)
       visit(static_cast<int>(entry.row()));
   });
-  limbs.resize((std::min)(limbs.size(), Shape_signature::limbs), Basin{0, 0});
+  limbs.resize((std::min)(limbs.size(), Shape_signature::limbs), Basin{0, 0, 0});
   auto length = signature.values.begin() + Shape_signature::coarse_bins + Shape_signature::fine_bins;
   auto mass = length + Shape_signature::limbs;
   for(const Basin& limb : limbs) {

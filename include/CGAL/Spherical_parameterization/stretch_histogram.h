@@ -4,7 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_STRETCH_HISTOGRAM_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_STRETCH_HISTOGRAM_H
 
-#include <CGAL/Spherical_parameterization/internal/face_distortion.h>
+#include <CGAL/Spherical_parameterization/internal/Face_measures.h>
 #include <CGAL/Spherical_parameterization/internal/Vertex_numbering.h>
 #include <CGAL/Spherical_parameterization/internal/histogram.h>
 #include <CGAL/Spherical_parameterization/internal/named_parameters.h>
@@ -20,6 +20,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <random>
+#include <stdexcept>
 #include <vector>
 
 namespace CGAL {
@@ -128,6 +129,7 @@ inline std::vector<double> sample_cells(const Stretch_histogram& options, const 
 /// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
 /// \return one share for each bin
 /// \pre options.bins >= 2, options.low < options.high, options.number_of_samples >= 1
+/// \throws std::invalid_argument for a mesh without area
 ///
 /// Complexity: linear in the size of the mesh and the number of samples.
 template <class TriangleMesh, class VertexSphereMap, class NamedParameters = parameters::Default_named_parameters>
@@ -140,18 +142,20 @@ std::vector<double> stretch_histogram(const TriangleMesh& mesh, VertexSphereMap 
   std::vector<double> stretch(numbering.size());
   log_area_stretch(mesh, sphere_map, internal::Array_map<TriangleMesh>{&numbering, &stretch}, np);
 
-  const auto points = internal::vertex_points(mesh, np);
+  const auto measures = internal::make_face_measures(mesh, sphere_map, np);
   std::vector<double> accumulated, cell_area(stretch.size(), 0);
   std::vector<std::array<int, 3>> corners;
   double total = 0;
   for(auto f : faces(mesh)) {
     const auto h = halfedge(f, mesh);
     corners.push_back({numbering(source(h, mesh)), numbering(target(h, mesh)), numbering(target(next(h, mesh), mesh))});
-    const double area = internal::flat_area(internal::corners(mesh, points, f));
+    const double area = measures.source_area(f);
     accumulated.push_back(total += area);
     for(int i : corners.back())
       cell_area[i] += area / 3;
   }
+  if(!(total > 0))
+    throw std::invalid_argument("no histogram: the mesh has no area");
   const std::vector<double> weight =
     options.sampling == Stretch_histogram::Sampling::EXACT_AREAS ? cell_area
     : options.sampling == Stretch_histogram::Sampling::VERTICES

@@ -45,7 +45,7 @@ Value weighted_mean(const std::array<double, 3>& w, const Value& x0, const Value
 } // namespace internal
 
 /// The value at a point of the mesh, interpolated linearly between the vertices.
-/// \param mesh        a triangle mesh
+/// \param mesh        a triangle mesh, a model of `FaceGraph`
 /// \param location    a face of it, and the weights of its corners
 /// \param vertex_map  readable, key vertex_descriptor; value a number, a vector that can be multiplied by a double
 ///                    and added, or a point or vector with x(), y(), z()
@@ -64,7 +64,7 @@ interpolate(const TriangleMesh& mesh, const Face_location<TriangleMesh>& locatio
 /// that `from` has under its image.
 /// \param from        the inverse of the map of the mesh that has the data
 /// \param from_map    readable, key vertex_descriptor of that mesh; see `interpolate()`
-/// \param to          the mesh that gets the data
+/// \param to          the mesh that gets the data, a model of `VertexListGraph`
 /// \param to_sphere   readable, key vertex_descriptor of `to`; a map in the same position as that of `from` (see
 ///                    `align_maps.h`)
 /// \param to_map      writable, key vertex_descriptor of `to`
@@ -82,7 +82,7 @@ void transfer_vertex_property(const Spherical_locator<FromMesh>& from, FromMap f
 /// Carries data of faces, such as labels: every face gets the value of the face of `from` under its centre.
 /// \param from        the inverse of the map of the mesh that has the data
 /// \param from_map    readable, key face_descriptor of the mesh that has the data
-/// \param to          the mesh that gets the data
+/// \param to          the mesh that gets the data, a triangle mesh and a model of `FaceListGraph`
 /// \param to_sphere   readable, key vertex_descriptor of `to`; a map in the same position as that of `from`
 /// \param to_map      writable, key face_descriptor of `to`
 /// \throws std::invalid_argument at a centre that is no direction

@@ -181,12 +181,6 @@ private:
   Eigen::SimplicialLDLT<Matrix> cholesky_;
 };
 
-/// L x = b for a b of sum zero; x is defined up to a constant.
-inline Discrete_surface::Vector solve_poisson(const Discrete_surface& surface, const Discrete_surface::Vector& b)
-{
-  return Surface_solver(surface)(b);
-}
-
 /// One implicit step of the heat equation, of time t: (M + t L)^-1 M x.
 inline Discrete_surface::Vector smoothed(const Discrete_surface& surface, const Discrete_surface::Vector& x, double t)
 {

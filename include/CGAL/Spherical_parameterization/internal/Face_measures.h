@@ -100,7 +100,8 @@ private:
     size_ = half > 0 ? half : 1;
   }
 
-  static double log_of_share(double share) { return std::log((std::max)(share, 1e-300)); }
+  /// 1e-300 also for NaN, the share of a face in a surface without area.
+  static double log_of_share(double share) { return std::log((std::max)(1e-300, share)); }
 
   /// With Q = sigma_1 / sigma_2 and d = sigma_1 sigma_2 the energy is (Q + 1/Q)(d + 1/d), after both surfaces have been
   /// scaled to equal area.

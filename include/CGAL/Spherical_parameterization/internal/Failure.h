@@ -6,6 +6,7 @@
 
 #include <CGAL/Spherical_parameterization/Result.h>
 
+#include <cstddef>
 #include <string>
 
 namespace CGAL {

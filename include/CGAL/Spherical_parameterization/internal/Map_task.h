@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -36,6 +35,7 @@ struct Map_task {
   Monitor& monitor;
   Result& result;
   std::string missing_weights; ///< why the graph has no weights though the method could use them; else empty
+  double weight_unit;          ///< what a weight of 1 in the graph is to the caller
   bool is_on_sphere = false;   ///< the map handed over is certified as it is, to the last bit
 
   bool has_fixed() const { return !is_fixed.empty(); }

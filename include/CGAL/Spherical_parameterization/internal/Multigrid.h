@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -44,6 +45,8 @@ public:
       Aggregates aggregates = aggregate(loop, *a, strength_threshold);
       if(aggregates.count > slow_coarsening * a->size())
         aggregates = aggregate(loop, *a, 0);
+      if(aggregates.count > no_coarsening * a->size()) // the excess is all that counts from here on
+        break;
       Sparse_matrix p = smoothed_prolongation(loop, *a, aggregates, prolongation_damping / radius);
       Sparse_matrix r = transposed(loop, p, aggregates.count);
       const auto coarse = std::make_shared<Weighted_graph>(galerkin_product(loop, *a, p, r, is_singular));
@@ -63,7 +66,8 @@ public:
     }
     bottom_size_ = a->size();
     bottom_scratch_ = backend.vectors(bottom_size_);
-    bottom_inverse_ = backend.upload(inverse(*a, is_singular));
+    if(bottom_size_ <= bottom_size)
+      bottom_inverse_ = backend.upload(inverse(*a, is_singular));
     bottom_matrix_ = backend.upload(a);
   }
 
@@ -85,7 +89,10 @@ public:
   void apply(std::size_t k, const Vectors& b, Vectors& x)
   {
     if(k == levels_.size()) {
-      backend_.multiply_dense(bottom_inverse_, b, x);
+      if(bottom_size_ <= bottom_size)
+        backend_.multiply_dense(bottom_inverse_, b, x);
+      else // as good as diagonal
+        backend_.start_smoothing(bottom_matrix_, 1, b, x);
       return;
     }
     Level& level = levels_[k];
@@ -107,6 +114,7 @@ private:
   static constexpr double strength_threshold = 0.07;
   static constexpr double weakest_edge = 0.01;
   static constexpr double slow_coarsening = 0.4;
+  static constexpr double no_coarsening = 0.9;
   static constexpr double prolongation_damping = 1.6;
 
   struct Level {

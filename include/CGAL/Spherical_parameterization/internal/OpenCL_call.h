@@ -6,6 +6,7 @@
 
 #include <CGAL/Spherical_parameterization/OpenCL_error.h>
 
+#include <cstddef>
 #include <string>
 #include <vector>
 

@@ -9,6 +9,7 @@
 #include <CGAL/Spherical_parameterization/internal/kernel_sources.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <mutex>
 #include <optional>
 #include <string>

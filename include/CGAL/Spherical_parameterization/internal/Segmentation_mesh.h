@@ -7,45 +7,19 @@
 #include <CGAL/Spherical_parameterization/internal/Failure.h>
 #include <CGAL/Spherical_parameterization/internal/Source_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/point_coordinates.h>
-#include <CGAL/Spherical_parameterization/internal/spherical_triangles.h>
-
-#include <boost/functional/hash.hpp>
-#include <boost/graph/graph_traits.hpp>
+#include <CGAL/Spherical_parameterization/internal/twins.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <string>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
-
-/// The number of the face across each side of every face, faces numbered as faces(mesh) lists them. Side k is the k-th
-/// halfedge from halfedge(f, mesh) on, which in Source_mesh goes from corner k to corner k+1.
-template <class TriangleMesh>
-std::vector<std::array<int, 3>> faces_across(const TriangleMesh& mesh)
-{
-  typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
-  std::unordered_map<face_descriptor, int, boost::hash<face_descriptor>> number;
-  for(face_descriptor f : faces(mesh))
-    number.emplace(f, static_cast<int>(number.size()));
-  std::vector<std::array<int, 3>> across;
-  across.reserve(number.size());
-  for(face_descriptor f : faces(mesh)) {
-    auto h = halfedge(f, mesh);
-    std::array<int, 3> row;
-    for(int& neighbour : row) {
-      neighbour = number.at(face(opposite(h, mesh), mesh));
-      h = next(h, mesh);
-    }
-    across.push_back(row);
-  }
-  return across;
-}
 
 /// What segmentation looks at: a mesh and its sphere as arrays, the mesh scaled to area 1 so that all lengths and areas
 /// are dimensionless. Closed triangle meshes of genus 0 only.
@@ -96,7 +70,10 @@ Segmentation_mesh read_segmentation_mesh(const TriangleMesh& mesh, VertexPointMa
   result.point = std::move(source.point);
   result.face = std::move(source.face);
   result.graph = source.graph;
-  result.across = faces_across(mesh);
+  const std::vector<int> twin = twins(mesh);
+  result.across.resize(result.face.size());
+  for(std::size_t h = 0; h < twin.size(); ++h)
+    result.across[h / 3][h % 3] = twin[h] / 3;
 
   double largest = 0;
   for(const vec3& p : result.point)

@@ -20,11 +20,11 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <cstddef>
 #include <iterator>
 #include <limits>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -50,6 +50,7 @@ public:
   Host_array<double> area;             ///< every vertex's third of the areas of its faces
   std::shared_ptr<Weighted_graph> graph =
     std::make_shared<Weighted_graph>(); ///< neighbours in ascending order; weights are left to set_weights()
+  double weight_unit = 1;               ///< what a weight of 1 in the graph is to the caller
 
   /// Throws Failure.
   template <class VertexPointMap, class Loop = Sequential_loop>
@@ -126,6 +127,7 @@ public:
             graph->weight[k] = graph->weight[place(j, i) + (k - place(i, j))];
         }
     });
+    choose_weight_unit(loop);
   }
 
 private:
@@ -142,7 +144,7 @@ private:
       return static_cast<std::size_t>(std::distance(range.begin(), range.end()));
     };
     const std::size_t vertex_count = size(vertices(mesh)), face_count = size(faces(mesh));
-    if(vertex_count > limit || face_count > limit / 3)
+    if(vertex_count >= limit || face_count > limit / 3)
       throw Failure{Error_code::TOO_LARGE, std::to_string(vertex_count) + " vertices and " +
                                              std::to_string(face_count) +
                                              " faces; at most 715,827,882 faces are supported"};
@@ -338,6 +340,23 @@ private:
   }
 
   static bool is_good_weight(double w) { return w > 0 && std::isfinite(w); }
+
+  /// Weights whose products would overflow or underflow are taken in another unit, which maps do not depend on.
+  template <class Loop>
+  void choose_weight_unit(const Loop& loop)
+  {
+    constexpr double harmless = 1e100;
+    Host_array<double>& weight = graph->weight;
+    const double largest = weight.empty() ? 1 : *std::max_element(weight.begin(), weight.end());
+    if(largest < harmless && largest > 1 / harmless)
+      return;
+    const int exponent = std::ilogb(largest);
+    weight_unit = std::ldexp(1., exponent);
+    for_each_part(loop, static_cast<int>(vertex.size()), [&](int begin, int end) {
+      for(int k = graph->offset[begin]; k < graph->offset[end]; ++k)
+        weight[k] = (std::max)((std::numeric_limits<double>::min)(), std::ldexp(weight[k], -exponent));
+    });
+  }
 
   /// Throws the Failure for the first edge whose weight is not good.
   template <class EdgeWeightMap>

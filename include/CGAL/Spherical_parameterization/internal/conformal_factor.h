@@ -9,14 +9,13 @@
 #include <CGAL/Spherical_parameterization/internal/Failure.h>
 #include <CGAL/Spherical_parameterization/internal/Source_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/midpoint_refinement.h>
-#include <CGAL/Spherical_parameterization/internal/Vertex_numbering.h>
 #include <CGAL/Spherical_parameterization/internal/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/point_coordinates.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_triangles.h>
-
-#include <boost/graph/graph_traits.hpp>
+#include <CGAL/Spherical_parameterization/internal/twins.h>
 
 #include <cmath>
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -24,25 +23,6 @@
 namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
-
-/// The opposite of every halfedge 3f + k, which leaves corner k of face f.
-template <class TriangleMesh>
-std::vector<int> twins(const TriangleMesh& mesh)
-{
-  const Face_numbering<TriangleMesh> numbering(mesh);
-  std::vector<int> result;
-  result.reserve(3 * numbering.size());
-  for(auto f : faces(mesh)) {
-    auto h = halfedge(f, mesh);
-    for(int k = 0; k < 3; ++k, h = next(h, mesh)) {
-      const auto other = opposite(h, mesh);
-      const auto first = halfedge(face(other, mesh), mesh);
-      const int corner = other == first ? 0 : other == next(first, mesh) ? 1 : 2;
-      result.push_back(3 * numbering(face(other, mesh)) + corner);
-    }
-  }
-  return result;
-}
 
 /// The logarithm u of the factor by which the conformal map to the sphere enlarges areas, on a surface of area 4 pi.
 ///

@@ -8,8 +8,11 @@
 #include <CGAL/Spherical_parameterization/internal/stretch_minima.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {

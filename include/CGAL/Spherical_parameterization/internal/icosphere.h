@@ -48,8 +48,8 @@ struct Icosphere {
 private:
   void subdivide()
   {
-    // The midpoint of an edge is made by the triangle that has it from its smaller to its larger vertex, and found by
-    // the other one in the list of its smaller vertex: at most six entries.
+    // The midpoint of an edge is made by the first of its two triangles, and found by the other one in the list of the
+    // smaller vertex, which has at most six entries.
     std::vector<std::vector<std::pair<int, int>>> midpoints(points.size());
     const auto midpoint = [&](int a, int b) {
       auto& list = midpoints[(std::min)(a, b)];

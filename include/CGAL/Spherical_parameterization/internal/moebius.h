@@ -9,7 +9,8 @@
 
 #include <Eigen/Dense>
 
-#include <cmath>
+#include <array>
+#include <cstddef>
 #include <utility>
 #include <vector>
 

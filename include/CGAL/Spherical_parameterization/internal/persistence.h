@@ -15,6 +15,7 @@ namespace internal {
 
 /// A minimum of a function on a graph, and its basin.
 struct Basin {
+  int minimum;
   double persistence; ///< how far the function rises from there until the basin meets one with a deeper minimum
   double mass;        ///< the smaller one of the two masses below that level; of the deepest minimum, all mass
 };
@@ -55,13 +56,13 @@ std::vector<Basin> basins(const Values& f, const Values& mass, ForEachNeighbour 
       if(std::pair(f[lowest[shallow]], lowest[shallow]) < std::pair(f[lowest[deep]], lowest[deep]))
         std::swap(deep, shallow);
       if(f[lowest[shallow]] < f[v])
-        result.push_back({f[v] - f[lowest[shallow]], (std::min)(flooded[deep], flooded[shallow])});
+        result.push_back({lowest[shallow], f[v] - f[lowest[shallow]], (std::min)(flooded[deep], flooded[shallow])});
       parent[shallow] = deep;
       flooded[deep] += flooded[shallow];
     });
   }
   if(n > 0)
-    result.push_back({f[order.back()] - f[order.front()], total});
+    result.push_back({order.front(), f[order.back()] - f[order.front()], total});
   std::sort(result.begin(), result.end(), [](const Basin& a, const Basin& b) {
     return std::pair(a.persistence, a.mass) > std::pair(b.persistence, b.mass);
   });

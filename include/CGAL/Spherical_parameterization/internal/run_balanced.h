@@ -256,6 +256,7 @@ Host_array<vec3> run(const Backend& backend, const Balanced& method, Map_task& t
     report = solve_fixed(backend, task, accuracy, maximum_iterations, v);
   else
     report = solve_balanced(backend, task, accuracy, maximum_iterations, v);
+  report.energy *= task.weight_unit;
   task.result.seconds.solve = watch.seconds() - task.result.seconds.start_map - task.result.seconds.certify;
   return backend.download(std::move(v));
 }

@@ -14,10 +14,8 @@
 
 #include <CGAL/assertions.h>
 
-#include <cmath>
-#include <utility>
-
 #include <string>
+#include <utility>
 
 namespace CGAL {
 namespace Spherical_parameterization {
@@ -72,6 +70,7 @@ Host_array<vec3> run(const Backend& backend, const Saddle_point& method, Map_tas
   Saddle_point_solver<Backend> solver(backend, matrix, *task.graph, method);
   report = solver.solve(v, accuracy_on(backend, task, Saddle_point::default_accuracy),
                         task.number_of_iterations.value_or(Saddle_point::default_number_of_iterations), task.monitor);
+  report.energy *= task.weight_unit;
   task.result.seconds.solve = watch.seconds() - task.result.seconds.start_map;
   return backend.download(std::move(v));
 }

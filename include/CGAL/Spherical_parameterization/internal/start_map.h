@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_START_MAP_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_START_MAP_H
 
+#include <CGAL/Spherical_parameterization/internal/Failure.h>
 #include <CGAL/Spherical_parameterization/internal/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/Map_task.h>
 #include <CGAL/Spherical_parameterization/internal/Multigrid.h>
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -146,7 +148,8 @@ struct Coarse_mesh {
 
 /// The planar harmonic map of a coarse level brought to the sphere, boosted until the centroid of the source area lies
 /// at the centre. Returns the level: the coarsest one on which a start map is still worth its work, and whose map has
-/// degree 1. (Aggregates need not be discs: orientation may be lost or reversed on the way down.)
+/// degree 1. (Aggregates need not be discs: orientation may be lost or reversed on the way down.) Throws Failure where
+/// no face of the mesh has three vertices.
 template <class Backend>
 std::size_t coarse_start_map(const Backend& backend, Multigrid<Backend>& multigrid, const Map_task& task,
                              typename Backend::Vectors& v)
@@ -159,8 +162,11 @@ std::size_t coarse_start_map(const Backend& backend, Multigrid<Backend>& multigr
     ++k;
   for(;; --k) {
     const Coarse_mesh mesh(backend, multigrid, k, task);
-    if(!mesh.is_complete)
+    if(!mesh.is_complete) {
+      if(k == 0)
+        throw Failure{Error_code::NOT_BIJECTIVE, "every face of the mesh has a vertex twice"};
       continue;
+    }
     Host_array<vec3> z = planar_map(backend, multigrid, k, mesh.largest_face, planar_accuracy, task.monitor,
                                     start_share, task.result.start_iterations);
     to_sphere(z);

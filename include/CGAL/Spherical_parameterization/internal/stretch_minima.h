@@ -5,10 +5,10 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_STRETCH_MINIMA_H
 
 #include <CGAL/Spherical_parameterization/internal/Segmentation_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/persistence.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -62,42 +62,14 @@ inline std::vector<double> smoothed(const Segmentation_mesh& mesh, std::vector<d
 inline std::vector<int> persistent_minima(const Segmentation_mesh& mesh, const std::vector<double>& value,
                                           double persistence)
 {
-  const int n = mesh.number_of_vertices();
-  std::vector<int> order(n);
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return value[a] < value[b]; });
-
-  struct Minimum {
-    int vertex;
-    double persistence;
+  const auto for_each_neighbour = [&](int v, const auto& visit) {
+    for(int k = mesh.graph->offset[v]; k < mesh.graph->offset[v + 1]; ++k)
+      visit(mesh.graph->target[k]);
   };
-  std::vector<Minimum> minima = {{order.front(), value[order.back()] - value[order.front()]}};
-  std::vector<int> parent(n, -1); // the root of a set is its minimum; -1: not flooded yet
-  const auto root = [&](int v) {
-    while(parent[v] != v)
-      v = parent[v] = parent[parent[v]];
-    return v;
-  };
-  for(int v : order) {
-    parent[v] = v;
-    for(int k = mesh.graph->offset[v]; k < mesh.graph->offset[v + 1]; ++k) {
-      if(parent[mesh.graph->target[k]] < 0)
-        continue;
-      int low = root(v), high = root(mesh.graph->target[k]);
-      if(low == high)
-        continue;
-      if(value[low] > value[high])
-        std::swap(low, high);
-      if(high != v && value[v] - value[high] >= persistence)
-        minima.push_back({high, value[v] - value[high]});
-      parent[high] = low;
-    }
-  }
-  std::stable_sort(minima.begin() + 1, minima.end(),
-                   [](const Minimum& a, const Minimum& b) { return a.persistence > b.persistence; });
   std::vector<int> vertices;
-  for(const Minimum& m : minima)
-    vertices.push_back(m.vertex);
+  for(const Basin& basin : basins(value, std::vector<double>(value.size(), 1), for_each_neighbour))
+    if(vertices.empty() || basin.persistence >= persistence)
+      vertices.push_back(basin.minimum);
   return vertices;
 }
 

@@ -45,8 +45,8 @@ void Atomic_file::complete()
 {
   errno = 0;
   out_.close(); // flushes
-  if(!out_)
-    refuse("could not be written completely (" + std::generic_category().message(errno) + ")");
+  if(!out_)     // if it was so before, nobody knows why any more
+    refuse("could not be written completely" + (errno == 0 ? "" : " (" + std::generic_category().message(errno) + ")"));
 }
 
 void Atomic_file::rename()

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <fstream>
 #include <iterator>
 #include <limits>
 #include <system_error>
@@ -36,6 +37,8 @@ void check_file(const std::string& file)
     refuse("is no regular file", "save the mesh to a file first");
   if(fs::file_size(file) == 0)
     refuse("is empty", "export it again");
+  if(!std::ifstream(file))
+    refuse("cannot be opened", "check that it may be read");
 }
 
 Polygon_soup read_soup(const std::string& file)

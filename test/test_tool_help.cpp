@@ -52,6 +52,20 @@ Words commands_and_none()
   return words;
 }
 
+std::string man_page() { return std::regex_replace(text_of(MAN_PAGE), std::regex("\\\\-"), "-"); }
+
+/// Defaults that differ by method, as in "[balanced 500, saddle-point 1000, isometric 20]", one after the other.
+std::vector<double> defaults_by_method(const std::string& text)
+{
+  const std::string line = std::regex_replace(text, std::regex("\\s+"), " ");
+  const std::regex defaults("\\[balanced ([^,]+), saddle-point ([^,]+), isometric ([^\\]]+)\\]");
+  std::vector<double> values;
+  for(std::sregex_iterator i(line.begin(), line.end(), defaults), end; i != end; ++i)
+    for(std::size_t k = 1; k <= 3; ++k)
+      values.push_back(std::stod((*i)[k]));
+  return values;
+}
+
 /// What bash completes the last of the words to.
 Words completions(std::vector<std::string> words, const std::string& directory = ".")
 {
@@ -91,7 +105,7 @@ TEST_CASE("help fits a terminal, and has an example", "[tool]")
 
 TEST_CASE("the man page has all commands and options", "[tool]")
 {
-  const std::string page = std::regex_replace(text_of(MAN_PAGE), std::regex("\\\\-"), "-");
+  const std::string page = man_page();
   REQUIRE(commands().size() >= 7);
   for(const std::string& command : commands()) {
     CAPTURE(command);
@@ -115,6 +129,13 @@ TEST_CASE("the man page has all commands and options", "[tool]")
     CAPTURE(name);
     CHECK(std::any_of(std::begin(sets), std::end(sets), [&](const Words& words) { return words.count(name) > 0; }));
   }
+}
+
+TEST_CASE("the man page has the defaults of the methods", "[tool]")
+{
+  const std::vector<double> defaults = defaults_by_method(help("map"));
+  REQUIRE(defaults.size() == 6); // accuracy and iterations
+  CHECK(defaults_by_method(man_page()) == defaults);
 }
 
 TEST_CASE("completion in bash: commands and options", "[tool]")

@@ -77,6 +77,7 @@ Process_result run_process(const std::vector<std::string>& command, const Proces
   if(child < 0)
     throw std::runtime_error("cannot start " + command.front());
   if(child == 0) {
+    std::signal(SIGINT, SIG_DFL); // and not what the tests do then
     if(chdir(options.directory.c_str()) != 0)
       _exit(126);
     limit(RLIMIT_FSIZE, options.largest_file);

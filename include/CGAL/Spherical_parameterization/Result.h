@@ -28,7 +28,7 @@ enum class Error_code {
   SEVERAL_COMPONENTS,       ///< more than one connected component
   WRONG_GENUS,              ///< handles: not a topological sphere
   NON_FINITE_COORDINATE,    ///< NaN or infinity in a point
-  DEGENERATE_FACE,          ///< a face without area, where the weights need one
+  DEGENERATE_FACE,          ///< a face without area, or an edge without length, where one is needed
   BAD_WEIGHT,               ///< an edge weight that is not positive and finite
   BAD_CONSTRAINTS,          ///< one or two fixed vertices, coincident ones, no direction; or a method that keeps none
   NOT_CONVERGED,            ///< the residual did not reach the accuracy
@@ -54,7 +54,7 @@ inline const char* get_error_message(Error_code code)
   case Error_code::SEVERAL_COMPONENTS:       return "the mesh has several connected components";
   case Error_code::WRONG_GENUS:              return "the mesh is not of genus 0";
   case Error_code::NON_FINITE_COORDINATE:    return "a point has a coordinate that is not finite";
-  case Error_code::DEGENERATE_FACE:          return "a degenerate face leaves an edge without a positive weight";
+  case Error_code::DEGENERATE_FACE:          return "a degenerate face where an area is needed";
   case Error_code::BAD_WEIGHT:               return "an edge weight is not positive and finite";
   case Error_code::BAD_CONSTRAINTS:          return "the fixed vertices do not determine a map";
   case Error_code::NOT_CONVERGED:            return "the solver did not reach the accuracy";

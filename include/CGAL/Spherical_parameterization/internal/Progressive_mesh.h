@@ -185,9 +185,9 @@ private:
       ++offset[ends(c).first + 1];
     for(int v = 0; v < n; ++v)
       offset[v + 1] += offset[v];
-    std::vector<int> end(offset.begin(), offset.end() - 1);
+    std::vector<int> place(offset.begin(), offset.end() - 1);
     for(int c = 0; c < m; ++c)
-      order[end[ends(c).first]++] = c;
+      order[place[ends(c).first]++] = c;
     for_each_part(loop, n, [&](int begin, int end) {
       for(int v = begin; v < end; ++v) {
         const auto first = order.begin() + offset[v], last = order.begin() + offset[v + 1];

@@ -69,15 +69,13 @@ Process_result run_process(const std::vector<std::string>& command, const Proces
   sigaddset(&interrupt, SIGINT);
   pthread_sigmask(SIG_BLOCK, &interrupt, &mask);
   const pid_t child = fork();
-  if(child == 0) {
-    std::signal(SIGINT, SIG_DFL);
-    sigprocmask(SIG_UNBLOCK, &interrupt, nullptr);
-  } else
+  if(child != 0)
     pthread_sigmask(SIG_SETMASK, &mask, nullptr);
   if(child < 0)
     throw std::runtime_error("cannot start " + command.front());
   if(child == 0) {
-    std::signal(SIGINT, SIG_DFL); // and not what the tests do then
+    std::signal(SIGINT, SIG_DFL);
+    sigprocmask(SIG_UNBLOCK, &interrupt, nullptr);
     if(chdir(options.directory.c_str()) != 0)
       _exit(126);
     limit(RLIMIT_FSIZE, options.largest_file);

@@ -117,6 +117,8 @@ private:
         return;
       round = std::move(failed);
       make_room();
+      if(!advance())
+        give_up();
     }
     throw Failure{Error_code::NOT_BIJECTIVE, "no position in double precision was found for " +
                                                counted(round.size(), "vertex", "vertices") + "; repair the mesh"};
@@ -205,8 +207,11 @@ private:
       return;
     Newton_relaxation<Loop> newton(loop_, distortion_, level_);
     const int steps = (std::min)(maximum_steps, maximum_work / level_.size());
-    for(int s = 0; s < steps && newton.step(maximum_iterations, linear_tolerance) > least_gain; ++s)
+    for(int s = 0; s < steps && newton.step(maximum_iterations, linear_tolerance) > least_gain; ++s) {
       relax_all(loop_, distortion_, level_);
+      if(!advance())
+        give_up();
+    }
   }
 
   /// The whole mesh, with its own shape. Exponents that are too stiff for an arbitrary start are approached from below.

@@ -12,6 +12,9 @@
 #include <CGAL/Spherical_parameterization/internal/vertex_formulas.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 

@@ -43,8 +43,8 @@ Aggregates aggregate(const Loop& loop, const Weighted_graph& a, double threshold
   const int blocks = (n + block_size - 1) / block_size;
   const Host_array<double>& inverse = a.inverse_diagonal;
   const auto is_strong = [&](int i, int k) {
-    const double w = a.weight[k];
-    return w > 0 && w * w * inverse[i] * inverse[a.target[k]] > threshold * threshold;
+    const double w = a.weight[k]; // its square may underflow
+    return w > 0 && (w * inverse[i]) * (w * inverse[a.target[k]]) > threshold * threshold;
   };
   Aggregates result;
   Host_array<int>& of = result.of_vertex;

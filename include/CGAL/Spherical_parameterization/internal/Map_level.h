@@ -128,8 +128,8 @@ public:
   /// Of the source, scaled to the sphere
   double area() const { return area_; }
 
-  /// Runs f(i) for all vertices, colour by colour; those of a colour in parallel. Loops that need no order use it, too, so
-  /// that a thread finds in its cache what it wrote in the loop before.
+  /// Runs f(i) for all vertices, colour by colour; those of a colour in parallel. Loops that need no order use it, too,
+  /// so that a thread finds in its cache what it wrote in the loop before.
   template <int Enough = few_steps, class Loop, class F>
   void for_each_vertex(const Loop& loop, F f) const
   {

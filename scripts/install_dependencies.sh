@@ -13,6 +13,7 @@ packages=(
   libcli11-dev nlohmann-json3-dev libpng-dev                        # the tool
   libboost-mpi-dev libopenmpi-dev openmpi-bin                       # its batches on a cluster
   catch2 libopenmesh-dev libcgal-demo doxygen                       # the tests, of which the manual is one
+  file                                                              # cpack asks it what needs which libraries
   f3d xvfb xauth                                                    # pictures
   "$@"
 )

@@ -103,7 +103,7 @@ private:
     // The sphere bends away from the tangent plane, or towards the other side: not more than leaves the block positive.
     constexpr double least_share = 0.01;
     const double mean = (diagonal.ss + diagonal.tt) / 2, half = (diagonal.ss - diagonal.tt) / 2;
-    const double smallest = mean - std::sqrt(half * half + diagonal.st * diagonal.st);
+    const double smallest = mean - std::hypot(half, diagonal.st); // whose squares may overflow
     const double bend = (std::max)(-inner(gradient, x), 2 * least_share * std::abs(mean) - smallest);
     const double a = std::sqrt(diagonal.ss + bend), b = diagonal.ts / a;
     const double c = std::sqrt((std::max)(diagonal.tt + bend - b * b, least_share * least_share * a * a));
@@ -227,7 +227,7 @@ private:
     constexpr double armijo = 1e-4;
     constexpr int maximum_halvings = 30;
     const double before = level_.energy(loop_, distortion_);
-    promised_gain_ = -slope_ / 2 / before;
+    promised_gain_ = slope_ <= 0 ? -slope_ / 2 / before : 1; // NaN, from numbers out of range, promises anything
     if(!(slope_ < 0))
       return 0;
     const Host_array<vec3> start = level_.position();

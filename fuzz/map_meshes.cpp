@@ -143,7 +143,8 @@ void map_meshes(const std::uint8_t* data, std::size_t size)
     are_good = are_good && weights[e] > 0 && std::isfinite(weights[e]);
   }
 
-  std::size_t calls_left = effort == 1 ? in.below(64) : static_cast<std::size_t>(-1);
+  constexpr std::size_t enough_calls = 20000; // of the published method, which may want millions of sweeps
+  std::size_t calls_left = effort == 1 ? in.below(64) : enough_calls;
   const Result result = std::visit(
     [&](const auto& chosen) {
       typedef std::decay_t<decltype(chosen)> Method;

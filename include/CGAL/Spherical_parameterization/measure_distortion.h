@@ -65,6 +65,7 @@ std::size_t number_of_flipped_faces(const TriangleMesh& mesh, VertexSphereMap sp
 }
 
 /// How often the map covers the sphere, counted with orientation: the sum of the signed spherical areas over 4 pi.
+/// Faces with coordinates that are not finite do not count.
 /// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param sphere_map  readable, key vertex_descriptor, value unit vectors
 /// \return the degree: 1 for a valid map, -1 for a mirrored one
@@ -76,7 +77,8 @@ int degree_of_map(const TriangleMesh& mesh, VertexSphereMap sphere_map)
   double total = 0;
   for(auto f : faces(mesh)) {
     const auto c = internal::corners(mesh, sphere_map, f);
-    total += internal::spherical_area(c[0], c[1], c[2]);
+    if(internal::is_finite(c[0]) && internal::is_finite(c[1]) && internal::is_finite(c[2]))
+      total += internal::spherical_area(c[0], c[1], c[2], internal::is_positively_oriented(c[0], c[1], c[2]));
   }
   return static_cast<int>(std::lround(total / (4 * std::acos(-1.))));
 }

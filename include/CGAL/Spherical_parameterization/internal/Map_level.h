@@ -187,7 +187,7 @@ public:
   {
     const double full = 4 * std::acos(-1.);
     const double covered = sum_over_faces(loop, [&](vec3 x, const Star_face& f) {
-      return is_positively_oriented(x, f.j, f.k) ? spherical_area(x, f.j, f.k)
+      return is_positively_oriented(x, f.j, f.k) ? spherical_area(x, f.j, f.k, true)
                                                  : -std::numeric_limits<double>::infinity();
     });
     return covered > 0.5 * full && covered < 1.5 * full;

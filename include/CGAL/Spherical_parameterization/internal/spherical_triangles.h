@@ -51,6 +51,14 @@ inline bool is_positively_oriented(vec3 a, vec3 b, vec3 c)
   return Kernel().orientation_3_object()(Kernel::Point_3(0, 0, 0), point(a), point(b), point(c)) == CGAL::POSITIVE;
 }
 
+/// The signed area, whose sign is known exactly: that of half a sphere, all three corners of which are nearly on its
+/// border, could be turned by rounding.
+inline double spherical_area(vec3 a, vec3 b, vec3 c, bool is_positive)
+{
+  const double area = std::abs(spherical_area(a, b, c));
+  return is_positive ? area : -area;
+}
+
 inline bool is_finite(vec3 a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
 
 /// What the certificate consists of.
@@ -81,9 +89,10 @@ Certificate certify(const Loop& loop, const Host_array<std::array<int, 3>>& face
         ++part.certificate.flipped_faces;
         continue;
       }
-      if(!is_positively_oriented(a, b, c))
+      const bool is_positive = is_positively_oriented(a, b, c);
+      if(!is_positive)
         ++part.certificate.flipped_faces;
-      const double area = spherical_area(a, b, c);
+      const double area = spherical_area(a, b, c, is_positive);
       part.area += area;
       part.certificate.smallest_area = (std::min)(part.certificate.smallest_area, std::abs(area));
       for(vec3 edge : {sub(b, a), sub(c, b), sub(a, c)})

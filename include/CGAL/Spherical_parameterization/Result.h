@@ -81,7 +81,8 @@ struct Result {
   double residual = 0;           ///< L2 norm over the free vertices (not divided by their number) of the
                                  ///< stationarity the method claims, relative to the weight sum of a vertex;
                                  ///< `Isometric`: the share of the energy that the last step promised to gain
-  double energy = 0;             ///< spring energy of the map, 1/p * sum over edges; `Isometric`: mean distortion
+  double energy = 0;             ///< spring energy of the map, 1/p * sum over edges; `Isometric`: mean distortion;
+                                 ///< infinite where doubles do not reach
   double smallest_area = 0;      ///< of all spherical triangles, without sign; from 1e-26 on rounding flips faces
   double smallest_edge = 0;      ///< length of the shortest chord, in units of 2^-52: how many roundings it is long
   /// @}

@@ -2,11 +2,11 @@
 
 #include "any_map.h"
 
+#include "any_mesh.h"
+
 #include <CGAL/boost/graph/Euler_operations.h>
 
-#include <array>
 #include <cmath>
-#include <iterator>
 
 namespace fuzz {
 namespace {
@@ -76,16 +76,13 @@ void flip(Halfedge h, Sphere_map sphere, Mesh& mesh)
 
 Mesh any_valid_map(Bytes& in)
 {
-  Mesh mesh;
+  Mesh mesh = tetrahedron();
   const Sphere_map sphere = mesh.add_property_map<Vertex, Point>(map_name).first;
-  const std::array<Vertex, 4> v = {mesh.add_vertex(), mesh.add_vertex(), mesh.add_vertex(), mesh.add_vertex()};
   const double s = std::sqrt(1. / 3);
-  sphere[v[0]] = Point(s, s, s);
-  sphere[v[1]] = Point(-s, -s, s);
-  sphere[v[2]] = Point(s, -s, -s);
-  sphere[v[3]] = Point(-s, s, -s);
-  for(const auto& [i, j, k] : {std::array<std::size_t, 3>{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}})
-    mesh.add_face(v[i], v[j], v[k]);
+  sphere[Vertex(0)] = Point(s, s, s);
+  sphere[Vertex(1)] = Point(-s, -s, s);
+  sphere[Vertex(2)] = Point(s, -s, -s);
+  sphere[Vertex(3)] = Point(-s, s, -s);
 
   for(std::size_t steps = in.below(256); steps > 0 && mesh.number_of_vertices() < most_vertices; --steps) {
     const std::size_t what = in.below(4);

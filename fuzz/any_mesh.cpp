@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <set>
 #include <utility>
 #include <vector>
@@ -53,10 +54,7 @@ void flip_edge(Halfedge h, bool keeps_simplicial, Mesh& mesh)
 /// Any triangulation of the sphere is some flips away from any other.
 Mesh closed_sphere(Bytes& in, bool is_simplicial)
 {
-  Mesh mesh;
-  const std::array<Vertex, 4> v = {mesh.add_vertex(), mesh.add_vertex(), mesh.add_vertex(), mesh.add_vertex()};
-  for(const auto& [i, j, k] : {std::array<std::size_t, 3>{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}})
-    mesh.add_face(v[i], v[j], v[k]);
+  Mesh mesh = tetrahedron();
   for(std::size_t steps = in.below(256); steps > 0 && mesh.number_of_vertices() < most_vertices; --steps) {
     const std::size_t what = in.below(8);
     const Halfedge h = any_halfedge(in, mesh);
@@ -124,6 +122,15 @@ void add_handle(Bytes& in, Mesh& mesh)
 }
 
 } // namespace
+
+Mesh tetrahedron()
+{
+  Mesh mesh;
+  const std::array<Vertex, 4> v = {mesh.add_vertex(), mesh.add_vertex(), mesh.add_vertex(), mesh.add_vertex()};
+  for(const auto& [i, j, k] : {std::array<std::size_t, 3>{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}})
+    mesh.add_face(v[i], v[j], v[k]);
+  return mesh;
+}
 
 Mesh any_mesh(Bytes& in)
 {

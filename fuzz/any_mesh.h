@@ -9,6 +9,9 @@
 
 namespace fuzz {
 
+/// What closed meshes grow from: vertices 0 to 3, no points yet.
+test::Mesh tetrahedron();
+
 /// Closed triangle meshes of genus 0, two edges of which may have the same ends; less often meshes with holes, handles,
 /// several components, polygons, isolated or non-manifold vertices, garbage. At most 100 vertices, no points yet.
 test::Mesh any_mesh(Bytes& in);

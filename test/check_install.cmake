@@ -3,13 +3,7 @@
 # find_package(), and without components also with pkg-config. With TOOL, runs the installed tool.
 # cmake -D BUILD=... -D SOURCE=... -D SCRATCH=... -D COMPONENTS=... -D EXPECTED=... -D CXX=... -D TOOL=ON|OFF
 #   -P check_install.cmake
-function(run)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  if(NOT code EQUAL 0)
-    message(FATAL_ERROR "${ARGN}: ${code}\n${output}")
-  endif()
-  set(output "${output}" PARENT_SCOPE)
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 
 file(REMOVE_RECURSE "${SCRATCH}")
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix "${SCRATCH}/first place")

@@ -57,8 +57,7 @@ std::size_t number_of_flipped_faces(const TriangleMesh& mesh, VertexSphereMap sp
   std::size_t flipped = 0;
   for(auto f : faces(mesh)) {
     const auto c = internal::corners(mesh, sphere_map, f);
-    if(!internal::is_finite(c[0]) || !internal::is_finite(c[1]) || !internal::is_finite(c[2]) ||
-       !internal::is_positively_oriented(c[0], c[1], c[2]))
+    if(!internal::is_finite(c[0], c[1], c[2]) || !internal::is_positively_oriented(c[0], c[1], c[2]))
       ++flipped;
   }
   return flipped;
@@ -77,7 +76,7 @@ int degree_of_map(const TriangleMesh& mesh, VertexSphereMap sphere_map)
   double total = 0;
   for(auto f : faces(mesh)) {
     const auto c = internal::corners(mesh, sphere_map, f);
-    if(internal::is_finite(c[0]) && internal::is_finite(c[1]) && internal::is_finite(c[2]))
+    if(internal::is_finite(c[0], c[1], c[2]))
       total += internal::spherical_area(c[0], c[1], c[2], internal::is_positively_oriented(c[0], c[1], c[2]));
   }
   return static_cast<int>(std::lround(total / (4 * std::acos(-1.))));

@@ -30,12 +30,13 @@ struct Partial_map {
 
 /// How many steps of a loop are worth a task: of about a microsecond, and of a few nanoseconds.
 constexpr int few_steps = 32, many_steps = 512;
+constexpr int least_tasks = 4; ///< for fewer, no other thread is worth waking
 
 /// Runs f(begin) ... f(end-1), in parallel if there are enough.
 template <int Enough = few_steps, class Loop, class F>
 void for_each_of_level(const Loop& loop, int begin, int end, F f)
 {
-  if(end - begin < 4 * Enough)
+  if(end - begin < least_tasks * Enough)
     Sequential_loop().for_each(end - begin, [&](int i) { f(begin + i); });
   else
     for_each_part<Enough>(loop, end - begin, [&](int first, int last) {
@@ -48,19 +49,16 @@ void for_each_of_level(const Loop& loop, int begin, int end, F f)
 template <int Enough = few_steps, class Loop, class F>
 double sum_over_level(const Loop& loop, int begin, int end, F f)
 {
-  if(end - begin < 4 * Enough) {
+  const auto sum_of = [&](int first, int last) {
     double sum = 0;
-    for(int i = begin; i < end; ++i)
-      sum += f(i);
+    for(int i = first; i < last; ++i)
+      sum += f(begin + i);
     return sum;
-  }
+  };
+  if(end - begin < least_tasks * Enough)
+    return sum_of(0, end - begin);
   double total = 0;
-  for(double s : results_of_parts<Enough>(loop, end - begin, [&](int first, int last) {
-        double sum = 0;
-        for(int i = first; i < last; ++i)
-          sum += f(begin + i);
-        return sum;
-      }))
+  for(double s : results_of_parts<Enough>(loop, end - begin, sum_of))
     total += s;
   return total;
 }

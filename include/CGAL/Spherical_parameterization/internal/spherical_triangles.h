@@ -60,6 +60,7 @@ inline double spherical_area(vec3 a, vec3 b, vec3 c, bool is_positive)
 }
 
 inline bool is_finite(vec3 a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
+inline bool is_finite(vec3 a, vec3 b, vec3 c) { return is_finite(a) && is_finite(b) && is_finite(c); }
 
 /// What the certificate consists of.
 struct Certificate {
@@ -85,7 +86,7 @@ Certificate certify(const Loop& loop, const Host_array<std::array<int, 3>>& face
     Part part;
     for(int f = begin; f < end; ++f) {
       const vec3 a = v[faces[f][0]], b = v[faces[f][1]], c = v[faces[f][2]];
-      if(!is_finite(a) || !is_finite(b) || !is_finite(c)) {
+      if(!is_finite(a, b, c)) {
         ++part.certificate.flipped_faces;
         continue;
       }

@@ -45,42 +45,37 @@ KERNEL sp_balance_gradient(int n, CONST_SCALARS inverse_diagonal, CONST_SCALARS 
   ADD_UP(1);
 }
 
-KERNEL sp_project(int n, CONST_VECTORS v, CONST_VECTORS g, CONST_VECTORS old_g, VECTORS d, SCALARS partial)
+void add_products(real m, vec3 v, vec3 g, vec3 d, real* s)
 {
-  SUMS(2);
-  FOR_EACH_OF_BLOCK(i, n)
-  {
-    d[i] = tangent(d[i], v[i]);
-    s[0] += inner(g[i], d[i]);
-    s[1] += inner(old_g[i], d[i]);
-  }
-  ADD_UP(2);
+  const vec3 push = scale(m, d);
+  const vec3 spin = outer(v, push);
+  s[0] += inner(g, d);
+  s[1] += push.x;
+  s[2] += push.y;
+  s[3] += push.z;
+  s[4] += spin.x;
+  s[5] += spin.y;
+  s[6] += spin.z;
 }
 
-KERNEL sp_direction(int n, real beta, CONST_VECTORS v, CONST_VECTORS step, CONST_VECTORS g, CONST_SCALARS mass,
-                    VECTORS d, SCALARS partial)
+KERNEL sp_direction_products(int n, CONST_SCALARS mass, CONST_VECTORS v, CONST_VECTORS g, CONST_VECTORS old_g,
+                             CONST_VECTORS step, CONST_VECTORS d, SCALARS partial)
 {
-  SUMS(7);
+  SUMS(15);
   FOR_EACH_OF_BLOCK(i, n)
   {
-    d[i] = sub(scale(beta, tangent(d[i], v[i])), step[i]);
-    s[0] += inner(d[i], g[i]);
-    const vec3 push = scale(mass[i], d[i]);
-    const vec3 spin = outer(v[i], push);
-    s[1] += push.x;
-    s[2] += push.y;
-    s[3] += push.z;
-    s[4] += spin.x;
-    s[5] += spin.y;
-    s[6] += spin.z;
+    const vec3 tangent_step = tangent(step[i], v[i]);
+    s[0] += inner(old_g[i], tangent_step);
+    add_products(mass[i], v[i], g[i], tangent_step, s + 1);
+    add_products(mass[i], v[i], g[i], tangent(d[i], v[i]), s + 8);
   }
-  ADD_UP(7);
+  ADD_UP(15);
 }
 
-KERNEL sp_subtract_moebius(int n, vec3 y, vec3 omega, CONST_VECTORS v, VECTORS d)
+KERNEL sp_direct(int n, real beta, vec3 y, vec3 omega, CONST_VECTORS v, CONST_VECTORS step, VECTORS d)
 {
   FOR_EACH(i, n)
-  d[i] = sub(d[i], add(tangent(y, v[i]), outer(omega, v[i])));
+  d[i] = next_direction(beta, y, omega, v[i], step[i], d[i]);
 }
 
 #define CURVATURE(p)                                                                                                   \

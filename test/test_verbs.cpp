@@ -269,17 +269,11 @@ TEMPLATE_LIST_TEST_CASE("every verb does the same on every backend, bit by bit",
     t.returned(t.backend.balance_gradient(t.a, t.mass, mu, t.x, t.y));
     t.wrote(t.y);
   });
-  check("project", [](auto& t) {
-    t.returned(t.backend.project(t.x, t.y, t.y, t.z));
+  check("direction_products",
+        [](auto& t) { t.returned(t.backend.direction_products(t.mass, t.x, t.y, t.y, t.z, t.z)); });
+  check("direct", [&](auto& t) {
+    t.backend.direct(beta, mu, omega, t.x, t.y, t.z);
     t.wrote(t.z);
-  });
-  check("direction", [&](auto& t) {
-    t.returned(t.backend.direction(beta, t.x, t.y, t.y, t.mass, t.z));
-    t.wrote(t.z);
-  });
-  check("subtract_moebius", [&](auto& t) {
-    t.backend.subtract_moebius(mu, omega, t.x, t.y);
-    t.wrote(t.y);
   });
   check("retract", [&](auto& t) {
     t.returned(t.backend.retract(t.mass, alpha, scale(0.1, mu), t.x, t.y, t.w));

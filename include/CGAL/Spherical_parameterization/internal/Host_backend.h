@@ -199,38 +199,23 @@ public:
     })[0];
   }
 
-  /// s = P s, in place; returns g . s and old_g . s
-  std::array<double, 2> project(const Vectors& v, const Vectors& g, const Vectors& old_g, Vectors& s) const
+  /// What decides about the next direction beta d - s, projected: old_g . P s; for P s its product with g, sum m_i s_i
+  /// and sum m_i v_i x s_i; and the same seven for P d
+  std::array<double, 15> direction_products(const Scalars& mass, const Vectors& v, const Vectors& g,
+                                            const Vectors& old_g, const Vectors& s, const Vectors& d) const
   {
-    return sum<2>(v.size(), [&](int i, auto& t) {
-      s[i] = tangent(s[i], v[i]);
-      t[0] += inner(g[i], s[i]);
-      t[1] += inner(old_g[i], s[i]);
+    return sum<15>(v.size(), [&](int i, auto& t) {
+      const vec3 step = tangent(s[i], v[i]);
+      t[0] += inner(old_g[i], step);
+      add_products(mass[i], v[i], g[i], step, &t[1]);
+      add_products(mass[i], v[i], g[i], tangent(d[i], v[i]), &t[8]);
     });
   }
 
-  /// d = -s + beta P d, in place; returns d . g, sum m_i d_i and sum m_i v_i x d_i
-  std::array<double, 7> direction(double beta, const Vectors& v, const Vectors& s, const Vectors& g,
-                                  const Scalars& mass, Vectors& d) const
+  /// d = P (beta d - s - y) - omega x v, in place: y and omega are an infinitesimal boost and rotation
+  void direct(double beta, vec3 y, vec3 omega, const Vectors& v, const Vectors& s, Vectors& d) const
   {
-    return sum<7>(v.size(), [&](int i, auto& t) {
-      d[i] = sub(scale(beta, tangent(d[i], v[i])), s[i]);
-      t[0] += inner(d[i], g[i]);
-      const vec3 push = scale(mass[i], d[i]);
-      const vec3 spin = outer(v[i], push);
-      t[1] += push.x;
-      t[2] += push.y;
-      t[3] += push.z;
-      t[4] += spin.x;
-      t[5] += spin.y;
-      t[6] += spin.z;
-    });
-  }
-
-  /// d -= P y + omega x v, in place: an infinitesimal boost and rotation
-  void subtract_moebius(vec3 y, vec3 omega, const Vectors& v, Vectors& d) const
-  {
-    for_each(v.size(), [&](int i) { d[i] = sub(d[i], add(tangent(y, v[i]), outer(omega, v[i]))); });
+    for_each(v.size(), [&](int i) { d[i] = next_direction(beta, y, omega, v[i], s[i], d[i]); });
   }
 
   /// Second derivative of the Lagrangian E - mu . sum m_i v_i along the geodesics with velocity d; sum m_i |d_i|^2;
@@ -377,6 +362,20 @@ private:
       for(int k = 0; k < K; ++k)
         total[k] += s[k];
     return total;
+  }
+
+  /// Adds d . g, m d and m v x d to t[0] ... t[6]
+  static void add_products(double m, vec3 v, vec3 g, vec3 d, double* t)
+  {
+    const vec3 push = scale(m, d);
+    const vec3 spin = outer(v, push);
+    t[0] += inner(g, d);
+    t[1] += push.x;
+    t[2] += push.y;
+    t[3] += push.z;
+    t[4] += spin.x;
+    t[5] += spin.y;
+    t[6] += spin.z;
   }
 
   template <class F>

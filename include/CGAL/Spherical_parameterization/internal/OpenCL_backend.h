@@ -156,20 +156,15 @@ public:
     return sum<1>("sp_balance_gradient", v.size(), a.inverse_diagonal, mass, mu, v, g)[0];
   }
 
-  std::array<double, 2> project(const Vectors& v, const Vectors& g, const Vectors& old_g, Vectors& s) const
+  std::array<double, 15> direction_products(const Scalars& mass, const Vectors& v, const Vectors& g,
+                                            const Vectors& old_g, const Vectors& s, const Vectors& d) const
   {
-    return sum<2>("sp_project", v.size(), v, g, old_g, s);
+    return sum<15>("sp_direction_products", v.size(), mass, v, g, old_g, s, d);
   }
 
-  std::array<double, 7> direction(double beta, const Vectors& v, const Vectors& s, const Vectors& g,
-                                  const Scalars& mass, Vectors& d) const
+  void direct(double beta, vec3 y, vec3 omega, const Vectors& v, const Vectors& s, Vectors& d) const
   {
-    return sum<7>("sp_direction", v.size(), beta, v, s, g, mass, d);
-  }
-
-  void subtract_moebius(vec3 y, vec3 omega, const Vectors& v, Vectors& d) const
-  {
-    run("sp_subtract_moebius", v.size(), y, omega, v, d);
+    run("sp_direct", v.size(), beta, y, omega, v, s, d);
   }
 
   std::array<double, 5> curvature(const Matrix& a, double p, const Scalars& mass, vec3 mu, const Vectors& v,

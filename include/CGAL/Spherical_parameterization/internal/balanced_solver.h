@@ -77,9 +77,9 @@ public:
   Solver_report solve(const Descent_options& options, Monitor& monitor, const std::vector<double>& references,
                       Refer refer, Vectors& v) const
   {
-    constexpr double longest_step = 0.25; // root mean square over the sphere of the angles by which vertices move
-    constexpr double progress = 0.8;      // at the limit of rounding the residual falls no more
-    constexpr double balance_tolerance = 1e-8;
+    constexpr double longest_step = 0.25;      // root mean square over the sphere of the angles by which vertices move
+    constexpr double progress = 0.8;           // at the limit of rounding the residual falls no more
+    constexpr double balance_tolerance = 1e-4; // the steps undo what is left
     constexpr int balance_steps = 10;
     const int n = multigrid_.size(level_);
     Vectors g = backend_.vectors(n), old_g = backend_.vectors(n), s = backend_.vectors(n), d = backend_.vectors(n);
@@ -132,16 +132,29 @@ public:
         return report;
 
       multigrid_.apply(level_, g, s);
-      const std::array<double, 2> products = backend_.project(v, g, old_g, s);
-      const double beta = report.iterations == 0 ? 0 : (std::max)(0., (products[0] - products[1]) / gs);
-      gs = products[0];
-      double slope = find_direction(beta, boosts, v, s, g, d);
-      if(!(slope < 0))
-        slope = find_direction(0, boosts, v, s, g, d);
+      // What a direction does is linear in it, so that one pass over step and last direction tells it of all betas.
+      typedef Eigen::Matrix<double, 7, 1> Products; // with the gradient; the momentum; the angular momentum
+      const std::array<double, 15> products = backend_.direction_products(mass_, v, g, old_g, s, d);
+      const Products of_step(&products[1]), of_last(&products[8]);
+      double beta = report.iterations == 0 ? 0 : (std::max)(0., (of_step[0] - products[0]) / gs);
+      gs = of_step[0];
+      Products of_next = beta * of_last - of_step;
+      if(!(of_next[0] < 0)) {
+        beta = 0;
+        of_next = -of_step;
+      }
+      const double slope = of_next[0];
       if(!(slope < 0)) { // rounding has eaten the gradient: no direction of descent is left
         report.has_stalled = true;
         return report;
       }
+      // The slope does not see the projection: the energy does not see rotations, and a balanced gradient sums to zero.
+      Eigen::Vector3d boost = Eigen::Vector3d::Zero(), rotation = boost;
+      if(gauge_ == Gauge::BALANCED)
+        boost = boosts.solve(of_next.segment<3>(1));
+      if(gauge_ != Gauge::FIXED)
+        rotation = boosts.solve(of_next.tail<3>());
+      backend_.direct(beta, to_vec3(boost), to_vec3(rotation), v, s, d);
 
       const std::array<double, 5> model = backend_.curvature(matrix_, exponent_, mass_, to_vec3(mu), v, d, density);
       const double longest = longest_step * std::sqrt(total_mass(moments) / model[1]);
@@ -156,21 +169,6 @@ public:
 
 private:
   static Eigen::Vector4d to_vector(const std::array<double, 4>& a) { return {a[0], a[1], a[2], a[3]}; }
-
-  /// d = -s + beta P d, projected to what the gauge allows; returns the slope d . g, which the projection does not
-  /// change: the energy does not see rotations, and a balanced gradient sums to zero.
-  double find_direction(double beta, const Eigen::LDLT<Eigen::Matrix3d>& boosts, const Vectors& v, const Vectors& s,
-                        const Vectors& g, Vectors& d) const
-  {
-    const std::array<double, 7> sums = backend_.direction(beta, v, s, g, mass_, d);
-    if(gauge_ != Gauge::FIXED) {
-      const Eigen::Vector3d push(sums[1], sums[2], sums[3]);
-      const Eigen::Vector3d spin(sums[4], sums[5], sums[6]);
-      const vec3 boost = gauge_ == Gauge::BALANCED ? to_vec3(boosts.solve(push)) : make_vec3(0, 0, 0);
-      backend_.subtract_moebius(boost, to_vec3(boosts.solve(spin)), v, d);
-    }
-    return sums[0];
-  }
 
   /// Armijo's rule from the step of the quadratic model. On success v, g, density, moments and sums are those of the
   /// new point; on failure v is unchanged.

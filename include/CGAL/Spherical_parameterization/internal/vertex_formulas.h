@@ -166,6 +166,12 @@ CGAL_SP_FUNCTION real spring_curvature(int i, graph_view a, real p, CGAL_SP_GLOB
   return sum / 2 - pull * inner(di, di);
 }
 
+/* P_v (beta d - s - y) - omega x v: the conjugate direction after the step s, less a boost and a rotation */
+CGAL_SP_FUNCTION vec3 next_direction(real beta, vec3 y, vec3 omega, vec3 v, vec3 s, vec3 d)
+{
+  return sub(tangent(sub(sub(scale(beta, d), s), y), v), outer(omega, v));
+}
+
 /* A step alpha along d, and a small boost with centre c on top, exact to first order: (v + alpha d - 2 P_v c)_i, back
  * on the sphere. */
 CGAL_SP_FUNCTION vec3 displaced(vec3 v, real alpha, vec3 d, vec3 c)

@@ -100,14 +100,22 @@ public:
     corner_.resize(offset_[n]);
     position_.resize(n);
     const Metric_bounds absolute = {bounds.aspect, bounds.area * source_area / (2. * n - 4)};
+    // Two loops, since what another core has written has to be fetched: the first waits for all of it at once.
     for_each_vertex(loop, [&](int i) {
       int at = offset_[i];
-      const vec3 p = points[vertex_[i]];
       position_[i] = map.position[vertex_[i]];
       mesh.for_each_corner(vertex_[i], [&](int c) {
-        const int j = mesh.vertex(Progressive_mesh::next(c)), k = mesh.vertex(Progressive_mesh::previous(c));
-        corner_[at++] = {index_[j], index_[k], face_metric(sub(points[j], p), sub(points[k], p), absolute)};
+        Corner& corner = corner_[at++];
+        corner.j = index_[mesh.vertex(Progressive_mesh::next(c))];
+        corner.k = index_[mesh.vertex(Progressive_mesh::previous(c))];
       });
+    });
+    for_each_vertex(loop, [&](int i) {
+      const vec3 p = points[vertex_[i]];
+      for(int c = offset_[i]; c < offset_[i + 1]; ++c) {
+        Corner& corner = corner_[c];
+        corner.metric = face_metric(sub(points[vertex_[corner.j]], p), sub(points[vertex_[corner.k]], p), absolute);
+      }
     });
     fit_scale(loop);
   }

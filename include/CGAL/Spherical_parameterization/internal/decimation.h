@@ -68,7 +68,8 @@ class Decimation {
 public:
   Decimation(const Loop& loop, const Host_array<vec3>& points, Progressive_mesh& mesh)
     : loop_(loop), point_(points), mesh_(mesh), quadric_(points.size()), best_(points.size()),
-      role_(points.size(), FREE), remaining_(points.size()), is_outdated_(points.size(), true)
+      role_(points.size(), FREE), remaining_(points.size()), is_outdated_(points.size(), true),
+      band_size_(size_of_bands(mesh.capacity()))
   {
     std::iota(remaining_.begin(), remaining_.end(), 0);
     double twice_area = 0;
@@ -91,7 +92,7 @@ public:
     while(mesh_.number_of_vertices() > 4 && collapsed.empty()) {
       update_costs();
       const double bound = cost_bound();
-      std::vector<Band> bands(mesh_.capacity() / band_size + 1);
+      std::vector<Band> bands(mesh_.capacity() / band_size_ + 1);
       loop_.for_each(static_cast<int>(bands.size()), [&](int b) { select_within(b, bound, bands[b]); });
       std::vector<int> across = select_across(bands);
       loop_.for_each(static_cast<int>(bands.size()), [&](int b) { apply(bands[b].collapsed); });
@@ -122,13 +123,24 @@ private:
     std::vector<Candidate> across; ///< the cheap candidates whose stars reach beyond it
   };
 
-  static constexpr int steps_of_a_task = 256, band_size = 4096;
+  static constexpr int steps_of_a_task = 256;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr double length_weight = 1e-3; ///< of the squared length of the edge, times the area of the star
   static constexpr double aspect_scale2 = 25;   ///< an aspect ratio of 5 doubles the cost
   static constexpr double flip_penalty = 1e3;   ///< for a normal that turns by more than 78 degrees
   static constexpr int good_degree = 9;         ///< each neighbour more doubles the cost
   static constexpr double share_of_candidates = 0.4;
+
+  /// Bands are long, since what lies across their borders is collapsed one by one, but four or more, for as many
+  /// threads.
+  static int size_of_bands(int number_of_vertices)
+  {
+    constexpr int shortest = 4096, longest = 16384;
+    int size = number_of_vertices / 4 + 1;
+    while(size > longest)
+      size = size / 2 + 1;
+    return (std::max)(size, shortest);
+  }
 
   vec3 face_normal(int c) const
   {
@@ -256,7 +268,7 @@ private:
   /// Selects among the vertices that cost no more than `bound`. Roles outside the band are neither read nor written.
   void select_within(int number, double bound, Band& band)
   {
-    const int begin = number * band_size, end = begin + band_size;
+    const int begin = number * band_size_, end = begin + band_size_;
     std::vector<Candidate> within;
     for(auto it = std::lower_bound(remaining_.begin(), remaining_.end(), begin); it != remaining_.end() && *it < end;
         ++it) {
@@ -343,6 +355,7 @@ private:
   std::vector<Role> role_;        ///< of every vertex in the collapses chosen for this round
   std::vector<int> remaining_;    ///< vertices that were not removed before this round
   std::vector<char> is_outdated_; ///< whether the best collapse of a vertex may be another one by now
+  int band_size_;                 ///< number of vertices
   double least_cost_ = 0;         ///< so that flat regions do not collapse for nothing, in any order
   int maximum_degree_ = 24;       ///< of vertices to be removed
 };

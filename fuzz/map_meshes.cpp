@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <sstream>
 #include <variant>
 #include <vector>
@@ -143,8 +144,10 @@ void map_meshes(const std::uint8_t* data, std::size_t size)
     are_good = are_good && weights[e] > 0 && std::isfinite(weights[e]);
   }
 
-  constexpr std::size_t enough_calls = 20000; // of the published method, which may want millions of sweeps
-  std::size_t calls_left = effort == 1 ? in.below(64) : enough_calls;
+  constexpr std::size_t enough_calls = 2000; // of the published method, which may want millions of sweeps
+  std::size_t calls_left = effort == 1                                        ? in.below(64)
+                           : std::holds_alternative<SP::Saddle_point>(method) ? enough_calls
+                                                                              : std::numeric_limits<std::size_t>::max();
   const Result result = std::visit(
     [&](const auto& chosen) {
       typedef std::decay_t<decltype(chosen)> Method;

@@ -54,7 +54,7 @@ void measure(const Options& options, double time_limit)
       for(Weights weights : both_weights) {
         std::vector<std::function<Result()>> maps;
         for(const Backend& b : backends)
-          maps.push_back([&] { return compute_map(b, mesh, weights, Balanced(), sphere); });
+          maps.emplace_back([&] { return compute_map(b, mesh, weights, Balanced(), sphere); });
         const std::vector<Result> balanced = median_maps(options.repetitions, maps);
         const Sweep_graph graph(mesh, weights);
         const double bytes = graph.bytes(Sweep::JACOBI);

@@ -31,7 +31,7 @@ void measure(const Options& options, double time_limit)
       for(const Backend& b : backends) {
         std::vector<std::function<Result()>> maps;
         for(std::size_t interval : intervals)
-          maps.push_back([&, interval] {
+          maps.emplace_back([&, interval] {
             Saddle_point method;
             method.check_interval = interval;
             return compute_map(b, mesh, Weights::CONFORMAL, method, sphere, time_limit);

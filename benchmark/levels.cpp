@@ -26,7 +26,7 @@ void measure_level(Table& table, const Options& options, const std::vector<Backe
   const published::Level_row* paper = find(published::table_2, model, weights, mesh.number_of_vertices());
   std::vector<std::function<Result()>> maps;
   for(const Backend& b : backends)
-    maps.push_back([&] { return compute_map(b, mesh, weights, Balanced(), sphere); });
+    maps.emplace_back([&] { return compute_map(b, mesh, weights, Balanced(), sphere); });
   const std::vector<Result> results = median_maps(options.repetitions, maps);
   for(std::size_t i = 0; i < backends.size(); ++i) {
     const Backend& b = backends[i];

@@ -24,7 +24,6 @@ namespace benchmark {
 namespace {
 
 namespace SP = CGAL::Spherical_parameterization;
-using SP::Error_code;
 
 double cpu_seconds_of_thread()
 {

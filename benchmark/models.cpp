@@ -31,7 +31,7 @@ void measure(const Options& options)
       for(Weights weights : both_weights) {
         std::vector<std::function<Result()>> maps;
         for(const Backend& b : backends)
-          maps.push_back([&] { return compute_map(b, mesh, weights, Balanced(), sphere); });
+          maps.emplace_back([&] { return compute_map(b, mesh, weights, Balanced(), sphere); });
         const std::vector<Result> results = median_maps(options.repetitions, maps);
         const published::Map_row* paper =
           find(published::table_1, model_name(file), weights, mesh.number_of_vertices());

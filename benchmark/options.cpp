@@ -28,7 +28,7 @@ std::vector<fs::path> Options::mesh_files() const
       std::sort(found.begin(), found.end());
       files.insert(files.end(), found.begin(), found.end());
     } else
-      files.push_back(name);
+      files.emplace_back(name);
   return files;
 }
 

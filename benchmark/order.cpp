@@ -94,7 +94,7 @@ void measure(const Options& options, int subdivisions)
     "order ms: to compute the order, once the mesh has been read",
     "the paper's Figure 2 is a diagram without numbers, and is not repeated here"};
   if(!has_valgrind())
-    notes.push_back("There is no valgrind here: no misses.");
+    notes.emplace_back("There is no valgrind here: no misses.");
   if(!missing_vertex_orders().empty())
     notes.push_back(missing_vertex_orders());
   Table table(options.output, "order", "Vertex orders (Figure 2 of the paper)", notes,

@@ -52,8 +52,8 @@ void measure(const Options& options, double time_limit)
           std::vector<double> residual(methods().size());
           std::vector<std::function<Result()>> maps;
           for(std::size_t i = 0; i < methods().size(); ++i)
-            maps.push_back([&, i] {
-              const Result result = compute_map(b, mesh, weights, methods()[i].method, sphere, time_limit);
+            maps.emplace_back([&, i] {
+              Result result = compute_map(b, mesh, weights, methods()[i].method, sphere, time_limit);
               residual[i] = graph.residual(mesh, sphere);
               return result;
             });

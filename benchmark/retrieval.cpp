@@ -116,7 +116,7 @@ void tabulate_groups(const Options& options, const Collection& collection)
   for(const auto& [group, classes] : collection.groups())
     if(classes > 1) // otherwise everything is a hit
       groups.push_back(group);
-  groups.push_back(""); // all together
+  groups.emplace_back(); // all together
   for(const std::string& group : groups)
     for(std::size_t d = 0; d < collection.descriptors.size(); ++d) {
       const std::vector<Labelled> models = collection.labelled(group, d);

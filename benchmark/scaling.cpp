@@ -55,7 +55,7 @@ void measure_level(Table& table, const Options& options, const std::vector<Backe
     const double counted = counted_sweeps(mesh, weights, sphere);
     std::vector<std::function<Run()>> measurements;
     for(const Backend& b : backends)
-      measurements.push_back(
+      measurements.emplace_back(
         [&, weights, sweeps = graph.sweeps(b, Sweep::LAPLACIAN)] { return run(b, mesh, weights, sphere, sweeps); });
     const std::vector<Run> runs = interleaved_medians(options.repetitions, measurements,
                                                       [](const Run& a, const Run& b) { return cost(a) < cost(b); });

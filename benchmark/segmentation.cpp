@@ -234,7 +234,7 @@ void measure(const Options& options, bool with_sdf)
     std::vector<Cell> row = {name, evaluation.number_of_models(name)};
     for(const std::string& method : evaluation.methods())
       if(method != "map")
-        row.push_back(evaluation.class_mean(method, name)[0]);
+        row.emplace_back(evaluation.class_mean(method, name)[0]);
     classes.add_row(row);
   }
 }

@@ -162,7 +162,7 @@ std::vector<double> seconds_per_sweep(const std::vector<std::function<void(int)>
       if(watch.seconds() >= shortest_batch)
         break;
     }
-    measurements.push_back([&sweep, count] {
+    measurements.emplace_back([&sweep, count] {
       const Stopwatch watch;
       sweep(count);
       return watch.seconds() / count;

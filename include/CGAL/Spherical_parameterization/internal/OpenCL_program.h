@@ -24,7 +24,7 @@ inline cl::Program program_from_source(cl_context context, cl_device_id device, 
 {
   const char* text = source.c_str();
   cl_int code = CL_SUCCESS;
-  const cl::Program program(clCreateProgramWithSource(context, 1, &text, nullptr, &code));
+  cl::Program program(clCreateProgramWithSource(context, 1, &text, nullptr, &code));
   check_opencl(code, "clCreateProgramWithSource");
   code = clBuildProgram(program(), 1, &device, options.c_str(), nullptr, nullptr);
   if(code != CL_SUCCESS) {
@@ -90,7 +90,7 @@ inline cl::Program build_program(cl_context context, cl_device_id device, const 
   if(const std::optional<std::string> binary = cache.load(key))
     if(const std::optional<cl::Program> program = program_from_binary(context, device, *binary, options))
       return *program;
-  const cl::Program program = program_from_source(context, device, source, options);
+  cl::Program program = program_from_source(context, device, source, options);
   const std::string binary = binary_of(program, device);
   if(!binary.empty())
     cache.store(key, binary);

@@ -97,7 +97,7 @@ public:
     // called when all kernels that use it are done, which may be after x is gone
     auto kept = std::make_unique<std::shared_ptr<const void>>(std::move(owner));
     check(clSetMemObjectDestructorCallback(x.memory(), &release, kept.get()), "clSetMemObjectDestructorCallback");
-    kept.release();
+    static_cast<void>(kept.release()); // `release` deletes it
     return x;
   }
 
@@ -187,7 +187,7 @@ private:
     const OpenCL_device_info& info = policy_.info();
     cl_int code = CL_INVALID_BUFFER_SIZE;
     if(bytes <= info.largest_allocation) {
-      const cl::Buffer buffer(clCreateBuffer(policy_.context(), flags, bytes, const_cast<void*>(content), &code));
+      cl::Buffer buffer(clCreateBuffer(policy_.context(), flags, bytes, const_cast<void*>(content), &code));
       if(code == CL_SUCCESS)
         return buffer;
     }

@@ -69,12 +69,12 @@ void write_checker(std::ostream& out, int columns, int rows)
   constexpr int square = 32; // pixels
   const int width = square * columns, height = square * rows;
   std::vector<png_byte> pixels;
-  pixels.reserve(static_cast<std::size_t>(3 * width * height));
+  pixels.reserve(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   for(int y = 0; y < height; ++y)
     for(int x = 0; x < width; ++x) {
-      const bool is_white = (x / square + y / square) % 2 == 0;
-      const auto colour =
-        is_white ? std::array<png_byte, 3>{250, 250, 250} : colour_of_hue((x / square + 0.5) / columns);
+      const int column = x / square, row = y / square;
+      const bool is_white = (column + row) % 2 == 0;
+      const auto colour = is_white ? std::array<png_byte, 3>{250, 250, 250} : colour_of_hue((column + 0.5) / columns);
       pixels.insert(pixels.end(), colour.begin(), colour.end());
     }
 

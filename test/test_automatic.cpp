@@ -18,7 +18,7 @@ namespace {
 Result solve_automatically(const Soup& soup, Sphere& sphere, Settings settings = {})
 {
   settings.method = SP::Automatic();
-  const Result result = solve(soup, sphere, settings);
+  Result result = solve(soup, sphere, settings);
   CAPTURE(result);
   CHECK(bool(result));
   CHECK(count_flipped_faces(soup, sphere) == 0);

@@ -21,7 +21,7 @@ template <class Mesh_or_soup>
 Result solve_any(const Mesh_or_soup& input, const Settings& settings = {})
 {
   Sphere sphere;
-  const Result result = solve(input, sphere, settings);
+  Result result = solve(input, sphere, settings);
   INFO(result);
   CHECK_FALSE(bool(result));
   CHECK(result.detail.find('\n') == std::string::npos);

@@ -221,7 +221,7 @@ TEST_CASE("locating: what is no direction, and what is no map", "[locate]")
   CGAL::Euler::remove_face(open.halfedge(Mesh::Face_index(7)), open);
   CHECK_THROWS_AS(make_locator(open, fine.points), std::invalid_argument);
   Soup with_isolated = fine;
-  with_isolated.points.push_back(Point(0, 0, 1));
+  with_isolated.points.emplace_back(0, 0, 1);
   const Mesh isolated = make_mesh(with_isolated);
   CHECK_THROWS_AS(make_locator(isolated, with_isolated.points), std::invalid_argument);
 }

@@ -56,7 +56,7 @@ private:
 /// An empty folder of this test's own.
 fs::path scratch_folder(const std::string& name)
 {
-  const fs::path folder = fs::path(SCRATCH_FOLDER) / name;
+  fs::path folder = fs::path(SCRATCH_FOLDER) / name;
   fs::remove_all(folder);
   fs::create_directories(folder);
   return folder;

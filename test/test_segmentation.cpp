@@ -47,7 +47,7 @@ SP::Segmentation_result segment(const Soup& soup, const Sphere& sphere, const Me
 {
   const Mesh mesh = make_mesh(soup);
   std::map<Face, std::size_t> of_face;
-  const auto result = std::visit(
+  auto result = std::visit(
     [&](const auto& m) {
       return SP::segmentation_via_area_stretch(mesh, on(sphere), Writable_map<Face, std::size_t>{&of_face}, m);
     },

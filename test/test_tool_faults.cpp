@@ -55,7 +55,7 @@ std::vector<Command> commands(const Scratch& scratch, const std::string& input)
 /// Prepares the folder: the input, and its map.
 std::string prepare(const Scratch& scratch, int level = 4)
 {
-  const std::string input = write_off(scratch / "in.off", spiky_star(level, 1));
+  std::string input = write_off(scratch / "in.off", spiky_star(level, 1));
   REQUIRE(run_tool({"map", input, "-o", scratch / "sphere.off"}).exit_code == 0);
   return input;
 }
@@ -373,11 +373,11 @@ std::vector<std::string> policies()
 {
   std::vector<std::string> names = {"sequential"};
 #ifdef CGAL_LINKED_WITH_TBB
-  names.push_back("tbb");
+  names.emplace_back("tbb");
 #endif
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
   if(some_policy<CGAL::Spherical_parameterization::OpenCL_device>())
-    names.push_back("opencl");
+    names.emplace_back("opencl");
 #endif
   return names;
 }

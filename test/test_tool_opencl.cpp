@@ -19,7 +19,7 @@ bool contains(const std::string& text, const std::string& part) { return text.fi
 Process_result run_tool_with(std::vector<std::string> variables, const std::vector<std::string>& arguments)
 {
   variables.insert(variables.begin(), "/usr/bin/env");
-  variables.push_back(TOOL);
+  variables.emplace_back(TOOL);
   variables.insert(variables.end(), arguments.begin(), arguments.end());
   return run_process(variables);
 }

@@ -39,7 +39,7 @@ std::string make_index(const Scratch& scratch)
               transformed(dumbbell(4), [i](const Point& p) { return Point(p.x(), p.y(), (1 + 0.03 * i) * p.z()); }));
   }
   write_off(scratch / "torus.off", torus(8, 8)); // has no signature
-  const std::string index = scratch / "index.csv";
+  std::string index = scratch / "index.csv";
   REQUIRE(run_tool({"signature", scratch.folder(), "-o", index}).exit_code == 0);
   return index;
 }

@@ -27,7 +27,7 @@ namespace {
 /// A folder of 24 meshes, two of them bad.
 std::string make_folder(const Scratch& scratch)
 {
-  const std::string folder = scratch / "meshes";
+  std::string folder = scratch / "meshes";
   fs::create_directories(folder + "/more");
   for(int i = 0; i < 22; ++i)
     write_off(folder + (i % 2 ? "/more/" : "/") + std::to_string(i) + ".off", i % 3 == 0 ? dumbbell(4)

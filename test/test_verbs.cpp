@@ -9,6 +9,7 @@
 
 #include <array>
 #include <memory>
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <random>
@@ -97,11 +98,18 @@ Sparse_matrix random_matrix(int rows, int columns, Random& random)
   return m;
 }
 
+std::uint64_t bits(double x)
+{
+  std::uint64_t result = 0;
+  std::memcpy(&result, &x, sizeof result);
+  return result;
+}
+
 std::size_t count_different_bits(const double* a, const double* b, std::size_t n)
 {
   std::size_t count = 0;
   for(std::size_t i = 0; i < n; ++i)
-    count += std::memcmp(a + i, b + i, sizeof(double)) != 0;
+    count += bits(a[i]) != bits(b[i]);
   return count;
 }
 

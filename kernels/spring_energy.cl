@@ -45,19 +45,6 @@ KERNEL sp_balance_gradient(int n, CONST_SCALARS inverse_diagonal, CONST_SCALARS 
   ADD_UP(1);
 }
 
-void add_products(real m, vec3 v, vec3 g, vec3 d, real* s)
-{
-  const vec3 push = scale(m, d);
-  const vec3 spin = outer(v, push);
-  s[0] += inner(g, d);
-  s[1] += push.x;
-  s[2] += push.y;
-  s[3] += push.z;
-  s[4] += spin.x;
-  s[5] += spin.y;
-  s[6] += spin.z;
-}
-
 KERNEL sp_direction_products(int n, CONST_SCALARS mass, CONST_VECTORS v, CONST_VECTORS g, CONST_VECTORS old_g,
                              CONST_VECTORS step, CONST_VECTORS d, SCALARS partial)
 {
@@ -101,19 +88,6 @@ KERNEL sp_stiffening_curvature(int n, MATRIX(a), real p, CONST_SCALARS mass, vec
                                CONST_SCALARS density, SCALARS partial)
 {
   CURVATURE(p);
-}
-
-void add_moments(real m, vec3 p, real* s)
-{
-  s[0] += m * p.x;
-  s[1] += m * p.y;
-  s[2] += m * p.z;
-  s[3] += m * p.x * p.x;
-  s[4] += m * p.x * p.y;
-  s[5] += m * p.x * p.z;
-  s[6] += m * p.y * p.y;
-  s[7] += m * p.y * p.z;
-  s[8] += m * p.z * p.z;
 }
 
 KERNEL sp_retract(int n, CONST_SCALARS mass, real alpha, vec3 c, CONST_VECTORS v, CONST_VECTORS d, VECTORS w,

@@ -364,36 +364,10 @@ private:
     return total;
   }
 
-  /// Adds d . g, m d and m v x d to t[0] ... t[6]
-  static void add_products(double m, vec3 v, vec3 g, vec3 d, double* t)
-  {
-    const vec3 push = scale(m, d);
-    const vec3 spin = outer(v, push);
-    t[0] += inner(g, d);
-    t[1] += push.x;
-    t[2] += push.y;
-    t[3] += push.z;
-    t[4] += spin.x;
-    t[5] += spin.y;
-    t[6] += spin.z;
-  }
-
   template <class F>
   Moments moments_of(const Scalars& mass, std::size_t n, F position) const
   {
-    const auto s = sum<9>(n, [&](int i, auto& t) {
-      const double m = mass[i];
-      const vec3 p = position(i);
-      t[0] += m * p.x;
-      t[1] += m * p.y;
-      t[2] += m * p.z;
-      t[3] += m * p.x * p.x;
-      t[4] += m * p.x * p.y;
-      t[5] += m * p.x * p.z;
-      t[6] += m * p.y * p.y;
-      t[7] += m * p.y * p.z;
-      t[8] += m * p.z * p.z;
-    });
+    const auto s = sum<9>(n, [&](int i, auto& t) { add_moments(mass[i], position(i), t.data()); });
     Moments r;
     std::copy(s.begin(), s.begin() + 3, r.first.begin());
     std::copy(s.begin() + 3, s.end(), r.second.begin());

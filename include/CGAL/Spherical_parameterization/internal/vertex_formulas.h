@@ -179,6 +179,20 @@ CGAL_SP_FUNCTION vec3 displaced(vec3 v, real alpha, vec3 d, vec3 c)
   return unit(add_scaled(add_scaled(v, alpha, d), -2, tangent(c, v)));
 }
 
+/* Adds what decides about a direction d at v to s[0] ... s[6]: g . d, the momentum m d and the spin m v x d. */
+CGAL_SP_FUNCTION void add_products(real m, vec3 v, vec3 g, vec3 d, real* s)
+{
+  const vec3 push = scale(m, d);
+  const vec3 spin = outer(v, push);
+  s[0] += inner(g, d);
+  s[1] += push.x;
+  s[2] += push.y;
+  s[3] += push.z;
+  s[4] += spin.x;
+  s[5] += spin.y;
+  s[6] += spin.z;
+}
+
 /* ---- Moebius transformations and balance ------------------------------------------------------------------------- */
 
 /* The boost of the sphere with centre c, |c| < 1: x -> (1 - c^2) (x - c) / |x - c|^2 - c, to first order x - 2 P_x c.
@@ -187,6 +201,20 @@ CGAL_SP_FUNCTION vec3 boost(vec3 x, vec3 c)
 {
   const vec3 d = sub(x, c);
   return unit(sub(scale((1 - inner(c, c)) / inner(d, d), d), c));
+}
+
+/* Adds m v and m v v^T (xx, xy, xz, yy, yz, zz) to s[0] ... s[8]. */
+CGAL_SP_FUNCTION void add_moments(real m, vec3 v, real* s)
+{
+  s[0] += m * v.x;
+  s[1] += m * v.y;
+  s[2] += m * v.z;
+  s[3] += m * v.x * v.x;
+  s[4] += m * v.x * v.y;
+  s[5] += m * v.x * v.z;
+  s[6] += m * v.y * v.y;
+  s[7] += m * v.y * v.z;
+  s[8] += m * v.z * v.z;
 }
 
 /* ---- the published method ---------------------------------------------------------------------------------------- */

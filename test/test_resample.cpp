@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 using namespace test;
@@ -78,6 +79,27 @@ TEST_CASE("values of all kinds are interpolated", "[transfer]")
   }
   for(Vertex v : vertices(coarse)) // the first ones
     CHECK(number.at(v) == value(coarse.point(v)));
+}
+
+TEST_CASE("what is constant stays so, at the ends of the range, too", "[transfer]")
+{
+  const Mesh coarse = make_mesh(icosphere(1)), fine = make_mesh(icosphere(4));
+  const Locator locator(coarse, coarse.points());
+  const auto direction = of_vertex<Point>([&](Vertex v) { // weights that rounding keeps from adding up to 1
+    const Point& p = fine.point(v);
+    return Point(p.x(), 2 * p.y(), 3 * p.z());
+  });
+  const double largest = (std::numeric_limits<double>::max)();
+  std::map<Vertex, int> number;
+  std::map<Vertex, Point> points;
+  SP::transfer_vertex_property(locator, of_vertex<int>([](Vertex) { return 7; }), fine, direction,
+                               Writable_map<Vertex, int>{&number});
+  SP::transfer_vertex_property(locator, of_vertex<Point>([=](Vertex) { return Point(largest, -largest, 0.1); }), fine,
+                               direction, Writable_map<Vertex, Point>{&points});
+  for(Vertex v : vertices(fine)) {
+    CHECK(number.at(v) == 7);
+    CHECK(points.at(v) == Point(largest, -largest, 0.1));
+  }
 }
 
 TEST_CASE("labels of faces are transferred as they are", "[transfer]")

@@ -11,6 +11,7 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <array>
 #include <type_traits>
 #include <utility>
@@ -29,16 +30,26 @@ template <class Value>
 struct Is_linear<Value, std::void_t<decltype(1. * std::declval<const Value&>() + 1. * std::declval<const Value&>())>>
   : std::true_type {};
 
+/// Between the least and the largest of them, whatever the rounding: what is constant stays so, and nothing overflows.
+template <class Number>
+Number weighted_mean_of_numbers(const std::array<double, 3>& w, Number x0, Number x1, Number x2)
+{
+  const auto [least, largest] = std::minmax({x0, x1, x2});
+  return std::clamp<Number>(w[0] * x0 + w[1] * x1 + w[2] * x2, least, largest);
+}
+
 /// w_0 x_0 + w_1 x_1 + w_2 x_2 of numbers, vectors of any library, or points (which CGAL does not add up).
 template <class Value>
 Value weighted_mean(const std::array<double, 3>& w, const Value& x0, const Value& x1, const Value& x2)
 {
-  if constexpr(Is_linear<Value>::value)
+  if constexpr(std::is_arithmetic<Value>::value)
+    return static_cast<Value>(weighted_mean_of_numbers<std::common_type_t<double, Value>>(w, x0, x1, x2));
+  else if constexpr(Is_linear<Value>::value)
     return static_cast<Value>(w[0] * x0 + w[1] * x1 + w[2] * x2);
   else {
     const vec3 a = coordinates(x0), b = coordinates(x1), c = coordinates(x2);
-    const vec3 sum = add(scale(w[0], a), add(scale(w[1], b), scale(w[2], c)));
-    return Value(sum.x, sum.y, sum.z);
+    return Value(weighted_mean_of_numbers(w, a.x, b.x, c.x), weighted_mean_of_numbers(w, a.y, b.y, c.y),
+                 weighted_mean_of_numbers(w, a.z, b.z, c.z));
   }
 }
 
@@ -49,7 +60,7 @@ Value weighted_mean(const std::array<double, 3>& w, const Value& x0, const Value
 /// \param location    a face of it, and the weights of its corners
 /// \param vertex_map  readable, key vertex_descriptor; value a number, a vector that can be multiplied by a double
 ///                    and added, or a point or vector with x(), y(), z()
-/// \return the weighted mean of the values at the corners
+/// \return the weighted mean of the values at the corners: numbers in their range, points in their bounding box
 template <class TriangleMesh, class VertexMap>
 typename boost::property_traits<VertexMap>::value_type
 interpolate(const TriangleMesh& mesh, const Face_location<TriangleMesh>& location, VertexMap vertex_map)

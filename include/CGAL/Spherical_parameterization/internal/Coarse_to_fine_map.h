@@ -40,12 +40,10 @@ class Coarse_to_fine_map {
 public:
   Coarse_to_fine_map(const Loop& loop, const Isometric& method, Map_task& task)
     : loop_(loop), method_(method), exponent_((std::min)(method.area_exponent, largest_coarse_exponent)),
-      distortion_(exponent_), task_(task), mesh_(loop, task.faces, task.size()),
+      distortion_(exponent_), task_(task), source_area_(area_of_source()), mesh_(loop, task.faces, task.size()),
       level_(task.size()), map_{Host_array<vec3>(task.size(), vec3{0, 0, 0}), std::vector<int>(task.size(), -1)}
   {
-    for(double a : task.area)
-      source_area_ += a;
-    if(!(source_area_ > 0)) // all points on a line: then all faces count as equal
+    if(!(source_area_ > 0)) // all points are one: then all faces count as equal
       source_area_ = 1;
   }
 
@@ -73,6 +71,25 @@ private:
   static constexpr double largest_coarse_exponent = 3;
   static constexpr double linear_tolerance = 0.1; ///< of Newton's equations
   static constexpr double least_gain = 1e-4;      ///< of the energy, for which a Newton step is worth while
+
+  /// The smallest area that faces count with is a share of this. So it has needles as good as they will count: were the
+  /// whole surface needles, and their true areas added up, then the share would be nothing to any of them.
+  double area_of_source() const
+  {
+    const auto sum_of_part = [&](int begin, int end) {
+      double sum = 0;
+      for(int f = begin; f < end; ++f) {
+        const auto [i, j, k] = task_.faces[f];
+        const vec3 a = sub(task_.points[j], task_.points[i]), b = sub(task_.points[k], task_.points[i]);
+        sum += face_metric(a, b, {coarse_bounds.aspect, 0}).twice_area / 2;
+      }
+      return sum;
+    };
+    double area = 0;
+    for(double of_part : results_of_parts(loop_, static_cast<int>(task_.faces.size()), sum_of_part))
+      area += of_part;
+    return area;
+  }
 
   void decimate()
   {
@@ -266,11 +283,11 @@ private:
   double exponent_; ///< of the area, at the moment
   Distortion distortion_;
   Map_task& task_;
+  double source_area_;
   Progressive_mesh mesh_;
   Map_level level_;
   Partial_map map_;
   std::vector<std::vector<int>> rounds_; ///< the collapsed half-edges of every round
-  double source_area_ = 0;
   double last_newton_ = 0;
 };
 

@@ -132,6 +132,24 @@ TEST_CASE("a map that winds twice round the axis has degree 2", "[distortion]")
   CHECK(degree(soup, sphere) == 2);
 }
 
+TEST_CASE("the degree is right where the directions in which faces are counted are on a border", "[distortion]")
+{
+  const double t = 773. / 1024; // degree.h: (1, t, t^2), t = 773/1024 + 0, 1, ...
+  const Point q(1, t, t * t), next(1, t + 1, (t + 1) * (t + 1));
+  const Soup soup = tetrahedron();
+  const Mesh mesh = make_mesh(soup);
+  Sphere sphere = {q, next, Point(-1, -2, 2), Point(-1, 1, -3)};
+  SECTION("two vertices there") {}
+  SECTION("an edge through the first, a vertex at the second") { sphere[0] = Point(0.5, 0.5 + t, t * t - 1); }
+  SECTION("all vertices but one on a great circle with both")
+  {
+    sphere[2] = Point(-2, -2 * t - 1, -t * t - (t + 1) * (t + 1));
+  }
+  const int expected = degree(soup, sphere);
+  CHECK(std::abs(expected) == 1);
+  CHECK(SP::degree_of_map(mesh, on(sphere)) == expected);
+}
+
 TEST_CASE("flips are counted by exact predicates", "[distortion]")
 {
   // The star of a vertex shrunk until its faces are far below the rounding errors of a determinant, round a point with

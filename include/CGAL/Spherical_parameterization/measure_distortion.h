@@ -63,7 +63,7 @@ std::size_t number_of_flipped_faces(const TriangleMesh& mesh, VertexSphereMap sp
   return flipped;
 }
 
-/// How often the map covers the sphere, counted with orientation: the sum of the signed spherical areas over 4 pi.
+/// How often the map covers the sphere, counted with orientation, by exact predicates on the coordinates as doubles.
 /// Faces with coordinates that are not finite do not count.
 /// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param sphere_map  readable, key vertex_descriptor, value unit vectors
@@ -73,13 +73,15 @@ std::size_t number_of_flipped_faces(const TriangleMesh& mesh, VertexSphereMap sp
 template <class TriangleMesh, class VertexSphereMap>
 int degree_of_map(const TriangleMesh& mesh, VertexSphereMap sphere_map)
 {
-  double total = 0;
-  for(auto f : faces(mesh)) {
-    const auto c = internal::corners(mesh, sphere_map, f);
-    if(internal::is_finite(c[0], c[1], c[2]))
-      total += internal::spherical_area(c[0], c[1], c[2], internal::is_positively_oriented(c[0], c[1], c[2]));
-  }
-  return static_cast<int>(std::lround(total / (4 * std::acos(-1.))));
+  return internal::degree([&](internal::vec3 q) {
+    double sum = 0;
+    for(auto f : faces(mesh)) {
+      const auto c = internal::corners(mesh, sphere_map, f);
+      if(internal::is_finite(c[0], c[1], c[2]))
+        sum += internal::covering(c[0], c[1], c[2], q);
+    }
+    return sum;
+  });
 }
 
 /// \name Measures per face

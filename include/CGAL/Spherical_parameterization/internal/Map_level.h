@@ -8,6 +8,7 @@
 #include <CGAL/Spherical_parameterization/internal/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/Progressive_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/Star.h>
+#include <CGAL/Spherical_parameterization/internal/degree.h>
 #include <CGAL/Spherical_parameterization/internal/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/vertex_formulas.h>
 
@@ -187,16 +188,16 @@ public:
            area_;
   }
 
-  /// Whether the map is a bijection: all faces are positively oriented, exactly, and cover the sphere once.
+  /// Whether the map is a bijection, exactly: all faces are positively oriented, and cover the sphere once.
   template <class Loop>
   bool is_bijective(const Loop& loop) const
   {
-    const double full = 4 * std::acos(-1.);
-    const double covered = sum_over_faces(loop, [&](vec3 x, const Star_face& f) {
-      return is_positively_oriented(x, f.j, f.k) ? spherical_area(x, f.j, f.k, true)
-                                                 : -std::numeric_limits<double>::infinity();
-    });
-    return covered > 0.5 * full && covered < 1.5 * full;
+    const double flipped =
+      sum_over_faces(loop, [](vec3 x, const Star_face& f) { return is_positively_oriented(x, f.j, f.k) ? 0. : 1.; });
+    return flipped == 0 &&
+           degree([&](vec3 q) {
+             return sum_over_faces(loop, [q](vec3 x, const Star_face& f) { return covering(x, f.j, f.k, q); });
+           }) == 1;
   }
 
   template <class Loop>

@@ -48,7 +48,7 @@ inline int side_of_great_circle(vec3 a, vec3 b, vec3 q)
     return 1;
   if(determinant.value < -determinant.error)
     return -1;
-  if(is_equal(q, a) || is_equal(q, b)) // the one frequent case in which nothing but exact arithmetic would help
+  if(is_equal(q, a) || is_equal(q, b) || is_equal(a, b)) // frequent, and else nothing but exact arithmetic would help
     return 0;
   typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
   const auto point = [](vec3 p) { return Kernel::Point_3(p.x, p.y, p.z); };

@@ -5,6 +5,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPHERICAL_TRIANGLES_H
 
 #include <CGAL/Spherical_parameterization/internal/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/degree.h>
 #include <CGAL/Spherical_parameterization/internal/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/vertex_formulas.h>
 
@@ -51,21 +52,13 @@ inline bool is_positively_oriented(vec3 a, vec3 b, vec3 c)
   return Kernel().orientation_3_object()(Kernel::Point_3(0, 0, 0), point(a), point(b), point(c)) == CGAL::POSITIVE;
 }
 
-/// The signed area, whose sign is known exactly: that of half a sphere, all three corners of which are nearly on its
-/// border, could be turned by rounding.
-inline double spherical_area(vec3 a, vec3 b, vec3 c, bool is_positive)
-{
-  const double area = std::abs(spherical_area(a, b, c));
-  return is_positive ? area : -area;
-}
-
 inline bool is_finite(vec3 a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
 inline bool is_finite(vec3 a, vec3 b, vec3 c) { return is_finite(a) && is_finite(b) && is_finite(c); }
 
 /// What the certificate consists of.
 struct Certificate {
   std::size_t flipped_faces = 0; ///< faces that are not positively oriented, or have a coordinate that is not finite
-  int degree = 0;                ///< sum of the signed areas over 4 pi
+  int degree = 0;                ///< how often the faces with finite coordinates cover the sphere
   double smallest_area = std::numeric_limits<double>::infinity(); ///< without sign
   double smallest_edge = std::numeric_limits<double>::infinity(); ///< chord
 
@@ -79,7 +72,6 @@ Certificate certify(const Loop& loop, const Host_array<std::array<int, 3>>& face
 {
   struct Part {
     Certificate certificate;
-    double area = 0;
     double shortest2 = std::numeric_limits<double>::infinity();
   };
   const std::vector<Part> parts = results_of_parts(loop, static_cast<int>(faces.size()), [&](int begin, int end) {
@@ -90,12 +82,9 @@ Certificate certify(const Loop& loop, const Host_array<std::array<int, 3>>& face
         ++part.certificate.flipped_faces;
         continue;
       }
-      const bool is_positive = is_positively_oriented(a, b, c);
-      if(!is_positive)
+      if(!is_positively_oriented(a, b, c))
         ++part.certificate.flipped_faces;
-      const double area = spherical_area(a, b, c, is_positive);
-      part.area += area;
-      part.certificate.smallest_area = (std::min)(part.certificate.smallest_area, std::abs(area));
+      part.certificate.smallest_area = (std::min)(part.certificate.smallest_area, std::abs(spherical_area(a, b, c)));
       for(vec3 edge : {sub(b, a), sub(c, b), sub(a, c)})
         part.shortest2 = (std::min)(part.shortest2, inner(edge, edge));
     }
@@ -104,14 +93,25 @@ Certificate certify(const Loop& loop, const Host_array<std::array<int, 3>>& face
   });
 
   Certificate result;
-  double total = 0;
   for(const Part& part : parts) {
     result.flipped_faces += part.certificate.flipped_faces;
     result.smallest_area = (std::min)(result.smallest_area, part.certificate.smallest_area);
     result.smallest_edge = (std::min)(result.smallest_edge, part.certificate.smallest_edge);
-    total += part.area;
   }
-  result.degree = static_cast<int>(std::lround(total / (4 * std::acos(-1.))));
+  result.degree = degree([&](vec3 q) {
+    double total = 0;
+    for(double of_part : results_of_parts(loop, static_cast<int>(faces.size()), [&](int begin, int end) {
+          double sum = 0;
+          for(int f = begin; f < end; ++f) {
+            const vec3 a = v[faces[f][0]], b = v[faces[f][1]], c = v[faces[f][2]];
+            if(is_finite(a, b, c))
+              sum += covering(a, b, c, q);
+          }
+          return sum;
+        }))
+      total += of_part;
+    return total;
+  });
   return result;
 }
 

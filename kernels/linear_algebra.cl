@@ -4,6 +4,12 @@
  * The verbs of linear algebra; see Host_backend for what they compute.
  */
 
+KERNEL sp_copy(int n, CONST_VECTORS x, VECTORS y)
+{
+  FOR_EACH(i, n)
+  y[i] = x[i];
+}
+
 KERNEL sp_dot(int n, CONST_VECTORS x, CONST_VECTORS y, SCALARS partial)
 {
   SUMS(1);

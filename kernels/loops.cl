@@ -1,13 +1,20 @@
 /* SPDX-License-Identifier: LGPL-3.0-or-later
  * Part of CGAL Spherical Parameterization.
  *
- * What every kernel is made of: its arguments, the loop over i, and sums. The work-groups of all kernels have 64
- * work-items, so that no driver has to compile a kernel twice.
+ * What every kernel is made of: its arguments, the loop over i, and sums.
+ *
+ * A GPU runs the 64 work-items of a group at once. A CPU runs them one after the other, and barriers are what costs
+ * most: there a group is one work-item, which does a block of elements as a thread of the host would.
  */
 #define LANES 64
 #define BLOCK 1024
 
-#define KERNEL __kernel __attribute__((reqd_work_group_size(LANES, 1, 1))) void
+#ifdef CGAL_SP_CPU
+#define WORK_ITEMS 1
+#else
+#define WORK_ITEMS LANES
+#endif
+#define KERNEL __kernel __attribute__((reqd_work_group_size(WORK_ITEMS, 1, 1))) void
 
 #define VECTORS __global vec3*
 #define CONST_VECTORS __global const vec3*
@@ -44,29 +51,47 @@ sparse_view make_sparse_view(INDICES offset, INDICES column, CONST_SCALARS value
   return t;
 }
 
-/* The statement after it is executed for each i in 0 ... n-1. */
+/* FOR_EACH(i, n): the statement after it is executed for each i in 0 ... n-1.
+ *
+ * SUMS(K) makes room for K sums; the statement after FOR_EACH_OF_BLOCK adds the share of i to s[0] ... s[K-1];
+ * ADD_UP(K) hands over the sums of the block. Lane l adds up the elements with i % LANES == l, then the lanes are added
+ * pairwise: the order of Host_backend, to the last bit. */
+#ifdef CGAL_SP_CPU
+
+#define FOR_EACH(i, n) for(int i = (int)get_group_id(0) * BLOCK, i##_end = min(i + BLOCK, n); i < i##_end; ++i)
+
+#define SUMS(K)                                                                                                        \
+  const int number_of_sums = K;                                                                                        \
+  real lanes[(K)*LANES] = {0}
+
+#define FOR_EACH_OF_BLOCK(i, n)                                                                                        \
+  FOR_EACH(i, n)                                                                                                       \
+  for(real* s = lanes + i % LANES * number_of_sums; s; s = 0)
+
+#define ADD_UP(K) add_lanes(K, lanes, partial)
+
+void add_lanes(int count, real* lanes, SCALARS partial)
+{
+  for(int half_size = LANES / 2 * count; half_size >= count; half_size /= 2)
+    for(int k = 0; k < half_size; ++k)
+      lanes[k] += lanes[k + half_size];
+  for(int k = 0; k < count; ++k)
+    partial[get_group_id(0) * count + k] = lanes[k];
+}
+
+#else
+
 #define FOR_EACH(i, n)                                                                                                 \
   const int i = (int)get_global_id(0);                                                                                 \
   if(i < (n))
 
-/* SUMS(K) declares s[0] ... s[K-1], to which the statement after FOR_EACH_OF_BLOCK adds the share of i; ADD_UP(K) hands
- * over the sums of the block. Lane l adds up the elements with i % LANES == l, then the lanes are added pairwise: the
- * order of Host_backend, to the last bit. */
 #define SUMS(K)                                                                                                        \
   __local real lanes[(K)*LANES];                                                                                       \
   real s[K] = {0}
 
 #define FOR_EACH_OF_BLOCK(i, n)                                                                                        \
-  for(int turn = 0; turn < BLOCK / LANES; ++turn, IN_STEP)                                                             \
+  for(int turn = 0; turn < BLOCK / LANES; ++turn)                                                                      \
     for(int i = (int)get_group_id(0) * BLOCK + turn * LANES + (int)get_local_id(0); i < (n); i = (n))
-
-/* On a CPU work-items are run one after the other. Without a barrier each would run through its whole share of the
- * block, in strides that no cache likes. */
-#ifdef CGAL_SP_CPU
-#define IN_STEP barrier(CLK_LOCAL_MEM_FENCE)
-#else
-#define IN_STEP (void)0
-#endif
 
 #define ADD_UP(K) add_lanes(K, s, lanes, partial)
 
@@ -85,3 +110,5 @@ void add_lanes(int count, const real* s, __local real* lanes, SCALARS partial)
     for(int k = 0; k < count; ++k)
       partial[get_group_id(0) * count + k] = lanes[k * LANES];
 }
+
+#endif

@@ -200,14 +200,17 @@ TEST_CASE("a shared array outlives its owner's other users, and no longer than i
 {
   if(!there_is_a_device())
     return;
-  const internal::OpenCL_runtime runtime(SP::opencl_device());
+  OpenCL_device device = SP::opencl_device();
+  SECTION("as it is") {}
+  SECTION("as on a GPU") { device.treat_as_gpu(); }
+  const internal::OpenCL_runtime runtime(device);
   auto host = std::make_shared<const internal::Host_array<int>>(internal::Host_array<int>{3, 1, 2});
   const std::weak_ptr<const internal::Host_array<int>> watch = host;
   {
     const internal::OpenCL_array<int> array = runtime.share(*host, host);
     host.reset();
     CHECK(array.size() == 3);
-    CHECK(watch.expired() == !runtime.policy().info().is_cpu);
+    CHECK(watch.expired() == !device.info().is_cpu);
   }
   CHECK(clFinish(runtime.policy().queue()()) == CL_SUCCESS);
   CHECK(watch.expired());
@@ -313,7 +316,7 @@ TEST_CASE("without a cache folder all goes on", "[opencl]")
     const OpenCL_device device = SP::opencl_device();
     const std::string key =
       internal::program_key(device.device(), internal::kernel_source(),
-                            internal::build_options(device.device(), device.is_double_precision()));
+                            internal::build_options(device.is_double_precision(), device.info().is_cpu));
     const auto good = internal::Binary_cache().load(key);
     if(!good) // this driver hands out none
       return;
@@ -328,7 +331,10 @@ TEST_CASE("single precision: a valid map, or an honest refusal", "[opencl]")
   if(!there_is_a_device())
     return;
   Settings settings;
-  settings.policy = SP::opencl_device(Precision::SINGLE).set_smallest_mesh(0);
+  OpenCL_device device = SP::opencl_device(Precision::SINGLE).set_smallest_mesh(0);
+  if(GENERATE(false, true))
+    device.treat_as_gpu();
+  settings.policy = device;
   const Soup soup = GENERATE(tetrahedron(), bumpy_sphere(4), dumbbell(4), spiky_star(4, 2), capsule(20, 12));
   Sphere sphere;
   const Result result = solve(soup, sphere, settings);

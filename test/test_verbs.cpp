@@ -207,8 +207,11 @@ private:
 
 TEMPLATE_LIST_TEST_CASE("every verb does the same on every backend, bit by bit", "[verbs]", test::Parallel_policies)
 {
-  const auto policy = test::some_policy<TestType>();
+  auto policy = test::some_policy<TestType>();
   if(!policy)
+    return;
+  const bool is_as_on_gpu = GENERATE(false, true);
+  if(is_as_on_gpu && !test::treat_as_gpu(*policy))
     return;
   const char* const size = std::getenv("LARGEST_GRAPH"); // smaller where kernels are simulated
   const int largest = size ? std::atoi(size) : 100001;

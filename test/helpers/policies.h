@@ -47,6 +47,20 @@ inline std::optional<CGAL::Spherical_parameterization::OpenCL_device> some_polic
 }
 #endif
 
+/// Has the policy do what it does on a GPU, and returns `true`, if it is one that could be there.
+template <class P>
+bool treat_as_gpu(P&)
+{
+  return false;
+}
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
+inline bool treat_as_gpu(CGAL::Spherical_parameterization::OpenCL_device& device)
+{
+  device.treat_as_gpu();
+  return true;
+}
+#endif
+
 /// What `Settings` start with: sequential unless the test program was started with `--policy`.
 const Policy& default_policy();
 const std::string& default_policy_name();

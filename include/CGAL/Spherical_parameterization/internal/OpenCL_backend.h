@@ -92,7 +92,8 @@ public:
 
   /// \name Linear algebra
   /// @{
-  void copy(const Vectors& x, Vectors& y) const { device_.copy(x, y); }
+  /// By a kernel: drivers for CPUs copy buffers on one core.
+  void copy(const Vectors& x, Vectors& y) const { run("sp_copy", x.size(), x, y); }
 
   double dot(const Vectors& x, const Vectors& y) const { return sum<1>("sp_dot", x.size(), x, y)[0]; }
 

@@ -145,7 +145,13 @@ public:
   /// \cond SKIP_IN_MANUAL
   cl_context context() const { return context_; } // kept alive by the queue
   cl_device_id device() const { return device_; }
-  cl::Program program() const { return program_->get(context_, device_, is_double_); }
+  cl::Program program() const { return program_->get(context_, device_, is_double_, info_.is_cpu); }
+  /// So that what is done on GPUs can be tested without one.
+  void treat_as_gpu()
+  {
+    info_.is_cpu = false;
+    program_ = std::make_shared<internal::OpenCL_program>();
+  }
   /// \endcond
 
 private:

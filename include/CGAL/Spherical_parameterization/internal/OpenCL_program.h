@@ -97,21 +97,19 @@ inline cl::Program build_program(cl_context context, cl_device_id device, const 
   return program;
 }
 
-inline std::string build_options(cl_device_id device, bool is_double)
+inline std::string build_options(bool is_double, bool is_cpu)
 {
-  const auto type = opencl_value<cl_device_type>(clGetDeviceInfo, "clGetDeviceInfo", device, CL_DEVICE_TYPE);
-  return std::string("-cl-std=CL1.2") + (is_double ? " -D CGAL_SP_DOUBLE" : "") +
-         ((type & CL_DEVICE_TYPE_CPU) != 0 ? " -D CGAL_SP_CPU" : "");
+  return std::string("-cl-std=CL1.2") + (is_double ? " -D CGAL_SP_DOUBLE" : "") + (is_cpu ? " -D CGAL_SP_CPU" : "");
 }
 
 /// The kernels of this package for one device, compiled when they are asked for first. Any number of threads may ask.
 class OpenCL_program {
 public:
-  cl::Program get(cl_context context, cl_device_id device, bool is_double)
+  cl::Program get(cl_context context, cl_device_id device, bool is_double, bool is_cpu)
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if(program_() == nullptr)
-      program_ = build_program(context, device, kernel_source(), build_options(device, is_double));
+      program_ = build_program(context, device, kernel_source(), build_options(is_double, is_cpu));
     return program_;
   }
 

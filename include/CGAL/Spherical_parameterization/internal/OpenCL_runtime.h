@@ -89,8 +89,7 @@ public:
   template <class T>
   OpenCL_array<T> share(const Host_array<T>& host, std::shared_ptr<const void> owner) const
   {
-    const bool has_own_memory = !policy_.info().is_cpu;
-    if(host.empty() || has_own_memory || !(std::is_same_v<T, int> || is_double()))
+    if(host.empty() || !is_cpu() || !(std::is_same_v<T, int> || is_double()))
       return upload(host);
     OpenCL_array<T> x(host.size(),
                       allocate(CL_MEM_READ_ONLY | CL_MEM_USE_HOST_PTR, host.size() * sizeof(T), host.data()));
@@ -109,19 +108,12 @@ public:
     return host;
   }
 
-  template <class T>
-  void copy(const OpenCL_array<T>& x, OpenCL_array<T>& y) const
-  {
-    if(x.size() > 0)
-      check(clEnqueueCopyBuffer(queue(), x.memory(), y.memory(), 0, 0, x.size() * bytes_of<T>(), 0, nullptr, nullptr),
-            "clEnqueueCopyBuffer");
-  }
-
   /// Runs a kernel for i = 0 ... n-1. Its arguments are n and the others, structures of arrays member by member.
   template <class... Arguments>
   void run(const char* name, std::size_t n, const Arguments&... arguments) const
   {
-    launch(name, n, (n + lanes - 1) / lanes, arguments...);
+    const std::size_t share = is_cpu() ? block_size : lanes;
+    launch(name, n, (n + share - 1) / share, arguments...);
   }
 
   /// Runs a kernel whose last argument takes K sums per block; returns the sums of the blocks, added up in order.
@@ -150,6 +142,7 @@ private:
   static void CL_CALLBACK release(cl_mem, void* owner) { delete static_cast<std::shared_ptr<const void>*>(owner); }
 
   bool is_double() const { return policy_.is_double_precision(); }
+  bool is_cpu() const { return policy_.info().is_cpu; }
   cl_command_queue queue() const { return policy_.queue()(); }
 
   /// How many numbers a T has.
@@ -216,8 +209,8 @@ private:
     cl_uint index = 0;
     set(kernel, index, static_cast<int>(n));
     (set(kernel, index, arguments), ...);
-    const std::size_t global = work_groups * lanes;
-    check(clEnqueueNDRangeKernel(queue(), kernel, 1, nullptr, &global, &lanes, 0, nullptr, nullptr), name);
+    const std::size_t work_items = is_cpu() ? 1 : lanes, all = work_groups * work_items;
+    check(clEnqueueNDRangeKernel(queue(), kernel, 1, nullptr, &all, &work_items, 0, nullptr, nullptr), name);
   }
 
   cl_kernel kernel_named(const char* name) const

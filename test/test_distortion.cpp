@@ -136,15 +136,23 @@ TEST_CASE("the degree is right where the directions in which faces are counted a
 {
   const double t = 773. / 1024; // degree.h: (1, t, t^2), t = 773/1024 + 0, 1, ...
   const Point q(1, t, t * t), next(1, t + 1, (t + 1) * (t + 1));
+  const auto mean = [&](double s, double r) { // on the great circle through both
+    return Point(s * q.x() + r * next.x(), s * q.y() + r * next.y(), s * q.z() + r * next.z());
+  };
   const Soup soup = tetrahedron();
   const Mesh mesh = make_mesh(soup);
-  Sphere sphere = {q, next, Point(-1, -2, 2), Point(-1, 1, -3)};
-  SECTION("two vertices there") {}
-  SECTION("an edge through the first, a vertex at the second") { sphere[0] = Point(0.5, 0.5 + t, t * t - 1); }
-  SECTION("all vertices but one on a great circle with both")
+  const Point far(-1, -2, 2);
+  Sphere sphere;
+  SECTION("two vertices there") { sphere = {q, next, far}; }
+  SECTION("an edge through the first, a vertex at the second")
   {
-    sphere[2] = Point(-2, -2 * t - 1, -t * t - (t + 1) * (t + 1));
+    sphere = {Point(q.x() + 0.5, q.y(), q.z() - 1), next, Point(q.x() - 0.5, q.y(), q.z() + 1)};
   }
+  SECTION("an edge through both") { sphere = {mean(2, -1), far, mean(-1, 2)}; }
+  SECTION("an edge on the great circle through both") { sphere = {mean(-1, 5), mean(-1, 3), far}; }
+  sphere.push_back(
+    opposite(Point(sphere[0].x() + sphere[1].x() + sphere[2].x(), sphere[0].y() + sphere[1].y() + sphere[2].y(),
+                   sphere[0].z() + sphere[1].z() + sphere[2].z())));
   const int expected = degree(soup, sphere);
   CHECK(std::abs(expected) == 1);
   CHECK(SP::degree_of_map(mesh, on(sphere)) == expected);

@@ -179,6 +179,8 @@ void put_any_points(Bytes& in, Mesh& mesh)
 
 bool is_simplicial(const Mesh& mesh)
 {
+  if(mesh.number_of_vertices() < 4) // a triangle with two sides has no double edges, either
+    return false;
   std::set<std::pair<Vertex, Vertex>> seen;
   for(const Halfedge h : mesh.halfedges())
     if(mesh.source(h) == mesh.target(h) || !seen.emplace(mesh.source(h), mesh.target(h)).second)

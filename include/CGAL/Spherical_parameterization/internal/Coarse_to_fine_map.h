@@ -76,19 +76,11 @@ private:
   /// whole surface needles, and their true areas added up, then the share would be nothing to any of them.
   double area_of_source() const
   {
-    const auto sum_of_part = [&](int begin, int end) {
-      double sum = 0;
-      for(int f = begin; f < end; ++f) {
-        const auto [i, j, k] = task_.faces[f];
-        const vec3 a = sub(task_.points[j], task_.points[i]), b = sub(task_.points[k], task_.points[i]);
-        sum += face_metric(a, b, {coarse_bounds.aspect, 0}).twice_area / 2;
-      }
-      return sum;
-    };
-    double area = 0;
-    for(double of_part : results_of_parts(loop_, static_cast<int>(task_.faces.size()), sum_of_part))
-      area += of_part;
-    return area;
+    return sum_by_parts(loop_, static_cast<int>(task_.faces.size()), [&](int f) {
+      const auto [i, j, k] = task_.faces[f];
+      const vec3 a = sub(task_.points[j], task_.points[i]), b = sub(task_.points[k], task_.points[i]);
+      return face_metric(a, b, {coarse_bounds.aspect, 0}).twice_area / 2;
+    });
   }
 
   void decimate()

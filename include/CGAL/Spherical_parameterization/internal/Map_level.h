@@ -50,18 +50,12 @@ void for_each_of_level(const Loop& loop, int begin, int end, F f)
 template <int Enough = few_steps, class Loop, class F>
 double sum_over_level(const Loop& loop, int begin, int end, F f)
 {
-  const auto sum_of = [&](int first, int last) {
-    double sum = 0;
-    for(int i = first; i < last; ++i)
-      sum += f(begin + i);
-    return sum;
-  };
-  if(end - begin < least_tasks * Enough)
-    return sum_of(0, end - begin);
-  double total = 0;
-  for(double s : results_of_parts<Enough>(loop, end - begin, sum_of))
-    total += s;
-  return total;
+  if(end - begin >= least_tasks * Enough)
+    return sum_by_parts<Enough>(loop, end - begin, [&](int i) { return f(begin + i); });
+  double sum = 0;
+  for(int i = begin; i < end; ++i)
+    sum += f(i);
+  return sum;
 }
 
 /// The current mesh of a progressive mesh as compact arrays, with a map to the sphere: what is relaxed.

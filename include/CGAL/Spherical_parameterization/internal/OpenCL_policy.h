@@ -129,9 +129,9 @@ public:
   /// \return whether it computes with 64 bits
   bool is_double_precision() const { return is_double_; }
 
-  /// \return the least number of vertices that the device gets. With PoCL a CPU as a device draws level with one core
-  /// at
-  ///         40,000; the default is lower for the sake of GPUs.
+  /// \return the least number of vertices that the device gets
+  ///
+  /// With PoCL a CPU as a device draws level with one core at 40,000; the default is lower for the sake of GPUs.
   std::size_t smallest_mesh() const { return smallest_mesh_; }
   /// Sends smaller meshes to the host.
   /// \param number_of_vertices  the least that the device gets; 0 for all meshes

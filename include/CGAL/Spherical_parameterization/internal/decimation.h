@@ -72,14 +72,7 @@ public:
       band_size_(size_of_bands(mesh.capacity()))
   {
     std::iota(remaining_.begin(), remaining_.end(), 0);
-    double twice_area = 0;
-    for(double of_part : results_of_parts(loop, mesh.capacity(), [&](int begin, int end) {
-          double sum = 0;
-          for(int v = begin; v < end; ++v)
-            sum += initialise_quadric(v);
-          return sum;
-        }))
-      twice_area += of_part;
+    const double twice_area = sum_by_parts(loop, mesh.capacity(), [&](int v) { return initialise_quadric(v); });
     const double mean_area = twice_area / 2 / (2. * mesh.capacity()) / 3;
     least_cost_ = 1e-3 * length_weight * mean_area * mean_area;
   }

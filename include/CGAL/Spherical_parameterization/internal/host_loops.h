@@ -69,6 +69,22 @@ auto results_of_parts(const Loop& loop, int n, F f)
   return results;
 }
 
+/// f(0) + ... + f(n-1), part by part.
+template <int Size = part_size, class Loop, class F>
+double sum_by_parts(const Loop& loop, int n, F f)
+{
+  const auto sum_of_part = [&](int begin, int end) {
+    double sum = 0;
+    for(int i = begin; i < end; ++i)
+      sum += f(i);
+    return sum;
+  };
+  double total = 0;
+  for(double sum : results_of_parts<Size>(loop, n, sum_of_part))
+    total += sum;
+  return total;
+}
+
 /// The smallest i in 0 ... n-1 for which `holds(i)`, or n: the same for any number of threads.
 template <class Loop, class Predicate>
 int first_index(const Loop& loop, int n, Predicate holds)

@@ -99,18 +99,10 @@ Certificate certify(const Loop& loop, const Host_array<std::array<int, 3>>& face
     result.smallest_edge = (std::min)(result.smallest_edge, part.certificate.smallest_edge);
   }
   result.degree = degree([&](vec3 q) {
-    double total = 0;
-    for(double of_part : results_of_parts(loop, static_cast<int>(faces.size()), [&](int begin, int end) {
-          double sum = 0;
-          for(int f = begin; f < end; ++f) {
-            const vec3 a = v[faces[f][0]], b = v[faces[f][1]], c = v[faces[f][2]];
-            if(is_finite(a, b, c))
-              sum += covering(a, b, c, q);
-          }
-          return sum;
-        }))
-      total += of_part;
-    return total;
+    return sum_by_parts(loop, static_cast<int>(faces.size()), [&](int f) {
+      const vec3 a = v[faces[f][0]], b = v[faces[f][1]], c = v[faces[f][2]];
+      return is_finite(a, b, c) ? covering(a, b, c, q) : 0;
+    });
   });
   return result;
 }

@@ -133,13 +133,18 @@ private:
                                                counted(round.size(), "vertex", "vertices") + "; repair the mesh"};
   }
 
-  /// Pulls all faces towards the same shape and size.
+  /// Pulls all faces towards the same shape, then also towards the same size: angles first, since areas are too stiff
+  /// where a map is next to degenerate.
   void make_room()
   {
     constexpr int sweeps = 3;
     assign_level({1, 1});
-    for(int s = 0; s < sweeps; ++s)
-      relax_all(loop_, distortion_, level_);
+    for(double exponent : {0., 1.}) {
+      const Distortion distortion(exponent);
+      for(int s = 0; s < sweeps; ++s)
+        relax_all(loop_, distortion, level_);
+      relax_globally(distortion);
+    }
     level_.store(loop_, map_);
   }
 
@@ -199,7 +204,7 @@ private:
       relax_all(loop_, distortion_, level_);
     if(level_.size() >= growth * last_newton_) {
       last_newton_ = level_.size();
-      relax_globally();
+      relax_globally(distortion_);
     }
     const std::vector<int> region = distorted_regions(loop_, distortion_, level_, bad_factor, rings);
     for(int s = 0; s < sweeps_of_regions && !region.empty(); ++s)
@@ -209,15 +214,15 @@ private:
 
   /// Newton's method on coarse meshes, where limbs find their places for little: the number of steps falls with the
   /// size.
-  void relax_globally()
+  void relax_globally(const Distortion& distortion)
   {
     constexpr int maximum_size = 6000, maximum_steps = 100, maximum_work = 100000, maximum_iterations = 50;
     if(level_.size() > maximum_size)
       return;
-    Newton_relaxation<Loop> newton(loop_, distortion_, level_);
+    Newton_relaxation<Loop> newton(loop_, distortion, level_);
     const int steps = (std::min)(maximum_steps, maximum_work / level_.size());
     for(int s = 0; s < steps && newton.step(maximum_iterations, linear_tolerance) > least_gain; ++s) {
-      relax_all(loop_, distortion_, level_);
+      relax_all(loop_, distortion, level_);
       if(!advance())
         give_up();
     }

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # coverage.sh
-# Builds the tests with little optimization, runs them, and prints which share of the lines of include/ and src/ they have
-# executed. The details are in BUILD/coverage.html. Left out are the tests of the installation, and those of full disks and
-# the like, which would damage the files of the counters.
+# Builds the tests with little optimization, runs them, and prints which share of the lines of include/ and src/ they
+# have executed. The details are in BUILD/coverage.html. Left out are the tests of the installation, and those of full
+# disks and the like, which would damage the files of the counters.
 # Environment: BUILD (folder, default build-coverage), JOBS; TARGETS and TESTS (a regular expression of CTest), for a part
 # of the tests
 set -euo pipefail

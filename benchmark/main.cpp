@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "commands.h"
+#include "commands/commands.h"
 
 #include <CGAL/assertions.h>
 

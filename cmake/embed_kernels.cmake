@@ -19,8 +19,8 @@ function(embed_kernels output)
   set(header "// SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization. Written by embed_kernels.cmake: change kernels/*.cl instead.
 
-#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_KERNEL_SOURCES_H
-#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_KERNEL_SOURCES_H
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_OPENCL_KERNEL_SOURCES_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_OPENCL_KERNEL_SOURCES_H
 
 #include <string>
 
@@ -38,7 +38,7 @@ ${statements}  return source;
 } // namespace Spherical_parameterization
 } // namespace CGAL
 
-#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_KERNEL_SOURCES_H
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_OPENCL_KERNEL_SOURCES_H
 ")
   set(old "")
   if(EXISTS ${output})

@@ -4,7 +4,7 @@
 #ifndef FUZZ_ANY_MAP_H
 #define FUZZ_ANY_MAP_H
 
-#include "../test/helpers/soup.h"
+#include "test/helpers/soup.h"
 #include "Bytes.h"
 
 namespace fuzz {

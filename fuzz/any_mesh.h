@@ -4,7 +4,7 @@
 #ifndef FUZZ_ANY_MESH_H
 #define FUZZ_ANY_MESH_H
 
-#include "../test/helpers/soup.h"
+#include "test/helpers/soup.h"
 #include "Bytes.h"
 
 namespace fuzz {

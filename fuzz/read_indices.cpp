@@ -3,9 +3,9 @@
 #include "Input_file.h"
 #include "targets.h"
 
-#include "nearest_signatures.h"
-#include "refusal.h"
-#include "signature_index.h"
+#include "collections/nearest_signatures.h"
+#include "input/refusal.h"
+#include "collections/signature_index.h"
 
 #include <algorithm>
 #include <string>

@@ -3,11 +3,11 @@
 #include "Input_file.h"
 #include "targets.h"
 
-#include "fixed_vertices.h"
-#include "mapped_mesh.h"
-#include "mesh_io.h"
-#include "read_sphere.h"
-#include "refusal.h"
+#include "input/fixed_vertices.h"
+#include "mapping/mapped_mesh.h"
+#include "input/mesh_io.h"
+#include "mapping/read_sphere.h"
+#include "input/refusal.h"
 
 #include <CGAL/boost/graph/helpers.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "../test/helpers/certificate.h"
+#include "test/helpers/certificate.h"
 #include "any_map.h"
 #include "any_mesh.h"
 #include "targets.h"

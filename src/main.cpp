@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "devices_command.h"
-#include "help_formatter.h"
-#include "map_command.h"
-#include "resample_command.h"
-#include "search_command.h"
-#include "segment_command.h"
-#include "signature_command.h"
-#include "texture_command.h"
+#include "commands/devices_command.h"
+#include "options/help_formatter.h"
+#include "commands/map_command.h"
+#include "commands/resample_command.h"
+#include "commands/search_command.h"
+#include "commands/segment_command.h"
+#include "commands/signature_command.h"
+#include "commands/texture_command.h"
 
 #include <CGAL/assertions.h>
 #include <CGAL/version.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "certificate.h"
+#include "helpers/certificate.h"
 
 #include <Eigen/Dense>
 

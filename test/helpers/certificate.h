@@ -4,7 +4,7 @@
 #ifndef TEST_HELPERS_CERTIFICATE_H
 #define TEST_HELPERS_CERTIFICATE_H
 
-#include "soup.h"
+#include "helpers/soup.h"
 
 #include <cstddef>
 #include <vector>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "check.h"
+#include "helpers/check.h"
 
 #include <catch2/catch.hpp>
 

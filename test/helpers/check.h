@@ -4,8 +4,8 @@
 #ifndef TEST_HELPERS_CHECK_H
 #define TEST_HELPERS_CHECK_H
 
-#include "certificate.h"
-#include "solve.h"
+#include "helpers/certificate.h"
+#include "helpers/solve.h"
 
 #include <string>
 

@@ -4,9 +4,9 @@
 #ifndef TEST_HELPERS_CHECK_GRAPH_H
 #define TEST_HELPERS_CHECK_GRAPH_H
 
-#include "certificate.h"
-#include "property_maps.h"
-#include "solve.h"
+#include "helpers/certificate.h"
+#include "helpers/property_maps.h"
+#include "helpers/solve.h"
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/spherical_parameterization.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "hard_maps.h"
+#include "helpers/hard_maps.h"
 
-#include "certificate.h"
-#include "meshes.h"
-#include "solve.h"
+#include "helpers/certificate.h"
+#include "helpers/meshes.h"
+#include "helpers/solve.h"
 
 #include <algorithm>
 #include <cmath>

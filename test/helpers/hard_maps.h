@@ -4,7 +4,7 @@
 #ifndef TEST_HELPERS_HARD_MAPS_H
 #define TEST_HELPERS_HARD_MAPS_H
 
-#include "soup.h"
+#include "helpers/soup.h"
 
 #include <string>
 #include <vector>

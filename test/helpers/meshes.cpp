@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "meshes.h"
+#include "helpers/meshes.h"
 
 #include <cmath>
 #include <limits>

@@ -4,7 +4,7 @@
 #ifndef TEST_HELPERS_MESHES_H
 #define TEST_HELPERS_MESHES_H
 
-#include "soup.h"
+#include "helpers/soup.h"
 
 #include <array>
 #include <functional>

@@ -4,7 +4,7 @@
 #ifndef TEST_HELPERS_POLICIES_H
 #define TEST_HELPERS_POLICIES_H
 
-#include <CGAL/Spherical_parameterization/internal/Any_policy.h>
+#include <CGAL/Spherical_parameterization/internal/backend/Any_policy.h>
 
 #include <iostream>
 #include <optional>

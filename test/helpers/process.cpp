@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "process.h"
+#include "helpers/process.h"
 
 #include <array>
 #include <chrono>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "solve.h"
+#include "helpers/solve.h"
 
-#include "property_maps.h"
+#include "helpers/property_maps.h"
 
 #include <CGAL/spherical_parameterization.h>
 

@@ -4,9 +4,9 @@
 #ifndef TEST_HELPERS_SOLVE_H
 #define TEST_HELPERS_SOLVE_H
 
-#include "certificate.h"
-#include "policies.h"
-#include "soup.h"
+#include "helpers/certificate.h"
+#include "options/policies.h"
+#include "helpers/soup.h"
 
 #include <CGAL/Spherical_parameterization/Result.h>
 #include <CGAL/Spherical_parameterization/methods.h>

@@ -4,9 +4,9 @@
 #ifndef TEST_HELPERS_TOOL_H
 #define TEST_HELPERS_TOOL_H
 
-#include "policies.h"
-#include "process.h"
-#include "soup.h"
+#include "options/policies.h"
+#include "helpers/process.h"
+#include "helpers/soup.h"
 
 #include <CGAL/IO/polygon_soup_io.h>
 

@@ -10,8 +10,8 @@
 //   const Result result = parameterize(device, mesh, Balanced(), sphere_map);
 
 #include <CGAL/Spherical_parameterization/OpenCL_error.h>
-#include <CGAL/Spherical_parameterization/internal/OpenCL_backend.h>
-#include <CGAL/Spherical_parameterization/internal/OpenCL_policy.h>
+#include <CGAL/Spherical_parameterization/internal/backend/opencl/OpenCL_backend.h>
+#include <CGAL/Spherical_parameterization/internal/backend/opencl/OpenCL_policy.h>
 
 #include <algorithm>
 #include <cctype>

@@ -4,7 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_OPENCL_ERROR_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_OPENCL_ERROR_H
 
-#include <CGAL/Spherical_parameterization/internal/OpenCL_header.h>
+#include <CGAL/Spherical_parameterization/internal/backend/opencl/OpenCL_header.h>
 
 #include <stdexcept>
 #include <string>

@@ -4,8 +4,8 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_DISTORTION_SUMMARY_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_DISTORTION_SUMMARY_H
 
-#include <CGAL/Spherical_parameterization/internal/Face_measures.h>
-#include <CGAL/Spherical_parameterization/internal/named_parameters.h>
+#include <CGAL/Spherical_parameterization/internal/distortion/Face_measures.h>
+#include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_EDGE_WEIGHTS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_EDGE_WEIGHTS_H
 
-#include <CGAL/Spherical_parameterization/internal/named_parameters.h>
-#include <CGAL/Spherical_parameterization/internal/point_coordinates.h>
+#include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/point_coordinates.h>
 
 #include <CGAL/assertions.h>
 

@@ -4,9 +4,9 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_LOCATE_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_LOCATE_H
 
-#include <CGAL/Spherical_parameterization/internal/Kd_tree.h>
-#include <CGAL/Spherical_parameterization/internal/Vertex_numbering.h>
-#include <CGAL/Spherical_parameterization/internal/side_of_great_circle.h>
+#include <CGAL/Spherical_parameterization/internal/inverse/Kd_tree.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/Vertex_numbering.h>
+#include <CGAL/Spherical_parameterization/internal/predicates/side_of_great_circle.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 
 #include <boost/graph/graph_traits.hpp>

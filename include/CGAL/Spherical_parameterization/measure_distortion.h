@@ -4,9 +4,9 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_MEASURE_DISTORTION_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_MEASURE_DISTORTION_H
 
-#include <CGAL/Spherical_parameterization/internal/Face_measures.h>
-#include <CGAL/Spherical_parameterization/internal/named_parameters.h>
-#include <CGAL/Spherical_parameterization/internal/spherical_triangles.h>
+#include <CGAL/Spherical_parameterization/internal/distortion/Face_measures.h>
+#include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
+#include <CGAL/Spherical_parameterization/internal/predicates/spherical_triangles.h>
 
 #include <CGAL/boost/graph/iterator.h>
 

@@ -4,21 +4,21 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_PARAMETERIZE_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_PARAMETERIZE_H
 
-#include <CGAL/Spherical_parameterization/internal/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/Result.h>
 #include <CGAL/Spherical_parameterization/edge_weights.h>
-#include <CGAL/Spherical_parameterization/execution.h>
-#include <CGAL/Spherical_parameterization/internal/Failure.h>
-#include <CGAL/Spherical_parameterization/internal/Host_backend.h>
-#include <CGAL/Spherical_parameterization/internal/Map_task.h>
-#include <CGAL/Spherical_parameterization/internal/Source_mesh.h>
-#include <CGAL/Spherical_parameterization/internal/fixed_vertices.h>
-#include <CGAL/Spherical_parameterization/internal/named_parameters.h>
-#include <CGAL/Spherical_parameterization/internal/run_automatic.h>
-#include <CGAL/Spherical_parameterization/internal/run_balanced.h>
-#include <CGAL/Spherical_parameterization/internal/run_isometric.h>
-#include <CGAL/Spherical_parameterization/internal/run_saddle_point.h>
-#include <CGAL/Spherical_parameterization/internal/verdict.h>
+#include <CGAL/Spherical_parameterization/internal/backend/execution.h>
+#include <CGAL/Spherical_parameterization/internal/base/Failure.h>
+#include <CGAL/Spherical_parameterization/internal/backend/Host_backend.h>
+#include <CGAL/Spherical_parameterization/internal/problem/Map_task.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/Source_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/problem/fixed_vertices.h>
+#include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
+#include <CGAL/Spherical_parameterization/internal/driver/run_automatic.h>
+#include <CGAL/Spherical_parameterization/internal/harmonic/run_balanced.h>
+#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/run_isometric.h>
+#include <CGAL/Spherical_parameterization/internal/saddle_point/run_saddle_point.h>
+#include <CGAL/Spherical_parameterization/internal/driver/verdict.h>
 #include <CGAL/Spherical_parameterization/methods.h>
 
 #include <CGAL/property_map.h>

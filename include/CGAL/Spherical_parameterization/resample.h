@@ -4,7 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_RESAMPLE_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_RESAMPLE_H
 
-#include <CGAL/Spherical_parameterization/internal/icosphere.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/icosphere.h>
 #include <CGAL/Spherical_parameterization/transfer_properties.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>

@@ -15,13 +15,13 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_SEGMENTATION_H
 
 #include <CGAL/Spherical_parameterization/Result.h>
-#include <CGAL/Spherical_parameterization/internal/Segmentation_mesh.h>
-#include <CGAL/Spherical_parameterization/internal/concave_cuts.h>
-#include <CGAL/Spherical_parameterization/internal/girth_profiles.h>
-#include <CGAL/Spherical_parameterization/internal/majority_vote.h>
-#include <CGAL/Spherical_parameterization/internal/named_parameters.h>
-#include <CGAL/Spherical_parameterization/internal/region_growing.h>
-#include <CGAL/Spherical_parameterization/internal/segment_selection.h>
+#include <CGAL/Spherical_parameterization/internal/segmentation/Segmentation_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/segmentation/concave_cuts.h>
+#include <CGAL/Spherical_parameterization/internal/segmentation/girth_profiles.h>
+#include <CGAL/Spherical_parameterization/internal/segmentation/majority_vote.h>
+#include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
+#include <CGAL/Spherical_parameterization/internal/segmentation/region_growing.h>
+#include <CGAL/Spherical_parameterization/internal/segmentation/segment_selection.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 
 #include <CGAL/assertions.h>

@@ -4,10 +4,10 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_SHAPE_SIGNATURE_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_SHAPE_SIGNATURE_H
 
-#include <CGAL/Spherical_parameterization/internal/conformal_factor.h>
-#include <CGAL/Spherical_parameterization/internal/histogram.h>
-#include <CGAL/Spherical_parameterization/internal/named_parameters.h>
-#include <CGAL/Spherical_parameterization/internal/persistence.h>
+#include <CGAL/Spherical_parameterization/internal/signature/conformal_factor.h>
+#include <CGAL/Spherical_parameterization/internal/distortion/histogram.h>
+#include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
+#include <CGAL/Spherical_parameterization/internal/segmentation/persistence.h>
 
 #include <algorithm>
 #include <array>

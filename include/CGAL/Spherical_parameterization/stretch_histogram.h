@@ -4,10 +4,10 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_STRETCH_HISTOGRAM_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_STRETCH_HISTOGRAM_H
 
-#include <CGAL/Spherical_parameterization/internal/Face_measures.h>
-#include <CGAL/Spherical_parameterization/internal/Vertex_numbering.h>
-#include <CGAL/Spherical_parameterization/internal/histogram.h>
-#include <CGAL/Spherical_parameterization/internal/named_parameters.h>
+#include <CGAL/Spherical_parameterization/internal/distortion/Face_measures.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/Vertex_numbering.h>
+#include <CGAL/Spherical_parameterization/internal/distortion/histogram.h>
+#include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 
 #include <CGAL/assertions.h>

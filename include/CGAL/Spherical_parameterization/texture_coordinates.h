@@ -4,9 +4,9 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_TEXTURE_COORDINATES_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_TEXTURE_COORDINATES_H
 
-#include <CGAL/Spherical_parameterization/internal/least_harmful_poles.h>
-#include <CGAL/Spherical_parameterization/internal/named_parameters.h>
-#include <CGAL/Spherical_parameterization/internal/texture_charts.h>
+#include <CGAL/Spherical_parameterization/internal/texture/least_harmful_poles.h>
+#include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
+#include <CGAL/Spherical_parameterization/internal/texture/texture_charts.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 
 #include <CGAL/boost/graph/iterator.h>

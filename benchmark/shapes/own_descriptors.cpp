@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#include "measure/backend.h"
+#include "shapes/descriptors.h"
+
+#include <CGAL/Spherical_parameterization/measure_distortion.h>
+#include <CGAL/Spherical_parameterization/shape_signature.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace benchmark {
+namespace {
+
+namespace SP = CGAL::Spherical_parameterization;
+using SP::Shape_signature;
+using SP::internal::Discrete_surface;
+typedef SP::internal::Conformal_factor<Mesh> Conformal_factor;
+
+Descriptor_values part(const Shape_signature& s, std::size_t begin, std::size_t end)
+{
+  return Descriptor_values(s.values.begin() + begin, s.values.begin() + end);
+}
+
+constexpr std::size_t girths = Shape_signature::coarse_bins + Shape_signature::fine_bins;
+
+/// The signature without the Poisson solve: u is what the areas of the map say.
+Descriptor_values without_poisson(const Mesh& mesh, Sphere_map sphere)
+{
+  const Conformal_factor factor(mesh, mesh.points(), sphere);
+  Mesh copy = mesh;
+  const auto stretch = copy.add_property_map<Mesh::Vertex_index, double>("v:stretch").first;
+  SP::log_area_stretch(mesh, sphere, stretch);
+  Discrete_surface::Vector u(factor.surface.size());
+  for(int i = 0; i < u.size(); ++i)
+    u[i] = -stretch[factor.source.vertex[i]];
+  u = SP::internal::smoothed(factor.surface, u, 0.003);
+  Shape_signature signature;
+  SP::internal::add_girths(factor.surface, u, signature);
+  SP::internal::add_limbs(factor.surface, u, signature);
+  return part(signature, 0, Shape_signature::size);
+}
+
+/// The signature before it was improved: one histogram of 32 bins, 12 limbs, and bumps count as limbs.
+Descriptor_values first_version(const Mesh& mesh, Sphere_map sphere)
+{
+  constexpr std::size_t limbs = 12;
+  const Conformal_factor factor(mesh, mesh.points(), sphere);
+  const Discrete_surface& surface = factor.surface;
+  const Discrete_surface::Vector u = SP::internal::smoothed(surface, factor.u, 0.003);
+  const Discrete_surface::Vector gradient = surface.gradient_norm(u);
+  SP::internal::Histogram histogram(32, -1, 5);
+  for(int i = 0; i < surface.size(); ++i)
+    histogram.add_interpolated(std::log(std::max(gradient[i], 1e-9)), surface.mass()[i]);
+  Descriptor_values values;
+  for(double share : histogram.shares())
+    values.push_back(share / SP::internal::girth_unit);
+
+  std::vector<SP::internal::Basin> basins = SP::internal::basins(u, surface.mass(), [&](int i, const auto& visit) {
+    for(Discrete_surface::Matrix::InnerIterator entry(surface.laplacian(), i); entry; ++entry)
+      visit(static_cast<int>(entry.row()));
+  });
+  basins.resize(limbs, {0, 0, 0});
+  std::vector<double> masses;
+  for(const auto& basin : basins) {
+    values.push_back(std::sqrt(basin.persistence) / SP::internal::limb_unit);
+    masses.push_back(6 * std::sqrt(basin.mass / (4 * Discrete_surface::pi())) / SP::internal::limb_unit);
+  }
+  std::sort(masses.rbegin(), masses.rend());
+  values.insert(values.end(), masses.begin(), masses.end());
+  return values;
+}
+
+} // namespace
+
+std::vector<Descriptor> own_descriptors()
+{
+  const auto signature_part = [](std::size_t begin, std::size_t end) {
+    return [=](const Mesh& mesh, Sphere_map sphere) { return part(SP::shape_signature(mesh, sphere), begin, end); };
+  };
+  return {{"signature", true, signature_part(0, Shape_signature::size)},
+          {"its girths alone", true, signature_part(0, girths)},
+          {"its limbs alone", true, signature_part(girths, Shape_signature::size)},
+          {"one histogram, 12 limbs", true, first_version},
+          {"without Poisson solve", true, without_poisson}};
+}
+
+const char* map_for_descriptors(Mesh& mesh, Sphere_map sphere)
+{
+  const Backend backend = backends_by_name({"sequential"}).front();
+  const Result result = compute_map(backend, mesh, Weights::CONFORMAL, Balanced(), sphere);
+  if(result)
+    return "conformal";
+  if(result.error == SP::Error_code::NOT_CONVERGED) {
+    const auto other = mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:barycentric").first;
+    if(compute_map(backend, mesh, Weights::BARYCENTRIC, Balanced(), other)) {
+      for(auto v : mesh.vertices())
+        sphere[v] = other[v];
+      return "barycentric";
+    }
+  }
+  return "uncertified";
+}
+
+} // namespace benchmark

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_WEIGHTED_GRAPH_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_WEIGHTED_GRAPH_H
+
+#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
+#include <CGAL/Spherical_parameterization/internal/backend/vertex_formulas.h>
+
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+/// A symmetric weighted graph in compressed rows, on the host. Seen as a matrix it is the Laplacian L = D - W plus the
+/// diagonal `excess`. Rows of fixed vertices are present but inert: their inverse diagonal is 0.
+struct Weighted_graph {
+  Host_array<int> offset = {0};
+  Host_array<int> target;
+  Host_array<double> weight;
+  Host_array<double> excess; ///< empty: zero
+  Host_array<double> inverse_diagonal;
+
+  int size() const { return static_cast<int>(offset.size()) - 1; }
+
+  graph_view view() const
+  {
+    return {offset.data(), target.data(), weight.data(), excess.empty() ? nullptr : excess.data(),
+            inverse_diagonal.data()};
+  }
+
+  /// Recomputes the inverse diagonal from weights and excess; `is_fixed` is empty or has one entry per vertex.
+  template <class Loop = Sequential_loop>
+  void update_diagonal(const std::vector<char>& is_fixed, const Loop& loop = Loop())
+  {
+    inverse_diagonal.resize(size());
+    for_each_part(loop, size(), [&](int begin, int end) {
+      for(int i = begin; i < end; ++i) {
+        double sum = excess.empty() ? 0 : excess[i];
+        for(int k = offset[i]; k < offset[i + 1]; ++k)
+          sum += weight[k];
+        inverse_diagonal[i] = (!is_fixed.empty() && is_fixed[i]) || !(sum > 0) ? 0 : 1 / sum;
+      }
+    });
+  }
+};
+
+/// Graphs are large: the task, the hierarchy and the backends of the host share one copy.
+typedef std::shared_ptr<const Weighted_graph> Shared_graph;
+
+/// A sparse rectangular matrix in compressed rows, on the host.
+struct Sparse_matrix {
+  Host_array<int> offset = {0};
+  Host_array<int> column;
+  Host_array<double> value;
+
+  int rows() const { return static_cast<int>(offset.size()) - 1; }
+  sparse_view view() const { return {offset.data(), column.data(), value.data()}; }
+};
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_WEIGHTED_GRAPH_H

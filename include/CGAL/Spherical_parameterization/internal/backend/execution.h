@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_EXECUTION_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_EXECUTION_H
+
+#include <CGAL/tags.h>
+
+#include <type_traits>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+/// Where the solvers run. An execution policy is a value that answers "where": each supported policy `P` has a
+/// specialisation `Backend<P>`, the only place that knows how loops are run there. Its memory and its verbs (one loop
+/// each over a formula of vertex_formulas.h) are all that a solver sees.
+///
+/// There is a backend for
+/// - `CGAL::Sequential_tag`: one core (internal/Host_backend.h);
+/// - `CGAL::Parallel_tag`: the threads of the caller's TBB arena (the same file), if linked with TBB;
+/// - `OpenCL_device`: an OpenCL command queue, if OpenCL_device.h is included.
+template <class ExecutionPolicy>
+class Backend {
+  static_assert(!std::is_same_v<ExecutionPolicy, CGAL::Parallel_tag>,
+                "CGAL::Parallel_tag needs TBB: link with CGAL::TBB_support, which defines CGAL_LINKED_WITH_TBB");
+  static_assert(std::is_same_v<ExecutionPolicy, CGAL::Parallel_tag>, "not an execution policy of this package");
+};
+
+/// Calls `f(backend, name)` with the backend on which `policy` maps a mesh of n vertices, and what to call it.
+template <class ExecutionPolicy>
+struct Choice_of_backend {
+  template <class F>
+  static void call(const ExecutionPolicy& policy, int /* n */, F f)
+  {
+    const Backend<ExecutionPolicy> backend(policy);
+    f(backend, backend.device_name());
+  }
+};
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_EXECUTION_H

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_OPENCL_OPENCL_RUNTIME_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_OPENCL_OPENCL_RUNTIME_H
+
+#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/backend/opencl/OpenCL_policy.h>
+#include <CGAL/Spherical_parameterization/internal/backend/vertex_formulas.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+/// An array on the device: what is a double here is a `real` there. Without memory if it is empty.
+template <class T>
+class OpenCL_array {
+public:
+  OpenCL_array() = default;
+  OpenCL_array(std::size_t size, cl::Buffer buffer) : size_(size), buffer_(std::move(buffer)) {}
+  std::size_t size() const { return size_; }
+  cl_mem memory() const { return buffer_(); }
+
+private:
+  std::size_t size_ = 0;
+  cl::Buffer buffer_;
+};
+
+/// A Weighted_graph on the device.
+struct OpenCL_matrix {
+  OpenCL_array<int> offset, target;
+  OpenCL_array<double> weight, excess, inverse_diagonal;
+};
+
+/// A Sparse_matrix on the device.
+struct OpenCL_transfer {
+  OpenCL_array<int> offset, column;
+  OpenCL_array<double> value;
+};
+
+/// Memory, kernels and sums on one device. It has an in-order queue: everything is done in the order of the calls.
+/// For one thread.
+class OpenCL_runtime {
+public:
+  explicit OpenCL_runtime(const OpenCL_device& policy) : policy_(policy), program_(policy.program()) {}
+
+  const OpenCL_device& policy() const { return policy_; }
+  std::size_t number_of_read_backs() const { return number_of_read_backs_; }
+
+  template <class T>
+  OpenCL_array<T> zeros(std::size_t n) const
+  {
+    if(n == 0)
+      return {};
+    const std::size_t bytes = n * bytes_of<T>();
+    OpenCL_array<T> x(n, allocate(CL_MEM_READ_WRITE, bytes, nullptr));
+    const cl_uint zero = 0;
+    check(clEnqueueFillBuffer(queue(), x.memory(), &zero, sizeof zero, 0, bytes, 0, nullptr, nullptr),
+          "clEnqueueFillBuffer");
+    return x;
+  }
+
+  template <class T>
+  OpenCL_array<T> upload(const Host_array<T>& host) const
+  {
+    if(host.empty())
+      return {};
+    if(std::is_same_v<T, int> || is_double())
+      return {host.size(), allocate(CL_MEM_COPY_HOST_PTR, host.size() * sizeof(T), host.data())};
+    std::vector<float> rounded(host.size() * components<T>());
+    const double* const values = reinterpret_cast<const double*>(host.data());
+    std::copy_n(values, rounded.size(), rounded.begin());
+    return {host.size(), allocate(CL_MEM_COPY_HOST_PTR, rounded.size() * sizeof(float), rounded.data())};
+  }
+
+  /// An array that is only read. A device that works in the memory of the host reads `host` itself, and keeps `owner`
+  /// alive for that; any other gets a copy.
+  template <class T>
+  OpenCL_array<T> share(const Host_array<T>& host, std::shared_ptr<const void> owner) const
+  {
+    if(host.empty() || !is_cpu() || !(std::is_same_v<T, int> || is_double()))
+      return upload(host);
+    OpenCL_array<T> x(host.size(),
+                      allocate(CL_MEM_READ_ONLY | CL_MEM_USE_HOST_PTR, host.size() * sizeof(T), host.data()));
+    // called when all kernels that use it are done, which may be after x is gone
+    auto kept = std::make_unique<std::shared_ptr<const void>>(std::move(owner));
+    check(clSetMemObjectDestructorCallback(x.memory(), &release, kept.get()), "clSetMemObjectDestructorCallback");
+    static_cast<void>(kept.release()); // `release` deletes it
+    return x;
+  }
+
+  Host_array<vec3> download(const OpenCL_array<vec3>& x) const
+  {
+    Host_array<vec3> host(x.size());
+    if(!host.empty())
+      read(x.memory(), 3 * host.size(), &host.front().x);
+    return host;
+  }
+
+  /// Runs a kernel for i = 0 ... n-1. Its arguments are n and the others, structures of arrays member by member.
+  template <class... Arguments>
+  void run(const char* name, std::size_t n, const Arguments&... arguments) const
+  {
+    const std::size_t share = is_cpu() ? block_size : lanes;
+    launch(name, n, (n + share - 1) / share, arguments...);
+  }
+
+  /// Runs a kernel whose last argument takes K sums per block; returns the sums of the blocks, added up in order.
+  template <int K, class... Arguments>
+  std::array<double, K> sum(const char* name, std::size_t n, const Arguments&... arguments) const
+  {
+    const std::size_t blocks = (n + block_size - 1) / block_size;
+    if(partial_.size() < K * blocks)
+      partial_ =
+        OpenCL_array<double>(K * blocks, allocate(CL_MEM_READ_WRITE, K * blocks * bytes_of<double>(), nullptr));
+    launch(name, n, blocks, arguments..., partial_);
+    std::vector<double> sums(K * blocks);
+    if(blocks > 0)
+      read(partial_.memory(), sums.size(), sums.data());
+    std::array<double, K> total{};
+    for(std::size_t i = 0; i < sums.size(); ++i)
+      total[i % K] += sums[i];
+    return total;
+  }
+
+private:
+  // those of kernels/loops.cl and of Host_backend
+  static constexpr std::size_t lanes = 64;
+  static constexpr std::size_t block_size = 1024;
+
+  static void CL_CALLBACK release(cl_mem, void* owner) { delete static_cast<std::shared_ptr<const void>*>(owner); }
+
+  bool is_double() const { return policy_.is_double_precision(); }
+  bool is_cpu() const { return policy_.info().is_cpu; }
+  cl_command_queue queue() const { return policy_.queue()(); }
+
+  /// How many numbers a T has.
+  template <class T>
+  static constexpr std::size_t components()
+  {
+    static_assert(std::is_same_v<T, vec3> || std::is_same_v<T, double> || std::is_same_v<T, int>);
+    return std::is_same_v<T, vec3> ? 3 : 1;
+  }
+
+  template <class T>
+  std::size_t bytes_of() const
+  {
+    return std::is_same_v<T, int> || is_double() ? sizeof(T) : components<T>() * sizeof(float);
+  }
+
+  static std::string gigabytes(std::size_t bytes)
+  {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g GB", 1e-9 * static_cast<double>(bytes));
+    return text;
+  }
+
+  /// Throws unless `code` is that of success. Drivers may allocate late, so that memory can give out in any call.
+  void check(cl_int code, const char* call) const
+  {
+    if(code == CL_MEM_OBJECT_ALLOCATION_FAILURE || code == CL_OUT_OF_RESOURCES || code == CL_OUT_OF_HOST_MEMORY)
+      throw OpenCL_error(
+        call, code, "no memory left on " + policy_.info().name + ", which has " + gigabytes(policy_.info().memory));
+    check_opencl(code, call);
+  }
+
+  cl::Buffer allocate(cl_mem_flags flags, std::size_t bytes, const void* content) const
+  {
+    const OpenCL_device_info& info = policy_.info();
+    cl_int code = CL_INVALID_BUFFER_SIZE;
+    if(bytes <= info.largest_allocation) {
+      cl::Buffer buffer(clCreateBuffer(policy_.context(), flags, bytes, const_cast<void*>(content), &code));
+      if(code == CL_SUCCESS)
+        return buffer;
+    }
+    throw OpenCL_error("clCreateBuffer", code,
+                       "an array of " + gigabytes(bytes) + " does not fit on " + info.name + ", which has " +
+                         gigabytes(info.memory) + " of memory and allows arrays of " +
+                         gigabytes(info.largest_allocation));
+  }
+
+  void read(cl_mem memory, std::size_t count, double* host) const
+  {
+    ++number_of_read_backs_;
+    std::vector<float> rounded(is_double() ? 0 : count);
+    void* const target = is_double() ? static_cast<void*>(host) : rounded.data();
+    const std::size_t bytes = count * bytes_of<double>();
+    check(clEnqueueReadBuffer(queue(), memory, CL_TRUE, 0, bytes, target, 0, nullptr, nullptr), "clEnqueueReadBuffer");
+    std::copy(rounded.begin(), rounded.end(), host);
+  }
+
+  template <class... Arguments>
+  void launch(const char* name, std::size_t n, std::size_t work_groups, const Arguments&... arguments) const
+  {
+    if(n == 0)
+      return;
+    const cl_kernel kernel = kernel_named(name);
+    cl_uint index = 0;
+    set(kernel, index, static_cast<int>(n));
+    (set(kernel, index, arguments), ...);
+    const std::size_t work_items = is_cpu() ? 1 : lanes, all = work_groups * work_items;
+    check(clEnqueueNDRangeKernel(queue(), kernel, 1, nullptr, &all, &work_items, 0, nullptr, nullptr), name);
+  }
+
+  cl_kernel kernel_named(const char* name) const
+  {
+    cl::Kernel& kernel = kernels_[name];
+    if(kernel() == nullptr) {
+      cl_int code = CL_SUCCESS;
+      kernel = cl::Kernel(clCreateKernel(program_(), name, &code));
+      check(code, name);
+    }
+    return kernel();
+  }
+
+  void set_bytes(cl_kernel kernel, cl_uint& index, std::size_t bytes, const void* value) const
+  {
+    check(clSetKernelArg(kernel, index++, bytes, value), "clSetKernelArg");
+  }
+
+  void set(cl_kernel kernel, cl_uint& index, int value) const { set_bytes(kernel, index, sizeof value, &value); }
+
+  void set(cl_kernel kernel, cl_uint& index, double value) const
+  {
+    const float rounded = static_cast<float>(value);
+    is_double() ? set_bytes(kernel, index, sizeof value, &value) : set_bytes(kernel, index, sizeof rounded, &rounded);
+  }
+
+  void set(cl_kernel kernel, cl_uint& index, const vec3& value) const
+  {
+    const cl_float rounded[3] = {cl_float(value.x), cl_float(value.y), cl_float(value.z)};
+    is_double() ? set_bytes(kernel, index, sizeof value, &value) : set_bytes(kernel, index, sizeof rounded, rounded);
+  }
+
+  /// An empty array is a null pointer on the device.
+  template <class T>
+  void set(cl_kernel kernel, cl_uint& index, const OpenCL_array<T>& array) const
+  {
+    const cl_mem memory = array.memory();
+    set_bytes(kernel, index, sizeof memory, memory ? &memory : nullptr);
+  }
+
+  void set(cl_kernel kernel, cl_uint& index, const OpenCL_matrix& a) const
+  {
+    set(kernel, index, a.offset);
+    set(kernel, index, a.target);
+    set(kernel, index, a.weight);
+    set(kernel, index, a.excess);
+    set(kernel, index, a.inverse_diagonal);
+  }
+
+  void set(cl_kernel kernel, cl_uint& index, const OpenCL_transfer& t) const
+  {
+    set(kernel, index, t.offset);
+    set(kernel, index, t.column);
+    set(kernel, index, t.value);
+  }
+
+  OpenCL_device policy_;
+  cl::Program program_;
+  mutable std::map<std::string, cl::Kernel> kernels_; ///< ours alone: setting an argument is not thread-safe
+  mutable OpenCL_array<double> partial_;              ///< sums of the blocks, for the largest verb so far
+  mutable std::size_t number_of_read_backs_ = 0;
+};
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_OPENCL_OPENCL_RUNTIME_H

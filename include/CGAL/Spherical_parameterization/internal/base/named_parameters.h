@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BASE_NAMED_PARAMETERS_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BASE_NAMED_PARAMETERS_H
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/version.h>
+
+namespace CGAL {
+
+#if CGAL_VERSION_NR < 1060100000
+// edge_weight_map came with CGAL 6.1. Before that it has to be the first of a chain of named parameters:
+// edge_weight_map(weights).accuracy(1e-9)
+namespace internal_np {
+enum spherical_edge_weight_t { spherical_edge_weight };
+}
+
+namespace parameters {
+template <class EdgeWeightMap>
+Named_function_parameters<EdgeWeightMap, internal_np::spherical_edge_weight_t>
+edge_weight_map(const EdgeWeightMap& edge_weights)
+{
+  return Named_function_parameters<EdgeWeightMap, internal_np::spherical_edge_weight_t>(edge_weights);
+}
+} // namespace parameters
+#endif
+
+namespace Spherical_parameterization {
+namespace internal {
+
+template <class NamedParameters>
+struct Tag_of;
+template <class T, class Tag, class Base>
+struct Tag_of<Named_function_parameters<T, Tag, Base>> {
+  typedef Tag type;
+};
+/// The tag of edge_weight_map, whosever it is.
+typedef Tag_of<decltype(parameters::edge_weight_map(0))>::type edge_weight_tag;
+
+/// The vertex point map of `np`, or the mesh's own.
+template <class TriangleMesh, class NamedParameters>
+auto vertex_points(const TriangleMesh& mesh, const NamedParameters& np)
+{
+  return parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                      get_const_property_map(CGAL::vertex_point, mesh));
+}
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BASE_NAMED_PARAMETERS_H

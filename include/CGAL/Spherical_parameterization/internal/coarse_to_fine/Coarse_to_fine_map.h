@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_COARSE_TO_FINE_MAP_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_COARSE_TO_FINE_MAP_H
+
+#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Distortion.h>
+#include <CGAL/Spherical_parameterization/internal/base/Failure.h>
+#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Map_level.h>
+#include <CGAL/Spherical_parameterization/internal/problem/Map_task.h>
+#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Progressive_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/problem/Solver_report.h>
+#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Star.h>
+#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/decimation.h>
+#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/local_relaxation.h>
+#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/newton_relaxation.h>
+#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/vertex_insertion.h>
+#include <CGAL/Spherical_parameterization/methods.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+/// Builds a bijective map to the sphere from a tetrahedron up, and keeps it bijective at every moment: a vertex is
+/// inserted into the kernel of its star, and moves only to where all of its faces are positively oriented by the exact
+/// predicate. E. Praun and H. Hoppe, "Spherical parametrization and remeshing", SIGGRAPH 2003; X. Hu, X.-M. Fu, L. Liu,
+/// "Advanced hierarchical spherical parameterizations", TVCG 2018.
+///
+/// The rounds of the decimation are undone one by one, last first. After each one the distortion of the map is relaxed.
+template <class Loop>
+class Coarse_to_fine_map {
+public:
+  Coarse_to_fine_map(const Loop& loop, const Isometric& method, Map_task& task)
+    : loop_(loop), method_(method), exponent_((std::min)(method.area_exponent, largest_coarse_exponent)),
+      distortion_(exponent_), task_(task), source_area_(area_of_source()), mesh_(loop, task.faces, task.size()),
+      level_(task.size()), map_{Host_array<vec3>(task.size(), vec3{0, 0, 0}), std::vector<int>(task.size(), -1)}
+  {
+    if(!(source_area_ > 0)) // all points are one: then all faces count as equal
+      source_area_ = 1;
+  }
+
+  void run(Solver_report& report)
+  {
+    decimate();
+    embed_tetrahedron();
+    for(; !rounds_.empty(); rounds_.pop_back()) {
+      insert(std::move(rounds_.back()));
+      if(rounds_.size() > 1) {
+        relax_level();
+        if(!advance())
+          give_up();
+      }
+    }
+    finish(report);
+  }
+
+  Host_array<vec3> positions() const { return map_.position; }
+
+private:
+  /// While there are vertices to come, needles count as better than they are: they would squeeze what is inserted.
+  static constexpr Metric_bounds coarse_bounds = {100, 1e-4};
+  static constexpr Metric_bounds final_bounds = {1e3, 1e-8};
+  static constexpr double largest_coarse_exponent = 3;
+  static constexpr double linear_tolerance = 0.1; ///< of Newton's equations
+  static constexpr double least_gain = 1e-4;      ///< of the energy, for which a Newton step is worth while
+
+  /// The smallest area that faces count with is a share of this. So it has needles as good as they will count: were the
+  /// whole surface needles, and their true areas added up, then the share would be nothing to any of them.
+  double area_of_source() const
+  {
+    return sum_by_parts(loop_, static_cast<int>(task_.faces.size()), [&](int f) {
+      const auto [i, j, k] = task_.faces[f];
+      const vec3 a = sub(task_.points[j], task_.points[i]), b = sub(task_.points[k], task_.points[i]);
+      return face_metric(a, b, {coarse_bounds.aspect, 0}).twice_area / 2;
+    });
+  }
+
+  void decimate()
+  {
+    Decimation<Loop> decimation(loop_, task_.points, mesh_);
+    for(;;) {
+      std::vector<int> round = decimation.round();
+      if(round.empty())
+        return;
+      rounds_.push_back(std::move(round));
+      const double done = std::log(double(task_.size()) / mesh_.number_of_vertices()) / std::log(task_.size() / 4.);
+      if(!task_.monitor.advance(share_of_decimation * done))
+        give_up();
+    }
+  }
+
+  void embed_tetrahedron()
+  {
+    static const double c = 1 / std::sqrt(3.);
+    static const std::array<vec3, 4> regular = {vec3{c, c, c}, vec3{-c, -c, c}, vec3{-c, c, -c}, vec3{c, -c, -c}};
+    int v = 0;
+    while(mesh_.is_removed(v))
+      ++v;
+    const auto place = [&](int w, int k) {
+      map_.position[w] = regular[k];
+      map_.colour[w] = k;
+    };
+    place(v, 0);
+    int k = 0;
+    // seen from outside, the neighbours of (c, c, c) are regular[3], [2], [1], counterclockwise
+    constexpr std::array<int, 3> order = {3, 2, 1};
+    mesh_.for_each_corner(v, [&](int corner) { place(mesh_.vertex(Progressive_mesh::next(corner)), order[k++]); });
+  }
+
+  /// Undoes the collapses of a round. Those for whose vertex doubles have no position come last, after the others
+  /// have been relaxed, with all faces pulled towards the same shape and size.
+  void insert(std::vector<int> round)
+  {
+    constexpr int maximum_attempts = 20;
+    for(int attempt = 0; attempt < maximum_attempts; ++attempt) {
+      std::vector<int> failed = try_to_insert(round);
+      if(failed.empty())
+        return;
+      round = std::move(failed);
+      make_room();
+      if(!advance())
+        give_up();
+    }
+    throw Failure{Error_code::NOT_BIJECTIVE, "no position in double precision was found for " +
+                                               counted(round.size(), "vertex", "vertices") + "; repair the mesh"};
+  }
+
+  /// Pulls all faces towards the same shape, then also towards the same size: angles first, since areas are too stiff
+  /// where a map is next to degenerate.
+  void make_room()
+  {
+    constexpr int sweeps = 3;
+    assign_level({1, 1});
+    for(double exponent : {0., 1.}) {
+      const Distortion distortion(exponent);
+      for(int s = 0; s < sweeps; ++s)
+        relax_all(loop_, distortion, level_);
+      relax_globally(distortion);
+    }
+    level_.store(loop_, map_);
+  }
+
+  std::vector<int> try_to_insert(const std::vector<int>& round)
+  {
+    const int n = static_cast<int>(round.size());
+    std::vector<char> is_inserted(n);
+    mesh_.undo_collapses(loop_, round);
+    const int size = mesh_.number_of_vertices();
+    const Metric_bounds bounds = {coarse_bounds.aspect, coarse_bounds.area * source_area_ / (2. * size - 4)};
+    for_each_of_level(loop_, 0, n, [&](int r) {
+      const int u = mesh_.vertex(round[r]), v = mesh_.vertex(Progressive_mesh::next(round[r]));
+      Star star;
+      mesh_.for_each_corner(u, [&](int c) {
+        const int j = mesh_.vertex(Progressive_mesh::next(c)), k = mesh_.vertex(Progressive_mesh::previous(c));
+        const Face_metric m =
+          face_metric(sub(task_.points[j], task_.points[u]), sub(task_.points[k], task_.points[u]), bounds);
+        star.push_back({map_.position[j], map_.position[k], m.cotangent[0], m.cotangent[1], m.cotangent[2],
+                        level_.area_scale() * m.twice_area});
+      });
+      is_inserted[r] = insert_vertex(distortion_, star, map_.position[v], map_.position[u]);
+      map_.colour[u] = free_colour(u); // its neighbours are not of this round
+    });
+    std::vector<int> failed;
+    for(int r = n - 1; r >= 0; --r)
+      if(!is_inserted[r]) {
+        mesh_.collapse(round[r]);
+        failed.push_back(round[r]);
+      }
+    return failed;
+  }
+
+  /// The smallest colour that no neighbour of u has.
+  int free_colour(int u) const
+  {
+    for(int colour = 0;; ++colour) {
+      bool is_free = true;
+      mesh_.for_each_corner(
+        u, [&](int c) { is_free = is_free && map_.colour[mesh_.vertex(Progressive_mesh::next(c))] != colour; });
+      if(is_free)
+        return colour;
+    }
+  }
+
+  void assign_level(const Metric_bounds& bounds)
+  {
+    level_.assign(loop_, mesh_, task_.points, source_area_, bounds, map_);
+  }
+
+  void relax_level()
+  {
+    constexpr int sweeps = 2, sweeps_of_regions = 3, rings = 2;
+    constexpr double bad_factor = 20; // times the mean distortion
+    constexpr double growth = 1.3;
+    assign_level(coarse_bounds);
+    for(int s = 0; s < sweeps; ++s)
+      relax_all(loop_, distortion_, level_);
+    if(level_.size() >= growth * last_newton_) {
+      last_newton_ = level_.size();
+      relax_globally(distortion_);
+    }
+    const std::vector<int> region = distorted_regions(loop_, distortion_, level_, bad_factor, rings);
+    for(int s = 0; s < sweeps_of_regions && !region.empty(); ++s)
+      relax_region(loop_, distortion_, region, level_);
+    level_.store(loop_, map_);
+  }
+
+  /// Newton's method on coarse meshes, where limbs find their places for little: the number of steps falls with the
+  /// size.
+  void relax_globally(const Distortion& distortion)
+  {
+    constexpr int maximum_size = 6000, maximum_steps = 100, maximum_work = 100000, maximum_iterations = 50;
+    if(level_.size() > maximum_size)
+      return;
+    Newton_relaxation<Loop> newton(loop_, distortion, level_);
+    const int steps = (std::min)(maximum_steps, maximum_work / level_.size());
+    for(int s = 0; s < steps && newton.step(maximum_iterations, linear_tolerance) > least_gain; ++s) {
+      relax_all(loop_, distortion, level_);
+      if(!advance())
+        give_up();
+    }
+  }
+
+  /// The whole mesh, with its own shape. Exponents that are too stiff for an arbitrary start are approached from below.
+  void finish(Solver_report& report)
+  {
+    constexpr int sweeps = 5, maximum_iterations = 100;
+    constexpr std::size_t steps_per_exponent = 6;
+    constexpr double growth_of_exponent = 1.5;
+    assign_level(final_bounds);
+    for(int s = 0; s < sweeps && advance(); ++s)
+      relax_all(loop_, distortion_, level_);
+    const double accuracy = task_.accuracy.value_or(Isometric::default_accuracy);
+    const auto descend = [&](std::size_t maximum_steps) {
+      Newton_relaxation<Loop> newton(loop_, distortion_, level_);
+      for(std::size_t s = 0; s < maximum_steps && advance(); ++s) {
+        newton.step(maximum_iterations, linear_tolerance);
+        report.residual = newton.promised_gain();
+        ++report.iterations;
+        relax_all(loop_, distortion_, level_);
+        if(report.residual < accuracy)
+          return;
+      }
+    };
+    descend(task_.number_of_iterations.value_or(Isometric::default_number_of_iterations));
+    while(exponent_ < method_.area_exponent) {
+      exponent_ = (std::min)(method_.area_exponent, growth_of_exponent * exponent_);
+      distortion_ = Distortion(exponent_);
+      descend(steps_per_exponent);
+    }
+    level_.store(loop_, map_);
+    report.energy = level_.energy(loop_, distortion_);
+    report.has_converged = !task_.monitor.is_interrupted();
+  }
+
+  /// Tells the user about the progress; returns whether to go on.
+  bool advance()
+  {
+    constexpr double share_of_last_level = 0.4;
+    const double done = double(mesh_.number_of_vertices()) / task_.size();
+    return task_.monitor.advance(share_of_decimation + (1 - share_of_decimation - share_of_last_level) * done);
+  }
+
+  [[noreturn]] void give_up() const
+  {
+    throw Failure{Error_code::INTERRUPTED, task_.monitor.reason() + " before there was a map"};
+  }
+
+  static constexpr double share_of_decimation = 0.15;
+
+  const Loop& loop_;
+  Isometric method_;
+  double exponent_; ///< of the area, at the moment
+  Distortion distortion_;
+  Map_task& task_;
+  double source_area_;
+  Progressive_mesh mesh_;
+  Map_level level_;
+  Partial_map map_;
+  std::vector<std::vector<int>> rounds_; ///< the collapsed half-edges of every round
+  double last_newton_ = 0;
+};
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_COARSE_TO_FINE_MAP_H

@@ -1,0 +1,360 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_DECIMATION_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_DECIMATION_H
+
+#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Progressive_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
+#include <CGAL/Spherical_parameterization/internal/backend/vertex_formulas.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+/// The sum of squared distances to weighted planes, as a quadratic form: M. Garland and P. Heckbert, "Surface
+/// simplification using quadric error metrics", SIGGRAPH 1997.
+class Quadric {
+public:
+  /// The plane through p with unit normal n.
+  void add_plane(vec3 n, vec3 p, double weight)
+  {
+    const double d = -inner(n, p);
+    const std::array<double, 10> plane = {n.x * n.x, n.y * n.y, n.z * n.z, n.x * n.y, n.x * n.z,
+                                          n.y * n.z, d * n.x,   d * n.y,   d * n.z,   d * d};
+    for(int k = 0; k < 10; ++k)
+      coefficient_[k] += weight * plane[k];
+  }
+
+  void add(const Quadric& other)
+  {
+    for(int k = 0; k < 10; ++k)
+      coefficient_[k] += other.coefficient_[k];
+  }
+
+  double operator()(vec3 p) const
+  {
+    const auto& c = coefficient_;
+    return (std::max)(
+      0., c[0] * p.x * p.x + c[1] * p.y * p.y + c[2] * p.z * p.z +
+            2 * (c[3] * p.x * p.y + c[4] * p.x * p.z + c[5] * p.y * p.z + c[6] * p.x + c[7] * p.y + c[8] * p.z) + c[9]);
+  }
+
+private:
+  std::array<double, 10> coefficient_{};
+};
+
+/// Coarsens a mesh to a tetrahedron, in rounds of independent half-edge collapses. It gets there whatever the mesh: a
+/// triangulated sphere of more than four vertices has a collapsible edge (E. Steinitz, 1922).
+///
+/// Cheap is what keeps the shape, the quality of the triangles, and small degrees: the map is optimised on the coarse
+/// meshes, and its distortion there has to be that of the fine one. A round takes the cheapest collapses that do not
+/// touch each other, one after the other: first those within broad bands of the surface, all bands at once, then those
+/// across their borders. The result is the same for any number of threads.
+template <class Loop>
+class Decimation {
+public:
+  Decimation(const Loop& loop, const Host_array<vec3>& points, Progressive_mesh& mesh)
+    : loop_(loop), point_(points), mesh_(mesh), quadric_(points.size()), best_(points.size()),
+      role_(points.size(), FREE), remaining_(points.size()), is_outdated_(points.size(), true),
+      band_size_(size_of_bands(mesh.capacity()))
+  {
+    std::iota(remaining_.begin(), remaining_.end(), 0);
+    const double twice_area = sum_by_parts(loop, mesh.capacity(), [&](int v) { return initialise_quadric(v); });
+    const double mean_area = twice_area / 2 / (2. * mesh.capacity()) / 3;
+    least_cost_ = 1e-3 * length_weight * mean_area * mean_area;
+  }
+
+  /// Collapses edges until a share of the vertices is removed, or no more can be at once. Returns the half-edges, in
+  /// their order; empty if only a tetrahedron is left.
+  std::vector<int> round()
+  {
+    std::vector<int> collapsed;
+    while(mesh_.number_of_vertices() > 4 && collapsed.empty()) {
+      update_costs();
+      const double bound = cost_bound();
+      std::vector<Band> bands(mesh_.capacity() / band_size_ + 1);
+      loop_.for_each(static_cast<int>(bands.size()), [&](int b) { select_within(b, bound, bands[b]); });
+      std::vector<int> across = select_across(bands);
+      loop_.for_each(static_cast<int>(bands.size()), [&](int b) { apply(bands[b].collapsed); });
+      apply(across);
+      for(const Band& b : bands)
+        collapsed.insert(collapsed.end(), b.collapsed.begin(), b.collapsed.end());
+      collapsed.insert(collapsed.end(), across.begin(), across.end());
+      mesh_.count_collapses(static_cast<int>(collapsed.size()));
+      if(collapsed.empty() && !has_candidates()) { // all that is left has a high degree
+        maximum_degree_ *= 2;
+        is_outdated_.assign(is_outdated_.size(), true);
+      }
+    }
+    return collapsed;
+  }
+
+private:
+  enum Role : char { FREE, RING, BUSY };
+  struct Collapse {
+    double cost = infinity;
+    int half_edge = -1;
+  };
+
+  typedef std::pair<double, int> Candidate; ///< cost, vertex
+  /// A part of the numbering of the vertices, which is breadth-first.
+  struct Band {
+    std::vector<int> collapsed;    ///< half-edges whose first vertices have stars within the band
+    std::vector<Candidate> across; ///< the cheap candidates whose stars reach beyond it
+  };
+
+  static constexpr int steps_of_a_task = 256;
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  static constexpr double length_weight = 1e-3; ///< of the squared length of the edge, times the area of the star
+  static constexpr double aspect_scale2 = 25;   ///< an aspect ratio of 5 doubles the cost
+  static constexpr double flip_penalty = 1e3;   ///< for a normal that turns by more than 78 degrees
+  static constexpr int good_degree = 9;         ///< each neighbour more doubles the cost
+  static constexpr double share_of_candidates = 0.4;
+
+  /// Bands are long, since what lies across their borders is collapsed one by one, but four or more, for as many
+  /// threads.
+  static int size_of_bands(int number_of_vertices)
+  {
+    constexpr int shortest = 4096, longest = 16384;
+    int size = number_of_vertices / 4 + 1;
+    while(size > longest)
+      size = size / 2 + 1;
+    return (std::max)(size, shortest);
+  }
+
+  vec3 face_normal(int c) const
+  {
+    const vec3 p = point_[mesh_.vertex(c)];
+    return outer(sub(point_[mesh_.vertex(Progressive_mesh::next(c))], p),
+                 sub(point_[mesh_.vertex(Progressive_mesh::previous(c))], p));
+  }
+
+  /// Returns twice the area of the faces at v.
+  double initialise_quadric(int v)
+  {
+    double twice_area = 0;
+    mesh_.for_each_corner(v, [&](int c) {
+      const vec3 n = face_normal(c);
+      const double length = std::sqrt(inner(n, n));
+      if(length > 0)
+        quadric_[v].add_plane(scale(1 / length, n), point_[v], length / 2);
+      twice_area += length;
+    });
+    return twice_area;
+  }
+
+  /// The cheapest collapse of u into a neighbour.
+  Collapse best_collapse(int u) const
+  {
+    if(mesh_.degree(u) > maximum_degree_)
+      return Collapse();
+    struct Ring_face {
+      int corner;
+      vec3 a, b, normal; ///< the side opposite to u, and the normal
+    };
+    boost::container::small_vector<Ring_face, 24> ring;
+    double area = 0;
+    mesh_.for_each_corner(u, [&](int c) {
+      const vec3 a = point_[mesh_.vertex(Progressive_mesh::next(c))];
+      const vec3 b = point_[mesh_.vertex(Progressive_mesh::previous(c))];
+      const vec3 normal = outer(sub(a, point_[u]), sub(b, point_[u]));
+      ring.push_back({c, a, b, normal});
+      area += std::sqrt(inner(normal, normal)) / 2;
+    });
+    boost::container::small_vector<Collapse, 24> collapses;
+    for(std::size_t i = 0; i < ring.size(); ++i)
+      collapses.push_back({cost(u, ring, i, area), ring[i].corner});
+    const auto is_cheaper = [](const Collapse& a, const Collapse& b) { return a.cost < b.cost; };
+    while(!collapses.empty()) {
+      const auto cheapest = std::min_element(collapses.begin(), collapses.end(), is_cheaper);
+      if(mesh_.is_collapsible(cheapest->half_edge))
+        return *cheapest;
+      collapses.erase(cheapest);
+    }
+    return Collapse();
+  }
+
+  template <class Ring>
+  double cost(int u, const Ring& ring, std::size_t i, double area) const
+  {
+    const int v = mesh_.vertex(Progressive_mesh::next(ring[i].corner));
+    const vec3 p = ring[i].a, edge = sub(p, point_[u]);
+    const int degree = mesh_.degree(u) + mesh_.degree(v) - 4;
+    const double degree_factor = degree > good_degree ? std::ldexp(1, (std::min)(degree - good_degree, 200))
+                                 : degree < 4         ? 0.5
+                                                      : 1;
+    return (quadric_[u](p) + quadric_[v](p) + length_weight * area * inner(edge, edge) + least_cost_) * degree_factor *
+           shape_factor(ring, i);
+  }
+
+  /// What badly shaped or turned triangles multiply the cost by when u moves to the first point of ring[i].
+  template <class Ring>
+  static double shape_factor(const Ring& ring, std::size_t i)
+  {
+    constexpr double equilateral = 0.8660254037844386, worst_aspect = 1e6, cosine = 0.2;
+    const vec3 p = ring[i].a;
+    const std::size_t before = (i + ring.size() - 1) % ring.size();
+    double aspect = 1;
+    bool is_turned = false;
+    for(std::size_t k = 0; k < ring.size(); ++k) {
+      if(k == i || k == before) // these vanish
+        continue;
+      const vec3 a = sub(ring[k].a, p), b = sub(ring[k].b, p), c = sub(b, a), normal = outer(a, b);
+      const double length2 = (std::max)({inner(a, a), inner(b, b), inner(c, c)});
+      const double twice_area = std::sqrt(inner(normal, normal));
+      aspect = (std::max)(aspect, equilateral * length2 < worst_aspect * twice_area ? equilateral * length2 / twice_area
+                                                                                    : worst_aspect);
+      const vec3 old = ring[k].normal;
+      is_turned = is_turned || inner(old, normal) < cosine * std::sqrt(inner(old, old)) * twice_area;
+    }
+    return (1 + aspect * aspect / aspect_scale2) * (is_turned ? flip_penalty : 1);
+  }
+
+  void update_costs()
+  {
+    remaining_.erase(std::remove_if(remaining_.begin(), remaining_.end(), [&](int v) { return mesh_.is_removed(v); }),
+                     remaining_.end());
+    for_each_part<steps_of_a_task>(loop_, static_cast<int>(remaining_.size()), [&](int begin, int end) {
+      for(int i = begin; i < end; ++i) {
+        const int v = remaining_[i];
+        if(is_outdated_[v])
+          best_[v] = best_collapse(v);
+        is_outdated_[v] = false;
+      }
+    });
+  }
+
+  /// What the dearest candidate of this round may cost, from a sample of all collapses. Infinite if there is none.
+  double cost_bound() const
+  {
+    constexpr std::size_t sample_size = 4096;
+    const std::size_t stride = remaining_.size() / sample_size + 1;
+    std::vector<double> sample;
+    for(std::size_t i = 0; i < remaining_.size(); i += stride)
+      if(best_[remaining_[i]].half_edge >= 0)
+        sample.push_back(best_[remaining_[i]].cost);
+    if(sample.empty())
+      return infinity;
+    const auto last = sample.begin() + static_cast<std::ptrdiff_t>(share_of_candidates * double(sample.size()));
+    std::nth_element(sample.begin(), last, sample.end());
+    return *last;
+  }
+
+  bool has_candidates() const
+  {
+    return std::any_of(remaining_.begin(), remaining_.end(), [&](int v) { return best_[v].half_edge >= 0; });
+  }
+
+  /// Selects among the vertices that cost no more than `bound`. Roles outside the band are neither read nor written.
+  void select_within(int number, double bound, Band& band)
+  {
+    const int begin = number * band_size_, end = begin + band_size_;
+    std::vector<Candidate> within;
+    for(auto it = std::lower_bound(remaining_.begin(), remaining_.end(), begin); it != remaining_.end() && *it < end;
+        ++it) {
+      const Collapse& best = best_[*it];
+      if(best.half_edge < 0 || best.cost > bound)
+        continue;
+      bool is_within = true;
+      mesh_.for_each_corner(*it, [&](int c) {
+        const int w = mesh_.vertex(Progressive_mesh::next(c));
+        is_within = is_within && begin <= w && w < end;
+      });
+      (is_within ? within : band.across).emplace_back(best.cost, *it);
+    }
+    band.collapsed = select(std::move(within));
+  }
+
+  std::vector<int> select_across(const std::vector<Band>& bands)
+  {
+    std::vector<Candidate> candidates;
+    for(const Band& b : bands)
+      candidates.insert(candidates.end(), b.across.begin(), b.across.end());
+    return select(std::move(candidates));
+  }
+
+  /// Takes the collapses of independent candidates, the cheapest ones first. At least four vertices remain: each
+  /// collapse has two vertices for itself, and two neighbours that are in none.
+  std::vector<int> select(std::vector<Candidate> candidates)
+  {
+    std::sort(candidates.begin(), candidates.end());
+    std::vector<int> collapsed;
+    for(const auto& [cost, u] : candidates)
+      if(is_independent(u)) {
+        if(mesh_.is_collapsible(best_[u].half_edge)) {
+          occupy(u);
+          collapsed.push_back(best_[u].half_edge);
+        } else // since an edge has come into being nearby
+          is_outdated_[u] = true;
+      }
+    return collapsed;
+  }
+
+  /// Whether the collapse of u neither touches a face of another one of this round nor can break its link condition,
+  /// nor the other way round: u and its target take no part in others, and its other neighbours are only neighbours.
+  bool is_independent(int u) const
+  {
+    const int target = mesh_.vertex(Progressive_mesh::next(best_[u].half_edge));
+    bool result = role_[u] == FREE && role_[target] == FREE;
+    if(result)
+      mesh_.for_each_corner(u,
+                            [&](int c) { result = result && role_[mesh_.vertex(Progressive_mesh::next(c))] != BUSY; });
+    return result;
+  }
+
+  void occupy(int u)
+  {
+    mesh_.for_each_corner(u, [&](int c) { role_[mesh_.vertex(Progressive_mesh::next(c))] = RING; });
+    role_[u] = BUSY;
+    role_[mesh_.vertex(Progressive_mesh::next(best_[u].half_edge))] = BUSY;
+  }
+
+  void apply(std::vector<int>& half_edges)
+  {
+    // in the order of the memory, now and when they are undone
+    std::sort(half_edges.begin(), half_edges.end(), [&](int g, int h) { return mesh_.vertex(g) < mesh_.vertex(h); });
+    for(int h : half_edges) {
+      const int u = mesh_.vertex(h), v = mesh_.vertex(Progressive_mesh::next(h));
+      mesh_.for_each_corner(u, [&](int c) {
+        const int w = mesh_.vertex(Progressive_mesh::next(c));
+        is_outdated_[w] = true;
+        role_[w] = FREE;
+      });
+      role_[u] = FREE;
+      best_[u] = Collapse();
+      quadric_[v].add(quadric_[u]);
+      mesh_.collapse_uncounted(h);
+    }
+  }
+
+  const Loop& loop_;
+  const Host_array<vec3>& point_;
+  Progressive_mesh& mesh_;
+  std::vector<Quadric> quadric_;
+  std::vector<Collapse> best_;    ///< of every vertex
+  std::vector<Role> role_;        ///< of every vertex in the collapses chosen for this round
+  std::vector<int> remaining_;    ///< vertices that were not removed before this round
+  std::vector<char> is_outdated_; ///< whether the best collapse of a vertex may be another one by now
+  int band_size_;                 ///< number of vertices
+  double least_cost_ = 0;         ///< so that flat regions do not collapse for nothing, in any order
+  int maximum_degree_ = 24;       ///< of vertices to be removed
+};
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_DECIMATION_H

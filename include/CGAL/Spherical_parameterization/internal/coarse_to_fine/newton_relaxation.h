@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_NEWTON_RELAXATION_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_NEWTON_RELAXATION_H
+
+#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Distortion.h>
+#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Face_hessian.h>
+#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Map_level.h>
+#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Star.h>
+#include <CGAL/Spherical_parameterization/internal/backend/vertex_formulas.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+/// Newton's method for all vertices of a level at once. The linear systems are solved by conjugate gradients,
+/// preconditioned by symmetric Gauss-Seidel in the order of the colours.
+///
+/// Half of what makes the Hessians of the faces positive is added to them. With all of it, the sum is far too stiff
+/// where a surface is compressed, as in limbs, and they creep to their places; with none, it is often indefinite. Where
+/// conjugate gradients find that it is, the same step is tried again with all.
+///
+/// Every vertex gets tangents in which its diagonal block is the identity. The matrix is then I + L + L^T, and S. C.
+/// Eisenstat's trick ("Efficient implementation of a class of preconditioned conjugate gradient methods", 1981) gives
+/// the preconditioned product for one pass over the matrix: q = t + (I + L)^-1 (p - t) with t = (I + L^T)^-1 p.
+/// Single precision is enough for the blocks, since they only give a direction.
+template <class Loop>
+class Newton_relaxation {
+public:
+  Newton_relaxation(const Loop& loop, const Distortion& distortion, Map_level& level)
+    : loop_(loop), distortion_(distortion), level_(level), tangents_(level.size()), factor_(level.size()),
+      gradient_(level.size()), middle_(level.size()), entry_(level.offset(level.size()))
+  {}
+
+  /// One step, taken only if the energy falls and the map stays bijective. Returns the share of the energy it took off.
+  double step(int maximum_iterations, double tolerance)
+  {
+    std::vector<vec3> direction;
+    for(double lift : {0.5, 1.}) {
+      assemble(lift);
+      direction = solve(maximum_iterations, tolerance);
+      if(!is_indefinite_)
+        break;
+    }
+    return search(direction);
+  }
+
+  /// The share of the energy that the last step would have taken off, had the energy been its parabola. A step that is
+  /// cut short by a few faces that are about to flip gains less than there is to gain.
+  double promised_gain() const { return promised_gain_; }
+
+private:
+  struct Entry {
+    int column;
+    float ss, st, ts, tt;
+  };
+
+  /// All blocks in orthonormal tangents first, then in those that the diagonal blocks ask for.
+  void assemble(double lift)
+  {
+    for_each_of_level(loop_, 0, level_.size(), [&](int i) { assemble_row(i, lift); });
+    for_each_of_level(loop_, 0, level_.size(), [&](int i) { normalise_row(i); });
+  }
+
+  /// Gradient and blocks of row i, those left of the diagonal first.
+  void assemble_row(int i, double lift)
+  {
+    const vec3 x = level_.position()[i];
+    const Tangents tangents(x);
+    const int begin = level_.offset(i), end = level_.offset(i + 1);
+    boost::container::small_vector<Block, 12> block(end - begin, Block{0, 0, 0, 0});
+    Block diagonal = {0, 0, 0, 0};
+    const auto add_to = [](Block& sum, const Block& b) {
+      sum = {sum.ss + b.ss, sum.st + b.st, sum.ts + b.ts, sum.tt + b.tt};
+    };
+    vec3 gradient = {0, 0, 0};
+    for(int c = begin; c < end; ++c) {
+      const Star_face f = level_.star_face(level_.corner(c));
+      const Tangents at_j(f.j), at_k(f.k);
+      const Face_hessian hessian(distortion_, x, f, lift);
+      gradient = add(gradient, hessian.gradient());
+      const Face_hessian::Frame frame = hessian.frame(0, tangents.s, tangents.t);
+      add_to(diagonal, hessian.block(0, frame, 0, frame));
+      add_to(block[c - begin], hessian.block(0, frame, 1, hessian.frame(1, at_j.s, at_j.t)));
+      add_to(block[c + 1 == end ? 0 : c + 1 - begin], hessian.block(0, frame, 2, hessian.frame(2, at_k.s, at_k.t)));
+    }
+    int lower = begin, upper = end;
+    for(int c = begin; c < end; ++c) {
+      const Block& b = block[c - begin];
+      const int j = level_.corner(c).j;
+      entry_[j < i ? lower++ : --upper] = {j, float(b.ss), float(b.st), float(b.ts), float(b.tt)};
+    }
+    middle_[i] = lower;
+
+    // The sphere bends away from the tangent plane, or towards the other side: not more than leaves the block positive.
+    constexpr double least_share = 0.01;
+    const double mean = (diagonal.ss + diagonal.tt) / 2, half = (diagonal.ss - diagonal.tt) / 2;
+    const double smallest = mean - std::hypot(half, diagonal.st); // whose squares may overflow
+    const double bend = (std::max)(-inner(gradient, x), 2 * least_share * std::abs(mean) - smallest);
+    const double a = std::sqrt(diagonal.ss + bend), b = diagonal.ts / a;
+    const double c = std::sqrt((std::max)(diagonal.tt + bend - b * b, least_share * least_share * a * a));
+    factor_[i] = {1 / a, 0, -b / (a * c), 1 / c};
+    tangents_[i] = {add_scaled(scale(factor_[i].ss, tangents.s), factor_[i].st, tangents.t),
+                    add_scaled(scale(factor_[i].ts, tangents.s), factor_[i].tt, tangents.t)};
+    gradient_[i] = {inner(gradient, tangents_[i].s), inner(gradient, tangents_[i].t)};
+  }
+
+  void normalise_row(int i)
+  {
+    for(int k = level_.offset(i); k < level_.offset(i + 1); ++k) {
+      Entry& e = entry_[k];
+      const Block b = product(factor_[i], product(Block{e.ss, e.st, e.ts, e.tt}, transposed(factor_[e.column])));
+      e = {e.column, float(b.ss), float(b.st), float(b.ts), float(b.tt)};
+    }
+  }
+
+  /// x_i -= sum over the entries B_ij y_j
+  Planar reduced(Planar x, int begin, int end, const Host_array<Planar>& y) const
+  {
+    for(int k = begin; k < end; ++k) {
+      const Entry& e = entry_[k];
+      const Planar z = y[e.column];
+      x.s -= e.ss * z.s + e.st * z.t;
+      x.t -= e.ts * z.s + e.tt * z.t;
+    }
+    return x;
+  }
+
+  /// y_i = x_i - (L y)_i, where y is known in smaller colours: a row of (I + L) y = x
+  Planar lower_row(int i, Planar x, const Host_array<Planar>& y) const
+  {
+    return reduced(x, level_.offset(i), middle_[i], y);
+  }
+
+  /// y = (I + L^T)^-1 x; x(i) is called once for each i.
+  template <class X>
+  void solve_upper(X x, Host_array<Planar>& y) const
+  {
+    level_.for_each_vertex_backwards<many_steps>(
+      loop_, [&](int i) { y[i] = reduced(x(i), middle_[i], level_.offset(i + 1), y); });
+  }
+
+  /// The approximate Newton direction, as far as the matrix is positive.
+  std::vector<vec3> solve(int maximum_iterations, double tolerance)
+  {
+    const int n = level_.size();
+    Host_array<Planar> x(n, Planar{0, 0}), r(n), p(n, Planar{0, 0}), t(n), w(n);
+    const auto square = [](Planar a) { return a.s * a.s + a.t * a.t; };
+    double rr = level_.sum_over_vertices<many_steps>(loop_, [&](int i) {
+      r[i] = lower_row(i, {-gradient_[i].s, -gradient_[i].t}, r);
+      return square(r[i]);
+    });
+    const double goal = tolerance * tolerance * rr;
+    double beta = 0;
+    is_indefinite_ = false;
+    for(int it = 0; it < maximum_iterations && rr > goal; ++it) {
+      const auto next_p = [&](int i) { return p[i] = {r[i].s + beta * p[i].s, r[i].t + beta * p[i].t}; };
+      solve_upper(next_p, t);
+      const double pq = level_.sum_over_vertices<many_steps>(loop_, [&](int i) {
+        w[i] = lower_row(i, {p[i].s - t[i].s, p[i].t - t[i].t}, w);
+        return p[i].s * (t[i].s + w[i].s) + p[i].t * (t[i].t + w[i].t);
+      });
+      if(!(pq > 0)) {
+        is_indefinite_ = true;
+        if(it == 0)
+          x = p;
+        break;
+      }
+      const double alpha = rr / pq;
+      const double next = level_.sum_over_vertices<many_steps>(loop_, [&](int i) {
+        x[i] = {x[i].s + alpha * p[i].s, x[i].t + alpha * p[i].t};
+        r[i] = {r[i].s - alpha * (t[i].s + w[i].s), r[i].t - alpha * (t[i].t + w[i].t)};
+        return square(r[i]);
+      });
+      beta = next / rr;
+      rr = next;
+    }
+    solve_upper([&](int i) { return x[i]; }, t);
+    std::vector<vec3> direction(n);
+    level_.for_each_vertex<many_steps>(
+      loop_, [&](int i) { direction[i] = add_scaled(scale(t[i].s, tangents_[i].s), t[i].t, tangents_[i].t); });
+    slope_ = level_.sum_over_vertices<many_steps>(loop_, [&](int i) {
+      return gradient_[i].s * t[i].s + gradient_[i].t * t[i].t;
+    }) / level_.area();
+    return direction;
+  }
+
+  /// The longest step up to 1 with which no face shrinks to less than a twentieth at once.
+  double feasible_step(const std::vector<vec3>& direction) const
+  {
+    constexpr double least_share = 0.05, shrink = 0.7;
+    const auto feasible = [&](int begin, int end) {
+      double t = 1;
+      for(int i = begin; i < end; ++i)
+        for(int c = level_.offset(i); c < level_.offset(i + 1); ++c) {
+          const Map_level::Corner& corner = level_.corner(c);
+          if(i > corner.j || i > corner.k)
+            continue;
+          const vec3 x = level_.position()[i], y = level_.position()[corner.j], z = level_.position()[corner.k];
+          const auto determinant = [&](double s) {
+            const vec3 a = add_scaled(x, s, direction[i]);
+            return inner(
+              a, outer(sub(add_scaled(y, s, direction[corner.j]), a), sub(add_scaled(z, s, direction[corner.k]), a)));
+          };
+          const double least = least_share * determinant(0);
+          while(t > 1e-6 && !(determinant(t) > least))
+            t *= shrink;
+        }
+      return t;
+    };
+    double t = 1;
+    for(double part : results_of_parts<8 * few_steps>(loop_, level_.size(), feasible))
+      t = (std::min)(t, part);
+    return t;
+  }
+
+  double search(const std::vector<vec3>& direction)
+  {
+    constexpr double armijo = 1e-4;
+    constexpr int maximum_halvings = 30;
+    const double before = level_.energy(loop_, distortion_);
+    promised_gain_ = slope_ <= 0 ? -slope_ / 2 / before : 1; // NaN, from numbers out of range, promises anything
+    if(!(slope_ < 0))
+      return 0;
+    const Host_array<vec3> start = level_.position();
+    const auto energy_at = [&](double t) {
+      level_.for_each_vertex(loop_, [&](int i) { level_.position()[i] = unit(add_scaled(start[i], t, direction[i])); });
+      return level_.energy(loop_, distortion_);
+    };
+    double t = feasible_step(direction);
+    for(int halving = 0; halving < maximum_halvings; ++halving, t /= 2) {
+      const double after = energy_at(t);
+      if(after <= before + armijo * t * slope_ && level_.is_bijective(loop_))
+        return (before - longer_step(t, before, after, energy_at)) / before;
+    }
+    level_.position() = start;
+    return 0;
+  }
+
+  /// Where the energy still falls nearly as fast after the step t as before, since the matrix is stiffer than the map,
+  /// a longer one is tried: to the minimum of the parabola. Returns the energy where that ends.
+  template <class Energy>
+  double longer_step(double t, double before, double after, const Energy& energy_at)
+  {
+    constexpr double longest = 4, worthwhile = 1.3; // of the step t
+    const double linear = slope_ * t, quadratic = after - before - linear;
+    const double factor = longest * 2 * quadratic > -linear ? -linear / (2 * quadratic) : longest;
+    if(factor < worthwhile)
+      return after;
+    const Host_array<vec3> position = level_.position();
+    const double further = energy_at(factor * t);
+    if(further < after && level_.is_bijective(loop_))
+      return further;
+    level_.position() = position;
+    return after;
+  }
+
+  const Loop& loop_;
+  const Distortion& distortion_;
+  Map_level& level_;
+  struct Tangent_pair {
+    vec3 s, t;
+  };
+  Host_array<Tangent_pair> tangents_; ///< in which the diagonal blocks are the identity
+  Host_array<Block> factor_;          ///< which make them of the orthonormal ones
+  Host_array<Planar> gradient_;
+  Host_array<int> middle_; ///< where in row i the entries right of the diagonal begin
+  Host_array<Entry> entry_;
+  double slope_ = 0; ///< of the mean energy along the direction
+  double promised_gain_ = 0;
+  bool is_indefinite_ = false; ///< the matrix, as far as conjugate gradients saw
+};
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_NEWTON_RELAXATION_H

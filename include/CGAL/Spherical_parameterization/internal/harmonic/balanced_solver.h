@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_HARMONIC_BALANCED_SOLVER_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_HARMONIC_BALANCED_SOLVER_H
+
+#include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
+#include <CGAL/Spherical_parameterization/internal/multigrid/Multigrid.h>
+#include <CGAL/Spherical_parameterization/internal/problem/Solver_report.h>
+#include <CGAL/Spherical_parameterization/internal/harmonic/moebius.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+/// When a descent ends, and how far it steps.
+struct Descent_options {
+  double accuracy;
+  std::size_t maximum_iterations;
+  std::size_t patience = 30;    ///< so many iterations without progress are taken for a stall
+  double longest_factor = 1000; ///< bound of the step length; 1 is the step of an exact preconditioner
+  double work_before = 0;       ///< share of the whole work that has been done before, for the progress callback
+  double work_after = 1;        ///< ... and afterwards
+};
+
+/// What is left of the freedom to move a solution by a Moebius transformation.
+enum class Gauge {
+  FIXED,   ///< nothing: there are fixed vertices
+  ROTATED, ///< rotations, which are kept out of the descent: exponents above 2
+  BALANCED ///< rotations; boosts would change the energy but little, and are held by sum m_i v_i = 0
+};
+
+/// Riemannian conjugate gradients on the product of spheres (F. Alouges, "A new algorithm for computing liquid crystal
+/// stable configurations: the harmonic mapping case", SIAM J. Numer. Anal. 34, 1997, descends on the same energy; the
+/// preconditioner and the treatment of the Moebius freedom are ours).
+///
+/// `Gauge::BALANCED` minimises the spring energy subject to sum m_i v_i = 0. Both the multiplier and the way back
+/// to the constraint use the boost fields b_k = P e_k, along which the energy of a smooth map is flat:
+///   mu = N^-1 sum g_i,  r = g - m P mu,  d <- d - P N^-1 sum m_i d_i,  N = sum m_i P_i.
+/// The projection Q = 1 - b N^-1 (m b)^T is applied to r as Q^T, to the direction as Q, so that Q M^-1 Q^T stays
+/// symmetric. Moreover sum r_i = 0: r is a right-hand side for which the *singular* Laplacian is solvable, and the
+/// constant that the solution leaves open is a boost and a rotation, which Q and the energy do not see. Hence one
+/// multigrid hierarchy, that of L itself, serves start map and solve, and no shift floods the limbs.
+template <class Backend>
+class Balanced_solver {
+  typedef typename Backend::Vectors Vectors;
+  typedef typename Backend::Scalars Scalars;
+
+public:
+  /// `matrix`: the springs on level k of the hierarchy, which preconditions; `mass`: areas on the sphere, which bound
+  /// the steps, and define the balance.
+  Balanced_solver(const Backend& backend, const typename Backend::Matrix& matrix, Multigrid<Backend>& multigrid,
+                  std::size_t k, double spring_exponent, Gauge gauge, const Scalars& mass)
+    : backend_(backend), matrix_(matrix), multigrid_(multigrid), level_(k), exponent_(spring_exponent), gauge_(gauge),
+      mass_(mass)
+  {}
+
+  /// Descends from v, unit vectors that need not be balanced.
+  Solver_report solve(const Descent_options& options, Monitor& monitor, Vectors& v) const
+  {
+    return solve(
+      options, monitor, {}, [](Vectors&) {}, v);
+  }
+
+  /// The same, calling `refer(v)` when the residual has fallen to the next of `references`, which fall, too. It may
+  /// move v a little along a Moebius transformation, and change the masses.
+  template <class Refer>
+  Solver_report solve(const Descent_options& options, Monitor& monitor, const std::vector<double>& references,
+                      Refer refer, Vectors& v) const
+  {
+    constexpr double longest_step = 0.25;      // root mean square over the sphere of the angles by which vertices move
+    constexpr double progress = 0.8;           // at the limit of rounding the residual falls no more
+    constexpr double balance_tolerance = 1e-4; // the steps undo what is left
+    constexpr int balance_steps = 10;
+    const int n = multigrid_.size(level_);
+    Vectors g = backend_.vectors(n), old_g = backend_.vectors(n), s = backend_.vectors(n), d = backend_.vectors(n);
+    Vectors& w = multigrid_.scratch(level_);
+    Scalars density = backend_.scalars(n);
+    Solver_report report;
+
+    Moments moments;
+    Eigen::Vector4d sums;
+    const auto begin = [&] {
+      moments = backend_.moments(mass_, v);
+      if(gauge_ == Gauge::BALANCED)
+        balance(backend_, mass_, balance_tolerance, balance_steps, v, w, moments);
+      sums = to_vector(backend_.gradient(matrix_, exponent_, v, g, density));
+    };
+    Eigen::LDLT<Eigen::Matrix3d> boosts;
+    Eigen::Vector3d mu = Eigen::Vector3d::Zero();
+    const auto balance_forces = [&] {
+      boosts.compute(boost_matrix(moments));
+      if(gauge_ == Gauge::BALANCED)
+        mu = boosts.solve(sums.tail<3>());
+      report.energy = sums[0] / exponent_;
+      report.residual = std::sqrt(backend_.balance_gradient(matrix_, mass_, to_vec3(mu), v, g));
+    };
+    begin();
+    auto reference = references.begin();
+    double gs = 0;
+    double first = 0, best = 0;
+    std::size_t best_at = 0;
+    for(;; ++report.iterations) {
+      balance_forces();
+      if(reference != references.end() && report.residual <= *reference) {
+        ++reference;
+        refer(v);
+        begin();
+        balance_forces();
+      }
+      if(report.iterations == 0)
+        first = best = report.residual;
+      if(report.residual < progress * best) {
+        best = report.residual;
+        best_at = report.iterations;
+      }
+      report.has_stalled = report.iterations >= best_at + options.patience;
+      monitor.log("solve", report.iterations, report.residual, report.energy);
+      report.has_converged = report.residual <= options.accuracy;
+      const double share = Monitor::share(report.residual, first, options.accuracy);
+      if(report.has_converged || report.has_stalled || report.iterations == options.maximum_iterations ||
+         !monitor.advance(options.work_before + (options.work_after - options.work_before) * share))
+        return report;
+
+      multigrid_.apply(level_, g, s);
+      // What a direction does is linear in it, so that one pass over step and last direction tells it of all betas.
+      typedef Eigen::Matrix<double, 7, 1> Products; // with the gradient; the momentum; the angular momentum
+      const std::array<double, 15> products = backend_.direction_products(mass_, v, g, old_g, s, d);
+      const Products of_step(&products[1]), of_last(&products[8]);
+      double beta = report.iterations == 0 ? 0 : (std::max)(0., (of_step[0] - products[0]) / gs);
+      gs = of_step[0];
+      Products of_next = beta * of_last - of_step;
+      if(!(of_next[0] < 0)) {
+        beta = 0;
+        of_next = -of_step;
+      }
+      const double slope = of_next[0];
+      if(!(slope < 0)) { // rounding has eaten the gradient: no direction of descent is left
+        report.has_stalled = true;
+        return report;
+      }
+      // The slope does not see the projection: the energy does not see rotations, and a balanced gradient sums to zero.
+      Eigen::Vector3d boost = Eigen::Vector3d::Zero(), rotation = boost;
+      if(gauge_ == Gauge::BALANCED)
+        boost = boosts.solve(of_next.segment<3>(1));
+      if(gauge_ != Gauge::FIXED)
+        rotation = boosts.solve(of_next.tail<3>());
+      backend_.direct(beta, to_vec3(boost), to_vec3(rotation), v, s, d);
+
+      const std::array<double, 5> model = backend_.curvature(matrix_, exponent_, mass_, to_vec3(mu), v, d, density);
+      const double longest = longest_step * std::sqrt(total_mass(moments) / model[1]);
+      const double alpha = (std::min)({model[0] > 0 ? -slope / model[0] : 1, longest, options.longest_factor});
+      std::swap(g, old_g);
+      report.has_stalled =
+        !line_search(alpha, slope, boosts, {model[2], model[3], model[4]}, d, v, w, g, density, moments, sums);
+      if(report.has_stalled)
+        return report;
+    }
+  }
+
+private:
+  static Eigen::Vector4d to_vector(const std::array<double, 4>& a) { return {a[0], a[1], a[2], a[3]}; }
+
+  /// Armijo's rule from the step of the quadratic model. On success v, g, density, moments and sums are those of the
+  /// new point; on failure v is unchanged.
+  ///
+  /// A step alpha along d takes the map off balance by -alpha^2/2 sum m_i |d_i|^2 v_i up to third order; the sum is
+  /// `drift`. A boost in the same pass undoes that, and what the step before has left.
+  bool line_search(double alpha, double slope, const Eigen::LDLT<Eigen::Matrix3d>& boosts, const Eigen::Vector3d& drift,
+                   const Vectors& d, Vectors& v, Vectors& w, Vectors& g, Scalars& density, Moments& moments,
+                   Eigen::Vector4d& sums) const
+  {
+    constexpr int maximum_halvings = 20;
+    constexpr double sufficient = 1e-4;
+    constexpr double longest_boost = 0.5;
+    const bool is_balanced = gauge_ == Gauge::BALANCED;
+    const Eigen::Vector3d left =
+      is_balanced ? Eigen::Vector3d(boosts.solve(first_moment(moments)) / 2) : Eigen::Vector3d::Zero();
+    // A boost with centre c has the velocity -2 P c: this is what undoing the imbalance that is left may cost.
+    const double energy = sums[0] / exponent_ + (std::max)(0., -2 * left.dot(sums.tail<3>()));
+    for(int h = 0; h < maximum_halvings; ++h, alpha /= 2) {
+      Eigen::Vector3d c = left;
+      if(is_balanced)
+        c -= boosts.solve(alpha * alpha / 4 * drift);
+      if(c.norm() > longest_boost)
+        c *= longest_boost / c.norm();
+      const Moments next = backend_.retract(mass_, alpha, to_vec3(c), v, d, w);
+      const Eigen::Vector4d next_sums = to_vector(backend_.gradient(matrix_, exponent_, w, g, density));
+      if(next_sums[0] / exponent_ <= energy + sufficient * alpha * slope + backend_.rounding() * energy) {
+        std::swap(v, w);
+        moments = next;
+        sums = next_sums;
+        return true;
+      }
+    }
+    return false;
+  }
+
+  const Backend& backend_;
+  const typename Backend::Matrix& matrix_;
+  Multigrid<Backend>& multigrid_;
+  std::size_t level_;
+  double exponent_;
+  Gauge gauge_;
+  const Scalars& mass_;
+};
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_HARMONIC_BALANCED_SOLVER_H

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_VERTEX_NUMBERING_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_VERTEX_NUMBERING_H
+
+#include <boost/functional/hash.hpp>
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <stdexcept>
+#include <type_traits>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+template <class Descriptor, class = void>
+struct Has_idx : std::false_type {};
+template <class Descriptor>
+struct Has_idx<Descriptor, std::void_t<decltype(static_cast<std::size_t>(std::declval<const Descriptor&>().idx()))>>
+  : std::true_type {};
+
+/// The position of every element of a range of descriptors, 0 ... n-1. The mesh's own indices are not relied upon: they
+/// may have holes (Surface_mesh with garbage) or never have been set (Polyhedron_3). Descriptors that are an index
+/// (Surface_mesh, OpenMesh) look their position up in an array, all others in a hash table.
+template <class Descriptor>
+class Numbering {
+public:
+  /// Throws std::length_error if there are more than an int can number.
+  template <class Range>
+  explicit Numbering(const Range& descriptors)
+  {
+    if(std::distance(descriptors.begin(), descriptors.end()) > (std::numeric_limits<int>::max)())
+      throw std::length_error("a mesh of more than 2^31 - 1 elements of one kind");
+    for(Descriptor d : descriptors)
+      insert(d, size_++);
+  }
+
+  int operator()(Descriptor d) const
+  {
+    if constexpr(Has_idx<Descriptor>::value)
+      return table_[static_cast<std::size_t>(d.idx())];
+    else
+      return table_.at(d);
+  }
+
+  std::size_t size() const { return static_cast<std::size_t>(size_); }
+
+private:
+  typedef std::conditional_t<Has_idx<Descriptor>::value, std::vector<int>,
+                             std::unordered_map<Descriptor, int, boost::hash<Descriptor>>>
+    Table;
+
+  void insert(Descriptor d, int position)
+  {
+    if constexpr(Has_idx<Descriptor>::value) {
+      const std::size_t i = static_cast<std::size_t>(d.idx());
+      if(i >= table_.size())
+        table_.resize(i + 1, -1);
+      table_[i] = position;
+    } else
+      table_.emplace(d, position);
+  }
+
+  int size_ = 0;
+  Table table_;
+};
+
+/// The positions in vertices(mesh).
+template <class TriangleMesh>
+struct Vertex_numbering : Numbering<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> {
+  explicit Vertex_numbering(const TriangleMesh& mesh)
+    : Numbering<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>(vertices(mesh))
+  {}
+};
+
+/// The positions in faces(mesh).
+template <class TriangleMesh>
+struct Face_numbering : Numbering<typename boost::graph_traits<TriangleMesh>::face_descriptor> {
+  explicit Face_numbering(const TriangleMesh& mesh)
+    : Numbering<typename boost::graph_traits<TriangleMesh>::face_descriptor>(faces(mesh))
+  {}
+};
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_VERTEX_NUMBERING_H

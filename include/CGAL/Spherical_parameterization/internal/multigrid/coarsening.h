@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+//
+// The set-up of smoothed aggregation on the host, for graph Laplacians: P. Vanek, J. Mandel, M. Brezina, "Algebraic
+// multigrid by smoothed aggregation for second and fourth order elliptic problems", Computing 56 (1996). Every coarse
+// matrix is again a weighted graph (a few weights may be negative) with its row sums kept apart, so that coarse levels,
+// too, work on differences.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MULTIGRID_COARSENING_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MULTIGRID_COARSENING_H
+
+#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
+#include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
+#include <CGAL/Spherical_parameterization/internal/multigrid/sparse_rows.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+struct Aggregates {
+  Host_array<int> of_vertex; ///< -1 for fixed vertices
+  int count = 0;
+};
+
+/// Greedy aggregation. Two vertices are strongly connected if w_ij > threshold sqrt(a_ii a_jj).
+///
+/// Blocks of vertices are aggregated independently, so that they can be in parallel. The numbering is breadth-first:
+/// a block is a broad band of the surface, and few aggregates are cut by its border.
+template <class Loop>
+Aggregates aggregate(const Loop& loop, const Weighted_graph& a, double threshold)
+{
+  constexpr int block_size = 16384;
+  constexpr int none = -1;
+  constexpr int alone = -2;
+  const int n = a.size();
+  const int blocks = (n + block_size - 1) / block_size;
+  const Host_array<double>& inverse = a.inverse_diagonal;
+  const auto is_strong = [&](int i, int k) {
+    const double w = a.weight[k]; // its square may underflow
+    return w > 0 && (w * inverse[i]) * (w * inverse[a.target[k]]) > threshold * threshold;
+  };
+  Aggregates result;
+  Host_array<int>& of = result.of_vertex;
+  of.resize(n);
+  // Runs f(begin, end, number of the next aggregate, by reference) on every block, and makes the numbers consecutive.
+  const auto number_blocks = [&](auto f) {
+    std::vector<int> count(blocks, 0);
+    loop.for_each(blocks, [&](int b) { f(b * block_size, (std::min)(n, (b + 1) * block_size), count[b]); });
+    for(int& c : count)
+      result.count += std::exchange(c, result.count);
+    return count;
+  };
+
+  // Vertices without an aggregated neighbour become the roots, and take all strong neighbours along.
+  const std::vector<int> first = number_blocks([&](int begin, int end, int& count) {
+    std::fill(of.begin() + begin, of.begin() + end, none);
+    for(int i = begin; i < end; ++i) {
+      if(of[i] >= 0 || inverse[i] == 0)
+        continue;
+      const auto is_candidate = [&](int k) { return a.target[k] >= begin && a.target[k] < end && is_strong(i, k); };
+      bool is_free = true;
+      for(int k = a.offset[i]; is_free && k < a.offset[i + 1]; ++k)
+        is_free = !(is_candidate(k) && of[a.target[k]] >= 0);
+      if(!is_free)
+        continue;
+      of[i] = count;
+      for(int k = a.offset[i]; k < a.offset[i + 1]; ++k)
+        if(is_candidate(k))
+          of[a.target[k]] = count;
+      ++count;
+    }
+  });
+  Host_array<int> roots(n);
+  loop.for_each(blocks, [&](int b) {
+    for(int i = b * block_size; i < (std::min)(n, (b + 1) * block_size); ++i)
+      roots[i] = of[i] >= 0 ? of[i] + first[b] : of[i];
+  });
+
+  // The others join the neighbour that holds them most firmly, as long as that one belonged to a root's aggregate.
+  const std::vector<int> first_alone = number_blocks([&](int begin, int end, int& count) {
+    for(int i = begin; i < end; ++i) {
+      of[i] = roots[i];
+      if(of[i] >= 0 || inverse[i] == 0)
+        continue;
+      double best = 0;
+      for(int k = a.offset[i]; k < a.offset[i + 1]; ++k)
+        if(roots[a.target[k]] >= 0 && a.weight[k] > best) {
+          best = a.weight[k];
+          of[i] = roots[a.target[k]];
+        }
+      if(of[i] < 0)
+        of[i] = alone - count++;
+    }
+  });
+  loop.for_each(blocks, [&](int b) {
+    for(int i = b * block_size; i < (std::min)(n, (b + 1) * block_size); ++i)
+      if(of[i] <= alone)
+        of[i] = first_alone[b] + alone - of[i];
+  });
+  return result;
+}
+
+/// P = (I - omega D^-1 A) T, T the piecewise constant interpolation from the aggregates. Vertices of a very high
+/// degree, as the poles of a globe have, keep the row of T: one of their degree would make the Galerkin product dense.
+template <class Loop>
+Sparse_matrix smoothed_prolongation(const Loop& loop, const Weighted_graph& a, const Aggregates& aggregates,
+                                    double omega)
+{
+  const Host_array<int>& of = aggregates.of_vertex;
+  return build_rows(loop, a.size(), [&](int begin, int end, Sparse_matrix& p) {
+    constexpr double usual_row_length = 3.2;
+    constexpr int longest_smoothed_row = 256;
+    p.offset.reserve(end - begin + 1);
+    p.column.reserve(static_cast<std::size_t>(usual_row_length * (end - begin)));
+    p.value.reserve(static_cast<std::size_t>(usual_row_length * (end - begin)));
+    std::vector<int> column;
+    std::vector<double> value;
+    for(int i = begin; i < end; ++i) {
+      column.clear();
+      value.clear();
+      if(of[i] >= 0 && a.offset[i + 1] - a.offset[i] > longest_smoothed_row) {
+        column.push_back(of[i]);
+        value.push_back(1);
+      } else if(of[i] >= 0) {
+        const double factor = omega * a.inverse_diagonal[i];
+        column.push_back(of[i]);
+        value.push_back(a.excess.empty() ? 1 : 1 - factor * a.excess[i]);
+        for(int k = a.offset[i]; k < a.offset[i + 1]; ++k) {
+          const int j = of[a.target[k]];
+          if(j == of[i])
+            continue;
+          const double w = factor * a.weight[k];
+          value[0] -= w;
+          if(j < 0)
+            continue;
+          // a handful of columns: found soonest one by one
+          const auto at = std::find(column.begin(), column.end(), j) - column.begin();
+          if(at == static_cast<std::ptrdiff_t>(column.size())) {
+            column.push_back(j);
+            value.push_back(w);
+          } else
+            value[at] += w;
+        }
+      }
+      p.column.insert(p.column.end(), column.begin(), column.end());
+      p.value.insert(p.value.end(), value.begin(), value.end());
+      p.offset.push_back(static_cast<int>(p.column.size()));
+    }
+  });
+}
+
+/// The Galerkin product P^T A P as a weighted graph, r = P^T. Where A has zero row sums (`is_singular`), so has the
+/// product, and the excess stays empty instead of holding rounding errors.
+template <class Loop>
+Weighted_graph galerkin_product(const Loop& loop, const Weighted_graph& a, const Sparse_matrix& p,
+                                const Sparse_matrix& r, bool is_singular)
+{
+  const int coarse = r.rows();
+  Weighted_graph c;
+  c.inverse_diagonal.resize(coarse);
+  if(!is_singular)
+    c.excess.resize(coarse);
+  Sparse_matrix rows = build_rows(loop, coarse, [&](int begin, int end, Sparse_matrix& out) {
+    constexpr std::size_t usual_row_length = 16;
+    out.offset.reserve(end - begin + 1);
+    out.column.reserve(usual_row_length * (end - begin));
+    out.value.reserve(usual_row_length * (end - begin));
+    Row_accumulator ra(a.size()); // row of P^T A
+    Row_accumulator rap(coarse);  // row of P^T A P
+    for(int i = begin; i < end; ++i) {
+      for(int k = r.offset[i]; k < r.offset[i + 1]; ++k) {
+        const int f = r.column[k];
+        const double share = r.value[k];
+        const int row = a.offset[f];
+        const double diagonal = 1 / a.inverse_diagonal[f]; // vertices without one are in no aggregate
+        ra.add(a.target.data() + row, a.weight.data() + row, a.offset[f + 1] - row, -share);
+        ra.add(&f, &diagonal, 1, share);
+      }
+      for(int k = 0; k < ra.size(); ++k) {
+        const int row = p.offset[ra.column(k)];
+        rap.add(p.column.data() + row, p.value.data() + row, p.offset[ra.column(k) + 1] - row, ra.value(k));
+      }
+      double diagonal = 0;
+      double off_diagonal = 0;
+      for(int k = 0; k < rap.size(); ++k) {
+        if(rap.column(k) == i) {
+          diagonal = rap.value(k);
+          continue;
+        }
+        off_diagonal += rap.value(k);
+        out.column.push_back(rap.column(k));
+        out.value.push_back(-rap.value(k));
+      }
+      out.offset.push_back(static_cast<int>(out.column.size()));
+      if(is_singular)
+        diagonal = -off_diagonal;
+      else
+        c.excess[i] = diagonal + off_diagonal;
+      c.inverse_diagonal[i] = diagonal > 0 ? 1 / diagonal : 0;
+      ra.clear();
+      rap.clear();
+    }
+  });
+  c.offset = std::move(rows.offset);
+  c.target = std::move(rows.column);
+  c.weight = std::move(rows.value);
+  return c;
+}
+
+/// Drops the edges of a coarse graph with |w_ij| < threshold min(a_ii, a_jj), which matter to neither end, and of which
+/// Galerkin products have many. The row sums stay, and with them the kernel.
+template <class Loop>
+void drop_weak_edges(const Loop& loop, double threshold, Weighted_graph& a)
+{
+  Host_array<double> inverse(a.size());
+  Sparse_matrix rows = build_rows(loop, a.size(), [&](int begin, int end, Sparse_matrix& out) {
+    for(int i = begin; i < end; ++i) {
+      double diagonal = a.excess.empty() ? 0 : a.excess[i];
+      for(int k = a.offset[i]; k < a.offset[i + 1]; ++k) {
+        const double w = a.weight[k];
+        if(std::abs(w) * (std::max)(a.inverse_diagonal[i], a.inverse_diagonal[a.target[k]]) < threshold)
+          continue;
+        diagonal += w;
+        out.column.push_back(a.target[k]);
+        out.value.push_back(w);
+      }
+      out.offset.push_back(static_cast<int>(out.column.size()));
+      inverse[i] = diagonal > 0 ? 1 / diagonal : 0;
+    }
+  });
+  a.offset = std::move(rows.offset);
+  a.target = std::move(rows.column);
+  a.weight = std::move(rows.value);
+  a.inverse_diagonal = std::move(inverse);
+}
+
+/// Estimate from above of the largest eigenvalue of D^-1 A: power iteration from a fixed start, at most Gershgorin's
+/// bound. Where that is 2 (no negative weights), the eigenvalue is known well enough beforehand to look at a principal
+/// submatrix only: the eigenvectors in question are local.
+template <class Loop>
+double spectral_radius(const Loop& loop, const Weighted_graph& a)
+{
+  constexpr int iterations = 6;
+  constexpr double safety = 1.15;
+  constexpr int sample_size = 50000;
+  const Host_array<double>& inverse = a.inverse_diagonal;
+  const std::vector<double> bounds = results_of_parts(loop, a.size(), [&](int begin, int end) {
+    double bound = 0;
+    for(int i = begin; i < end; ++i) {
+      double sum = 0;
+      for(int k = a.offset[i]; k < a.offset[i + 1]; ++k)
+        sum += std::abs(a.weight[k]);
+      if(inverse[i] > 0)
+        bound = (std::max)(bound, 1 + sum * inverse[i]);
+    }
+    return bound;
+  });
+  const double bound = *std::max_element(bounds.begin(), bounds.end());
+  const bool is_positive = bound < 2 + 1e-12;
+  const int n = is_positive ? (std::min)(a.size(), sample_size) : a.size();
+  Host_array<double> x(n), y(n);
+  unsigned state = 1;
+  for(double& e : x) {
+    state = state * 1664525u + 1013904223u; // Numerical Recipes' generator: any fixed noise will do
+    e = state / 4294967296. - 0.5;
+  }
+  double radius = 0;
+  for(int it = 0; it < iterations; ++it) {
+    double xx = 0, yy = 0;
+    for(int i = 0; i < n; ++i) {
+      double sum = a.excess.empty() ? 0 : a.excess[i] * x[i];
+      for(int k = a.offset[i]; k < a.offset[i + 1]; ++k)
+        sum += a.weight[k] * (a.target[k] < n ? x[i] - x[a.target[k]] : x[i]);
+      y[i] = inverse[i] * sum;
+      xx += x[i] * x[i];
+      yy += y[i] * y[i];
+    }
+    if(!(yy > 0))
+      break;
+    radius = std::sqrt(yy / xx);
+    const double s = 1 / std::sqrt(yy);
+    for(int i = 0; i < n; ++i)
+      x[i] = s * y[i];
+  }
+  constexpr double least = 1.7; // from here on two Chebyshev steps do no harm to eigenvalues up to 2
+  return (std::min)(bound, (std::max)(is_positive ? least : 0, safety * radius));
+}
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MULTIGRID_COARSENING_H

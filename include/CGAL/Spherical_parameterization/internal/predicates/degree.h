@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PREDICATES_DEGREE_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PREDICATES_DEGREE_H
+
+#include <CGAL/Spherical_parameterization/internal/predicates/side_of_great_circle.h>
+#include <CGAL/Spherical_parameterization/internal/backend/vertex_formulas.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+/// The share of a face in the degree, seen in direction q: its orientation if it contains q, else 0; NaN if q is on its
+/// border. Exact.
+inline double covering(vec3 a, vec3 b, vec3 c, vec3 q)
+{
+  // Where the line along q meets the plane of the face, it is no farther from the corner a than the other corners: this
+  // is not so for nearly all faces, and by far more than rounding.
+  const vec3 ab = sub(b, a), ac = sub(c, a);
+  const double aa = inner(a, a), aq = inner(a, q), qq = inner(q, q);
+  const double longest2 = (std::max)(inner(ab, ab), inner(ac, ac));
+  if(aa * qq - aq * aq > (1.0001 * longest2 + 1e-12 * aa) * qq)
+    return 0;
+
+  const std::array<vec3, 4> corner = {a, b, c, a};
+  int least = 1, largest = -1;
+  for(int k = 0; k < 3; ++k) {
+    const int side = side_of_great_circle(corner[k], corner[k + 1], q);
+    least = (std::min)(least, side);
+    largest = (std::max)(largest, side);
+    if(least < 0 && largest > 0)
+      return 0;
+  }
+  const int orientation = side_of_great_circle(a, b, c);
+  if(orientation == 0 || (orientation > 0 ? least < 0 : largest > 0))
+    return 0;
+  return least == largest ? orientation : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// The degree of a map: how many faces lie over a direction, counted with orientation. It is the same for all
+/// directions that are on no border, and exact, which the sum of the areas is not: of a face with all corners near one
+/// great circle rounding cannot tell whether it is half a sphere or nothing.
+/// \param sum_of_coverings  given a direction q, the sum of `covering()` over all faces
+template <class Sum_of_coverings>
+int degree(Sum_of_coverings sum_of_coverings)
+{
+  // No great circle meets (1, t, t^2) in more than two points, so some of these directions is on no border.
+  for(double t = 773. / 1024;; t += 1) {
+    const double sum = sum_of_coverings(make_vec3(1, t, t * t));
+    if(!std::isnan(sum))
+      return static_cast<int>(sum);
+  }
+}
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PREDICATES_DEGREE_H

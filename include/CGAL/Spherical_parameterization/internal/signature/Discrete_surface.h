@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SIGNATURE_DISCRETE_SURFACE_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SIGNATURE_DISCRETE_SURFACE_H
+
+#include <CGAL/Spherical_parameterization/internal/backend/Host_backend.h>
+#include <CGAL/Spherical_parameterization/internal/signature/Intrinsic_triangulation.h>
+#include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
+#include <CGAL/Spherical_parameterization/internal/multigrid/Multigrid.h>
+#include <CGAL/Spherical_parameterization/internal/multigrid/conjugate_gradients.h>
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+/// A closed surface scaled to area 4 pi, with the operators on its piecewise linear functions. The Laplacian is the
+/// cotangent one, not clamped; the triangulation being Delaunay, no weight is negative.
+class Discrete_surface {
+public:
+  typedef Eigen::VectorXd Vector;
+  typedef Eigen::SparseMatrix<double> Matrix;
+
+  explicit Discrete_surface(Intrinsic_triangulation triangulation)
+    : triangulation_(std::move(triangulation)), size_(triangulation_.number_of_vertices()), mass_(Vector::Zero(size_)),
+      defect_(Vector::Constant(size_, 2 * pi())), laplacian_(size_, size_)
+  {
+    const Intrinsic_triangulation& t = triangulation_;
+    double total = 0;
+    for(int f = 0; f < t.number_of_faces(); ++f)
+      total += t.area(3 * f);
+    area_unit_ = total / (4 * pi());
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(4 * t.number_of_halfedges());
+    for(int h = 0; h < t.number_of_halfedges(); ++h) {
+      const int i = t.origin(h), j = t.target(h);
+      mass_[i] += area(h) / 3;
+      defect_[t.apex(h)] -= t.angle(h);
+      const double w = t.cotangent(h) / 2;
+      entries.emplace_back(i, i, w);
+      entries.emplace_back(j, j, w);
+      entries.emplace_back(i, j, -w);
+      entries.emplace_back(j, i, -w);
+    }
+    laplacian_.setFromTriplets(entries.begin(), entries.end());
+  }
+
+  static double pi() { return std::acos(-1.); }
+  int size() const { return size_; }
+  const Vector& mass() const { return mass_; }           ///< a third of the area round every vertex
+  const Vector& defect() const { return defect_; }       ///< the curvature of every vertex, 4 pi in all
+  const Matrix& laplacian() const { return laplacian_; } ///< positive semidefinite, constants in the kernel
+
+  /// |grad x|, constant on every triangle, averaged over the triangles round every vertex by area.
+  Vector gradient_norm(const Vector& x) const
+  {
+    const Intrinsic_triangulation& t = triangulation_;
+    Vector sum = Vector::Zero(size_), weight = Vector::Zero(size_);
+    for(int f = 0; f < t.number_of_faces(); ++f) {
+      double energy = 0; // integral of |grad x|^2
+      for(int h = 3 * f; h < 3 * f + 3; ++h) {
+        const double difference = x[t.origin(h)] - x[t.target(h)];
+        energy += t.cotangent(h) * difference * difference / 2;
+      }
+      const double a = area(3 * f);
+      const double norm = std::sqrt((std::max)(energy, 0.) / a);
+      for(int h = 3 * f; h < 3 * f + 3; ++h) {
+        sum[t.origin(h)] += a * norm;
+        weight[t.origin(h)] += a;
+      }
+    }
+    return sum.cwiseQuotient(weight);
+  }
+
+private:
+  double area(int h) const { return triangulation_.area(h) / area_unit_; }
+
+  Intrinsic_triangulation triangulation_;
+  int size_;
+  double area_unit_; ///< 4 pi of these are the area before scaling
+  Vector mass_, defect_;
+  Matrix laplacian_;
+};
+
+/// Solves (L + shift M) x = b on a surface, set up once for several right-hand sides.
+class Surface_solver {
+  typedef Host_backend<Default_loop> Backend;
+  typedef Discrete_surface::Vector Vector;
+  typedef Discrete_surface::Matrix Matrix;
+
+public:
+  /// \param shift  if 0, the right-hand sides have to sum to zero, and solutions are defined up to a constant
+  /// The surface has to outlive this.
+  explicit Surface_solver(const Discrete_surface& surface, double shift = 0) : surface_(surface), shift_(shift)
+  {
+    if(surface.size() > largest_factorised)
+      set_up_multigrid();
+    else
+      factorise();
+  }
+
+  Surface_solver(const Surface_solver&) = delete; // the hierarchy refers to the backend
+  Surface_solver& operator=(const Surface_solver&) = delete;
+
+  Vector operator()(const Vector& b)
+  {
+    if(multigrid_) {
+      Vector x = solve_by_multigrid(b);
+      const Vector residual = surface_.laplacian() * x + shift_ * surface_.mass().cwiseProduct(x) - b;
+      if(residual.norm() <= 1e-6 * b.norm()) // false for NaN
+        return x;
+      multigrid_.reset();
+      factorise();
+    }
+    return cholesky_.solve(b);
+  }
+
+private:
+  /// Up to this size Cholesky's factorisation is as fast as multigrid and gives a residual of rounding, whatever the
+  /// triangles are like; at 134,000 vertices it takes five times as long.
+  static constexpr int largest_factorised = 100000;
+
+  void factorise()
+  {
+    Matrix a = surface_.laplacian();
+    if(shift_ > 0)
+      a.diagonal() += shift_ * surface_.mass();
+    else
+      a.coeffRef(0, 0) *= 2; // holds x at 0 there: a spring that no force pulls, since b sums to zero
+    cholesky_.compute(a);
+  }
+
+  void set_up_multigrid()
+  {
+    const Matrix& laplacian = surface_.laplacian();
+    const auto graph = std::make_shared<Weighted_graph>();
+    for(int i = 0; i < surface_.size(); ++i) {
+      for(Matrix::InnerIterator entry(laplacian, i); entry; ++entry)
+        if(entry.row() != i && entry.value() < 0) { // what is positive is rounding
+          graph->target.push_back(static_cast<int>(entry.row()));
+          graph->weight.push_back(-entry.value());
+        }
+      graph->offset.push_back(static_cast<int>(graph->target.size()));
+    }
+    if(shift_ > 0)
+      for(int i = 0; i < surface_.size(); ++i)
+        graph->excess.push_back(shift_ * surface_.mass()[i]);
+    graph->update_diagonal({}, backend_.host_loop());
+    multigrid_ = std::make_unique<Multigrid<Backend>>(backend_, graph);
+  }
+
+  Vector solve_by_multigrid(const Vector& b)
+  {
+    constexpr double accuracy = 1e-9; // relative, in the energy norm
+    Backend::Vectors right(surface_.size());
+    for(int i = 0; i < surface_.size(); ++i)
+      right[i] = make_vec3(b[i], 0, 0);
+    Backend::Vectors solution = backend_.vectors(surface_.size());
+    Monitor monitor(std::numeric_limits<double>::infinity(), {}, false);
+    conjugate_gradients(backend_, *multigrid_, 0, std::move(right), accuracy, monitor, 0, solution);
+    Vector x(surface_.size());
+    for(int i = 0; i < surface_.size(); ++i)
+      x[i] = solution[i].x;
+    return x;
+  }
+
+  const Discrete_surface& surface_;
+  double shift_;
+  Backend backend_;
+  std::unique_ptr<Multigrid<Backend>> multigrid_;
+  Eigen::SimplicialLDLT<Matrix> cholesky_;
+};
+
+/// One implicit step of the heat equation, of time t: (M + t L)^-1 M x.
+inline Discrete_surface::Vector smoothed(const Discrete_surface& surface, const Discrete_surface::Vector& x, double t)
+{
+  return Surface_solver(surface, 1 / t)(surface.mass().cwiseProduct(x) / t);
+}
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SIGNATURE_DISCRETE_SURFACE_H

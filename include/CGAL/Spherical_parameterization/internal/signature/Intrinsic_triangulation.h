@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SIGNATURE_INTRINSIC_TRIANGULATION_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SIGNATURE_INTRINSIC_TRIANGULATION_H
+
+#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/backend/vertex_formulas.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+/// A closed triangulated surface given by nothing but the lengths of its edges, made Delaunay by flipping edges inside
+/// the surface: the shape stays, to rounding, and all cotangent weights become nonnegative, however bad the triangles
+/// of the mesh. M. Fisher, B. Springborn, A. Bobenko, P. Schroeder, "An algorithm for the construction of intrinsic
+/// Delaunay triangulations with applications to digital geometry processing", Computing 81 (2007).
+///
+/// Halfedge 3f + k goes from corner k of triangle f to the next one. Triangles may end up with two equal corners.
+class Intrinsic_triangulation {
+public:
+  /// \param faces  the corners of the triangles
+  /// \param twin   by halfedge: the opposite one
+  /// \param points by vertex
+  Intrinsic_triangulation(const Host_array<std::array<int, 3>>& faces, std::vector<int> twin,
+                          const Host_array<vec3>& points)
+    : twin_(std::move(twin)), number_of_vertices_(static_cast<int>(points.size()))
+  {
+    origin_.reserve(3 * faces.size());
+    length_.reserve(3 * faces.size());
+    for(const std::array<int, 3>& f : faces)
+      for(int k = 0; k < 3; ++k) {
+        const vec3 e = sub(points[f[(k + 1) % 3]], points[f[k]]);
+        origin_.push_back(f[k]);
+        length_.push_back(std::sqrt(inner(e, e)));
+      }
+    mollify();
+    make_delaunay();
+  }
+
+  int number_of_vertices() const { return number_of_vertices_; }
+  int number_of_faces() const { return number_of_halfedges() / 3; }
+  int number_of_halfedges() const { return static_cast<int>(origin_.size()); }
+  int origin(int h) const { return origin_[h]; }
+  int target(int h) const { return origin_[next(h)]; }
+  int twin(int h) const { return twin_[h]; }
+  int apex(int h) const { return origin_[next(next(h))]; } ///< the corner opposite to h
+  static int next(int h) { return h % 3 == 2 ? h - 2 : h + 1; }
+
+  /// Area of the triangle of halfedge h, by Heron's formula as W. Kahan writes it: accurate for needles, too.
+  double area(int h) const
+  {
+    double a = length_[h], b = length_[next(h)], c = length_[next(next(h))];
+    if(a < b)
+      std::swap(a, b);
+    if(b < c)
+      std::swap(b, c);
+    if(a < b)
+      std::swap(a, b);
+    const double product = (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c));
+    return std::sqrt((std::max)(product, 0.)) / 4;
+  }
+
+  /// Cotangent of the angle opposite to halfedge h.
+  double cotangent(int h) const { return twice_cosine(h) / (4 * area(h)); }
+
+  /// The angle opposite to halfedge h.
+  double angle(int h) const { return std::atan2(4 * area(h), twice_cosine(h)); }
+
+private:
+  /// b^2 + c^2 - a^2 for the side a = h
+  double twice_cosine(int h) const
+  {
+    const double a = length_[h], b = length_[next(h)], c = length_[next(next(h))];
+    return b * b + c * c - a * a;
+  }
+
+  /// Lengthens all edges by the same little, so that every triangle has an area: N. Sharp, K. Crane, "A Laplacian for
+  /// nonmanifold triangle meshes", SGP 2020.
+  void mollify()
+  {
+    constexpr double relative_slack = 1e-6; // of the triangle inequality, in mean edge lengths
+    double mean = 0;
+    for(double l : length_)
+      mean += l / number_of_halfedges();
+    double excess = 0;
+    for(int h = 0; h < number_of_halfedges(); ++h)
+      excess = (std::max)(excess, relative_slack * mean + length_[h] - length_[next(h)] - length_[next(next(h))]);
+    for(double& l : length_)
+      l += excess;
+  }
+
+  void make_delaunay()
+  {
+    constexpr double tolerance = 1e-10; // cocircular points may be triangulated in either way
+    std::vector<int> open(number_of_halfedges());
+    std::vector<char> is_open(number_of_halfedges(), 1);
+    for(int h = 0; h < number_of_halfedges(); ++h)
+      open[h] = h;
+    while(!open.empty()) {
+      const int h = open.back();
+      open.pop_back();
+      is_open[h] = 0;
+      if(h > twin_[h] && is_open[twin_[h]])
+        continue; // it will come up again
+      if(cotangent(h) + cotangent(twin_[h]) >= -tolerance || !flip(h))
+        continue;
+      for(int e : {next(h), next(next(h)), next(twin_[h]), next(next(twin_[h]))})
+        if(!is_open[e]) {
+          is_open[e] = 1;
+          open.push_back(e);
+        }
+    }
+  }
+
+  /// Replaces the common edge of two triangles by the other diagonal. Returns false where the quadrangle is not convex,
+  /// which for an edge that is not Delaunay only rounding can bring about, or where both triangles are the same.
+  bool flip(int h)
+  {
+    const int t = twin_[h];
+    if(h / 3 == t / 3)
+      return false;
+    // h: a -> b with apex c; t: b -> a with apex d. Laid out in the plane with a = (0, 0), b = (length, 0).
+    const int bc = next(h), ca = next(bc), ad = next(t), db = next(ad);
+    const double l = length_[h];
+    const double cx = (l * l + length_[ca] * length_[ca] - length_[bc] * length_[bc]) / (2 * l);
+    const double dx = (l * l + length_[ad] * length_[ad] - length_[db] * length_[db]) / (2 * l);
+    const double cy = 2 * area(h) / l, dy = -2 * area(t) / l;
+    const double crossing = cx - (dx - cx) * cy / (dy - cy); // of the line cd with the line ab
+    if(!(crossing > 0 && crossing < l))
+      return false;
+
+    // The triangles become (d, b, c) in the place of h's, and (c, a, d) in the place of t's.
+    const double diagonal = std::hypot(dx - cx, dy - cy);
+    const int a = origin_[h], b = origin_[t], c = origin_[ca], d = origin_[db];
+    const std::array<int, 4> outer_twins = {twin_[bc], twin_[ca], twin_[ad], twin_[db]};
+    const std::array<double, 4> outer_lengths = {length_[bc], length_[ca], length_[ad], length_[db]};
+    const std::array<int, 4> old_places = {bc, ca, ad, db};
+    const std::array<int, 4> new_places = {ca, ad, db, bc}; // of the edges bc, ca, ad, db
+    // h: c -> d, then db, bc; t: d -> c, then ca, ad
+    origin_[h] = c;
+    origin_[bc] = d;
+    origin_[ca] = b;
+    origin_[t] = d;
+    origin_[ad] = c;
+    origin_[db] = a;
+    length_[h] = length_[t] = diagonal;
+    for(int k = 0; k < 4; ++k) {
+      // the other side may be an edge of this quadrangle, too
+      const auto own = std::find(old_places.begin(), old_places.end(), outer_twins[k]);
+      const int other = own == old_places.end() ? outer_twins[k] : new_places[own - old_places.begin()];
+      length_[new_places[k]] = outer_lengths[k];
+      twin_[new_places[k]] = other;
+      twin_[other] = new_places[k];
+    }
+    return true;
+  }
+
+  std::vector<int> origin_, twin_;
+  std::vector<double> length_;
+  int number_of_vertices_;
+};
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SIGNATURE_INTRINSIC_TRIANGULATION_H

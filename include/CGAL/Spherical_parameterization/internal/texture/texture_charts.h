@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_TEXTURE_TEXTURE_CHARTS_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_TEXTURE_TEXTURE_CHARTS_H
+
+#include <CGAL/Spherical_parameterization/internal/predicates/spherical_triangles.h>
+#include <CGAL/Spherical_parameterization/internal/texture/uv_grid.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+/// An orthonormal frame with z to the north pole.
+struct Frame {
+  vec3 x, y, z;
+
+  /// \pre `meridian` is not parallel to `north`
+  Frame(vec3 north, vec3 meridian) : z(north)
+  {
+    if(std::abs(inner(z, z) - 1) > 1e-15) // else to the last bit: there may be a vertex
+      z = unit(z);
+    x = unit(tangent(meridian, z));
+    y = outer(z, x);
+  }
+
+  /// Coordinates in the frame. The offset from the nearer pole is taken first, which is exact near it: a limb with the
+  /// pole in its tip keeps all its digits.
+  vec3 operator()(vec3 p) const
+  {
+    const double height = inner(p, z);
+    const vec3 offset = height < 0 ? add(p, z) : sub(p, z);
+    return {inner(offset, x), inner(offset, y), height};
+  }
+};
+
+/// What a chart makes of a face.
+struct Charted_face {
+  Uv_triangle uv;
+  double area = 0; ///< on the chart, to first order; positive
+  bool is_at_seam = false;
+  bool is_at_pole = false; ///< contains one, in its interior or as a corner
+};
+
+/// to - from, brought to [-1/2, 1/2] by whole turns
+inline double shortest_turn(double from, double to)
+{
+  const double d = to - from;
+  return d - std::nearbyint(d);
+}
+
+/// u = longitude / 2 pi, v = 1/2 + latitude / pi. Corners are continued past u = 1 from the westernmost one, which is
+/// in [0, 1). A corner at a pole has the mean u of the two others. A face round a pole leaves out the edge nearest to
+/// the pole: what is north of it is no triangle on the chart.
+class Latitude_longitude_chart {
+public:
+  explicit Latitude_longitude_chart(const Frame& frame) : frame_(frame) {}
+
+  Charted_face operator()(const std::array<vec3, 3>& p) const
+  {
+    constexpr double pi = 3.14159265358979323846;
+    Charted_face face;
+    std::array<double, 3> longitude;
+    int pole = -1; // the corner that is one
+    for(int k = 0; k < 3; ++k) {
+      const vec3 q = frame_(p[k]);
+      const double to_axis = std::hypot(q.x, q.y);
+      longitude[k] = std::atan2(q.y, q.x) / (2 * pi);
+      const double to_pole = std::atan2(to_axis, std::abs(q.z)) / pi;
+      face.uv[k].y = q.z < 0 ? to_pole : 1 - to_pole;
+      if(to_axis == 0)
+        pole = k;
+    }
+    int middle = 0; // the corner to start unwrapping from
+    if(pole >= 0) {
+      const int i = (pole + 1) % 3, j = (pole + 2) % 3;
+      longitude[pole] = longitude[i] + shortest_turn(longitude[i], longitude[j]) / 2;
+      middle = pole;
+    } else {
+      const double winding = shortest_turn(longitude[0], longitude[1]) + shortest_turn(longitude[1], longitude[2]) +
+                             shortest_turn(longitude[2], longitude[0]);
+      const int sign = static_cast<int>(std::lround(winding));
+      face.is_at_pole = sign != 0;
+      for(int k = 1; k < 3; ++k)
+        if(sign * face.uv[k].y < sign * face.uv[middle].y)
+          middle = k; // farthest from the pole
+    }
+    face.is_at_pole = face.is_at_pole || pole >= 0;
+    const int next = (middle + 1) % 3, previous = (middle + 2) % 3;
+    face.uv[middle].x = longitude[middle];
+    face.uv[next].x = longitude[middle] + shortest_turn(longitude[middle], longitude[next]);
+    face.uv[previous].x = longitude[middle] - shortest_turn(longitude[previous], longitude[middle]);
+    into_range(face.uv);
+    face.is_at_seam = (std::max)({face.uv[0].x, face.uv[1].x, face.uv[2].x}) >= 1;
+
+    const vec3 centre = unit(add(p[0], add(p[1], p[2])));
+    const vec3 c = frame_(centre);
+    face.area = spherical_area(p[0], p[1], p[2]) / (2 * pi * pi * (std::max)(std::hypot(c.x, c.y), 1e-3));
+    return face;
+  }
+
+  /// Moves a triangle by whole turns, and back between v = 0 and v = 1.
+  static void into_range(Uv_triangle& t)
+  {
+    const double turns = std::floor((std::min)({t[0].x, t[1].x, t[2].x}));
+    const double below = (std::min)({t[0].y, t[1].y, t[2].y, 0.}), above = (std::max)({t[0].y, t[1].y, t[2].y, 1.}) - 1;
+    for(vec2& p : t)
+      p = {p.x - turns, p.y - below - above};
+  }
+
+private:
+  Frame frame_;
+};
+
+/// The octahedral map: central projection to the octahedron |x| + |y| + |z| = 1, whose northern half becomes the
+/// diamond in the middle of the square and whose southern faces are unfolded to its corners. Each octant is mapped
+/// projectively: faces inside of one cannot flip. The sides of the square are glued to themselves by half-turns about
+/// their midpoints; corners are continued across them.
+class Octahedral_chart {
+public:
+  explicit Octahedral_chart(const Frame& frame) : frame_(frame) {}
+
+  Charted_face operator()(const std::array<vec3, 3>& p) const
+  {
+    Charted_face face;
+    const vec3 centre = unit(add(p[0], add(p[1], p[2])));
+    const vec2 home = in_square(centre);
+    for(int k = 0; k < 3; ++k) {
+      const vec2 q = in_square(p[k]);
+      face.uv[k] = nearest_image(q, home);
+      face.is_at_seam = face.is_at_seam || face.uv[k].x != q.x || face.uv[k].y != q.y;
+    }
+    const vec3 c = frame_(centre);
+    const double s = std::abs(c.x) + std::abs(c.y) + std::abs(c.z);
+    face.area = spherical_area(p[0], p[1], p[2]) / (4 * s * s * s);
+    return face;
+  }
+
+  static void into_range(Uv_triangle&) {}
+
+private:
+  vec2 in_square(vec3 p) const
+  {
+    const vec3 q = frame_(p);
+    const double s = std::abs(q.x) + std::abs(q.y) + std::abs(q.z), x = q.x / s, y = q.y / s;
+    if(q.z >= 0)
+      return {(1 + x) / 2, (1 + y) / 2};
+    return {(1 + std::copysign(1 - std::abs(y), x)) / 2, (1 + std::copysign(1 - std::abs(x), y)) / 2};
+  }
+
+  /// Of the copies of q in the square and in the eight squares round it the one that is nearest to `home`.
+  static vec2 nearest_image(vec2 q, vec2 home)
+  {
+    vec2 best = q;
+    for(int i = -1; i <= 1; ++i)
+      for(int j = -1; j <= 1; ++j) {
+        const bool is_turned = (i + j) % 2 != 0;
+        const vec2 image = is_turned ? vec2{i + (1 - q.x), j + (1 - q.y)} : vec2{i + q.x, j + q.y};
+        if(distance(image, home) < distance(best, home))
+          best = image;
+      }
+    return best;
+  }
+
+  Frame frame_;
+};
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_TEXTURE_TEXTURE_CHARTS_H

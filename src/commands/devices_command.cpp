@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#include "commands/devices_command.h"
+
+#include "options/policies.h"
+
+#include <CLI/CLI.hpp>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/task_arena.h>
+#endif
+
+#include <iomanip>
+#include <iostream>
+#include <optional>
+#include <string>
+
+namespace tool {
+namespace {
+
+void print_policy(const std::string& name, const std::string& runs_on)
+{
+  std::cout << name << (name == default_policy_name() ? " (default): " : ": ") << runs_on << '\n';
+}
+
+#ifdef CGAL_LINKED_WITH_TBB
+std::string tbb_threads()
+{
+  const int threads = tbb::this_task_arena::max_concurrency();
+  return std::to_string(threads) + (threads == 1 ? " thread" : " threads");
+}
+#else
+std::string tbb_threads() { return "not available, this build has no TBB support"; }
+#endif
+
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
+void print_opencl_devices()
+{
+  using namespace CGAL::Spherical_parameterization;
+  const std::vector<OpenCL_device_info> devices = opencl_devices();
+  std::optional<std::size_t> default_device;
+  std::string why_none;
+  try {
+    default_device = find_opencl_device();
+  } catch(const OpenCL_error& error) { // no device, or the environment asks for one that is not there
+    why_none = error.what();
+  }
+  print_policy("opencl", devices.empty() ? why_none : std::to_string(devices.size()) + " device(s)");
+  std::cout << std::fixed << std::setprecision(1);
+  for(std::size_t k = 0; k < devices.size(); ++k) {
+    const OpenCL_device_info& device = devices[k];
+    std::cout << "  " << k << (k == default_device ? " (default): " : ": ") << device.name << "; platform "
+              << device.platform << "; driver " << device.driver << "; memory "
+              << static_cast<double>(device.memory) / 1e9 << " GB; fp64 " << (device.has_fp64 ? "yes" : "no") << '\n';
+  }
+  if(!devices.empty() && !default_device)
+    std::cout << "  no default: " << why_none << '\n';
+}
+#else
+void print_opencl_devices() { print_policy("opencl", "not available, this build has no OpenCL support"); }
+#endif
+
+} // namespace
+
+void add_devices_command(CLI::App& app, int& exit_code)
+{
+  CLI::App* command = app.add_subcommand("devices", "List the execution policies of this build and what they run on");
+  command->callback([&exit_code] {
+    print_policy("sequential", "one core");
+    print_policy("tbb", tbb_threads());
+    print_opencl_devices();
+    exit_code = 0;
+  });
+}
+
+} // namespace tool

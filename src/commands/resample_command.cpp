@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#include "commands/resample_command.h"
+
+#include "output/atomic_file.h"
+#include "system/failure.h"
+#include "system/interruption.h"
+#include "mapping/mapped_mesh.h"
+#include "options/usage.h"
+
+#include <CGAL/Spherical_parameterization/resample.h>
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+#include <memory>
+#include <string>
+
+namespace tool {
+namespace {
+
+namespace SP = CGAL::Spherical_parameterization;
+
+struct Resample_options : Mapping_options {
+  std::string output;
+  std::string output_sphere;
+  int level = 6;
+};
+
+void check(const Resample_options& options)
+{
+  require_extension("--output", options.output, {".off", ".obj", ".ply"});
+  if(!options.output_sphere.empty())
+    require_extension("--output-sphere", options.output_sphere, {".off", ".obj", ".ply"});
+  check_files(input_files(options), {{"--output", options.output}, {"--output-sphere", options.output_sphere}});
+  check_mapping_options(options);
+}
+
+void resample(const Resample_options& options)
+{
+  Mapped_mesh input;
+  read_input(options, input);
+  Atomic_file file(options.output);
+  const auto sphere_file =
+    options.output_sphere.empty() ? nullptr : std::make_unique<Atomic_file>(options.output_sphere);
+  map_input(options, input);
+
+  Mesh out;
+  const Sphere_map directions = out.add_property_map<Mesh::Vertex_index, Point>("v:sphere").first;
+  SP::resample(SP::Spherical_locator<Mesh>(input.mesh, input.sphere), input.mesh.points(), options.level, out,
+               out.points(), directions);
+  write_mesh(file.stream(), output_format(options.output), out, out.points());
+  if(sphere_file)
+    write_mesh(sphere_file->stream(), output_format(options.output_sphere), out, directions);
+  stop_if_interrupted(options.input);
+  Atomic_file::commit_all({sphere_file.get(), &file});
+  std::cout << options.output << ": " << out.number_of_vertices() << " vertices, " << out.number_of_faces() << " faces"
+            << std::endl;
+}
+
+} // namespace
+
+void add_resample_command(CLI::App& app, int& exit_code)
+{
+  CLI::App* command = app.add_subcommand("resample", "Sample a shape at the vertices of an icosphere");
+  const auto options = std::make_shared<Resample_options>();
+  add_mapping_options(*command, *options);
+  add_sphere_option(*command, *options);
+  command->add_option("-o,--output", options->output, "Where the new mesh goes: .off, .obj or .ply")
+    ->required()
+    ->type_name("FILE");
+  command->add_option("--output-sphere", options->output_sphere, "Write the icosphere, too: the map of the new mesh")
+    ->type_name("FILE");
+  command->add_option("--level", options->level, "The new mesh has 10 * 4^LEVEL + 2 vertices")
+    ->check(CLI::Range(0, SP::largest_icosphere_level))
+    ->capture_default_str();
+  command->footer("Example: spherical-parameterization resample bunny.ply -o icosphere.off --level 7\n"
+                  "Exit code: 0 the mesh has been written, 1 not (the reason is on stderr), 2 wrong usage.");
+  command->callback([options, &exit_code] {
+    check(*options);
+    exit_code = report_failure(guarded(options->input, [&] { resample(*options); }));
+  });
+}
+
+} // namespace tool

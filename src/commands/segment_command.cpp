@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#include "commands/segment_command.h"
+
+#include "output/atomic_file.h"
+#include "mapping/error_code_names.h"
+#include "system/failure.h"
+#include "system/interruption.h"
+#include "mapping/mapped_mesh.h"
+#include "input/refusal.h"
+#include "output/segments_ply.h"
+#include "options/usage.h"
+
+#include <CGAL/Spherical_parameterization/segmentation.h>
+
+#include <CLI/CLI.hpp>
+
+#include <cstdint>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace tool {
+namespace {
+
+namespace SP = CGAL::Spherical_parameterization;
+
+struct Segment_options : Mapping_options {
+  std::string output;
+  std::string labels;
+  std::optional<std::int64_t> segments;
+};
+
+void check(const Segment_options& options)
+{
+  require_extension("--output", options.output, {".ply"});
+  check_files(input_files(options), {{"--output", options.output}, {"--labels", options.labels}});
+  require(options.segments.value_or(1) > 0, "--segments", "must be positive");
+  check_mapping_options(options);
+}
+
+void segment(const Segment_options& options)
+{
+  Mapped_mesh input;
+  read_input(options, input);
+  Atomic_file ply(options.output);
+  const auto labels = options.labels.empty() ? nullptr : std::make_unique<Atomic_file>(options.labels);
+  map_input(options, input, Map_quality::CONVERGED);
+
+  const Segment_map segments = input.mesh.add_property_map<Mesh::Face_index, std::size_t>("f:segment").first;
+  SP::Majority_vote method;
+  method.number_of_segments = static_cast<std::size_t>(options.segments.value_or(0));
+  const SP::Segmentation_result result = SP::segmentation_via_area_stretch(input.mesh, input.sphere, segments, method);
+  if(!result)
+    throw Refusal(name(result.error), options.input, get_error_message(result.error), result.detail);
+
+  write_segments_ply(ply.stream(), input.mesh, segments, result.number_of_segments);
+  if(labels)
+    for(const Mesh::Face_index f : input.mesh.faces())
+      labels->stream() << segments[f] << '\n';
+  stop_if_interrupted(options.input);
+  Atomic_file::commit_all({labels.get(), &ply});
+  std::cout << options.input << ": " << result.number_of_segments << " segments" << std::endl;
+}
+
+} // namespace
+
+void add_segment_command(CLI::App& app, int& exit_code)
+{
+  CLI::App* command = app.add_subcommand("segment", "Cut a shape into body and limbs");
+  const auto options = std::make_shared<Segment_options>();
+  add_mapping_options(*command, *options);
+  add_sphere_option(*command, *options);
+  command->add_option("-o,--output", options->output, "Where IN coloured by segments goes: .ply")
+    ->required()
+    ->type_name("FILE");
+  command->add_option("--labels", options->labels, "Write the segment of every face, from 0 on, one per line")
+    ->type_name("FILE");
+  command->add_option("--segments", options->segments, "Cut into so many, if there are [as many as the shape has]");
+  command->footer("Example: spherical-parameterization segment bunny.ply -o segments.ply --labels labels.txt\n"
+                  "Exit code: 0 the files have been written, 1 not (the reason is on stderr), 2 wrong usage.");
+  command->callback([options, &exit_code] {
+    check(*options);
+    exit_code = report_failure(guarded(options->input, [&] { segment(*options); }));
+  });
+}
+
+} // namespace tool

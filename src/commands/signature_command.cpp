@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#include "commands/signature_command.h"
+
+#include "system/interruption.h"
+#include "input/mesh_io.h"
+#include "input/mesh_list.h"
+#include "collections/mpi_workers.h"
+#include "input/refusal.h"
+#include "collections/signature_batch.h"
+#include "options/usage.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace tool {
+namespace {
+
+struct Signature_options {
+  std::vector<std::string> inputs;
+  std::string list;
+  std::string output;
+  std::optional<int> jobs;
+};
+
+/// Processes of mpirun are usually as many as there are cores.
+int default_jobs()
+{
+  return is_launched_by_mpi() ? 1 : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+}
+
+/// The index must not take the place of what it is made of.
+void check(const Signature_options& options)
+{
+  if(options.inputs.empty() && options.list.empty())
+    throw CLI::RequiredError("IN or --list");
+  require(!is_mesh_file(options.output), "--output",
+          "'" + options.output + "' has the extension of a mesh; the index is a CSV file");
+  check_files({{"--list", options.list}}, {{"--output", options.output}, {"the journal", journal_of(options.output)}});
+}
+
+int batch(const Signature_options& options, Signature_workers& workers)
+{
+  const std::vector<std::string> meshes = list_meshes(options.inputs, options.list);
+  if(meshes.empty())
+    throw Refusal(unreadable_file, options.list.empty() ? options.inputs.front() : options.list,
+                  "there is no mesh file", "meshes are read from .off, .obj, .ply and .stl files");
+  const Batch_summary summary = run_batch(meshes, options.output, workers);
+  for(const std::string& why : summary.without_signature)
+    std::cerr << "spherical-parameterization: " << why << '\n';
+  const std::size_t signatures = summary.meshes - summary.without_signature.size();
+  std::cout << options.output << ": " << summary.meshes << " meshes, " << signatures << " signatures";
+  if(summary.resumed > 0)
+    std::cout << ", " << summary.resumed << " rows from an earlier run";
+  std::cout << std::endl;
+  return signatures > 0 ? 0 : 1;
+}
+
+int run(const Signature_options& options)
+{
+  watch_for_interruption();
+  const int jobs = options.jobs.value_or(default_jobs());
+  try {
+    if(is_launched_by_mpi())
+      return run_on_all_ranks(jobs, [&](Signature_workers& workers) { return batch(options, workers); });
+    Local_workers workers(jobs);
+    return batch(options, workers);
+  } catch(const Refusal& refusal) {
+    std::cerr << "spherical-parameterization: " << refusal.what() << std::endl;
+    return 1;
+  }
+}
+
+} // namespace
+
+void add_signature_command(CLI::App& app, int& exit_code)
+{
+  CLI::App* command =
+    app.add_subcommand("signature", "Describe the shapes of meshes by numbers, for the command search");
+  const auto options = std::make_shared<Signature_options>();
+  command
+    ->add_option("IN", options->inputs, "Closed triangle meshes of genus 0: .off, .obj, .ply or .stl; folders of them")
+    ->type_name("FILE|FOLDER");
+  command->add_option("--list", options->list, "Text file with one more IN per line")->check(CLI::ExistingFile);
+  command->add_option("-o,--output", options->output, "Where the index goes: a CSV file with one row per mesh")
+    ->required()
+    ->type_name("FILE");
+  command
+    ->add_option("-j,--jobs", options->jobs,
+                 "So many meshes at the same time [all cores; with mpirun: in every process, 1]")
+    ->check(CLI::Range(1, 4096));
+  command->footer("Meshes without signature have a row that says why. A run that was stopped goes on where it was\n"
+                  "when the same command is given again. mpirun -n N spreads the work over N processes.\n"
+                  "Example: spherical-parameterization signature scans/ -o index.csv\n"
+                  "Exit code: 0 the index has been written, 1 not, or it has no signature (the reason is on stderr),\n"
+                  "2 wrong usage.");
+  command->callback([options, &exit_code] {
+    check(*options);
+    exit_code = run(*options);
+  });
+}
+
+} // namespace tool

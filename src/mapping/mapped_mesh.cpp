@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#include "mapping/mapped_mesh.h"
+
+#include "mapping/error_code_names.h"
+#include "system/interruption.h"
+#include "system/progress_bar.h"
+#include "mapping/read_sphere.h"
+#include "input/refusal.h"
+#include "mapping/spherical_map.h"
+#include "system/stopwatch.h"
+
+#include <string>
+
+namespace tool {
+namespace {
+
+/// What the options of this program can do about it; the other details of the library say what to do by themselves.
+std::string remedy(const Mapping_options& options, Error_code code)
+{
+  const bool has_fall_back = options.method != "automatic" && options.method != "isometric" && options.fixed.empty();
+  switch(code) {
+  case Error_code::NOT_CONVERGED:
+    return std::string("allow more --iterations, or try ") + (has_fall_back ? "--method automatic" : "other --weights");
+  case Error_code::NOT_BIJECTIVE: return has_fall_back && options.sphere.empty() ? "try --method automatic" : "";
+  case Error_code::INTERRUPTED: return "allow more --max-time";
+  default: return "";
+  }
+}
+
+void compute_map(const Mapping_options& options, Mapped_mesh& input)
+{
+  if(!options.fixed.empty())
+    input.settings.fixed_vertices = read_fixed_vertices(options.fixed, input.mesh.number_of_vertices());
+
+  Progress_bar bar;
+  input.result = map_to_sphere(input.mesh, input.sphere, input.settings, [&bar](double fraction) {
+    bar.show(fraction);
+    return !was_interrupted();
+  });
+  input.seconds_read += input.result.seconds.read; // the library checks, too
+}
+
+} // namespace
+
+void read_input(const Mapping_options& options, Mapped_mesh& input)
+{
+  watch_for_interruption();
+  input.settings = map_settings(options);
+  const Stopwatch reading;
+  Input_mesh file = read_mesh(options.input, options.triangulate ? Polygons::TRIANGULATE : Polygons::REFUSE);
+  input.mesh = std::move(file.mesh);
+  input.triangulated_polygons = file.triangulated_polygons;
+  input.seconds_read = reading.seconds();
+  input.result.number_of_vertices = input.mesh.number_of_vertices();
+  input.result.number_of_faces = input.mesh.number_of_faces();
+  input.sphere = input.mesh.add_property_map<Mesh::Vertex_index, Point>("v:sphere").first;
+  stop_if_interrupted(options.input);
+}
+
+void map_input(const Mapping_options& options, Mapped_mesh& input, Map_quality quality)
+{
+  if(!options.sphere.empty())
+    read_sphere(options.sphere, options.input, input);
+  else
+    compute_map(options, input);
+  stop_if_interrupted(options.input);
+
+  const CGAL::Spherical_parameterization::Result& result = input.result;
+  const bool is_accepted = result || (quality == Map_quality::CONVERGED && result.error == Error_code::NOT_BIJECTIVE);
+  if(!is_accepted) {
+    const std::string& file = result.error == Error_code::BAD_CONSTRAINTS ? options.fixed
+                              : options.sphere.empty()                    ? options.input
+                                                                          : options.sphere;
+    throw Refusal(name(result.error), file,
+                  get_error_message(result.error) + (result.detail.empty() ? "" : ": " + result.detail),
+                  remedy(options, result.error));
+  }
+}
+
+} // namespace tool

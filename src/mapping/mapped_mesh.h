@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef SPHERICAL_PARAMETERIZATION_TOOL_MAPPED_MESH_H
+#define SPHERICAL_PARAMETERIZATION_TOOL_MAPPED_MESH_H
+
+#include "options/mapping_options.h"
+#include "input/mesh_io.h"
+
+#include <CGAL/Spherical_parameterization/Result.h>
+
+#include <cstddef>
+
+namespace tool {
+
+/// The mesh that a command works on, and its certified spherical map. A command is
+///
+///     read_input(options, input);      // refuses what is no triangulated sphere
+///     Atomic_file file(output);        // what cannot be written is better known before the work than after it
+///     map_input(options, input);       // refuses what has no certified map
+///     ...
+///
+/// inside `guarded()`.
+struct Mapped_mesh {
+  Mesh mesh;
+  Sphere_map sphere;                               ///< unit vectors
+  CGAL::Spherical_parameterization::Result result; ///< of mapping; with --sphere nothing but sizes and certificate
+  Map_settings settings;
+  std::size_t triangulated_polygons = 0; ///< if there are any, the faces are not those of the file
+  double seconds_read = 0;               ///< reading and checking
+};
+
+/// Reads the mesh, and from here on watches for interruption. Throws a `Refusal`, and what `make_policy()` throws: a
+/// device that is not there is better known before the work, too.
+void read_input(const Mapping_options& options, Mapped_mesh& input);
+
+/// What a command needs.
+enum class Map_quality {
+  CERTIFIED, ///< no flipped face, degree 1
+  CONVERGED  ///< or flipped faces where limbs are too thin for doubles
+};
+
+/// Maps the mesh with a progress bar, or reads the sphere that the user has. Throws a `Refusal` if there is no such
+/// map; then, too, `input.result` says what happened.
+void map_input(const Mapping_options& options, Mapped_mesh& input, Map_quality quality = Map_quality::CERTIFIED);
+
+} // namespace tool
+
+#endif // SPHERICAL_PARAMETERIZATION_TOOL_MAPPED_MESH_H

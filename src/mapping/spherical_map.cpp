@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#include "mapping/spherical_map.h"
+
+#include <CGAL/Spherical_parameterization/edge_weights.h>
+#include <CGAL/Spherical_parameterization/parameterize.h>
+
+#include <limits>
+#include <type_traits>
+
+namespace tool {
+namespace {
+
+namespace SP = CGAL::Spherical_parameterization;
+
+/// Any of the weights as one edge map, so that the solvers are compiled once per policy and method only.
+struct Weight_map {
+  using key_type = Mesh::Edge_index;
+  using value_type = double;
+  using reference = double;
+  using category = boost::readable_property_map_tag;
+
+  std::variant<decltype(SP::barycentric_weights(std::declval<const Mesh&>())),
+               decltype(SP::conformal_weights(std::declval<const Mesh&>())),
+               decltype(SP::mean_value_weights(std::declval<const Mesh&>()))>
+    weights;
+
+  friend double get(const Weight_map& map, Mesh::Edge_index e)
+  {
+    return std::visit([e](const auto& chosen) { return get(chosen, e); }, map.weights);
+  }
+};
+
+struct Make_weight_map {
+  const Mesh& mesh;
+
+  Weight_map operator()(Barycentric_weights) const { return {SP::barycentric_weights(mesh)}; }
+  Weight_map operator()(Conformal_weights w) const
+  {
+    return {SP::conformal_weights(mesh, w.min_degrees, w.max_degrees)};
+  }
+  Weight_map operator()(Mean_value_weights) const { return {SP::mean_value_weights(mesh)}; }
+};
+
+} // namespace
+
+SP::Result map_to_sphere(Mesh& mesh, Sphere_map sphere, const Map_settings& settings,
+                         const std::function<bool(double)>& go_on)
+{
+  const auto is_fixed = mesh.add_property_map<Mesh::Vertex_index, bool>("v:is_fixed", false).first;
+  for(const Fixed_vertex& fixed : settings.fixed_vertices) {
+    is_fixed[Mesh::Vertex_index(static_cast<Mesh::size_type>(fixed.index))] = true;
+    sphere[Mesh::Vertex_index(static_cast<Mesh::size_type>(fixed.index))] = fixed.position;
+  }
+  const Weight_map weights = std::visit(Make_weight_map{mesh}, settings.weights);
+
+  return std::visit(
+    [&](const auto& policy, const auto& method) {
+      using Method = std::decay_t<decltype(method)>;
+      const auto parameters =
+        CGAL::parameters::edge_weight_map(weights)
+          .vertex_is_constrained_map(is_fixed)
+          .accuracy(settings.accuracy.value_or(Method::default_accuracy))
+          .number_of_iterations(settings.iterations.value_or(Method::default_number_of_iterations))
+          .maximum_running_time(settings.max_time.value_or(std::numeric_limits<double>::infinity()))
+          .callback(go_on);
+      return SP::parameterize(policy, mesh, method, sphere, parameters);
+    },
+    settings.policy, settings.method);
+}
+
+} // namespace tool

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef SPHERICAL_PARAMETERIZATION_TOOL_SPHERICAL_MAP_H
+#define SPHERICAL_PARAMETERIZATION_TOOL_SPHERICAL_MAP_H
+
+#include "options/map_settings.h"
+#include "input/mesh_io.h"
+
+#include <CGAL/Spherical_parameterization/Result.h>
+
+#include <functional>
+
+namespace tool {
+
+/// Calls `parameterize()` as `settings` say: the one place where it is instantiated, and where names and numbers
+/// become types. `go_on` is told the fraction of the work done, and stops it by returning `false`.
+CGAL::Spherical_parameterization::Result map_to_sphere(Mesh& mesh, Sphere_map sphere, const Map_settings& settings,
+                                                       const std::function<bool(double)>& go_on);
+
+} // namespace tool
+
+#endif // SPHERICAL_PARAMETERIZATION_TOOL_SPHERICAL_MAP_H

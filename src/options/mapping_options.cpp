@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#include "options/mapping_options.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <iterator>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tool {
+namespace {
+
+const std::string weights_group = "Weights", method_group = "Method", place_group = "Where to run",
+                  effort_group = "Effort";
+const std::string mapping_groups[] = {weights_group, method_group, place_group, effort_group};
+
+using CGAL::Spherical_parameterization::Automatic;
+using CGAL::Spherical_parameterization::Balanced;
+using CGAL::Spherical_parameterization::Isometric;
+using CGAL::Spherical_parameterization::Saddle_point;
+
+/// " [balanced 5e-09, saddle-point 1e-07, isometric 0.0005]"
+template <class Number>
+std::string defaults(Number balanced, Number saddle_point, Number isometric)
+{
+  std::ostringstream text;
+  text << " [balanced " << balanced << ", saddle-point " << saddle_point << ", isometric " << isometric << ']';
+  return text.str();
+}
+
+void check_weights(const Mapping_options& options)
+{
+  const bool is_conformal = options.weights == "conformal";
+  require(is_conformal || !options.min_angle, "--min-angle", "is for --weights conformal only");
+  require(is_conformal || !options.max_angle, "--max-angle", "is for --weights conformal only");
+  const double minimum = options.min_angle.value_or(Conformal_weights().min_degrees);
+  const double maximum = options.max_angle.value_or(Conformal_weights().max_degrees);
+  require(minimum > 0 && minimum <= maximum && maximum < 90, options.min_angle ? "--min-angle" : "--max-angle",
+          "angles must be 0 < --min-angle <= --max-angle < 90");
+}
+
+void check_method(const Mapping_options& options)
+{
+  const bool is_saddle_point = options.method == "saddle-point";
+  const bool is_automatic = options.method == "automatic";
+  const std::string saddle_point_only = "is for --method saddle-point only";
+  require(options.method == "balanced" || is_automatic || !options.spring_exponent, "--spring-exponent",
+          "is for --method balanced and automatic only");
+  require(options.method == "isometric" || is_automatic || !options.area_exponent, "--area-exponent",
+          "is for --method isometric and automatic only");
+  require(is_saddle_point || !options.splitting, "--splitting", saddle_point_only);
+  require(is_saddle_point || !options.start, "--start", saddle_point_only);
+  require(is_saddle_point || !options.relaxation, "--relaxation", saddle_point_only);
+  require(is_saddle_point || !options.check_interval, "--check-interval", saddle_point_only);
+
+  const double largest_relaxation = options.splitting == "gauss-seidel" ? 2 : 1;
+  require(!options.relaxation || (*options.relaxation > 0 && *options.relaxation < largest_relaxation), "--relaxation",
+          "must be in (0,1) with the Jacobi splitting and in (0,2) with the Gauss-Seidel splitting");
+  require(!options.spring_exponent || (*options.spring_exponent >= 2 && *options.spring_exponent < 1e3),
+          "--spring-exponent", "must be in [2,1000)");
+  require(!options.area_exponent || (*options.area_exponent >= 0 && *options.area_exponent < 1e3), "--area-exponent",
+          "must be in [0,1000)");
+  require(options.check_interval.value_or(1) > 0, "--check-interval", "must be positive");
+}
+
+void check_device(const Mapping_options& options)
+{
+  const std::string opencl_only = "is for --policy opencl only";
+  const bool is_opencl = options.policy == "opencl";
+  require(is_opencl || options.device.empty(), "--device", opencl_only);
+  require(is_opencl || options.precision.empty(), "--precision", opencl_only);
+}
+
+} // namespace
+
+void add_mapping_options(CLI::App& command, Mapping_options& options)
+{
+  command.add_option("IN", options.input, "Closed triangle mesh of genus 0: .off, .obj, .ply or .stl")
+    ->required()
+    ->type_name("FILE");
+  command.add_flag("--triangulate", options.triangulate, "Cut polygons of IN into triangles instead of refusing them");
+
+  std::string group = weights_group;
+  command
+    .add_option("--weights", options.weights,
+                "Of the edges: barycentric (connectivity alone), conformal (keeps angles), mean-value (in between)")
+    ->check(CLI::IsMember({"barycentric", "conformal", "mean-value"}))
+    ->capture_default_str()
+    ->group(group);
+  command.add_option("--min-angle", options.min_angle, "Conformal: smaller angles count as this, in degrees [5]")
+    ->group(group);
+  command.add_option("--max-angle", options.max_angle, "Conformal: larger angles count as this, in degrees [85]")
+    ->group(group);
+
+  group = method_group;
+  command
+    .add_option("--method", options.method,
+                "balanced (fast), saddle-point (as published), isometric (keeps lengths, exists for every mesh), "
+                "automatic (balanced; where that is not valid, isometric)")
+    ->check(CLI::IsMember({"balanced", "saddle-point", "isometric", "automatic"}))
+    ->capture_default_str()
+    ->group(group);
+  command
+    .add_option("--spring-exponent", options.spring_exponent,
+                "Balanced, automatic: of the spring energy, >= 2; larger ones equalise areas [2]")
+    ->group(group);
+  command
+    .add_option("--area-exponent", options.area_exponent,
+                "Isometric, automatic: 0 preserves angles, 1 lengths, 30 and more areas [1]")
+    ->group(group);
+  command.add_option("--splitting", options.splitting, "Saddle-point: of the Laplacian, for its sweeps [jacobi]")
+    ->check(CLI::IsMember({"jacobi", "gauss-seidel"}))
+    ->group(group);
+  command
+    .add_option("--relaxation", options.relaxation, "Saddle-point: of the sweeps, in (0,1), gauss-seidel (0,2) [0.95]")
+    ->group(group);
+  command
+    .add_option("--check-interval", options.check_interval,
+                "Saddle-point: sweeps between two tests for convergence [1000]")
+    ->group(group);
+  command
+    .add_option("--start", options.start,
+                "Saddle-point: the start map, from the centroid of the mesh or harmonic [centroid]")
+    ->check(CLI::IsMember({"centroid", "harmonic"}))
+    ->group(group);
+  command
+    .add_option("--fixed", options.fixed,
+                "Lines 'index x y z': three or more vertices (numbers from 0 on) and where on the sphere to keep them")
+    ->type_name("FILE")
+    ->group(group);
+
+  group = place_group;
+  command
+    .add_option("--policy", options.policy, "sequential (one core), tbb (all cores), opencl (a device): the same map")
+    ->check(CLI::IsMember(policy_names()))
+    ->capture_default_str()
+    ->group(group);
+  command
+    .add_option("--device", options.device,
+                "OpenCL: its number in the list of the command 'devices', or part of its name "
+                "[$CGAL_SPHERICAL_PARAMETERIZATION_DEVICE, else the first GPU]")
+    ->type_name("NUMBER|NAME")
+    ->group(group);
+  command.add_option("--precision", options.precision, "OpenCL: of the numbers [double where the device has it]")
+    ->check(CLI::IsMember({"double", "single"}))
+    ->group(group);
+
+  group = effort_group;
+  command
+    .add_option("--accuracy", options.accuracy,
+                "Residual to reach; isometric: gain of energy to end at" +
+                  defaults(Balanced::default_accuracy, Saddle_point::default_accuracy, Isometric::default_accuracy))
+    ->group(group);
+  command
+    .add_option("--iterations", options.iterations,
+                "At most so many steps" + defaults(Balanced::default_number_of_iterations,
+                                                   Saddle_point::default_number_of_iterations,
+                                                   Isometric::default_number_of_iterations))
+    ->group(group);
+  command.add_option("--max-time", options.max_time, "At most so many seconds [no limit]")->group(group);
+}
+
+void add_sphere_option(CLI::App& command, Mapping_options& options)
+{
+  const std::vector<CLI::Option*> how_to_map = command.get_options([](const CLI::Option* option) {
+    return std::find(std::begin(mapping_groups), std::end(mapping_groups), option->get_group()) !=
+           std::end(mapping_groups);
+  });
+  CLI::Option* sphere = command.add_option(
+    "--sphere", options.sphere,
+    "A sphere of IN that 'map' has written, instead of mapping again: excludes all options on how to map");
+  sphere->type_name("FILE");
+  for(CLI::Option* option : how_to_map)
+    sphere->excludes(option);
+}
+
+void check_mapping_options(const Mapping_options& options)
+{
+  check_weights(options);
+  check_method(options);
+  check_device(options);
+  require(!options.accuracy || (*options.accuracy > 0 && *options.accuracy < 1), "--accuracy", "must be in (0,1)");
+  require(options.iterations.value_or(1) > 0, "--iterations", "must be positive");
+  require(!options.max_time || *options.max_time > 0, "--max-time", "must be positive");
+}
+
+std::vector<File_option> input_files(const Mapping_options& options)
+{
+  return {{"IN", options.input}, {"--sphere", options.sphere}, {"--fixed", options.fixed}};
+}
+
+Map_settings map_settings(const Mapping_options& options)
+{
+  Map_settings settings;
+  if(options.weights == "barycentric")
+    settings.weights = Barycentric_weights();
+  else if(options.weights == "mean-value")
+    settings.weights = Mean_value_weights();
+  else {
+    Conformal_weights weights;
+    weights.min_degrees = options.min_angle.value_or(weights.min_degrees);
+    weights.max_degrees = options.max_angle.value_or(weights.max_degrees);
+    settings.weights = weights;
+  }
+
+  if(options.method == "balanced") {
+    Balanced method;
+    method.spring_exponent = options.spring_exponent.value_or(method.spring_exponent);
+    settings.method = method;
+  } else if(options.method == "isometric") {
+    Isometric method;
+    method.area_exponent = options.area_exponent.value_or(method.area_exponent);
+    settings.method = method;
+  } else if(options.method == "automatic") {
+    Automatic method;
+    method.spring_exponent = options.spring_exponent.value_or(method.spring_exponent);
+    method.area_exponent = options.area_exponent.value_or(method.area_exponent);
+    settings.method = method;
+  } else {
+    Saddle_point method;
+    if(options.splitting == "gauss-seidel")
+      method.splitting = Saddle_point::Splitting::GAUSS_SEIDEL;
+    if(options.start == "harmonic")
+      method.start = Saddle_point::Start::HARMONIC;
+    method.relaxation = options.relaxation.value_or(method.relaxation);
+    if(options.check_interval)
+      method.check_interval = static_cast<std::size_t>(*options.check_interval);
+    settings.method = method;
+  }
+
+  settings.policy = make_policy(options.policy, {options.device, options.precision});
+  settings.accuracy = options.accuracy;
+  if(options.iterations)
+    settings.iterations = static_cast<std::size_t>(*options.iterations);
+  settings.max_time = options.max_time;
+  return settings;
+}
+
+} // namespace tool

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef SPHERICAL_PARAMETERIZATION_TOOL_MAPPING_OPTIONS_H
+#define SPHERICAL_PARAMETERIZATION_TOOL_MAPPING_OPTIONS_H
+
+#include "options/map_settings.h"
+#include "options/usage.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace tool {
+
+/// Which mesh a command works on, and how it comes by its spherical map. What is not given has no value, so that the
+/// library's defaults apply.
+struct Mapping_options {
+  std::string input;
+  bool triangulate = false;
+  std::string sphere; ///< a map computed before; then nothing below is given
+
+  std::string weights = "conformal";
+  std::optional<double> min_angle;
+  std::optional<double> max_angle;
+
+  std::string method = "balanced";
+  std::optional<double> spring_exponent;
+  std::optional<double> area_exponent;
+  std::optional<std::string> splitting;
+  std::optional<std::string> start;
+  std::optional<double> relaxation;
+  std::optional<std::int64_t> check_interval; // signed: CLI11 would take -3 for a huge unsigned number
+  std::string fixed;
+
+  std::string policy = default_policy_name();
+  std::string device;
+  std::string precision;
+  std::optional<double> accuracy;
+  std::optional<std::int64_t> iterations;
+  std::optional<double> max_time;
+};
+
+/// IN, and everything that says how to map it.
+void add_mapping_options(CLI::App& command, Mapping_options& options);
+
+/// --sphere, which excludes everything that says how to map. To be called after `add_mapping_options()`.
+void add_sphere_option(CLI::App& command, Mapping_options& options);
+
+/// Throws a `CLI::ValidationError` at values and combinations that make no sense.
+void check_mapping_options(const Mapping_options& options);
+
+/// The files that are read, for `check_files()`.
+std::vector<File_option> input_files(const Mapping_options& options);
+
+/// The settings for the library, but for the fixed vertices, which only a mesh gives a meaning.
+/// Throws what `make_policy()` throws.
+Map_settings map_settings(const Mapping_options& options);
+
+} // namespace tool
+
+#endif // SPHERICAL_PARAMETERIZATION_TOOL_MAPPING_OPTIONS_H

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#include "output/textured_obj.h"
+
+#include <png.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace tool {
+namespace {
+
+/// A saturated colour; `hue` in turns.
+std::array<png_byte, 3> colour_of_hue(double hue)
+{
+  std::array<png_byte, 3> colour;
+  for(std::size_t i = 0; i < 3; ++i) {
+    const double phase = std::abs(std::remainder(hue - static_cast<double>(i) / 3, 1.)); // 0 to 1/2
+    colour[i] = static_cast<png_byte>(30 + 170 * std::clamp(2 - 6 * phase, 0., 1.));
+  }
+  return colour;
+}
+
+} // namespace
+
+void write_textured_obj(std::ostream& out, const Mesh& mesh, Uv_map uv, const std::string& material_file)
+{
+  out.precision(std::numeric_limits<double>::max_digits10);
+  out << "mtllib " << material_file << "\nusemtl texture\n";
+  for(const Mesh::Vertex_index v : mesh.vertices())
+    out << "v " << mesh.point(v) << '\n';
+
+  std::vector<std::size_t> index_of(mesh.number_of_halfedges()); // from 1 on
+  std::size_t count = 0;
+  for(const Mesh::Vertex_index v : mesh.vertices()) {
+    std::map<std::pair<double, double>, std::size_t> index_at;
+    for(const Mesh::Halfedge_index h : mesh.halfedges_around_target(mesh.halfedge(v))) {
+      const auto [place, is_new] = index_at.try_emplace({uv[h].x(), uv[h].y()}, count + 1);
+      if(is_new) {
+        ++count;
+        out << "vt " << uv[h] << '\n';
+      }
+      index_of[h] = place->second;
+    }
+  }
+  for(const Mesh::Face_index f : mesh.faces()) {
+    out << 'f';
+    for(const Mesh::Halfedge_index h : mesh.halfedges_around_face(mesh.halfedge(f)))
+      out << ' ' << mesh.target(h).idx() + 1 << '/' << index_of[h];
+    out << '\n';
+  }
+}
+
+void write_material(std::ostream& out, const std::string& image_file)
+{
+  out << "newmtl texture\nKa 0 0 0\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd " << image_file << '\n';
+}
+
+void write_checker(std::ostream& out, int columns, int rows)
+{
+  constexpr int square = 32; // pixels
+  const int width = square * columns, height = square * rows;
+  std::vector<png_byte> pixels;
+  pixels.reserve(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  for(int y = 0; y < height; ++y)
+    for(int x = 0; x < width; ++x) {
+      const int column = x / square, row = y / square;
+      const bool is_white = (column + row) % 2 == 0;
+      const auto colour = is_white ? std::array<png_byte, 3>{250, 250, 250} : colour_of_hue((column + 0.5) / columns);
+      pixels.insert(pixels.end(), colour.begin(), colour.end());
+    }
+
+  png_image image = {};
+  image.version = PNG_IMAGE_VERSION;
+  image.width = static_cast<png_uint_32>(width);
+  image.height = static_cast<png_uint_32>(height);
+  image.format = PNG_FORMAT_RGB;
+  png_alloc_size_t size = 0;
+  std::vector<char> file;
+  const auto write = [&](void* memory) {
+    if(png_image_write_to_memory(&image, memory, &size, 0, pixels.data(), 0, nullptr) == 0)
+      throw std::runtime_error(std::string("libpng: ") + image.message);
+  };
+  write(nullptr); // which says how large it is
+  file.resize(size);
+  write(file.data());
+  out.write(file.data(), static_cast<std::streamsize>(size));
+}
+
+} // namespace tool

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#include "system/interruption.h"
+
+#include "mapping/error_code_names.h"
+#include "input/refusal.h"
+
+#include <csignal>
+#include <initializer_list>
+
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+extern "C" void note_interruption(int signal)
+{
+  interrupted = 1;
+  std::signal(signal, SIG_DFL);
+}
+
+} // namespace
+
+namespace tool {
+
+void watch_for_interruption()
+{
+  for(const int signal : {SIGINT, SIGTERM})
+    std::signal(signal, note_interruption);
+}
+
+bool was_interrupted() { return interrupted != 0; }
+
+void stop_if_interrupted(const std::string& input)
+{
+  if(was_interrupted())
+    throw Refusal(name(Error_code::INTERRUPTED), input, "interrupted", "nothing has been written");
+}
+
+} // namespace tool

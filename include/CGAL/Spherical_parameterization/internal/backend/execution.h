@@ -21,11 +21,25 @@ namespace internal {
 /// - `CGAL::Parallel_tag`: the threads of the caller's TBB arena (the same file), if linked with TBB;
 /// - `OpenCL_device`: an OpenCL command queue, if OpenCL_device.h is included.
 template <class ExecutionPolicy>
-class Backend {
-  static_assert(!std::is_same_v<ExecutionPolicy, CGAL::Parallel_tag>,
+class Backend;
+
+template <class ExecutionPolicy>
+struct Is_policy : std::is_same<ExecutionPolicy, CGAL::Sequential_tag> {};
+#ifdef CGAL_LINKED_WITH_TBB
+template <>
+struct Is_policy<CGAL::Parallel_tag> : std::true_type {};
+#endif
+
+/// A static_assert() where it is called with what is no execution policy.
+template <class ExecutionPolicy>
+constexpr bool is_supported_policy()
+{
+  static_assert(Is_policy<ExecutionPolicy>::value || !std::is_same_v<ExecutionPolicy, CGAL::Parallel_tag>,
                 "CGAL::Parallel_tag needs TBB: link with CGAL::TBB_support, which defines CGAL_LINKED_WITH_TBB");
-  static_assert(std::is_same_v<ExecutionPolicy, CGAL::Parallel_tag>, "not an execution policy of this package");
-};
+  static_assert(Is_policy<ExecutionPolicy>::value || std::is_same_v<ExecutionPolicy, CGAL::Parallel_tag>,
+                "the execution policy has to be CGAL::Sequential_tag, CGAL::Parallel_tag or an OpenCL_device");
+  return Is_policy<ExecutionPolicy>::value;
+}
 
 /// Calls `f(backend, name)` with the backend on which `policy` maps a mesh of n vertices, and what to call it.
 template <class ExecutionPolicy>

@@ -5,7 +5,8 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_SOURCE_MESH_H
 
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
-#include <CGAL/Spherical_parameterization/internal/base/Failure.h>
+#include <CGAL/Spherical_parameterization/Error.h>
+#include <CGAL/Spherical_parameterization/internal/base/text.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Vertex_numbering.h>
 #include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
 #include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
@@ -52,7 +53,7 @@ public:
     std::make_shared<Weighted_graph>(); ///< neighbours in ascending order; weights are left to set_weights()
   double weight_unit = 1;               ///< what a weight of 1 in the graph is to the caller
 
-  /// Throws Failure.
+  /// Throws Error.
   template <class VertexPointMap, class Loop = Sequential_loop>
   Source_mesh(const TriangleMesh& mesh, VertexPointMap points, const Loop& loop = Loop())
   {
@@ -82,7 +83,7 @@ public:
     renumber(neighbours, index, loop);
   }
 
-  /// Reads the weight of every edge once, and writes it into both rows. Throws Failure if it is not positive and
+  /// Reads the weight of every edge once, and writes it into both rows. Throws Error if it is not positive and
   /// finite.
   template <class EdgeWeightMap, class Loop = Sequential_loop>
   void set_weights(const TriangleMesh& mesh, EdgeWeightMap weights, const Loop& loop = Loop())
@@ -145,9 +146,9 @@ private:
     };
     const std::size_t vertex_count = size(vertices(mesh)), face_count = size(faces(mesh));
     if(vertex_count >= limit || face_count > limit / 3)
-      throw Failure{Error_code::TOO_LARGE, std::to_string(vertex_count) + " vertices and " +
+      throw Error(Error_code::TOO_LARGE, std::to_string(vertex_count) + " vertices and " +
                                              std::to_string(face_count) +
-                                             " faces; at most 715,827,882 faces are supported"};
+                                             " faces; at most 715,827,882 faces are supported");
   }
 
   template <class Loop>
@@ -193,19 +194,19 @@ private:
            }) == n;
   }
 
-  /// Throws the Failure that says what and where; returns if there is nothing to say.
+  /// Throws the Error that says what and where; returns if there is nothing to say.
   void explain_what_is_wrong(const TriangleMesh& mesh, const Vertex_numbering<TriangleMesh>& numbering) const
   {
     std::size_t face_count = 0;
     for(auto f : faces(mesh)) {
       if(!is_triangle(halfedge(f, mesh), mesh))
-        throw Failure{Error_code::NOT_TRIANGULAR, "face " + std::to_string(face_count) + " has " +
+        throw Error(Error_code::NOT_TRIANGULAR, "face " + std::to_string(face_count) + " has " +
                                                     std::to_string(degree(f, mesh)) +
-                                                    " corners; triangulate the mesh first"};
+                                                    " corners; triangulate the mesh first");
       ++face_count;
     }
     if(face_count == 0)
-      throw Failure{Error_code::EMPTY_MESH, "there is nothing to map"};
+      throw Error(Error_code::EMPTY_MESH, "there is nothing to map");
 
     // Incident faces of each vertex as the faces tell it, to be compared with the walk round the vertex.
     Host_array<int> incident(numbering.size(), 0);
@@ -220,12 +221,12 @@ private:
       if(incident[i] == 0 && isolated++ == 0)
         first_isolated = i;
     if(isolated > 0)
-      throw Failure{Error_code::ISOLATED_VERTEX, counted(isolated, "isolated vertex", "isolated vertices") +
+      throw Error(Error_code::ISOLATED_VERTEX, counted(isolated, "isolated vertex", "isolated vertices") +
                                                    ", the first one is vertex " + std::to_string(first_isolated) +
-                                                   "; remove them"};
+                                                   "; remove them");
     if(border > 0)
-      throw Failure{Error_code::BOUNDARY,
-                    counted(border, "boundary edge", "boundary edges") + "; fill the holes first"};
+      throw Error(Error_code::BOUNDARY,
+                    counted(border, "boundary edge", "boundary edges") + "; fill the holes first");
     for(vertex_descriptor v : vertices(mesh)) {
       int walked = 0;
       for(halfedge_descriptor h : halfedges_around_target(halfedge(v, mesh), mesh)) {
@@ -233,8 +234,8 @@ private:
         ++walked;
       }
       if(walked != incident[numbering(v)])
-        throw Failure{Error_code::NON_MANIFOLD, "the faces round vertex " + std::to_string(numbering(v)) +
-                                                  " form several fans; duplicate the vertex"};
+        throw Error(Error_code::NON_MANIFOLD, "the faces round vertex " + std::to_string(numbering(v)) +
+                                                  " form several fans; duplicate the vertex");
     }
   }
 
@@ -262,8 +263,8 @@ private:
           visit(neighbours.target[k]);
     }
     if(components > 1)
-      throw Failure{Error_code::SEVERAL_COMPONENTS,
-                    counted(components, "component", "components") + "; map them one by one"};
+      throw Error(Error_code::SEVERAL_COMPONENTS,
+                    counted(components, "component", "components") + "; map them one by one");
     return index;
   }
 
@@ -273,8 +274,8 @@ private:
     const long long characteristic =
       static_cast<long long>(position.size()) - static_cast<long long>(number_of_faces / 2);
     if(characteristic != 2)
-      throw Failure{Error_code::WRONG_GENUS, "genus " + std::to_string((2 - characteristic) / 2) +
-                                               "; only surfaces without handles map to the sphere"};
+      throw Error(Error_code::WRONG_GENUS, "genus " + std::to_string((2 - characteristic) / 2) +
+                                               "; only surfaces without handles map to the sphere");
   }
 
   template <class VertexPointMap, class Loop>
@@ -287,7 +288,7 @@ private:
       return !std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z);
     });
     if(bad < n)
-      throw Failure{Error_code::NON_FINITE_COORDINATE, "vertex " + std::to_string(position[bad])};
+      throw Error(Error_code::NON_FINITE_COORDINATE, "vertex " + std::to_string(position[bad]));
     // Lengths and areas are only ever compared with each other. Moving the bounding box to the origin and scaling it to
     // 1 keeps their squares and products far from overflow and underflow.
     vec3 low = point[0], high = point[0];
@@ -358,7 +359,7 @@ private:
     });
   }
 
-  /// Throws the Failure for the first edge whose weight is not good.
+  /// Throws the Error for the first edge whose weight is not good.
   template <class EdgeWeightMap>
   void explain_bad_weight(const TriangleMesh& mesh, const Vertex_numbering<TriangleMesh>& numbering,
                           const Host_array<int>& index, EdgeWeightMap weights) const
@@ -375,12 +376,12 @@ private:
   [[noreturn]] void blame_weight(const TriangleMesh& mesh, halfedge_descriptor h, double w, int i, int j) const
   {
     const std::string edge_name =
-      "edge " + std::to_string(position[j]) + "-" + std::to_string(position[i]) + " has weight " + std::to_string(w);
+      "edge " + std::to_string(position[j]) + "-" + std::to_string(position[i]) + " has weight " + to_string(w);
     for(halfedge_descriptor side : {h, opposite(h, mesh)})
       if(is_degenerate(mesh, side, i, j))
-        throw Failure{Error_code::DEGENERATE_FACE, edge_name + " because a face at it has no area; use barycentric or "
-                                                               "conformal weights, or repair the mesh"};
-    throw Failure{Error_code::BAD_WEIGHT, edge_name + "; weights must be positive and finite"};
+        throw Error(Error_code::DEGENERATE_FACE, edge_name + " because a face at it has no area; use barycentric or "
+                                                               "conformal weights, or repair the mesh");
+    throw Error(Error_code::BAD_WEIGHT, edge_name + "; weights must be positive and finite");
   }
 
   /// Whether the face on the left of `side`, an edge between i and j, has no area.

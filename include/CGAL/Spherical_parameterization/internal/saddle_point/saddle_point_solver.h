@@ -6,7 +6,7 @@
 
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
-#include <CGAL/Spherical_parameterization/internal/problem/Solver_report.h>
+#include <CGAL/Spherical_parameterization/internal/problem/Solution.h>
 #include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
 #include <CGAL/Spherical_parameterization/methods.h>
 

@@ -244,6 +244,9 @@ private:
   Host_loop loop_;
 };
 
+template <>
+struct Is_policy<OpenCL_device> : std::true_type {};
+
 /// Small meshes stay on the host.
 template <>
 struct Choice_of_backend<OpenCL_device> {

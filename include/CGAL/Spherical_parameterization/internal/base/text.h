@@ -1,23 +1,17 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BASE_FAILURE_H
-#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BASE_FAILURE_H
-
-#include <CGAL/Spherical_parameterization/Result.h>
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BASE_TEXT_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BASE_TEXT_H
 
 #include <cstddef>
+#include <locale>
+#include <sstream>
 #include <string>
 
 namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
-
-/// Input that cannot be mapped. Thrown by the checks and caught in `parameterize()`: it never reaches the user.
-struct Failure {
-  Error_code code;
-  std::string detail;
-};
 
 /// "1 face is", "2 faces are"
 inline std::string counted(std::size_t n, const char* one, const char* many)
@@ -25,8 +19,19 @@ inline std::string counted(std::size_t n, const char* one, const char* many)
   return std::to_string(n) + ' ' + (n == 1 ? one : many);
 }
 
+/// Three digits, with a point in every locale.
+inline std::string to_string(double x)
+{
+  std::ostringstream out;
+  out.imbue(std::locale::classic());
+  out.precision(3);
+  out << x;
+  return out.str();
+}
+
 } // namespace internal
+
 } // namespace Spherical_parameterization
 } // namespace CGAL
 
-#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BASE_FAILURE_H
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BASE_TEXT_H

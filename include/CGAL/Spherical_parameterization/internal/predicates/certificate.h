@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PREDICATES_SPHERICAL_TRIANGLES_H
-#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PREDICATES_SPHERICAL_TRIANGLES_H
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PREDICATES_CERTIFICATE_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PREDICATES_CERTIFICATE_H
 
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/degree.h>
+#include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
+#include <CGAL/Spherical_parameterization/internal/predicates/spherical_area.h>
 #include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/backend/vertex_formulas.h>
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
 #include <array>
@@ -22,37 +22,6 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
-/// Signed area of the spherical triangle (a, b, c) of unit vectors, positive if it is seen counter-clockwise from
-/// outside; in (-2 pi, 2 pi). Triangles far below the resolution of the coordinates keep a meaningful size.
-inline double spherical_area(vec3 a, vec3 b, vec3 c)
-{
-  const double volume = inner(a, outer(sub(b, a), sub(c, a)));
-  const double denominator = 1 + inner(a, b) + inner(b, c) + inner(c, a);
-  const double tangent = volume / denominator;
-  if(denominator > 0 && std::abs(tangent) < 1e-3) // small triangles are many, and two terms are exact to 1e-12
-    return 2 * (tangent - tangent * tangent * tangent / 3);
-  return 2 * std::atan2(volume, denominator);
-}
-
-/// Whether (a, b, c) is positively oriented as seen from outside: the sign of det(a, b, c), exactly.
-///
-/// The filter: det(a, b, c) = a . ((b - a) x (c - a)), which rounding changes by at most 16 u |a| |b - a| |c - a|,
-/// u = 2^-53, far from underflow. It decides about all but the thinnest triangles, however small they are.
-inline bool is_positively_oriented(vec3 a, vec3 b, vec3 c)
-{
-  constexpr double rounding2 = 256 * 1.2325951644078310e-32; // (16 u)^2
-  constexpr double underflow = 1e-100;
-  const vec3 ab = sub(b, a), ac = sub(c, a);
-  const double determinant = inner(a, outer(ab, ac));
-  if(std::abs(determinant) > underflow &&
-     determinant * determinant > 1.01 * rounding2 * inner(a, a) * inner(ab, ab) * inner(ac, ac))
-    return determinant > 0;
-  typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
-  const auto point = [](vec3 p) { return Kernel::Point_3(p.x, p.y, p.z); };
-  return Kernel().orientation_3_object()(Kernel::Point_3(0, 0, 0), point(a), point(b), point(c)) == CGAL::POSITIVE;
-}
-
-inline bool is_finite(vec3 a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
 inline bool is_finite(vec3 a, vec3 b, vec3 c) { return is_finite(a) && is_finite(b) && is_finite(c); }
 
 /// What the certificate consists of.
@@ -111,4 +80,4 @@ Certificate certify(const Loop& loop, const Host_array<std::array<int, 3>>& face
 } // namespace Spherical_parameterization
 } // namespace CGAL
 
-#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PREDICATES_SPHERICAL_TRIANGLES_H
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PREDICATES_CERTIFICATE_H

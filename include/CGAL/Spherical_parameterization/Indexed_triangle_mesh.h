@@ -93,7 +93,8 @@ public:
   /// Makes the mesh of a checked soup.
   /// \param points     a range of points, with x(), y(), z() or operator[]
   /// \param triangles  a range of ranges of three numbers of points, counterclockwise as seen from outside
-  /// \throws Error if the triangles do not form a closed, oriented, connected surface of genus 0: it says what is wrong,
+  /// \throws Error if the triangles do not form a closed, oriented, connected surface of genus 0: it says what is
+  /// wrong,
   ///         where, and what to do
   ///
   /// Complexity: O(n).
@@ -108,9 +109,8 @@ public:
   {
     read(points, triangles);
     const typename internal::Loop_of<ExecutionPolicy>::type loop;
-    const internal::Soup_trouble trouble =
-      internal::check_soup(loop, table_, static_cast<int>(point_.size()), last_corner_,
-                           [&] { return number_of_different_points(); });
+    const internal::Soup_trouble trouble = internal::check_soup(
+      loop, table_, static_cast<int>(point_.size()), last_corner_, [&] { return number_of_different_points(); });
     if(trouble.code != Error_code::OK)
       throw Error(trouble.code, trouble.wrong + "; " + trouble.remedy);
   }
@@ -148,7 +148,10 @@ public:
   friend Vertex_index target(Halfedge_index h, const Self& m) { return Vertex_index(m.table_.target(h.idx())); }
   friend Vertex_index source(Edge_index e, const Self& m) { return Vertex_index(m.table_.origin(e.idx())); }
   friend Vertex_index target(Edge_index e, const Self& m) { return Vertex_index(m.table_.target(e.idx())); }
-  friend Halfedge_index next(Halfedge_index h, const Self&) { return Halfedge_index(internal::Corner_table::next(h.idx())); }
+  friend Halfedge_index next(Halfedge_index h, const Self&)
+  {
+    return Halfedge_index(internal::Corner_table::next(h.idx()));
+  }
   friend Halfedge_index prev(Halfedge_index h, const Self&)
   {
     return Halfedge_index(internal::Corner_table::previous(h.idx()));
@@ -160,8 +163,8 @@ public:
     return Edge_index((std::min)(h.idx(), m.table_.twin[h.idx()]));
   }
   friend Halfedge_index halfedge(Edge_index e, const Self&) { return Halfedge_index(e.idx()); }
-  /// The halfedges that CGAL::Euler::add_face() leaves at vertices and faces: the one to the vertex in its last face, and
-  /// the one to the first corner of the face.
+  /// The halfedges that CGAL::Euler::add_face() leaves at vertices and faces: the one to the vertex in its last face,
+  /// and the one to the first corner of the face.
   friend Halfedge_index halfedge(Vertex_index v, const Self& m)
   {
     return Halfedge_index(internal::Corner_table::previous(m.last_corner_[v.idx()]));
@@ -187,7 +190,8 @@ private:
   void read(const PointRange& points, const TriangleRange& triangles)
   {
     const auto number_of_points = static_cast<std::size_t>(std::distance(std::begin(points), std::end(points)));
-    const auto number_of_triangles = static_cast<std::size_t>(std::distance(std::begin(triangles), std::end(triangles)));
+    const auto number_of_triangles =
+      static_cast<std::size_t>(std::distance(std::begin(triangles), std::end(triangles)));
     constexpr std::size_t limit = static_cast<std::size_t>((std::numeric_limits<int>::max)());
     if(number_of_points >= limit || number_of_triangles > limit / 3)
       throw Error(Error_code::TOO_LARGE, std::to_string(number_of_points) + " points and " +

@@ -250,9 +250,9 @@ Result parameterize(const Arguments&...)
 }
 /// \endcond
 
-/// Maps the triangles of a soup to the unit sphere: points and index triples, as CGAL's functions for polygon soups take
-/// them. No mesh data structure of CGAL is built. For the other functions of this package, or to map one soup more than
-/// once, make an `Indexed_triangle_mesh`.
+/// Maps the triangles of a soup to the unit sphere: points and index triples, as CGAL's functions for polygon soups
+/// take them. No mesh data structure of CGAL is built. For the other functions of this package, or to map one soup more
+/// than once, make an `Indexed_triangle_mesh`.
 ///
 /// The triangles have to form a closed, connected, oriented surface of genus 0; what is wrong otherwise is said in
 /// `Result::error` and `Result::detail`, with the numbers of points and triangles.

@@ -40,8 +40,10 @@ public:
   Coarse_to_fine_map(const Loop& loop, const Isometric& method, const Problem& problem, const Effort& effort,
                      Monitor& monitor)
     : loop_(loop), method_(method), exponent_((std::min)(method.area_exponent, largest_coarse_exponent)),
-      distortion_(exponent_), problem_(problem), effort_(effort), monitor_(monitor), source_area_(area_of_source()), mesh_(loop, problem.face, problem.size()),
-      level_(problem.size()), map_{Host_array<vec3>(problem.size(), vec3{0, 0, 0}), std::vector<int>(problem.size(), -1)}
+      distortion_(exponent_), problem_(problem), effort_(effort), monitor_(monitor), source_area_(area_of_source()),
+      mesh_(loop, problem.face, problem.size()),
+      level_(problem.size()), map_{Host_array<vec3>(problem.size(), vec3{0, 0, 0}),
+                                   std::vector<int>(problem.size(), -1)}
   {
     if(!(source_area_ > 0)) // all points are one: then all faces count as equal
       source_area_ = 1;
@@ -91,7 +93,8 @@ private:
       if(round.empty())
         return;
       rounds_.push_back(std::move(round));
-      const double done = std::log(double(problem_.size()) / mesh_.number_of_vertices()) / std::log(problem_.size() / 4.);
+      const double done =
+        std::log(double(problem_.size()) / mesh_.number_of_vertices()) / std::log(problem_.size() / 4.);
       if(!monitor_.advance(share_of_decimation * done))
         give_up();
     }
@@ -130,7 +133,7 @@ private:
         give_up();
     }
     throw Error(Error_code::NOT_BIJECTIVE, "no position in double precision was found for " +
-                                               counted(round.size(), "vertex", "vertices") + "; repair the mesh");
+                                             counted(round.size(), "vertex", "vertices") + "; repair the mesh");
   }
 
   /// Pulls all faces towards the same shape, then also towards the same size: angles first, since areas are too stiff

@@ -27,7 +27,6 @@ inline void check_simplicial(const Weighted_graph& graph)
         throw Error(Error_code::NOT_BIJECTIVE, std::string(problem) + "two edges of the mesh have the same ends");
 }
 
-
 template <class Backend>
 Solution Method_solver<Isometric>::solve(const Backend& backend, const Problem& problem, const Effort& effort,
                                          Monitor& monitor) const

@@ -32,11 +32,12 @@ struct Is_method : std::false_type {};
 template <class T>
 struct Is_method<T, std::enable_if_t<(sizeof(Method_solver<T>) > 0)>> : std::true_type {};
 
+/// By its functions, since boost::graph_traits is an error, and not a missing type, for what is no graph.
 template <class T, class = void>
 struct Is_mesh : std::false_type {};
 template <class T>
-struct Is_mesh<T, std::void_t<typename boost::graph_traits<T>::halfedge_descriptor,
-                              typename boost::graph_traits<T>::face_descriptor>> : std::true_type {};
+struct Is_mesh<T, std::void_t<decltype(faces(std::declval<const T&>())), decltype(halfedges(std::declval<const T&>()))>>
+  : std::true_type {};
 
 template <class T>
 struct Are_named_parameters : std::false_type {};
@@ -54,7 +55,8 @@ struct Is_map_of<T, Key, std::void_t<typename boost::property_traits<T>::key_typ
 template <class Point, class = void>
 struct Is_planar : std::false_type {};
 template <class Point>
-struct Is_planar<Point, std::enable_if_t<!Has_xyz<Point>::value, std::void_t<decltype(std::declval<const Point&>().y())>>>
+struct Is_planar<Point,
+                 std::enable_if_t<!Has_xyz<Point>::value, std::void_t<decltype(std::declval<const Point&>().y())>>>
   : std::true_type {};
 template <class T, std::size_t N>
 struct Is_planar<std::array<T, N>> : std::bool_constant<N != 3> {};
@@ -63,9 +65,9 @@ struct Is_planar<std::array<T, N>> : std::bool_constant<N != 3> {};
 template <class Point, class = void>
 struct Holds_positions : std::false_type {};
 template <class Point>
-struct Holds_positions<Point, std::void_t<decltype(Point{std::declval<Coordinate_of<Point>>(),
-                                                         std::declval<Coordinate_of<Point>>(),
-                                                         std::declval<Coordinate_of<Point>>()})>>
+struct Holds_positions<
+  Point, std::void_t<decltype(Point{std::declval<Coordinate_of<Point>>(), std::declval<Coordinate_of<Point>>(),
+                                    std::declval<Coordinate_of<Point>>()})>>
   : std::bool_constant<!Is_planar<Point>::value && !std::is_integral_v<Coordinate_of<Point>>> {};
 
 /// The type of a named parameter; void if it is not given.
@@ -109,9 +111,10 @@ constexpr bool check_arguments()
   static_assert(is_sphere_map, "the sphere map has to be a property map whose keys are the vertices of the mesh");
   if constexpr(is_sphere_map) {
     constexpr bool holds = Holds_positions<typename boost::property_traits<VertexSphereMap>::value_type>::value;
-    static_assert(holds, "the sphere map has to hold points with three coordinates, in floating point or exact numbers");
-    return holds && check_named_parameters<typename Graph_traits::edge_descriptor, typename Graph_traits::vertex_descriptor,
-                                           NamedParameters>();
+    static_assert(holds,
+                  "the sphere map has to hold points with three coordinates, in floating point or exact numbers");
+    return holds && check_named_parameters<typename Graph_traits::edge_descriptor,
+                                           typename Graph_traits::vertex_descriptor, NamedParameters>();
   } else
     return false;
 }

@@ -64,8 +64,8 @@ std::string read_weights(Weights use, Read_weights read)
   return {};
 }
 
-/// Reads mesh and property maps, each once, and checks them. Throws Error. Numbers that several threads may read at once
-/// are read on the threads of the policy.
+/// Reads mesh and property maps, each once, and checks them. Throws Error. Numbers that several threads may read at
+/// once are read on the threads of the policy.
 template <class ExecutionPolicy, class TriangleMesh, class Solver, class VertexSphereMap, class Inputs>
 Input<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>
 read_problem(const TriangleMesh& mesh, const Solver& solver, VertexSphereMap sphere_map, const Effort& effort,
@@ -78,8 +78,7 @@ read_problem(const TriangleMesh& mesh, const Solver& solver, VertexSphereMap sph
     loop;
   Source_mesh<TriangleMesh> source(mesh, points, loop);
   Problem problem;
-  problem.missing_weights =
-    read_weights(solver.weights(), [&] { source.set_weights(mesh, inputs.weights(), loop); });
+  problem.missing_weights = read_weights(solver.weights(), [&] { source.set_weights(mesh, inputs.weights(), loop); });
   problem.is_fixed = fixed_vertices(source.vertex, inputs.constraints());
   const bool needs_start = solver.needs_given_start();
   if(problem.has_fixed() || needs_start)

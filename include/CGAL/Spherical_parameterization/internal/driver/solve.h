@@ -6,6 +6,8 @@
 
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
 #include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
+#include <CGAL/Spherical_parameterization/internal/base/compiled.h>
+#include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/solve_isometric.h>
 #include <CGAL/Spherical_parameterization/internal/driver/solve_automatic.h>
 #include <CGAL/Spherical_parameterization/internal/harmonic/solve_balanced.h>
@@ -23,6 +25,20 @@ namespace internal {
 /// Solves a problem where the policy says.
 template <class Host_loop, class ExecutionPolicy, class Method>
 Solution solve(const ExecutionPolicy& policy, const Method& method, const Problem& problem, Monitor& monitor);
+
+/// What the compiled library has of a policy, after the word `template` or `extern template`.
+#define CGAL_SP_FOR_EACH_METHOD(PREFIX, POLICY)                                                                        \
+  PREFIX Solution solve<Default_loop>(const POLICY&, const Balanced&, const Problem&, Monitor&);                       \
+  PREFIX Solution solve<Default_loop>(const POLICY&, const Saddle_point&, const Problem&, Monitor&);                   \
+  PREFIX Solution solve<Default_loop>(const POLICY&, const Isometric&, const Problem&, Monitor&);                      \
+  PREFIX Solution solve<Default_loop>(const POLICY&, const Automatic&, const Problem&, Monitor&);
+
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_COMPILED
+CGAL_SP_FOR_EACH_METHOD(extern template, CGAL::Sequential_tag)
+#ifdef CGAL_LINKED_WITH_TBB
+CGAL_SP_FOR_EACH_METHOD(extern template, CGAL::Parallel_tag)
+#endif
+#endif
 
 } // namespace internal
 } // namespace Spherical_parameterization

@@ -27,7 +27,8 @@ public:
     seconds_.start_map += solution.seconds.start_map;
     seconds_.solve += solution.seconds.solve;
     seconds_.certify += solution.seconds.certify;
-    if(solution.error == Error_code::OK || !best_.has_map() || (solution.has_map() && badness(solution) <= badness(best_)))
+    if(solution.error == Error_code::OK || !best_.has_map() ||
+       (solution.has_map() && badness(solution) <= badness(best_)))
       best_ = std::move(solution);
   }
 

@@ -172,8 +172,8 @@ private:
   ///
   /// A step alpha along d takes the map off balance by -alpha^2/2 sum m_i |d_i|^2 v_i up to third order; the sum is
   /// `drift`. A boost in the same pass undoes that, and what the step before has left.
-  bool line_search(double alpha, double slope, const Symmetric_solver<3>& boosts, vec3 drift,
-                   const Vectors& d, Vectors& v, Vectors& w, Vectors& g, Scalars& density, Moments& moments,
+  bool line_search(double alpha, double slope, const Symmetric_solver<3>& boosts, vec3 drift, const Vectors& d,
+                   Vectors& v, Vectors& w, Vectors& g, Scalars& density, Moments& moments,
                    std::array<double, 4>& sums) const
   {
     constexpr int maximum_halvings = 20;

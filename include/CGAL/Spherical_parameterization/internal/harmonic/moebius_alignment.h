@@ -66,10 +66,7 @@ private:
     Matrix_3 rotation;
   };
 
-  static vec3 transformed(const Step& s, vec3 p)
-  {
-    return unit(rotated(s.rotation, boost(p, s.centre)));
-  }
+  static vec3 transformed(const Step& s, vec3 p) { return unit(rotated(s.rotation, boost(p, s.centre))); }
 
   void apply(const Step& s, Host_array<vec3>& points)
   {

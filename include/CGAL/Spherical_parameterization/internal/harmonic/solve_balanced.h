@@ -26,7 +26,10 @@ public:
 
   static Weights weights() { return Weights::NEEDED; }
   bool needs_given_start() const { return false; }
-  std::string name() const { return method_.spring_exponent == 2 ? "balanced" : "balanced with exponent " + to_string(method_.spring_exponent); }
+  std::string name() const
+  {
+    return method_.spring_exponent == 2 ? "balanced" : "balanced with exponent " + to_string(method_.spring_exponent);
+  }
 
   template <class Backend>
   Solution solve(const Backend& backend, const Problem& problem, const Effort& effort, Monitor& monitor) const;

@@ -195,8 +195,8 @@ bool solve_fixed(const Backend& backend, const Problem& problem, double accuracy
   };
   // The residual of eq. (2) is that of the descent times D_i / |sum w_ij v_j|: 1 on fine meshes, up to 3 on coarse
   // ones.
-  const bool is_certified = solve_until_valid(backend, problem, start, descend, accuracy / 3, maximum_iterations,
-                                              monitor, v, solution);
+  const bool is_certified =
+    solve_until_valid(backend, problem, start, descend, accuracy / 3, maximum_iterations, monitor, v, solution);
   solution.report.residual = std::sqrt(backend.barycentric_residual2(multigrid.matrix(0), v));
   solution.report.has_converged = solution.report.residual <= accuracy;
   return is_certified;
@@ -248,8 +248,8 @@ Solution Method_solver<Balanced>::solve(const Backend& backend, const Problem& p
   typename Backend::Vectors v;
   bool is_certified;
   if(method_.spring_exponent != 2)
-    is_certified = solve_stiffening(backend, problem, method_.spring_exponent, accuracy, maximum_iterations, monitor, v,
-                                    solution);
+    is_certified =
+      solve_stiffening(backend, problem, method_.spring_exponent, accuracy, maximum_iterations, monitor, v, solution);
   else if(problem.has_fixed())
     is_certified = solve_fixed(backend, problem, accuracy, maximum_iterations, monitor, v, solution);
   else

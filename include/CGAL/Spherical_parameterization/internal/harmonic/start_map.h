@@ -165,8 +165,8 @@ std::size_t coarse_start_map(const Backend& backend, Multigrid<Backend>& multigr
         throw Error(Error_code::NOT_BIJECTIVE, "every face of the mesh has a vertex twice");
       continue;
     }
-    Host_array<vec3> z = planar_map(backend, multigrid, k, mesh.largest_face, planar_accuracy, monitor, start_share,
-                                    iterations);
+    Host_array<vec3> z =
+      planar_map(backend, multigrid, k, mesh.largest_face, planar_accuracy, monitor, start_share, iterations);
     to_sphere(z);
     const int degree = certify(backend.host_loop(), mesh.faces, z).degree;
     if(k > 0 && std::abs(degree) != 1)

@@ -101,7 +101,8 @@ Edge_troubles match_halfedges(const Loop& loop, const Host_array<std::array<int,
 
   Edge_troubles all;
   for(const Edge_troubles& part : parts)
-    for(Edge_trouble Edge_troubles::*kind : {&Edge_troubles::crowded, &Edge_troubles::opposed, &Edge_troubles::boundary}) {
+    for(Edge_trouble Edge_troubles::*kind :
+        {&Edge_troubles::crowded, &Edge_troubles::opposed, &Edge_troubles::boundary}) {
       if((all.*kind).count == 0)
         (all.*kind).first = (part.*kind).first;
       (all.*kind).count += (part.*kind).count;

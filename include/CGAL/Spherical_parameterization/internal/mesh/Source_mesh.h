@@ -146,9 +146,8 @@ private:
     };
     const std::size_t vertex_count = size(vertices(mesh)), face_count = size(faces(mesh));
     if(vertex_count >= limit || face_count > limit / 3)
-      throw Error(Error_code::TOO_LARGE, std::to_string(vertex_count) + " vertices and " +
-                                             std::to_string(face_count) +
-                                             " faces; at most 715,827,882 faces are supported");
+      throw Error(Error_code::TOO_LARGE, std::to_string(vertex_count) + " vertices and " + std::to_string(face_count) +
+                                           " faces; at most 715,827,882 faces are supported");
   }
 
   template <class Loop>
@@ -201,8 +200,8 @@ private:
     for(auto f : faces(mesh)) {
       if(!is_triangle(halfedge(f, mesh), mesh))
         throw Error(Error_code::NOT_TRIANGULAR, "face " + std::to_string(face_count) + " has " +
-                                                    std::to_string(degree(f, mesh)) +
-                                                    " corners; triangulate the mesh first");
+                                                  std::to_string(degree(f, mesh)) +
+                                                  " corners; triangulate the mesh first");
       ++face_count;
     }
     if(face_count == 0)
@@ -222,11 +221,10 @@ private:
         first_isolated = i;
     if(isolated > 0)
       throw Error(Error_code::ISOLATED_VERTEX, counted(isolated, "isolated vertex", "isolated vertices") +
-                                                   ", the first one is vertex " + std::to_string(first_isolated) +
-                                                   "; remove them");
+                                                 ", the first one is vertex " + std::to_string(first_isolated) +
+                                                 "; remove them");
     if(border > 0)
-      throw Error(Error_code::BOUNDARY,
-                    counted(border, "boundary edge", "boundary edges") + "; fill the holes first");
+      throw Error(Error_code::BOUNDARY, counted(border, "boundary edge", "boundary edges") + "; fill the holes first");
     for(vertex_descriptor v : vertices(mesh)) {
       int walked = 0;
       for(halfedge_descriptor h : halfedges_around_target(halfedge(v, mesh), mesh)) {
@@ -235,7 +233,7 @@ private:
       }
       if(walked != incident[numbering(v)])
         throw Error(Error_code::NON_MANIFOLD, "the faces round vertex " + std::to_string(numbering(v)) +
-                                                  " form several fans; duplicate the vertex");
+                                                " form several fans; duplicate the vertex");
     }
   }
 
@@ -264,7 +262,7 @@ private:
     }
     if(components > 1)
       throw Error(Error_code::SEVERAL_COMPONENTS,
-                    counted(components, "component", "components") + "; map them one by one");
+                  counted(components, "component", "components") + "; map them one by one");
     return index;
   }
 
@@ -275,7 +273,7 @@ private:
       static_cast<long long>(position.size()) - static_cast<long long>(number_of_faces / 2);
     if(characteristic != 2)
       throw Error(Error_code::WRONG_GENUS, "genus " + std::to_string((2 - characteristic) / 2) +
-                                               "; only surfaces without handles map to the sphere");
+                                             "; only surfaces without handles map to the sphere");
   }
 
   template <class VertexPointMap, class Loop>
@@ -380,7 +378,7 @@ private:
     for(halfedge_descriptor side : {h, opposite(h, mesh)})
       if(is_degenerate(mesh, side, i, j))
         throw Error(Error_code::DEGENERATE_FACE, edge_name + " because a face at it has no area; use barycentric or "
-                                                               "conformal weights, or repair the mesh");
+                                                             "conformal weights, or repair the mesh");
     throw Error(Error_code::BAD_WEIGHT, edge_name + "; weights must be positive and finite");
   }
 

@@ -30,10 +30,20 @@ struct Soup_trouble {
 /// components, handles. The first trouble gives the code and the remedy; the code is `OK` if there is none, and then
 /// table.twin is filled, and last_corner[v] is the last corner at every vertex.
 ///
-/// `number_of_different_points()` is asked for where there is a boundary: vertices at the same place are a common cause.
+/// `number_of_different_points()` is asked for where there is a boundary: vertices at the same place are a common
+/// cause.
 template <class Loop>
 Soup_trouble check_soup(const Loop& loop, Corner_table& table, int n, Host_array<int>& last_corner,
                         const std::function<std::size_t()>& number_of_different_points);
+
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_COMPILED
+extern template Soup_trouble check_soup(const Sequential_loop&, Corner_table&, int, Host_array<int>&,
+                                        const std::function<std::size_t()>&);
+#ifdef CGAL_LINKED_WITH_TBB
+extern template Soup_trouble check_soup(const Parallel_loop&, Corner_table&, int, Host_array<int>&,
+                                        const std::function<std::size_t()>&);
+#endif
+#endif
 
 } // namespace internal
 

@@ -63,7 +63,7 @@ inline void add_edge_troubles(Soup_trouble& trouble, const Edge_troubles& edges,
 /// \pre the halfedges are matched
 template <class Loop>
 bool are_vertices_manifold(const Loop& loop, Soup_trouble& trouble, const Corner_table& table, int n,
-                         const Host_array<int>& last_corner)
+                           const Host_array<int>& last_corner)
 {
   std::vector<int> degree(n, 0);
   for(const std::array<int, 3>& f : table.face)

@@ -17,9 +17,8 @@ namespace internal {
 /// \pre all coordinates are finite
 CGAL_SP_CORE int sign_of_exact_determinant(vec3 a, vec3 b, vec3 c);
 
-/// The determinants det(v_1, v_2, q), det(v_2, v_0, q), det(v_0, v_1, q), each taken as 0 where it is negative, over the
-/// sum of all three. The quotients are rounded once.
-/// \pre all coordinates are finite, and the exact sum is not 0
+/// The determinants det(v_1, v_2, q), det(v_2, v_0, q), det(v_0, v_1, q), each taken as 0 where it is negative, over
+/// the sum of all three. The quotients are rounded once. \pre all coordinates are finite, and the exact sum is not 0
 CGAL_SP_CORE std::array<double, 3> exact_barycentric_coordinates(const std::array<vec3, 3>& v, vec3 q);
 
 } // namespace internal

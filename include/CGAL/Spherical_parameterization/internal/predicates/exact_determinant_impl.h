@@ -78,8 +78,7 @@ CGAL_SP_CORE std::array<double, 3> exact_barycentric_coordinates(const std::arra
     if(exact[k] <= 0 || total <= 0)
       continue;
     constexpr int bits = 64; // of the quotient, of which a double keeps 53
-    const int shift =
-      (std::max)(0, bits + static_cast<int>(msb(total)) - static_cast<int>(msb(exact[k])));
+    const int shift = (std::max)(0, bits + static_cast<int>(msb(total)) - static_cast<int>(msb(exact[k])));
     result[k] = std::ldexp(Integer((exact[k] << shift) / total).convert_to<double>(), -shift);
   }
   return result;

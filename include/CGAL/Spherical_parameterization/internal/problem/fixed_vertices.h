@@ -37,7 +37,7 @@ std::vector<char> fixed_vertices(const std::vector<Vertex>& vertices, Constraine
     return {};
   if(count < 3)
     throw Error(Error_code::BAD_CONSTRAINTS,
-                  "only " + counted(count, "vertex is", "vertices are") + " fixed; fix three or more, or none");
+                "only " + counted(count, "vertex is", "vertices are") + " fixed; fix three or more, or none");
   return is_fixed;
 }
 
@@ -60,7 +60,7 @@ Host_array<vec3> given_positions(const std::vector<Vertex>& vertices, const Host
       const vec3 box = scaled_to_unit_box(p);
       if(!is_finite(p) || inner(box, box) == 0)
         throw Error(Error_code::BAD_CONSTRAINTS,
-                      "the position given for vertex " + std::to_string(position[i]) + " is not a direction");
+                    "the position given for vertex " + std::to_string(position[i]) + " is not a direction");
       if(!(std::abs(inner(p, p) - 1) <= rounding))
         p = unit(box);
       given[i] = p;
@@ -73,7 +73,7 @@ Host_array<vec3> given_positions(const std::vector<Vertex>& vertices, const Host
       const auto& [bx, by, bz, b] = fixed[k];
       if(ax == bx && ay == by && az == bz)
         throw Error(Error_code::BAD_CONSTRAINTS, "the fixed vertices " + std::to_string(a) + " and " +
-                                                     std::to_string(b) + " are at the same position");
+                                                   std::to_string(b) + " are at the same position");
     }
     return given;
   } else

@@ -22,7 +22,8 @@ public:
   explicit Method_solver(const Saddle_point& method) : method_(method)
   {
     CGAL_SP_PRECONDITION(method.relaxation > 0, "the relaxation has to be positive");
-    CGAL_SP_PRECONDITION(method.relaxation < (method.splitting == Saddle_point::Splitting::JACOBI ? 1 : 2), "the relaxation has to be below 1 for Jacobi, below 2 for Gauss-Seidel sweeps");
+    CGAL_SP_PRECONDITION(method.relaxation < (method.splitting == Saddle_point::Splitting::JACOBI ? 1 : 2),
+                         "the relaxation has to be below 1 for Jacobi, below 2 for Gauss-Seidel sweeps");
     CGAL_SP_PRECONDITION(method.check_interval > 0, "the interval between two checks has to be 1 or larger");
   }
 

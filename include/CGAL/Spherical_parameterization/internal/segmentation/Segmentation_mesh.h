@@ -62,10 +62,10 @@ Segmentation_mesh read_segmentation_mesh(const TriangleMesh& mesh, VertexPointMa
     const double length2 = inner(image, image);
     if(!std::isfinite(length2))
       throw Error(Error_code::NON_FINITE_COORDINATE,
-                    "the image of vertex " + std::to_string(source.position[i]) + " on the sphere");
+                  "the image of vertex " + std::to_string(source.position[i]) + " on the sphere");
     if(!(length2 > 0))
       throw Error(Error_code::NOT_BIJECTIVE, "the image of vertex " + std::to_string(source.position[i]) +
-                                                 " is the centre of the sphere; compute the map first");
+                                               " is the centre of the sphere; compute the map first");
     result.sphere[i] = unit(image);
   }
   result.point = std::move(source.point);

@@ -282,8 +282,8 @@ TEMPLATE_LIST_TEST_CASE("every verb does the same on every backend, bit by bit",
   });
   check("direction_products",
         [](auto& t) { t.returned(t.backend.direction_products(t.mass, t.x, t.y, t.y, t.z, t.z)); });
-  check("direct", [&](auto& t) {
-    t.backend.direct(beta, mu, omega, t.x, t.y, t.z);
+  check("next_direction", [&](auto& t) {
+    t.backend.next_direction(beta, mu, omega, t.x, t.y, t.z);
     t.wrote(t.z);
   });
   check("retract", [&](auto& t) {

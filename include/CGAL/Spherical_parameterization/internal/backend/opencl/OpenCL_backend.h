@@ -109,8 +109,6 @@ public:
 
   void conjugate(double beta, const Vectors& s, Vectors& p) const { run("sp_conjugate", p.size(), beta, s, p); }
 
-  double energy(const Matrix& a, const Vectors& x) const { return sum<1>("sp_energy", x.size(), a, x)[0] / 2; }
-
   void residual(const Matrix& a, const Vectors& b, const Vectors& x, Vectors& r) const
   {
     run("sp_residual", x.size(), a, b, x, r);
@@ -141,6 +139,8 @@ public:
 
   /// \name Spring energy
   /// @{
+  double energy(const Matrix& a, const Vectors& v) const { return sum<1>("sp_energy", v.size(), a, v)[0]; }
+
   std::array<double, 4> gradient(const Matrix& a, double p, const Vectors& v, Vectors& g, Scalars& density) const
   {
     return p == 2 ? sum<4>("sp_gradient", v.size(), a, v, g, density)
@@ -158,14 +158,14 @@ public:
   }
 
   std::array<double, 15> direction_products(const Scalars& mass, const Vectors& v, const Vectors& g,
-                                            const Vectors& old_g, const Vectors& s, const Vectors& d) const
+                                            const Vectors& old_g, const Vectors& step, const Vectors& d) const
   {
-    return sum<15>("sp_direction_products", v.size(), mass, v, g, old_g, s, d);
+    return sum<15>("sp_direction_products", v.size(), mass, v, g, old_g, step, d);
   }
 
-  void direct(double beta, vec3 y, vec3 omega, const Vectors& v, const Vectors& s, Vectors& d) const
+  void next_direction(double beta, vec3 y, vec3 omega, const Vectors& v, const Vectors& step, Vectors& d) const
   {
-    run("sp_direct", v.size(), beta, y, omega, v, s, d);
+    run("sp_next_direction", v.size(), beta, y, omega, v, step, d);
   }
 
   std::array<double, 5> curvature(const Matrix& a, double p, const Scalars& mass, vec3 mu, const Vectors& v,
@@ -233,11 +233,6 @@ private:
   std::array<double, K> sum(const char* kernel, std::size_t n, const Arguments&... arguments) const
   {
     return device_.sum<K>(kernel, n, arguments...);
-  }
-
-  static Moments to_moments(const std::array<double, 9>& s)
-  {
-    return {{s[0], s[1], s[2]}, {s[3], s[4], s[5], s[6], s[7], s[8]}};
   }
 
   OpenCL_runtime device_;

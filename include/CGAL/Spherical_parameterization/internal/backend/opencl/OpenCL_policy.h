@@ -79,10 +79,10 @@ inline OpenCL_device_info opencl_device_info(cl_device_id device)
 /// The execution policy that runs the solvers on an OpenCL device. The mesh is read, the multigrid hierarchy is set up,
 /// and the result is certified on the host.
 ///
-/// A value: copies stand for the same queue and share the compiled kernels, which are compiled when they are needed
-/// first, and kept in the user's cache folder ($XDG_CACHE_HOME or ~/.cache). Any number of threads may call
-/// `parameterize()` with the same device, or with devices on the same queue, at once: results do not depend on it, but
-/// the work on one queue is done one after the other.
+/// A value: copies stand for the same queue and share the kernels, which are compiled when they are needed first.
+/// Most drivers keep compiled kernels on disk, so that only the first program waits for the compiler. Any number of
+/// threads may call `parameterize()` with the same device, or with devices on the same queue, at once: results do not
+/// depend on it, but the work on one queue is done one after the other.
 ///
 /// In double precision results are those of `CGAL::Sequential_tag` bit by bit, on devices whose division and square
 /// root round correctly, as OpenCL demands, and for spring exponent 2 (for the others the `pow()` of the device

@@ -150,9 +150,10 @@ TEST_CASE("a queue that is not in order is refused", "[opencl]")
   if(!there_is_a_device())
     return;
   const OpenCL_device device = SP::opencl_device();
+  const internal::OpenCL_queue& in_order = device;
   cl_int code = CL_SUCCESS;
   const cl::CommandQueue queue(
-    clCreateCommandQueue(device.context(), device.device(), CL_QUEUE_OUT_OF_ORDER_EXEC_MODE_ENABLE, &code));
+    clCreateCommandQueue(in_order.context(), in_order.device(), CL_QUEUE_OUT_OF_ORDER_EXEC_MODE_ENABLE, &code));
   if(code != CL_SUCCESS)
     return; // this device has none
   CHECK(error_of([&] { OpenCL_device{queue}; }).code() == CL_INVALID_QUEUE_PROPERTIES);
@@ -163,9 +164,9 @@ TEST_CASE("kernels that do not compile are reported with the build log", "[openc
   if(!there_is_a_device())
     return;
   const OpenCL_device device = SP::opencl_device();
-  const OpenCL_error error = error_of([&] {
-    internal::build_program(device.context(), device.device(), "__kernel void f() { no_such_function(); }", "");
-  });
+  const internal::OpenCL_queue& queue = device;
+  const OpenCL_error error = error_of(
+    [&] { internal::build_program(queue.context(), queue.device(), "__kernel void f() { no_such_function(); }", ""); });
   CHECK(error.call() == "clBuildProgram");
   CHECK(std::string(error.code_name()) == "CL_BUILD_PROGRAM_FAILURE");
   CHECK(contains(error.build_log(), "no_such_function"));
@@ -199,7 +200,7 @@ TEST_CASE("a shared array outlives its owner's other users, and no longer than i
     CHECK(array.size() == 3);
     CHECK(watch.expired() == !device.info().is_cpu);
   }
-  CHECK(clFinish(runtime.policy().queue()()) == CL_SUCCESS);
+  CHECK(clFinish(device.queue()()) == CL_SUCCESS);
   CHECK(watch.expired());
 }
 

@@ -4,9 +4,10 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_HOST_BACKEND_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_HOST_BACKEND_H
 
-#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/backend/Moments.h>
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
 #include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
+#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/backend/vertex_formulas.h>
 
@@ -22,18 +23,6 @@
 namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
-
-/// The sums that decide about balance: s = sum m_i v_i and S = sum m_i v_i v_i^T (xx, xy, xz, yy, yz, zz).
-struct Moments {
-  std::array<double, 3> first{};
-  std::array<double, 6> second{};
-};
-
-/// From the nine sums of add_moments().
-inline Moments to_moments(const std::array<double, 9>& s)
-{
-  return {{s[0], s[1], s[2]}, {s[3], s[4], s[5], s[6], s[7], s[8]}};
-}
 
 /// The verbs of a backend whose memory is the host's. A verb `v` is a loop over the formula `v_at` of
 /// vertex_formulas.h. `Loop::for_each(count, f)` runs f(0) ... f(count-1) in any order. One core and all cores differ
@@ -337,19 +326,29 @@ private:
   Loop loop_;
 };
 
-template <>
-class Backend<CGAL::Sequential_tag> : public Host_backend<Sequential_loop> {
+/// One core
+class Sequential_backend : public Host_backend<Sequential_loop> {
 public:
-  explicit Backend(const CGAL::Sequential_tag&) {}
+  explicit Sequential_backend(const CGAL::Sequential_tag&) {}
   std::string device_name() const { return "one core"; }
 };
 
+template <class Loop>
+struct Backend_for<CGAL::Sequential_tag, Loop> {
+  using type = Sequential_backend;
+};
+
 #ifdef CGAL_LINKED_WITH_TBB
-template <>
-class Backend<CGAL::Parallel_tag> : public Host_backend<Parallel_loop> {
+/// The threads of the caller's TBB arena
+class Parallel_backend : public Host_backend<Parallel_loop> {
 public:
-  explicit Backend(const CGAL::Parallel_tag&) {}
+  explicit Parallel_backend(const CGAL::Parallel_tag&) {}
   std::string device_name() const { return std::to_string(tbb::this_task_arena::max_concurrency()) + " threads"; }
+};
+
+template <class Loop>
+struct Backend_for<CGAL::Parallel_tag, Loop> {
+  using type = Parallel_backend;
 };
 #endif
 

@@ -5,13 +5,11 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_OPENCL_OPENCL_BACKEND_H
 
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
-#include <CGAL/Spherical_parameterization/internal/backend/execution.h>
-#include <CGAL/Spherical_parameterization/internal/backend/Host_backend.h>
+#include <CGAL/Spherical_parameterization/internal/backend/Moments.h>
+#include <CGAL/Spherical_parameterization/internal/backend/opencl/OpenCL_queue.h>
 #include <CGAL/Spherical_parameterization/internal/backend/opencl/OpenCL_runtime.h>
 #include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
 #include <CGAL/Spherical_parameterization/internal/backend/vertex_formulas.h>
-
-#include <CGAL/tags.h>
 
 #include <array>
 #include <cmath>
@@ -25,13 +23,13 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
-/// The verbs of Host_backend on an OpenCL device: each is a kernel of kernels/*.cl, named like the verb. Verbs that
-/// return numbers wait for them; all others return at once. An object is for one thread; `parameterize()` makes its
-/// own.
-template <>
-class Backend<OpenCL_device> {
+/// The verbs of Host_backend on an OpenCL device: each is a kernel of kernels/, named like the verb. Verbs that return
+/// numbers wait for the device. All others return at once. Set-up on the host is run with `Loop`. An object is for one
+/// thread; `parameterize()` makes its own.
+template <class Loop>
+class OpenCL_backend {
 public:
-  using Host_loop = Default_loop;
+  using Host_loop = Loop;
   template <class T>
   using Array = OpenCL_array<T>;
   using Vectors = Array<vec3>;
@@ -40,11 +38,11 @@ public:
   using Transfer = OpenCL_transfer;
   using Colouring = std::vector<Array<int>>;
 
-  explicit Backend(const OpenCL_device& device) : device_(device) {}
+  explicit OpenCL_backend(const OpenCL_queue& queue) : runtime_(queue) {}
 
   std::string device_name() const
   {
-    const OpenCL_device_info& info = device_.policy().info();
+    const OpenCL_device_info& info = runtime_.queue().info();
     return info.name + " (" + info.platform + "), " + (is_double() ? "double" : "single") + " precision";
   }
 
@@ -57,30 +55,30 @@ public:
   const Host_loop& host_loop() const { return loop_; }
 
   /// How often the host has waited for the device
-  std::size_t number_of_read_backs() const { return device_.number_of_read_backs(); }
+  std::size_t number_of_read_backs() const { return runtime_.number_of_read_backs(); }
 
   /// \name Memory
   /// @{
-  Vectors vectors(int n) const { return device_.zeros<vec3>(n); }
-  Scalars scalars(int n) const { return device_.zeros<double>(n); }
+  Vectors vectors(int n) const { return runtime_.zeros<vec3>(n); }
+  Scalars scalars(int n) const { return runtime_.zeros<double>(n); }
   template <class T>
   Array<T> upload(const Host_array<T>& host) const
   {
-    return device_.upload(host);
+    return runtime_.upload(host);
   }
   Matrix upload(const Shared_graph& host) const
   {
-    const auto share = [&](const auto& array) { return device_.share(array, host); };
+    const auto share = [&](const auto& array) { return runtime_.share(array, host); };
     return {share(host->offset), share(host->target), share(host->weight), share(host->excess),
             share(host->inverse_diagonal)};
   }
   Transfer upload(Sparse_matrix matrix) const
   {
     const auto host = std::make_shared<const Sparse_matrix>(std::move(matrix));
-    const auto share = [&](const auto& array) { return device_.share(array, host); };
+    const auto share = [&](const auto& array) { return runtime_.share(array, host); };
     return {share(host->offset), share(host->column), share(host->value)};
   }
-  Host_array<vec3> download(const Vectors& x) const { return device_.download(x); }
+  Host_array<vec3> download(const Vectors& x) const { return runtime_.download(x); }
   Colouring colouring(const std::vector<Host_array<int>>& colours) const
   {
     Colouring result;
@@ -221,42 +219,22 @@ public:
   /// @}
 
 private:
-  bool is_double() const { return device_.policy().is_double_precision(); }
+  bool is_double() const { return runtime_.queue().is_double_precision(); }
 
   template <class... Arguments>
   void run(const char* kernel, std::size_t n, const Arguments&... arguments) const
   {
-    device_.run(kernel, n, arguments...);
+    runtime_.run(kernel, n, arguments...);
   }
 
   template <int K, class... Arguments>
   std::array<double, K> sum(const char* kernel, std::size_t n, const Arguments&... arguments) const
   {
-    return device_.sum<K>(kernel, n, arguments...);
+    return runtime_.sum<K>(kernel, n, arguments...);
   }
 
-  OpenCL_runtime device_;
+  OpenCL_runtime runtime_;
   Host_loop loop_;
-};
-
-template <>
-struct Is_policy<OpenCL_device> : std::true_type {};
-
-/// Small meshes stay on the host.
-template <>
-struct Choice_of_backend<OpenCL_device> {
-  template <class F>
-  static void call(const OpenCL_device& device, int n, F f)
-  {
-    const std::size_t smallest = device.smallest_mesh();
-    if(static_cast<std::size_t>(n) >= smallest) {
-      const Backend<OpenCL_device> backend(device);
-      f(backend, backend.device_name());
-    } else {
-      const Backend<CGAL::Sequential_tag> backend{CGAL::Sequential_tag()};
-      f(backend, backend.device_name() + " of the host, for want of " + std::to_string(smallest) + " vertices");
-    }
-  }
 };
 
 } // namespace internal

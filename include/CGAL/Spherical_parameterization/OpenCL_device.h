@@ -218,7 +218,7 @@ struct Choice_of_backend<OpenCL_device, Loop> {
       f(backend, backend.device_name());
     } else {
       const Sequential_backend backend{CGAL::Sequential_tag()};
-      f(backend, backend.device_name() + " of the host, for want of " + std::to_string(smallest) + " vertices");
+      f(backend, backend.device_name() + " (the mesh has fewer than " + std::to_string(smallest) + " vertices)");
     }
   }
 };

@@ -25,10 +25,10 @@ KERNEL sp_saddle_point_residual2(int n, MATRIX(a), CONST_VECTORS v, CONST_VECTOR
   ADD_UP(1);
 }
 
-KERNEL sp_normalise(int n, CONST_SCALARS inverse_diagonal, CONST_VECTORS u, VECTORS v)
+KERNEL sp_normalize(int n, CONST_SCALARS inverse_diagonal, CONST_VECTORS u, VECTORS v)
 {
   FOR_EACH(i, n)
-  normalise_at(i, inverse_diagonal, u, v);
+  normalize_at(i, inverse_diagonal, u, v);
 }
 
 KERNEL sp_barycentric_residual2(int n, MATRIX(a), CONST_VECTORS v, SCALARS partial)

@@ -220,7 +220,7 @@ TEST_CASE("only verbs that return numbers wait for the device", "[opencl]")
   backend.copy(v, w);
   backend.jacobi_sweep(a, 0.5, v, v, w);
   backend.gauss_seidel_sweep(a, backend.colouring({{0}, {1}, {2}}), 0.5, v, w);
-  backend.normalise(a, v, w);
+  backend.normalize(a, v, w);
   CHECK(backend.number_of_read_backs() == 0);
   backend.barycentric_residual2(a, v);
   CHECK(backend.number_of_read_backs() == 1);

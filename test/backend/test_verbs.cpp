@@ -303,8 +303,8 @@ TEMPLATE_LIST_TEST_CASE("every verb does the same on every backend, bit by bit",
     t.wrote(t.y);
   });
   check("saddle_point_residual2", [](auto& t) { t.returned(t.backend.saddle_point_residual2(t.a, t.x, t.y)); });
-  check("normalise", [](auto& t) {
-    t.backend.normalise(t.a, t.y, t.x);
+  check("normalize", [](auto& t) {
+    t.backend.normalize(t.a, t.y, t.x);
     t.wrote(t.x);
   });
   check("barycentric_residual2", [](auto& t) { t.returned(t.backend.barycentric_residual2(t.a, t.x)); });

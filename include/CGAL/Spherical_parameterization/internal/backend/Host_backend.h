@@ -249,9 +249,9 @@ public:
   }
 
   /// v = u / |u|, except at fixed vertices
-  void normalise(const Matrix& a, const Vectors& u, Vectors& v) const
+  void normalize(const Matrix& a, const Vectors& u, Vectors& v) const
   {
-    for_each(v.size(), [&](int i) { normalise_at(i, a->inverse_diagonal.data(), u.data(), v.data()); });
+    for_each(v.size(), [&](int i) { normalize_at(i, a->inverse_diagonal.data(), u.data(), v.data()); });
   }
 
   /// Squared L2 norm of the residual of eq. (2).

@@ -58,7 +58,7 @@ CGAL_SP_FUNCTION void saddle_point_residual2_at(int i, graph_view a, CGAL_SP_GLO
 }
 
 /* v = u / |u|; fixed vertices stay */
-CGAL_SP_FUNCTION void normalise_at(int i, CGAL_SP_GLOBAL const real* inverse_diagonal, CGAL_SP_GLOBAL const vec3* u,
+CGAL_SP_FUNCTION void normalize_at(int i, CGAL_SP_GLOBAL const real* inverse_diagonal, CGAL_SP_GLOBAL const vec3* u,
                                    CGAL_SP_GLOBAL vec3* v)
 {
   if(inverse_diagonal[i] > 0)

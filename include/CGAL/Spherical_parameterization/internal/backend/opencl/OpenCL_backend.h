@@ -207,9 +207,9 @@ public:
     return sum<1>("sp_saddle_point_residual2", v.size(), a, v, u)[0];
   }
 
-  void normalise(const Matrix& a, const Vectors& u, Vectors& v) const
+  void normalize(const Matrix& a, const Vectors& u, Vectors& v) const
   {
-    run("sp_normalise", v.size(), a.inverse_diagonal, u, v);
+    run("sp_normalize", v.size(), a.inverse_diagonal, u, v);
   }
 
   double barycentric_residual2(const Matrix& a, const Vectors& v) const

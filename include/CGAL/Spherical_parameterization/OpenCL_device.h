@@ -197,7 +197,7 @@ inline OpenCL_device opencl_device(OpenCL_device::Precision precision = OpenCL_d
 
 namespace internal {
 
-/// An OpenCL device. Set-up on the host is run with `Loop`.
+/// The backend of an OpenCL device. Set-up on the host is run with `Loop`.
 template <class Loop>
 struct Backend_for<OpenCL_device, Loop> {
   using type = OpenCL_backend<Loop>;
@@ -224,7 +224,6 @@ struct Choice_of_backend<OpenCL_device, Loop> {
 };
 
 } // namespace internal
-
 } // namespace Spherical_parameterization
 } // namespace CGAL
 

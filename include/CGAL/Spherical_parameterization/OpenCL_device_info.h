@@ -13,7 +13,7 @@ namespace Spherical_parameterization {
 /// \addtogroup PkgSphericalParameterizationPolicies
 /// @{
 
-/// What a device says of itself.
+/// What an OpenCL device says of itself.
 struct OpenCL_device_info {
   std::string platform;               ///< whose driver it is
   std::string name;                   ///< of the device

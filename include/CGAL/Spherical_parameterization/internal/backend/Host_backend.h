@@ -45,13 +45,13 @@ public:
 
   explicit Host_backend(Loop loop = Loop()) : loop_(std::move(loop)) {}
 
-  /// What set-up on the host is run with.
+  /// How set-up on the host is run.
   const Loop& host_loop() const { return loop_; }
 
-  /// Relative error that sums may have
+  /// A bound of the relative rounding error of sums
   double rounding() const { return 1e-13; }
 
-  /// The residual that rounding leaves of a map of n vertices; 0: none that could be in the way of the user's accuracy
+  /// The smallest residual that rounding allows for n vertices; 0 if it does not limit the accuracy.
   double best_accuracy(int) const { return 0; }
 
   /// \name Memory
@@ -285,7 +285,7 @@ private:
     });
   }
 
-  /// Waking other threads takes longer than a few blocks.
+  /// A few blocks are run on the calling thread: that is faster than waking other threads.
   template <class F>
   void for_each_block(int n, F f) const
   {
@@ -297,8 +297,8 @@ private:
       loop_.for_each(blocks, f);
   }
 
-  /// Element i is added by lane i % lanes of its block, the lanes are added pairwise, the blocks in order: the
-  /// reduction tree of a work-group.
+  /// Lane l of a block adds up the elements i with i % lanes == l. The lanes are added pairwise, then the blocks in
+  /// order. The order is that of a work-group (kernels/backend/loops.cl), and the same for any number of threads.
   template <int K, class F>
   std::array<double, K> sum(std::size_t n, F f) const
   {

@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
-/// An array on the device: what is a double here is a `real` there. Without memory if it is empty.
+/// An array on the device, of T with `real` in place of double. It has no memory if it is empty.
 template <class T>
 class OpenCL_array {
 public:
@@ -49,8 +49,8 @@ struct OpenCL_transfer {
   OpenCL_array<double> value;
 };
 
-/// Memory, kernels and sums on one device. It has an in-order queue: everything is done in the order of the calls.
-/// For one thread.
+/// Memory, kernels and sums on one device. Everything is done in the order of the calls, since the queue is in order.
+/// An object is for one thread.
 class OpenCL_runtime {
 public:
   explicit OpenCL_runtime(const OpenCL_queue& queue) : queue_(queue), program_(queue.program()) {}
@@ -85,7 +85,7 @@ public:
   }
 
   /// An array that is only read. A device that works in the memory of the host reads `host` itself, and keeps `owner`
-  /// alive for that; any other gets a copy.
+  /// alive until it is done. Any other device gets a copy.
   template <class T>
   OpenCL_array<T> share(const Host_array<T>& host, std::shared_ptr<const void> owner) const
   {
@@ -135,7 +135,7 @@ public:
   }
 
 private:
-  // those of kernels/loops.cl and of Host_backend
+  // as in kernels/backend/loops.cl and in Host_backend
   static constexpr std::size_t lanes = 64;
   static constexpr std::size_t block_size = 1024;
 
@@ -166,7 +166,8 @@ private:
     return text;
   }
 
-  /// Throws unless `code` is that of success. Drivers may allocate late, so that memory can give out in any call.
+  /// Throws an OpenCL_error unless `code` is CL_SUCCESS. Drivers may allocate late, so that any call can run out of
+  /// memory.
   void check(cl_int code, const char* call) const
   {
     if(code == CL_MEM_OBJECT_ALLOCATION_FAILURE || code == CL_OUT_OF_RESOURCES || code == CL_OUT_OF_HOST_MEMORY)
@@ -269,7 +270,7 @@ private:
 
   OpenCL_queue queue_;
   cl::Program program_;
-  mutable std::map<std::string, cl::Kernel> kernels_; ///< ours alone: setting an argument is not thread-safe
+  mutable std::map<std::string, cl::Kernel> kernels_; ///< not shared: setting an argument is not thread-safe
   mutable OpenCL_array<double> partial_;              ///< sums of the blocks, for the largest verb so far
   mutable std::size_t number_of_read_backs_ = 0;
 };

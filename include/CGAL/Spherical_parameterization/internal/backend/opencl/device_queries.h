@@ -35,7 +35,7 @@ inline std::vector<cl_device_id> opencl_device_ids()
   return result;
 }
 
-/// What a device says of itself.
+/// What `device` says of itself.
 inline OpenCL_device_info opencl_device_info(cl_device_id device)
 {
   const auto text = [&](cl_uint key) { return opencl_text(clGetDeviceInfo, "clGetDeviceInfo", device, key); };

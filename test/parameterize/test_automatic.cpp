@@ -28,7 +28,7 @@ Result solve_automatically(const Soup& soup, Sphere& sphere, Settings settings =
 
 } // namespace
 
-TEST_CASE("automatic: where the map asked for is valid, it is that one", "[automatic]")
+TEST_CASE("automatic: where the map asked for is valid, it is that one", "[automatic][each_policy]")
 {
   const Soup soup = spiky_star(4, 1.5);
   Sphere sphere, balanced;
@@ -40,7 +40,7 @@ TEST_CASE("automatic: where the map asked for is valid, it is that one", "[autom
   CHECK(result.residual == expected.residual);
 }
 
-TEST_CASE("automatic: isometric where no harmonic map is valid", "[automatic]")
+TEST_CASE("automatic: isometric where no harmonic map is valid", "[automatic][each_policy]")
 {
   Sphere sphere;
   const Result result = solve_automatically(capsule(30, 12), sphere);
@@ -85,7 +85,7 @@ TEST_CASE("automatic: weights that are wrong are refused all the same", "[automa
   CHECK(solve(icosphere(2), sphere, settings).error == Error_code::BAD_WEIGHT);
 }
 
-TEST_CASE("automatic: fixed vertices are kept, and a map that is not valid is called so", "[automatic]")
+TEST_CASE("automatic: fixed vertices are kept, and a map that is not valid is called so", "[automatic][each_policy]")
 {
   const Soup soup = capsule(30, 12);
   Settings settings;

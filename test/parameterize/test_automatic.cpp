@@ -172,8 +172,7 @@ TEST_CASE("automatic: the report is that of the map that is handed over", "[auto
   settings.method = SP::Balanced();
   const Result expected = solve(soup, balanced, settings);
   REQUIRE_FALSE(bool(result));
-  for(const Result::Attempt& attempt : result.attempts)
-    CAPTURE(attempt.method, attempt.detail);
+  CAPTURE(result.fallback_reason, result.detail);
   if(sphere == balanced) {
     CHECK(result.method == "balanced");
     CHECK(result.iterations == expected.iterations);

@@ -25,7 +25,7 @@ CGAL_SP_CORE std::array<double, 3> exact_barycentric_coordinates(const std::arra
 } // namespace Spherical_parameterization
 } // namespace CGAL
 
-#ifdef CGAL_SP_INCLUDE_CORE
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_COMPILED
 #include <CGAL/Spherical_parameterization/internal/predicates/exact_determinant_impl.h>
 #endif
 

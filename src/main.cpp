@@ -2,13 +2,13 @@
 // Part of CGAL Spherical Parameterization.
 
 #include "commands/devices_command.h"
-#include "options/help_formatter.h"
 #include "commands/map_command.h"
 #include "commands/resample_command.h"
 #include "commands/search_command.h"
 #include "commands/segment_command.h"
 #include "commands/signature_command.h"
 #include "commands/texture_command.h"
+#include "options/help_formatter.h"
 
 #include <CGAL/assertions.h>
 #include <CGAL/version.h>

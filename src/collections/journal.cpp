@@ -3,7 +3,7 @@
 
 #include "collections/journal.h"
 
-#include "input/refusal.h"
+#include "system/refusal.h"
 
 #include <array>
 #include <cerrno>

@@ -3,8 +3,9 @@
 
 #include "collections/mpi_workers.h"
 
+#include "collections/signature_pool.h"
 #include "system/interruption.h"
-#include "input/refusal.h"
+#include "system/refusal.h"
 
 #include <cstdlib>
 

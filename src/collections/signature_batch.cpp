@@ -7,7 +7,7 @@
 #include "system/interruption.h"
 #include "collections/journal.h"
 #include "system/progress_bar.h"
-#include "input/refusal.h"
+#include "system/refusal.h"
 #include "collections/signature_index.h"
 
 #include <optional>

@@ -3,8 +3,9 @@
 
 #include "collections/signature_index.h"
 
+#include "input/readable_file.h"
 #include "output/csv.h"
-#include "input/refusal.h"
+#include "system/refusal.h"
 
 #include <array>
 #include <charconv>

@@ -3,14 +3,16 @@
 
 #include "commands/map_command.h"
 
-#include "output/atomic_file.h"
-#include "system/failure.h"
-#include "system/interruption.h"
 #include "mapping/mapped_mesh.h"
 #include "mapping/report.h"
-#include "system/stopwatch.h"
-#include "output/stretch_ply.h"
 #include "options/usage.h"
+#include "output/atomic_file.h"
+#include "output/stretch_ply.h"
+#include "output/write_mesh.h"
+#include "system/guarded.h"
+#include "system/interruption.h"
+
+#include <CGAL/Real_timer.h>
 
 #include <CLI/CLI.hpp>
 
@@ -82,7 +84,7 @@ void print_certificate(const Map_options& options, const Mapped_mesh& input, con
     std::cout << " of " << result.sweeps << " sweeps in all";
   std::cout << '\n';
   if(!result.fallback_reason.empty())
-    std::cout << "after failures: " << result.fallback_reason << '\n';
+    std::cout << "earlier attempts failed: " << result.fallback_reason << '\n';
   std::cout << report.seconds_total << " s: read " << input.seconds_read << ", start map " << result.seconds.start_map
             << ", solve " << result.seconds.solve << ", certify " << result.seconds.certify << ", write "
             << report.seconds_write << '\n'
@@ -92,7 +94,8 @@ void print_certificate(const Map_options& options, const Mapped_mesh& input, con
 
 void map(const Map_options& options, Mapped_mesh& input, Report& report)
 {
-  const Stopwatch total;
+  CGAL::Real_timer total;
+  total.start();
   read_input(options, input);
   Atomic_file sphere_file(options.output);
   const auto stretch_file = options.stretch_ply.empty() ? nullptr : std::make_unique<Atomic_file>(options.stretch_ply);
@@ -101,38 +104,38 @@ void map(const Map_options& options, Mapped_mesh& input, Report& report)
   map_input(options, input);
 
   if(!options.report.empty()) {
-    const Stopwatch measuring;
+    CGAL::Real_timer measuring;
+    measuring.start();
     report.distortion = CGAL::Spherical_parameterization::distortion_summary(input.mesh, input.sphere);
-    report.seconds_measure = measuring.seconds();
+    report.seconds_measure = measuring.time();
   }
-  const Stopwatch writing;
+  CGAL::Real_timer writing;
+  writing.start();
   write(options, input.mesh, input.sphere, sphere_file, stretch_file.get());
-  report.seconds_write = writing.seconds();
-  report.seconds_total = total.seconds();
+  report.seconds_write = writing.time();
+  report.seconds_total = total.time();
   print_certificate(options, input, report);
 }
 
 int run(const Map_options& options)
 {
   Report report;
-  report.input = options.input;
-  report.weights = options.weights;
-  report.method = options.method;
-  report.policy = options.policy;
+  report.options = options;
   Mapped_mesh input;
-  const Stopwatch total;
-  report.failure = guarded(options.input, [&] { map(options, input, report); });
+  CGAL::Real_timer total;
+  total.start();
+  report.refusal = guarded(options.input, [&] { map(options, input, report); });
   report.result = input.result;
   report.seconds_read = input.seconds_read;
-  report.seconds_total = total.seconds();
+  report.seconds_total = total.time();
 
-  Failure failure = report.failure;
+  std::optional<Refusal> refusal = report.refusal;
   if(!options.report.empty()) {
-    const Failure of_report = guarded(options.input, [&] { write_report(options.report, report); });
-    if(!failure)
-      failure = of_report;
+    const std::optional<Refusal> of_report = guarded(options.input, [&] { write_report(options.report, report); });
+    if(!refusal)
+      refusal = of_report;
   }
-  return report_failure(failure);
+  return exit_code_of(refusal);
 }
 
 } // namespace

@@ -3,11 +3,12 @@
 
 #include "commands/resample_command.h"
 
-#include "output/atomic_file.h"
-#include "system/failure.h"
-#include "system/interruption.h"
 #include "mapping/mapped_mesh.h"
 #include "options/usage.h"
+#include "output/atomic_file.h"
+#include "output/write_mesh.h"
+#include "system/guarded.h"
+#include "system/interruption.h"
 
 #include <CGAL/Spherical_parameterization/resample.h>
 
@@ -79,7 +80,7 @@ void add_resample_command(CLI::App& app, int& exit_code)
                   "Exit code: 0 the mesh has been written, 1 not (the reason is on stderr), 2 wrong usage.");
   command->callback([options, &exit_code] {
     check(*options);
-    exit_code = report_failure(guarded(options->input, [&] { resample(*options); }));
+    exit_code = exit_code_of(guarded(options->input, [&] { resample(*options); }));
   });
 }
 

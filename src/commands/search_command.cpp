@@ -3,11 +3,11 @@
 
 #include "commands/search_command.h"
 
-#include "system/interruption.h"
 #include "collections/nearest_signatures.h"
-#include "input/refusal.h"
 #include "collections/sign_mesh.h"
 #include "collections/signature_index.h"
+#include "system/interruption.h"
+#include "system/refusal.h"
 
 #include <CLI/CLI.hpp>
 

@@ -3,14 +3,14 @@
 
 #include "commands/segment_command.h"
 
-#include "output/atomic_file.h"
-#include "mapping/error_code_names.h"
-#include "system/failure.h"
-#include "system/interruption.h"
 #include "mapping/mapped_mesh.h"
-#include "input/refusal.h"
-#include "output/segments_ply.h"
 #include "options/usage.h"
+#include "output/atomic_file.h"
+#include "output/segments_ply.h"
+#include "system/error_code_names.h"
+#include "system/guarded.h"
+#include "system/interruption.h"
+#include "system/refusal.h"
 
 #include <CGAL/Spherical_parameterization/segmentation.h>
 
@@ -83,7 +83,7 @@ void add_segment_command(CLI::App& app, int& exit_code)
                   "Exit code: 0 the files have been written, 1 not (the reason is on stderr), 2 wrong usage.");
   command->callback([options, &exit_code] {
     check(*options);
-    exit_code = report_failure(guarded(options->input, [&] { segment(*options); }));
+    exit_code = exit_code_of(guarded(options->input, [&] { segment(*options); }));
   });
 }
 

@@ -3,13 +3,14 @@
 
 #include "commands/signature_command.h"
 
-#include "system/interruption.h"
-#include "input/mesh_io.h"
-#include "input/mesh_list.h"
 #include "collections/mpi_workers.h"
-#include "input/refusal.h"
 #include "collections/signature_batch.h"
+#include "collections/signature_pool.h"
+#include "input/mesh_extensions.h"
+#include "input/mesh_list.h"
 #include "options/usage.h"
+#include "system/interruption.h"
+#include "system/refusal.h"
 
 #include <CLI/CLI.hpp>
 
@@ -71,7 +72,7 @@ int run(const Signature_options& options)
   try {
     if(is_launched_by_mpi())
       return run_on_all_ranks(jobs, [&](Signature_workers& workers) { return batch(options, workers); });
-    Local_workers workers(jobs);
+    Signature_pool workers(jobs);
     return batch(options, workers);
   } catch(const Refusal& refusal) {
     std::cerr << "spherical-parameterization: " << refusal.what() << std::endl;

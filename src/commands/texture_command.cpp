@@ -3,12 +3,13 @@
 
 #include "commands/texture_command.h"
 
-#include "output/atomic_file.h"
-#include "system/failure.h"
-#include "system/interruption.h"
+#include "input/readable_file.h"
 #include "mapping/mapped_mesh.h"
-#include "output/textured_obj.h"
 #include "options/usage.h"
+#include "output/atomic_file.h"
+#include "output/textured_obj.h"
+#include "system/guarded.h"
+#include "system/interruption.h"
 
 #include <CGAL/Spherical_parameterization/texture_coordinates.h>
 
@@ -138,7 +139,7 @@ void add_texture_command(CLI::App& app, int& exit_code)
                   "Exit code: 0 the files have been written, 1 not (the reason is on stderr), 2 wrong usage.");
   command->callback([options, &exit_code] {
     check(*options);
-    exit_code = report_failure(guarded(options->input, [&] { texture(*options); }));
+    exit_code = exit_code_of(guarded(options->input, [&] { texture(*options); }));
   });
 }
 

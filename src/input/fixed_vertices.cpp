@@ -3,8 +3,9 @@
 
 #include "input/fixed_vertices.h"
 
-#include "input/refusal.h"
+#include "input/readable_file.h"
 #include "input/text_lines.h"
+#include "system/refusal.h"
 
 #include <array>
 #include <cmath>

@@ -4,8 +4,8 @@
 #include "input/ply_structure.h"
 
 #include "input/ply_header.h"
-#include "input/refusal.h"
 #include "input/text_lines.h"
+#include "system/refusal.h"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 
 #include "input/mesh_readers.h"
 #include "input/ply_structure.h"
-#include "input/refusal.h"
+#include "system/refusal.h"
 
 #include <CGAL/IO/PLY.h>
 

@@ -3,8 +3,8 @@
 
 #include "input/checked_lines.h"
 #include "input/mesh_readers.h"
-#include "input/refusal.h"
 #include "input/text_lines.h"
+#include "system/refusal.h"
 
 #include <CGAL/IO/STL.h>
 

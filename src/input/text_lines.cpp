@@ -3,7 +3,7 @@
 
 #include "input/text_lines.h"
 
-#include "input/refusal.h"
+#include "system/refusal.h"
 
 #include <algorithm>
 #include <cctype>

@@ -233,12 +233,16 @@ Map_settings map_settings(const Mapping_options& options)
     settings.method = method;
   }
 
-  settings.policy = make_policy(options.policy, {options.device, options.precision});
   settings.accuracy = options.accuracy;
   if(options.iterations)
     settings.iterations = static_cast<std::size_t>(*options.iterations);
   settings.max_time = options.max_time;
   return settings;
+}
+
+Policy make_policy(const Mapping_options& options)
+{
+  return make_policy(options.policy, {options.device, options.precision});
 }
 
 } // namespace tool

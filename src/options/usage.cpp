@@ -3,7 +3,7 @@
 
 #include "options/usage.h"
 
-#include "input/mesh_io.h"
+#include "input/mesh_extensions.h"
 
 #include <CLI/CLI.hpp>
 

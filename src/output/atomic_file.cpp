@@ -3,7 +3,7 @@
 
 #include "output/atomic_file.h"
 
-#include "input/refusal.h"
+#include "system/refusal.h"
 
 #include <cerrno>
 #include <filesystem>

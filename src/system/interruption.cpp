@@ -3,8 +3,8 @@
 
 #include "system/interruption.h"
 
-#include "mapping/error_code_names.h"
-#include "input/refusal.h"
+#include "system/error_code_names.h"
+#include "system/refusal.h"
 
 #include <csignal>
 #include <initializer_list>

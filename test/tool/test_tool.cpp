@@ -129,6 +129,7 @@ TEST_CASE("map: the report says what was done and how good the map is", "[tool]"
                     "--weights", "barycentric", "--policy", "sequential"})
             .exit_code == 0);
   const auto report = nlohmann::json::parse(text_of(scratch / "report.json"));
+  CHECK(run_tool({"--version"}).out.find(report.at("version").get<std::string>()) != std::string::npos);
   CHECK(report.at("input") == input);
   CHECK(report.at("vertices") == soup.points.size());
   CHECK(report.at("faces") == soup.faces.size());
@@ -155,6 +156,40 @@ TEST_CASE("map: the report says what was done and how good the map is", "[tool]"
     sum += report.at("seconds").at(phase).get<double>();
   }
   CHECK(report.at("seconds").at("total").get<double>() >= 0.99 * sum);
+}
+
+TEST_CASE("map: the report has all settings, given or default", "[tool]")
+{
+  Scratch scratch;
+  const std::string input = write_off(scratch / "in.off", icosphere(2));
+  const auto settings = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> arguments = {"map", input, "-o", scratch / "out.off", "--report", scratch / "report.json"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    run_tool(arguments); // the settings are there whether there is a map or not
+    return nlohmann::json::parse(text_of(scratch / "report.json")).at("settings");
+  };
+  auto of_balanced = settings({"--min-angle", "7", "--policy", "sequential"});
+  CHECK(of_balanced.at("weights") == "conformal");
+  CHECK(of_balanced.at("min_angle") == 7);
+  CHECK(of_balanced.at("max_angle") == 85);
+  CHECK(of_balanced.at("method") == "balanced");
+  CHECK(of_balanced.at("spring_exponent") == SP::Balanced().spring_exponent);
+  CHECK(of_balanced.at("accuracy") == SP::Balanced::default_accuracy);
+  CHECK(of_balanced.at("iterations") == SP::Balanced::default_number_of_iterations);
+  CHECK(of_balanced.at("max_time").is_null());
+  CHECK(of_balanced.at("fixed").is_null());
+  CHECK(of_balanced.at("policy") == "sequential");
+  CHECK(of_balanced.at("triangulate") == false);
+
+  const auto of_saddle_point = settings({"--method", "saddle-point", "--start", "harmonic", "--iterations", "3",
+                                         "--accuracy", "1e-30", "--weights", "mean-value"});
+  CHECK(of_saddle_point.at("weights") == "mean-value");
+  CHECK(of_saddle_point.count("min_angle") == 0);
+  CHECK(of_saddle_point.at("splitting") == "jacobi");
+  CHECK(of_saddle_point.at("start") == "harmonic");
+  CHECK(of_saddle_point.at("relaxation") == SP::Saddle_point().relaxation);
+  CHECK(of_saddle_point.at("iterations") == 3);
+  CHECK(settings({"--method", "isometric", "--area-exponent", "2", "--max-time", "1e-9"}).at("area_exponent") == 2);
 }
 
 TEST_CASE("map: the report of a refusal says why", "[tool]")

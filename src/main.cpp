@@ -9,6 +9,7 @@
 #include "commands/signature_command.h"
 #include "commands/texture_command.h"
 #include "options/help_formatter.h"
+#include "system/interruption.h"
 
 #include <CGAL/assertions.h>
 #include <CGAL/version.h>
@@ -54,19 +55,26 @@ int run(int argc, char** argv)
   return exit_code;
 }
 
+int run_guarded(int argc, char** argv)
+{
+  try {
+    return run(argc, argv);
+  } catch(const std::bad_alloc&) {
+    std::cerr << "spherical-parameterization: not enough memory" << std::endl;
+  } catch(const std::exception& exception) {
+    std::cerr << "spherical-parameterization: " << exception.what() << std::endl;
+  }
+  return failure;
+}
+
 } // namespace
 
 int main(int argc, char** argv)
 {
   CGAL::set_error_handler(print_nothing);
   std::signal(SIGXFSZ, SIG_IGN); // a file that exceeds its limit is then an error like a full disk
-  try {
-    return run(argc, argv);
-  } catch(const std::bad_alloc&) {
-    std::cerr << "spherical-parameterization: not enough memory" << std::endl;
-    return failure;
-  } catch(const std::exception& exception) {
-    std::cerr << "spherical-parameterization: " << exception.what() << std::endl;
-    return failure;
-  }
+  const int exit_code = run_guarded(argc, argv);
+  if(exit_code != 0)
+    tool::die_if_interrupted();
+  return exit_code;
 }

@@ -10,6 +10,7 @@
 #include "commands/texture_command.h"
 #include "options/help_formatter.h"
 #include "system/interruption.h"
+#include "system/standard_output.h"
 
 #include <CGAL/assertions.h>
 #include <CGAL/version.h>
@@ -50,8 +51,11 @@ int run(int argc, char** argv)
   try {
     app.parse(argc, argv);
   } catch(const CLI::ParseError& stop) { // also what --help and --version throw
-    return app.exit(stop) == 0 ? 0 : wrong_usage;
+    if(app.exit(stop) != 0)
+      return wrong_usage;
   }
+  if(exit_code == 0)
+    tool::flush_standard_output();
   return exit_code;
 }
 

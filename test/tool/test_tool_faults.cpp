@@ -445,3 +445,23 @@ TEST_CASE("faults: SIGINT in a command that uses a map", "[tool][faults]")
     }
   }
 }
+
+TEST_CASE("faults: a standard output that cannot be written", "[tool][faults]")
+{
+  Scratch scratch;
+  const std::string input = prepare(scratch, 2), index = scratch / "index_of_one.csv";
+  REQUIRE(run_tool({"signature", input, "-o", index}).exit_code == 0);
+  std::vector<std::vector<std::string>> all = {
+    {"--version"}, {"--help"}, {"map", "--help"}, {"devices"}, {"search", input, "--index", index}};
+  for(const Command& command : commands(scratch, input))
+    all.push_back(command.arguments);
+  for(const std::vector<std::string>& arguments : all) {
+    std::vector<std::string> command = {"/bin/sh", "-c", "exec \"$0\" \"$@\" > /dev/full", TOOL};
+    command.insert(command.end(), arguments.begin(), arguments.end());
+    const Process_result run = run_process(command);
+    CAPTURE(arguments, run.err);
+    CHECK(run.exit_code == 1);
+    CHECK(is_one_line(run.err));
+    CHECK(run.err.find("standard output") != std::string::npos);
+  }
+}

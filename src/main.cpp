@@ -9,6 +9,7 @@
 #include "commands/signature_command.h"
 #include "commands/texture_command.h"
 #include "options/help_formatter.h"
+#include "options/usage_error.h"
 #include "system/interruption.h"
 #include "system/standard_output.h"
 
@@ -51,8 +52,12 @@ int run(int argc, char** argv)
   try {
     app.parse(argc, argv);
   } catch(const CLI::ParseError& stop) { // also what --help and --version throw
-    if(app.exit(stop) != 0)
+    if(stop.get_exit_code() != 0) {
+      std::cerr << "spherical-parameterization: " << tool::usage_error(app, stop)
+                << "\nRun with --help for more information.\n";
       return wrong_usage;
+    }
+    app.exit(stop); // prints the help or the version
   }
   if(exit_code == 0)
     tool::flush_standard_output();

@@ -80,6 +80,7 @@ std::optional<Signature_row> from_index_line(const std::string& line)
 
 std::vector<Signature_row> read_index(const std::string& file)
 {
+  check_readable(file);
   std::ifstream in(file, std::ios::binary);
   if(!in)
     throw Refusal(unreadable_file, file, "cannot be read", "check the name");

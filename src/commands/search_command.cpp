@@ -55,10 +55,12 @@ void add_search_command(CLI::App& app, int& exit_code)
     ->type_name("FILE");
   command->add_option("--index", options->index, "What the command signature has written")
     ->required()
-    ->check(CLI::ExistingFile);
-  command->add_option("-k", options->count, "List so many")->check(CLI::PositiveNumber)->capture_default_str();
-  command->footer("Prints a line per mesh: the distance of its signature, and its name. Poses of the same shape are\n"
-                  "typically .2 apart, and unlike shapes 2.\n"
+    ->type_name("FILE");
+  command->add_option("-k", options->count, "Number of meshes to list")
+    ->check(CLI::PositiveNumber)
+    ->capture_default_str();
+  command->footer("Prints a line per mesh: the distance of its signature, and its name. Typical distances are 0.2\n"
+                  "between poses of the same shape and 2 between different shapes.\n"
                   "Example: spherical-parameterization search bunny.ply --index index.csv -k 5\n"
                   "Exit code: 0 found, 1 the mesh or the index was refused (the reason is on stderr), 2 wrong usage.");
   command->callback([options, &exit_code] {

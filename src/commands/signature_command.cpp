@@ -90,8 +90,8 @@ void add_signature_command(CLI::App& app, int& exit_code)
   command
     ->add_option("IN", options->inputs, "Closed triangle meshes of genus 0: .off, .obj, .ply or .stl; folders of them")
     ->type_name("FILE|FOLDER");
-  command->add_option("--list", options->list, "Text file with one more IN per line")->check(CLI::ExistingFile);
-  command->add_option("-o,--output", options->output, "Where the index goes: a CSV file with one row per mesh")
+  command->add_option("--list", options->list, "Text file with one more IN per line")->type_name("FILE");
+  command->add_option("-o,--output", options->output, "Output file of the index: CSV, one row per mesh")
     ->required()
     ->type_name("FILE");
   command

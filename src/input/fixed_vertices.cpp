@@ -15,6 +15,7 @@ namespace tool {
 
 std::vector<Fixed_vertex> read_fixed_vertices(const std::string& file, std::size_t number_of_vertices)
 {
+  check_readable(file);
   const std::string remedy = "a line must be 'index x y z'";
   std::vector<Fixed_vertex> fixed;
   std::set<std::size_t> seen;

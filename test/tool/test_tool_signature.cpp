@@ -254,6 +254,7 @@ TEST_CASE("signature: wrong usage, and outputs that cannot be written", "[tool][
   CHECK(run_tool({"signature", "--list", scratch / "list.txt", "-o", scratch / "list.txt"}).exit_code == 2);
   CHECK(text_of(scratch / "list.txt") == input + '\n');
   CHECK(run_tool({"signature", input, "-o", scratch / "no/such/folder.csv"}).exit_code == 1);
+  CHECK(run_tool({"signature", "--list", scratch / "no such list.txt", "-o", scratch / "out.csv"}).exit_code == 1);
   CHECK(run_tool({"signature", scratch.folder() + "/", "-o", scratch / "out.csv"}).exit_code == 0);
   fs::create_directories(scratch / "empty");
   const Process_result run = run_tool({"signature", scratch / "empty", "-o", scratch / "none.csv"});

@@ -25,7 +25,8 @@ Journal::Journal(const std::string& file, const std::string& header, const Name_
   try {
     struct stat status = {}; // without a name: the program that had it open has just finished
     if(flock(descriptor_, LOCK_EX | LOCK_NB) != 0 || fstat(descriptor_, &status) != 0 || status.st_nlink == 0)
-      refuse("is in use by another program", "wait for it, or choose another --output");
+      refuse("is in use by another program",
+             "wait until it ends, or choose another --output; processes of mpirun need --mpi");
     read(header, name_of);
   } catch(...) {
     close(descriptor_);

@@ -29,13 +29,14 @@ struct Signature_options {
   std::vector<std::string> inputs;
   std::string list;
   std::string output;
+  bool uses_mpi = false;
   std::optional<int> jobs;
 };
 
-/// Processes of mpirun are usually as many as there are cores.
-int default_jobs()
+/// mpirun usually starts as many processes as there are cores.
+int default_jobs(bool uses_mpi)
 {
-  return is_launched_by_mpi() ? 1 : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  return uses_mpi ? 1 : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 }
 
 /// The index must not take the place of what it is made of.
@@ -68,9 +69,9 @@ int batch(const Signature_options& options, Signature_workers& workers)
 int run(const Signature_options& options)
 {
   watch_for_interruption();
-  const int jobs = options.jobs.value_or(default_jobs());
+  const int jobs = options.jobs.value_or(default_jobs(options.uses_mpi));
   try {
-    if(is_launched_by_mpi())
+    if(options.uses_mpi)
       return run_on_all_ranks(jobs, [&](Signature_workers& workers) { return batch(options, workers); });
     Signature_pool workers(jobs);
     return batch(options, workers);
@@ -96,10 +97,12 @@ void add_signature_command(CLI::App& app, int& exit_code)
     ->type_name("FILE");
   command
     ->add_option("-j,--jobs", options->jobs,
-                 "So many meshes at the same time [all cores; with mpirun: in every process, 1]")
+                 "Number of meshes to process at the same time [all cores; with --mpi: 1 per process]")
     ->check(CLI::Range(1, 4096));
-  command->footer("Meshes without signature have a row that says why. A run that was stopped goes on where it was\n"
-                  "when the same command is given again. mpirun -n N spreads the work over N processes.\n"
+  command->add_flag("--mpi", options->uses_mpi,
+                    "Share the work among the processes of mpirun: mpirun -n N spherical-parameterization ... --mpi");
+  command->footer("Meshes without a signature have a row that says why. The same command resumes a run that was\n"
+                  "stopped; meshes that have changed since are computed again.\n"
                   "Example: spherical-parameterization signature scans/ -o index.csv\n"
                   "Exit code: 0 the index has been written, 1 not, or it has no signature (the reason is on stderr),\n"
                   "2 wrong usage.");

@@ -294,7 +294,7 @@ TEST_CASE("signature: three ranks of MPI write the same file", "[tool][signature
   Scratch scratch;
   const std::string folder = make_folder(scratch), output = scratch / "out.csv";
   const std::string expected = undisturbed(scratch, folder);
-  command.insert(command.end(), {TOOL, "signature", folder, "-o", output, "--jobs", "1"});
+  command.insert(command.end(), {TOOL, "signature", folder, "-o", output, "--mpi", "--jobs", "1"});
   SECTION("undisturbed")
   {
     const Process_result run = run_process(command);
@@ -328,4 +328,21 @@ TEST_CASE("signature: three ranks of MPI write the same file", "[tool][signature
     command.back() = "0";
     CHECK(run_process(command).exit_code != 0);
   }
+}
+
+TEST_CASE("signature: a program that a rank of MPI starts is none itself", "[tool][signature][mpi]")
+{
+  std::vector<std::string> command = three_ranks();
+  if(command.empty())
+    return;
+  Scratch scratch;
+  const std::string input = write_off(scratch / "in.off", icosphere(2)), output = scratch / "out.csv";
+  const std::string script = "\"$0\" signature \"$1\" -o \"$2$OMPI_COMM_WORLD_RANK\"; exit $?";
+  command.insert(command.end(), {"/bin/sh", "-c", script, TOOL, input, output});
+  const Process_result run = run_process(command);
+  CAPTURE(run.out, run.err);
+  CHECK(run.exit_code == 0);
+  const std::string expected = undisturbed(scratch, input);
+  for(const char* rank : {"0", "1", "2"})
+    CHECK((fs::exists(output + rank) && text_of(output + rank) == expected));
 }

@@ -47,8 +47,10 @@ void check(const Texture_command_options& options)
   require_extension("--output", options.output, {".obj"});
   std::vector<File_option> inputs = input_files(options),
                            outputs = {{"--output", options.output}, {"the material", beside(options.output, ".mtl")}};
-  (options.image.empty() ? outputs : inputs)
-    .emplace_back("the image", options.image.empty() ? beside(options.output, ".png") : options.image);
+  if(options.image.empty())
+    outputs.emplace_back("the image", beside(options.output, ".png"));
+  else
+    inputs.emplace_back("--image", options.image);
   check_files(inputs, outputs);
   if(options.north) {
     const auto& n = *options.north;
@@ -94,6 +96,8 @@ void print(const Texture_command_options& options, const SP::Texture_report& rep
 
 void texture(const Texture_command_options& options)
 {
+  if(!options.image.empty())
+    check_readable(options.image);
   Mapped_mesh input;
   read_input(options, input);
   Atomic_file obj(options.output), mtl(beside(options.output, ".mtl"));

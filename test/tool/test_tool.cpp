@@ -293,6 +293,25 @@ TEST_CASE("map: files that are broken are refused", "[tool]")
   check_refused(scratch, broken("inf.off", off_text(infinite_coordinate())), "finite");
 }
 
+TEST_CASE("map: a file is read as what it is where its extension says something else", "[tool]")
+{
+  Scratch scratch;
+  const Soup soup = bumpy_sphere(2);
+  const std::string format = GENERATE("ply", "off");
+  const std::string good = scratch / ("in." + format);
+  REQUIRE(CGAL::IO::write_polygon_soup(good, soup.points, soup.faces, CGAL::parameters::stream_precision(17)));
+  REQUIRE(run_tool({"map", good, "-o", scratch / "expected.off"}).exit_code == 0);
+  for(const char* extension : {"off", "obj", "ply", "stl"}) {
+    const std::string input = scratch / ("other." + std::string(extension));
+    fs::copy_file(good, input);
+    const Process_result run = run_tool({"map", input, "-o", scratch / "out.off"});
+    CAPTURE(format, extension, run.err);
+    CHECK(run.exit_code == 0);
+    CHECK((text_of(scratch / "out.off") == text_of(scratch / "expected.off")));
+    fs::remove(scratch / "out.off");
+  }
+}
+
 TEST_CASE("map: a header that promises too much costs no memory", "[tool]")
 {
   Scratch scratch;
@@ -317,6 +336,18 @@ TEST_CASE("map: what stops early or does not converge leaves no file", "[tool]")
   check_refused(scratch, input, "accuracy", {"--accuracy", "1e-30"});
   const std::string tube = write_off(scratch / "tube.off", capsule(20, 12));
   check_refused(scratch, tube, "flipped");
+}
+
+TEST_CASE("map: a refusal gives its advice once", "[tool]")
+{
+  Scratch scratch;
+  const std::string tube = write_off(scratch / "tube.off", capsule(20, 12));
+  const std::string text = run_tool({"map", tube, "-o", scratch / "out.off"}).err;
+  CAPTURE(text);
+  const std::size_t first = text.find("automatic");
+  REQUIRE(first != std::string::npos);
+  CHECK(text.find("automatic", first + 1) == std::string::npos);
+  CHECK(text.find("--method automatic") != std::string::npos);
 }
 
 TEST_CASE("map: SIGINT stops it in good order", "[tool]")

@@ -69,17 +69,19 @@ std::string usage_error(const CLI::App& app, const CLI::ParseError& error)
   const std::vector<CLI::App*> parsed = app.get_subcommands();
   const CLI::App& command = parsed.empty() ? app : *parsed.front();
   const std::vector<std::string> extras = app.remaining(true);
-  const bool is_about_presence = error.get_name() == "RequiredError" || error.get_name() == "ExtrasError";
+  const bool is_about_presence =
+    dynamic_cast<const CLI::RequiredError*>(&error) || dynamic_cast<const CLI::ExtrasError*>(&error);
   if(!is_about_presence)
     return error.what();
+  if(parsed.empty() && extras.empty())
+    return "a command is required: " + CLI::detail::join(command_names(app), ", ");
+  if(parsed.empty() && extras.front()[0] != '-')
+    return "unknown command '" + extras.front() + "'" + suggestion(extras.front(), command_names(app));
   for(const std::string& word : extras)
     if(word.size() > 1 && word[0] == '-') {
       const std::string option = word.substr(0, word.find('='));
       return "unknown option '" + option + "'" + suggestion(option, option_names(command));
     }
-  if(parsed.empty())
-    return extras.empty() ? "a command is required: " + CLI::detail::join(command_names(app), ", ")
-                          : "unknown command '" + extras.front() + "'" + suggestion(extras.front(), command_names(app));
   if(!extras.empty())
     return "unexpected arguments: " + CLI::detail::join(extras, " ");
   return error.what();

@@ -82,11 +82,9 @@ std::vector<Signature_row> read_index(const std::string& file)
 {
   check_readable(file);
   std::ifstream in(file, std::ios::binary);
-  if(!in)
-    throw Refusal(unreadable_file, file, "cannot be read", "check the name");
   const auto refuse = [&file](std::size_t line, const std::string& wrong) {
     throw Refusal(unreadable_file, file, "line " + std::to_string(line) + ' ' + wrong,
-                  "make it anew by the command 'signature'");
+                  "write it again with the command 'signature'");
   };
   std::vector<Signature_row> rows;
   std::string text;
@@ -100,11 +98,11 @@ std::vector<Signature_row> read_index(const std::string& file)
     }
     const std::optional<Signature_row> row = from_index_line(text);
     if(!row)
-      refuse(line, "is no complete row");
+      refuse(line, "is not a complete row");
     rows.push_back(*row);
   }
   if(in.bad())
-    throw Refusal(unreadable_file, file, "cannot be read to its end", "check the disk");
+    throw Refusal(unreadable_file, file, "could not be read completely", "check the disk");
   return rows;
 }
 

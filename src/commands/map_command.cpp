@@ -18,6 +18,7 @@
 
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace tool {
@@ -34,15 +35,21 @@ void add_map_options(CLI::App& command, Map_options& options)
 {
   add_mapping_options(command, options);
   command
-    .add_option("-o,--output", options.output,
-                "Where the sphere goes: .off, .obj or .ply, with the vertices and faces of IN in the same order")
+    .add_option(
+      "-o,--output", options.output,
+      "Output file of the sphere: .off, .obj or .ply. Its vertices and faces are those of IN, in the same order")
     ->required()
     ->type_name("FILE");
-  command.add_option("--report", options.report, "Write all figures, or the error, as JSON")->type_name("FILE");
-  command.add_option("--stretch-ply", options.stretch_ply, "Write IN coloured by log area stretch as PLY")
+  command
+    .add_option("--report", options.report,
+                "Write the certificate, distortion, times, memory and settings, or the error, as JSON")
+    ->type_name("FILE");
+  command
+    .add_option("--stretch-ply", options.stretch_ply, "Write IN as PLY, coloured by the logarithm of the area stretch")
     ->type_name("FILE");
   command.footer("Example: spherical-parameterization map bunny.ply -o sphere.off --method automatic\n"
-                 "Exit code: 0 a certified map has been written, 1 none (the reason is on stderr), 2 wrong usage.");
+                 "Exit code: 0 a certified map was written, 1 no map was written (stderr says why), 2 wrong usage,\n"
+                 "130 interrupted.");
 }
 
 void check_map_options(const Map_options& options)
@@ -71,8 +78,8 @@ void print_certificate(const Map_options& options, const Mapped_mesh& input, con
   const CGAL::Spherical_parameterization::Result& result = input.result;
   std::cout.precision(3);
   if(input.triangulated_polygons > 0)
-    std::cout << input.triangulated_polygons << " polygons were triangulated: the faces of the sphere are not those of "
-              << options.input << '\n';
+    std::cout << input.triangulated_polygons
+              << " polygons were triangulated, so the faces of the sphere are not those of " << options.input << '\n';
   std::cout << options.input << ": " << result.number_of_vertices << " vertices, " << result.number_of_faces
             << " faces\n"
             << "valid spherical map: " << result.flipped_faces << " flipped faces, degree " << result.degree
@@ -81,7 +88,7 @@ void print_certificate(const Map_options& options, const Mapped_mesh& input, con
             << (result.method == "isometric" ? "" : options.weights + " weights, ") << options.policy << " on "
             << result.device << ": " << result.start_iterations << " + " << result.iterations << " iterations";
   if(result.sweeps > 0)
-    std::cout << " of " << result.sweeps << " sweeps in all";
+    std::cout << " of " << result.sweeps << " sweeps in total";
   std::cout << '\n';
   if(!result.fallback_reason.empty())
     std::cout << "earlier attempts failed: " << result.fallback_reason << '\n';

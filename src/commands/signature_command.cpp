@@ -53,8 +53,8 @@ int batch(const Signature_options& options, Signature_workers& workers)
 {
   const std::vector<std::string> meshes = list_meshes(options.inputs, options.list);
   if(meshes.empty())
-    throw Refusal(unreadable_file, options.list.empty() ? options.inputs.front() : options.list,
-                  "there is no mesh file", "meshes are read from .off, .obj, .ply and .stl files");
+    throw Refusal(unreadable_file, options.list.empty() ? options.inputs.front() : options.list, "has no mesh file",
+                  std::string("meshes are read from ") + mesh_extensions + " files");
   const Batch_summary summary = run_batch(meshes, options.output, workers);
   for(const std::string& why : summary.without_signature)
     std::cerr << "spherical-parameterization: " << why << '\n';
@@ -86,10 +86,11 @@ int run(const Signature_options& options)
 void add_signature_command(CLI::App& app, int& exit_code)
 {
   CLI::App* command =
-    app.add_subcommand("signature", "Describe the shapes of meshes by numbers, for the command search");
+    app.add_subcommand("signature", "Compute a shape descriptor of each mesh, for the command 'search'");
   const auto options = std::make_shared<Signature_options>();
   command
-    ->add_option("IN", options->inputs, "Closed triangle meshes of genus 0: .off, .obj, .ply or .stl; folders of them")
+    ->add_option("IN", options->inputs,
+                 "Closed triangle meshes of genus 0 (.off, .obj, .ply or .stl), or folders of them")
     ->type_name("FILE|FOLDER");
   command->add_option("--list", options->list, "Text file with one more IN per line")->type_name("FILE");
   command->add_option("-o,--output", options->output, "Output file of the index: CSV, one row per mesh")
@@ -104,8 +105,8 @@ void add_signature_command(CLI::App& app, int& exit_code)
   command->footer("Meshes without a signature have a row that says why. The same command resumes a run that was\n"
                   "stopped; meshes that have changed since are computed again.\n"
                   "Example: spherical-parameterization signature scans/ -o index.csv\n"
-                  "Exit code: 0 the index has been written, 1 not, or it has no signature (the reason is on stderr),\n"
-                  "2 wrong usage.");
+                  "Exit code: 0 the index was written, 1 no index was written or it has no signature (stderr says\n"
+                  "why), 2 wrong usage, 130 interrupted.");
   command->callback([options, &exit_code] {
     check(*options);
     exit_code = run(*options);

@@ -412,7 +412,7 @@ TEST_CASE("faults: SIGINT in any phase of any method ends it in good order", "[t
 
 TEST_CASE("faults: the time limit in any phase of any method ends it in good order", "[tool][faults]")
 {
-  check_stops_of_all_methods([](int after, std::vector<std::string> command) {
+  check_stops_of_all_methods(1, [](int after, std::vector<std::string> command) {
     command.insert(command.end(), {"--max-time", std::to_string(after / 1000.)});
     return run_tool(command);
   });

@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_ALIGN_MAPS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_ALIGN_MAPS_H
 
+#include <CGAL/Spherical_parameterization/internal/base/rotations.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/icosphere.h>
 #include <CGAL/Spherical_parameterization/transfer_properties.h>
 
@@ -26,22 +27,6 @@ namespace Spherical_parameterization {
 typedef std::array<std::array<double, 3>, 3> Rotation;
 
 namespace internal {
-
-inline vec3 rotated(const Rotation& r, vec3 p)
-{
-  const auto row = [&](int i) { return r[i][0] * p.x + r[i][1] * p.y + r[i][2] * p.z; };
-  return {row(0), row(1), row(2)};
-}
-
-inline Rotation product(const Rotation& a, const Rotation& b)
-{
-  Rotation c = {};
-  for(int i = 0; i < 3; ++i)
-    for(int j = 0; j < 3; ++j)
-      for(int k = 0; k < 3; ++k)
-        c[i][j] += a[i][k] * b[k][j];
-  return c;
-}
 
 /// By `angle` about a coordinate axis.
 inline Rotation turn(int axis, double angle)

@@ -6,7 +6,7 @@
 
 #include <CGAL/Spherical_parameterization/internal/inverse/Kd_tree.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Vertex_numbering.h>
-#include <CGAL/Spherical_parameterization/internal/predicates/side_of_great_circle.h>
+#include <CGAL/Spherical_parameterization/internal/inverse/barycentric_coordinates.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -187,7 +187,7 @@ private:
       int next = -1;
       for(unsigned i = 0, k = (random >> 16) % 3; i < 3 && next < 0; ++i, k = (k + 1) % 3)
         if(face.neighbour[k] != from &&
-           internal::side_of_great_circle(point_[face.vertex[k]], point_[face.vertex[(k + 1) % 3]], q) < 0)
+           internal::orientation(point_[face.vertex[k]], point_[face.vertex[(k + 1) % 3]], q) < 0)
           next = face.neighbour[k];
       if(next < 0)
         return f;

@@ -6,7 +6,7 @@
 
 #include <CGAL/Spherical_parameterization/internal/distortion/Face_measures.h>
 #include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
-#include <CGAL/Spherical_parameterization/internal/predicates/spherical_triangles.h>
+#include <CGAL/Spherical_parameterization/internal/predicates/certificate.h>
 
 #include <CGAL/boost/graph/iterator.h>
 

@@ -4,21 +4,18 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_PARAMETERIZE_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_PARAMETERIZE_H
 
-#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
+#include <CGAL/Spherical_parameterization/Indexed_triangle_mesh.h>
 #include <CGAL/Spherical_parameterization/Result.h>
 #include <CGAL/Spherical_parameterization/edge_weights.h>
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
-#include <CGAL/Spherical_parameterization/internal/base/Failure.h>
-#include <CGAL/Spherical_parameterization/internal/backend/Host_backend.h>
-#include <CGAL/Spherical_parameterization/internal/problem/Map_task.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/Source_mesh.h>
-#include <CGAL/Spherical_parameterization/internal/problem/fixed_vertices.h>
+#include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
 #include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
-#include <CGAL/Spherical_parameterization/internal/driver/run_automatic.h>
-#include <CGAL/Spherical_parameterization/internal/harmonic/run_balanced.h>
-#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/run_isometric.h>
-#include <CGAL/Spherical_parameterization/internal/saddle_point/run_saddle_point.h>
-#include <CGAL/Spherical_parameterization/internal/driver/verdict.h>
+#include <CGAL/Spherical_parameterization/internal/base/precondition.h>
+#include <CGAL/Spherical_parameterization/internal/driver/check_arguments.h>
+#include <CGAL/Spherical_parameterization/internal/driver/inputs.h>
+#include <CGAL/Spherical_parameterization/internal/driver/read_problem.h>
+#include <CGAL/Spherical_parameterization/internal/driver/solve.h>
+#include <CGAL/Spherical_parameterization/internal/driver/write_solution.h>
 #include <CGAL/Spherical_parameterization/methods.h>
 
 #include <CGAL/property_map.h>
@@ -27,13 +24,73 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
-#include <string>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Spherical_parameterization {
+
+namespace internal {
+
+/// The monitor that the named parameters ask for.
+template <class NamedParameters>
+Monitor make_monitor(const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  std::function<bool(double)> callback;
+  if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::callback_t>::value)
+    callback = get_parameter(np, internal_np::callback);
+  const double longest =
+    choose_parameter(get_parameter(np, internal_np::maximum_running_time), std::numeric_limits<double>::infinity());
+  CGAL_SP_PRECONDITION(longest >= 0, "maximum_running_time must not be negative");
+  return Monitor(longest, std::move(callback), choose_parameter(get_parameter(np, internal_np::verbose), false));
+}
+
+/// The accuracy and the number of iterations that the named parameters ask for.
+template <class NamedParameters>
+Effort make_effort(const NamedParameters& np)
+{
+  Effort effort;
+  if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::accuracy_t>::value) {
+    const double accuracy = parameters::get_parameter(np, internal_np::accuracy);
+    CGAL_SP_PRECONDITION(accuracy > 0, "the accuracy has to be positive");
+    effort.accuracy = accuracy;
+  }
+  if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::number_of_iterations_t>::value) {
+    const auto number = parameters::get_parameter(np, internal_np::number_of_iterations);
+    CGAL_SP_PRECONDITION(!(number < 0), "the number of iterations must not be negative");
+    effort.number_of_iterations = static_cast<std::size_t>(number);
+  }
+  return effort;
+}
+
+/// Both front doors lead here: read, solve, write. `read()` returns an Input.
+template <class ExecutionPolicy, class Method, class VertexSphereMap, class Read>
+Result run(const ExecutionPolicy& policy, const Method& method, VertexSphereMap sphere_map, Monitor& monitor, Read read)
+{
+  const Stopwatch total;
+  Result result;
+  if constexpr(is_supported_policy<ExecutionPolicy>())
+    try {
+      const auto input = read();
+      result.number_of_vertices = input.vertex.size();
+      result.number_of_faces = input.problem.face.size();
+      result.seconds.read = total.seconds();
+      const Solution solution = solve<Default_loop>(policy, method, input.problem, monitor);
+      write_solution(solution, input.vertex, sphere_map, result);
+      monitor.begin_stage(1, 1);
+      monitor.advance(1);
+    } catch(const Error& error) { // of reading
+      result.error = error.code();
+      result.detail = error.detail();
+      result.seconds.read = total.seconds();
+    }
+  result.seconds.total = total.seconds();
+  return result;
+}
+
+} // namespace internal
 
 /// \addtogroup PkgSphericalParameterizationMap
 /// @{
@@ -112,97 +169,142 @@ namespace Spherical_parameterization {
 /// Complexity: linear in memory, about 500 bytes per vertex; `Balanced` takes as long as a few hundred applications
 /// of the Laplacian for any number of vertices.
 template <class ExecutionPolicy, class TriangleMesh, class Method, class VertexSphereMap,
-          class NamedParameters = parameters::Default_named_parameters>
+          class NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          std::enable_if_t<internal::Is_mesh<TriangleMesh>::value && internal::Is_method<Method>::value, int> = 0
+#endif
+          >
 Result parameterize(const ExecutionPolicy& policy, const TriangleMesh& mesh, const Method& method,
                     VertexSphereMap sphere_map, const NamedParameters& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  using parameters::is_default_parameter;
-  typedef boost::graph_traits<TriangleMesh> Graph_traits;
-  typedef typename boost::property_traits<VertexSphereMap>::value_type Sphere_point;
-  internal::check_options(method);
-
-  const internal::Stopwatch total;
-  Result result;
-  std::function<bool(double)> callback;
-  if constexpr(!is_default_parameter<NamedParameters, internal_np::callback_t>::value)
-    callback = get_parameter(np, internal_np::callback);
-  internal::Monitor monitor(
-    choose_parameter(get_parameter(np, internal_np::maximum_running_time), std::numeric_limits<double>::infinity()),
-    std::move(callback), choose_parameter(get_parameter(np, internal_np::verbose), false));
-  try {
-    const internal::Stopwatch watch;
-    const auto points = internal::vertex_points(mesh, np);
-    typedef typename boost::property_traits<std::decay_t<decltype(points)>>::value_type Point;
-    const std::conditional_t<internal::are_plain_coordinates<Point>(),
-                             typename internal::Backend<ExecutionPolicy>::Host_loop, internal::Sequential_loop>
-      loop;
-    internal::Source_mesh<TriangleMesh> source(mesh, points, loop);
-    result.number_of_vertices = source.vertex.size();
-    result.number_of_faces = source.face.size();
-    const auto set_weights = [&] {
-      if constexpr(is_default_parameter<NamedParameters, internal::edge_weight_tag>::value)
-        source.set_weights(mesh, conformal_weights(mesh, 5, 85, np), loop);
-      else
-        source.set_weights(mesh, get_parameter(np, internal::edge_weight_tag()), loop);
-    };
-    const std::string missing_weights = internal::weigh(method, set_weights);
-
-    const auto is_constrained =
-      choose_parameter(get_parameter(np, internal_np::vertex_is_constrained),
-                       Static_boolean_property_map<typename Graph_traits::vertex_descriptor, false>());
-    const std::vector<char> is_fixed = internal::fixed_vertices(source.vertex, is_constrained);
-    internal::Map_task task = {source.graph, source.face, source.point, source.area,     is_fixed,          {}, {},
-                               {},           monitor,     result,       missing_weights, source.weight_unit};
-    if constexpr(!is_default_parameter<NamedParameters, internal_np::accuracy_t>::value)
-      task.accuracy = get_parameter(np, internal_np::accuracy);
-    if constexpr(!is_default_parameter<NamedParameters, internal_np::number_of_iterations_t>::value)
-      task.number_of_iterations = static_cast<std::size_t>(get_parameter(np, internal_np::number_of_iterations));
-    if(task.has_fixed() || internal::needs_given_start(method))
-      task.given = internal::given_positions(source.vertex, source.position, sphere_map, is_fixed,
-                                             internal::needs_given_start(method));
-    result.seconds.read = watch.seconds();
-
-    internal::Choice_of_backend<ExecutionPolicy>::call(
-      policy, task.size(), [&](const auto& backend, const std::string& device) {
-        result.device = device;
-        result.method = internal::name(method);
-        internal::Solver_report report;
-        internal::Host_array<internal::vec3> v = internal::run(backend, method, task, report);
-        if(backend.best_accuracy(task.size()) > 0 && !task.is_on_sphere) // low precision: as near as doubles are
-          for(internal::vec3& p : v)
-            p = internal::unit(p);
-        for(std::size_t i = 0; i < is_fixed.size(); ++i)
-          if(is_fixed[i]) // to the last bit
-            v[i] = task.given[i];
-
-        const internal::Stopwatch certify_watch;
-        for(std::size_t i = 0; i < v.size(); ++i)
-          put(sphere_map, source.vertex[i], Sphere_point{v[i].x, v[i].y, v[i].z});
-        internal::pass_verdict(backend.host_loop(), source.face, v, task.has_fixed(), report, monitor, result);
-        result.seconds.certify += certify_watch.seconds();
-      });
-    monitor.begin_stage(1, 1);
-    monitor.advance(1);
-  } catch(const internal::Failure& failure) {
-    result.error = failure.code;
-    result.detail = failure.detail;
-  }
-  result.seconds.total = total.seconds();
-  return result;
+  if constexpr(internal::check_arguments<TriangleMesh, VertexSphereMap, NamedParameters>()) {
+    const internal::Method_solver<Method> solver(method); // checks the options
+    const internal::Effort effort = internal::make_effort(np);
+    internal::Monitor monitor = internal::make_monitor(np);
+    return internal::run(policy, method, sphere_map, monitor, [&] {
+      return internal::read_problem<ExecutionPolicy>(mesh, solver, sphere_map, effort,
+                                                     internal::Mesh_inputs<TriangleMesh, NamedParameters>{mesh, np});
+    });
+  } else
+    return Result();
 }
 
-/// The default: `Balanced` on one core, as `parameterize(CGAL::Sequential_tag(), mesh, Balanced(), sphere_map, np)`.
-/// \param mesh        a closed triangle mesh of genus 0
-/// \param sphere_map  where the unit vectors go
-/// \param np          the named parameters of the function above
-/// \return the verdict, the certificate, and what the work was
-template <class TriangleMesh, class VertexSphereMap, class NamedParameters = parameters::Default_named_parameters>
+/// \overload
+/// On one core.
+template <class TriangleMesh, class Method, class VertexSphereMap,
+          class NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          std::enable_if_t<internal::Is_mesh<TriangleMesh>::value && internal::Is_method<Method>::value, int> = 0
+#endif
+          >
+Result parameterize(const TriangleMesh& mesh, const Method& method, VertexSphereMap sphere_map,
+                    const NamedParameters& np = parameters::default_values())
+{
+  return parameterize(CGAL::Sequential_tag(), mesh, method, sphere_map, np);
+}
+
+/// \overload
+/// By `Balanced`.
+template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap,
+          class NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          std::enable_if_t<internal::Is_mesh<TriangleMesh>::value && !internal::Is_mesh<ExecutionPolicy>::value &&
+                             !internal::Is_method<VertexSphereMap>::value,
+                           int> = 0
+#endif
+          >
+Result parameterize(const ExecutionPolicy& policy, const TriangleMesh& mesh, VertexSphereMap sphere_map,
+                    const NamedParameters& np = parameters::default_values())
+{
+  return parameterize(policy, mesh, Balanced(), sphere_map, np);
+}
+
+/// \overload
+/// By `Balanced`, on one core.
+template <class TriangleMesh, class VertexSphereMap, class NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          std::enable_if_t<internal::Is_mesh<TriangleMesh>::value && !internal::Is_method<VertexSphereMap>::value &&
+                             internal::Are_named_parameters<NamedParameters>::value,
+                           int> = 0
+#endif
+          >
 Result parameterize(const TriangleMesh& mesh, VertexSphereMap sphere_map,
                     const NamedParameters& np = parameters::default_values())
 {
   return parameterize(CGAL::Sequential_tag(), mesh, Balanced(), sphere_map, np);
+}
+
+/// \cond SKIP_IN_MANUAL
+/// What is left: the arguments are not what any of the functions above takes.
+template <class... Arguments>
+Result parameterize(const Arguments&...)
+{
+  static_assert(sizeof...(Arguments) == 0,
+                "parameterize() takes ([policy,] mesh, [method,] sphere map [, named parameters]) in this order: the "
+                "mesh is a model of FaceListGraph, the method is Balanced, Isometric, Automatic or Saddle_point");
+  return Result();
+}
+/// \endcond
+
+/// Maps the triangles of a soup to the unit sphere: points and index triples, as CGAL's functions for polygon soups
+/// take them. No mesh data structure of CGAL is built. For the other functions of this package, or to map one soup more
+/// than once, make an `Indexed_triangle_mesh`.
+///
+/// The triangles have to form a closed, connected, oriented surface of genus 0; what is wrong otherwise is said in
+/// `Result::error` and `Result::detail`, with the numbers of points and triangles.
+///
+/// \tparam PointRange     a range of points with x(), y(), z() or operator[]
+/// \tparam TriangleRange  a range of ranges of three integers
+/// \tparam SpherePoints   a random access range of points with three coordinates, such as
+///                        `std::vector<std::array<double, 3>>`
+/// \param policy     as for `parameterize()`
+/// \param points     in any unit
+/// \param triangles  the numbers of their points, counterclockwise as seen from outside
+/// \param method     as for `parameterize()`
+/// \param sphere_points  where the unit vectors go, in the order of `points`. It is resized if it has not the size of
+///                   `points`, and can be resized. It has to hold the positions of fixed vertices on entry.
+/// \param np  the named parameters of `parameterize()`, but for `vertex_point_map`. Vertices are numbers
+///            (`std::size_t`) in `vertex_is_constrained_map`. In `edge_weight_map` edges are pairs of them
+///            (`std::pair<std::size_t, std::size_t>`), the smaller one first.
+/// \return the verdict, the certificate, and what the work was
+///
+/// Complexity: as `parameterize()`; checking takes O(n).
+template <class ExecutionPolicy, class PointRange, class TriangleRange, class Method, class SpherePoints,
+          class NamedParameters = parameters::Default_named_parameters>
+Result parameterize_triangle_soup(const ExecutionPolicy& policy, const PointRange& points,
+                                  const TriangleRange& triangles, const Method& method, SpherePoints& sphere_points,
+                                  const NamedParameters& np = parameters::default_values())
+{
+  typedef std::pair<std::size_t, std::size_t> Edge;
+  static_assert(internal::Is_method<Method>::value,
+                "parameterize_triangle_soup() takes (policy, points, triangles, method, sphere points [, named "
+                "parameters]): the method is Balanced, Isometric, Automatic or Saddle_point");
+  if constexpr(internal::Is_method<Method>::value &&
+               internal::check_named_parameters<Edge, std::size_t, NamedParameters>()) {
+    const internal::Method_solver<Method> solver(method); // checks the options
+    const internal::Effort effort = internal::make_effort(np);
+    internal::Monitor monitor = internal::make_monitor(np);
+    const internal::Range_map<SpherePoints> sphere_map{&sphere_points};
+    return internal::run(policy, method, sphere_map, monitor, [&] {
+      const Indexed_triangle_mesh mesh(policy, points, triangles);
+      internal::make_room(sphere_points, mesh.number_of_vertices());
+      return internal::read_problem<ExecutionPolicy>(mesh, solver, sphere_map, effort,
+                                                     internal::Soup_inputs<NamedParameters>{mesh, np});
+    });
+  } else
+    return Result();
+}
+
+/// \overload
+/// By `Balanced`, on one core.
+template <class PointRange, class TriangleRange, class SpherePoints>
+Result parameterize_triangle_soup(const PointRange& points, const TriangleRange& triangles, SpherePoints& sphere_points)
+{
+  return parameterize_triangle_soup(CGAL::Sequential_tag(), points, triangles, Balanced(), sphere_points);
 }
 
 /// @}

@@ -160,8 +160,7 @@ Segmentation_result segmentation_from_area_stretch(const TriangleMesh& mesh, Ver
     for(auto f : faces(mesh)) {
       const double value = get(stretch_map, f);
       if(!std::isfinite(value))
-        throw internal::Failure{Error_code::NON_FINITE_COORDINATE,
-                                "the stretch of face " + std::to_string(stretch.size())};
+        throw Error{Error_code::NON_FINITE_COORDINATE, "the stretch of face " + std::to_string(stretch.size())};
       stretch.push_back((std::min)(value, std::log((std::max)(arrays.area[stretch.size()], least_area) / least_share)));
     }
     const std::vector<int> segment = internal::segments_of(arrays, stretch, method);
@@ -171,9 +170,9 @@ Segmentation_result segmentation_from_area_stretch(const TriangleMesh& mesh, Ver
       put(segment_map, f, static_cast<Segment_id>(id));
       result.number_of_segments = (std::max)(result.number_of_segments, id + 1);
     }
-  } catch(const internal::Failure& failure) {
-    result.error = failure.code;
-    result.detail = failure.detail;
+  } catch(const Error& error) {
+    result.error = error.code();
+    result.detail = error.detail();
   }
   return result;
 }

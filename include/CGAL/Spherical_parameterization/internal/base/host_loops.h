@@ -10,6 +10,8 @@
 #include <tbb/task_arena.h>
 #endif
 
+#include <CGAL/tags.h>
+
 #include <algorithm>
 #include <atomic>
 #include <vector>
@@ -49,6 +51,16 @@ typedef Parallel_loop Default_loop;
 #else
 typedef Sequential_loop Default_loop;
 #endif
+
+/// What an execution policy runs loops of the host with: a device leaves them to all cores.
+template <class ExecutionPolicy>
+struct Loop_of {
+  typedef Default_loop type;
+};
+template <>
+struct Loop_of<CGAL::Sequential_tag> {
+  typedef Sequential_loop type;
+};
 
 /// The parts into which 0 ... n-1 is cut; the same for any number of threads.
 inline constexpr int part_size = 8192;

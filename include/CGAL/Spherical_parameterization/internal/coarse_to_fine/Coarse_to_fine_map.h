@@ -5,12 +5,11 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_COARSE_TO_FINE_MAP_H
 
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Distortion.h>
-#include <CGAL/Spherical_parameterization/internal/base/Failure.h>
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Map_level.h>
-#include <CGAL/Spherical_parameterization/internal/problem/Map_task.h>
+#include <CGAL/Spherical_parameterization/internal/base/text.h>
+#include <CGAL/Spherical_parameterization/internal/problem/Method_solver.h>
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Progressive_mesh.h>
-#include <CGAL/Spherical_parameterization/internal/problem/Solver_report.h>
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Star.h>
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/decimation.h>
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/local_relaxation.h>
@@ -38,16 +37,20 @@ namespace internal {
 template <class Loop>
 class Coarse_to_fine_map {
 public:
-  Coarse_to_fine_map(const Loop& loop, const Isometric& method, Map_task& task)
+  Coarse_to_fine_map(const Loop& loop, const Isometric& method, const Problem& problem, const Effort& effort,
+                     Monitor& monitor)
     : loop_(loop), method_(method), exponent_((std::min)(method.area_exponent, largest_coarse_exponent)),
-      distortion_(exponent_), task_(task), source_area_(area_of_source()), mesh_(loop, task.faces, task.size()),
-      level_(task.size()), map_{Host_array<vec3>(task.size(), vec3{0, 0, 0}), std::vector<int>(task.size(), -1)}
+      distortion_(exponent_), problem_(problem), effort_(effort), monitor_(monitor), source_area_(area_of_source()),
+      mesh_(loop, problem.face, problem.size()),
+      level_(problem.size()), map_{Host_array<vec3>(problem.size(), vec3{0, 0, 0}),
+                                   std::vector<int>(problem.size(), -1)}
   {
     if(!(source_area_ > 0)) // all points are one: then all faces count as equal
       source_area_ = 1;
   }
 
-  void run(Solver_report& report)
+  /// Returns the positions of all vertices.
+  Host_array<vec3> run(Solver_report& report)
   {
     decimate();
     embed_tetrahedron();
@@ -60,9 +63,8 @@ public:
       }
     }
     finish(report);
+    return std::move(map_.position);
   }
-
-  Host_array<vec3> positions() const { return map_.position; }
 
 private:
   /// While there are vertices to come, needles count as better than they are: they would squeeze what is inserted.
@@ -76,23 +78,24 @@ private:
   /// whole surface needles, and their true areas added up, then the share would be nothing to any of them.
   double area_of_source() const
   {
-    return sum_by_parts(loop_, static_cast<int>(task_.faces.size()), [&](int f) {
-      const auto [i, j, k] = task_.faces[f];
-      const vec3 a = sub(task_.points[j], task_.points[i]), b = sub(task_.points[k], task_.points[i]);
+    return sum_by_parts(loop_, static_cast<int>(problem_.face.size()), [&](int f) {
+      const auto [i, j, k] = problem_.face[f];
+      const vec3 a = sub(problem_.point[j], problem_.point[i]), b = sub(problem_.point[k], problem_.point[i]);
       return face_metric(a, b, {coarse_bounds.aspect, 0}).twice_area / 2;
     });
   }
 
   void decimate()
   {
-    Decimation<Loop> decimation(loop_, task_.points, mesh_);
+    Decimation<Loop> decimation(loop_, problem_.point, mesh_);
     for(;;) {
       std::vector<int> round = decimation.round();
       if(round.empty())
         return;
       rounds_.push_back(std::move(round));
-      const double done = std::log(double(task_.size()) / mesh_.number_of_vertices()) / std::log(task_.size() / 4.);
-      if(!task_.monitor.advance(share_of_decimation * done))
+      const double done =
+        std::log(double(problem_.size()) / mesh_.number_of_vertices()) / std::log(problem_.size() / 4.);
+      if(!monitor_.advance(share_of_decimation * done))
         give_up();
     }
   }
@@ -129,8 +132,8 @@ private:
       if(!advance())
         give_up();
     }
-    throw Failure{Error_code::NOT_BIJECTIVE, "no position in double precision was found for " +
-                                               counted(round.size(), "vertex", "vertices") + "; repair the mesh"};
+    throw Error(Error_code::NOT_BIJECTIVE, "no position in double precision was found for " +
+                                             counted(round.size(), "vertex", "vertices") + "; repair the mesh");
   }
 
   /// Pulls all faces towards the same shape, then also towards the same size: angles first, since areas are too stiff
@@ -161,7 +164,7 @@ private:
       mesh_.for_each_corner(u, [&](int c) {
         const int j = mesh_.vertex(Progressive_mesh::next(c)), k = mesh_.vertex(Progressive_mesh::previous(c));
         const Face_metric m =
-          face_metric(sub(task_.points[j], task_.points[u]), sub(task_.points[k], task_.points[u]), bounds);
+          face_metric(sub(problem_.point[j], problem_.point[u]), sub(problem_.point[k], problem_.point[u]), bounds);
         star.push_back({map_.position[j], map_.position[k], m.cotangent[0], m.cotangent[1], m.cotangent[2],
                         level_.area_scale() * m.twice_area});
       });
@@ -191,7 +194,7 @@ private:
 
   void assign_level(const Metric_bounds& bounds)
   {
-    level_.assign(loop_, mesh_, task_.points, source_area_, bounds, map_);
+    level_.assign(loop_, mesh_, problem_.point, source_area_, bounds, map_);
   }
 
   void relax_level()
@@ -237,7 +240,7 @@ private:
     assign_level(final_bounds);
     for(int s = 0; s < sweeps && advance(); ++s)
       relax_all(loop_, distortion_, level_);
-    const double accuracy = task_.accuracy.value_or(Isometric::default_accuracy);
+    const double accuracy = effort_.accuracy.value_or(Isometric::default_accuracy);
     const auto descend = [&](std::size_t maximum_steps) {
       Newton_relaxation<Loop> newton(loop_, distortion_, level_);
       for(std::size_t s = 0; s < maximum_steps && advance(); ++s) {
@@ -249,7 +252,7 @@ private:
           return;
       }
     };
-    descend(task_.number_of_iterations.value_or(Isometric::default_number_of_iterations));
+    descend(effort_.number_of_iterations.value_or(Isometric::default_number_of_iterations));
     while(exponent_ < method_.area_exponent) {
       exponent_ = (std::min)(method_.area_exponent, growth_of_exponent * exponent_);
       distortion_ = Distortion(exponent_);
@@ -257,20 +260,20 @@ private:
     }
     level_.store(loop_, map_);
     report.energy = level_.energy(loop_, distortion_);
-    report.has_converged = !task_.monitor.is_interrupted();
+    report.has_converged = !monitor_.is_interrupted();
   }
 
   /// Tells the user about the progress; returns whether to go on.
   bool advance()
   {
     constexpr double share_of_last_level = 0.4;
-    const double done = double(mesh_.number_of_vertices()) / task_.size();
-    return task_.monitor.advance(share_of_decimation + (1 - share_of_decimation - share_of_last_level) * done);
+    const double done = double(mesh_.number_of_vertices()) / problem_.size();
+    return monitor_.advance(share_of_decimation + (1 - share_of_decimation - share_of_last_level) * done);
   }
 
   [[noreturn]] void give_up() const
   {
-    throw Failure{Error_code::INTERRUPTED, task_.monitor.reason() + " before there was a map"};
+    throw Error(Error_code::INTERRUPTED, monitor_.reason() + " before there was a map");
   }
 
   static constexpr double share_of_decimation = 0.15;
@@ -279,7 +282,9 @@ private:
   Isometric method_;
   double exponent_; ///< of the area, at the moment
   Distortion distortion_;
-  Map_task& task_;
+  const Problem& problem_;
+  Effort effort_;
+  Monitor& monitor_;
   double source_area_;
   Progressive_mesh mesh_;
   Map_level level_;

@@ -5,7 +5,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_STAR_H
 
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Distortion.h>
-#include <CGAL/Spherical_parameterization/internal/predicates/spherical_triangles.h>
+#include <CGAL/Spherical_parameterization/internal/predicates/certificate.h>
 #include <CGAL/Spherical_parameterization/internal/backend/vertex_formulas.h>
 
 #include <boost/container/small_vector.hpp>

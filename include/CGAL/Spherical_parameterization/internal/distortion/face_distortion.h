@@ -5,7 +5,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DISTORTION_FACE_DISTORTION_H
 
 #include <CGAL/Spherical_parameterization/internal/mesh/point_coordinates.h>
-#include <CGAL/Spherical_parameterization/internal/predicates/spherical_triangles.h>
+#include <CGAL/Spherical_parameterization/internal/predicates/certificate.h>
 
 #include <boost/graph/graph_traits.hpp>
 

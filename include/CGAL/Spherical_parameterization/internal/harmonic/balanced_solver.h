@@ -6,10 +6,8 @@
 
 #include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
 #include <CGAL/Spherical_parameterization/internal/multigrid/Multigrid.h>
-#include <CGAL/Spherical_parameterization/internal/problem/Solver_report.h>
-#include <CGAL/Spherical_parameterization/internal/harmonic/moebius.h>
-
-#include <Eigen/Dense>
+#include <CGAL/Spherical_parameterization/internal/problem/Solution.h>
+#include <CGAL/Spherical_parameterization/internal/harmonic/moebius_balance.h>
 
 #include <algorithm>
 #include <array>
@@ -88,21 +86,21 @@ public:
     Solver_report report;
 
     Moments moments;
-    Eigen::Vector4d sums;
+    std::array<double, 4> sums;
     const auto begin = [&] {
       moments = backend_.moments(mass_, v);
       if(gauge_ == Gauge::BALANCED)
         balance(backend_, mass_, balance_tolerance, balance_steps, v, w, moments);
-      sums = to_vector(backend_.gradient(matrix_, exponent_, v, g, density));
+      sums = backend_.gradient(matrix_, exponent_, v, g, density);
     };
-    Eigen::LDLT<Eigen::Matrix3d> boosts;
-    Eigen::Vector3d mu = Eigen::Vector3d::Zero();
+    Symmetric_solver<3> boosts = boost_matrix({});
+    vec3 mu = {0, 0, 0};
     const auto balance_forces = [&] {
-      boosts.compute(boost_matrix(moments));
+      boosts = boost_matrix(moments);
       if(gauge_ == Gauge::BALANCED)
-        mu = boosts.solve(sums.tail<3>());
+        mu = internal::solve(boosts, force(sums));
       report.energy = sums[0] / exponent_;
-      report.residual = std::sqrt(backend_.balance_gradient(matrix_, mass_, to_vec3(mu), v, g));
+      report.residual = std::sqrt(backend_.balance_gradient(matrix_, mass_, mu, v, g));
     };
     begin();
     auto reference = references.begin();
@@ -133,30 +131,28 @@ public:
 
       multigrid_.apply(level_, g, s);
       // What a direction does is linear in it, so that one pass over step and last direction tells it of all betas.
-      typedef Eigen::Matrix<double, 7, 1> Products; // with the gradient; the momentum; the angular momentum
       const std::array<double, 15> products = backend_.direction_products(mass_, v, g, old_g, s, d);
-      const Products of_step(&products[1]), of_last(&products[8]);
-      double beta = report.iterations == 0 ? 0 : (std::max)(0., (of_step[0] - products[0]) / gs);
-      gs = of_step[0];
-      Products of_next = beta * of_last - of_step;
-      if(!(of_next[0] < 0)) {
+      double beta = report.iterations == 0 ? 0 : (std::max)(0., (products[1] - products[0]) / gs);
+      gs = products[1];
+      if(!(beta * products[8] - products[1] < 0))
         beta = 0;
-        of_next = -of_step;
-      }
+      std::array<double, 7> of_next; // product with the gradient; momentum; angular momentum
+      for(int k = 0; k < 7; ++k)
+        of_next[k] = beta == 0 ? -products[1 + k] : beta * products[8 + k] - products[1 + k];
       const double slope = of_next[0];
       if(!(slope < 0)) { // rounding has eaten the gradient: no direction of descent is left
         report.has_stalled = true;
         return report;
       }
       // The slope does not see the projection: the energy does not see rotations, and a balanced gradient sums to zero.
-      Eigen::Vector3d boost = Eigen::Vector3d::Zero(), rotation = boost;
+      vec3 boost = {0, 0, 0}, rotation = {0, 0, 0};
       if(gauge_ == Gauge::BALANCED)
-        boost = boosts.solve(of_next.segment<3>(1));
+        boost = internal::solve(boosts, {of_next[1], of_next[2], of_next[3]});
       if(gauge_ != Gauge::FIXED)
-        rotation = boosts.solve(of_next.tail<3>());
-      backend_.direct(beta, to_vec3(boost), to_vec3(rotation), v, s, d);
+        rotation = internal::solve(boosts, {of_next[4], of_next[5], of_next[6]});
+      backend_.next_direction(beta, boost, rotation, v, s, d);
 
-      const std::array<double, 5> model = backend_.curvature(matrix_, exponent_, mass_, to_vec3(mu), v, d, density);
+      const std::array<double, 5> model = backend_.curvature(matrix_, exponent_, mass_, mu, v, d, density);
       const double longest = longest_step * std::sqrt(total_mass(moments) / model[1]);
       const double alpha = (std::min)({model[0] > 0 ? -slope / model[0] : 1, longest, options.longest_factor});
       std::swap(g, old_g);
@@ -168,33 +164,33 @@ public:
   }
 
 private:
-  static Eigen::Vector4d to_vector(const std::array<double, 4>& a) { return {a[0], a[1], a[2], a[3]}; }
+  /// Of the four sums of Backend::gradient(), the sum of the gradient.
+  static vec3 force(const std::array<double, 4>& sums) { return {sums[1], sums[2], sums[3]}; }
 
   /// Armijo's rule from the step of the quadratic model. On success v, g, density, moments and sums are those of the
   /// new point; on failure v is unchanged.
   ///
   /// A step alpha along d takes the map off balance by -alpha^2/2 sum m_i |d_i|^2 v_i up to third order; the sum is
   /// `drift`. A boost in the same pass undoes that, and what the step before has left.
-  bool line_search(double alpha, double slope, const Eigen::LDLT<Eigen::Matrix3d>& boosts, const Eigen::Vector3d& drift,
-                   const Vectors& d, Vectors& v, Vectors& w, Vectors& g, Scalars& density, Moments& moments,
-                   Eigen::Vector4d& sums) const
+  bool line_search(double alpha, double slope, const Symmetric_solver<3>& boosts, vec3 drift, const Vectors& d,
+                   Vectors& v, Vectors& w, Vectors& g, Scalars& density, Moments& moments,
+                   std::array<double, 4>& sums) const
   {
     constexpr int maximum_halvings = 20;
     constexpr double sufficient = 1e-4;
     constexpr double longest_boost = 0.5;
     const bool is_balanced = gauge_ == Gauge::BALANCED;
-    const Eigen::Vector3d left =
-      is_balanced ? Eigen::Vector3d(boosts.solve(first_moment(moments)) / 2) : Eigen::Vector3d::Zero();
+    const vec3 left = is_balanced ? scale(0.5, internal::solve(boosts, first_moment(moments))) : make_vec3(0, 0, 0);
     // A boost with centre c has the velocity -2 P c: this is what undoing the imbalance that is left may cost.
-    const double energy = sums[0] / exponent_ + (std::max)(0., -2 * left.dot(sums.tail<3>()));
+    const double energy = sums[0] / exponent_ + (std::max)(0., -2 * inner(left, force(sums)));
     for(int h = 0; h < maximum_halvings; ++h, alpha /= 2) {
-      Eigen::Vector3d c = left;
+      vec3 c = left;
       if(is_balanced)
-        c -= boosts.solve(alpha * alpha / 4 * drift);
-      if(c.norm() > longest_boost)
-        c *= longest_boost / c.norm();
-      const Moments next = backend_.retract(mass_, alpha, to_vec3(c), v, d, w);
-      const Eigen::Vector4d next_sums = to_vector(backend_.gradient(matrix_, exponent_, w, g, density));
+        c = sub(c, internal::solve(boosts, scale(alpha * alpha / 4, drift)));
+      if(norm(c) > longest_boost)
+        c = scale(longest_boost / norm(c), c);
+      const Moments next = backend_.retract(mass_, alpha, c, v, d, w);
+      const std::array<double, 4> next_sums = backend_.gradient(matrix_, exponent_, w, g, density);
       if(next_sums[0] / exponent_ <= energy + sufficient * alpha * slope + backend_.rounding() * energy) {
         std::swap(v, w);
         moments = next;

@@ -4,16 +4,14 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_HARMONIC_START_MAP_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_HARMONIC_START_MAP_H
 
-#include <CGAL/Spherical_parameterization/internal/base/Failure.h>
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
-#include <CGAL/Spherical_parameterization/internal/problem/Map_task.h>
+#include <CGAL/Spherical_parameterization/internal/problem/Method_solver.h>
 #include <CGAL/Spherical_parameterization/internal/multigrid/Multigrid.h>
 #include <CGAL/Spherical_parameterization/internal/harmonic/balanced_solver.h>
 #include <CGAL/Spherical_parameterization/internal/multigrid/conjugate_gradients.h>
-#include <CGAL/Spherical_parameterization/internal/harmonic/moebius.h>
-#include <CGAL/Spherical_parameterization/internal/predicates/spherical_triangles.h>
-
-#include <Eigen/Dense>
+#include <CGAL/Spherical_parameterization/internal/harmonic/moebius_alignment.h>
+#include <CGAL/Spherical_parameterization/internal/harmonic/moebius_balance.h>
+#include <CGAL/Spherical_parameterization/internal/predicates/certificate.h>
 
 #include <algorithm>
 #include <array>
@@ -49,16 +47,16 @@ Host_array<vec3> planar_map(const Backend& backend, Multigrid<Backend>& multigri
   // The affine map that sends the corners to the equilateral triangle, clockwise: the face lies outside of it, so that
   // all other faces come out counter-clockwise.
   const vec3 origin = z[corners[2]];
-  Eigen::Matrix2d from, to;
+  const vec3 a = sub(z[corners[0]], origin), b = sub(z[corners[1]], origin);
   const double angle = 2 * std::acos(-1.) / 3;
-  for(int c = 0; c < 2; ++c) {
-    from.col(c) << z[corners[c]].x - origin.x, z[corners[c]].y - origin.y;
-    to.col(c) << std::cos(-angle * c) - std::cos(-angle * 2), std::sin(-angle * c) - std::sin(-angle * 2);
-  }
-  const Eigen::Matrix2d m = to * from.inverse();
+  const double cosine = std::cos(-angle * 2), sine = std::sin(-angle * 2);
+  const vec3 to_a = {1 - cosine, -sine, 0}, to_b = {std::cos(-angle) - cosine, std::sin(-angle) - sine, 0};
+  const double inverse = 1 / (a.x * b.y - a.y * b.x);
+  const vec3 x = add_scaled(scale(b.y * inverse, to_a), -a.y * inverse, to_b);
+  const vec3 y = add_scaled(scale(-b.x * inverse, to_a), a.x * inverse, to_b);
   for(vec3& p : z) {
-    const Eigen::Vector2d q = m * Eigen::Vector2d(p.x - origin.x, p.y - origin.y);
-    p = make_vec3(q[0], q[1], 0);
+    const vec3 q = sub(p, origin);
+    p = make_vec3(x.x * q.x + y.x * q.y, x.y * q.x + y.y * q.y, 0);
   }
   return z;
 }
@@ -98,18 +96,18 @@ struct Coarse_mesh {
   bool is_complete = false;             ///< whether no vertex was lost (negative weights can do that), and a face left
 
   template <class Backend>
-  Coarse_mesh(const Backend& backend, const Multigrid<Backend>& multigrid, std::size_t k, const Map_task& task)
+  Coarse_mesh(const Backend& backend, const Multigrid<Backend>& multigrid, std::size_t k, const Problem& problem)
   {
     const auto& loop = backend.host_loop();
-    vertex_of.resize(task.size());
-    const int lost = first_index(loop, task.size(), [&](int i) {
+    vertex_of.resize(problem.size());
+    const int lost = first_index(loop, problem.size(), [&](int i) {
       int c = i;
       for(std::size_t level = 0; level < k && c >= 0; ++level)
         c = multigrid.aggregate_of(level)[c];
       vertex_of[i] = c;
       return c < 0;
     });
-    if(lost < task.size())
+    if(lost < problem.size())
       return;
 
     struct Part {
@@ -118,15 +116,15 @@ struct Coarse_mesh {
       std::array<int, 3> largest_face;
     };
     const std::vector<Part> parts =
-      results_of_parts(loop, static_cast<int>(task.faces.size()), [&](int begin, int end) {
+      results_of_parts(loop, static_cast<int>(problem.face.size()), [&](int begin, int end) {
         Part part;
         for(int f = begin; f < end; ++f) {
-          const std::array<int, 3>& fine = task.faces[f];
+          const std::array<int, 3>& fine = problem.face[f];
           const std::array<int, 3> coarse = {vertex_of[fine[0]], vertex_of[fine[1]], vertex_of[fine[2]]};
           if(coarse[0] == coarse[1] || coarse[1] == coarse[2] || coarse[2] == coarse[0])
             continue;
           part.faces.push_back(coarse);
-          const vec3 n = normal(task.points, fine);
+          const vec3 n = normal(problem.point, fine);
           if(inner(n, n) > part.largest) {
             part.largest = inner(n, n);
             part.largest_face = coarse;
@@ -148,27 +146,27 @@ struct Coarse_mesh {
 
 /// The planar harmonic map of a coarse level brought to the sphere, boosted until the centroid of the source area lies
 /// at the centre. Returns the level: the coarsest one on which a start map is still worth its work, and whose map has
-/// degree 1. (Aggregates need not be discs: orientation may be lost or reversed on the way down.) Throws Failure where
+/// degree 1. (Aggregates need not be discs: orientation may be lost or reversed on the way down.) Throws Error where
 /// no face of the mesh has three vertices.
 template <class Backend>
-std::size_t coarse_start_map(const Backend& backend, Multigrid<Backend>& multigrid, const Map_task& task,
-                             typename Backend::Vectors& v)
+std::size_t coarse_start_map(const Backend& backend, Multigrid<Backend>& multigrid, const Problem& problem,
+                             Monitor& monitor, std::size_t& iterations, typename Backend::Vectors& v)
 {
   constexpr int smallest_size = 400;
   // The boost may enlarge what lies far inside a million times.
-  const double planar_accuracy = (std::max)(1e-12, backend.best_accuracy(task.size()));
+  const double planar_accuracy = (std::max)(1e-12, backend.best_accuracy(problem.size()));
   std::size_t k = 0;
   while(k + 1 < multigrid.number_of_levels() && multigrid.size(k + 1) >= smallest_size)
     ++k;
   for(;; --k) {
-    const Coarse_mesh mesh(backend, multigrid, k, task);
+    const Coarse_mesh mesh(backend, multigrid, k, problem);
     if(!mesh.is_complete) {
       if(k == 0)
-        throw Failure{Error_code::NOT_BIJECTIVE, "every face of the mesh has a vertex twice"};
+        throw Error(Error_code::NOT_BIJECTIVE, "every face of the mesh has a vertex twice");
       continue;
     }
-    Host_array<vec3> z = planar_map(backend, multigrid, k, mesh.largest_face, planar_accuracy, task.monitor,
-                                    start_share, task.result.start_iterations);
+    Host_array<vec3> z =
+      planar_map(backend, multigrid, k, mesh.largest_face, planar_accuracy, monitor, start_share, iterations);
     to_sphere(z);
     const int degree = certify(backend.host_loop(), mesh.faces, z).degree;
     if(k > 0 && std::abs(degree) != 1)
@@ -177,8 +175,8 @@ std::size_t coarse_start_map(const Backend& backend, Multigrid<Backend>& multigr
       for(vec3& p : z)
         p.x = -p.x;
     Host_array<double> area(z.size(), 0);
-    for(int i = 0; i < task.size(); ++i)
-      area[mesh.vertex_of[i]] += task.area[i];
+    for(int i = 0; i < problem.size(); ++i)
+      area[mesh.vertex_of[i]] += problem.area[i];
     v = backend.upload(std::move(z));
     centre(backend, backend.upload(std::move(area)), v, multigrid.scratch(k));
     return k;
@@ -191,19 +189,20 @@ std::size_t coarse_start_map(const Backend& backend, Multigrid<Backend>& multigr
 ///
 /// `multigrid`: of the graph without fixed vertices.
 template <class Backend>
-typename Backend::Vectors start_map(const Backend& backend, Multigrid<Backend>& multigrid, const Map_task& task)
+typename Backend::Vectors start_map(const Backend& backend, Multigrid<Backend>& multigrid, const Problem& problem,
+                                    Monitor& monitor, std::size_t& iterations)
 {
   constexpr Descent_options coarse_descent = {1e-2, 30, 30, 1000, 0, start_share};
   typename Backend::Vectors v;
-  for(std::size_t k = coarse_start_map(backend, multigrid, task, v); k > 0; --k) {
+  for(std::size_t k = coarse_start_map(backend, multigrid, problem, monitor, iterations, v); k > 0; --k) {
     typename Backend::Scalars mass = backend.scalars(multigrid.size(k));
     backend.spring_masses(multigrid.matrix(k), v, mass);
     Balanced_solver<Backend> solver(backend, multigrid.matrix(k), multigrid, k, 2, Gauge::BALANCED, mass);
-    task.result.start_iterations += solver.solve(coarse_descent, task.monitor, v).iterations;
+    iterations += solver.solve(coarse_descent, monitor, v).iterations;
     typename Backend::Vectors& finer = multigrid.scratch(k - 1);
     backend.transfer(multigrid.prolongation(k - 1), v, finer);
     v = backend.vectors(multigrid.size(k - 1));
-    backend.normalise(multigrid.matrix(k - 1), finer, v);
+    backend.normalize(multigrid.matrix(k - 1), finer, v);
   }
   return v;
 }
@@ -211,25 +210,35 @@ typename Backend::Vectors start_map(const Backend& backend, Multigrid<Backend>& 
 /// The start map of a task with fixed vertices, or of a method without hierarchy: one is set up for the graph without
 /// fixed vertices. The map is moved by the Moebius transformation that suits the fixed vertices best.
 template <class Backend>
-Host_array<vec3> start_positions(const Backend& backend, const Map_task& task)
+Host_array<vec3> start_positions(const Backend& backend, const Problem& problem, Monitor& monitor,
+                                 std::size_t& iterations)
 {
-  const auto free_graph = std::make_shared<Weighted_graph>(*task.graph);
-  free_graph->update_diagonal({}, backend.host_loop());
-  Multigrid<Backend> multigrid(backend, free_graph);
-  Host_array<vec3> start = backend.download(start_map(backend, multigrid, task));
+  Multigrid<Backend> multigrid(backend, problem.graph);
+  Host_array<vec3> start = backend.download(start_map(backend, multigrid, problem, monitor, iterations));
 
-  if(task.has_fixed()) {
+  if(problem.has_fixed()) {
     Host_array<vec3> from, to;
-    for(int i = 0; i < task.size(); ++i)
-      if(task.is_fixed[i]) {
+    for(int i = 0; i < problem.size(); ++i)
+      if(problem.is_fixed[i]) {
         from.push_back(start[i]);
-        to.push_back(task.given[i]);
+        to.push_back(problem.given[i]);
       }
     const Moebius_alignment align(std::move(from), to);
-    for(int i = 0; i < task.size(); ++i)
-      start[i] = task.is_fixed[i] ? task.given[i] : align(start[i]);
+    for(int i = 0; i < problem.size(); ++i)
+      start[i] = problem.is_fixed[i] ? problem.given[i] : align(start[i]);
   }
   return start;
+}
+
+/// The graph of a problem, in which the vertices that are fixed do not move.
+template <class Loop>
+Shared_graph with_fixed_vertices(const Loop& loop, const Problem& problem)
+{
+  if(!problem.has_fixed())
+    return problem.graph;
+  const auto graph = std::make_shared<Weighted_graph>(*problem.graph);
+  graph->update_diagonal(problem.is_fixed, loop);
+  return graph;
 }
 
 } // namespace internal

@@ -38,14 +38,23 @@ vec3 coordinates(const Point& p)
 
 inline vec3 coordinates(const vec3& p) { return p; }
 
+template <class Point, bool has_xyz = Has_xyz<Point>::value>
+struct Coordinate {
+  typedef std::decay_t<decltype(std::declval<const Point&>().x())> type;
+};
+template <class Point>
+struct Coordinate<Point, false> {
+  typedef std::decay_t<decltype(std::declval<const Point&>()[0])> type;
+};
+/// The type of the coordinates of a point.
+template <class Point>
+using Coordinate_of = typename Coordinate<Point>::type;
+
 /// Whether several threads may read coordinates of this type at once: built-in numbers, unlike lazy exact ones.
 template <class Point>
 constexpr bool are_plain_coordinates()
 {
-  if constexpr(Has_xyz<Point>::value)
-    return std::is_floating_point_v<std::decay_t<decltype(std::declval<const Point&>().x())>>;
-  else
-    return std::is_floating_point_v<std::decay_t<decltype(std::declval<const Point&>()[0])>>;
+  return std::is_floating_point_v<Coordinate_of<Point>>;
 }
 
 /// a divided by the largest of its absolute coordinates: squares and products then neither overflow nor underflow.

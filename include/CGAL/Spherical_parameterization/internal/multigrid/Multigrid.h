@@ -6,8 +6,7 @@
 
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/multigrid/coarsening.h>
-
-#include <Eigen/Dense>
+#include <CGAL/Spherical_parameterization/internal/multigrid/dense_inverse.h>
 
 #include <algorithm>
 #include <array>
@@ -144,29 +143,30 @@ private:
     const int n = a.size();
     if(n == 0)
       return {};
-    Eigen::MatrixXd m = Eigen::MatrixXd::Zero(n, n);
+    Host_array<double> m(std::size_t(n) * n, 0.);
+    const auto at = [n](int i, int j) { return std::size_t(i) * n + j; };
     double scale = 0;
     for(int i = 0; i < n; ++i) {
       if(a.inverse_diagonal[i] == 0) {
-        m(i, i) = 1;
+        m[at(i, i)] = 1;
         continue;
       }
-      m(i, i) = 1 / a.inverse_diagonal[i];
-      scale = (std::max)(scale, m(i, i));
+      m[at(i, i)] = 1 / a.inverse_diagonal[i];
+      scale = (std::max)(scale, m[at(i, i)]);
       for(int k = a.offset[i]; k < a.offset[i + 1]; ++k)
         if(a.inverse_diagonal[a.target[k]] > 0)
-          m(i, a.target[k]) -= a.weight[k];
+          m[at(i, a.target[k])] -= a.weight[k];
     }
     if(is_singular)
-      m.array() += scale / n;
-    m = m.ldlt().solve(Eigen::MatrixXd::Identity(n, n)).eval();
+      for(double& entry : m)
+        entry += scale / n;
+    const Host_array<double> x = Dense_inverse(std::move(m), n)();
+    Host_array<double> rows(x.size());
     for(int i = 0; i < n; ++i)
-      if(a.inverse_diagonal[i] == 0)
-        m(i, i) = 0;
-    Host_array<double> rows(std::size_t(n) * n);
-    for(int i = 0; i < n; ++i)
-      for(int j = 0; j < n; ++j)
-        rows[std::size_t(i) * n + j] = (m(i, j) + m(j, i)) / 2;
+      for(int j = 0; j < n; ++j) {
+        const bool is_of_fixed = i == j && a.inverse_diagonal[i] == 0;
+        rows[at(i, j)] = is_of_fixed ? 0 : (x[at(i, j)] + x[at(j, i)]) / 2;
+      }
     return rows;
   }
 

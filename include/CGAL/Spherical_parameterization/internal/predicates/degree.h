@@ -4,7 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PREDICATES_DEGREE_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PREDICATES_DEGREE_H
 
-#include <CGAL/Spherical_parameterization/internal/predicates/side_of_great_circle.h>
+#include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 #include <CGAL/Spherical_parameterization/internal/backend/vertex_formulas.h>
 
 #include <algorithm>
@@ -16,8 +16,11 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
-/// The share of a face in the degree, seen in direction q: its orientation if it contains q, else 0; NaN if q is on its
-/// border. Exact.
+/// What covering() says of a direction on the border of a face: more than all other faces together can add up to.
+constexpr double on_border = 1e15;
+
+/// The share of a face in the degree, seen in direction q: its orientation if it contains q, else 0; `on_border` if q
+/// is on its border. Exact.
 inline double covering(vec3 a, vec3 b, vec3 c, vec3 q)
 {
   // Where the line along q meets the plane of the face, it is no farther from the corner a than the other corners: this
@@ -31,16 +34,16 @@ inline double covering(vec3 a, vec3 b, vec3 c, vec3 q)
   const std::array<vec3, 4> corner = {a, b, c, a};
   int least = 1, largest = -1;
   for(int k = 0; k < 3; ++k) {
-    const int side = side_of_great_circle(corner[k], corner[k + 1], q);
+    const int side = orientation(corner[k], corner[k + 1], q);
     least = (std::min)(least, side);
     largest = (std::max)(largest, side);
     if(least < 0 && largest > 0)
       return 0;
   }
-  const int orientation = side_of_great_circle(a, b, c);
-  if(orientation == 0 || (orientation > 0 ? least < 0 : largest > 0))
+  const int of_face = orientation(a, b, c);
+  if(of_face == 0 || (of_face > 0 ? least < 0 : largest > 0))
     return 0;
-  return least == largest ? orientation : std::numeric_limits<double>::quiet_NaN();
+  return least == largest ? of_face : on_border;
 }
 
 /// The degree of a map: how many faces lie over a direction, counted with orientation. It is the same for all
@@ -53,7 +56,7 @@ int degree(Sum_of_coverings sum_of_coverings)
   // No great circle meets (1, t, t^2) in more than two points, so some of these directions is on no border.
   for(double t = 773. / 1024;; t += 1) {
     const double sum = sum_of_coverings(make_vec3(1, t, t * t));
-    if(!std::isnan(sum))
+    if(std::abs(sum) < on_border / 2)
       return static_cast<int>(sum);
   }
 }

@@ -5,9 +5,10 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PROBLEM_FIXED_VERTICES_H
 
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
-#include <CGAL/Spherical_parameterization/internal/base/Failure.h>
+#include <CGAL/Spherical_parameterization/Error.h>
+#include <CGAL/Spherical_parameterization/internal/base/text.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/point_coordinates.h>
-#include <CGAL/Spherical_parameterization/internal/predicates/spherical_triangles.h>
+#include <CGAL/Spherical_parameterization/internal/predicates/certificate.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -35,13 +36,13 @@ std::vector<char> fixed_vertices(const std::vector<Vertex>& vertices, Constraine
   if(count == 0)
     return {};
   if(count < 3)
-    throw Failure{Error_code::BAD_CONSTRAINTS,
-                  "only " + counted(count, "vertex is", "vertices are") + " fixed; fix three or more, or none"};
+    throw Error(Error_code::BAD_CONSTRAINTS,
+                "only " + counted(count, "vertex is", "vertices are") + " fixed; fix three or more, or none");
   return is_fixed;
 }
 
 /// The directions that the sphere map holds at the fixed vertices, or at all of them; others are left zero. Vectors of
-/// length 1 up to rounding are kept to the last bit. Throws Failure.
+/// length 1 up to rounding are kept to the last bit. Throws Error.
 template <class Vertex, class VertexSphereMap>
 Host_array<vec3> given_positions(const std::vector<Vertex>& vertices, const Host_array<int>& position,
                                  VertexSphereMap sphere_map, const std::vector<char>& is_fixed, bool all)
@@ -58,8 +59,8 @@ Host_array<vec3> given_positions(const std::vector<Vertex>& vertices, const Host
       vec3 p = coordinates(get(sphere_map, vertices[i]));
       const vec3 box = scaled_to_unit_box(p);
       if(!is_finite(p) || inner(box, box) == 0)
-        throw Failure{Error_code::BAD_CONSTRAINTS,
-                      "the position given for vertex " + std::to_string(position[i]) + " is not a direction"};
+        throw Error(Error_code::BAD_CONSTRAINTS,
+                    "the position given for vertex " + std::to_string(position[i]) + " is not a direction");
       if(!(std::abs(inner(p, p) - 1) <= rounding))
         p = unit(box);
       given[i] = p;
@@ -71,12 +72,12 @@ Host_array<vec3> given_positions(const std::vector<Vertex>& vertices, const Host
       const auto& [ax, ay, az, a] = fixed[k - 1];
       const auto& [bx, by, bz, b] = fixed[k];
       if(ax == bx && ay == by && az == bz)
-        throw Failure{Error_code::BAD_CONSTRAINTS, "the fixed vertices " + std::to_string(a) + " and " +
-                                                     std::to_string(b) + " are at the same position"};
+        throw Error(Error_code::BAD_CONSTRAINTS, "the fixed vertices " + std::to_string(a) + " and " +
+                                                   std::to_string(b) + " are at the same position");
     }
     return given;
   } else
-    throw Failure{Error_code::BAD_CONSTRAINTS, "the sphere map is not readable, and holds no positions to start from"};
+    throw Error(Error_code::BAD_CONSTRAINTS, "the sphere map is not readable, and holds no positions to start from");
 }
 
 } // namespace internal

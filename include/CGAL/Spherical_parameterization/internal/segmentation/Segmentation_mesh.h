@@ -4,7 +4,8 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SEGMENTATION_SEGMENTATION_MESH_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SEGMENTATION_SEGMENTATION_MESH_H
 
-#include <CGAL/Spherical_parameterization/internal/base/Failure.h>
+#include <CGAL/Spherical_parameterization/Error.h>
+#include <CGAL/Spherical_parameterization/internal/base/text.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Source_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/point_coordinates.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/twins.h>
@@ -47,7 +48,7 @@ struct Segmentation_mesh {
   vec3 area_vector(int f) const { return outer(side(f, 0), sub(point[face[f][2]], point[face[f][0]])); }
 };
 
-/// Reads mesh and map. Throws Failure for what is no closed triangle mesh of genus 0, or has no area, and for
+/// Reads mesh and map. Throws Error for what is no closed triangle mesh of genus 0, or has no area, and for
 /// images that are not directions. Images need not be normalised.
 template <class TriangleMesh, class VertexPointMap, class VertexSphereMap>
 Segmentation_mesh read_segmentation_mesh(const TriangleMesh& mesh, VertexPointMap points, VertexSphereMap sphere_map)
@@ -60,11 +61,11 @@ Segmentation_mesh read_segmentation_mesh(const TriangleMesh& mesh, VertexPointMa
     const vec3 image = scaled_to_unit_box(coordinates(get(sphere_map, source.vertex[i])));
     const double length2 = inner(image, image);
     if(!std::isfinite(length2))
-      throw Failure{Error_code::NON_FINITE_COORDINATE,
-                    "the image of vertex " + std::to_string(source.position[i]) + " on the sphere"};
+      throw Error(Error_code::NON_FINITE_COORDINATE,
+                  "the image of vertex " + std::to_string(source.position[i]) + " on the sphere");
     if(!(length2 > 0))
-      throw Failure{Error_code::NOT_BIJECTIVE, "the image of vertex " + std::to_string(source.position[i]) +
-                                                 " is the centre of the sphere; compute the map first"};
+      throw Error(Error_code::NOT_BIJECTIVE, "the image of vertex " + std::to_string(source.position[i]) +
+                                               " is the centre of the sphere; compute the map first");
     result.sphere[i] = unit(image);
   }
   result.point = std::move(source.point);
@@ -88,7 +89,7 @@ Segmentation_mesh read_segmentation_mesh(const TriangleMesh& mesh, VertexPointMa
     total += result.area[f] = std::sqrt(inner(a, a)) / 2;
   }
   if(!(total > 0))
-    throw Failure{Error_code::DEGENERATE_FACE, "the mesh has no area"};
+    throw Error(Error_code::DEGENERATE_FACE, "the mesh has no area");
   for(double& a : result.area)
     a /= total;
   for(vec3& p : result.point)

@@ -6,12 +6,13 @@
 
 #include <CGAL/Spherical_parameterization/Result.h>
 #include <CGAL/Spherical_parameterization/internal/signature/Discrete_surface.h>
-#include <CGAL/Spherical_parameterization/internal/base/Failure.h>
+#include <CGAL/Spherical_parameterization/Error.h>
+#include <CGAL/Spherical_parameterization/internal/base/text.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Source_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/midpoint_refinement.h>
 #include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/point_coordinates.h>
-#include <CGAL/Spherical_parameterization/internal/predicates/spherical_triangles.h>
+#include <CGAL/Spherical_parameterization/internal/predicates/certificate.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/twins.h>
 
 #include <cmath>
@@ -80,10 +81,10 @@ private:
     for(double a : result.area)
       area += a;
     if(!(area > 0))
-      throw Failure{Error_code::DEGENERATE_FACE, "no face has an area"};
+      throw Error(Error_code::DEGENERATE_FACE, "no face has an area");
     return result;
-  } catch(const Failure& failure) {
-    throw std::invalid_argument(std::string(get_error_message(failure.code)) + ": " + failure.detail);
+  } catch(const Error& error) {
+    throw std::invalid_argument(std::string(get_error_message(error.code())) + ": " + error.detail());
   }
 
   static Triangle_arrays refined(Triangle_arrays mesh, int fewest_vertices)

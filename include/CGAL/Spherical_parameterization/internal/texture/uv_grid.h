@@ -4,7 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_TEXTURE_UV_GRID_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_TEXTURE_UV_GRID_H
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 
 #include <algorithm>
 #include <array>
@@ -25,12 +25,11 @@ inline double distance(vec2 a, vec2 b) { return std::hypot(a.x - b.x, a.y - b.y)
 
 typedef std::array<vec2, 3> Uv_triangle;
 
-/// By an exact predicate.
+/// By the exact predicate, one dimension up: seen from the origin, the plane z = 1 keeps its orientation.
 inline bool is_counterclockwise(const Uv_triangle& t)
 {
-  typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
-  const auto point = [](vec2 p) { return Kernel::Point_2(p.x, p.y); };
-  return Kernel().orientation_2_object()(point(t[0]), point(t[1]), point(t[2])) == CGAL::LEFT_TURN;
+  const auto lifted = [](vec2 p) { return make_vec3(p.x, p.y, 1); };
+  return is_positively_oriented(lifted(t[0]), lifted(t[1]), lifted(t[2]));
 }
 
 /// The multiples of 2^-bits: between -2 and 2 all of them are doubles for bits = 52, and floats for bits = 23. What is

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#include "solvers.h"
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
+CGAL_SP_SOLVER(template, Balanced, OpenCL_device)
+#endif
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#include "solvers.h"
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+CGAL_SP_SOLVER(template, Balanced, CGAL::Sequential_tag)
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#include <CGAL/Spherical_parameterization/internal/driver/write_solution.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/check_soup.h>
+#include <CGAL/Spherical_parameterization/internal/predicates/exact_determinant.h>
+#include <CGAL/Spherical_parameterization/internal/problem/Solution.h>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+template Soup_trouble check_soup(const Sequential_loop&, Corner_table&, int, Host_array<int>&,
+                                 const std::function<std::size_t()>&);
+#ifdef CGAL_LINKED_WITH_TBB
+template Soup_trouble check_soup(const Parallel_loop&, Corner_table&, int, Host_array<int>&,
+                                 const std::function<std::size_t()>&);
+#endif
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL

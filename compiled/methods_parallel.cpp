@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#include "solvers.h"
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+#ifdef CGAL_LINKED_WITH_TBB
+CGAL_SP_SOLVER(template, Saddle_point, CGAL::Parallel_tag)
+CGAL_SP_SOLVER(template, Isometric, CGAL::Parallel_tag)
+CGAL_SP_FOR_EACH_METHOD(template, CGAL::Parallel_tag)
+#endif
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL

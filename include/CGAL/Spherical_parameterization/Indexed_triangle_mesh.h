@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INDEXED_TRIANGLE_MESH_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INDEXED_TRIANGLE_MESH_H
+
+#include <CGAL/Spherical_parameterization/Error.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/Corner_table.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/check_soup.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/point_coordinates.h>
+
+#include <CGAL/Iterator_range.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/tags.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/iterator/iterator_facade.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+
+/// \addtogroup PkgSphericalParameterizationMap
+/// @{
+
+/// A closed, oriented, connected triangle mesh of genus 0 made of arrays: points and index triples, as CGAL's functions
+/// for polygon soups take them, and nothing else. It is a model of `FaceListGraph` and `HalfedgeListGraph`, so that all
+/// functions of this package take it, and cannot be changed. Vertices and faces have the numbers they have in the
+/// arrays: `v.idx()`, `f.idx()`.
+///
+/// Maps are the same bit for bit as those of a `CGAL::Surface_mesh` to which the same faces are added one by one.
+/// Memory: 76 bytes per vertex.
+class Indexed_triangle_mesh {
+public:
+  /// \cond SKIP_IN_MANUAL
+  template <int Kind>
+  class Index {
+  public:
+    Index() = default;
+    explicit Index(int i) : i_(i) {}
+    int idx() const { return i_; }
+    friend bool operator==(Index a, Index b) { return a.i_ == b.i_; }
+    friend bool operator!=(Index a, Index b) { return a.i_ != b.i_; }
+    friend bool operator<(Index a, Index b) { return a.i_ < b.i_; }
+    friend std::size_t hash_value(Index a) { return static_cast<std::size_t>(a.i_); }
+
+  private:
+    int i_ = -1;
+  };
+  typedef Index<0> Vertex_index;
+  typedef Index<1> Halfedge_index;
+  typedef Index<2> Edge_index; ///< by the smaller of its halfedges
+  typedef Index<3> Face_index;
+
+  template <class I>
+  class Iterator : public boost::iterator_facade<Iterator<I>, I, std::random_access_iterator_tag, I> {
+  public:
+    Iterator() = default;
+    explicit Iterator(int i) : i_(i) {}
+
+  private:
+    friend class boost::iterator_core_access;
+    I dereference() const { return I(i_); }
+    bool equal(const Iterator& other) const { return i_ == other.i_; }
+    void increment() { ++i_; }
+    void decrement() { --i_; }
+    void advance(std::ptrdiff_t n) { i_ += static_cast<int>(n); }
+    std::ptrdiff_t distance_to(const Iterator& other) const { return other.i_ - i_; }
+
+    int i_ = 0;
+  };
+  template <class I>
+  static CGAL::Iterator_range<Iterator<I>> range(int size)
+  {
+    return {Iterator<I>(0), Iterator<I>(size)};
+  }
+  /// \endcond
+
+  /// What `get(CGAL::vertex_point, mesh)` gives.
+  typedef std::array<double, 3> Point;
+
+  /// Makes the mesh of a checked soup.
+  /// \param points     a range of points, with x(), y(), z() or operator[]
+  /// \param triangles  a range of ranges of three numbers of points, counterclockwise as seen from outside
+  /// \throws Error if the triangles do not form a closed, oriented, connected surface of genus 0: it says what is
+  /// wrong,
+  ///         where, and what to do
+  ///
+  /// Complexity: O(n).
+  template <class PointRange, class TriangleRange>
+  Indexed_triangle_mesh(const PointRange& points, const TriangleRange& triangles)
+    : Indexed_triangle_mesh(CGAL::Sequential_tag(), points, triangles)
+  {}
+
+  /// The same on the threads of `policy`.
+  template <class ExecutionPolicy, class PointRange, class TriangleRange>
+  Indexed_triangle_mesh(const ExecutionPolicy&, const PointRange& points, const TriangleRange& triangles)
+  {
+    read(points, triangles);
+    const typename internal::Loop_of<ExecutionPolicy>::type loop;
+    const internal::Soup_trouble trouble = internal::check_soup(
+      loop, table_, static_cast<int>(point_.size()), last_corner_, [&] { return number_of_different_points(); });
+    if(trouble.code != Error_code::OK)
+      throw Error(trouble.code, trouble.wrong + "; " + trouble.remedy);
+  }
+
+  /// \return how many vertices there are
+  std::size_t number_of_vertices() const { return point_.size(); }
+  /// \return how many faces there are
+  std::size_t number_of_faces() const { return table_.face.size(); }
+  /// \return the points, in the order of the vertices
+  const std::vector<Point>& points() const { return point_; }
+  /// \return the numbers of the vertices of a face, as they were given
+  const std::array<int, 3>& triangle(std::size_t f) const { return table_.face[f]; }
+
+  /// \cond SKIP_IN_MANUAL
+  const internal::Corner_table& corner_table() const { return table_; }
+
+  typedef Indexed_triangle_mesh Self;
+  friend auto vertices(const Self& m) { return range<Vertex_index>(static_cast<int>(m.point_.size())); }
+  friend auto faces(const Self& m) { return range<Face_index>(static_cast<int>(m.table_.face.size())); }
+  friend auto halfedges(const Self& m) { return range<Halfedge_index>(m.table_.number_of_halfedges()); }
+  friend std::vector<Edge_index> edges(const Self& m)
+  {
+    std::vector<Edge_index> result;
+    for(int h = 0; h < m.table_.number_of_halfedges(); ++h)
+      if(h < m.table_.twin[h])
+        result.emplace_back(h);
+    return result;
+  }
+  friend std::size_t num_vertices(const Self& m) { return m.point_.size(); }
+  friend std::size_t num_faces(const Self& m) { return m.table_.face.size(); }
+  friend std::size_t num_halfedges(const Self& m) { return m.table_.twin.size(); }
+  friend std::size_t num_edges(const Self& m) { return m.table_.twin.size() / 2; }
+
+  friend Vertex_index source(Halfedge_index h, const Self& m) { return Vertex_index(m.table_.origin(h.idx())); }
+  friend Vertex_index target(Halfedge_index h, const Self& m) { return Vertex_index(m.table_.target(h.idx())); }
+  friend Vertex_index source(Edge_index e, const Self& m) { return Vertex_index(m.table_.origin(e.idx())); }
+  friend Vertex_index target(Edge_index e, const Self& m) { return Vertex_index(m.table_.target(e.idx())); }
+  friend Halfedge_index next(Halfedge_index h, const Self&)
+  {
+    return Halfedge_index(internal::Corner_table::next(h.idx()));
+  }
+  friend Halfedge_index prev(Halfedge_index h, const Self&)
+  {
+    return Halfedge_index(internal::Corner_table::previous(h.idx()));
+  }
+  friend Halfedge_index opposite(Halfedge_index h, const Self& m) { return Halfedge_index(m.table_.twin[h.idx()]); }
+  friend Face_index face(Halfedge_index h, const Self&) { return Face_index(h.idx() / 3); }
+  friend Edge_index edge(Halfedge_index h, const Self& m)
+  {
+    return Edge_index((std::min)(h.idx(), m.table_.twin[h.idx()]));
+  }
+  friend Halfedge_index halfedge(Edge_index e, const Self&) { return Halfedge_index(e.idx()); }
+  /// The halfedges that CGAL::Euler::add_face() leaves at vertices and faces: the one to the vertex in its last face,
+  /// and the one to the first corner of the face.
+  friend Halfedge_index halfedge(Vertex_index v, const Self& m)
+  {
+    return Halfedge_index(internal::Corner_table::previous(m.last_corner_[v.idx()]));
+  }
+  friend Halfedge_index halfedge(Face_index f, const Self&) { return Halfedge_index(3 * f.idx() + 2); }
+  friend std::size_t degree(Face_index, const Self&) { return 3; }
+
+  struct Point_map {
+    typedef Vertex_index key_type;
+    typedef Point value_type;
+    typedef const Point& reference;
+    typedef boost::readable_property_map_tag category;
+
+    const Self* mesh;
+    friend reference get(const Point_map& map, Vertex_index v) { return map.mesh->points()[v.idx()]; }
+  };
+  friend Point_map get(CGAL::vertex_point_t, const Self& m) { return {&m}; }
+  friend const Point& get(CGAL::vertex_point_t, const Self& m, Vertex_index v) { return m.point_[v.idx()]; }
+  /// \endcond
+
+private:
+  template <class PointRange, class TriangleRange>
+  void read(const PointRange& points, const TriangleRange& triangles)
+  {
+    const auto number_of_points = static_cast<std::size_t>(std::distance(std::begin(points), std::end(points)));
+    const auto number_of_triangles =
+      static_cast<std::size_t>(std::distance(std::begin(triangles), std::end(triangles)));
+    constexpr std::size_t limit = static_cast<std::size_t>((std::numeric_limits<int>::max)());
+    if(number_of_points >= limit || number_of_triangles > limit / 3)
+      throw Error(Error_code::TOO_LARGE, std::to_string(number_of_points) + " points and " +
+                                           std::to_string(number_of_triangles) +
+                                           " triangles; at most 715,827,882 triangles are supported");
+    point_.reserve(number_of_points);
+    for(const auto& p : points) {
+      const internal::vec3 c = internal::coordinates(p);
+      point_.push_back({c.x, c.y, c.z});
+    }
+    table_.face.reserve(number_of_triangles);
+    for(const auto& t : triangles) {
+      std::array<int, 3> face = {0, 0, 0};
+      std::size_t corner = 0;
+      for(const auto& i : t) {
+        const auto index = static_cast<std::size_t>(i);
+        if(index >= number_of_points)
+          throw Error(Error_code::BAD_INDEX, "triangle " + std::to_string(table_.face.size()) + " names point " +
+                                               std::to_string(i) + " of " + std::to_string(number_of_points) +
+                                               "; points are numbered from 0 on");
+        if(corner < 3)
+          face[corner] = static_cast<int>(index);
+        ++corner;
+      }
+      if(corner != 3)
+        throw Error(Error_code::NOT_TRIANGULAR, "face " + std::to_string(table_.face.size()) + " has " +
+                                                  std::to_string(corner) + " corners; triangulate the mesh first");
+      table_.face.push_back(face);
+    }
+  }
+
+  std::size_t number_of_different_points() const
+  {
+    std::vector<Point> sorted = point_;
+    std::sort(sorted.begin(), sorted.end());
+    return static_cast<std::size_t>(std::unique(sorted.begin(), sorted.end()) - sorted.begin());
+  }
+
+  std::vector<Point> point_;
+  internal::Corner_table table_;
+  internal::Host_array<int> last_corner_; ///< by vertex
+};
+
+/// @}
+
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+/// \cond SKIP_IN_MANUAL
+namespace boost {
+
+template <>
+struct graph_traits<CGAL::Spherical_parameterization::Indexed_triangle_mesh> {
+private:
+  typedef CGAL::Spherical_parameterization::Indexed_triangle_mesh Mesh;
+  struct Traversal : virtual public boost::vertex_list_graph_tag, virtual public boost::edge_list_graph_tag {};
+
+public:
+  typedef Mesh::Vertex_index vertex_descriptor;
+  typedef Mesh::Halfedge_index halfedge_descriptor;
+  typedef Mesh::Edge_index edge_descriptor;
+  typedef Mesh::Face_index face_descriptor;
+  typedef Mesh::Iterator<vertex_descriptor> vertex_iterator;
+  typedef Mesh::Iterator<halfedge_descriptor> halfedge_iterator;
+  typedef Mesh::Iterator<face_descriptor> face_iterator;
+  typedef std::vector<edge_descriptor>::const_iterator edge_iterator;
+  typedef boost::undirected_tag directed_category;
+  typedef boost::disallow_parallel_edge_tag edge_parallel_category;
+  typedef Traversal traversal_category;
+  typedef std::size_t vertices_size_type;
+  typedef std::size_t edges_size_type;
+  typedef std::size_t halfedges_size_type;
+  typedef std::size_t faces_size_type;
+  typedef std::size_t degree_size_type;
+
+  static vertex_descriptor null_vertex() { return {}; }
+  static halfedge_descriptor null_halfedge() { return {}; }
+  static face_descriptor null_face() { return {}; }
+};
+
+template <>
+struct graph_traits<const CGAL::Spherical_parameterization::Indexed_triangle_mesh>
+  : graph_traits<CGAL::Spherical_parameterization::Indexed_triangle_mesh> {};
+
+template <>
+struct property_map<CGAL::Spherical_parameterization::Indexed_triangle_mesh, CGAL::vertex_point_t> {
+  typedef CGAL::Spherical_parameterization::Indexed_triangle_mesh::Point_map type;
+  typedef type const_type;
+};
+
+} // namespace boost
+
+namespace CGAL {
+template <>
+struct graph_has_property<CGAL::Spherical_parameterization::Indexed_triangle_mesh, CGAL::vertex_point_t>
+  : CGAL::Tag_true {};
+
+} // namespace CGAL
+
+namespace std {
+
+template <int Kind>
+struct hash<CGAL::Spherical_parameterization::Indexed_triangle_mesh::Index<Kind>> {
+  std::size_t operator()(CGAL::Spherical_parameterization::Indexed_triangle_mesh::Index<Kind> i) const
+  {
+    return hash_value(i);
+  }
+};
+
+} // namespace std
+/// \endcond
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INDEXED_TRIANGLE_MESH_H

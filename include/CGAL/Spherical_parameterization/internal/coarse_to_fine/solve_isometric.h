@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_SOLVE_ISOMETRIC_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_SOLVE_ISOMETRIC_H
+
+#include <CGAL/Spherical_parameterization/internal/base/precondition.h>
+#include <CGAL/Spherical_parameterization/internal/base/text.h>
+#include <CGAL/Spherical_parameterization/internal/problem/Method_solver.h>
+#include <CGAL/Spherical_parameterization/methods.h>
+
+#include <string>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+/// See Coarse_to_fine_map.h, and doc/isometric_method.md.
+template <>
+class Method_solver<Isometric> {
+public:
+  explicit Method_solver(const Isometric& method) : method_(method)
+  {
+    CGAL_SP_PRECONDITION(method.area_exponent >= 0, "the area exponent must not be negative");
+  }
+
+  static Weights weights() { return Weights::UNUSED; }
+  bool needs_given_start() const { return false; }
+  std::string name() const { return "isometric"; }
+
+  template <class Backend>
+  Solution solve(const Backend& backend, const Problem& problem, const Effort& effort, Monitor& monitor) const;
+
+private:
+  Isometric method_;
+};
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#ifdef CGAL_SP_INCLUDE_CORE
+#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/solve_isometric_impl.h>
+#endif
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_SOLVE_ISOMETRIC_H

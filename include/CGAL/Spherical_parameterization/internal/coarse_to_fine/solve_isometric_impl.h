@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_SOLVE_ISOMETRIC_IMPL_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_SOLVE_ISOMETRIC_IMPL_H
+
+#include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
+#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Coarse_to_fine_map.h>
+#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/solve_isometric.h>
+
+#include <string>
+#include <utility>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+/// Throws the Error if there is no map whose edges are geodesic: these are determined by their ends.
+inline void check_simplicial(const Weighted_graph& graph)
+{
+  const char* const problem = "there is no map with geodesic edges: ";
+  if(graph.size() < 4)
+    throw Error(Error_code::NOT_BIJECTIVE, std::string(problem) + "the mesh has fewer than four vertices");
+  for(int i = 0; i < graph.size(); ++i)
+    for(int k = graph.offset[i]; k < graph.offset[i + 1]; ++k)
+      if(graph.target[k] == i || (k > graph.offset[i] && graph.target[k] == graph.target[k - 1]))
+        throw Error(Error_code::NOT_BIJECTIVE, std::string(problem) + "two edges of the mesh have the same ends");
+}
+
+template <class Backend>
+Solution Method_solver<Isometric>::solve(const Backend& backend, const Problem& problem, const Effort& effort,
+                                         Monitor& monitor) const
+{
+  if(problem.has_fixed())
+    throw Error(Error_code::BAD_CONSTRAINTS, "the isometric method cannot keep vertices fixed");
+  check_simplicial(*problem.graph);
+  const Stopwatch watch;
+  Solution solution;
+  typedef Coarse_to_fine_map<typename Backend::Host_loop> Map;
+  solution.position = Map(backend.host_loop(), method_, problem, effort, monitor).run(solution.report);
+  solution.seconds.solve = watch.seconds();
+
+  const Stopwatch certify_watch;
+  if(problem.as_stored)
+    for(vec3& p : solution.position)
+      p = problem.as_stored(p);
+  solution.certificate = certify(backend.host_loop(), problem.face, solution.position);
+  solution.seconds.certify = certify_watch.seconds();
+  return solution;
+}
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_SOLVE_ISOMETRIC_IMPL_H

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DRIVER_ATTEMPT_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DRIVER_ATTEMPT_H
+
+#include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
+#include <CGAL/Spherical_parameterization/internal/problem/Method_solver.h>
+#include <CGAL/Spherical_parameterization/internal/problem/Problem.h>
+#include <CGAL/Spherical_parameterization/internal/problem/Solution.h>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+/// Runs a method, and says how it went: an Error becomes a solution without a map. All seconds are accounted for.
+template <class Backend, class Method>
+Solution attempt(const Backend& backend, const Method_solver<Method>& solver, const Problem& problem,
+                 const Effort& effort, Monitor& monitor)
+{
+  const Stopwatch watch;
+  Solution solution;
+  try {
+    solution = solver.solve(backend, problem, effort, monitor);
+  } catch(const Error& error) {
+    solution.error = error.code();
+    solution.detail = error.detail();
+    solution.seconds.solve = watch.seconds();
+  }
+  if(solution.has_map() && solution.attempts.empty())
+    pass_verdict(problem, monitor, solution);
+  if(solution.method.empty())
+    solution.method = solver.name();
+  solution.seconds.total = watch.seconds();
+  if(solution.attempts.empty())
+    solution.attempts.push_back({solution.method, solution.error, solution.detail, solution.seconds});
+  return solution;
+}
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DRIVER_ATTEMPT_H

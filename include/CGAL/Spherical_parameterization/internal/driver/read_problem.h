@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DRIVER_READ_PROBLEM_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DRIVER_READ_PROBLEM_H
+
+#include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/Source_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/problem/Method_solver.h>
+#include <CGAL/Spherical_parameterization/internal/problem/Problem.h>
+#include <CGAL/Spherical_parameterization/internal/problem/fixed_vertices.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <limits>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+/// A problem, and where its vertices are in the mesh of the caller.
+template <class Vertex>
+struct Input {
+  std::vector<Vertex> vertex;
+  Problem problem;
+};
+
+/// A position as points of this type hold it.
+template <class Point>
+Point stored_point(vec3 p)
+{
+  typedef Coordinate_of<Point> FT;
+  return Point{static_cast<FT>(p.x), static_cast<FT>(p.y), static_cast<FT>(p.z)};
+}
+
+/// What points of this type make of a position, if they do not keep all digits of doubles; else null.
+template <class Point>
+constexpr vec3 (*storage_of_points())(vec3)
+{
+  typedef std::numeric_limits<Coordinate_of<Point>> Limits;
+  if constexpr(Limits::is_specialized && Limits::radix == 2 && Limits::digits < std::numeric_limits<double>::digits)
+    return [](vec3 p) { return coordinates(stored_point<Point>(p)); };
+  else
+    return nullptr;
+}
+
+/// Weights as far as the method needs them; returns why there are none although it could use them.
+template <class Read_weights>
+std::string read_weights(Weights use, Read_weights read)
+{
+  if(use == Weights::UNUSED)
+    return {};
+  try {
+    read();
+  } catch(const Error& error) {
+    if(use == Weights::NEEDED || error.code() != Error_code::DEGENERATE_FACE)
+      throw;
+    return error.detail();
+  }
+  return {};
+}
+
+/// Reads mesh and property maps, each once, and checks them. Throws Error. Numbers that several threads may read at
+/// once are read on the threads of the policy.
+template <class ExecutionPolicy, class TriangleMesh, class Solver, class VertexSphereMap, class Inputs>
+Input<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>
+read_problem(const TriangleMesh& mesh, const Solver& solver, VertexSphereMap sphere_map, const Effort& effort,
+             const Inputs& inputs)
+{
+  const auto points = inputs.points();
+  typedef typename boost::property_traits<std::decay_t<decltype(points)>>::value_type Point;
+  typedef typename boost::property_traits<VertexSphereMap>::value_type Sphere_point;
+  const std::conditional_t<are_plain_coordinates<Point>(), typename Loop_of<ExecutionPolicy>::type, Sequential_loop>
+    loop;
+  Source_mesh<TriangleMesh> source(mesh, points, loop);
+  Problem problem;
+  problem.missing_weights = read_weights(solver.weights(), [&] { source.set_weights(mesh, inputs.weights(), loop); });
+  problem.is_fixed = fixed_vertices(source.vertex, inputs.constraints());
+  const bool needs_start = solver.needs_given_start();
+  if(problem.has_fixed() || needs_start)
+    problem.given = given_positions(source.vertex, source.position, sphere_map, problem.is_fixed, needs_start);
+  if(!source.graph->weight.empty() && problem.missing_weights.empty())
+    source.graph->update_diagonal({}, loop);
+  problem.face = std::move(source.face);
+  problem.point = std::move(source.point);
+  problem.area = std::move(source.area);
+  problem.position = std::move(source.position);
+  problem.graph = std::move(source.graph);
+  problem.weight_unit = source.weight_unit;
+  problem.effort = effort;
+  problem.as_stored = storage_of_points<Sphere_point>();
+  return {std::move(source.vertex), std::move(problem)};
+}
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DRIVER_READ_PROBLEM_H

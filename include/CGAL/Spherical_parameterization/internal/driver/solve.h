@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DRIVER_SOLVE_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DRIVER_SOLVE_H
+
+#include <CGAL/Spherical_parameterization/internal/backend/execution.h>
+#include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
+#include <CGAL/Spherical_parameterization/internal/base/compiled.h>
+#include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
+#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/solve_isometric.h>
+#include <CGAL/Spherical_parameterization/internal/driver/solve_automatic.h>
+#include <CGAL/Spherical_parameterization/internal/harmonic/solve_balanced.h>
+#include <CGAL/Spherical_parameterization/internal/problem/Problem.h>
+#include <CGAL/Spherical_parameterization/internal/problem/Solution.h>
+#include <CGAL/Spherical_parameterization/internal/saddle_point/solve_saddle_point.h>
+#include <CGAL/Spherical_parameterization/methods.h>
+
+#include <CGAL/tags.h>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+/// Solves a problem where the policy says.
+template <class Host_loop, class ExecutionPolicy, class Method>
+Solution solve(const ExecutionPolicy& policy, const Method& method, const Problem& problem, Monitor& monitor);
+
+/// What the compiled library has of a policy, after the word `template` or `extern template`.
+#define CGAL_SP_FOR_EACH_METHOD(PREFIX, POLICY)                                                                        \
+  PREFIX Solution solve<Default_loop>(const POLICY&, const Balanced&, const Problem&, Monitor&);                       \
+  PREFIX Solution solve<Default_loop>(const POLICY&, const Saddle_point&, const Problem&, Monitor&);                   \
+  PREFIX Solution solve<Default_loop>(const POLICY&, const Isometric&, const Problem&, Monitor&);                      \
+  PREFIX Solution solve<Default_loop>(const POLICY&, const Automatic&, const Problem&, Monitor&);
+
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_COMPILED
+CGAL_SP_FOR_EACH_METHOD(extern template, CGAL::Sequential_tag)
+#ifdef CGAL_LINKED_WITH_TBB
+CGAL_SP_FOR_EACH_METHOD(extern template, CGAL::Parallel_tag)
+#endif
+#endif
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#ifdef CGAL_SP_INCLUDE_CORE
+#include <CGAL/Spherical_parameterization/internal/driver/solve_impl.h>
+#endif
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DRIVER_SOLVE_H

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DRIVER_SOLVE_IMPL_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DRIVER_SOLVE_IMPL_H
+
+#include <CGAL/Spherical_parameterization/internal/backend/Host_backend.h>
+#include <CGAL/Spherical_parameterization/internal/driver/attempt.h>
+#include <CGAL/Spherical_parameterization/internal/driver/solve.h>
+
+#include <string>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+template <class Host_loop, class ExecutionPolicy, class Method>
+Solution solve(const ExecutionPolicy& policy, const Method& method, const Problem& problem, Monitor& monitor)
+{
+  Solution solution;
+  Choice_of_backend<ExecutionPolicy, Host_loop>::call(
+    policy, problem.size(), [&](const auto& backend, const std::string& device) {
+      solution = attempt(backend, Method_solver<Method>(method), problem, problem.effort, monitor);
+      solution.device = device;
+    });
+  return solution;
+}
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DRIVER_SOLVE_IMPL_H

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_HARMONIC_MOEBIUS_ALIGNMENT_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_HARMONIC_MOEBIUS_ALIGNMENT_H
+
+#include <CGAL/Spherical_parameterization/internal/backend/vertex_formulas.h>
+#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/base/rotations.h>
+#include <CGAL/Spherical_parameterization/internal/base/symmetric_solver.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+/// The Moebius transformation of orientation 1 (boosts and rotations) that brings `from` closest to `to` in the sense
+/// of least squares, by the Gauss-Newton method from the best rotation; exact for three points. Returned as a sequence
+/// of boosts, each followed by a rotation.
+class Moebius_alignment {
+public:
+  Moebius_alignment(Host_array<vec3> from, const Host_array<vec3>& to)
+  {
+    apply({make_vec3(0, 0, 0), best_rotation(from, to)}, from);
+
+    constexpr int maximum_iterations = 100;
+    constexpr double longest_boost = 0.9; // the ball ends at 1
+    double error = distance2(from, to);
+    for(int it = 0; it < maximum_iterations && error > 1e-30 * from.size(); ++it) {
+      const std::array<double, 6> step = gauss_newton_step(from, to);
+      bool is_nearer = false;
+      for(double t = 1; !is_nearer && t > 1e-9; t /= 2) {
+        const Step candidate = {{t * step[3], t * step[4], t * step[5]},
+                                rotation_about({t * step[0], t * step[1], t * step[2]})};
+        if(inner(candidate.centre, candidate.centre) >= longest_boost * longest_boost)
+          continue;
+        Host_array<vec3> moved = from;
+        for(vec3& p : moved)
+          p = transformed(candidate, p);
+        const double next = distance2(moved, to);
+        is_nearer = next < error;
+        if(is_nearer) {
+          steps_.push_back(candidate);
+          from = moved;
+          error = next;
+        }
+      }
+      if(!is_nearer)
+        return;
+    }
+  }
+
+  vec3 operator()(vec3 p) const
+  {
+    for(const Step& s : steps_)
+      p = transformed(s, p);
+    return p;
+  }
+
+private:
+  struct Step {
+    vec3 centre;
+    Matrix_3 rotation;
+  };
+
+  static vec3 transformed(const Step& s, vec3 p) { return unit(rotated(s.rotation, boost(p, s.centre))); }
+
+  void apply(const Step& s, Host_array<vec3>& points)
+  {
+    steps_.push_back(s);
+    for(vec3& p : points)
+      p = transformed(s, p);
+  }
+
+  static double distance2(const Host_array<vec3>& a, const Host_array<vec3>& b)
+  {
+    double sum = 0;
+    for(std::size_t k = 0; k < a.size(); ++k)
+      sum += inner(sub(a[k], b[k]), sub(a[k], b[k]));
+    return sum;
+  }
+
+  /// Rotation vector and boost centre, from d x = r x x - 2 P_x c.
+  static std::array<double, 6> gauss_newton_step(const Host_array<vec3>& from, const Host_array<vec3>& to)
+  {
+    Symmetric_solver<6>::Matrix normal = {};
+    std::array<double, 6> right = {};
+    for(std::size_t k = 0; k < from.size(); ++k) {
+      const vec3 x = from[k], e = sub(to[k], x);
+      const std::array<vec3, 3> axis = {vec3{1, 0, 0}, vec3{0, 1, 0}, vec3{0, 0, 1}};
+      std::array<vec3, 6> column;
+      for(int c = 0; c < 3; ++c) {
+        column[c] = outer(axis[c], x);
+        column[c + 3] = scale(-2, tangent(axis[c], x));
+      }
+      for(int i = 0; i < 6; ++i) {
+        right[i] += inner(column[i], e);
+        for(int j = 0; j < 6; ++j)
+          normal[i][j] += inner(column[i], column[j]);
+      }
+    }
+    double trace = 0;
+    for(int i = 0; i < 6; ++i)
+      trace += normal[i][i];
+    for(int i = 0; i < 6; ++i)
+      normal[i][i] += 1e-12 * trace;
+    return Symmetric_solver<6>(normal).solve(right);
+  }
+
+  std::vector<Step> steps_;
+};
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_HARMONIC_MOEBIUS_ALIGNMENT_H

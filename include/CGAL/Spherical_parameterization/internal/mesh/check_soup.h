@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_CHECK_SOUP_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_CHECK_SOUP_H
+
+#include <CGAL/Spherical_parameterization/Error.h>
+#include <CGAL/Spherical_parameterization/internal/base/compiled.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/Corner_table.h>
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <string>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+/// Why triangles form no sphere.
+struct Soup_trouble {
+  Error_code code = Error_code::OK;
+  std::string wrong;  ///< what and where: "3 boundary edges (first: between vertices 0 and 5)", ...
+  std::string remedy; ///< what to do: "close the holes", ...
+};
+
+/// Looks for all that keeps the triangles table.face, whose corners are below n, from being a closed, connected,
+/// oriented surface without handles: triangles with a repeated vertex, vertices without triangles, edges with more than
+/// two triangles, neighbouring triangles of opposite orientation, boundary edges, non-manifold vertices, several
+/// components, handles. The first trouble gives the code and the remedy; the code is `OK` if there is none, and then
+/// table.twin is filled, and last_corner[v] is the last corner at every vertex.
+///
+/// `number_of_different_points()` is asked for where there is a boundary: vertices at the same place are a common
+/// cause.
+template <class Loop>
+Soup_trouble check_soup(const Loop& loop, Corner_table& table, int n, Host_array<int>& last_corner,
+                        const std::function<std::size_t()>& number_of_different_points);
+
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_COMPILED
+extern template Soup_trouble check_soup(const Sequential_loop&, Corner_table&, int, Host_array<int>&,
+                                        const std::function<std::size_t()>&);
+#ifdef CGAL_LINKED_WITH_TBB
+extern template Soup_trouble check_soup(const Parallel_loop&, Corner_table&, int, Host_array<int>&,
+                                        const std::function<std::size_t()>&);
+#endif
+#endif
+
+} // namespace internal
+
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#ifdef CGAL_SP_INCLUDE_CORE
+#include <CGAL/Spherical_parameterization/internal/mesh/check_soup_impl.h>
+#endif
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_CHECK_SOUP_H

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PREDICATES_ORIENTATION_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PREDICATES_ORIENTATION_H
+
+#include <CGAL/Spherical_parameterization/internal/backend/vertex_formulas.h>
+#include <CGAL/Spherical_parameterization/internal/predicates/exact_determinant.h>
+
+#include <cmath>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+/// det(a, b, q) in doubles, and a bound of its error.
+///
+/// The determinant is taken as a . ((b - a) x (q - a)): for unit vectors this is accurate in proportion to the size of
+/// the triangle, so that a small triangle is decided as easily as a large one.
+struct Determinant {
+  double value, error;
+
+  Determinant(vec3 a, vec3 b, vec3 q)
+  {
+    const vec3 d = sub(b, a), e = sub(q, a);
+    value = inner(a, outer(d, e));
+    const double magnitude = std::abs(a.x) * (std::abs(d.y * e.z) + std::abs(d.z * e.y)) +
+                             std::abs(a.y) * (std::abs(d.z * e.x) + std::abs(d.x * e.z)) +
+                             std::abs(a.z) * (std::abs(d.x * e.y) + std::abs(d.y * e.x));
+    // Each term is seven roundings away from its exact value, and so is the magnitude: 8 units of 2^-53 would do.
+    // Where products may have underflowed, nothing is certain.
+    error = magnitude > 1e-280 ? 1e-15 * magnitude : 1;
+  }
+};
+
+inline bool is_equal(vec3 a, vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+
+inline bool is_finite(vec3 a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
+
+/// The sign of det(a, b, q), exactly: 1 if q is on the left of the great circle from a to b, that is if the spherical
+/// triangle (a, b, q) is counterclockwise as seen from outside; -1 if it is on the right; 0 if it is on the circle.
+///
+/// \pre all coordinates are finite
+inline int orientation(vec3 a, vec3 b, vec3 q)
+{
+  const Determinant determinant(a, b, q);
+  if(determinant.value > determinant.error)
+    return 1;
+  if(determinant.value < -determinant.error)
+    return -1;
+  if(is_equal(q, a) || is_equal(q, b) || is_equal(a, b)) // frequent, and only exact arithmetic would help otherwise
+    return 0;
+  return sign_of_exact_determinant(a, b, q);
+}
+
+inline bool is_positively_oriented(vec3 a, vec3 b, vec3 c) { return orientation(a, b, c) > 0; }
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PREDICATES_ORIENTATION_H

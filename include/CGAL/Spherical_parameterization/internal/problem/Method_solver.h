@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PROBLEM_METHOD_SOLVER_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PROBLEM_METHOD_SOLVER_H
+
+#include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
+#include <CGAL/Spherical_parameterization/internal/base/compiled.h>
+#include <CGAL/Spherical_parameterization/internal/predicates/certificate.h>
+#include <CGAL/Spherical_parameterization/internal/problem/Problem.h>
+#include <CGAL/Spherical_parameterization/internal/problem/Solution.h>
+#include <CGAL/Spherical_parameterization/internal/base/precondition.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+/// What a method does with edge weights.
+enum class Weights {
+  NEEDED,       ///< there is no map without them
+  IF_AVAILABLE, ///< it can do without them where a face has no area
+  UNUSED
+};
+
+/// How a method is run. A method of the package, a struct M of its options, is complete with the specialization
+///
+///     template <>
+///     class Method_solver<M> {
+///     public:
+///       explicit Method_solver(const M& method);   // checks the options: precondition()
+///       static Weights weights();
+///       bool needs_given_start() const;            // whether it starts from what the sphere map holds
+///       std::string name() const;                  // for Result::method
+///       template <class Backend>
+///       Solution solve(const Backend& backend, const Problem& problem, const Effort& effort, Monitor& monitor) const;
+///     };
+///
+/// solve() works with the verbs of `backend`, or on the host with backend.host_loop(). It calls monitor.advance(share),
+/// through which callbacks and time limits reach it, and ends with finish(). It throws an Error if there is no map.
+template <class Method>
+class Method_solver;
+
+/// What the caller asked for, or the default of the method; not more than the backend can give.
+template <class Backend>
+double accuracy_on(const Backend& backend, const Problem& problem, const Effort& effort, double by_default)
+{
+  return (std::max)(effort.accuracy.value_or(by_default), backend.best_accuracy(problem.size()));
+}
+
+/// The share of the whole work that the start map takes, for the progress callback.
+constexpr double start_share = 0.4;
+
+/// Makes of positions what the caller's map will hold: unit vectors as near as doubles are, where the backend computes
+/// in single precision; fixed vertices to the last bit; coordinates rounded as the caller's map rounds them.
+template <class Backend>
+void make_storable(const Backend& backend, const Problem& problem, Host_array<vec3>& v)
+{
+  const bool is_rough = backend.best_accuracy(problem.size()) > 0;
+  if(!is_rough && !problem.has_fixed() && !problem.as_stored)
+    return;
+  for_each_part(backend.host_loop(), problem.size(), [&](int begin, int end) {
+    for(int i = begin; i < end; ++i) {
+      if(problem.has_fixed() && problem.is_fixed[i])
+        v[i] = problem.given[i];
+      else if(is_rough)
+        v[i] = unit(v[i]);
+      if(problem.as_stored)
+        v[i] = problem.as_stored(v[i]);
+    }
+  });
+}
+
+/// Certifies a map on the backend as it will be stored.
+template <class Backend>
+Certificate certify_storable(const Backend& backend, const Problem& problem, const typename Backend::Vectors& v)
+{
+  if(backend.best_accuracy(problem.size()) > 0 || problem.has_fixed() || problem.as_stored) {
+    Host_array<vec3> stored = backend.download(v);
+    make_storable(backend, problem, stored);
+    return certify(backend.host_loop(), problem.face, stored);
+  }
+  return certify(backend.host_loop(), problem.face, backend.download(v));
+}
+
+/// Seconds since construction that were not spent in certify_storable() and the like.
+class Phase_watch {
+public:
+  explicit Phase_watch(Solution& solution) : solution_(solution) {}
+
+  /// The start map ends here.
+  void end_start_map() { solution_.seconds.start_map = watch_.seconds() - solution_.seconds.certify; }
+  /// The solver ends here.
+  void end_solve()
+  {
+    solution_.seconds.solve = watch_.seconds() - solution_.seconds.start_map - solution_.seconds.certify;
+  }
+
+private:
+  Solution& solution_;
+  Stopwatch watch_;
+};
+
+/// Hands the map over, certified if that has not been done yet.
+template <class Backend>
+void finish(const Backend& backend, const Problem& problem, typename Backend::Vectors&& v, bool is_certified,
+            Solution& solution)
+{
+  const Stopwatch watch;
+  solution.position = backend.download(std::move(v));
+  make_storable(backend, problem, solution.position);
+  if(!is_certified)
+    solution.certificate = certify(backend.host_loop(), problem.face, solution.position);
+  solution.seconds.certify += watch.seconds();
+}
+
+} // namespace internal
+
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PROBLEM_METHOD_SOLVER_H

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PROBLEM_PROBLEM_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PROBLEM_PROBLEM_H
+
+#include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
+#include <CGAL/Spherical_parameterization/internal/backend/vertex_formulas.h>
+#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+/// How far the caller wants a method to go; what is not given is the default of the method.
+struct Effort {
+  std::optional<double> accuracy;
+  std::optional<std::size_t> number_of_iterations;
+};
+
+/// What is to be mapped: a checked mesh as arrays, and what the caller asked for. From here on nothing depends on the
+/// type of the mesh, and nothing changes it.
+struct Problem {
+  Host_array<std::array<int, 3>> face; ///< counterclockwise; vertices are numbered breadth-first
+  Host_array<vec3> point;              ///< in a box of size 1
+  Host_array<double> area;             ///< every vertex's third of the areas of its faces
+  Host_array<int> position;            ///< the caller's number of every vertex, for messages
+  Shared_graph graph;          ///< the neighbours in ascending order; the weights, with the diagonal of free vertices
+  std::string missing_weights; ///< why there are no weights though the method could use them; else empty
+  double weight_unit = 1;      ///< what a weight of 1 in the graph is to the caller
+  std::vector<char> is_fixed;  ///< empty: no fixed vertex
+  Host_array<vec3> given;      ///< unit vectors the caller's map held on entry, where they are needed; else empty
+  Effort effort;
+  vec3 (*as_stored)(vec3) = nullptr; ///< what the caller's map makes of a position; null: it keeps every double
+
+  bool has_fixed() const { return !is_fixed.empty(); }
+  int size() const { return static_cast<int>(point.size()); }
+};
+
+/// Normal of a face, as long as twice its area.
+inline vec3 normal(const Host_array<vec3>& points, const std::array<int, 3>& f)
+{
+  return outer(sub(points[f[1]], points[f[0]]), sub(points[f[2]], points[f[0]]));
+}
+
+} // namespace internal
+
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PROBLEM_PROBLEM_H

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PROBLEM_SOLUTION_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PROBLEM_SOLUTION_H
+
+#include <CGAL/Spherical_parameterization/Error.h>
+#include <CGAL/Spherical_parameterization/Result.h>
+#include <CGAL/Spherical_parameterization/internal/backend/vertex_formulas.h>
+#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
+#include <CGAL/Spherical_parameterization/internal/base/compiled.h>
+#include <CGAL/Spherical_parameterization/internal/predicates/certificate.h>
+#include <CGAL/Spherical_parameterization/internal/problem/Problem.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+/// What a solver has to say about its run.
+struct Solver_report {
+  std::size_t start_iterations = 0; ///< of the start map, on all coarse levels together
+  std::size_t iterations = 0;
+  std::size_t sweeps = 0;
+  double residual = 0;
+  double energy = 0;
+  bool has_converged = false;
+  bool has_stalled = false; ///< gave up before the limit of iterations, since nothing improved any more
+};
+
+/// A map, and all that is to be said about it. Certificate and report belong to these positions and to no others.
+struct Solution {
+  Host_array<vec3> position; ///< unit vectors as the caller's map will store them; empty: there is no map
+  Certificate certificate;   ///< of `position`
+  Solver_report report;
+  Result::Seconds seconds; ///< of the phases between reading and writing, all attempts together
+  std::string method;      ///< that found the map
+  std::string device;      ///< what it ran on
+  Error_code error = Error_code::OK;
+  std::string detail;
+  std::string fallback_reason; ///< what was wrong with the methods that come before; empty if this is the first one
+  std::vector<Result::Attempt> attempts; ///< the methods that were tried, this one the last
+
+  bool has_map() const { return !position.empty(); }
+};
+
+/// Decides about a solution: nothing but a converged map of degree 1 without flipped faces is `OK`.
+CGAL_SP_CORE void pass_verdict(const Problem& problem, const Monitor& monitor, Solution& solution);
+
+} // namespace internal
+
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#ifdef CGAL_SP_INCLUDE_CORE
+#include <CGAL/Spherical_parameterization/internal/problem/Solution_impl.h>
+#endif
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PROBLEM_SOLUTION_H

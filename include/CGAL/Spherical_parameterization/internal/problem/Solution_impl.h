@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PROBLEM_SOLUTION_IMPL_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PROBLEM_SOLUTION_IMPL_H
+
+#include <CGAL/Spherical_parameterization/internal/base/text.h>
+#include <CGAL/Spherical_parameterization/internal/problem/Solution.h>
+
+#include <string>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+/// Why the solver may have converged to what is no map, and what to do about it.
+inline std::string reason_for_flips(const Problem& problem, double smallest_area)
+{
+  // A triangle of this area has corners 1e-13 apart or, if it is a sliver, a height near the rounding of unit vectors.
+  constexpr double area_of_rounding = 1e-26;
+  // The same for the 24 bits of floats, which are what maps that do not keep doubles are made of.
+  constexpr double area_of_float_rounding = 1e-9;
+  if(problem.as_stored && smallest_area < area_of_float_rounding)
+    return "the sphere map rounds the coordinates to fewer digits than doubles have; use a sphere map of doubles, or "
+           "the isometric method";
+  if(smallest_area < area_of_rounding)
+    return problem.has_fixed()
+             ? "limbs shrink below the resolution of the coordinates, or the fixed vertices contradict each other; use "
+               "a larger spring exponent or barycentric weights, and fix no vertices in limbs"
+             : "limbs shrink below the resolution of the coordinates; use the automatic or the isometric method, a "
+               "larger spring exponent, or barycentric weights";
+  return problem.has_fixed()
+           ? "the fixed vertices contradict each other, or are too few to hold the map; fix more of them, better "
+             "spread, or none"
+           : "the critical point found is degenerate; use the automatic or the isometric method, a larger spring "
+             "exponent, or other weights";
+}
+
+CGAL_SP_CORE void pass_verdict(const Problem& problem, const Monitor& monitor, Solution& solution)
+{
+  const Solver_report& report = solution.report;
+  const Certificate& certificate = solution.certificate;
+  const auto after = [&](const std::string& what) {
+    return what + " after " + counted(report.iterations, "iteration", "iterations") + ", at residual " +
+           to_string(report.residual) + "; ";
+  };
+  const std::string state = counted(certificate.flipped_faces, "face is", "faces are") + " flipped, the degree is " +
+                            std::to_string(certificate.degree) + ", the smallest spherical area is " +
+                            to_string(certificate.smallest_area);
+  if(monitor.is_interrupted() && !report.has_converged) {
+    solution.error = Error_code::INTERRUPTED;
+    solution.detail = after(monitor.reason()) + state;
+  } else if(!report.has_converged) {
+    solution.error = Error_code::NOT_CONVERGED;
+    solution.detail = after(report.has_stalled ? "no progress" : "stopped") + state;
+  } else if(!certificate.is_valid()) {
+    solution.error = Error_code::NOT_BIJECTIVE;
+    solution.detail = state + ": " + reason_for_flips(problem, certificate.smallest_area);
+  }
+}
+
+} // namespace internal
+
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PROBLEM_SOLUTION_IMPL_H

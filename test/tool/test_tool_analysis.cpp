@@ -136,6 +136,19 @@ TEST_CASE("texture: another image, and a pole where the user wants it", "[tool]"
   CHECK(run.out.find("north pole at 0 0 2") != std::string::npos);
 }
 
+TEST_CASE("texture: an image that cannot be read is refused before the work", "[tool]")
+{
+  Scratch scratch;
+  const std::string input = write_off(scratch / "in.off", bumpy_sphere(2));
+  fs::create_directory(scratch / "folder.png");
+  write_text(scratch / "empty.png", "");
+  const std::size_t files = scratch.number_of_files();
+  for(const std::string image : {"nothere.png", "folder.png", "empty.png"}) {
+    check_exit(run_tool(with(command_line("texture", input, scratch), {"--image", scratch / image})), image);
+    CHECK(scratch.number_of_files() == files);
+  }
+}
+
 TEST_CASE("resample: vertices and faces of an icosphere, points of the shape", "[tool]")
 {
   Scratch scratch;

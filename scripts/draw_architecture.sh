@@ -13,7 +13,7 @@ package=include/CGAL/Spherical_parameterization
 # From the bottom up: level, group, room, subject. A room may include rooms of lower levels. A folder that is not here is
 # an error, so that the picture is complete.
 rooms='
-0|core|vocabulary|Error.h, Result.h, methods.h, version.h
+0|core|vocabulary|Error.h, Result.h, methods.h, OpenCL_error.h, ...
 1|core|base|loops on the host, arrays, monitor, small dense algebra
 2|core|predicates|exact orientation, degree, certificate
 2|core|mesh|corner table, checks of the input, numbering
@@ -21,7 +21,7 @@ rooms='
 3|core|backend|formulas; the verbs, on one core and with TBB
 5|core|backend/opencl|the same verbs on an OpenCL device
 4|kernels|kernels|OpenCL C: one kernel per verb
-6|public|devices|OpenCL_device.h, OpenCL_error.h
+6|public|devices|OpenCL_device.h: the policy
 4|core|multigrid|coarsening, V-cycle, conjugate gradients
 5|core|problem|Problem, Solution, Method_solver
 6|core|harmonic|Balanced: start map and descent
@@ -59,7 +59,7 @@ includes() {
         if(index(file, package) != 1)
           return file ~ /^include/ ? "applications" : substr(file, 1, index(file, "/") - 1)
         name = substr(file, length(package) + 1)
-        if(name ~ /^(Error|Result|methods|version)\.h$/)
+        if(name ~ /^(Error|Result|methods|version|OpenCL_error|OpenCL_device_info)\.h$/)
           return "vocabulary"
         if(name ~ /^(edge_weights|Indexed_triangle_mesh)\.h$/)
           return "inputs"

@@ -109,7 +109,7 @@ TEST_CASE("texture: every face has a counter-clockwise triangle of floats", "[to
       uv[k] = Kernel::Point_2(double(p[0]), double(p[1]));
       corners.insert(t.vertex[f][k]);
     }
-    flipped += CGAL::orientation(uv[0], uv[1], uv[2]) != CGAL::LEFT_TURN;
+    flipped += exact_orientation(uv[0], uv[1], uv[2]) != CGAL::LEFT_TURN;
     CHECK(corners == std::set<std::size_t>(soup.faces[f].begin(), soup.faces[f].end()));
   }
   CHECK(flipped == 0);

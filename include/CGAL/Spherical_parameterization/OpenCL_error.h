@@ -76,7 +76,7 @@ inline const char* opencl_error_name(cl_int code)
   return "unknown error code";
 }
 
-/// Whatever goes wrong with OpenCL. Nothing is left behind on the device when it is thrown.
+/// An error of OpenCL. When it is thrown, no memory of the package is left on the device.
 class OpenCL_error : public std::runtime_error {
 public:
   /// \param call         what failed: the function of OpenCL or of this package

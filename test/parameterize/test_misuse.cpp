@@ -20,7 +20,8 @@ namespace {
 
 /// CGAL says on std::cerr what it throws.
 struct Quiet_failures {
-  CGAL::Failure_function before = CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {});
+  CGAL::Failure_function before =
+    CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {});
   ~Quiet_failures() { CGAL::set_error_handler(before); }
 };
 
@@ -30,9 +31,8 @@ void check_refused(const Method& method, const NamedParameters& np)
   const Quiet_failures quiet;
   const Soup soup = icosphere(1);
   std::vector<std::array<double, 3>> sphere;
-  CHECK_THROWS_AS(
-    SP::parameterize_triangle_soup(CGAL::Sequential_tag(), soup.points, soup.faces, method, sphere, np),
-    CGAL::Precondition_exception);
+  CHECK_THROWS_AS(SP::parameterize_triangle_soup(CGAL::Sequential_tag(), soup.points, soup.faces, method, sphere, np),
+                  CGAL::Precondition_exception);
   CHECK(sphere.empty());
 }
 

@@ -16,6 +16,7 @@
 #include <CGAL/Spherical_parameterization/internal/backend/opencl/OpenCL_backend.h>
 #include <CGAL/Spherical_parameterization/internal/backend/opencl/OpenCL_queue.h>
 #include <CGAL/Spherical_parameterization/internal/backend/opencl/device_queries.h>
+#include <CGAL/Spherical_parameterization/internal/driver/solve.h>
 
 #include <CGAL/tags.h>
 
@@ -222,6 +223,10 @@ struct Choice_of_backend<OpenCL_device, Loop> {
     }
   }
 };
+
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_COMPILED
+CGAL_SP_FOR_EACH_METHOD(extern template, OpenCL_device)
+#endif
 
 } // namespace internal
 } // namespace Spherical_parameterization

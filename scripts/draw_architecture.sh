@@ -21,7 +21,7 @@ rooms='
 3|core|backend|formulas; the verbs, on one core and with TBB
 5|core|backend/opencl|the same verbs on an OpenCL device
 4|kernels|kernels|OpenCL C: one kernel per verb
-6|public|devices|OpenCL_device.h: the policy
+9|public|devices|OpenCL_device.h: the policy
 4|core|multigrid|coarsening, V-cycle, conjugate gradients
 5|core|problem|Problem, Solution, Method_solver
 6|core|harmonic|Balanced: start map and descent

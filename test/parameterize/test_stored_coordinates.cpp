@@ -45,7 +45,7 @@ TEMPLATE_TEST_CASE("a map of floats is called valid only if it is", "[stored]", 
   }
   SECTION("it flips faces in a limb, which are counted, and not called valid")
   {
-    const Soup soup = capsule(4, 24); // shrunk by exp(-4 pi), twice
+    const Soup soup = capsule(8, 24); // the middle shrinks by exp(-8 pi)
     const SP::Result result = map_to_floats<TestType>(soup, SP::Balanced(), stored);
     CAPTURE(result);
     CHECK(result.error == SP::Error_code::NOT_BIJECTIVE);
@@ -57,7 +57,7 @@ TEMPLATE_TEST_CASE("a map of floats is called valid only if it is", "[stored]", 
   }
   SECTION("the automatic method finds one that floats can hold")
   {
-    const Soup soup = capsule(4, 24);
+    const Soup soup = capsule(8, 24);
     const SP::Result result = map_to_floats<TestType>(soup, SP::Automatic(), stored);
     CAPTURE(result);
     CHECK(bool(result));

@@ -8,7 +8,8 @@
 /// The core, all that does not depend on the type of the mesh, comes in two forms of the same text:
 /// - headers only, the default: every declaration of the core includes its X_impl.h, and functions are inline;
 /// - compiled: users who link the target CGAL_Spherical_parameterization::Compiled have
-///   CGAL_SPHERICAL_PARAMETERIZATION_COMPILED defined. They read declarations only; compiled/*.cpp holds the definitions.
+///   CGAL_SPHERICAL_PARAMETERIZATION_COMPILED defined. They read declarations only; compiled/*.cpp holds the
+///   definitions.
 
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_COMPILED
 #define CGAL_SP_CORE

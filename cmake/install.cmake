@@ -6,6 +6,17 @@ include(CMakePackageConfigHelpers)
 
 set(config_folder ${CMAKE_INSTALL_LIBDIR}/cmake/CGAL_Spherical_parameterization)
 install(TARGETS CGAL_Spherical_parameterization EXPORT CGAL_Spherical_parameterization)
+# An export of its own: it depends on the components that it was built with, which users of the headers need not have.
+install(TARGETS CGAL_Spherical_parameterization_compiled EXPORT CGAL_Spherical_parameterization_compiled)
+install(EXPORT CGAL_Spherical_parameterization_compiled DESTINATION ${config_folder}
+  NAMESPACE CGAL_Spherical_parameterization:: FILE CGAL_Spherical_parameterization-compiled.cmake)
+set(CGAL_SP_COMPILED_WITH "")
+if(CGAL_SP_WITH_TBB)
+  list(APPEND CGAL_SP_COMPILED_WITH TBB)
+endif()
+if(CGAL_SP_WITH_OPENCL)
+  list(APPEND CGAL_SP_COMPILED_WITH OpenCL)
+endif()
 install(EXPORT CGAL_Spherical_parameterization DESTINATION ${config_folder}
   NAMESPACE CGAL_Spherical_parameterization:: FILE CGAL_Spherical_parameterization-targets.cmake)
 configure_package_config_file(cmake/config.cmake.in CGAL_Spherical_parameterizationConfig.cmake
@@ -22,7 +33,8 @@ if(CGAL_SP_WITH_OPENCL)
   install(DIRECTORY ${PROJECT_BINARY_DIR}/include/CGAL DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 endif()
 
-# -frounding-math, in the .pc file: what CGAL::CGAL adds, since its exact predicates change the rounding mode.
+# In the .pc file: -frounding-math is what CGAL::CGAL adds, since the exact predicates of its kernels change the rounding
+# mode; -ffp-contract=off, what our target adds.
 set(pc_folder ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 file(RELATIVE_PATH CGAL_SP_PREFIX_FROM_PC /prefix/${pc_folder} /prefix)
 configure_file(cmake/package.pc.in cgal-spherical-parameterization.pc @ONLY)
@@ -45,7 +57,7 @@ set(CPACK_PACKAGE_CONTACT "the authors of CGAL Spherical Parameterization <cgal-
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ${CGAL_SP_WITH_TOOL})
-set(CPACK_DEBIAN_PACKAGE_DEPENDS "libcgal-dev (>= ${CGAL_SP_OLDEST_CGAL}), libboost-dev, libeigen3-dev, libgmp-dev, libmpfr-dev")
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "libcgal-dev (>= ${CGAL_SP_OLDEST_CGAL}), libboost-dev, libeigen3-dev")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libtbb-dev, ocl-icd-opencl-dev, opencl-clhpp-headers")
 set(CPACK_DEBIAN_PACKAGE_SECTION math)
 include(CPack)

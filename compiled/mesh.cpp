@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include <CGAL/Spherical_parameterization/internal/driver/write_solution.h>
+#include <CGAL/Spherical_parameterization/internal/driver/write_solution_impl.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/check_soup.h>
-#include <CGAL/Spherical_parameterization/internal/predicates/exact_determinant.h>
-#include <CGAL/Spherical_parameterization/internal/problem/Solution.h>
+#include <CGAL/Spherical_parameterization/internal/predicates/exact_determinant_impl.h>
+#include <CGAL/Spherical_parameterization/internal/problem/Solution_impl.h>
 
 namespace CGAL {
 namespace Spherical_parameterization {

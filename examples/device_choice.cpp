@@ -2,8 +2,8 @@
 // Part of CGAL Spherical Parameterization.
 //
 // An OpenCL device of the user's choice: DEVICE is its number in the list that is printed, or a part of its name.
-// Without it, the environment variable CGAL_SPHERICAL_PARAMETERIZATION_DEVICE decides, or else the first GPU. A machine
-// without any device is no reason to fail: then the host maps the mesh.
+// Without it, the environment variable CGAL_SPHERICAL_PARAMETERIZATION_DEVICE decides, or else the first GPU. On a
+// machine without any device the host maps the mesh.
 //
 //   device_choice [DEVICE]
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 //
-// Fixed vertices: landmarks of an ellipsoid are kept where they are wanted on the sphere, and all other vertices find
-// their places between them. Wanted is the free map, twisted about the axis: north by ANGLE degrees, south by as much
-// the other way.
+// Fixed vertices: landmarks of an ellipsoid are kept at given positions on the sphere, and all other vertices are
+// mapped between them. The positions are those of the free map, twisted about the axis: by ANGLE degrees in the north,
+// by -ANGLE in the south.
 //
 //   fixed_vertices [ANGLE]
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 //
-// A Linear_cell_complex, seen as a FaceGraph: the boundary of a solid, mapped and measured with the same calls as any
-// other mesh. MESH, or else an ellipsoid.
+// A Linear_cell_complex as a FaceGraph: the boundary of a solid, mapped and measured with the same calls as any other
+// mesh. MESH, or else an ellipsoid.
 //
 //   linear_cell_complex [MESH]
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 //
-// Weights of one's own: any property map from edges to positive numbers. Here stiffer springs give the upper half of
-// MESH, or else of an icosphere, more room on the sphere, since the energies of the two halves keep the map in balance;
-// 1 is no change, 4 four times as stiff.
+// Own weights: any property map from edges to positive numbers. Here larger weights (STIFFNESS, default 4; 1 is no
+// change) give the upper half of MESH, or else of an icosphere, more room on the sphere, since the map is balanced by
+// the energies of its two halves.
 //
 //   own_weights [MESH [STIFFNESS]]
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 //
-// The execution policy decides how long it takes, not what comes out: the map of MESH, or else of an ellipsoid, with
-// every policy that this program was built with. Says on the standard error how long each took.
+// The execution policy changes the time, not the result: the map of MESH, or else of an ellipsoid, with every policy
+// that this program was built with. Prints on the standard error how long each took.
 //
 //   policies [MESH]
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 //
-// A Polyhedron_3, whose vertices have no numbers and no room for a second point: the sphere is kept beside it, in a
-// hash table. MESH, or else an ellipsoid.
+// A Polyhedron_3, whose vertices have no numbers and no second point: the sphere is kept in a hash table. MESH, or else
+// an ellipsoid.
 //
 //   polyhedron [MESH]
 

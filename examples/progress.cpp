@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 //
-// Progress and cancelling: a callback hears which share of the work is done, and says whether to go on. MESH, or else
-// an ellipsoid, is mapped with a progress bar, and then again by somebody who loses patience after a while.
+// Progress and cancelling: a callback gets the fraction of the work that is done, and returns whether to go on. MESH,
+// or else an ellipsoid, is mapped with a progress bar, and then again with a callback that stops it.
 //
 //   progress [MESH]
 
@@ -40,7 +40,7 @@ int main(int argc, char* argv[])
   std::cerr << '\n';
   std::cout << "with patience: " << SP::get_error_message(result.error) << '\n';
 
-  // Seconds are a limit, too: maximum_running_time(10). Either way the best map so far is handed over.
+  // Or with a time limit: maximum_running_time(10). In both cases the best map so far is stored.
   int calls = 0;
   const auto lose_patience = [&](double) { return ++calls < 3; };
   result = SP::parameterize(mesh, sphere, CGAL::parameters::callback(lose_patience));

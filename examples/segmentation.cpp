@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 //
-// Body and limbs of MESH, or else of a ball with four limbs, beside CGAL's segmentation by SDF values. Says on the
-// standard error how long each took, without the map.
+// Body and limbs of MESH, or else of a ball with four limbs, beside CGAL's segmentation by SDF values. Prints
+// on the standard error how long each took, without the map.
 //
 //   segmentation [MESH]
 

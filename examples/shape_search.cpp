@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 //
-// Which of the MESHes has the shape most like that of QUERY, whatever its pose? Without arguments: a cigar is looked
-// for among a ball, a disc and another cigar.
+// Finds the MESH whose shape is most similar to that of QUERY, independent of the pose. Without arguments: a cigar
+// among a ball, a disc and another cigar.
 //
 //   shape_search [QUERY MESH...]
 

@@ -27,7 +27,7 @@ Point unit(double x, double y, double z)
 
 bool is_positive(const Point& a, const Point& b, const Point& c)
 {
-  return CGAL::orientation(Point(0, 0, 0), a, b, c) == CGAL::POSITIVE;
+  return test::exact_orientation(Point(0, 0, 0), a, b, c) == CGAL::POSITIVE;
 }
 
 /// Whether the faces round the vertex of h stay positively oriented with the vertex at p.

@@ -4,8 +4,8 @@
 #include "targets.h"
 
 #include "collections/nearest_signatures.h"
-#include "input/refusal.h"
 #include "collections/signature_index.h"
+#include "system/refusal.h"
 
 #include <algorithm>
 #include <string>

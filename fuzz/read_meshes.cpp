@@ -4,10 +4,10 @@
 #include "targets.h"
 
 #include "input/fixed_vertices.h"
-#include "mapping/mapped_mesh.h"
-#include "input/mesh_io.h"
+#include "input/read_mesh.h"
 #include "mapping/read_sphere.h"
-#include "input/refusal.h"
+#include "output/write_mesh.h"
+#include "system/refusal.h"
 
 #include <CGAL/boost/graph/helpers.h>
 
@@ -92,13 +92,11 @@ void read_meshes(const std::uint8_t* data, std::size_t size)
   check_mesh(*mesh);
   check_round_trip(*mesh);
 
-  tool::Mapped_mesh input;
-  input.mesh = *mesh;
-  input.sphere = input.mesh.add_property_map<tool::Mesh::Vertex_index, tool::Point>("v:sphere").first;
+  const auto sphere = mesh->add_property_map<tool::Mesh::Vertex_index, tool::Point>("v:sphere").first;
   try {
-    tool::read_sphere(file.name(), "the mesh", input);
-    for(const auto v : input.mesh.vertices()) {
-      const tool::Point p = input.sphere[v];
+    tool::read_sphere(file.name(), "the mesh", *mesh, sphere);
+    for(const auto v : mesh->vertices()) {
+      const tool::Point p = sphere[v];
       promise(std::abs(std::hypot(p.x(), p.y(), p.z()) - 1) < 1e-12, "a sphere that is none");
     }
   } catch(const tool::Refusal& refusal) {

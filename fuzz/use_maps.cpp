@@ -47,7 +47,7 @@ void check_texture(Bytes& in, const Mesh& mesh, Sphere_map sphere)
     const std::array<Point_2, 3> corner = {uv[h], uv[mesh.next(h)], uv[mesh.prev(h)]};
     for(const Point_2& p : corner)
       promise(p.x() >= -1 && p.x() <= 2 && p.y() >= -1 && p.y() <= 2, "a corner outside of the texture");
-    promise(CGAL::orientation(corner[0], corner[1], corner[2]) == CGAL::COUNTERCLOCKWISE,
+    promise(test::exact_orientation(corner[0], corner[1], corner[2]) == CGAL::COUNTERCLOCKWISE,
             "a flipped or degenerate face in the texture");
   }
 }
@@ -92,7 +92,7 @@ void check_location(const Mesh& mesh, Sphere_map sphere, const SP::Spherical_loc
                                        sphere[mesh.target(mesh.next(h))]};
   double sum = 0;
   for(std::size_t k = 0; k < 3; ++k) {
-    promise(CGAL::orientation(Point(0, 0, 0), corner[k], corner[(k + 1) % 3], q) != CGAL::NEGATIVE,
+    promise(test::exact_orientation(Point(0, 0, 0), corner[k], corner[(k + 1) % 3], q) != CGAL::NEGATIVE,
             "the face that was found is not where the direction is");
     promise(weights[k] >= 0 && weights[k] <= 1, "a weight out of range");
     sum += weights[k];

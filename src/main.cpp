@@ -2,13 +2,16 @@
 // Part of CGAL Spherical Parameterization.
 
 #include "commands/devices_command.h"
-#include "options/help_formatter.h"
 #include "commands/map_command.h"
 #include "commands/resample_command.h"
 #include "commands/search_command.h"
 #include "commands/segment_command.h"
 #include "commands/signature_command.h"
 #include "commands/texture_command.h"
+#include "options/help_formatter.h"
+#include "options/usage_error.h"
+#include "system/interruption.h"
+#include "system/standard_output.h"
 
 #include <CGAL/assertions.h>
 #include <CGAL/version.h>
@@ -49,9 +52,28 @@ int run(int argc, char** argv)
   try {
     app.parse(argc, argv);
   } catch(const CLI::ParseError& stop) { // also what --help and --version throw
-    return app.exit(stop) == 0 ? 0 : wrong_usage;
+    if(stop.get_exit_code() != 0) {
+      std::cerr << "spherical-parameterization: " << tool::usage_error(app, stop)
+                << "\nRun with --help for more information.\n";
+      return wrong_usage;
+    }
+    app.exit(stop); // prints the help or the version
   }
+  if(exit_code == 0)
+    tool::flush_standard_output();
   return exit_code;
+}
+
+int run_guarded(int argc, char** argv)
+{
+  try {
+    return run(argc, argv);
+  } catch(const std::bad_alloc&) {
+    std::cerr << "spherical-parameterization: not enough memory" << std::endl;
+  } catch(const std::exception& exception) {
+    std::cerr << "spherical-parameterization: " << exception.what() << std::endl;
+  }
+  return failure;
 }
 
 } // namespace
@@ -60,13 +82,8 @@ int main(int argc, char** argv)
 {
   CGAL::set_error_handler(print_nothing);
   std::signal(SIGXFSZ, SIG_IGN); // a file that exceeds its limit is then an error like a full disk
-  try {
-    return run(argc, argv);
-  } catch(const std::bad_alloc&) {
-    std::cerr << "spherical-parameterization: not enough memory" << std::endl;
-    return failure;
-  } catch(const std::exception& exception) {
-    std::cerr << "spherical-parameterization: " << exception.what() << std::endl;
-    return failure;
-  }
+  const int exit_code = run_guarded(argc, argv);
+  if(exit_code != 0)
+    tool::die_if_interrupted();
+  return exit_code;
 }

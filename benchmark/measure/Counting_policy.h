@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <string>
+#include <type_traits>
 
 namespace benchmark {
 
@@ -24,12 +25,11 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
-template <>
-class Backend<benchmark::Counting_policy> : public Host_backend<Sequential_loop> {
+class Counting_backend : public Host_backend<Sequential_loop> {
   typedef Host_backend<Sequential_loop> Base;
 
 public:
-  explicit Backend(const benchmark::Counting_policy& policy) : entries_(*policy.entries) {}
+  explicit Counting_backend(const benchmark::Counting_policy& policy) : entries_(*policy.entries) {}
   std::string device_name() const { return "one core, counting"; }
 
   double multiply(const Matrix& a, const Vectors& x, Vectors& y) const
@@ -104,6 +104,13 @@ private:
 
   std::size_t& entries_;
 };
+
+template <class Loop>
+struct Backend_for<benchmark::Counting_policy, Loop> {
+  using type = Counting_backend;
+};
+template <>
+struct Is_policy<benchmark::Counting_policy> : std::true_type {};
 
 } // namespace internal
 } // namespace Spherical_parameterization

@@ -3,12 +3,12 @@
 
 #include "measure/mass_row.h"
 
-#include "output/csv.h"
-#include "mapping/error_code_names.h"
-#include "options/map_settings.h"
-#include "input/mesh_io.h"
-#include "input/refusal.h"
+#include "input/read_mesh.h"
 #include "mapping/spherical_map.h"
+#include "options/map_settings.h"
+#include "output/csv.h"
+#include "system/error_code_names.h"
+#include "system/refusal.h"
 
 #include <CGAL/Spherical_parameterization/distortion_summary.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>

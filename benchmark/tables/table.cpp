@@ -4,6 +4,7 @@
 #include "tables/table.h"
 
 #include "measure/machine.h"
+#include "output/csv.h"
 
 #include <CGAL/assertions.h>
 
@@ -23,15 +24,7 @@ Cell::Cell(double number)
   text_ = buffer;
 }
 
-std::string Cell::csv() const
-{
-  if(text_.find_first_of(",\"\n") == std::string::npos)
-    return text_;
-  std::string quoted = "\"";
-  for(char c : text_)
-    quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + '"';
-}
+std::string Cell::csv() const { return tool::csv_quoted(text_); }
 
 Table::Table(const std::filesystem::path& folder, const std::string& name, const std::string& title,
              const std::vector<std::string>& notes, const std::vector<std::string>& columns)

@@ -1,20 +1,20 @@
 /* SPDX-License-Identifier: LGPL-3.0-or-later
  * Part of CGAL Spherical Parameterization.
  *
- * The verbs of linear algebra; see Host_backend for what they compute.
+ * The verbs of linear algebra: see Host_backend.h for what they compute, formulas/linear_algebra.h for how.
  */
 
 KERNEL sp_copy(int n, CONST_VECTORS x, VECTORS y)
 {
   FOR_EACH(i, n)
-  y[i] = x[i];
+  copy_at(i, x, y);
 }
 
 KERNEL sp_dot(int n, CONST_VECTORS x, CONST_VECTORS y, SCALARS partial)
 {
   SUMS(1);
   FOR_EACH_OF_BLOCK(i, n)
-  s[0] += inner(x[i], y[i]);
+  dot_at(i, x, y, s);
   ADD_UP(1);
 }
 
@@ -22,73 +22,54 @@ KERNEL sp_multiply(int n, MATRIX(a), CONST_VECTORS x, VECTORS y, SCALARS partial
 {
   SUMS(1);
   FOR_EACH_OF_BLOCK(i, n)
-  {
-    y[i] = laplacian(i, VIEW(a), x);
-    s[0] += inner(x[i], y[i]);
-  }
+  multiply_at(i, VIEW(a), x, y, s);
   ADD_UP(1);
 }
 
 KERNEL sp_descend(int n, real alpha, CONST_VECTORS p, CONST_VECTORS q, VECTORS x, VECTORS r)
 {
   FOR_EACH(i, n)
-  {
-    x[i] = add_scaled(x[i], alpha, p[i]);
-    r[i] = add_scaled(r[i], -alpha, q[i]);
-  }
+  descend_at(i, alpha, p, q, x, r);
 }
 
 KERNEL sp_conjugate(int n, real beta, CONST_VECTORS s, VECTORS p)
 {
   FOR_EACH(i, n)
-  p[i] = add_scaled(s[i], beta, p[i]);
-}
-
-KERNEL sp_energy(int n, MATRIX(a), CONST_VECTORS x, SCALARS partial)
-{
-  SUMS(1);
-  FOR_EACH_OF_BLOCK(i, n)
-  s[0] += spring_density(i, VIEW(a), 2, x);
-  ADD_UP(1);
+  conjugate_at(i, beta, s, p);
 }
 
 KERNEL sp_residual(int n, MATRIX(a), CONST_VECTORS b, CONST_VECTORS x, VECTORS r)
 {
   FOR_EACH(i, n)
-  r[i] = sub(b[i], laplacian(i, VIEW(a), x));
+  residual_at(i, VIEW(a), b, x, r);
 }
 
 KERNEL sp_start_smoothing(int n, CONST_SCALARS inverse_diagonal, real gain, CONST_VECTORS b, VECTORS x)
 {
   FOR_EACH(i, n)
-  x[i] = scale(gain * inverse_diagonal[i], b[i]);
+  start_smoothing_at(i, inverse_diagonal, gain, b, x);
 }
 
 KERNEL sp_smooth(int n, MATRIX(a), real gain, CONST_VECTORS b, CONST_VECTORS x, VECTORS y)
 {
   FOR_EACH(i, n)
-  y[i] = smoothing_step(i, VIEW(a), gain, b, x);
+  smooth_at(i, VIEW(a), gain, b, x, y);
 }
 
 KERNEL sp_transfer(int n, TRANSFER(t), CONST_VECTORS x, VECTORS y)
 {
   FOR_EACH(i, n)
-  y[i] = row_times(i, TRANSFER_VIEW(t), x);
+  transfer_at(i, TRANSFER_VIEW(t), x, y);
 }
 
 KERNEL sp_transfer_add(int n, TRANSFER(t), CONST_VECTORS x, VECTORS y)
 {
   FOR_EACH(i, n)
-  y[i] = add(y[i], row_times(i, TRANSFER_VIEW(t), x));
+  transfer_add_at(i, TRANSFER_VIEW(t), x, y);
 }
 
 KERNEL sp_multiply_dense(int n, CONST_SCALARS b, CONST_VECTORS x, VECTORS y)
 {
   FOR_EACH(i, n)
-  {
-    vec3 r = make_vec3(0, 0, 0);
-    for(int j = 0; j < n; ++j)
-      r = add_scaled(r, b[(size_t)i * n + j], x[j]);
-    y[i] = r;
-  }
+  multiply_dense_at(i, n, b, x, y);
 }

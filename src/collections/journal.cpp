@@ -3,7 +3,7 @@
 
 #include "collections/journal.h"
 
-#include "input/refusal.h"
+#include "system/refusal.h"
 
 #include <array>
 #include <cerrno>
@@ -23,9 +23,10 @@ Journal::Journal(const std::string& file, const std::string& header, const Name_
     refuse("cannot be written (" + std::generic_category().message(errno) + ")",
            "check the folder and its permissions");
   try {
-    struct stat status = {}; // without a name: the program that had it open has just finished
+    struct stat status = {}; // no link: the program that had it open has just removed it
     if(flock(descriptor_, LOCK_EX | LOCK_NB) != 0 || fstat(descriptor_, &status) != 0 || status.st_nlink == 0)
-      refuse("is in use by another program", "wait for it, or choose another --output");
+      refuse("is in use by another program",
+             "wait until it ends, or choose another --output; processes of mpirun need --mpi");
     read(header, name_of);
   } catch(...) {
     close(descriptor_);
@@ -63,7 +64,7 @@ void Journal::read(const std::string& header, const Name_of& name_of)
     const std::string line = text.substr(begin, end - begin);
     if(begin == 0) {
       if(line != header)
-        refuse("is not the journal of this version of the program", "remove it to start from the beginning");
+        refuse("is not a journal of this version of the program", "remove it to start from the beginning");
       continue;
     }
     const std::optional<std::string> name = name_of(line);
@@ -83,7 +84,7 @@ void Journal::write(const std::string& text)
     const ssize_t n = ::write(descriptor_, text.data() + done, text.size() - done);
     if(n < 0 && errno != EINTR)
       refuse("cannot be written (" + std::generic_category().message(errno) + ")",
-             "make space on the disk; the same command then goes on");
+             "make space on the disk; the same command then resumes the work");
     done += n > 0 ? static_cast<std::size_t>(n) : 0;
   }
 }

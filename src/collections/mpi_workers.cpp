@@ -3,10 +3,9 @@
 
 #include "collections/mpi_workers.h"
 
+#include "collections/signature_pool.h"
 #include "system/interruption.h"
-#include "input/refusal.h"
-
-#include <cstdlib>
+#include "system/refusal.h"
 
 #ifdef SPHERICAL_PARAMETERIZATION_WITH_MPI
 #include <boost/mpi/collectives.hpp>
@@ -21,14 +20,6 @@
 #endif
 
 namespace tool {
-
-bool is_launched_by_mpi()
-{
-  for(const char* variable : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK", "PMI_RANK"}) // Open MPI, MPICH, PMIx
-    if(std::getenv(variable))
-      return true;
-  return false;
-}
 
 #ifdef SPHERICAL_PARAMETERIZATION_WITH_MPI
 namespace {
@@ -143,8 +134,8 @@ int run_on_all_ranks(int threads_per_rank, const std::function<int(Signature_wor
 #else
 int run_on_all_ranks(int, const std::function<int(Signature_workers&)>&)
 {
-  throw Refusal("NO_MPI", "mpirun", "this build has no MPI support",
-                "configure it with CGAL_SP_WITH_MPI=ON, or run one process with --jobs");
+  throw Refusal("NO_MPI", "--mpi", "this build has no MPI support",
+                "configure it with CGAL_SP_WITH_MPI=ON, or use --jobs in one process");
 }
 #endif
 

@@ -10,10 +10,6 @@
 
 namespace tool {
 
-/// Whether this process is one of several that mpirun or the like has started, as its environment says. MPI itself is
-/// not touched.
-bool is_launched_by_mpi();
-
 /// Starts MPI. Rank 0 calls `batch` with the threads of all ranks as its workers, so many on each; the others work for
 /// it until it is done. If one rank ends otherwise, all do. Returns what `batch` returns on rank 0, and 0 on the
 /// others.

@@ -3,10 +3,10 @@
 
 #include "collections/sign_mesh.h"
 
-#include "mapping/error_code_names.h"
-#include "input/mesh_io.h"
-#include "input/refusal.h"
+#include "input/read_mesh.h"
 #include "mapping/spherical_map.h"
+#include "system/error_code_names.h"
+#include "system/refusal.h"
 
 #include <algorithm>
 #include <exception>

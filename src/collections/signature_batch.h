@@ -21,9 +21,9 @@ struct Batch_summary {
 /// Where a batch that writes to `output` keeps what is done.
 std::string journal_of(const std::string& output);
 
-/// Writes the index of `meshes` to `output`, in their order. What is done is kept in a journal as long as not all is: a
-/// batch that was stopped, however, goes on where it was, and ends with the same bytes.
-/// Throws a `Refusal`, also when interrupted.
+/// Writes the index of `meshes` to `output`, in their order. Until it is complete, a journal keeps the rows that are
+/// done: a batch that was stopped is resumed, and ends with the same bytes. Rows of files whose size or time of change
+/// is another one now are computed again. Throws a `Refusal`, also when interrupted.
 Batch_summary run_batch(const std::vector<std::string>& meshes, const std::string& output, Signature_workers& workers);
 
 } // namespace tool

@@ -3,8 +3,9 @@
 
 #include "collections/signature_index.h"
 
+#include "input/readable_file.h"
 #include "output/csv.h"
-#include "input/refusal.h"
+#include "system/refusal.h"
 
 #include <array>
 #include <charconv>
@@ -79,12 +80,11 @@ std::optional<Signature_row> from_index_line(const std::string& line)
 
 std::vector<Signature_row> read_index(const std::string& file)
 {
+  check_readable(file);
   std::ifstream in(file, std::ios::binary);
-  if(!in)
-    throw Refusal(unreadable_file, file, "cannot be read", "check the name");
   const auto refuse = [&file](std::size_t line, const std::string& wrong) {
     throw Refusal(unreadable_file, file, "line " + std::to_string(line) + ' ' + wrong,
-                  "make it anew by the command 'signature'");
+                  "write it again with the command 'signature'");
   };
   std::vector<Signature_row> rows;
   std::string text;
@@ -98,11 +98,11 @@ std::vector<Signature_row> read_index(const std::string& file)
     }
     const std::optional<Signature_row> row = from_index_line(text);
     if(!row)
-      refuse(line, "is no complete row");
+      refuse(line, "is not a complete row");
     rows.push_back(*row);
   }
   if(in.bad())
-    throw Refusal(unreadable_file, file, "cannot be read to its end", "check the disk");
+    throw Refusal(unreadable_file, file, "could not be read completely", "check the disk");
   return rows;
 }
 

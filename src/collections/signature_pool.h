@@ -4,6 +4,8 @@
 #ifndef SPHERICAL_PARAMETERIZATION_TOOL_SIGNATURE_POOL_H
 #define SPHERICAL_PARAMETERIZATION_TOOL_SIGNATURE_POOL_H
 
+#include "collections/signature_workers.h"
+
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -17,28 +19,23 @@
 
 namespace tool {
 
-/// A line of the index that is done.
-struct Finished_line {
-  std::string name; ///< of the mesh
-  std::string line;
-};
-
-/// Threads that turn mesh files into lines of the index. All functions are for one thread, their owner's.
-class Signature_pool {
+/// Threads that turn mesh files into lines of the index. All functions are to be called by one thread, the owner of the
+/// pool.
+class Signature_pool : public Signature_workers {
 public:
   /// With fewer threads if the system has no more. Throws std::system_error if it has none.
   explicit Signature_pool(int threads);
 
   /// Gives up the work that is not done.
-  ~Signature_pool();
+  ~Signature_pool() override;
 
   Signature_pool(const Signature_pool&) = delete;
   Signature_pool& operator=(const Signature_pool&) = delete;
 
-  /// How many threads have nothing to do.
-  int idle() const { return static_cast<int>(threads_.size()) - busy_; }
+  int idle() const override { return static_cast<int>(threads_.size()) - busy_; }
 
-  void start(const std::string& mesh);
+  void start(const std::string& mesh) override;
+  std::optional<Finished_line> wait() override { return wait_for(std::chrono::milliseconds(100)); }
 
   /// The next line that is finished, if there is one within that time. Throws what a thread has ended with.
   std::optional<Finished_line> wait_for(std::chrono::milliseconds time);

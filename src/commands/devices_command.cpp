@@ -65,7 +65,7 @@ void print_opencl_devices() { print_policy("opencl", "not available, this build 
 
 void add_devices_command(CLI::App& app, int& exit_code)
 {
-  CLI::App* command = app.add_subcommand("devices", "List the execution policies of this build and what they run on");
+  CLI::App* command = app.add_subcommand("devices", "List the execution policies of this build and their devices");
   command->callback([&exit_code] {
     print_policy("sequential", "one core");
     print_policy("tbb", tbb_threads());

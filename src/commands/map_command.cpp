@@ -3,19 +3,22 @@
 
 #include "commands/map_command.h"
 
-#include "output/atomic_file.h"
-#include "system/failure.h"
-#include "system/interruption.h"
 #include "mapping/mapped_mesh.h"
 #include "mapping/report.h"
-#include "system/stopwatch.h"
-#include "output/stretch_ply.h"
 #include "options/usage.h"
+#include "output/atomic_file.h"
+#include "output/stretch_ply.h"
+#include "output/write_mesh.h"
+#include "system/guarded.h"
+#include "system/interruption.h"
+
+#include <CGAL/Real_timer.h>
 
 #include <CLI/CLI.hpp>
 
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace tool {
@@ -32,15 +35,21 @@ void add_map_options(CLI::App& command, Map_options& options)
 {
   add_mapping_options(command, options);
   command
-    .add_option("-o,--output", options.output,
-                "Where the sphere goes: .off, .obj or .ply, with the vertices and faces of IN in the same order")
+    .add_option(
+      "-o,--output", options.output,
+      "Output file of the sphere: .off, .obj or .ply. Its vertices and faces are those of IN, in the same order")
     ->required()
     ->type_name("FILE");
-  command.add_option("--report", options.report, "Write all figures, or the error, as JSON")->type_name("FILE");
-  command.add_option("--stretch-ply", options.stretch_ply, "Write IN coloured by log area stretch as PLY")
+  command
+    .add_option("--report", options.report,
+                "Write the certificate, distortion, times, memory and settings, or the error, as JSON")
+    ->type_name("FILE");
+  command
+    .add_option("--stretch-ply", options.stretch_ply, "Write IN as PLY, coloured by the logarithm of the area stretch")
     ->type_name("FILE");
   command.footer("Example: spherical-parameterization map bunny.ply -o sphere.off --method automatic\n"
-                 "Exit code: 0 a certified map has been written, 1 none (the reason is on stderr), 2 wrong usage.");
+                 "Exit code: 0 a certified map was written, 1 no map was written (stderr says why), 2 wrong usage,\n"
+                 "130 interrupted.");
 }
 
 void check_map_options(const Map_options& options)
@@ -69,8 +78,8 @@ void print_certificate(const Map_options& options, const Mapped_mesh& input, con
   const CGAL::Spherical_parameterization::Result& result = input.result;
   std::cout.precision(3);
   if(input.triangulated_polygons > 0)
-    std::cout << input.triangulated_polygons << " polygons were triangulated: the faces of the sphere are not those of "
-              << options.input << '\n';
+    std::cout << input.triangulated_polygons
+              << " polygons were triangulated, so the faces of the sphere are not those of " << options.input << '\n';
   std::cout << options.input << ": " << result.number_of_vertices << " vertices, " << result.number_of_faces
             << " faces\n"
             << "valid spherical map: " << result.flipped_faces << " flipped faces, degree " << result.degree
@@ -79,10 +88,10 @@ void print_certificate(const Map_options& options, const Mapped_mesh& input, con
             << (result.method == "isometric" ? "" : options.weights + " weights, ") << options.policy << " on "
             << result.device << ": " << result.start_iterations << " + " << result.iterations << " iterations";
   if(result.sweeps > 0)
-    std::cout << " of " << result.sweeps << " sweeps in all";
+    std::cout << " of " << result.sweeps << " sweeps in total";
   std::cout << '\n';
   if(!result.fallback_reason.empty())
-    std::cout << "after failures: " << result.fallback_reason << '\n';
+    std::cout << "earlier attempts failed: " << result.fallback_reason << '\n';
   std::cout << report.seconds_total << " s: read " << input.seconds_read << ", start map " << result.seconds.start_map
             << ", solve " << result.seconds.solve << ", certify " << result.seconds.certify << ", write "
             << report.seconds_write << '\n'
@@ -92,7 +101,8 @@ void print_certificate(const Map_options& options, const Mapped_mesh& input, con
 
 void map(const Map_options& options, Mapped_mesh& input, Report& report)
 {
-  const Stopwatch total;
+  CGAL::Real_timer total;
+  total.start();
   read_input(options, input);
   Atomic_file sphere_file(options.output);
   const auto stretch_file = options.stretch_ply.empty() ? nullptr : std::make_unique<Atomic_file>(options.stretch_ply);
@@ -101,38 +111,38 @@ void map(const Map_options& options, Mapped_mesh& input, Report& report)
   map_input(options, input);
 
   if(!options.report.empty()) {
-    const Stopwatch measuring;
+    CGAL::Real_timer measuring;
+    measuring.start();
     report.distortion = CGAL::Spherical_parameterization::distortion_summary(input.mesh, input.sphere);
-    report.seconds_measure = measuring.seconds();
+    report.seconds_measure = measuring.time();
   }
-  const Stopwatch writing;
+  CGAL::Real_timer writing;
+  writing.start();
   write(options, input.mesh, input.sphere, sphere_file, stretch_file.get());
-  report.seconds_write = writing.seconds();
-  report.seconds_total = total.seconds();
+  report.seconds_write = writing.time();
+  report.seconds_total = total.time();
   print_certificate(options, input, report);
 }
 
 int run(const Map_options& options)
 {
   Report report;
-  report.input = options.input;
-  report.weights = options.weights;
-  report.method = options.method;
-  report.policy = options.policy;
+  report.options = options;
   Mapped_mesh input;
-  const Stopwatch total;
-  report.failure = guarded(options.input, [&] { map(options, input, report); });
+  CGAL::Real_timer total;
+  total.start();
+  report.refusal = guarded(options.input, [&] { map(options, input, report); });
   report.result = input.result;
   report.seconds_read = input.seconds_read;
-  report.seconds_total = total.seconds();
+  report.seconds_total = total.time();
 
-  Failure failure = report.failure;
+  std::optional<Refusal> refusal = report.refusal;
   if(!options.report.empty()) {
-    const Failure of_report = guarded(options.input, [&] { write_report(options.report, report); });
-    if(!failure)
-      failure = of_report;
+    const std::optional<Refusal> of_report = guarded(options.input, [&] { write_report(options.report, report); });
+    if(!refusal)
+      refusal = of_report;
   }
-  return report_failure(failure);
+  return exit_code_of(refusal);
 }
 
 } // namespace

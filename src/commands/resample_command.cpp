@@ -3,11 +3,12 @@
 
 #include "commands/resample_command.h"
 
-#include "output/atomic_file.h"
-#include "system/failure.h"
-#include "system/interruption.h"
 #include "mapping/mapped_mesh.h"
 #include "options/usage.h"
+#include "output/atomic_file.h"
+#include "output/write_mesh.h"
+#include "system/guarded.h"
+#include "system/interruption.h"
 
 #include <CGAL/Spherical_parameterization/resample.h>
 
@@ -67,19 +68,22 @@ void add_resample_command(CLI::App& app, int& exit_code)
   const auto options = std::make_shared<Resample_options>();
   add_mapping_options(*command, *options);
   add_sphere_option(*command, *options);
-  command->add_option("-o,--output", options->output, "Where the new mesh goes: .off, .obj or .ply")
+  command->add_option("-o,--output", options->output, "Output file of the new mesh: .off, .obj or .ply")
     ->required()
     ->type_name("FILE");
-  command->add_option("--output-sphere", options->output_sphere, "Write the icosphere, too: the map of the new mesh")
+  command
+    ->add_option("--output-sphere", options->output_sphere,
+                 "Write the icosphere as well: it is the map of the new mesh")
     ->type_name("FILE");
   command->add_option("--level", options->level, "The new mesh has 10 * 4^LEVEL + 2 vertices")
     ->check(CLI::Range(0, SP::largest_icosphere_level))
     ->capture_default_str();
   command->footer("Example: spherical-parameterization resample bunny.ply -o icosphere.off --level 7\n"
-                  "Exit code: 0 the mesh has been written, 1 not (the reason is on stderr), 2 wrong usage.");
+                  "Exit code: 0 the mesh was written, 1 nothing was written (stderr says why), 2 wrong usage,\n"
+                  "130 interrupted.");
   command->callback([options, &exit_code] {
     check(*options);
-    exit_code = report_failure(guarded(options->input, [&] { resample(*options); }));
+    exit_code = exit_code_of(guarded(options->input, [&] { resample(*options); }));
   });
 }
 

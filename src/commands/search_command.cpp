@@ -3,11 +3,11 @@
 
 #include "commands/search_command.h"
 
-#include "system/interruption.h"
 #include "collections/nearest_signatures.h"
-#include "input/refusal.h"
 #include "collections/sign_mesh.h"
 #include "collections/signature_index.h"
+#include "system/interruption.h"
+#include "system/refusal.h"
 
 #include <CLI/CLI.hpp>
 
@@ -28,7 +28,7 @@ struct Search_options {
 void search(const Search_options& options)
 {
   watch_for_interruption();
-  const std::vector<Signature_row> rows = read_index(options.index); // what is wrong there is known before the work
+  const std::vector<Signature_row> rows = read_index(options.index); // before the work
   const std::optional<Signature_row> query = sign_mesh(options.query, [] { return !was_interrupted(); });
   if(!query)
     throw Refusal("INTERRUPTED", options.query, "interrupted", "");
@@ -36,7 +36,7 @@ void search(const Search_options& options)
     throw std::runtime_error(query->message);
   const auto neighbours = nearest_signatures(rows, *query->signature, static_cast<std::size_t>(options.count));
   if(neighbours.empty())
-    throw Refusal(unreadable_file, options.index, "has no signature in it", "see its column 'message'");
+    throw Refusal(unreadable_file, options.index, "has no signature", "see its column 'message'");
   std::cout << "distance  name\n" << std::fixed << std::setprecision(4);
   for(const Neighbour& neighbour : neighbours)
     std::cout << std::setw(8) << neighbour.distance << "  " << rows[neighbour.row].name << '\n';
@@ -47,20 +47,22 @@ void search(const Search_options& options)
 
 void add_search_command(CLI::App& app, int& exit_code)
 {
-  CLI::App* command =
-    app.add_subcommand("search", "Find the meshes whose shapes are most similar, whatever their pose");
+  CLI::App* command = app.add_subcommand("search", "Find the meshes of the most similar shape, in any pose");
   const auto options = std::make_shared<Search_options>();
   command->add_option("QUERY", options->query, "Closed triangle mesh of genus 0: .off, .obj, .ply or .stl")
     ->required()
     ->type_name("FILE");
-  command->add_option("--index", options->index, "What the command signature has written")
+  command->add_option("--index", options->index, "Index that the command 'signature' has written")
     ->required()
-    ->check(CLI::ExistingFile);
-  command->add_option("-k", options->count, "List so many")->check(CLI::PositiveNumber)->capture_default_str();
-  command->footer("Prints a line per mesh: the distance of its signature, and its name. Poses of the same shape are\n"
-                  "typically .2 apart, and unlike shapes 2.\n"
+    ->type_name("FILE");
+  command->add_option("-k", options->count, "Number of meshes to list")
+    ->check(CLI::PositiveNumber)
+    ->capture_default_str();
+  command->footer("Prints a line per mesh: the distance of its signature, and its name. Typical distances are 0.2\n"
+                  "between poses of the same shape and 2 between different shapes.\n"
                   "Example: spherical-parameterization search bunny.ply --index index.csv -k 5\n"
-                  "Exit code: 0 found, 1 the mesh or the index was refused (the reason is on stderr), 2 wrong usage.");
+                  "Exit code: 0 found, 1 the mesh or the index was refused (stderr says why), 2 wrong usage,\n"
+                  "130 interrupted.");
   command->callback([options, &exit_code] {
     try {
       search(*options);

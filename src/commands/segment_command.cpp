@@ -3,14 +3,14 @@
 
 #include "commands/segment_command.h"
 
-#include "output/atomic_file.h"
-#include "mapping/error_code_names.h"
-#include "system/failure.h"
-#include "system/interruption.h"
 #include "mapping/mapped_mesh.h"
-#include "input/refusal.h"
-#include "output/segments_ply.h"
 #include "options/usage.h"
+#include "output/atomic_file.h"
+#include "output/segments_ply.h"
+#include "system/error_code_names.h"
+#include "system/guarded.h"
+#include "system/interruption.h"
+#include "system/refusal.h"
 
 #include <CGAL/Spherical_parameterization/segmentation.h>
 
@@ -69,21 +69,24 @@ void segment(const Segment_options& options)
 
 void add_segment_command(CLI::App& app, int& exit_code)
 {
-  CLI::App* command = app.add_subcommand("segment", "Cut a shape into body and limbs");
+  CLI::App* command = app.add_subcommand("segment", "Segment a shape into body and limbs");
   const auto options = std::make_shared<Segment_options>();
   add_mapping_options(*command, *options);
   add_sphere_option(*command, *options);
-  command->add_option("-o,--output", options->output, "Where IN coloured by segments goes: .ply")
+  command->add_option("-o,--output", options->output, "Output file: .ply, IN with a colour per segment")
     ->required()
     ->type_name("FILE");
-  command->add_option("--labels", options->labels, "Write the segment of every face, from 0 on, one per line")
+  command
+    ->add_option("--labels", options->labels, "Write the segment number of each face, counted from 0, one per line")
     ->type_name("FILE");
-  command->add_option("--segments", options->segments, "Cut into so many, if there are [as many as the shape has]");
+  command->add_option("--segments", options->segments,
+                      "Number of segments; fewer if the shape has fewer [all that the shape has]");
   command->footer("Example: spherical-parameterization segment bunny.ply -o segments.ply --labels labels.txt\n"
-                  "Exit code: 0 the files have been written, 1 not (the reason is on stderr), 2 wrong usage.");
+                  "Exit code: 0 the files were written, 1 nothing was written (stderr says why), 2 wrong usage,\n"
+                  "130 interrupted.");
   command->callback([options, &exit_code] {
     check(*options);
-    exit_code = report_failure(guarded(options->input, [&] { segment(*options); }));
+    exit_code = exit_code_of(guarded(options->input, [&] { segment(*options); }));
   });
 }
 

@@ -3,13 +3,14 @@
 
 #include "commands/signature_command.h"
 
-#include "system/interruption.h"
-#include "input/mesh_io.h"
-#include "input/mesh_list.h"
 #include "collections/mpi_workers.h"
-#include "input/refusal.h"
 #include "collections/signature_batch.h"
+#include "collections/signature_pool.h"
+#include "input/mesh_extensions.h"
+#include "input/mesh_list.h"
 #include "options/usage.h"
+#include "system/interruption.h"
+#include "system/refusal.h"
 
 #include <CLI/CLI.hpp>
 
@@ -28,13 +29,14 @@ struct Signature_options {
   std::vector<std::string> inputs;
   std::string list;
   std::string output;
+  bool uses_mpi = false;
   std::optional<int> jobs;
 };
 
-/// Processes of mpirun are usually as many as there are cores.
-int default_jobs()
+/// mpirun usually starts as many processes as there are cores.
+int default_jobs(bool uses_mpi)
 {
-  return is_launched_by_mpi() ? 1 : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  return uses_mpi ? 1 : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 }
 
 /// The index must not take the place of what it is made of.
@@ -51,8 +53,8 @@ int batch(const Signature_options& options, Signature_workers& workers)
 {
   const std::vector<std::string> meshes = list_meshes(options.inputs, options.list);
   if(meshes.empty())
-    throw Refusal(unreadable_file, options.list.empty() ? options.inputs.front() : options.list,
-                  "there is no mesh file", "meshes are read from .off, .obj, .ply and .stl files");
+    throw Refusal(unreadable_file, options.list.empty() ? options.inputs.front() : options.list, "has no mesh file",
+                  std::string("meshes are read from ") + mesh_extensions + " files");
   const Batch_summary summary = run_batch(meshes, options.output, workers);
   for(const std::string& why : summary.without_signature)
     std::cerr << "spherical-parameterization: " << why << '\n';
@@ -67,11 +69,11 @@ int batch(const Signature_options& options, Signature_workers& workers)
 int run(const Signature_options& options)
 {
   watch_for_interruption();
-  const int jobs = options.jobs.value_or(default_jobs());
+  const int jobs = options.jobs.value_or(default_jobs(options.uses_mpi));
   try {
-    if(is_launched_by_mpi())
+    if(options.uses_mpi)
       return run_on_all_ranks(jobs, [&](Signature_workers& workers) { return batch(options, workers); });
-    Local_workers workers(jobs);
+    Signature_pool workers(jobs);
     return batch(options, workers);
   } catch(const Refusal& refusal) {
     std::cerr << "spherical-parameterization: " << refusal.what() << std::endl;
@@ -84,24 +86,27 @@ int run(const Signature_options& options)
 void add_signature_command(CLI::App& app, int& exit_code)
 {
   CLI::App* command =
-    app.add_subcommand("signature", "Describe the shapes of meshes by numbers, for the command search");
+    app.add_subcommand("signature", "Compute a shape descriptor of each mesh, for the command 'search'");
   const auto options = std::make_shared<Signature_options>();
   command
-    ->add_option("IN", options->inputs, "Closed triangle meshes of genus 0: .off, .obj, .ply or .stl; folders of them")
+    ->add_option("IN", options->inputs,
+                 "Closed triangle meshes of genus 0 (.off, .obj, .ply or .stl), or folders of them")
     ->type_name("FILE|FOLDER");
-  command->add_option("--list", options->list, "Text file with one more IN per line")->check(CLI::ExistingFile);
-  command->add_option("-o,--output", options->output, "Where the index goes: a CSV file with one row per mesh")
+  command->add_option("--list", options->list, "Text file with one more IN per line")->type_name("FILE");
+  command->add_option("-o,--output", options->output, "Output file of the index: CSV, one row per mesh")
     ->required()
     ->type_name("FILE");
   command
     ->add_option("-j,--jobs", options->jobs,
-                 "So many meshes at the same time [all cores; with mpirun: in every process, 1]")
+                 "Number of meshes to process at the same time [all cores; with --mpi: 1 per process]")
     ->check(CLI::Range(1, 4096));
-  command->footer("Meshes without signature have a row that says why. A run that was stopped goes on where it was\n"
-                  "when the same command is given again. mpirun -n N spreads the work over N processes.\n"
+  command->add_flag("--mpi", options->uses_mpi,
+                    "Share the work among the processes of mpirun: mpirun -n N spherical-parameterization ... --mpi");
+  command->footer("Meshes without a signature have a row that says why. The same command resumes a run that was\n"
+                  "stopped; meshes that have changed since are computed again.\n"
                   "Example: spherical-parameterization signature scans/ -o index.csv\n"
-                  "Exit code: 0 the index has been written, 1 not, or it has no signature (the reason is on stderr),\n"
-                  "2 wrong usage.");
+                  "Exit code: 0 the index was written, 1 no index was written or it has no signature (stderr says\n"
+                  "why), 2 wrong usage, 130 interrupted.");
   command->callback([options, &exit_code] {
     check(*options);
     exit_code = run(*options);

@@ -3,12 +3,13 @@
 
 #include "commands/texture_command.h"
 
-#include "output/atomic_file.h"
-#include "system/failure.h"
-#include "system/interruption.h"
+#include "input/readable_file.h"
 #include "mapping/mapped_mesh.h"
-#include "output/textured_obj.h"
 #include "options/usage.h"
+#include "output/atomic_file.h"
+#include "output/textured_obj.h"
+#include "system/guarded.h"
+#include "system/interruption.h"
 
 #include <CGAL/Spherical_parameterization/texture_coordinates.h>
 
@@ -46,13 +47,15 @@ void check(const Texture_command_options& options)
   require_extension("--output", options.output, {".obj"});
   std::vector<File_option> inputs = input_files(options),
                            outputs = {{"--output", options.output}, {"the material", beside(options.output, ".mtl")}};
-  (options.image.empty() ? outputs : inputs)
-    .emplace_back("the image", options.image.empty() ? beside(options.output, ".png") : options.image);
+  if(options.image.empty())
+    outputs.emplace_back("the image", beside(options.output, ".png"));
+  else
+    inputs.emplace_back("--image", options.image);
   check_files(inputs, outputs);
   if(options.north) {
     const auto& n = *options.north;
     const double length = std::hypot(n[0], n[1], n[2]);
-    require(std::isfinite(length) && length > 0, "--north", "is no direction");
+    require(std::isfinite(length) && length > 0, "--north", "must not be the zero vector");
   }
   check_mapping_options(options);
 }
@@ -80,19 +83,21 @@ void print(const Texture_command_options& options, const SP::Texture_report& rep
 {
   std::cout.precision(3);
   const auto& north = report.axes.north;
-  std::cout << options.output << ": no face without a place in the texture; north pole at " << north[0] << ' '
+  std::cout << options.output << ": every face has a place in the texture; north pole at " << north[0] << ' '
             << north[1] << ' ' << north[2] << ", " << report.seam_faces << " faces across the seam";
   if(report.moved_faces > 0)
     std::cout << '\n'
-              << report.moved_faces << " faces have a corner of their own, at most " << report.largest_move
+              << report.moved_faces << " faces have a moved corner, at most " << report.largest_move
               << " away from that of their neighbours: " << report.unresolved_faces
-              << " since they are smaller than floats resolve, " << report.moved_faces - report.unresolved_faces
-              << " since they are too long and thin for the chart";
+              << " are smaller than the resolution of floats, " << report.moved_faces - report.unresolved_faces
+              << " are too long and thin for the chart";
   std::cout << std::endl;
 }
 
 void texture(const Texture_command_options& options)
 {
+  if(!options.image.empty())
+    check_readable(options.image);
   Mapped_mesh input;
   read_input(options, input);
   Atomic_file obj(options.output), mtl(beside(options.output, ".mtl"));
@@ -123,22 +128,23 @@ void add_texture_command(CLI::App& app, int& exit_code)
   add_mapping_options(*command, *options);
   add_sphere_option(*command, *options);
   command
-    ->add_option("-o,--output", options->output,
-                 "Where the textured mesh goes: .obj; the material goes to .mtl and a checker to .png next to it")
+    ->add_option(
+      "-o,--output", options->output,
+      "Output file of the textured mesh: .obj. The material is written to .mtl and a checker to .png, next to it")
     ->required()
     ->type_name("FILE");
-  command->add_option("--chart", options->chart, "How the sphere is laid out in the plane")
+  command->add_option("--chart", options->chart, "Parameterization of the sphere over the plane")
     ->check(CLI::IsMember({"latitude-longitude", "octahedral"}))
     ->capture_default_str();
-  command->add_option("--north", options->north, "North pole on the sphere [where the texture is least distorted]")
+  command->add_option("--north", options->north, "North pole on the sphere [where the texture has least distortion]")
     ->type_name("X Y Z");
-  command->add_option("--image", options->image, "Let the material use this image instead of a checker")
-    ->type_name("FILE");
+  command->add_option("--image", options->image, "Image of the material, instead of a checker")->type_name("FILE");
   command->footer("Example: spherical-parameterization texture bunny.ply -o textured.obj --chart octahedral\n"
-                  "Exit code: 0 the files have been written, 1 not (the reason is on stderr), 2 wrong usage.");
+                  "Exit code: 0 the files were written, 1 nothing was written (stderr says why), 2 wrong usage,\n"
+                  "130 interrupted.");
   command->callback([options, &exit_code] {
     check(*options);
-    exit_code = report_failure(guarded(options->input, [&] { texture(*options); }));
+    exit_code = exit_code_of(guarded(options->input, [&] { texture(*options); }));
   });
 }
 

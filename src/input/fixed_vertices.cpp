@@ -3,8 +3,9 @@
 
 #include "input/fixed_vertices.h"
 
-#include "input/refusal.h"
+#include "input/readable_file.h"
 #include "input/text_lines.h"
+#include "system/refusal.h"
 
 #include <array>
 #include <cmath>
@@ -14,6 +15,7 @@ namespace tool {
 
 std::vector<Fixed_vertex> read_fixed_vertices(const std::string& file, std::size_t number_of_vertices)
 {
+  check_readable(file);
   const std::string remedy = "a line must be 'index x y z'";
   std::vector<Fixed_vertex> fixed;
   std::set<std::size_t> seen;
@@ -23,30 +25,31 @@ std::vector<Fixed_vertex> read_fixed_vertices(const std::string& file, std::size
     const std::string_view token = tokens.next();
     const std::optional<std::int64_t> number = to_integer(token);
     if(!number)
-      lines.refuse(in_quotes(token) + " is no vertex number", remedy);
+      lines.refuse(in_quotes(token) + " is not a vertex index", remedy);
     if(*number < 0 || *number >= std::int64_t(number_of_vertices))
       lines.refuse("vertex " + std::to_string(*number) + " is not in 0.." + std::to_string(number_of_vertices - 1),
-                   "vertices are numbered from 0 on in the order of the mesh file");
+                   "vertices are numbered from 0 in the order of the mesh file");
     const auto index = static_cast<std::size_t>(*number);
     if(!seen.insert(index).second)
-      lines.refuse("vertex " + std::to_string(index) + " has been fixed before", "name every vertex once");
+      lines.refuse("vertex " + std::to_string(index) + " is fixed twice", "list every vertex once");
 
     std::array<double, 3> direction;
     for(double& x : direction) {
       const std::string coordinate(tokens.next());
       if(to_number(coordinate, x) != Number::FINITE)
-        lines.refuse(
-          coordinate.empty() ? "fewer than three coordinates" : in_quotes(coordinate) + " is no finite number", remedy);
+        lines.refuse(coordinate.empty() ? "fewer than three coordinates"
+                                        : in_quotes(coordinate) + " is not a finite number",
+                     remedy);
     }
     if(!tokens.next().empty())
       lines.refuse("more than four values", remedy);
     const double length = std::hypot(direction[0], direction[1], direction[2]);
     if(length == 0 || !std::isfinite(length))
-      lines.refuse("the coordinates give no direction", "they must not all be zero");
+      lines.refuse("the coordinates are too small or too large for a direction", "give a point near the unit sphere");
     fixed.push_back({index, Point(direction[0] / length, direction[1] / length, direction[2] / length)});
   }
   if(fixed.empty())
-    throw Refusal(unreadable_file, file, "fixes no vertex", remedy);
+    throw Refusal(unreadable_file, file, "has no fixed vertex", remedy);
   return fixed;
 }
 

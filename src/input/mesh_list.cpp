@@ -3,8 +3,8 @@
 
 #include "input/mesh_list.h"
 
-#include "input/mesh_io.h"
-#include "input/refusal.h"
+#include "input/mesh_extensions.h"
+#include "system/refusal.h"
 
 #include <algorithm>
 #include <filesystem>

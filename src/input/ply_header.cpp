@@ -4,8 +4,8 @@
 #include "input/ply_header.h"
 
 #include "input/polygon_soup.h"
-#include "input/refusal.h"
 #include "input/text_lines.h"
+#include "system/refusal.h"
 
 #include <algorithm>
 #include <cfloat>
@@ -45,7 +45,7 @@ public:
       else if(keyword == "property")
         read_property(tokens);
       else if(keyword != "comment" && keyword != "obj_info")
-        refuse("begins with " + in_quotes(keyword) + ", which is no keyword of a PLY header", damaged_);
+        refuse("begins with " + in_quotes(keyword) + ", which is not a keyword of a PLY header", damaged_);
     }
     refuse_missing_end();
   }
@@ -93,8 +93,8 @@ private:
     if(!count || *count < 0)
       refuse("element " + in_quotes(element.name) + " has the count " + in_quotes(token), damaged_);
     if(*count > std::int64_t(largest_count))
-      refuse("the header promises " + std::to_string(*count) + " elements " + in_quotes(element.name) +
-               ", more than this tool can number",
+      refuse("the header announces " + std::to_string(*count) + " elements " + in_quotes(element.name) +
+               ", more than this program can index",
              damaged_);
     element.count = static_cast<std::uint64_t>(*count);
     header_.elements.push_back(element);
@@ -109,7 +109,7 @@ private:
     if(type_name == "list") {
       property.count_type = type(tokens.next());
       if(!property.count_type->is_integer)
-        refuse("the length of a list is no integer", damaged_);
+        refuse("the length of a list is not an integer", damaged_);
       type_name = tokens.next();
     }
     property.type = type(type_name);
@@ -136,9 +136,9 @@ private:
       if(element.properties.empty() && element.count > 0)
         refuse("element " + in_quotes(element.name) + " has no properties", damaged_);
       if(element.is_vertex() && std::exchange(vertices, &element))
-        refuse("the element 'vertex' comes twice", damaged_);
+        refuse("the element 'vertex' occurs twice", damaged_);
       if(element.is_face() && std::exchange(faces, &element))
-        refuse("the element 'face' comes twice", damaged_);
+        refuse("the element 'face' occurs twice", damaged_);
       check_types(element);
     }
     if(!vertices)
@@ -160,7 +160,7 @@ private:
           throw Refusal(unreadable_file, file_, "has " + points + " and its faces as triangle strips ('tristrips')",
                         "save it with one element 'face' per triangle");
       throw Refusal("EMPTY_MESH", file_, "has " + points + ", but no faces",
-                    "a point cloud cannot be mapped: reconstruct a surface from it first");
+                    "a point cloud cannot be mapped; reconstruct a surface first");
     }
     const Ply_property* indices = faces->find("vertex_indices");
     if(!indices)

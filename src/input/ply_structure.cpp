@@ -4,8 +4,8 @@
 #include "input/ply_structure.h"
 
 #include "input/ply_header.h"
-#include "input/refusal.h"
 #include "input/text_lines.h"
+#include "system/refusal.h"
 
 #include <algorithm>
 #include <array>
@@ -49,7 +49,7 @@ public:
   [[noreturn]] void refuse_cut_short(const Ply_element& element, std::uint64_t index) const
   {
     throw Refusal(unreadable_file, file_,
-                  "cut short: the header promises " + std::to_string(element.count) + " elements " +
+                  "cut short: the header announces " + std::to_string(element.count) + " elements " +
                     in_quotes(element.name) + ", the file ends in number " + std::to_string(index),
                   damaged);
   }
@@ -121,7 +121,7 @@ public:
       smallest_row = smallest_size(element);
       if(element.count > (body_.bytes_left() + 1) / smallest_row)
         throw Refusal(unreadable_file, file_,
-                      "cut short: the header promises " + std::to_string(element.count) + " elements " +
+                      "cut short: the header announces " + std::to_string(element.count) + " elements " +
                         in_quotes(element.name) + ", more than " + std::to_string(body_.bytes_left()) +
                         " bytes can hold",
                       damaged);
@@ -135,7 +135,7 @@ public:
         for(const Ply_property& property : element.properties)
           check_property(element, row, property, counts.vertices);
     if(body_.has_more(smallest_row))
-      throw Refusal(unreadable_file, file_, "more data than the header promises",
+      throw Refusal(unreadable_file, file_, "has more data than the header announces",
                     "the counts in the header are wrong; export it again");
     return counts;
   }
@@ -181,7 +181,7 @@ private:
       if(is_face && (value < 0 || value >= double(vertices)))
         throw Refusal(unreadable_file, file_,
                       "face " + std::to_string(row) + " has the vertex " +
-                        std::to_string(static_cast<std::int64_t>(value)) + ", which is not in 0.." +
+                        std::to_string(static_cast<std::int64_t>(value)) + ", which is not in the range 0.." +
                         std::to_string(std::int64_t(vertices) - 1),
                       damaged);
     }

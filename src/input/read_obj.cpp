@@ -3,8 +3,8 @@
 
 #include "input/checked_lines.h"
 #include "input/mesh_readers.h"
-#include "input/refusal.h"
 #include "input/text_lines.h"
+#include "system/refusal.h"
 
 #include <CGAL/IO/OBJ.h>
 
@@ -44,8 +44,8 @@ public:
         read_face(tokens, out);
       else if(std::find(std::begin(other_statements), std::end(other_statements), keyword) ==
               std::end(other_statements))
-        lines_.refuse("begins with " + in_quotes(keyword) + ", which is no statement of the OBJ format",
-                      "the file is damaged or no OBJ file; export it again");
+        lines_.refuse("begins with " + in_quotes(keyword) + ", which is not a statement of the OBJ format",
+                      "the file is damaged or is not an OBJ file; export it again");
     }
     return true;
   }
@@ -57,7 +57,7 @@ private:
     lines_.append_point(tokens, "vertex", vertices_, out);
     ++vertices_;
     if(vertices_ > largest_count)
-      lines_.refuse("more vertices than this tool can number", "simplify the mesh");
+      lines_.refuse("more vertices than this program can index", "simplify the mesh");
   }
 
   void read_face(Tokens& tokens, std::string& out)
@@ -68,7 +68,7 @@ private:
       const std::optional<std::int64_t> index = to_integer(token.substr(0, token.find('/')));
       if(!index || *index == 0)
         lines_.refuse("face " + std::to_string(faces_) + " has the vertex " + in_quotes(token) +
-                        ", which is no index (they start from 1)",
+                        ", which is not an index (the first is 1)",
                       "the file is damaged; export it again");
       const std::int64_t absolute = *index > 0 ? *index : std::int64_t(vertices_) + 1 + *index;
       if(absolute < 1 || absolute > std::int64_t(largest_count))
@@ -96,7 +96,7 @@ private:
       throw Refusal("EMPTY_MESH", file_, "has no vertices", "check that this is an OBJ file with a mesh");
     if(faces_ == 0)
       throw Refusal("EMPTY_MESH", file_, "has " + std::to_string(vertices_) + " vertices, but no faces",
-                    "a point cloud cannot be mapped: reconstruct a surface from it first");
+                    "a point cloud cannot be mapped; reconstruct a surface first");
     if(largest_index_ > vertices_)
       throw Refusal(unreadable_file, file_,
                     "face " + std::to_string(largest_index_face_) + " has the vertex number " +
@@ -124,7 +124,7 @@ Polygon_soup read_obj(const std::string& file)
   const bool complete = CGAL::IO::read_OBJ(in, soup.points, soup.polygons, CGAL::parameters::verbose(false));
   lines.rethrow();
   if(!complete)
-    throw Refusal(unreadable_file, file, "CGAL's OBJ reader gave up", "export it again");
+    throw Refusal(unreadable_file, file, "cannot be read by CGAL's OBJ reader", "export it again");
   return soup;
 }
 

@@ -3,8 +3,8 @@
 
 #include "input/checked_lines.h"
 #include "input/mesh_readers.h"
-#include "input/refusal.h"
 #include "input/text_lines.h"
+#include "system/refusal.h"
 
 #include <CGAL/IO/OFF.h>
 
@@ -48,7 +48,8 @@ private:
       if(keyword.rfind(prefix, 0) == 0)
         keyword.erase(0, std::string(prefix).size());
     if(keyword == "4OFF" || keyword == "nOFF" || keyword == "4nOFF")
-      lines_.refuse("is " + in_quotes(keyword) + ", with other than three coordinates", "save it as plain OFF");
+      lines_.refuse("is " + in_quotes(keyword) + ", whose points do not have three coordinates",
+                    "save it as plain OFF");
     if(keyword != "OFF")
       lines_.refuse(no_off, remedy);
 
@@ -68,7 +69,7 @@ private:
     // "0 0 0" and "3 0 1 2" with the ends of their lines (but for the last) are the shortest lines there are
     const std::uintmax_t bytes = std::filesystem::file_size(file_);
     if(6 * std::uintmax_t(vertices_) + 8 * std::uintmax_t(faces_) > bytes + 1)
-      lines_.refuse("the header promises " + promise() + ", more than " + std::to_string(bytes) + " bytes can hold",
+      lines_.refuse("the header announces " + promise() + ", more than " + std::to_string(bytes) + " bytes can hold",
                     "the file is damaged or cut short; export it again");
     has_header_ = true;
     out = "OFF\n" + std::to_string(vertices_) + ' ' + std::to_string(faces_) + " 0\n";
@@ -81,7 +82,7 @@ private:
       lines_.refuse("expected the numbers of vertices and faces, found " + in_quotes(lines_.text()),
                     "the header is damaged; export it again");
     if(*number > std::int64_t(largest_count))
-      lines_.refuse("the header promises " + std::to_string(*number) + " elements, more than this tool can number",
+      lines_.refuse("the header announces " + std::to_string(*number) + " elements, more than this program can index",
                     "simplify the mesh");
     return static_cast<std::size_t>(*number);
   }
@@ -89,7 +90,7 @@ private:
   void read_vertex(std::string& out)
   {
     if(!lines_.next())
-      lines_.refuse_cut_short("the header promises " + promise() + ", but there are only " + std::to_string(vertex_) +
+      lines_.refuse_cut_short("the header announces " + promise() + ", but there are only " + std::to_string(vertex_) +
                               " vertices");
     Tokens tokens(lines_.text());
     lines_.append_point(tokens, "vertex", vertex_, out);
@@ -99,14 +100,14 @@ private:
   void read_face(std::string& out)
   {
     if(!lines_.next())
-      lines_.refuse_cut_short("the header promises " + promise() + ", but there are only " + std::to_string(face_) +
+      lines_.refuse_cut_short("the header announces " + promise() + ", but there are only " + std::to_string(face_) +
                               " faces");
     const std::string remedy = "the file is damaged, or the counts in its header are wrong; export it again";
     Tokens tokens(lines_.text());
     const std::string_view first = tokens.next();
     const std::optional<std::int64_t> size = to_integer(first);
     if(!size || *size < 0)
-      lines_.refuse("face " + std::to_string(face_) + " has " + in_quotes(first) + " for its number of vertices",
+      lines_.refuse("face " + std::to_string(face_) + " has " + in_quotes(first) + " as its number of vertices",
                     remedy);
     if(*size < 3)
       lines_.refuse("face " + std::to_string(face_) + " has only " + std::to_string(*size) + " vertices", remedy);
@@ -116,11 +117,11 @@ private:
       const std::optional<std::int64_t> index = to_integer(token);
       if(token.empty())
         lines_.refuse("face " + std::to_string(face_) + " has fewer than the " + std::to_string(*size) +
-                        " vertices it promises",
+                        " vertices that it announces",
                       remedy);
       if(!index || *index < 0 || *index >= std::int64_t(vertices_))
         lines_.refuse("face " + std::to_string(face_) + " has the vertex " + in_quotes(token) +
-                        ", which is not in 0.." + std::to_string(vertices_ - 1),
+                        ", which is not in the range 0.." + std::to_string(vertices_ - 1),
                       remedy);
       out += ' ';
       out += token;
@@ -140,7 +141,7 @@ private:
     while(to_integer(tokens.next()))
       ++indices;
     if(size && *size >= 3 && indices >= *size)
-      lines_.refuse("another face after the " + std::to_string(faces_) + " that the header promises",
+      lines_.refuse("another face after the " + std::to_string(faces_) + " that the header announces",
                     "the counts in the header are wrong; export the file again");
   }
 
@@ -170,7 +171,7 @@ Polygon_soup read_off(const std::string& file)
   in.peek(); // CGAL stops at the last face: have a look at what follows
   lines.rethrow();
   if(!complete)
-    throw Refusal(unreadable_file, file, "CGAL's OFF reader gave up", "export it again");
+    throw Refusal(unreadable_file, file, "cannot be read by CGAL's OFF reader", "export it again");
   return soup;
 }
 

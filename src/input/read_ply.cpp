@@ -3,7 +3,7 @@
 
 #include "input/mesh_readers.h"
 #include "input/ply_structure.h"
-#include "input/refusal.h"
+#include "system/refusal.h"
 
 #include <CGAL/IO/PLY.h>
 
@@ -20,7 +20,7 @@ Polygon_soup read_ply(const std::string& file)
   std::ifstream in(file, std::ios::binary);
   const bool complete = CGAL::IO::read_PLY(in, soup.points, soup.polygons, CGAL::parameters::verbose(false));
   if(!complete || soup.points.size() != counts.vertices || soup.polygons.size() != counts.faces)
-    throw Refusal(unreadable_file, file, "CGAL's PLY reader gave up", "export it again");
+    throw Refusal(unreadable_file, file, "cannot be read by CGAL's PLY reader", "export it again");
   return soup;
 }
 

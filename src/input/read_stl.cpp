@@ -3,8 +3,8 @@
 
 #include "input/checked_lines.h"
 #include "input/mesh_readers.h"
-#include "input/refusal.h"
 #include "input/text_lines.h"
+#include "system/refusal.h"
 
 #include <CGAL/IO/STL.h>
 
@@ -56,12 +56,12 @@ private:
     const std::string name = "triangle " + std::to_string(triangles_);
     if(keyword == "facet") {
       if(in_facet_)
-        lines_.refuse(name + " begins before the one before has ended", remedy_);
+        lines_.refuse(name + " begins before the previous one has ended", remedy_);
       in_facet_ = true;
       out = "facet normal 0 0 0 outer loop\n";
     } else if(keyword == "vertex") {
       if(!in_facet_ || corners_ == 3)
-        lines_.refuse("a vertex outside of a triangle", remedy_);
+        lines_.refuse("a vertex outside a triangle", remedy_);
       out = "vertex ";
       lines_.append_point(tokens, "corner", 3 * triangles_ + corners_, out);
       ++corners_;
@@ -77,7 +77,7 @@ private:
         lines_.refuse(name + " has no end", remedy_);
       in_solid_ = keyword == "solid";
     } else if(keyword != "outer" && keyword != "endloop")
-      lines_.refuse("begins with " + in_quotes(keyword) + ", which is no keyword of the STL format", remedy_);
+      lines_.refuse("begins with " + in_quotes(keyword) + ", which is not a keyword of the STL format", remedy_);
   }
 
   void end_of_file()
@@ -123,16 +123,16 @@ bool is_checked_binary(const std::string& file)
                   "check that this is an STL file");
   if(size < expected)
     throw Refusal(unreadable_file, file,
-                  "cut short: the header promises " + std::to_string(triangles) + " triangles in " +
+                  "cut short: the header announces " + std::to_string(triangles) + " triangles in " +
                     std::to_string(expected) + " bytes, the file has " + std::to_string(size),
                   "export it again");
   if(size >= expected + triangle_size)
     throw Refusal(unreadable_file, file,
-                  "the header promises " + std::to_string(triangles) + " triangles in " + std::to_string(expected) +
+                  "the header announces " + std::to_string(triangles) + " triangles in " + std::to_string(expected) +
                     " bytes, but the file has " + std::to_string(size),
                   "the file is damaged; export it again");
   if(triangles > largest_count)
-    throw Refusal(unreadable_file, file, "has more triangles than this tool can number", "simplify the mesh");
+    throw Refusal(unreadable_file, file, "has more triangles than this program can index", "simplify the mesh");
 
   in.seekg(std::streamoff(binary_header_size));
   for(std::uint32_t t = 0; t < triangles; ++t) {
@@ -166,7 +166,7 @@ Polygon_soup read_stl(const std::string& file)
     lines.rethrow();
   }
   if(!complete)
-    throw Refusal(unreadable_file, file, "CGAL's STL reader gave up", "export it again");
+    throw Refusal(unreadable_file, file, "cannot be read by CGAL's STL reader", "export it again");
   return soup;
 }
 

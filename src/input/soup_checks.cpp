@@ -3,8 +3,8 @@
 
 #include "input/soup_checks.h"
 
-#include "mapping/error_code_names.h"
-#include "input/refusal.h"
+#include "system/error_code_names.h"
+#include "system/refusal.h"
 
 #include <algorithm>
 #include <numeric>
@@ -63,7 +63,7 @@ void check_faces(const Polygon_soup& soup, Troubles& troubles)
   }
   if(polygons > 0)
     troubles.add(Error_code::NOT_TRIANGULAR,
-                 counted(polygons, "face that is no triangle", "faces that are no triangles") + " (first: face " +
+                 counted(polygons, "face that is not a triangle", "faces that are not triangles") + " (first: face " +
                    std::to_string(first_polygon) + " with " + std::to_string(soup.polygons[first_polygon].size()) +
                    " vertices)",
                  "triangulate the mesh, or use --triangulate");
@@ -102,9 +102,9 @@ void add_boundary(const std::string& edges, const Polygon_soup& soup, Troubles& 
   const std::size_t different = number_of_different_points(soup.points);
   if(different < soup.points.size())
     troubles.add(Error_code::BOUNDARY,
-                 edges + " and only " + std::to_string(different) + " different points for " +
+                 edges + " and only " + std::to_string(different) + " distinct points for " +
                    std::to_string(soup.points.size()) + " vertices",
-                 "merge the vertices that are at the same place, then close the holes that are left");
+                 "merge the vertices with equal coordinates, then close the remaining holes");
   else
     troubles.add(Error_code::BOUNDARY, edges, "close the holes: only closed surfaces can be mapped to the sphere");
 }
@@ -156,7 +156,7 @@ bool check_edges(const Polygon_soup& soup, Troubles& troubles)
   if(opposed > 0)
     troubles.add(Error_code::INCONSISTENT_ORIENTATION,
                  counted(opposed, "edge", "edges") + " between faces of opposite orientation" + first(first_opposed),
-                 "orient the faces consistently (if the surface has two sides)");
+                 "orient the faces consistently, if the surface is orientable");
   if(boundary > 0)
     add_boundary(counted(boundary, "boundary edge", "boundary edges") + first(first_boundary), soup, troubles);
   return crowded == 0 && opposed == 0 && boundary == 0;
@@ -195,8 +195,8 @@ bool check_vertices(const Polygon_soup& soup, Troubles& troubles)
   if(pinched > 0)
     troubles.add(Error_code::NON_MANIFOLD,
                  counted(pinched, "non-manifold vertex", "non-manifold vertices") + ", where parts of the surface " +
-                   "only touch (first: vertex " + std::to_string(first_pinched) + ")",
-                 "split such vertices");
+                   "touch in a point only (first: vertex " + std::to_string(first_pinched) + ")",
+                 "split these vertices");
   return pinched == 0;
 }
 
@@ -242,11 +242,11 @@ void check_triangulated_sphere(const std::string& file, const Polygon_soup& soup
   const std::size_t components = number_of_components(soup) - isolated;
   if(components > 1)
     troubles.add(Error_code::SEVERAL_COMPONENTS, std::to_string(components) + " connected components",
-                 "map them one by one, each from a file of its own");
+                 "write each component to its own file and map it");
   else if(is_manifold && genus(soup.points.size() - isolated, soup.polygons.size()) > 0)
     troubles.add(Error_code::WRONG_GENUS,
                  "genus " + std::to_string(genus(soup.points.size() - isolated, soup.polygons.size())),
-                 "only surfaces without handles (genus 0) can be mapped to the sphere: cut and fill the handles");
+                 "cut and fill the handles: only surfaces of genus 0 can be mapped to the sphere");
   troubles.refuse_if_any(file);
 }
 

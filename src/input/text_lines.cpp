@@ -3,7 +3,7 @@
 
 #include "input/text_lines.h"
 
-#include "input/refusal.h"
+#include "system/refusal.h"
 
 #include <algorithm>
 #include <cctype>
@@ -88,7 +88,7 @@ bool Text_lines::read_line()
   std::streambuf& buffer = *in_.rdbuf();
   for(int c = buffer.sbumpc(); c != std::char_traits<char>::eof() && c != '\n'; c = buffer.sbumpc()) {
     if(c == '\0')
-      refuse("a zero byte: this is no text file", "export it again");
+      refuse("a zero byte: this is not a text file", "export it again");
     if(c == '\r') {
       if(buffer.sgetc() == '\n')
         buffer.sbumpc();
@@ -138,7 +138,8 @@ void Text_lines::append_point(Tokens& tokens, const char* what, std::size_t inde
                       " has the coordinate " + in_quotes(token_),
                     "every coordinate must be a finite number");
     case Number::NONE:
-      refuse(what + (" " + std::to_string(index)) + " has the coordinate " + in_quotes(token_) + ", which is no number",
+      refuse(what + (" " + std::to_string(index)) + " has the coordinate " + in_quotes(token_) +
+               ", which is not a number",
              "the file is damaged; export it again");
     }
   }

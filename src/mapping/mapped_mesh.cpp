@@ -3,20 +3,24 @@
 
 #include "mapping/mapped_mesh.h"
 
-#include "mapping/error_code_names.h"
+#include "input/read_mesh.h"
+#include "mapping/read_sphere.h"
+#include "mapping/spherical_map.h"
+#include "system/error_code_names.h"
 #include "system/interruption.h"
 #include "system/progress_bar.h"
-#include "mapping/read_sphere.h"
-#include "input/refusal.h"
-#include "mapping/spherical_map.h"
-#include "system/stopwatch.h"
+#include "system/refusal.h"
 
+#include <CGAL/Real_timer.h>
+
+#include <algorithm>
 #include <string>
+#include <utility>
 
 namespace tool {
 namespace {
 
-/// What the options of this program can do about it; the other details of the library say what to do by themselves.
+/// Which options may help. Empty where the detail of the library says what to do.
 std::string remedy(const Mapping_options& options, Error_code code)
 {
   const bool has_fall_back = options.method != "automatic" && options.method != "isometric" && options.fixed.empty();
@@ -48,11 +52,13 @@ void read_input(const Mapping_options& options, Mapped_mesh& input)
 {
   watch_for_interruption();
   input.settings = map_settings(options);
-  const Stopwatch reading;
+  input.settings.policy = make_policy(options);
+  CGAL::Real_timer reading;
+  reading.start();
   Input_mesh file = read_mesh(options.input, options.triangulate ? Polygons::TRIANGULATE : Polygons::REFUSE);
   input.mesh = std::move(file.mesh);
   input.triangulated_polygons = file.triangulated_polygons;
-  input.seconds_read = reading.seconds();
+  input.seconds_read = reading.time();
   input.result.number_of_vertices = input.mesh.number_of_vertices();
   input.result.number_of_faces = input.mesh.number_of_faces();
   input.sphere = input.mesh.add_property_map<Mesh::Vertex_index, Point>("v:sphere").first;
@@ -62,7 +68,7 @@ void read_input(const Mapping_options& options, Mapped_mesh& input)
 void map_input(const Mapping_options& options, Mapped_mesh& input, Map_quality quality)
 {
   if(!options.sphere.empty())
-    read_sphere(options.sphere, options.input, input);
+    input.result = read_sphere(options.sphere, options.input, input.mesh, input.sphere);
   else
     compute_map(options, input);
   stop_if_interrupted(options.input);
@@ -73,9 +79,12 @@ void map_input(const Mapping_options& options, Mapped_mesh& input, Map_quality q
     const std::string& file = result.error == Error_code::BAD_CONSTRAINTS ? options.fixed
                               : options.sphere.empty()                    ? options.input
                                                                           : options.sphere;
-    throw Refusal(name(result.error), file,
-                  get_error_message(result.error) + (result.detail.empty() ? "" : ": " + result.detail),
-                  remedy(options, result.error));
+    const std::string what_to_do = remedy(options, result.error);
+    std::string detail = result.detail;
+    if(result.error == Error_code::NOT_BIJECTIVE && !what_to_do.empty()) // it ends with an advice of its own
+      detail.resize(std::min(detail.rfind("; "), detail.size()));
+    throw Refusal(name(result.error), file, get_error_message(result.error) + (detail.empty() ? "" : ": " + detail),
+                  what_to_do);
   }
 }
 

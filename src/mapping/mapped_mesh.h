@@ -4,8 +4,8 @@
 #ifndef SPHERICAL_PARAMETERIZATION_TOOL_MAPPED_MESH_H
 #define SPHERICAL_PARAMETERIZATION_TOOL_MAPPED_MESH_H
 
+#include "input/mesh.h"
 #include "options/mapping_options.h"
-#include "input/mesh_io.h"
 
 #include <CGAL/Spherical_parameterization/Result.h>
 
@@ -15,8 +15,8 @@ namespace tool {
 
 /// The mesh that a command works on, and its certified spherical map. A command is
 ///
-///     read_input(options, input);      // refuses what is no triangulated sphere
-///     Atomic_file file(output);        // what cannot be written is better known before the work than after it
+///     read_input(options, input);      // refuses what is not a triangulated sphere
+///     Atomic_file file(output);        // refuses what cannot be written, before the work
 ///     map_input(options, input);       // refuses what has no certified map
 ///     ...
 ///
@@ -30,8 +30,7 @@ struct Mapped_mesh {
   double seconds_read = 0;               ///< reading and checking
 };
 
-/// Reads the mesh, and from here on watches for interruption. Throws a `Refusal`, and what `make_policy()` throws: a
-/// device that is not there is better known before the work, too.
+/// Reads the mesh, and from here on watches for interruption. Throws a `Refusal`, and what `make_policy()` throws.
 void read_input(const Mapping_options& options, Mapped_mesh& input);
 
 /// What a command needs.

@@ -3,8 +3,8 @@
 
 #include "mapping/read_sphere.h"
 
-#include "mapping/mapped_mesh.h"
-#include "input/refusal.h"
+#include "input/read_mesh.h"
+#include "system/refusal.h"
 
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 
@@ -17,7 +17,7 @@
 namespace tool {
 namespace {
 
-/// The vertices of a face from the smallest one on: files may list them from any corner on.
+/// The vertices of a face, beginning with the smallest: files may begin with any corner.
 std::array<Mesh::Vertex_index, 3> corners(const Mesh& mesh, Mesh::Face_index f)
 {
   std::array<Mesh::Vertex_index, 3> corners;
@@ -41,16 +41,17 @@ void check_same_faces(const std::string& file, const std::string& mesh_file, con
   compare(sphere.number_of_faces(), mesh.number_of_faces(), "faces");
   for(const Mesh::Face_index f : mesh.faces())
     if(corners(sphere, f) != corners(mesh, f))
-      refuse("face " + std::to_string(f.idx()) + " (from 0 on) has other vertices than in " + mesh_file);
+      refuse("face " + std::to_string(f.idx()) + " (counted from 0) has other vertices than in " + mesh_file);
 }
 
-/// What is a unit vector up to rounding stays as it is: in tight limbs every bit counts. Files of few digits are
-/// brought back to the sphere.
+/// A unit vector up to rounding is not changed: where the sphere is dense, every bit counts. Points with fewer digits
+/// are normalized.
 Point on_unit_sphere(const std::string& file, const Point& p, std::size_t index)
 {
   const double length = std::hypot(p.x(), p.y(), p.z());
   if(!(length > 0.5 && length < 2))
-    throw Refusal("NOT_THE_SPHERE", file, "vertex " + std::to_string(index) + " (from 0 on) is not on the unit sphere",
+    throw Refusal("NOT_THE_SPHERE", file,
+                  "vertex " + std::to_string(index) + " (counted from 0) is not on the unit sphere",
                   "give a sphere that 'map' has written");
   if(std::abs(length - 1) <= 4 * std::numeric_limits<double>::epsilon())
     return p;
@@ -59,22 +60,26 @@ Point on_unit_sphere(const std::string& file, const Point& p, std::size_t index)
 
 } // namespace
 
-void read_sphere(const std::string& file, const std::string& mesh_file, Mapped_mesh& input)
+CGAL::Spherical_parameterization::Result read_sphere(const std::string& file, const std::string& mesh_file,
+                                                     const Mesh& mesh, Sphere_map sphere)
 {
   namespace SP = CGAL::Spherical_parameterization;
-  const Mesh sphere = read_mesh(file).mesh;
-  check_same_faces(file, mesh_file, sphere, input.mesh);
-  for(const Mesh::Vertex_index v : input.mesh.vertices())
-    input.sphere[v] = on_unit_sphere(file, sphere.point(v), v.idx());
+  const Mesh read = read_mesh(file).mesh;
+  check_same_faces(file, mesh_file, read, mesh);
+  for(const Mesh::Vertex_index v : mesh.vertices())
+    sphere[v] = on_unit_sphere(file, read.point(v), v.idx());
 
-  SP::Result& result = input.result;
-  result.flipped_faces = SP::number_of_flipped_faces(input.mesh, input.sphere);
-  result.degree = SP::degree_of_map(input.mesh, input.sphere);
+  SP::Result result;
+  result.number_of_vertices = mesh.number_of_vertices();
+  result.number_of_faces = mesh.number_of_faces();
+  result.flipped_faces = SP::number_of_flipped_faces(mesh, sphere);
+  result.degree = SP::degree_of_map(mesh, sphere);
   if(result.flipped_faces > 0 || result.degree != 1) {
     result.error = SP::Error_code::NOT_BIJECTIVE;
     result.detail = std::to_string(result.flipped_faces) + " faces are flipped, the degree is " +
                     std::to_string(result.degree) + "; map the mesh again, and keep all 17 digits";
   }
+  return result;
 }
 
 } // namespace tool

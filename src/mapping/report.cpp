@@ -7,6 +7,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <type_traits>
+#include <variant>
+
 #include <sys/resource.h>
 
 namespace tool {
@@ -48,6 +51,52 @@ Json to_json(const CGAL::Spherical_parameterization::Distortion_summary& d)
           {"degenerate_faces", d.degenerate_faces}};
 }
 
+Json to_json(Barycentric_weights) { return Json::object(); }
+Json to_json(const Conformal_weights& w) { return {{"min_angle", w.min_degrees}, {"max_angle", w.max_degrees}}; }
+Json to_json(Mean_value_weights) { return Json::object(); }
+
+namespace SP = CGAL::Spherical_parameterization;
+
+Json to_json(const SP::Balanced& m) { return {{"spring_exponent", m.spring_exponent}}; }
+Json to_json(const SP::Isometric& m) { return {{"area_exponent", m.area_exponent}}; }
+Json to_json(const SP::Automatic& m)
+{
+  return {{"spring_exponent", m.spring_exponent}, {"area_exponent", m.area_exponent}};
+}
+Json to_json(const SP::Saddle_point& m)
+{
+  return {{"splitting", m.splitting == SP::Saddle_point::Splitting::GAUSS_SEIDEL ? "gauss-seidel" : "jacobi"},
+          {"relaxation", m.relaxation},
+          {"check_interval", m.check_interval},
+          {"start", m.start == SP::Saddle_point::Start::HARMONIC ? "harmonic" : "centroid"}};
+}
+
+/// Every option on how to map by its name on the command line, given or default, as far as weights and method use it.
+Json settings_of(const Mapping_options& options)
+{
+  const Map_settings settings = map_settings(options);
+  const auto given = [](const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); };
+  Json json;
+  json["triangulate"] = options.triangulate;
+  json["weights"] = options.weights;
+  json.update(std::visit([](const auto& weights) { return to_json(weights); }, settings.weights));
+  json["method"] = options.method;
+  json.update(std::visit([](const auto& method) { return to_json(method); }, settings.method));
+  json["fixed"] = given(options.fixed);
+  json["policy"] = options.policy;
+  json["device"] = given(options.device);
+  json["precision"] = given(options.precision);
+  std::visit(
+    [&](const auto& method) {
+      using Method = std::decay_t<decltype(method)>;
+      json["accuracy"] = settings.accuracy.value_or(Method::default_accuracy);
+      json["iterations"] = settings.iterations.value_or(Method::default_number_of_iterations);
+    },
+    settings.method);
+  json["max_time"] = settings.max_time ? Json(*settings.max_time) : Json(nullptr);
+  return json;
+}
+
 } // namespace
 
 void write_report(const std::string& file, const Report& report)
@@ -58,15 +107,17 @@ void write_report(const std::string& file, const Report& report)
   const auto known = [](bool is_known, auto value) { return is_known ? Json(value) : Json(nullptr); };
 
   Json json;
-  json["input"] = report.input;
+  json["version"] = SPHERICAL_PARAMETERIZATION_VERSION;
+  json["input"] = report.options.input;
   json["vertices"] = known(has_mesh, result.number_of_vertices);
   json["faces"] = known(has_mesh, result.number_of_faces);
-  json["weights"] = report.weights;
-  json["method"] = report.method;
+  json["weights"] = report.options.weights;
+  json["method"] = report.options.method;
   json["method_used"] = known(has_map, result.method);
   json["fallback_reason"] = known(!result.fallback_reason.empty(), result.fallback_reason);
-  json["policy"] = report.policy;
+  json["policy"] = report.options.policy;
   json["device"] = known(!result.device.empty(), result.device);
+  json["settings"] = settings_of(report.options);
   json["start_iterations"] = known(has_map, result.start_iterations);
   json["iterations"] = known(has_map, result.iterations);
   json["sweeps"] = known(has_map, result.sweeps);
@@ -82,8 +133,8 @@ void write_report(const std::string& file, const Report& report)
                      {"measure", report.seconds_measure}, {"write", report.seconds_write},
                      {"total", report.seconds_total}};
   json["peak_memory_bytes"] = peak_memory_bytes();
-  json["error"] = known(bool(report.failure), report.failure.text);
-  json["error_code"] = report.failure.code;
+  json["error"] = report.refusal ? Json(report.refusal->what()) : Json(nullptr);
+  json["error_code"] = report.refusal ? report.refusal->code() : "OK";
 
   Atomic_file out(file);
   // file names need not be valid UTF-8, JSON must be

@@ -4,7 +4,8 @@
 #ifndef SPHERICAL_PARAMETERIZATION_TOOL_REPORT_H
 #define SPHERICAL_PARAMETERIZATION_TOOL_REPORT_H
 
-#include "system/failure.h"
+#include "options/mapping_options.h"
+#include "system/refusal.h"
 
 #include <CGAL/Spherical_parameterization/Result.h>
 #include <CGAL/Spherical_parameterization/distortion_summary.h>
@@ -16,17 +17,14 @@ namespace tool {
 
 /// What one run of `map` did, for programs to read.
 struct Report {
-  std::string input;
-  std::string weights;
-  std::string method;
-  std::string policy;
+  Mapping_options options;
   CGAL::Spherical_parameterization::Result result;
   double seconds_read = 0;                                                        ///< reading and checking the file
   std::optional<CGAL::Spherical_parameterization::Distortion_summary> distortion; ///< of a certified map
   double seconds_measure = 0;                                                     ///< the distortion
   double seconds_write = 0;
   double seconds_total = 0;
-  Failure failure; ///< but for the OpenCL build log: that is too long for the JSON file
+  std::optional<Refusal> refusal; ///< its log is too long for the JSON file
 };
 
 /// Writes the report as JSON. What is not known, since there is no map, is null. Throws a `Refusal`.

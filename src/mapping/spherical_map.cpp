@@ -32,16 +32,12 @@ struct Weight_map {
   }
 };
 
-struct Make_weight_map {
-  const Mesh& mesh;
-
-  Weight_map operator()(Barycentric_weights) const { return {SP::barycentric_weights(mesh)}; }
-  Weight_map operator()(Conformal_weights w) const
-  {
-    return {SP::conformal_weights(mesh, w.min_degrees, w.max_degrees)};
-  }
-  Weight_map operator()(Mean_value_weights) const { return {SP::mean_value_weights(mesh)}; }
-};
+Weight_map weight_map(const Mesh& mesh, Barycentric_weights) { return {SP::barycentric_weights(mesh)}; }
+Weight_map weight_map(const Mesh& mesh, Conformal_weights w)
+{
+  return {SP::conformal_weights(mesh, w.min_degrees, w.max_degrees)};
+}
+Weight_map weight_map(const Mesh& mesh, Mean_value_weights) { return {SP::mean_value_weights(mesh)}; }
 
 } // namespace
 
@@ -53,7 +49,8 @@ SP::Result map_to_sphere(Mesh& mesh, Sphere_map sphere, const Map_settings& sett
     is_fixed[Mesh::Vertex_index(static_cast<Mesh::size_type>(fixed.index))] = true;
     sphere[Mesh::Vertex_index(static_cast<Mesh::size_type>(fixed.index))] = fixed.position;
   }
-  const Weight_map weights = std::visit(Make_weight_map{mesh}, settings.weights);
+  const Weight_map weights =
+    std::visit([&mesh](const auto& chosen) { return weight_map(mesh, chosen); }, settings.weights);
 
   return std::visit(
     [&](const auto& policy, const auto& method) {

@@ -4,8 +4,8 @@
 #ifndef SPHERICAL_PARAMETERIZATION_TOOL_SPHERICAL_MAP_H
 #define SPHERICAL_PARAMETERIZATION_TOOL_SPHERICAL_MAP_H
 
+#include "input/mesh.h"
 #include "options/map_settings.h"
-#include "input/mesh_io.h"
 
 #include <CGAL/Spherical_parameterization/Result.h>
 

@@ -36,23 +36,23 @@ std::string defaults(Number balanced, Number saddle_point, Number isometric)
 void check_weights(const Mapping_options& options)
 {
   const bool is_conformal = options.weights == "conformal";
-  require(is_conformal || !options.min_angle, "--min-angle", "is for --weights conformal only");
-  require(is_conformal || !options.max_angle, "--max-angle", "is for --weights conformal only");
+  require(is_conformal || !options.min_angle, "--min-angle", "requires --weights conformal");
+  require(is_conformal || !options.max_angle, "--max-angle", "requires --weights conformal");
   const double minimum = options.min_angle.value_or(Conformal_weights().min_degrees);
   const double maximum = options.max_angle.value_or(Conformal_weights().max_degrees);
   require(minimum > 0 && minimum <= maximum && maximum < 90, options.min_angle ? "--min-angle" : "--max-angle",
-          "angles must be 0 < --min-angle <= --max-angle < 90");
+          "the angles must satisfy 0 < --min-angle <= --max-angle < 90");
 }
 
 void check_method(const Mapping_options& options)
 {
   const bool is_saddle_point = options.method == "saddle-point";
   const bool is_automatic = options.method == "automatic";
-  const std::string saddle_point_only = "is for --method saddle-point only";
+  const std::string saddle_point_only = "requires --method saddle-point";
   require(options.method == "balanced" || is_automatic || !options.spring_exponent, "--spring-exponent",
-          "is for --method balanced and automatic only");
+          "requires --method balanced or automatic");
   require(options.method == "isometric" || is_automatic || !options.area_exponent, "--area-exponent",
-          "is for --method isometric and automatic only");
+          "requires --method isometric or automatic");
   require(is_saddle_point || !options.splitting, "--splitting", saddle_point_only);
   require(is_saddle_point || !options.start, "--start", saddle_point_only);
   require(is_saddle_point || !options.relaxation, "--relaxation", saddle_point_only);
@@ -70,7 +70,7 @@ void check_method(const Mapping_options& options)
 
 void check_device(const Mapping_options& options)
 {
-  const std::string opencl_only = "is for --policy opencl only";
+  const std::string opencl_only = "requires --policy opencl";
   const bool is_opencl = options.policy == "opencl";
   require(is_opencl || options.device.empty(), "--device", opencl_only);
   require(is_opencl || options.precision.empty(), "--precision", opencl_only);
@@ -83,86 +83,93 @@ void add_mapping_options(CLI::App& command, Mapping_options& options)
   command.add_option("IN", options.input, "Closed triangle mesh of genus 0: .off, .obj, .ply or .stl")
     ->required()
     ->type_name("FILE");
-  command.add_flag("--triangulate", options.triangulate, "Cut polygons of IN into triangles instead of refusing them");
+  command.add_flag("--triangulate", options.triangulate, "Triangulate the polygons of IN instead of refusing them");
 
   std::string group = weights_group;
   command
     .add_option("--weights", options.weights,
-                "Of the edges: barycentric (connectivity alone), conformal (keeps angles), mean-value (in between)")
+                "Edge weights: barycentric (all 1), conformal (cotangent, preserves angles), mean-value")
     ->check(CLI::IsMember({"barycentric", "conformal", "mean-value"}))
     ->capture_default_str()
     ->group(group);
-  command.add_option("--min-angle", options.min_angle, "Conformal: smaller angles count as this, in degrees [5]")
+  command
+    .add_option("--min-angle", options.min_angle, "Conformal: lower bound to which angles are clamped, in degrees [5]")
     ->group(group);
-  command.add_option("--max-angle", options.max_angle, "Conformal: larger angles count as this, in degrees [85]")
+  command
+    .add_option("--max-angle", options.max_angle, "Conformal: upper bound to which angles are clamped, in degrees [85]")
     ->group(group);
 
   group = method_group;
   command
     .add_option("--method", options.method,
-                "balanced (fast), saddle-point (as published), isometric (keeps lengths, exists for every mesh), "
-                "automatic (balanced; where that is not valid, isometric)")
+                "balanced (fast), saddle-point (as published), isometric (low length distortion, for every mesh), "
+                "automatic (the first valid map of balanced and isometric)")
     ->check(CLI::IsMember({"balanced", "saddle-point", "isometric", "automatic"}))
     ->capture_default_str()
     ->group(group);
   command
     .add_option("--spring-exponent", options.spring_exponent,
-                "Balanced, automatic: of the spring energy, >= 2; larger ones equalise areas [2]")
+                "Balanced, automatic: exponent of the spring energy, >= 2; larger values equalize areas [2]")
     ->group(group);
   command
     .add_option("--area-exponent", options.area_exponent,
-                "Isometric, automatic: 0 preserves angles, 1 lengths, 30 and more areas [1]")
+                "Isometric, automatic: 0 preserves angles, 1 lengths, 30 or more areas [1]")
     ->group(group);
-  command.add_option("--splitting", options.splitting, "Saddle-point: of the Laplacian, for its sweeps [jacobi]")
+  command
+    .add_option("--splitting", options.splitting, "Saddle-point: splitting of the Laplacian for the sweeps [jacobi]")
     ->check(CLI::IsMember({"jacobi", "gauss-seidel"}))
     ->group(group);
   command
-    .add_option("--relaxation", options.relaxation, "Saddle-point: of the sweeps, in (0,1), gauss-seidel (0,2) [0.95]")
+    .add_option("--relaxation", options.relaxation,
+                "Saddle-point: relaxation factor in (0,1), with gauss-seidel in (0,2) [0.95]")
     ->group(group);
   command
     .add_option("--check-interval", options.check_interval,
-                "Saddle-point: sweeps between two tests for convergence [1000]")
+                "Saddle-point: number of sweeps between two convergence tests [1000]")
     ->group(group);
   command
     .add_option("--start", options.start,
-                "Saddle-point: the start map, from the centroid of the mesh or harmonic [centroid]")
+                "Saddle-point: start map, a projection from the centroid or harmonic [centroid]")
     ->check(CLI::IsMember({"centroid", "harmonic"}))
     ->group(group);
   command
-    .add_option("--fixed", options.fixed,
-                "Lines 'index x y z': three or more vertices (numbers from 0 on) and where on the sphere to keep them")
+    .add_option(
+      "--fixed", options.fixed,
+      "Text file of fixed vertices: three or more lines 'index x y z', indices from 0, positions on the sphere")
     ->type_name("FILE")
     ->group(group);
 
   group = place_group;
   command
-    .add_option("--policy", options.policy, "sequential (one core), tbb (all cores), opencl (a device): the same map")
+    .add_option("--policy", options.policy,
+                "sequential (one core), tbb (all cores), opencl (a device). The map is the same")
     ->check(CLI::IsMember(policy_names()))
     ->capture_default_str()
     ->group(group);
   command
     .add_option("--device", options.device,
-                "OpenCL: its number in the list of the command 'devices', or part of its name "
+                "OpenCL: number of the device in the list of the command 'devices', or part of its name "
                 "[$CGAL_SPHERICAL_PARAMETERIZATION_DEVICE, else the first GPU]")
     ->type_name("NUMBER|NAME")
     ->group(group);
-  command.add_option("--precision", options.precision, "OpenCL: of the numbers [double where the device has it]")
+  command
+    .add_option("--precision", options.precision, "OpenCL: floating-point precision [double if the device supports it]")
     ->check(CLI::IsMember({"double", "single"}))
     ->group(group);
 
   group = effort_group;
   command
     .add_option("--accuracy", options.accuracy,
-                "Residual to reach; isometric: gain of energy to end at" +
+                "Residual to reach; isometric: relative energy decrease at which to stop" +
                   defaults(Balanced::default_accuracy, Saddle_point::default_accuracy, Isometric::default_accuracy))
     ->group(group);
   command
     .add_option("--iterations", options.iterations,
-                "At most so many steps" + defaults(Balanced::default_number_of_iterations,
-                                                   Saddle_point::default_number_of_iterations,
-                                                   Isometric::default_number_of_iterations))
+                "Maximum number of iterations" + defaults(Balanced::default_number_of_iterations,
+                                                          Saddle_point::default_number_of_iterations,
+                                                          Isometric::default_number_of_iterations))
     ->group(group);
-  command.add_option("--max-time", options.max_time, "At most so many seconds [no limit]")->group(group);
+  command.add_option("--max-time", options.max_time, "Time limit in seconds [no limit]")->group(group);
 }
 
 void add_sphere_option(CLI::App& command, Mapping_options& options)
@@ -173,7 +180,7 @@ void add_sphere_option(CLI::App& command, Mapping_options& options)
   });
   CLI::Option* sphere = command.add_option(
     "--sphere", options.sphere,
-    "A sphere of IN that 'map' has written, instead of mapping again: excludes all options on how to map");
+    "Sphere of IN that 'map' has written; it is used instead of a new map, and excludes all mapping options");
   sphere->type_name("FILE");
   for(CLI::Option* option : how_to_map)
     sphere->excludes(option);
@@ -233,12 +240,16 @@ Map_settings map_settings(const Mapping_options& options)
     settings.method = method;
   }
 
-  settings.policy = make_policy(options.policy, {options.device, options.precision});
   settings.accuracy = options.accuracy;
   if(options.iterations)
     settings.iterations = static_cast<std::size_t>(*options.iterations);
   settings.max_time = options.max_time;
   return settings;
+}
+
+Policy make_policy(const Mapping_options& options)
+{
+  return make_policy(options.policy, {options.device, options.precision});
 }
 
 } // namespace tool

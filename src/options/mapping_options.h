@@ -58,9 +58,12 @@ void check_mapping_options(const Mapping_options& options);
 /// The files that are read, for `check_files()`.
 std::vector<File_option> input_files(const Mapping_options& options);
 
-/// The settings for the library, but for the fixed vertices, which only a mesh gives a meaning.
-/// Throws what `make_policy()` throws.
+/// The settings for the library without the fixed vertices, which are read when the size of the mesh is known, and
+/// without the policy.
 Map_settings map_settings(const Mapping_options& options);
+
+/// The policy, with the device. Throws an `OpenCL_error` if there is no such device.
+Policy make_policy(const Mapping_options& options);
 
 } // namespace tool
 

@@ -49,7 +49,7 @@ Policy make_policy(const std::string& name, [[maybe_unused]] const Device_reques
     return CGAL::Spherical_parameterization::opencl_device(find_opencl_device(request.device), precision);
   }
 #endif
-  throw std::invalid_argument("no policy '" + name + "'");
+  throw std::invalid_argument("unknown policy '" + name + "'");
 }
 
 } // namespace tool

@@ -3,7 +3,7 @@
 
 #include "options/usage.h"
 
-#include "input/mesh_io.h"
+#include "input/mesh_extensions.h"
 
 #include <CLI/CLI.hpp>
 
@@ -41,8 +41,7 @@ void require_extension(const std::string& option, const std::string& file, const
 {
   const auto found = std::find(extensions.begin(), extensions.end(), lower_case_extension(file));
   require(found != extensions.end(), option,
-          "'" + file + "' has " + (extensions.size() == 1 ? "not the extension " : "none of the extensions ") +
-            CLI::detail::join(extensions, ", "));
+          "'" + file + "' must have the extension " + CLI::detail::join(extensions, " or "));
 }
 
 void check_files(const std::vector<File_option>& inputs, const std::vector<File_option>& outputs)
@@ -51,7 +50,7 @@ void check_files(const std::vector<File_option>& inputs, const std::vector<File_
   for(const auto& [option, file] : outputs) {
     if(file.empty())
       continue;
-    require(can_be_replaced(file), option, "'" + file + "' exists and is no regular file");
+    require(can_be_replaced(file), option, "'" + file + "' exists and is not a regular file");
     for(const auto& [other_option, other_file] : files)
       require(other_file.empty() || !is_same_file(file, other_file), option, "is the same file as " + other_option);
     files.emplace_back(option, file);

@@ -3,7 +3,7 @@
 
 #include "output/atomic_file.h"
 
-#include "input/refusal.h"
+#include "system/refusal.h"
 
 #include <cerrno>
 #include <filesystem>
@@ -45,7 +45,7 @@ void Atomic_file::complete()
 {
   errno = 0;
   out_.close(); // flushes
-  if(!out_)     // if it was so before, nobody knows why any more
+  if(!out_)     // the reason of an earlier failure is lost
     refuse("could not be written completely" + (errno == 0 ? "" : " (" + std::generic_category().message(errno) + ")"));
 }
 

@@ -7,7 +7,7 @@ namespace tool {
 
 std::string csv_quoted(const std::string& text)
 {
-  if(text.find_first_of(",\"") == std::string::npos)
+  if(text.find_first_of(",\"\n\r") == std::string::npos)
     return text;
   std::string result = "\"";
   for(char c : text)

@@ -9,7 +9,8 @@
 
 namespace tool {
 
-/// A field of a line of comma-separated values, in quotes where RFC 4180 asks for them. It must have no line break.
+/// A field of a line of comma-separated values, in quotes where RFC 4180 asks for them: around commas, quotes and line
+/// breaks. `csv_fields()` reads lines without line breaks in their fields.
 std::string csv_quoted(const std::string& text);
 
 /// The fields of a line; none if a quote is left open.

@@ -3,6 +3,8 @@
 
 #include "output/stretch_ply.h"
 
+#include "output/write_mesh.h"
+
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 
 #include <boost/property_map/vector_property_map.hpp>

@@ -4,7 +4,7 @@
 #ifndef SPHERICAL_PARAMETERIZATION_TOOL_STRETCH_PLY_H
 #define SPHERICAL_PARAMETERIZATION_TOOL_STRETCH_PLY_H
 
-#include "input/mesh_io.h"
+#include "input/mesh.h"
 
 #include <ostream>
 

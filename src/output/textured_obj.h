@@ -4,7 +4,7 @@
 #ifndef SPHERICAL_PARAMETERIZATION_TOOL_TEXTURED_OBJ_H
 #define SPHERICAL_PARAMETERIZATION_TOOL_TEXTURED_OBJ_H
 
-#include "input/mesh_io.h"
+#include "input/mesh.h"
 
 #include <CGAL/Simple_cartesian.h>
 

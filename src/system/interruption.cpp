@@ -3,19 +3,19 @@
 
 #include "system/interruption.h"
 
-#include "mapping/error_code_names.h"
-#include "input/refusal.h"
+#include "system/error_code_names.h"
+#include "system/refusal.h"
 
 #include <csignal>
 #include <initializer_list>
 
 namespace {
 
-volatile std::sig_atomic_t interrupted = 0;
+volatile std::sig_atomic_t noted_signal = 0; ///< 0: none
 
 extern "C" void note_interruption(int signal)
 {
-  interrupted = 1;
+  noted_signal = signal;
   std::signal(signal, SIG_DFL);
 }
 
@@ -29,12 +29,20 @@ void watch_for_interruption()
     std::signal(signal, note_interruption);
 }
 
-bool was_interrupted() { return interrupted != 0; }
+bool was_interrupted() { return noted_signal != 0; }
 
 void stop_if_interrupted(const std::string& input)
 {
   if(was_interrupted())
     throw Refusal(name(Error_code::INTERRUPTED), input, "interrupted", "nothing has been written");
+}
+
+void die_if_interrupted()
+{
+  if(!was_interrupted())
+    return;
+  std::signal(noted_signal, SIG_DFL);
+  std::raise(noted_signal);
 }
 
 } // namespace tool

@@ -16,6 +16,10 @@ bool was_interrupted();
 /// Throws a `Refusal` of the file `input` if it was.
 void stop_if_interrupted(const std::string& input);
 
+/// Ends the process by the signal that was noted, if there was one. To be called last, when everything has been cleaned
+/// up: a shell sees a program that SIGINT has ended (130), and ends its loops and scripts, too.
+void die_if_interrupted();
+
 } // namespace tool
 
 #endif // SPHERICAL_PARAMETERIZATION_TOOL_INTERRUPTION_H

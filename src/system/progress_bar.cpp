@@ -7,11 +7,29 @@
 #include <iostream>
 #include <string>
 
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 namespace tool {
+namespace {
 
-Progress_bar::Progress_bar() : is_terminal_(isatty(STDERR_FILENO) == 1) {}
+/// "[" and "] 100 %", and the last column, at which some terminals begin a new line.
+constexpr std::size_t other_columns = 9;
+
+std::size_t width_of_bar()
+{
+  constexpr std::size_t smallest = 10, largest = 60, columns_if_unknown = 80;
+  if(isatty(STDERR_FILENO) != 1)
+    return 0;
+  winsize size = {};
+  const bool is_known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  const std::size_t columns = is_known ? size.ws_col : columns_if_unknown;
+  return std::clamp(columns, smallest + other_columns, largest + other_columns) - other_columns;
+}
+
+} // namespace
+
+Progress_bar::Progress_bar() : width_(width_of_bar()) {}
 
 Progress_bar::~Progress_bar()
 {
@@ -21,13 +39,12 @@ Progress_bar::~Progress_bar()
 
 void Progress_bar::show(double fraction)
 {
-  constexpr int width = 40;
   const int percent = static_cast<int>(100 * std::clamp(fraction, 0., 1.));
-  if(!is_terminal_ || percent == percent_)
+  if(width_ == 0 || percent == percent_)
     return;
   percent_ = percent;
-  const auto filled = static_cast<std::size_t>(percent * width / 100);
-  std::cerr << "\r[" << std::string(filled, '#') << std::string(width - filled, ' ') << "] " << percent << " %"
+  const std::size_t filled = static_cast<std::size_t>(percent) * width_ / 100;
+  std::cerr << "\r[" << std::string(filled, '#') << std::string(width_ - filled, ' ') << "] " << percent << " %"
             << std::flush;
 }
 

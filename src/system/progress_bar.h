@@ -4,6 +4,8 @@
 #ifndef SPHERICAL_PARAMETERIZATION_TOOL_PROGRESS_BAR_H
 #define SPHERICAL_PARAMETERIZATION_TOOL_PROGRESS_BAR_H
 
+#include <cstddef>
+
 namespace tool {
 
 /// A bar on stderr while it lives, if stderr is a terminal; otherwise nothing.
@@ -19,7 +21,7 @@ public:
   void show(double fraction);
 
 private:
-  bool is_terminal_;
+  std::size_t width_; ///< of the bar without the brackets and the number; 0: there is no terminal
   int percent_ = -1;
 };
 

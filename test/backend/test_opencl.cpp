@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The OpenCL device as a policy: choosing one, what can fail, the cache of compiled kernels, and single precision.
+// The OpenCL device as a policy: choosing one, what can fail, and single precision.
 
 #include "helpers/check.h"
 #include "helpers/meshes.h"
@@ -11,10 +11,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <memory>
 #include <optional>
 
@@ -23,7 +20,6 @@ using SP::OpenCL_device;
 using SP::OpenCL_error;
 using Precision = SP::OpenCL_device::Precision;
 namespace internal = SP::internal;
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -52,15 +48,6 @@ private:
   const char* name_;
   std::optional<std::string> old_;
 };
-
-/// An empty folder of this test's own.
-fs::path scratch_folder(const std::string& name)
-{
-  fs::path folder = fs::path(SCRATCH_FOLDER) / name;
-  fs::remove_all(folder);
-  fs::create_directories(folder);
-  return folder;
-}
 
 template <class F>
 OpenCL_error error_of(F f)
@@ -163,9 +150,10 @@ TEST_CASE("a queue that is not in order is refused", "[opencl]")
   if(!there_is_a_device())
     return;
   const OpenCL_device device = SP::opencl_device();
+  const internal::OpenCL_queue& in_order = device;
   cl_int code = CL_SUCCESS;
   const cl::CommandQueue queue(
-    clCreateCommandQueue(device.context(), device.device(), CL_QUEUE_OUT_OF_ORDER_EXEC_MODE_ENABLE, &code));
+    clCreateCommandQueue(in_order.context(), in_order.device(), CL_QUEUE_OUT_OF_ORDER_EXEC_MODE_ENABLE, &code));
   if(code != CL_SUCCESS)
     return; // this device has none
   CHECK(error_of([&] { OpenCL_device{queue}; }).code() == CL_INVALID_QUEUE_PROPERTIES);
@@ -176,9 +164,9 @@ TEST_CASE("kernels that do not compile are reported with the build log", "[openc
   if(!there_is_a_device())
     return;
   const OpenCL_device device = SP::opencl_device();
-  const OpenCL_error error = error_of([&] {
-    internal::program_from_source(device.context(), device.device(), "__kernel void f() { no_such_function(); }", "");
-  });
+  const internal::OpenCL_queue& queue = device;
+  const OpenCL_error error = error_of(
+    [&] { internal::build_program(queue.context(), queue.device(), "__kernel void f() { no_such_function(); }", ""); });
   CHECK(error.call() == "clBuildProgram");
   CHECK(std::string(error.code_name()) == "CL_BUILD_PROGRAM_FAILURE");
   CHECK(contains(error.build_log(), "no_such_function"));
@@ -212,7 +200,7 @@ TEST_CASE("a shared array outlives its owner's other users, and no longer than i
     CHECK(array.size() == 3);
     CHECK(watch.expired() == !device.info().is_cpu);
   }
-  CHECK(clFinish(runtime.policy().queue()()) == CL_SUCCESS);
+  CHECK(clFinish(device.queue()()) == CL_SUCCESS);
   CHECK(watch.expired());
 }
 
@@ -232,98 +220,12 @@ TEST_CASE("only verbs that return numbers wait for the device", "[opencl]")
   backend.copy(v, w);
   backend.jacobi_sweep(a, 0.5, v, v, w);
   backend.gauss_seidel_sweep(a, backend.colouring({{0}, {1}, {2}}), 0.5, v, w);
-  backend.normalise(a, v, w);
+  backend.normalize(a, v, w);
   CHECK(backend.number_of_read_backs() == 0);
   backend.barycentric_residual2(a, v);
   CHECK(backend.number_of_read_backs() == 1);
   backend.download(w);
   CHECK(backend.number_of_read_backs() == 2);
-}
-
-TEST_CASE("compiled kernels are kept in the cache folder, and damaged files do no harm", "[opencl]")
-{
-  const fs::path folder = scratch_folder("binary_cache");
-  const internal::Binary_cache cache(folder);
-  const std::string binary("the \0 binary", 12);
-  CHECK_FALSE(cache.load("key"));
-  cache.store("key", binary);
-  REQUIRE(cache.load("key") == binary);
-  CHECK_FALSE(cache.load("another key"));
-  CHECK(std::distance(fs::directory_iterator(folder), {}) == 1); // nothing else is left
-
-  const fs::path file = cache.file("key");
-  SECTION("one byte changed")
-  {
-    std::fstream out(file, std::ios::in | std::ios::out | std::ios::binary);
-    out.seekp(-3, std::ios::end);
-    out.put('!');
-  }
-  SECTION("truncated") { fs::resize_file(file, fs::file_size(file) - 1); }
-  SECTION("truncated in the middle of the key") { fs::resize_file(file, 60); }
-  SECTION("empty") { fs::resize_file(file, 0); }
-  SECTION("too long") { std::ofstream(file, std::ios::app) << "more"; }
-  SECTION("of another key")
-  {
-    cache.store("another key", binary);
-    fs::copy_file(cache.file("another key"), file, fs::copy_options::overwrite_existing);
-  }
-  SECTION("a folder")
-  {
-    fs::remove(file);
-    fs::create_directories(file / "in the way");
-    CHECK_FALSE(cache.load("key"));
-    CHECK_NOTHROW(cache.store("key", binary));
-    return;
-  }
-  CHECK_FALSE(cache.load("key"));
-  cache.store("key", binary);
-  CHECK(cache.load("key") == binary);
-}
-
-TEST_CASE("without a cache folder all goes on", "[opencl]")
-{
-  if(!there_is_a_device())
-    return;
-  const fs::path folder = scratch_folder("no_cache");
-  const auto run = [&] {
-    const internal::Backend<OpenCL_device> backend(SP::opencl_device());
-    const auto v = backend.upload(internal::Host_array<internal::vec3>{{3, 4, 0}});
-    CHECK(backend.dot(v, v) == 25);
-  };
-  SECTION("a file in its place")
-  {
-    std::ofstream(folder / "cgal-spherical-parameterization") << "in the way";
-    const Variable cache("XDG_CACHE_HOME", folder.string());
-    run();
-  }
-  SECTION("not writable")
-  {
-    fs::permissions(folder, fs::perms::owner_read | fs::perms::owner_exec);
-    const Variable cache("XDG_CACHE_HOME", folder.string());
-    run();
-    fs::permissions(folder, fs::perms::owner_all);
-  }
-  SECTION("nowhere")
-  {
-    const Variable cache("XDG_CACHE_HOME", "relative"), home("HOME", "");
-    CHECK(internal::Binary_cache::default_folder().empty());
-    run();
-  }
-  SECTION("a binary of which the driver can make nothing")
-  {
-    const Variable cache("XDG_CACHE_HOME", folder.string());
-    run();
-    const OpenCL_device device = SP::opencl_device();
-    const std::string key =
-      internal::program_key(device.device(), internal::kernel_source(),
-                            internal::build_options(device.is_double_precision(), device.info().is_cpu));
-    const auto good = internal::Binary_cache().load(key);
-    if(!good) // this driver hands out none
-      return;
-    internal::Binary_cache().store(key, "rubbish");
-    run();
-    CHECK(internal::Binary_cache().load(key) != std::string("rubbish"));
-  }
 }
 
 TEST_CASE("single precision: a valid map, or an honest refusal", "[opencl]")

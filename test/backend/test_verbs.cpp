@@ -282,8 +282,8 @@ TEMPLATE_LIST_TEST_CASE("every verb does the same on every backend, bit by bit",
   });
   check("direction_products",
         [](auto& t) { t.returned(t.backend.direction_products(t.mass, t.x, t.y, t.y, t.z, t.z)); });
-  check("direct", [&](auto& t) {
-    t.backend.direct(beta, mu, omega, t.x, t.y, t.z);
+  check("next_direction", [&](auto& t) {
+    t.backend.next_direction(beta, mu, omega, t.x, t.y, t.z);
     t.wrote(t.z);
   });
   check("retract", [&](auto& t) {
@@ -303,8 +303,8 @@ TEMPLATE_LIST_TEST_CASE("every verb does the same on every backend, bit by bit",
     t.wrote(t.y);
   });
   check("saddle_point_residual2", [](auto& t) { t.returned(t.backend.saddle_point_residual2(t.a, t.x, t.y)); });
-  check("normalise", [](auto& t) {
-    t.backend.normalise(t.a, t.y, t.x);
+  check("normalize", [](auto& t) {
+    t.backend.normalize(t.a, t.y, t.x);
     t.wrote(t.x);
   });
   check("barycentric_residual2", [](auto& t) { t.returned(t.backend.barycentric_residual2(t.a, t.x)); });

@@ -181,7 +181,7 @@ TEST_CASE("any scale and any place give valid isometric maps", "[isometric]")
   check_valid(transformed(spiky_star(3, 2), [](const Point& p) { return Point(p.x() + 1e9, p.y(), p.z() - 1e9); }));
 }
 
-TEST_CASE("isometric maps do not depend on the policy", "[isometric]")
+TEST_CASE("isometric maps do not depend on the policy", "[isometric][each_policy]")
 {
   const Soup soup = spiky_star(5, 1.5);
   Settings settings = isometric();
@@ -222,7 +222,7 @@ TEST_CASE("meshes that have no straight embedding are refused by the isometric m
   CHECK(solve(pillow, sphere, settings).error == Error_code::NOT_BIJECTIVE);
 }
 
-TEST_CASE("the isometric method can be stopped at any time", "[isometric]")
+TEST_CASE("the isometric method can be stopped at any time", "[isometric][each_policy]")
 {
   const Soup soup = spiky_star(4, 1.5);
   Settings settings = isometric();

@@ -81,7 +81,7 @@ std::size_t count_flipped_faces(const Soup& soup, const Sphere& sphere)
 {
   std::size_t flips = 0;
   for(const auto& f : soup.faces)
-    if(CGAL::orientation(Point(0, 0, 0), sphere[f[0]], sphere[f[1]], sphere[f[2]]) != CGAL::POSITIVE)
+    if(exact_orientation(Point(0, 0, 0), sphere[f[0]], sphere[f[1]], sphere[f[2]]) != CGAL::POSITIVE)
       ++flips;
   return flips;
 }
@@ -91,12 +91,12 @@ int degree(const Soup& soup, const Sphere& sphere)
   const Point o(0, 0, 0), direction(0.3141592653, -0.2718281828, 0.5772156649);
   int covered = 0;
   for(const auto& f : soup.faces) {
-    const auto side = CGAL::orientation(o, sphere[f[0]], sphere[f[1]], sphere[f[2]]);
+    const auto side = exact_orientation(o, sphere[f[0]], sphere[f[1]], sphere[f[2]]);
     if(side == CGAL::ZERO)
       continue;
     bool inside = true;
     for(std::size_t k = 0; k < 3; ++k)
-      inside = inside && CGAL::orientation(o, sphere[f[k]], sphere[f[(k + 1) % 3]], direction) == side;
+      inside = inside && exact_orientation(o, sphere[f[k]], sphere[f[(k + 1) % 3]], direction) == side;
     if(inside)
       covered += side;
   }

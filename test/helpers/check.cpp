@@ -38,10 +38,10 @@ void check_certificate(const Result& result, const Soup& soup, const Sphere& sph
   // the margin: where all vertices have run into one point, their distances are rounding errors
   CHECK(result.energy == Approx(energy(springs, sphere, exponent)).epsilon(energy_tolerance).margin(1e-14));
   if(balanced && exponent == 2 && fixed.empty())
-    CHECK(balanced_residual(springs, sphere) <= 1.001 * result.residual + 1e-13);
+    // a bound from below: the masses of the balance, which the solver has chosen, are not in the result
+    CHECK(balanced_residual(springs, sphere) <= (1 + 1e-6) * result.residual + 1e-13);
   else
-    // relative to the weight sum of a vertex or to the length of its weighted neighbour mean: much the same
-    CHECK(result.residual == Approx(residual(springs, sphere, fixed, exponent)).epsilon(0.5).margin(1e-13));
+    CHECK(result.residual == Approx(residual(springs, sphere, fixed, exponent)).epsilon(1e-6).margin(1e-13));
 
   const bool is_valid = result.flipped_faces == 0 && result.degree == 1;
   CHECK(bool(result) == (result.error == Error_code::OK));

@@ -308,6 +308,47 @@ Soup needles(int level, double epsilon)
   return soup;
 }
 
+Body_with_limbs body_with_limbs(const std::vector<Limb>& limbs, int level)
+{
+  const auto unit = [](const Vector& v) { return v / std::sqrt(v.squared_length()); };
+  const auto angle = [](const Vector& a, const Vector& b) { return std::acos(std::max(-1., std::min(1., a * b))); };
+  const Soup sphere = icosphere(level);
+  Body_with_limbs body;
+  for(const auto& f : sphere.faces) {
+    const Vector middle =
+      unit(CGAL::centroid(sphere.points[f[0]], sphere.points[f[1]], sphere.points[f[2]]) - CGAL::ORIGIN);
+    body.part.push_back(0);
+    for(std::size_t k = 0; k < limbs.size(); ++k)
+      if(angle(middle, unit(limbs[k].direction)) < limbs[k].reach)
+        body.part.back() = k + 1;
+  }
+  body.soup = transformed(sphere, [&](const Point& p) {
+    const Vector x = p - CGAL::ORIGIN;
+    for(const Limb& limb : limbs) {
+      const Vector d = unit(limb.direction);
+      const double at = angle(x, d), radius = std::sin(limb.reach), root = std::cos(limb.reach);
+      if(at >= limb.reach)
+        continue;
+      if(at == 0)
+        return CGAL::ORIGIN + (root + limb.length + radius) * d;
+      const Vector side = (x - (x * d) * d) / std::sin(at);
+      const double end = radius * pi / 2, s = at / limb.reach * (end + limb.length); // along the profile, from the tip
+      return s < end ? CGAL::ORIGIN + (root + limb.length + radius * std::cos(s / radius)) * d +
+                         radius * std::sin(s / radius) * side
+                     : CGAL::ORIGIN + (root + limb.length + end - s) * d + radius * side;
+    }
+    return p;
+  });
+  return body;
+}
+
+const std::vector<Vector>& six_directions()
+{
+  static const std::vector<Vector> all = {{1, 0.1, 0},  {-1, 0.1, 0.1}, {0, 1, 0.1},
+                                          {0.1, -1, 0}, {0.1, 0, 1},    {0, 0.1, -1}};
+  return all;
+}
+
 Soup torus(int n, int m)
 {
   Soup soup;

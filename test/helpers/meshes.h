@@ -7,7 +7,9 @@
 #include "helpers/soup.h"
 
 #include <array>
+#include <cstddef>
 #include <functional>
+#include <vector>
 
 namespace test {
 
@@ -32,6 +34,24 @@ Soup tree(int depth);             ///< cubes: an H-tree, each branch ending in t
 Soup bipyramid(int n);            ///< two vertices of degree n, n of degree 4
 /// Every third face of an icosphere cut in three, close to one of its corners: edges `epsilon` times as long as others.
 Soup needles(int level, double epsilon);
+/// @}
+
+/// \name Bodies with limbs
+/// @{
+/// A tube with a round end that stands on the unit sphere.
+struct Limb {
+  Vector direction;
+  double reach;  ///< angle between its direction and its root, below pi/2: its radius is the sine of it
+  double length; ///< from the plane of the root to the round end
+};
+struct Body_with_limbs {
+  Soup soup;
+  std::vector<std::size_t> part; ///< of each face: 0 for the body, k for the k-th limb, from 1 on
+};
+/// An icosphere of level `level` of which the caps of the limbs, which must not overlap, have been drawn out.
+Body_with_limbs body_with_limbs(const std::vector<Limb>& limbs, int level);
+/// Six directions, none of which is an axis of symmetry: room for as many limbs of reach 0.5.
+const std::vector<Vector>& six_directions();
 /// @}
 
 /// \name Meshes that have to be refused

@@ -5,7 +5,9 @@
 
 #include <cstddef>
 #include <map>
+#include <numeric>
 #include <utility>
+#include <vector>
 
 namespace test {
 
@@ -40,6 +42,16 @@ struct Pairs_together {
     all = n * (n - 1) / 2;
   }
 };
+
+/// Share of the pairs of elements that one partition keeps together and the other does not: 0 for equal ones.
+inline double rand_error(const std::vector<std::size_t>& a, const std::vector<std::size_t>& b)
+{
+  std::vector<std::size_t> elements(a.size());
+  std::iota(elements.begin(), elements.end(), std::size_t(0));
+  const auto part_of = [](const auto& parts) { return [&](std::size_t i) { return parts.at(i); }; };
+  const Pairs_together pairs(elements, part_of(a), part_of(b));
+  return (pairs.in_a + pairs.in_b - 2 * pairs.in_both) / pairs.all;
+}
 
 } // namespace test
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "options/policies.h"
+#include "helpers/policies.h"
 
 #include <stdexcept>
 

@@ -5,7 +5,7 @@
 #define TEST_HELPERS_SOLVE_H
 
 #include "helpers/certificate.h"
-#include "options/policies.h"
+#include "helpers/policies.h"
 #include "helpers/soup.h"
 
 #include <CGAL/Spherical_parameterization/Result.h>

@@ -5,7 +5,7 @@
 #ifndef TEST_HELPERS_SOUP_H
 #define TEST_HELPERS_SOUP_H
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/properties.h>
@@ -19,7 +19,9 @@
 
 namespace test {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+/// Of doubles and nothing else: a third of the size of the kernels with exact predicates, for the compiler. Where a
+/// test needs an exact sign it asks for exact_orientation().
+using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
 using Vector = Kernel::Vector_3;
 using Mesh = CGAL::Surface_mesh<Point>;
@@ -31,6 +33,11 @@ struct Soup {
 
 /// One position per vertex, in the order of the vertices of the mesh (or of the points of the soup).
 using Sphere = std::vector<Point>;
+
+/// The sign of the determinant of (b - a, c - a, d - a), of the doubles as they are: exact.
+CGAL::Orientation exact_orientation(const Point& a, const Point& b, const Point& c, const Point& d);
+/// The same in the plane.
+CGAL::Orientation exact_orientation(const Kernel::Point_2& a, const Kernel::Point_2& b, const Kernel::Point_2& c);
 
 /// A FaceGraph with the points and faces of the soup, in their order. Unused points become isolated vertices.
 template <class Graph>

@@ -4,7 +4,7 @@
 #ifndef TEST_HELPERS_TOOL_H
 #define TEST_HELPERS_TOOL_H
 
-#include "options/policies.h"
+#include "helpers/policies.h"
 #include "helpers/process.h"
 #include "helpers/soup.h"
 

@@ -42,9 +42,9 @@ std::array<Point, 3> corners(const Mesh& mesh, const Sphere& sphere, Mesh::Face_
 bool contains(const std::array<Point, 3>& corner, const Point& q)
 {
   const Point o(0, 0, 0);
-  return CGAL::orientation(o, corner[0], corner[1], q) != CGAL::NEGATIVE &&
-         CGAL::orientation(o, corner[1], corner[2], q) != CGAL::NEGATIVE &&
-         CGAL::orientation(o, corner[2], corner[0], q) != CGAL::NEGATIVE;
+  return exact_orientation(o, corner[0], corner[1], q) != CGAL::NEGATIVE &&
+         exact_orientation(o, corner[1], corner[2], q) != CGAL::NEGATIVE &&
+         exact_orientation(o, corner[2], corner[0], q) != CGAL::NEGATIVE;
 }
 
 /// Distance of the weighted mean of the corners from the line along q, over the longest edge. Exact but for the last

@@ -5,7 +5,7 @@
 #include "helpers/meshes.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 using namespace test;
 
@@ -34,10 +34,11 @@ TEST_CASE("a Surface_mesh with garbage maps like the same mesh without", "[mesh_
   check_same_map(mesh, soup, tolerance);
 }
 
-TEST_CASE("a kernel without exact predicates", "[mesh_types]")
+TEST_CASE("a kernel with exact predicates", "[mesh_types]")
 {
   const Soup soup = bumpy_sphere(3);
-  check_same_map(make_graph<CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>>(soup), soup);
+  check_same_map(make_graph<CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>>(soup),
+                 soup);
 }
 
 TEST_CASE("a kernel with exact constructions", "[mesh_types]")

@@ -28,7 +28,7 @@ Result solve_automatically(const Soup& soup, Sphere& sphere, Settings settings =
 
 } // namespace
 
-TEST_CASE("automatic: where the map asked for is valid, it is that one", "[automatic]")
+TEST_CASE("automatic: where the map asked for is valid, it is that one", "[automatic][each_policy]")
 {
   const Soup soup = spiky_star(4, 1.5);
   Sphere sphere, balanced;
@@ -40,7 +40,7 @@ TEST_CASE("automatic: where the map asked for is valid, it is that one", "[autom
   CHECK(result.residual == expected.residual);
 }
 
-TEST_CASE("automatic: isometric where no harmonic map is valid", "[automatic]")
+TEST_CASE("automatic: isometric where no harmonic map is valid", "[automatic][each_policy]")
 {
   Sphere sphere;
   const Result result = solve_automatically(capsule(30, 12), sphere);
@@ -85,7 +85,7 @@ TEST_CASE("automatic: weights that are wrong are refused all the same", "[automa
   CHECK(solve(icosphere(2), sphere, settings).error == Error_code::BAD_WEIGHT);
 }
 
-TEST_CASE("automatic: fixed vertices are kept, and a map that is not valid is called so", "[automatic]")
+TEST_CASE("automatic: fixed vertices are kept, and a map that is not valid is called so", "[automatic][each_policy]")
 {
   const Soup soup = capsule(30, 12);
   Settings settings;
@@ -132,4 +132,52 @@ TEST_CASE("automatic: the progress never goes back, and every map that is tried 
   }
   CHECK(std::is_sorted(fractions.begin(), fractions.end()));
   CHECK(fractions.back() == 1);
+}
+
+TEST_CASE("automatic: every second of every attempt is accounted for", "[automatic]")
+{
+  Settings settings;
+  settings.method = SP::Automatic();
+  Sphere sphere;
+  const Result result = solve(capsule(30, 24), sphere, settings);
+  REQUIRE(result.attempts.size() == 3);
+  CHECK(result.attempts[0].method == "balanced");
+  CHECK(result.attempts[1].method == "balanced with exponent 3");
+  CHECK(result.attempts[2].method == "isometric");
+  CHECK(result.attempts[0].error == Error_code::NOT_BIJECTIVE);
+  CHECK(result.attempts[2].error == Error_code::OK);
+  double of_attempts = 0;
+  for(const Result::Attempt& attempt : result.attempts) {
+    CHECK((attempt.error == Error_code::OK) == attempt.detail.empty());
+    CHECK(attempt.seconds.start_map + attempt.seconds.solve + attempt.seconds.certify ==
+          Approx(attempt.seconds.total).epsilon(0.02).margin(1e-3));
+    of_attempts += attempt.seconds.total;
+  }
+  const Result::Seconds& s = result.seconds;
+  CHECK(s.start_map + s.solve + s.certify == Approx(of_attempts).epsilon(0.02).margin(1e-3));
+  CHECK(s.read + s.start_map + s.solve + s.certify == Approx(s.total).epsilon(0.02).margin(2e-3));
+}
+
+TEST_CASE("automatic: the report is that of the map that is handed over", "[automatic]")
+{
+  // Coincident neighbours make the larger exponent fail before it starts: what it left unsaid is no news of the map.
+  Soup soup = capsule(30, 12);
+  soup.points[100] = soup.points[soup.faces[0][0] == 100 ? soup.faces[0][1] : 101];
+  Settings settings;
+  settings.method = SP::Automatic();
+  settings.weights = Weights::BARYCENTRIC;
+  settings.fixed = {{0, Point(1, 0, 0)}, {50, Point(0, 1, 0)}, {200, Point(0, 0, 1)}};
+  Sphere sphere, balanced;
+  const Result result = solve(soup, sphere, settings);
+  settings.method = SP::Balanced();
+  const Result expected = solve(soup, balanced, settings);
+  REQUIRE_FALSE(bool(result));
+  CAPTURE(result.fallback_reason, result.detail);
+  if(sphere == balanced) {
+    CHECK(result.method == "balanced");
+    CHECK(result.iterations == expected.iterations);
+    CHECK(result.residual == expected.residual);
+    CHECK(result.error == expected.error);
+  } else
+    CHECK(result.flipped_faces <= expected.flipped_faces);
 }

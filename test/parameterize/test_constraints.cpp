@@ -22,7 +22,7 @@ Point nudged(const Point& p, const Vector& by)
 
 } // namespace
 
-TEST_CASE("fixed vertices stay where they are, and eq. (2) holds at all others", "[constraints]")
+TEST_CASE("fixed vertices stay where they are, and eq. (2) holds at all others", "[constraints][each_policy]")
 {
   // The more a mesh is drawn in, the more vertices it takes to hold a valid map: on the dumbbell, those of level 1.
   const bool is_dumbbell = GENERATE(false, true);

@@ -159,7 +159,7 @@ TEST_CASE("fixed vertices that determine no map are refused", "[errors]")
   CHECK(solve_any(soup, settings).error == Error_code::BAD_CONSTRAINTS);
 }
 
-TEST_CASE("too few iterations are reported, and the map so far is handed over", "[errors]")
+TEST_CASE("too few iterations are reported, and the map so far is handed over", "[errors][each_policy]")
 {
   const Soup soup = dumbbell(3);
   Settings settings;

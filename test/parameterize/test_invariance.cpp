@@ -65,7 +65,7 @@ TEST_CASE("renumbering vertices and faces permutes the result", "[invariance]")
   }
 }
 
-TEST_CASE("the same call gives the same bits", "[invariance]")
+TEST_CASE("the same call gives the same bits", "[invariance][each_policy]")
 {
   const Soup soup = fixture(2);
   Settings settings;

@@ -52,7 +52,8 @@ Settings settings(Weights weights, double exponent)
 
 } // namespace
 
-TEST_CASE("an icosphere all of whose vertices lie on axes of symmetry is a fixed point up to rotation", "[symmetry]")
+TEST_CASE("an icosphere all of whose vertices lie on axes of symmetry is a fixed point up to rotation",
+          "[symmetry][each_policy]")
 {
   const int level = GENERATE(0, 1);
   const Weights weights = GENERATE(Weights::BARYCENTRIC, Weights::CONFORMAL);

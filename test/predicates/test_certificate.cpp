@@ -30,7 +30,7 @@ const std::vector<std::pair<const char*, Soup>>& fixtures()
 
 } // namespace
 
-TEST_CASE("converged or not, the figures of the result are those of the map", "[certificate]")
+TEST_CASE("converged or not, the figures of the result are those of the map", "[certificate][each_policy]")
 {
   Settings settings;
   settings.weights = GENERATE(Weights::BARYCENTRIC, Weights::CONFORMAL);

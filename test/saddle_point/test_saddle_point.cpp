@@ -30,7 +30,7 @@ Settings three_fixed(const Soup& soup)
 
 } // namespace
 
-TEST_CASE("with three fixed vertices both methods find the same map", "[saddle_point]")
+TEST_CASE("with three fixed vertices both methods find the same map", "[saddle_point][each_policy]")
 {
   const Soup soup = bumpy_sphere(2);
   Settings settings = three_fixed(soup);

@@ -69,8 +69,8 @@ SP::Texture_axes axes(const Vector& north, const Vector& meridian)
 /// Whether the point is in the triangle, its border included.
 bool contains(const Triangle& t, const Point_2& p)
 {
-  return CGAL::orientation(t[0], t[1], p) != CGAL::RIGHT_TURN && CGAL::orientation(t[1], t[2], p) != CGAL::RIGHT_TURN &&
-         CGAL::orientation(t[2], t[0], p) != CGAL::RIGHT_TURN;
+  return exact_orientation(t[0], t[1], p) != CGAL::RIGHT_TURN && exact_orientation(t[1], t[2], p) != CGAL::RIGHT_TURN &&
+         exact_orientation(t[2], t[0], p) != CGAL::RIGHT_TURN;
 }
 
 /// u and v of a point of the sphere.
@@ -106,7 +106,7 @@ TEST_CASE("every face has a counter-clockwise uv triangle", "[texture]")
       CAPTURE(map.name, bits, seed, t.report.moved_faces, t.report.largest_move);
       std::size_t flipped = 0, outside = 0, off_grid = 0;
       for(const Triangle& uv : t.triangles) {
-        flipped += CGAL::orientation(uv[0], uv[1], uv[2]) != CGAL::LEFT_TURN;
+        flipped += exact_orientation(uv[0], uv[1], uv[2]) != CGAL::LEFT_TURN;
         for(const Point_2& p : uv) {
           const bool is_inside = chart == Texture_chart::LATITUDE_LONGITUDE
                                    ? p.x() >= 0 && p.x() < 2 && p.y() >= 0 && p.y() <= 1
@@ -230,7 +230,7 @@ TEST_CASE("poles in a vertex, on an edge, in a face; the seam through vertices",
     CAPTURE(north, meridian);
     CHECK(t.report.pole_faces >= 2);
     for(const Triangle& uv : t.triangles)
-      CHECK(CGAL::orientation(uv[0], uv[1], uv[2]) == CGAL::LEFT_TURN);
+      CHECK(exact_orientation(uv[0], uv[1], uv[2]) == CGAL::LEFT_TURN);
   }
 }
 

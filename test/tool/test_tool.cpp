@@ -129,6 +129,7 @@ TEST_CASE("map: the report says what was done and how good the map is", "[tool]"
                     "--weights", "barycentric", "--policy", "sequential"})
             .exit_code == 0);
   const auto report = nlohmann::json::parse(text_of(scratch / "report.json"));
+  CHECK(run_tool({"--version"}).out.find(report.at("version").get<std::string>()) != std::string::npos);
   CHECK(report.at("input") == input);
   CHECK(report.at("vertices") == soup.points.size());
   CHECK(report.at("faces") == soup.faces.size());
@@ -155,6 +156,40 @@ TEST_CASE("map: the report says what was done and how good the map is", "[tool]"
     sum += report.at("seconds").at(phase).get<double>();
   }
   CHECK(report.at("seconds").at("total").get<double>() >= 0.99 * sum);
+}
+
+TEST_CASE("map: the report has all settings, given or default", "[tool]")
+{
+  Scratch scratch;
+  const std::string input = write_off(scratch / "in.off", icosphere(2));
+  const auto settings = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> arguments = {"map", input, "-o", scratch / "out.off", "--report", scratch / "report.json"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    run_tool(arguments); // the settings are there whether there is a map or not
+    return nlohmann::json::parse(text_of(scratch / "report.json")).at("settings");
+  };
+  auto of_balanced = settings({"--min-angle", "7", "--policy", "sequential"});
+  CHECK(of_balanced.at("weights") == "conformal");
+  CHECK(of_balanced.at("min_angle") == 7);
+  CHECK(of_balanced.at("max_angle") == 85);
+  CHECK(of_balanced.at("method") == "balanced");
+  CHECK(of_balanced.at("spring_exponent") == SP::Balanced().spring_exponent);
+  CHECK(of_balanced.at("accuracy") == SP::Balanced::default_accuracy);
+  CHECK(of_balanced.at("iterations") == SP::Balanced::default_number_of_iterations);
+  CHECK(of_balanced.at("max_time").is_null());
+  CHECK(of_balanced.at("fixed").is_null());
+  CHECK(of_balanced.at("policy") == "sequential");
+  CHECK(of_balanced.at("triangulate") == false);
+
+  const auto of_saddle_point = settings({"--method", "saddle-point", "--start", "harmonic", "--iterations", "3",
+                                         "--accuracy", "1e-30", "--weights", "mean-value"});
+  CHECK(of_saddle_point.at("weights") == "mean-value");
+  CHECK(of_saddle_point.count("min_angle") == 0);
+  CHECK(of_saddle_point.at("splitting") == "jacobi");
+  CHECK(of_saddle_point.at("start") == "harmonic");
+  CHECK(of_saddle_point.at("relaxation") == SP::Saddle_point().relaxation);
+  CHECK(of_saddle_point.at("iterations") == 3);
+  CHECK(settings({"--method", "isometric", "--area-exponent", "2", "--max-time", "1e-9"}).at("area_exponent") == 2);
 }
 
 TEST_CASE("map: the report of a refusal says why", "[tool]")
@@ -258,6 +293,25 @@ TEST_CASE("map: files that are broken are refused", "[tool]")
   check_refused(scratch, broken("inf.off", off_text(infinite_coordinate())), "finite");
 }
 
+TEST_CASE("map: a file is read as what it is where its extension says something else", "[tool]")
+{
+  Scratch scratch;
+  const Soup soup = bumpy_sphere(2);
+  const std::string format = GENERATE("ply", "off");
+  const std::string good = scratch / ("in." + format);
+  REQUIRE(CGAL::IO::write_polygon_soup(good, soup.points, soup.faces, CGAL::parameters::stream_precision(17)));
+  REQUIRE(run_tool({"map", good, "-o", scratch / "expected.off"}).exit_code == 0);
+  for(const char* extension : {"off", "obj", "ply", "stl"}) {
+    const std::string input = scratch / ("other." + std::string(extension));
+    fs::copy_file(good, input);
+    const Process_result run = run_tool({"map", input, "-o", scratch / "out.off"});
+    CAPTURE(format, extension, run.err);
+    CHECK(run.exit_code == 0);
+    CHECK((text_of(scratch / "out.off") == text_of(scratch / "expected.off")));
+    fs::remove(scratch / "out.off");
+  }
+}
+
 TEST_CASE("map: a header that promises too much costs no memory", "[tool]")
 {
   Scratch scratch;
@@ -284,6 +338,18 @@ TEST_CASE("map: what stops early or does not converge leaves no file", "[tool]")
   check_refused(scratch, tube, "flipped");
 }
 
+TEST_CASE("map: a refusal gives its advice once", "[tool]")
+{
+  Scratch scratch;
+  const std::string tube = write_off(scratch / "tube.off", capsule(20, 12));
+  const std::string text = run_tool({"map", tube, "-o", scratch / "out.off"}).err;
+  CAPTURE(text);
+  const std::size_t first = text.find("automatic");
+  REQUIRE(first != std::string::npos);
+  CHECK(text.find("automatic", first + 1) == std::string::npos);
+  CHECK(text.find("--method automatic") != std::string::npos);
+}
+
 TEST_CASE("map: SIGINT stops it in good order", "[tool]")
 {
   Scratch scratch;
@@ -293,7 +359,7 @@ TEST_CASE("map: SIGINT stops it in good order", "[tool]")
   const Process_result run =
     run_tool({"map", input, "-o", scratch / "out.off", "--method", "saddle-point", "--accuracy", "1e-14"}, options);
   CAPTURE(run.err);
-  CHECK(run.exit_code == 1);
+  CHECK(run.exit_code == 130); // of SIGINT, so that a loop of a shell ends, too
   CHECK(is_one_line(run.err));
   CHECK(run.err.find("interrupted") != std::string::npos);
   CHECK(scratch.number_of_files() == 1);

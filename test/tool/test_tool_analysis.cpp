@@ -109,7 +109,7 @@ TEST_CASE("texture: every face has a counter-clockwise triangle of floats", "[to
       uv[k] = Kernel::Point_2(double(p[0]), double(p[1]));
       corners.insert(t.vertex[f][k]);
     }
-    flipped += CGAL::orientation(uv[0], uv[1], uv[2]) != CGAL::LEFT_TURN;
+    flipped += exact_orientation(uv[0], uv[1], uv[2]) != CGAL::LEFT_TURN;
     CHECK(corners == std::set<std::size_t>(soup.faces[f].begin(), soup.faces[f].end()));
   }
   CHECK(flipped == 0);
@@ -134,6 +134,19 @@ TEST_CASE("texture: another image, and a pole where the user wants it", "[tool]"
   CHECK(text_of(scratch / "out.mtl").find("map_Kd earth.png\n") != std::string::npos);
   CHECK_FALSE(fs::exists(scratch / "out.png"));
   CHECK(run.out.find("north pole at 0 0 2") != std::string::npos);
+}
+
+TEST_CASE("texture: an image that cannot be read is refused before the work", "[tool]")
+{
+  Scratch scratch;
+  const std::string input = write_off(scratch / "in.off", bumpy_sphere(2));
+  fs::create_directory(scratch / "folder.png");
+  write_text(scratch / "empty.png", "");
+  const std::size_t files = scratch.number_of_files();
+  for(const std::string image : {"nothere.png", "folder.png", "empty.png"}) {
+    check_exit(run_tool(with(command_line("texture", input, scratch), {"--image", scratch / image})), image);
+    CHECK(scratch.number_of_files() == files);
+  }
 }
 
 TEST_CASE("resample: vertices and faces of an icosphere, points of the shape", "[tool]")

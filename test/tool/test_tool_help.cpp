@@ -131,6 +131,17 @@ TEST_CASE("the man page has all commands and options", "[tool]")
   }
 }
 
+TEST_CASE("the man page and the help have all exit codes", "[tool]")
+{
+  const std::string page = man_page();
+  const std::string table = page.substr(page.find("\n.SH EXIT STATUS"), page.find("\n.SH ENVIRONMENT"));
+  for(const char* code : {"0", "1", "2", "130"})
+    CHECK(table.find("\n.B " + std::string(code) + "\n") != std::string::npos);
+  for(const std::string& command : commands())
+    if(command != "devices")
+      CHECK(help(command).find("\nExit code: 0 ") != std::string::npos);
+}
+
 TEST_CASE("the man page has the defaults of the methods", "[tool]")
 {
   const std::vector<double> defaults = defaults_by_method(help("map"));

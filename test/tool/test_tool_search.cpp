@@ -84,6 +84,8 @@ TEST_CASE("search: what is wrong is said in one line", "[tool][search]")
   };
   check(bad, index, "closed");
   check(scratch / "none.off", index, "does not exist");
+  check(good, scratch / "none.csv", "does not exist");
+  check(good, scratch.folder(), "directory");
   const std::string text = text_of(index);
   write_text(broken, "a,b\n1,2\n");
   check(good, broken, "line 1");
@@ -92,8 +94,8 @@ TEST_CASE("search: what is wrong is said in one line", "[tool][search]")
   write_text(broken, text.substr(0, text.size() - 30));
   check(good, broken, "line 2");
   write_text(broken, "");
-  check(good, broken, "no signature");
+  check(good, broken, "is empty");
   CHECK(run_tool({"search", good}).exit_code == 2);
-  CHECK(run_tool({"search", good, "--index", scratch / "none.csv"}).exit_code == 2);
+  CHECK(run_tool({"search", "--index", index}).exit_code == 2);
   CHECK(run_tool({"search", good, "--index", index, "-k", "0"}).exit_code == 2);
 }

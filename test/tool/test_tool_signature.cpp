@@ -193,25 +193,76 @@ TEST_CASE("signature: a batch that was killed goes on where it was", "[tool][sig
       kill(pid, signal);
     };
     const Process_result run = run_process(command, options);
-    CHECK(run.exit_code == 1);
+    CHECK(run.exit_code == 128 + signal);
     CHECK(is_one_line(run.err));
-    CHECK(run.err.find("the same command goes on") != std::string::npos);
+    CHECK(run.err.find("the same command") != std::string::npos);
   }
   CHECK(lines_in(output + ".journal") >= lines);
   check_resumed(command, output, expected);
 }
 
+namespace {
+
+/// Starts the batch and kills it when its journal has so many lines, the header included.
+void run_and_kill(const std::vector<std::string>& command, const std::string& journal, std::size_t lines)
+{
+  Process_options options;
+  options.meanwhile = [&](int pid) {
+    wait_for_lines(journal, lines);
+    kill(pid, SIGKILL);
+  };
+  REQUIRE(run_process(command, options).exit_code == 128 + SIGKILL);
+}
+
+} // namespace
+
 TEST_CASE("signature: a line of the journal that is torn is computed again", "[tool][signature]")
 {
   Scratch scratch;
-  const std::string folder = make_folder(scratch), output = scratch / "out.csv";
+  const std::string folder = make_folder(scratch), output = scratch / "out.csv", journal = output + ".journal";
   const std::string expected = undisturbed(scratch, folder);
+  const std::vector<std::string> command = {TOOL, "signature", folder, "-o", output, "--jobs", "1"};
+  run_and_kill(command, journal, 11);
+  const std::string text = text_of(journal);
   std::size_t begin = 0; // of the eleventh line
   for(int i = 0; i < 10; ++i)
-    begin = expected.find('\n', begin) + 1;
-  const std::size_t torn = begin + GENERATE(0u, 1u, 80u, 600u);
-  write_text(output + ".journal", expected.substr(0, torn));
-  check_resumed({TOOL, "signature", folder, "-o", output}, output, expected);
+    begin = text.find('\n', begin) + 1;
+  for(const std::size_t torn : {0, 1, 80, 600}) {
+    write_text(journal, text.substr(0, begin + torn));
+    check_resumed(command, output, expected);
+    fs::remove(output);
+  }
+}
+
+TEST_CASE("signature: a mesh that has changed since the run before is computed again", "[tool][signature]")
+{
+  Scratch scratch;
+  const std::string folder = make_folder(scratch), output = scratch / "out.csv", journal = output + ".journal";
+  const std::vector<std::string> command = {TOOL, "signature", folder, "-o", output, "--jobs", "1"};
+  run_and_kill(command, journal, 11);
+  const std::string line = lines_of(text_of(journal)).at(1);
+  const std::size_t name = line.find(folder);
+  const std::string mesh = line.substr(name, line.find(".off", name) + 4 - name);
+  CAPTURE(mesh);
+  std::string changed = text_of(write_off(scratch / "other.off", ellipsoid(1, 5, 2, 4)));
+  SECTION("another size") {}
+  SECTION("the same size") { changed.resize(fs::file_size(mesh), ' '); }
+  SECTION("removed") { changed.clear(); }
+  if(changed.empty())
+    fs::remove(mesh);
+  else
+    write_text(mesh, changed);
+  check_resumed(command, output, undisturbed(scratch, folder));
+}
+
+TEST_CASE("signature: a mesh in the journal that has not changed is not computed again", "[tool][signature]")
+{
+  Scratch scratch;
+  const std::string folder = make_folder(scratch), output = scratch / "out.csv", journal = output + ".journal";
+  const std::vector<std::string> command = {TOOL, "signature", folder, "-o", output, "--jobs", "1"};
+  run_and_kill(command, journal, 11);
+  const std::size_t done = lines_in(journal) - 1;
+  CHECK(run_process(command).out.find(", " + std::to_string(done) + " rows from an earlier run") != std::string::npos);
 }
 
 TEST_CASE("signature: journals that are not ours are left alone", "[tool][signature]")
@@ -226,6 +277,16 @@ TEST_CASE("signature: journals that are not ours are left alone", "[tool][signat
     CHECK(run.exit_code == 1);
     CHECK(is_one_line(run.err));
     CHECK(text_of(journal) == "my diary\n");
+  }
+  SECTION("the journal of an older version, which does not say how old the meshes were")
+  {
+    const std::string old = undisturbed(scratch, input);
+    write_text(journal, old);
+    const Process_result run = run_tool({"signature", input, "-o", output});
+    CHECK(run.exit_code == 1);
+    CHECK(is_one_line(run.err));
+    CHECK(run.err.find("version") != std::string::npos);
+    CHECK(text_of(journal) == old);
   }
   SECTION("another program works on it")
   {
@@ -254,6 +315,7 @@ TEST_CASE("signature: wrong usage, and outputs that cannot be written", "[tool][
   CHECK(run_tool({"signature", "--list", scratch / "list.txt", "-o", scratch / "list.txt"}).exit_code == 2);
   CHECK(text_of(scratch / "list.txt") == input + '\n');
   CHECK(run_tool({"signature", input, "-o", scratch / "no/such/folder.csv"}).exit_code == 1);
+  CHECK(run_tool({"signature", "--list", scratch / "no such list.txt", "-o", scratch / "out.csv"}).exit_code == 1);
   CHECK(run_tool({"signature", scratch.folder() + "/", "-o", scratch / "out.csv"}).exit_code == 0);
   fs::create_directories(scratch / "empty");
   const Process_result run = run_tool({"signature", scratch / "empty", "-o", scratch / "none.csv"});
@@ -293,7 +355,7 @@ TEST_CASE("signature: three ranks of MPI write the same file", "[tool][signature
   Scratch scratch;
   const std::string folder = make_folder(scratch), output = scratch / "out.csv";
   const std::string expected = undisturbed(scratch, folder);
-  command.insert(command.end(), {TOOL, "signature", folder, "-o", output, "--jobs", "1"});
+  command.insert(command.end(), {TOOL, "signature", folder, "-o", output, "--mpi", "--jobs", "1"});
   SECTION("undisturbed")
   {
     const Process_result run = run_process(command);
@@ -327,4 +389,21 @@ TEST_CASE("signature: three ranks of MPI write the same file", "[tool][signature
     command.back() = "0";
     CHECK(run_process(command).exit_code != 0);
   }
+}
+
+TEST_CASE("signature: a program that a rank of MPI starts is none itself", "[tool][signature][mpi]")
+{
+  std::vector<std::string> command = three_ranks();
+  if(command.empty())
+    return;
+  Scratch scratch;
+  const std::string input = write_off(scratch / "in.off", icosphere(2)), output = scratch / "out.csv";
+  const std::string script = "\"$0\" signature \"$1\" -o \"$2$OMPI_COMM_WORLD_RANK\"; exit $?";
+  command.insert(command.end(), {"/bin/sh", "-c", script, TOOL, input, output});
+  const Process_result run = run_process(command);
+  CAPTURE(run.out, run.err);
+  CHECK(run.exit_code == 0);
+  const std::string expected = undisturbed(scratch, input);
+  for(const char* rank : {"0", "1", "2"})
+    CHECK((fs::exists(output + rank) && text_of(output + rank) == expected));
 }

@@ -1,14 +1,19 @@
 /// \ingroup PkgSphericalParameterizationConcepts
 /// \cgalConcept
-/// How `CGAL::Spherical_parameterization::parameterize()` computes a map: a tag that carries the options of its method as
-/// public members with defaults, so that `Balanced{3}` or
+/// A method of `CGAL::Spherical_parameterization::parameterize()`: a struct that has the options of the method as public
+/// members with defaults, such as `Balanced{3}` or
 /// \code
 /// Saddle_point method;
 /// method.splitting = Saddle_point::Splitting::GAUSS_SEIDEL;
 /// \endcode
-/// is all there is to say. Options out of range are misuse: a precondition fails.
+/// Options out of range are misuse: `parameterize()` throws a `CGAL::Precondition_exception`, also with `NDEBUG`.
 ///
-/// The set of models is closed, as that of the policies.
+/// This is a closed enumeration rather than an open concept: the models are those below, and programs cannot add one through
+/// the public interface. What a method is inside the package is written down in one place, the class template
+/// `internal::Method_solver<M>` of `internal/problem/Method_solver.h`: its specialization for M checks the options, says
+/// whether weights are needed, and has one function, `solve(backend, problem, effort, monitor)`, which returns a solution.
+/// `parameterize()` takes every M for which there is a specialization. It is internal and may change with every version; \ref
+/// CONTRIBUTING says how a method is added to the package.
 ///
 /// \cgalHasModelsBegin
 /// \cgalHasModel{`CGAL::Spherical_parameterization::Balanced`}
@@ -18,8 +23,8 @@
 /// \cgalHasModelsEnd
 class SphericalParameterizationMethod {
 public:
-  /// What the named parameter `accuracy` is where it is not given. Its unit is that of the method.
+  /// Default of the named parameter `accuracy`. Its meaning is that of the method.
   static constexpr double default_accuracy = unspecified;
-  /// What the named parameter `number_of_iterations` is where it is not given.
+  /// Default of the named parameter `number_of_iterations`.
   static constexpr std::size_t default_number_of_iterations = unspecified;
 };

@@ -1,10 +1,11 @@
 /// \ingroup PkgSphericalParameterizationConcepts
 /// \cgalConcept
-/// Where `CGAL::Spherical_parameterization::parameterize()` runs: a value that says on what, and owns nothing of a run. The
-/// buffers and programs of a run are made inside of the call and gone after it.
+/// Where `CGAL::Spherical_parameterization::parameterize()` runs. A policy owns nothing of a run: buffers and programs are
+/// made inside of the call, and released at its end.
 ///
-/// The set of models is closed: each has a backend in the package, with the same verbs over the same formulas, so that a
-/// result does not depend on the policy. A model is copyable, and any number of threads may use one at once.
+/// This is a closed enumeration rather than an open concept: each model below has a backend in the package, with the same
+/// operations over the same formulas, so that a result does not depend on the policy. Programs cannot add one. A model is
+/// copyable, and any number of threads may use one at once.
 ///
 /// \cgalHasModelsBegin
 /// \cgalHasModel{`CGAL::Sequential_tag`: one core}

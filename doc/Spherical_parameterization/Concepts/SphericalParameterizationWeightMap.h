@@ -1,12 +1,11 @@
 /// \ingroup PkgSphericalParameterizationConcepts
 /// \cgalConcept
-/// The spring constant of every edge: what the named parameter `edge_weight_map` takes.
+/// Spring constants of the edges: the type of the named parameter `edge_weight_map`.
 ///
 /// \cgalRefines{`boost::ReadablePropertyMap`}
 ///
-/// A weight belongs to an edge and not to a halfedge, since a spring pulls both ends alike: weights are symmetric. All have
-/// to be positive and finite; otherwise the result is `BAD_WEIGHT`. They may be of any unit, and differ by any factor,
-/// though no solver can do better than doubles.
+/// Weights are symmetric: they belong to edges and not to halfedges. All have to be positive and finite; otherwise the
+/// result is `BAD_WEIGHT`. They may be of any unit. Large ratios between weights cost iterations and digits.
 ///
 /// The map is read once for every edge, while the mesh is read: by several threads at once, unless the policy is
 /// `CGAL::Sequential_tag`.

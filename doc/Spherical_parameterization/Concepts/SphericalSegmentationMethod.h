@@ -1,9 +1,9 @@
 /// \ingroup PkgSphericalParameterizationConcepts
 /// \cgalConcept
-/// How `CGAL::Spherical_parameterization::segmentation_from_area_stretch()` cuts: a tag that carries the options of its method
-/// as public members with defaults.
+/// A method of `CGAL::Spherical_parameterization::segmentation_from_area_stretch()`: a struct that has the options of the
+/// method as public members with defaults.
 ///
-/// The set of models is closed.
+/// This is a closed enumeration: the models are those below, and programs cannot add one.
 ///
 /// \cgalRefines{`CGAL::Spherical_parameterization::Segment_limits`\, from which it is derived}
 ///

@@ -1,14 +1,14 @@
 /// \ingroup PkgSphericalParameterizationConcepts
 /// \cgalConcept
-/// Where a map to the sphere is kept: a point of the unit sphere for every vertex.
+/// A map to the sphere: a point of the unit sphere for every vertex.
 ///
 /// \cgalRefines{`boost::WritablePropertyMap` for `CGAL::Spherical_parameterization::parameterize()`; also
 /// `boost::ReadablePropertyMap` where vertices are fixed, and for all functions that take a map as input}
 ///
-/// Nothing is assumed of the type of its values but that they have coordinates: `CGAL::Point_3` and `CGAL::Vector_3` of a kernel
-/// with a number type that doubles convert to without loss, `std::array<double, 3>`, or an Eigen vector. The
-/// coordinates written are those that were certified: a value type of single precision rounds them, and the certificate
-/// does not hold for what it has become.
+/// Its values have three coordinates in floating point or exact numbers: `CGAL::Point_3` and `CGAL::Vector_3` of any kernel,
+/// `std::array<double, 3>`, or an Eigen vector. Other values, such as `Point_2` or integers, are a static assertion. What is
+/// certified is what the map stores: for values of single precision, the positions are rounded to floats first, and the
+/// certificate is that of the rounded positions.
 ///
 /// \cgalHasModelsBegin
 /// \cgalHasModel{`CGAL::Surface_mesh::Property_map<Vertex_index\, Point_3>`}

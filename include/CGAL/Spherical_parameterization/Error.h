@@ -12,30 +12,29 @@ namespace Spherical_parameterization {
 /// \addtogroup PkgSphericalParameterizationMap
 /// @{
 
-/// Everything that can be wrong with the input, or with the map that was found.
-/// Only `OK` stands for a certified spherical map.
+/// What can be wrong with the input, or with the map that was found. Only `OK` stands for a certified spherical map.
 enum class Error_code {
   OK = 0,                   ///< certified: no flipped face, degree 1, residual below the accuracy
   EMPTY_MESH,               ///< no face
   TOO_LARGE,                ///< 2^31 halfedges or more
-  NOT_TRIANGULAR,           ///< a face that is no triangle
+  NOT_TRIANGULAR,           ///< a face that is not a triangle
   ISOLATED_VERTEX,          ///< a vertex without faces
   BOUNDARY,                 ///< border edges: the surface is not closed
-  NON_MANIFOLD,             ///< a vertex or edge around which the faces form no single disk
-  INCONSISTENT_ORIENTATION, ///< neighbouring faces listed in opposite senses (only in files)
+  NON_MANIFOLD,             ///< a vertex or edge whose faces do not form a single disk
+  INCONSISTENT_ORIENTATION, ///< neighbouring faces of opposite orientations (only in soups and files)
   SEVERAL_COMPONENTS,       ///< more than one connected component
   WRONG_GENUS,              ///< handles: not a topological sphere
-  BAD_INDEX,                ///< a triangle that names a point that is not there (only in soups)
+  BAD_INDEX,                ///< a triangle with an index out of range, or no room for the result (only in soups)
   NON_FINITE_COORDINATE,    ///< NaN or infinity in a point
   DEGENERATE_FACE,          ///< a face without area, or an edge without length, where one is needed
   BAD_WEIGHT,               ///< an edge weight that is not positive and finite
-  BAD_CONSTRAINTS,          ///< one or two fixed vertices, coincident ones, no direction; or a method that keeps none
+  BAD_CONSTRAINTS,          ///< one or two fixed vertices, equal positions, a zero vector; or `Isometric`
   NOT_CONVERGED,            ///< the residual did not reach the accuracy
-  INTERRUPTED,              ///< stopped by the callback or the time limit; the best map so far is handed over
+  INTERRUPTED,              ///< stopped by the callback or the time limit; the best map so far is stored
   NOT_BIJECTIVE             ///< converged, but faces are flipped or the degree is not 1
 };
 
-/// The sentence a user reads for an error; `Result::detail` adds what and where.
+/// The message of an error code, in words; `Result::detail` adds what exactly, and where.
 /// \param code  what is wrong, or `OK`
 /// \return a string that is never freed, without full stop
 // clang-format off
@@ -65,8 +64,8 @@ inline const char* get_error_message(Error_code code)
 }
 // clang-format on
 
-/// What is wrong with data, for functions that do not return a `Result`. Wrong arguments, such as a negative accuracy,
-/// are another matter: these violate a precondition.
+/// Wrong data, thrown by functions that do not return a `Result`. Wrong arguments, such as a negative accuracy, are a
+/// `CGAL::Precondition_exception` instead.
 class Error : public std::invalid_argument {
 public:
   /// \param code    what is wrong

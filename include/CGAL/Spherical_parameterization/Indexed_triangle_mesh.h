@@ -94,8 +94,7 @@ public:
   /// \param points     a range of points, with x(), y(), z() or operator[]
   /// \param triangles  a range of ranges of three numbers of points, counterclockwise as seen from outside
   /// \throws Error if the triangles do not form a closed, oriented, connected surface of genus 0: it says what is
-  /// wrong,
-  ///         where, and what to do
+  ///         wrong, where, and what to do
   ///
   /// Complexity: O(n).
   template <class PointRange, class TriangleRange>
@@ -103,7 +102,9 @@ public:
     : Indexed_triangle_mesh(CGAL::Sequential_tag(), points, triangles)
   {}
 
-  /// The same on the threads of `policy`.
+  /// The same on the threads of a policy, `CGAL::Sequential_tag` or `CGAL::Parallel_tag`.
+  /// \param points     as above
+  /// \param triangles  as above
   template <class ExecutionPolicy, class PointRange, class TriangleRange>
   Indexed_triangle_mesh(const ExecutionPolicy&, const PointRange& points, const TriangleRange& triangles)
   {
@@ -121,7 +122,8 @@ public:
   std::size_t number_of_faces() const { return table_.face.size(); }
   /// \return the points, in the order of the vertices
   const std::vector<Point>& points() const { return point_; }
-  /// \return the numbers of the vertices of a face, as they were given
+  /// \param f  the number of a face
+  /// \return the numbers of its vertices, as they were given
   const std::array<int, 3>& triangle(std::size_t f) const { return table_.face[f]; }
 
   /// \cond SKIP_IN_MANUAL

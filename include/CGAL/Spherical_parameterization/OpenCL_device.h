@@ -9,15 +9,24 @@
 //   const OpenCL_device device = opencl_device();
 //   const Result result = parameterize(device, mesh, Balanced(), sphere_map);
 
+#include <CGAL/Spherical_parameterization/OpenCL_device_info.h>
 #include <CGAL/Spherical_parameterization/OpenCL_error.h>
+#include <CGAL/Spherical_parameterization/internal/backend/Host_backend.h>
+#include <CGAL/Spherical_parameterization/internal/backend/execution.h>
 #include <CGAL/Spherical_parameterization/internal/backend/opencl/OpenCL_backend.h>
-#include <CGAL/Spherical_parameterization/internal/backend/opencl/OpenCL_policy.h>
+#include <CGAL/Spherical_parameterization/internal/backend/opencl/OpenCL_queue.h>
+#include <CGAL/Spherical_parameterization/internal/backend/opencl/device_queries.h>
+#include <CGAL/Spherical_parameterization/internal/driver/solve.h>
+
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
 #include <cstdlib>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -25,6 +34,76 @@ namespace Spherical_parameterization {
 
 /// \addtogroup PkgSphericalParameterizationPolicies
 /// @{
+
+/// The execution policy that runs the solvers on an OpenCL device. The mesh is read, the multigrid hierarchy is set up,
+/// and the result is certified on the host.
+///
+/// A value: copies stand for the same queue and share the kernels. These are compiled when they are needed first. Most
+/// drivers keep compiled kernels on disk, so that only the first program waits for the compiler.
+///
+/// Any number of threads may call `parameterize()` with the same device, or with devices on the same queue, at once.
+/// Results do not depend on it; the work on one queue is done one after the other.
+///
+/// In double precision results are those of `CGAL::Sequential_tag` bit by bit, on devices whose division and square
+/// root round correctly, as OpenCL demands, and for spring exponent 2 (for the others the `pow()` of the device
+/// counts, too). In single precision the residual does not come down to the default accuracy: accuracies below
+/// 3e-7 sqrt(n), with n vertices, are taken for that; `Result::device` names the precision. The certificate is exact in
+/// either case.
+///
+/// A mesh with fewer than `smallest_mesh()` vertices is mapped on one core of the host, which is faster;
+/// `Result::device` says so.
+///
+/// \cgalModels{SphericalParameterizationPolicy}
+class OpenCL_device {
+public:
+  /// In what the device computes.
+  enum class Precision {
+    AUTOMATIC, ///< double where the device has it
+    DOUBLE,    ///< 64 bits, or an `OpenCL_error`
+    SINGLE     ///< 32 bits
+  };
+
+  /// \param queue      in order, of the device and the context in which to work
+  /// \param precision  in what to compute
+  /// \throws OpenCL_error if the device does not have the precision, or the queue is not in order
+  explicit OpenCL_device(cl::CommandQueue queue, Precision precision = Precision::AUTOMATIC)
+    : queue_(std::move(queue), precision != Precision::SINGLE)
+  {
+    if(precision == Precision::DOUBLE && !is_double_precision())
+      throw OpenCL_error("OpenCL_device", CL_INVALID_DEVICE, info().name + " has single precision only");
+  }
+
+  /// \return the queue that all work goes to
+  const cl::CommandQueue& queue() const { return queue_.queue(); }
+  /// \return what the device says of itself
+  const OpenCL_device_info& info() const { return queue_.info(); }
+  /// \return whether it computes with 64 bits
+  bool is_double_precision() const { return queue_.is_double_precision(); }
+
+  /// \return the least number of vertices that the device gets
+  ///
+  /// The default is 10,000. A CPU as a device (PoCL) is as fast as one core at 40,000 vertices; the default is meant
+  /// for GPUs.
+  std::size_t smallest_mesh() const { return smallest_mesh_; }
+  /// Sends smaller meshes to the host.
+  /// \param number_of_vertices  the least that the device gets; 0 for all meshes
+  /// \return this device
+  OpenCL_device& set_smallest_mesh(std::size_t number_of_vertices)
+  {
+    smallest_mesh_ = number_of_vertices;
+    return *this;
+  }
+
+  /// \cond SKIP_IN_MANUAL
+  /// What the backend works with.
+  operator const internal::OpenCL_queue&() const { return queue_; }
+  void treat_as_gpu() { queue_.treat_as_gpu(); }
+  /// \endcond
+
+private:
+  internal::OpenCL_queue queue_;
+  std::size_t smallest_mesh_ = 10000;
+};
 
 /// Every device of every platform, in an order that stays while no driver comes or goes. No driver: no device.
 /// \return what each of them says of itself
@@ -40,7 +119,7 @@ inline std::vector<OpenCL_device_info> opencl_devices()
 /// \param k          its number there, from 0
 /// \param precision  in what to compute
 /// \return the policy
-/// \throws OpenCL_error if there is no such device, or if it cannot do with the precision
+/// \throws OpenCL_error if there is no such device, or if it does not have the precision
 inline OpenCL_device opencl_device(std::size_t k,
                                    OpenCL_device::Precision precision = OpenCL_device::Precision::AUTOMATIC)
 {
@@ -106,10 +185,10 @@ inline std::size_t find_opencl_device(std::string wanted = std::string())
   return named;
 }
 
-/// The device that `find_opencl_device()` finds without being told more.
+/// The device of `find_opencl_device()`: the one of the environment variable, or the default.
 /// \param precision  in what to compute
 /// \return the policy
-/// \throws OpenCL_error if there is no such device, or if it cannot do with the precision
+/// \throws OpenCL_error if there is no such device, or if it does not have the precision
 inline OpenCL_device opencl_device(OpenCL_device::Precision precision = OpenCL_device::Precision::AUTOMATIC)
 {
   return opencl_device(find_opencl_device(), precision);
@@ -117,6 +196,39 @@ inline OpenCL_device opencl_device(OpenCL_device::Precision precision = OpenCL_d
 
 /// @}
 
+namespace internal {
+
+/// The backend of an OpenCL device. Set-up on the host is run with `Loop`.
+template <class Loop>
+struct Backend_for<OpenCL_device, Loop> {
+  using type = OpenCL_backend<Loop>;
+};
+
+template <>
+struct Is_policy<OpenCL_device> : std::true_type {};
+
+/// Small meshes stay on one core of the host.
+template <class Loop>
+struct Choice_of_backend<OpenCL_device, Loop> {
+  template <class F>
+  static void call(const OpenCL_device& device, int n, F f)
+  {
+    const std::size_t smallest = device.smallest_mesh();
+    if(static_cast<std::size_t>(n) >= smallest) {
+      const OpenCL_backend<Loop> backend(device);
+      f(backend, backend.device_name());
+    } else {
+      const Sequential_backend backend{CGAL::Sequential_tag()};
+      f(backend, backend.device_name() + " (the mesh has fewer than " + std::to_string(smallest) + " vertices)");
+    }
+  }
+};
+
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_COMPILED
+CGAL_SP_FOR_EACH_METHOD(extern template, OpenCL_device)
+#endif
+
+} // namespace internal
 } // namespace Spherical_parameterization
 } // namespace CGAL
 

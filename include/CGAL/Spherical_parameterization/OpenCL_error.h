@@ -16,7 +16,7 @@ namespace Spherical_parameterization {
 /// \addtogroup PkgSphericalParameterizationPolicies
 /// @{
 
-/// The name of an error code of OpenCL, say `"CL_OUT_OF_RESOURCES"`.
+/// The name of an error code of OpenCL, such as `"CL_OUT_OF_RESOURCES"`.
 /// \param code  what a function of OpenCL has returned
 /// \return the name of the macro, or that it is unknown
 inline const char* opencl_error_name(cl_int code)
@@ -76,12 +76,12 @@ inline const char* opencl_error_name(cl_int code)
   return "unknown error code";
 }
 
-/// Whatever goes wrong with OpenCL. Nothing is left behind on the device when it is thrown.
+/// An error of OpenCL. When it is thrown, no memory of the package is left on the device.
 class OpenCL_error : public std::runtime_error {
 public:
   /// \param call         what failed: the function of OpenCL or of this package
   /// \param code         the error code of OpenCL
-  /// \param explanation  what a user can make of it
+  /// \param explanation  the cause, and what to do
   /// \param build_log    of the compiler, if a build has failed
   OpenCL_error(std::string call, cl_int code, const std::string& explanation = "OpenCL failed",
                std::string build_log = std::string())

@@ -17,64 +17,64 @@ namespace Spherical_parameterization {
 /// \addtogroup PkgSphericalParameterizationMap
 /// @{
 
-/// What `parameterize()` did and how good the map is. Times are wall-clock seconds.
+/// The verdict of `parameterize()`, the certificate, and the work that was done. Times are wall-clock seconds.
 struct Result {
   Error_code error = Error_code::OK; ///< `OK` if and only if the map is certified
-  std::string detail;                ///< what, where and what to do; empty if `OK`
+  std::string detail;                ///< what is wrong, where, and what to do; empty if `OK`
 
   std::size_t number_of_vertices = 0; ///< of the mesh
   std::size_t number_of_faces = 0;    ///< of the mesh
 
   /// \name Certificate
-  /// Counted with exact predicates on the double coordinates that were handed out.
+  /// By exact predicates, on the coordinates as the sphere map stores them: floats are rounded first.
   /// @{
   std::size_t flipped_faces = 0; ///< faces (a,b,c) with orientation(O,a,b,c) <= 0
   int degree = 0;                ///< how often the map covers the sphere; 1 for a valid one
-  double residual = 0;           ///< L2 norm over the free vertices (not divided by their number) of the
-                                 ///< stationarity the method claims, relative to the weight sum of a vertex;
-                                 ///< `Isometric`: the share of the energy that the last step promised to gain
+  double residual = 0;           ///< L2 norm over the free vertices (not divided by their number) of the residual of
+                                 ///< the equation that the method solves, relative to the weight sum of a vertex;
+                                 ///< `Isometric`: relative gain of energy that the last step predicted
   double energy = 0;             ///< spring energy of the map, 1/p * sum over edges; `Isometric`: mean distortion;
-                                 ///< infinite where doubles do not reach
-  double smallest_area = 0;      ///< of all spherical triangles, without sign; from 1e-26 on rounding flips faces
-  double smallest_edge = 0;      ///< length of the shortest chord, in units of 2^-52: how many roundings it is long
+                                 ///< infinite if it exceeds the range of doubles
+  double smallest_area = 0;      ///< of all spherical triangles, without sign; below 1e-26 rounding flips faces
+  double smallest_edge = 0;      ///< length of the shortest chord, in units of 2^-52, the rounding error
   /// @}
 
   /// \name Method
   /// @{
-  std::string method;          ///< that found the map: "balanced", "balanced with exponent 3", "isometric", ...
-  std::string fallback_reason; ///< `Automatic`: what was wrong with the maps before; empty if the first one was valid
+  std::string method;          ///< method of the map: "balanced", "balanced with exponent 3", "isometric", ...
+  std::string fallback_reason; ///< `Automatic`: what was wrong with the attempts before; empty if there were none
   /// @}
 
   /// \name Work
   /// @{
-  std::size_t start_iterations = 0; ///< of the start map, on all coarse levels together
+  std::size_t start_iterations = 0; ///< iterations for the start map, on all coarse levels together
   std::size_t iterations = 0;       ///< iterations of the method: descent steps, or saddle-point problems solved
   std::size_t sweeps = 0;           ///< Jacobi or Gauss-Seidel sweeps (saddle-point method; else 0)
   /// Wall-clock time of each phase, in seconds. The phases add up to the total.
   struct Seconds {
-    double read = 0;      ///< from the mesh to arrays, with all checks of the input
+    double read = 0;      ///< reading the mesh into arrays, with all checks of the input
     double start_map = 0; ///< set-up of the multigrid hierarchy, and the start map; of all attempts
     double solve = 0;     ///< from the start map to the result; of all attempts
     double certify = 0;   ///< certificates of all attempts, and writing the property map
-    double total = 0;     ///< all of the call
+    double total = 0;     ///< the whole call
   };
-  /// A method that was tried.
+  /// A method that was tried, and its outcome.
   struct Attempt {
     std::string method;                ///< its name
-    Error_code error = Error_code::OK; ///< what became of it
-    std::string detail;                ///< what, where and what to do; empty if `OK`
-    Seconds seconds;                   ///< how long it took; nothing is read
+    Error_code error = Error_code::OK; ///< its verdict
+    std::string detail;                ///< what is wrong, where, and what to do; empty if `OK`
+    Seconds seconds;                   ///< how long it took; `read` is 0
   };
-  Seconds seconds;               ///< how long it took
+  Seconds seconds;               ///< of all attempts together
   std::vector<Attempt> attempts; ///< all methods that were tried, in order: `Automatic` tries up to three
-  std::string device;            ///< what the policy ran on
+  std::string device;            ///< the device, or the cores, that the method ran on
   /// @}
 
   /// \return `true` iff the map is certified
   explicit operator bool() const { return error == Error_code::OK; }
 };
 
-/// One line for a log: the verdict and the figures behind it.
+/// Writes one line: the verdict, and the main figures.
 /// \param out  a stream
 /// \param r    what to write
 /// \return `out`

@@ -27,8 +27,8 @@ namespace Spherical_parameterization {
 /// Any other readable map from edges to positive numbers can take their place.
 /// @{
 
-/// w = 1 for every edge: each vertex goes to the projected mean of its neighbours. Depends on the connectivity alone.
-/// \cgalModels{SphericalParameterizationWeightMap}
+/// Uniform (Tutte) weights, w = 1 for every edge: each vertex is at the projected mean of its neighbours. The map
+/// depends on the connectivity alone. \cgalModels{SphericalParameterizationWeightMap}
 template <class TriangleMesh>
 class Barycentric_weight_map {
 public:
@@ -42,9 +42,10 @@ public:
   friend double get(const Barycentric_weight_map&, const key_type&) { return 1; }
 };
 
-/// w = (cot alpha + cot beta) / 2, alpha and beta the angles opposite to the edge, each clamped to [minimum, maximum]
-/// degrees: inside (0, 90) this keeps all weights positive, also at faces without area (whose angles count as 0 or 180
-/// degrees). The map is conformal up to discretisation and clamping.
+/// Cotangent weights, w = (cot alpha + cot beta) / 2, with alpha and beta the angles opposite to the edge, each clamped
+/// to [minimum, maximum] degrees. Bounds inside (0, 90) keep all weights positive, also at faces without area (whose
+/// angles count as 0 or 180 degrees). The map is conformal up to discretization and clamping. U. Pinkall, K. Polthier,
+/// "Computing discrete minimal surfaces and their conjugates", Experimental Mathematics 2 (1993).
 /// \cgalModels{SphericalParameterizationWeightMap}
 template <class TriangleMesh, class VertexPointMap>
 class Conformal_weight_map {
@@ -99,7 +100,7 @@ private:
   double largest_, smallest_;
 };
 
-/// Mean value coordinates, symmetrised: the coordinates (tan a/2 + tan b/2) / |e| of either end with respect to the
+/// Mean value coordinates, symmetrized: the coordinates (tan a/2 + tan b/2) / |e| of either end with respect to the
 /// other, a and b the angles at it next to the edge, are averaged, since a spring has one weight. Not defined at faces
 /// without area. M. Floater, "Mean value coordinates", CAGD 20 (2003).
 /// \cgalModels{SphericalParameterizationWeightMap}
@@ -158,7 +159,7 @@ private:
   VertexPointMap points_;
 };
 
-/// Weights 1; the map is barycentric.
+/// Uniform (Tutte) weights, 1 for every edge.
 /// \return a `Barycentric_weight_map`
 template <class TriangleMesh>
 Barycentric_weight_map<TriangleMesh> barycentric_weights(const TriangleMesh&)
@@ -181,7 +182,7 @@ auto conformal_weights(const TriangleMesh& mesh, double minimum_angle = 5, doubl
   return Conformal_weight_map<TriangleMesh, std::decay_t<decltype(points)>>(mesh, points, minimum_angle, maximum_angle);
 }
 
-/// Symmetrised mean value weights.
+/// Symmetrized mean value weights.
 /// \param mesh  a triangle mesh, a model of `HalfedgeGraph`; must outlive the map
 /// \param np    optional named parameters: `vertex_point_map`, by default the mesh's own
 /// \return a `Mean_value_weight_map`

@@ -192,6 +192,11 @@ Result parameterize(const ExecutionPolicy& policy, const TriangleMesh& mesh, con
 
 /// \overload
 /// On one core.
+/// \param mesh    a closed triangle mesh of genus 0
+/// \param method  `Balanced`, `Saddle_point`, `Isometric` or `Automatic`
+/// \param sphere_map  where the unit vectors go
+/// \param np  an optional sequence of named parameters, as above
+/// \return the verdict, the certificate, and what the work was; see `Result`
 template <class TriangleMesh, class Method, class VertexSphereMap,
           class NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
@@ -207,6 +212,11 @@ Result parameterize(const TriangleMesh& mesh, const Method& method, VertexSphere
 
 /// \overload
 /// By `Balanced`.
+/// \param policy  where to run
+/// \param mesh    a closed triangle mesh of genus 0
+/// \param sphere_map  where the unit vectors go
+/// \param np  an optional sequence of named parameters, as above
+/// \return the verdict, the certificate, and what the work was; see `Result`
 template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap,
           class NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
@@ -224,6 +234,10 @@ Result parameterize(const ExecutionPolicy& policy, const TriangleMesh& mesh, Ver
 
 /// \overload
 /// By `Balanced`, on one core.
+/// \param mesh    a closed triangle mesh of genus 0
+/// \param sphere_map  where the unit vectors go
+/// \param np  an optional sequence of named parameters, as above
+/// \return the verdict, the certificate, and what the work was; see `Result`
 template <class TriangleMesh, class VertexSphereMap, class NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
           ,
@@ -301,6 +315,10 @@ Result parameterize_triangle_soup(const ExecutionPolicy& policy, const PointRang
 
 /// \overload
 /// By `Balanced`, on one core.
+/// \param points     in any unit
+/// \param triangles  the numbers of their points, counterclockwise as seen from outside
+/// \param sphere_points  where the unit vectors go, in the order of `points`
+/// \return the verdict, the certificate, and what the work was
 template <class PointRange, class TriangleRange, class SpherePoints>
 Result parameterize_triangle_soup(const PointRange& points, const TriangleRange& triangles, SpherePoints& sphere_points)
 {

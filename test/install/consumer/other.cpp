@@ -8,6 +8,8 @@ bool can_map_elsewhere(Mesh& mesh)
 #ifdef CGAL_LINKED_WITH_TBB
   return can_map(CGAL::Parallel_tag(), mesh);
 #else
-  return can_map(CGAL::Sequential_tag(), mesh);
+  // main.cpp has mapped it
+  const auto sphere = mesh.add_property_map<Mesh::Vertex_index, Mesh::Point>("v:sphere").first; // or the one there is
+  return CGAL::Spherical_parameterization::degree_of_map(mesh, sphere) == 1;
 #endif
 }

@@ -4,9 +4,10 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_HOST_BACKEND_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_HOST_BACKEND_H
 
-#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/backend/Moments.h>
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
 #include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
+#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/backend/vertex_formulas.h>
 
@@ -23,17 +24,12 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
-/// The sums that decide about balance: s = sum m_i v_i and S = sum m_i v_i v_i^T (xx, xy, xz, yy, yz, zz).
-struct Moments {
-  std::array<double, 3> first{};
-  std::array<double, 6> second{};
-};
-
-/// The verbs of a backend whose memory is the host's. `Loop::for_each(count, f)` runs f(0) ... f(count-1) in any order;
-/// it is all that differs between one core and all cores.
+/// The verbs of a backend whose memory is the host's. A verb `v` is a loop over the formula `v_at` of
+/// vertex_formulas.h. `Loop::for_each(count, f)` runs f(0) ... f(count-1) in any order. One core and all cores differ
+/// in nothing else.
 ///
-/// Sums are taken in one fixed order, which a device can follow, too (see `sum`): results are equal bit by bit on any
-/// number of threads and on every backend. Arguments that are written come last; they must not alias the ones that are
+/// Sums are taken in one fixed order, which a device can follow (see `sum`). So results are equal bit by bit on any
+/// number of threads and on every backend. Arguments that are written come last. They must not alias those that are
 /// read, except where a verb says "in place".
 template <class Loop>
 class Host_backend {
@@ -49,13 +45,13 @@ public:
 
   explicit Host_backend(Loop loop = Loop()) : loop_(std::move(loop)) {}
 
-  /// What set-up on the host is run with.
+  /// How set-up on the host is run.
   const Loop& host_loop() const { return loop_; }
 
-  /// Relative error that sums may have
+  /// A bound of the relative rounding error of sums
   double rounding() const { return 1e-13; }
 
-  /// The residual that rounding leaves of a map of n vertices; 0: none that could be in the way of the user's accuracy
+  /// The smallest residual that rounding allows for n vertices; 0 if it does not limit the accuracy.
   double best_accuracy(int) const { return 0; }
 
   /// \name Memory
@@ -79,143 +75,97 @@ public:
   /// y = x
   void copy(const Vectors& x, Vectors& y) const
   {
-    for_each(x.size(), [&](int i) { y[i] = x[i]; });
+    for_each(x.size(), [&](int i) { copy_at(i, x.data(), y.data()); });
   }
 
   /// returns x . y
   double dot(const Vectors& x, const Vectors& y) const
   {
-    return sum<1>(x.size(), [&](int i, auto& s) { s[0] += inner(x[i], y[i]); })[0];
+    return sum<1>(x.size(), [&](int i, double* s) { dot_at(i, x.data(), y.data(), s); })[0];
   }
 
   /// y = A x; returns x . y
   double multiply(const Matrix& a, const Vectors& x, Vectors& y) const
   {
     const graph_view g = a->view();
-    return sum<1>(x.size(), [&](int i, auto& s) {
-      y[i] = laplacian(i, g, x.data());
-      s[0] += inner(x[i], y[i]);
-    })[0];
+    return sum<1>(x.size(), [&](int i, double* s) { multiply_at(i, g, x.data(), y.data(), s); })[0];
   }
 
   /// x += alpha p and r -= alpha q, in place
   void descend(double alpha, const Vectors& p, const Vectors& q, Vectors& x, Vectors& r) const
   {
-    for_each(x.size(), [&](int i) {
-      x[i] = add_scaled(x[i], alpha, p[i]);
-      r[i] = add_scaled(r[i], -alpha, q[i]);
-    });
+    for_each(x.size(), [&](int i) { descend_at(i, alpha, p.data(), q.data(), x.data(), r.data()); });
   }
 
   /// p = s + beta p, in place
   void conjugate(double beta, const Vectors& s, Vectors& p) const
   {
-    for_each(p.size(), [&](int i) { p[i] = add_scaled(s[i], beta, p[i]); });
-  }
-
-  /// Spring energy of exponent 2: sum over edges of w |x_i - x_j|^2 / 2
-  double energy(const Matrix& a, const Vectors& x) const
-  {
-    const graph_view g = a->view();
-    return sum<1>(x.size(), [&](int i, auto& s) { s[0] += spring_density(i, g, 2, x.data()); })[0] / 2;
+    for_each(p.size(), [&](int i) { conjugate_at(i, beta, s.data(), p.data()); });
   }
 
   /// r = b - A x
   void residual(const Matrix& a, const Vectors& b, const Vectors& x, Vectors& r) const
   {
     const graph_view g = a->view();
-    for_each(x.size(), [&](int i) { r[i] = sub(b[i], laplacian(i, g, x.data())); });
+    for_each(x.size(), [&](int i) { residual_at(i, g, b.data(), x.data(), r.data()); });
   }
 
   /// x = gain D^-1 b, the damped Jacobi step from 0
   void start_smoothing(const Matrix& a, double gain, const Vectors& b, Vectors& x) const
   {
-    for_each(x.size(), [&](int i) { x[i] = scale(gain * a->inverse_diagonal[i], b[i]); });
+    for_each(x.size(), [&](int i) { start_smoothing_at(i, a->inverse_diagonal.data(), gain, b.data(), x.data()); });
   }
 
   /// y = x + gain D^-1 (b - A x), a damped Jacobi step
   void smooth(const Matrix& a, double gain, const Vectors& b, const Vectors& x, Vectors& y) const
   {
     const graph_view g = a->view();
-    for_each(x.size(), [&](int i) { y[i] = smoothing_step(i, g, gain, b.data(), x.data()); });
+    for_each(x.size(), [&](int i) { smooth_at(i, g, gain, b.data(), x.data(), y.data()); });
   }
 
   /// y = T x
   void transfer(const Transfer& t, const Vectors& x, Vectors& y) const
   {
     const sparse_view s = t.view();
-    for_each(y.size(), [&](int i) { y[i] = row_times(i, s, x.data()); });
+    for_each(y.size(), [&](int i) { transfer_at(i, s, x.data(), y.data()); });
   }
 
   /// y += T x
   void transfer_add(const Transfer& t, const Vectors& x, Vectors& y) const
   {
     const sparse_view s = t.view();
-    for_each(y.size(), [&](int i) { y[i] = add(y[i], row_times(i, s, x.data())); });
+    for_each(y.size(), [&](int i) { transfer_add_at(i, s, x.data(), y.data()); });
   }
 
   /// y = B x, B a dense square matrix by rows
   void multiply_dense(const Scalars& b, const Vectors& x, Vectors& y) const
   {
     const int n = static_cast<int>(x.size());
-    for_each(n, [&](int i) {
-      vec3 r = make_vec3(0, 0, 0);
-      for(int j = 0; j < n; ++j)
-        r = add_scaled(r, b[std::size_t(i) * n + j], x[j]);
-      y[i] = r;
-    });
+    for_each(n, [&](int i) { multiply_dense_at(i, n, b.data(), x.data(), y.data()); });
   }
   /// @}
 
   /// \name Spring energy
   /// @{
+  /// Spring energy of exponent 2: sum over edges of w |v_i - v_j|^2 / 2
+  double energy(const Matrix& a, const Vectors& v) const
+  {
+    const graph_view g = a->view();
+    return sum<1>(v.size(), [&](int i, double* s) { energy_at(i, g, v.data(), s); })[0];
+  }
+
   /// g = tangent gradient, density as in spring_gradient(); returns p E and the three sums of g
   std::array<double, 4> gradient(const Matrix& a, double p, const Vectors& v, Vectors& g, Scalars& density) const
   {
     const graph_view w = a->view();
-    return sum<4>(v.size(), [&](int i, auto& s) {
-      g[i] = spring_gradient(i, w, p, v.data(), &density[i]);
-      s[0] += density[i];
-      s[1] += g[i].x;
-      s[2] += g[i].y;
-      s[3] += g[i].z;
-    });
+    return sum<4>(v.size(), [&](int i, double* s) { gradient_at(i, w, p, v.data(), g.data(), density.data(), s); });
   }
 
   /// m = spring density of exponent 2, or 0 where negative weights (of coarse levels) make it negative
   void spring_masses(const Matrix& a, const Vectors& v, Scalars& m) const
   {
     const graph_view w = a->view();
-    for_each(v.size(), [&](int i) { m[i] = (std::max)(0., spring_density(i, w, 2, v.data())); });
-  }
-
-  /// g -= m_i P_i mu, in place; returns sum |g_i / D_i|^2
-  double balance_gradient(const Matrix& a, const Scalars& mass, vec3 mu, const Vectors& v, Vectors& g) const
-  {
-    return sum<1>(v.size(), [&](int i, auto& s) {
-      g[i] = add_scaled(g[i], -mass[i], tangent(mu, v[i]));
-      const double inverse = a->inverse_diagonal[i];
-      s[0] += inner(g[i], g[i]) * inverse * inverse;
-    })[0];
-  }
-
-  /// What decides about the next direction beta d - s, projected: old_g . P s; for P s its product with g, sum m_i s_i
-  /// and sum m_i v_i x s_i; and the same seven for P d
-  std::array<double, 15> direction_products(const Scalars& mass, const Vectors& v, const Vectors& g,
-                                            const Vectors& old_g, const Vectors& s, const Vectors& d) const
-  {
-    return sum<15>(v.size(), [&](int i, auto& t) {
-      const vec3 step = tangent(s[i], v[i]);
-      t[0] += inner(old_g[i], step);
-      add_products(mass[i], v[i], g[i], step, &t[1]);
-      add_products(mass[i], v[i], g[i], tangent(d[i], v[i]), &t[8]);
-    });
-  }
-
-  /// d = P (beta d - s - y) - omega x v, in place: y and omega are an infinitesimal boost and rotation
-  void direct(double beta, vec3 y, vec3 omega, const Vectors& v, const Vectors& s, Vectors& d) const
-  {
-    for_each(v.size(), [&](int i) { d[i] = next_direction(beta, y, omega, v[i], s[i], d[i]); });
+    for_each(v.size(), [&](int i) { spring_masses_at(i, w, v.data(), m.data()); });
   }
 
   /// Second derivative of the Lagrangian E - mu . sum m_i v_i along the geodesics with velocity d; sum m_i |d_i|^2;
@@ -224,32 +174,53 @@ public:
                                   const Vectors& d, const Scalars& density) const
   {
     const graph_view w = a->view();
-    return sum<5>(v.size(), [&](int i, auto& s) {
-      s[0] += spring_curvature(i, w, p, v.data(), d.data(), density[i] - mass[i] * inner(mu, v[i]));
-      const double push = mass[i] * inner(d[i], d[i]);
-      s[1] += push;
-      s[2] += push * v[i].x;
-      s[3] += push * v[i].y;
-      s[4] += push * v[i].z;
+    return sum<5>(v.size(), [&](int i, double* s) {
+      curvature_at(i, w, p, mass.data(), mu, v.data(), d.data(), density.data(), s);
     });
+  }
+
+  /// g -= m_i P_i mu, in place; returns sum |g_i / D_i|^2
+  double balance_gradient(const Matrix& a, const Scalars& mass, vec3 mu, const Vectors& v, Vectors& g) const
+  {
+    return sum<1>(v.size(), [&](int i, double* s) {
+      balance_gradient_at(i, a->inverse_diagonal.data(), mass.data(), mu, v.data(), g.data(), s);
+    })[0];
+  }
+
+  /// What decides about the next direction beta d - step, projected: old_g . P step; for P step its product with g,
+  /// sum m_i (P step)_i and sum m_i v_i x (P step)_i; and the same seven for P d
+  std::array<double, 15> direction_products(const Scalars& mass, const Vectors& v, const Vectors& g,
+                                            const Vectors& old_g, const Vectors& step, const Vectors& d) const
+  {
+    return sum<15>(v.size(), [&](int i, double* s) {
+      direction_products_at(i, mass.data(), v.data(), g.data(), old_g.data(), step.data(), d.data(), s);
+    });
+  }
+
+  /// d = P (beta d - step - y) - omega x v, in place: y and omega are an infinitesimal boost and rotation
+  void next_direction(double beta, vec3 y, vec3 omega, const Vectors& v, const Vectors& step, Vectors& d) const
+  {
+    for_each(v.size(), [&](int i) { next_direction_at(i, beta, y, omega, v.data(), step.data(), d.data()); });
   }
 
   /// w = v moved by alpha d and a small boost with centre c; returns the moments of w
   Moments retract(const Scalars& mass, double alpha, vec3 c, const Vectors& v, const Vectors& d, Vectors& w) const
   {
-    return moments_of(mass, v.size(), [&](int i) { return w[i] = displaced(v[i], alpha, d[i], c); });
+    return to_moments(sum<9>(
+      v.size(), [&](int i, double* s) { retract_at(i, mass.data(), alpha, c, v.data(), d.data(), w.data(), s); }));
   }
 
   /// returns the moments of v
   Moments moments(const Scalars& mass, const Vectors& v) const
   {
-    return moments_of(mass, v.size(), [&](int i) { return v[i]; });
+    return to_moments(sum<9>(v.size(), [&](int i, double* s) { moments_at(i, mass.data(), v.data(), s); }));
   }
 
   /// w = boost of v with centre c; returns the moments of w
   Moments transform(const Scalars& mass, vec3 c, const Vectors& v, Vectors& w) const
   {
-    return moments_of(mass, v.size(), [&](int i) { return w[i] = boost(v[i], c); });
+    return to_moments(
+      sum<9>(v.size(), [&](int i, double* s) { transform_at(i, mass.data(), c, v.data(), w.data(), s); }));
   }
   /// @}
 
@@ -259,7 +230,7 @@ public:
   void jacobi_sweep(const Matrix& a, double omega, const Vectors& v, const Vectors& u, Vectors& w) const
   {
     const graph_view g = a->view();
-    for_each(v.size(), [&](int i) { w[i] = saddle_point_relaxation(i, g, omega, v.data(), u.data()); });
+    for_each(v.size(), [&](int i) { jacobi_sweep_at(i, g, omega, v.data(), u.data(), w.data()); });
   }
 
   /// One Gauss-Seidel sweep, in place, colour after colour: no two vertices of a colour are neighbours.
@@ -267,39 +238,27 @@ public:
   {
     const graph_view g = a->view();
     for(const Host_array<int>& colour : colours)
-      for_each(colour.size(), [&](int k) {
-        const int i = colour[k];
-        u[i] = saddle_point_relaxation(i, g, omega, v.data(), u.data());
-      });
+      for_each(colour.size(), [&](int k) { gauss_seidel_sweep_at(k, g, colour.data(), omega, v.data(), u.data()); });
   }
 
   /// Squared L2 norm of P_v (u_i - neighbour mean of u): the residual of the saddle-point problem at u.
   double saddle_point_residual2(const Matrix& a, const Vectors& v, const Vectors& u) const
   {
     const graph_view g = a->view();
-    return sum<1>(v.size(), [&](int i, auto& s) {
-      const vec3 step = sub(saddle_point_relaxation(i, g, 1, v.data(), u.data()), u[i]);
-      s[0] += inner(step, step);
-    })[0];
+    return sum<1>(v.size(), [&](int i, double* s) { saddle_point_residual2_at(i, g, v.data(), u.data(), s); })[0];
   }
 
-  /// v = u / |u|, but at fixed vertices
-  void normalise(const Matrix& a, const Vectors& u, Vectors& v) const
+  /// v = u / |u|, except at fixed vertices
+  void normalize(const Matrix& a, const Vectors& u, Vectors& v) const
   {
-    for_each(v.size(), [&](int i) {
-      if(a->inverse_diagonal[i] > 0)
-        v[i] = unit(u[i]);
-    });
+    for_each(v.size(), [&](int i) { normalize_at(i, a->inverse_diagonal.data(), u.data(), v.data()); });
   }
 
   /// Squared L2 norm of the residual of eq. (2).
   double barycentric_residual2(const Matrix& a, const Vectors& v) const
   {
     const graph_view g = a->view();
-    return sum<1>(v.size(), [&](int i, auto& s) {
-      const vec3 r = barycentric_residual(i, g, v.data());
-      s[0] += inner(r, r);
-    })[0];
+    return sum<1>(v.size(), [&](int i, double* s) { barycentric_residual2_at(i, g, v.data(), s); })[0];
   }
   /// @}
 
@@ -326,7 +285,7 @@ private:
     });
   }
 
-  /// Waking other threads takes longer than a few blocks.
+  /// A few blocks are run on the calling thread: that is faster than waking other threads.
   template <class F>
   void for_each_block(int n, F f) const
   {
@@ -338,8 +297,8 @@ private:
       loop_.for_each(blocks, f);
   }
 
-  /// Element i is added by lane i % lanes of its block, the lanes are added pairwise, the blocks in order: the
-  /// reduction tree of a work-group.
+  /// Lane l of a block adds up the elements i with i % lanes == l. The lanes are added pairwise, then the blocks in
+  /// order. The order is that of a work-group (kernels/backend/loops.cl), and the same for any number of threads.
   template <int K, class F>
   std::array<double, K> sum(std::size_t n, F f) const
   {
@@ -350,7 +309,7 @@ private:
       const int end = (std::min)(size, (block + 1) * block_size);
       for(int i = block * block_size; i < end;)
         for(int l = 0; l < lanes && i < end; ++l, ++i)
-          f(i, lane[l]);
+          f(i, lane[l].data());
       for(int half = lanes / 2; half > 0; half /= 2)
         for(int l = 0; l < half; ++l)
           for(int k = 0; k < K; ++k)
@@ -364,32 +323,32 @@ private:
     return total;
   }
 
-  template <class F>
-  Moments moments_of(const Scalars& mass, std::size_t n, F position) const
-  {
-    const auto s = sum<9>(n, [&](int i, auto& t) { add_moments(mass[i], position(i), t.data()); });
-    Moments r;
-    std::copy(s.begin(), s.begin() + 3, r.first.begin());
-    std::copy(s.begin() + 3, s.end(), r.second.begin());
-    return r;
-  }
-
   Loop loop_;
 };
 
-template <>
-class Backend<CGAL::Sequential_tag> : public Host_backend<Sequential_loop> {
+/// One core
+class Sequential_backend : public Host_backend<Sequential_loop> {
 public:
-  explicit Backend(const CGAL::Sequential_tag&) {}
+  explicit Sequential_backend(const CGAL::Sequential_tag&) {}
   std::string device_name() const { return "one core"; }
 };
 
+template <class Loop>
+struct Backend_for<CGAL::Sequential_tag, Loop> {
+  using type = Sequential_backend;
+};
+
 #ifdef CGAL_LINKED_WITH_TBB
-template <>
-class Backend<CGAL::Parallel_tag> : public Host_backend<Parallel_loop> {
+/// The threads of the caller's TBB arena
+class Parallel_backend : public Host_backend<Parallel_loop> {
 public:
-  explicit Backend(const CGAL::Parallel_tag&) {}
+  explicit Parallel_backend(const CGAL::Parallel_tag&) {}
   std::string device_name() const { return std::to_string(tbb::this_task_arena::max_concurrency()) + " threads"; }
+};
+
+template <class Loop>
+struct Backend_for<CGAL::Parallel_tag, Loop> {
+  using type = Parallel_backend;
 };
 #endif
 

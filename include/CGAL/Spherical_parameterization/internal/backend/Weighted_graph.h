@@ -6,7 +6,7 @@
 
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
-#include <CGAL/Spherical_parameterization/internal/backend/vertex_formulas.h>
+#include <CGAL/Spherical_parameterization/internal/backend/formulas/linear_algebra.h>
 
 #include <memory>
 #include <vector>
@@ -16,7 +16,7 @@ namespace Spherical_parameterization {
 namespace internal {
 
 /// A symmetric weighted graph in compressed rows, on the host. Seen as a matrix it is the Laplacian L = D - W plus the
-/// diagonal `excess`. Rows of fixed vertices are present but inert: their inverse diagonal is 0.
+/// diagonal `excess`. Rows of fixed vertices are present; their inverse diagonal is 0, so that nothing moves them.
 struct Weighted_graph {
   Host_array<int> offset = {0};
   Host_array<int> target;
@@ -48,7 +48,7 @@ struct Weighted_graph {
   }
 };
 
-/// Graphs are large: the task, the hierarchy and the backends of the host share one copy.
+/// Graphs are large: all that use one share it.
 typedef std::shared_ptr<const Weighted_graph> Shared_graph;
 
 /// A sparse rectangular matrix in compressed rows, on the host.

@@ -4,6 +4,8 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_EXECUTION_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_EXECUTION_H
 
+#include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
+
 #include <CGAL/tags.h>
 
 #include <type_traits>
@@ -12,17 +14,24 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
-/// Where the solvers run. An execution policy is a value that answers "where": each supported policy `P` has a
-/// specialisation `Backend<P>`, the only place that knows how loops are run there. Its memory and its verbs (one loop
+/// Where the solvers run. `Backend_for<P, Loop>::type` is the backend of the execution policy P, for each policy that
+/// is supported. A backend is the only place that knows how loops are run there. Its memory and its verbs (one loop
 /// each over a formula of vertex_formulas.h) are all that a solver sees.
 ///
 /// There is a backend for
-/// - `CGAL::Sequential_tag`: one core (internal/Host_backend.h);
+/// - `CGAL::Sequential_tag`: one core (Host_backend.h);
 /// - `CGAL::Parallel_tag`: the threads of the caller's TBB arena (the same file), if linked with TBB;
 /// - `OpenCL_device`: an OpenCL command queue, if OpenCL_device.h is included.
-template <class ExecutionPolicy>
-class Backend;
+///
+/// `Loop` is how set-up on the host is run, where the policy leaves that open. It is part of the names of types, so
+/// that no class is defined in two ways in a program of which only a part is compiled with TBB.
+template <class ExecutionPolicy, class Loop>
+struct Backend_for;
 
+template <class ExecutionPolicy>
+using Backend = typename Backend_for<ExecutionPolicy, Default_loop>::type;
+
+/// Whether there is a backend for it.
 template <class ExecutionPolicy>
 struct Is_policy : std::is_same<ExecutionPolicy, CGAL::Sequential_tag> {};
 #ifdef CGAL_LINKED_WITH_TBB
@@ -42,12 +51,12 @@ constexpr bool is_supported_policy()
 }
 
 /// Calls `f(backend, name)` with the backend on which `policy` maps a mesh of n vertices, and what to call it.
-template <class ExecutionPolicy>
+template <class ExecutionPolicy, class Loop>
 struct Choice_of_backend {
   template <class F>
   static void call(const ExecutionPolicy& policy, int /* n */, F f)
   {
-    const Backend<ExecutionPolicy> backend(policy);
+    const typename Backend_for<ExecutionPolicy, Loop>::type backend(policy);
     f(backend, backend.device_name());
   }
 };

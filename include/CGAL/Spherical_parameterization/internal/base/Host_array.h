@@ -13,12 +13,12 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
-/// Leaves what is not given a value uninitialised.
+/// Leaves what is not given a value uninitialized.
 template <class T>
-struct Uninitialised_allocator : std::allocator<T> {
+struct Uninitialized_allocator : std::allocator<T> {
   template <class U>
   struct rebind {
-    typedef Uninitialised_allocator<U> other;
+    typedef Uninitialized_allocator<U> other;
   };
 
   template <class U>
@@ -36,7 +36,7 @@ struct Uninitialised_allocator : std::allocator<T> {
 /// An array as long as the mesh, of numbers or vectors. The first to touch its memory, which is when the system maps
 /// it, are the threads that fill it.
 template <class T>
-using Host_array = std::vector<T, Uninitialised_allocator<T>>;
+using Host_array = std::vector<T, Uninitialized_allocator<T>>;
 
 } // namespace internal
 } // namespace Spherical_parameterization

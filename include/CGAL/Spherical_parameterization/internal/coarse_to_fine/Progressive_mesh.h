@@ -6,6 +6,7 @@
 
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/Corner_table.h>
 
 #include <boost/container/small_vector.hpp>
 
@@ -39,11 +40,14 @@ public:
         corner_[vertex_[c]] = c;
         ++degree_[vertex_[c]];
       }
-    link_opposite_corners(loop);
+    Host_array<int> twin;
+    match_halfedges(loop, faces, number_of_vertices, twin);
+    for(int h = 0; h < static_cast<int>(twin.size()); ++h)
+      opposite_[previous(h)] = previous(twin[h]);
   }
 
-  static int next(int c) { return c % 3 == 2 ? c - 2 : c + 1; }
-  static int previous(int c) { return c % 3 == 0 ? c + 2 : c - 1; }
+  static int next(int c) { return Corner_table::next(c); }
+  static int previous(int c) { return Corner_table::previous(c); }
 
   int vertex(int corner) const { return vertex_[corner]; }
   int degree(int v) const { return degree_[v]; }
@@ -172,32 +176,6 @@ private:
       vertex_[c] = d.u;
     corner_[d.u] = half_edge;
     corner_[d.v] = next(half_edge);
-  }
-
-  template <class Loop>
-  void link_opposite_corners(const Loop& loop)
-  {
-    // Edges as (smaller end, larger end, corner), grouped by their smaller end.
-    const int n = capacity(), m = static_cast<int>(vertex_.size());
-    const auto ends = [&](int c) { return std::minmax({vertex_[next(c)], vertex_[previous(c)]}); };
-    std::vector<int> offset(n + 1, 0), order(m);
-    for(int c = 0; c < m; ++c)
-      ++offset[ends(c).first + 1];
-    for(int v = 0; v < n; ++v)
-      offset[v + 1] += offset[v];
-    std::vector<int> place(offset.begin(), offset.end() - 1);
-    for(int c = 0; c < m; ++c)
-      order[place[ends(c).first]++] = c;
-    for_each_part(loop, n, [&](int begin, int end) {
-      for(int v = begin; v < end; ++v) {
-        const auto first = order.begin() + offset[v], last = order.begin() + offset[v + 1];
-        std::sort(first, last, [&](int a, int b) { return ends(a).second < ends(b).second; });
-        for(auto it = first; it != last; it += 2) {
-          opposite_[it[0]] = it[1];
-          opposite_[it[1]] = it[0];
-        }
-      }
-    });
   }
 
   Host_array<int> vertex_, opposite_;

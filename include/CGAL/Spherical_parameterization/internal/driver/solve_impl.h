@@ -18,10 +18,11 @@ template <class Host_loop, class ExecutionPolicy, class Method>
 Solution solve(const ExecutionPolicy& policy, const Method& method, const Problem& problem, Monitor& monitor)
 {
   Solution solution;
-  Choice_of_backend<ExecutionPolicy>::call(policy, problem.size(), [&](const auto& backend, const std::string& device) {
-    solution = attempt(backend, Method_solver<Method>(method), problem, problem.effort, monitor);
-    solution.device = device;
-  });
+  Choice_of_backend<ExecutionPolicy, Host_loop>::call(
+    policy, problem.size(), [&](const auto& backend, const std::string& device) {
+      solution = attempt(backend, Method_solver<Method>(method), problem, problem.effort, monitor);
+      solution.device = device;
+    });
   return solution;
 }
 

@@ -39,7 +39,7 @@ void write_solution(const Solution& solution, const std::vector<Vertex>& vertex,
 } // namespace Spherical_parameterization
 } // namespace CGAL
 
-#ifdef CGAL_SP_INCLUDE_CORE
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_COMPILED
 #include <CGAL/Spherical_parameterization/internal/driver/write_solution_impl.h>
 #endif
 

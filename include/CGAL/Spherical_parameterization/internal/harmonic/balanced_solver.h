@@ -150,7 +150,7 @@ public:
         boost = internal::solve(boosts, {of_next[1], of_next[2], of_next[3]});
       if(gauge_ != Gauge::FIXED)
         rotation = internal::solve(boosts, {of_next[4], of_next[5], of_next[6]});
-      backend_.direct(beta, boost, rotation, v, s, d);
+      backend_.next_direction(beta, boost, rotation, v, s, d);
 
       const std::array<double, 5> model = backend_.curvature(matrix_, exponent_, mass_, mu, v, d, density);
       const double longest = longest_step * std::sqrt(total_mass(moments) / model[1]);

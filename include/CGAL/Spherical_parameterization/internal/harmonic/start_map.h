@@ -202,7 +202,7 @@ typename Backend::Vectors start_map(const Backend& backend, Multigrid<Backend>& 
     typename Backend::Vectors& finer = multigrid.scratch(k - 1);
     backend.transfer(multigrid.prolongation(k - 1), v, finer);
     v = backend.vectors(multigrid.size(k - 1));
-    backend.normalise(multigrid.matrix(k - 1), finer, v);
+    backend.normalize(multigrid.matrix(k - 1), finer, v);
   }
   return v;
 }

@@ -4,7 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_INVERSE_KD_TREE_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_INVERSE_KD_TREE_H
 
-#include <CGAL/Spherical_parameterization/internal/backend/vertex_formulas.h>
+#include <CGAL/Spherical_parameterization/internal/base/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 
 #include <algorithm>

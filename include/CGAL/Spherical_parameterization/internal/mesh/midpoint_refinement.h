@@ -4,9 +4,9 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_MIDPOINT_REFINEMENT_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_MIDPOINT_REFINEMENT_H
 
-#include <CGAL/Spherical_parameterization/internal/backend/vertex_formulas.h>
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Corner_table.h>
+#include <CGAL/Spherical_parameterization/internal/base/vec3.h>
 
 #include <array>
 #include <vector>

@@ -4,7 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_POINT_COORDINATES_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_POINT_COORDINATES_H
 
-#include <CGAL/Spherical_parameterization/internal/backend/vertex_formulas.h>
+#include <CGAL/Spherical_parameterization/internal/base/vec3.h>
 
 #include <CGAL/number_utils.h>
 

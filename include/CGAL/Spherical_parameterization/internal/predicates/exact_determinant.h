@@ -4,7 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PREDICATES_EXACT_DETERMINANT_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PREDICATES_EXACT_DETERMINANT_H
 
-#include <CGAL/Spherical_parameterization/internal/backend/vertex_formulas.h>
+#include <CGAL/Spherical_parameterization/internal/base/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/base/compiled.h>
 
 #include <array>
@@ -25,7 +25,7 @@ CGAL_SP_CORE std::array<double, 3> exact_barycentric_coordinates(const std::arra
 } // namespace Spherical_parameterization
 } // namespace CGAL
 
-#ifdef CGAL_SP_INCLUDE_CORE
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_COMPILED
 #include <CGAL/Spherical_parameterization/internal/predicates/exact_determinant_impl.h>
 #endif
 

@@ -56,7 +56,7 @@ CGAL_SP_CORE void pass_verdict(const Problem& problem, const Monitor& monitor, S
 } // namespace Spherical_parameterization
 } // namespace CGAL
 
-#ifdef CGAL_SP_INCLUDE_CORE
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_COMPILED
 #include <CGAL/Spherical_parameterization/internal/problem/Solution_impl.h>
 #endif
 

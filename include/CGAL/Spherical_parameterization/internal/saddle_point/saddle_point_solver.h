@@ -42,7 +42,7 @@ inline std::vector<Host_array<int>> greedy_colouring(const Weighted_graph& a)
   return colours;
 }
 
-/// The published method: minimise the spring energy subject to u_i . v_i = 1, normalise, repeat.
+/// The published method: minimise the spring energy subject to u_i . v_i = 1, normalize, repeat.
 ///
 /// In coordinates of the tangent planes the constrained problem is a symmetric positive definite system with diagonal
 /// blocks D_i I. Algorithm 1 is its Jacobi iteration; its block Gauss-Seidel iteration, which converges for relaxation
@@ -88,7 +88,7 @@ public:
         return report;
       report.sweeps += solve_saddle_point(v, u, w, accuracy, monitor, share);
       // Any u with u_i . v_i = 1 and lower energy will do (Proposition 1), an interrupted one, too.
-      backend_.normalise(matrix_, u, v);
+      backend_.normalize(matrix_, u, v);
       backend_.copy(v, u);
     }
   }

@@ -5,13 +5,11 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_OPENCL_OPENCL_BACKEND_H
 
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
-#include <CGAL/Spherical_parameterization/internal/backend/execution.h>
-#include <CGAL/Spherical_parameterization/internal/backend/Host_backend.h>
+#include <CGAL/Spherical_parameterization/internal/backend/Moments.h>
+#include <CGAL/Spherical_parameterization/internal/backend/opencl/OpenCL_queue.h>
 #include <CGAL/Spherical_parameterization/internal/backend/opencl/OpenCL_runtime.h>
 #include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
 #include <CGAL/Spherical_parameterization/internal/backend/vertex_formulas.h>
-
-#include <CGAL/tags.h>
 
 #include <array>
 #include <cmath>
@@ -25,13 +23,13 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
-/// The verbs of Host_backend on an OpenCL device: each is a kernel of kernels/*.cl, named like the verb. Verbs that
-/// return numbers wait for them; all others return at once. An object is for one thread; `parameterize()` makes its
-/// own.
-template <>
-class Backend<OpenCL_device> {
+/// The verbs of Host_backend on an OpenCL device: each is a kernel of kernels/, named like the verb. Verbs that return
+/// numbers wait for the device. All others return at once. Set-up on the host is run with `Loop`. An object is for one
+/// thread; `parameterize()` makes its own.
+template <class Loop>
+class OpenCL_backend {
 public:
-  using Host_loop = Default_loop;
+  using Host_loop = Loop;
   template <class T>
   using Array = OpenCL_array<T>;
   using Vectors = Array<vec3>;
@@ -40,11 +38,11 @@ public:
   using Transfer = OpenCL_transfer;
   using Colouring = std::vector<Array<int>>;
 
-  explicit Backend(const OpenCL_device& device) : device_(device) {}
+  explicit OpenCL_backend(const OpenCL_queue& queue) : runtime_(queue) {}
 
   std::string device_name() const
   {
-    const OpenCL_device_info& info = device_.policy().info();
+    const OpenCL_device_info& info = runtime_.queue().info();
     return info.name + " (" + info.platform + "), " + (is_double() ? "double" : "single") + " precision";
   }
 
@@ -57,30 +55,30 @@ public:
   const Host_loop& host_loop() const { return loop_; }
 
   /// How often the host has waited for the device
-  std::size_t number_of_read_backs() const { return device_.number_of_read_backs(); }
+  std::size_t number_of_read_backs() const { return runtime_.number_of_read_backs(); }
 
   /// \name Memory
   /// @{
-  Vectors vectors(int n) const { return device_.zeros<vec3>(n); }
-  Scalars scalars(int n) const { return device_.zeros<double>(n); }
+  Vectors vectors(int n) const { return runtime_.zeros<vec3>(n); }
+  Scalars scalars(int n) const { return runtime_.zeros<double>(n); }
   template <class T>
   Array<T> upload(const Host_array<T>& host) const
   {
-    return device_.upload(host);
+    return runtime_.upload(host);
   }
   Matrix upload(const Shared_graph& host) const
   {
-    const auto share = [&](const auto& array) { return device_.share(array, host); };
+    const auto share = [&](const auto& array) { return runtime_.share(array, host); };
     return {share(host->offset), share(host->target), share(host->weight), share(host->excess),
             share(host->inverse_diagonal)};
   }
   Transfer upload(Sparse_matrix matrix) const
   {
     const auto host = std::make_shared<const Sparse_matrix>(std::move(matrix));
-    const auto share = [&](const auto& array) { return device_.share(array, host); };
+    const auto share = [&](const auto& array) { return runtime_.share(array, host); };
     return {share(host->offset), share(host->column), share(host->value)};
   }
-  Host_array<vec3> download(const Vectors& x) const { return device_.download(x); }
+  Host_array<vec3> download(const Vectors& x) const { return runtime_.download(x); }
   Colouring colouring(const std::vector<Host_array<int>>& colours) const
   {
     Colouring result;
@@ -108,8 +106,6 @@ public:
   }
 
   void conjugate(double beta, const Vectors& s, Vectors& p) const { run("sp_conjugate", p.size(), beta, s, p); }
-
-  double energy(const Matrix& a, const Vectors& x) const { return sum<1>("sp_energy", x.size(), a, x)[0] / 2; }
 
   void residual(const Matrix& a, const Vectors& b, const Vectors& x, Vectors& r) const
   {
@@ -141,6 +137,8 @@ public:
 
   /// \name Spring energy
   /// @{
+  double energy(const Matrix& a, const Vectors& v) const { return sum<1>("sp_energy", v.size(), a, v)[0]; }
+
   std::array<double, 4> gradient(const Matrix& a, double p, const Vectors& v, Vectors& g, Scalars& density) const
   {
     return p == 2 ? sum<4>("sp_gradient", v.size(), a, v, g, density)
@@ -158,14 +156,14 @@ public:
   }
 
   std::array<double, 15> direction_products(const Scalars& mass, const Vectors& v, const Vectors& g,
-                                            const Vectors& old_g, const Vectors& s, const Vectors& d) const
+                                            const Vectors& old_g, const Vectors& step, const Vectors& d) const
   {
-    return sum<15>("sp_direction_products", v.size(), mass, v, g, old_g, s, d);
+    return sum<15>("sp_direction_products", v.size(), mass, v, g, old_g, step, d);
   }
 
-  void direct(double beta, vec3 y, vec3 omega, const Vectors& v, const Vectors& s, Vectors& d) const
+  void next_direction(double beta, vec3 y, vec3 omega, const Vectors& v, const Vectors& step, Vectors& d) const
   {
-    run("sp_direct", v.size(), beta, y, omega, v, s, d);
+    run("sp_next_direction", v.size(), beta, y, omega, v, step, d);
   }
 
   std::array<double, 5> curvature(const Matrix& a, double p, const Scalars& mass, vec3 mu, const Vectors& v,
@@ -209,9 +207,9 @@ public:
     return sum<1>("sp_saddle_point_residual2", v.size(), a, v, u)[0];
   }
 
-  void normalise(const Matrix& a, const Vectors& u, Vectors& v) const
+  void normalize(const Matrix& a, const Vectors& u, Vectors& v) const
   {
-    run("sp_normalise", v.size(), a.inverse_diagonal, u, v);
+    run("sp_normalize", v.size(), a.inverse_diagonal, u, v);
   }
 
   double barycentric_residual2(const Matrix& a, const Vectors& v) const
@@ -221,47 +219,22 @@ public:
   /// @}
 
 private:
-  bool is_double() const { return device_.policy().is_double_precision(); }
+  bool is_double() const { return runtime_.queue().is_double_precision(); }
 
   template <class... Arguments>
   void run(const char* kernel, std::size_t n, const Arguments&... arguments) const
   {
-    device_.run(kernel, n, arguments...);
+    runtime_.run(kernel, n, arguments...);
   }
 
   template <int K, class... Arguments>
   std::array<double, K> sum(const char* kernel, std::size_t n, const Arguments&... arguments) const
   {
-    return device_.sum<K>(kernel, n, arguments...);
+    return runtime_.sum<K>(kernel, n, arguments...);
   }
 
-  static Moments to_moments(const std::array<double, 9>& s)
-  {
-    return {{s[0], s[1], s[2]}, {s[3], s[4], s[5], s[6], s[7], s[8]}};
-  }
-
-  OpenCL_runtime device_;
+  OpenCL_runtime runtime_;
   Host_loop loop_;
-};
-
-template <>
-struct Is_policy<OpenCL_device> : std::true_type {};
-
-/// Small meshes stay on the host.
-template <>
-struct Choice_of_backend<OpenCL_device> {
-  template <class F>
-  static void call(const OpenCL_device& device, int n, F f)
-  {
-    const std::size_t smallest = device.smallest_mesh();
-    if(static_cast<std::size_t>(n) >= smallest) {
-      const Backend<OpenCL_device> backend(device);
-      f(backend, backend.device_name());
-    } else {
-      const Backend<CGAL::Sequential_tag> backend{CGAL::Sequential_tag()};
-      f(backend, backend.device_name() + " of the host, for want of " + std::to_string(smallest) + " vertices");
-    }
-  }
 };
 
 } // namespace internal

@@ -14,14 +14,14 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
-/// Throws unless `code` is that of success.
+/// Throws an OpenCL_error unless `code` is CL_SUCCESS.
 inline void check_opencl(cl_int code, const char* call)
 {
   if(code != CL_SUCCESS)
     throw OpenCL_error(call, code);
 }
 
-/// What the query `get` (clGetDeviceInfo, ...) says of `object` under `key`: a number or a handle.
+/// The answer of the query `get` (clGetDeviceInfo, ...) about `object` under `key`: a number or a handle.
 template <class T, class Query, class Object>
 T opencl_value(Query get, const char* call, Object object, cl_uint key)
 {
@@ -42,7 +42,7 @@ std::vector<T> opencl_values(Query get, const char* call, Object object, cl_uint
   return values;
 }
 
-/// A text, without what drivers like to fill it up with.
+/// A text, without blanks and null characters at its ends, which some drivers add.
 template <class Query, class Object>
 std::string opencl_text(Query get, const char* call, Object object, cl_uint key)
 {

@@ -4,9 +4,9 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_OPENCL_OPENCL_HEADER_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_OPENCL_OPENCL_HEADER_H
 
-// The settings of a user who includes it before us, or defines them, stay as they are: newer versions do, and so do
-// CL_HPP_ENABLE_EXCEPTIONS and its absence, since the objects of opencl.hpp only own here, and all calls that can fail
-// are those of C.
+// Includes CL/opencl.hpp for OpenCL 1.2. Settings of the user stay: a newer version works, with and without
+// CL_HPP_ENABLE_EXCEPTIONS. The classes of opencl.hpp only own handles here; every call that can fail is one of the C
+// interface.
 #ifndef CL_HPP_TARGET_OPENCL_VERSION
 #define CL_HPP_TARGET_OPENCL_VERSION 120
 #ifndef CL_HPP_MINIMUM_OPENCL_VERSION

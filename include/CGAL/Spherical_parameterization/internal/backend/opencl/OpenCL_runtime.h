@@ -5,7 +5,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_OPENCL_OPENCL_RUNTIME_H
 
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
-#include <CGAL/Spherical_parameterization/internal/backend/opencl/OpenCL_policy.h>
+#include <CGAL/Spherical_parameterization/internal/backend/opencl/OpenCL_queue.h>
 #include <CGAL/Spherical_parameterization/internal/backend/vertex_formulas.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
-/// An array on the device: what is a double here is a `real` there. Without memory if it is empty.
+/// An array on the device, of T with `real` in place of double. It has no memory if it is empty.
 template <class T>
 class OpenCL_array {
 public:
@@ -49,13 +49,13 @@ struct OpenCL_transfer {
   OpenCL_array<double> value;
 };
 
-/// Memory, kernels and sums on one device. It has an in-order queue: everything is done in the order of the calls.
-/// For one thread.
+/// Memory, kernels and sums on one device. Everything is done in the order of the calls, since the queue is in order.
+/// An object is for one thread.
 class OpenCL_runtime {
 public:
-  explicit OpenCL_runtime(const OpenCL_device& policy) : policy_(policy), program_(policy.program()) {}
+  explicit OpenCL_runtime(const OpenCL_queue& queue) : queue_(queue), program_(queue.program()) {}
 
-  const OpenCL_device& policy() const { return policy_; }
+  const OpenCL_queue& queue() const { return queue_; }
   std::size_t number_of_read_backs() const { return number_of_read_backs_; }
 
   template <class T>
@@ -66,7 +66,7 @@ public:
     const std::size_t bytes = n * bytes_of<T>();
     OpenCL_array<T> x(n, allocate(CL_MEM_READ_WRITE, bytes, nullptr));
     const cl_uint zero = 0;
-    check(clEnqueueFillBuffer(queue(), x.memory(), &zero, sizeof zero, 0, bytes, 0, nullptr, nullptr),
+    check(clEnqueueFillBuffer(handle(), x.memory(), &zero, sizeof zero, 0, bytes, 0, nullptr, nullptr),
           "clEnqueueFillBuffer");
     return x;
   }
@@ -85,7 +85,7 @@ public:
   }
 
   /// An array that is only read. A device that works in the memory of the host reads `host` itself, and keeps `owner`
-  /// alive for that; any other gets a copy.
+  /// alive until it is done. Any other device gets a copy.
   template <class T>
   OpenCL_array<T> share(const Host_array<T>& host, std::shared_ptr<const void> owner) const
   {
@@ -135,15 +135,15 @@ public:
   }
 
 private:
-  // those of kernels/loops.cl and of Host_backend
+  // as in kernels/backend/loops.cl and in Host_backend
   static constexpr std::size_t lanes = 64;
   static constexpr std::size_t block_size = 1024;
 
   static void CL_CALLBACK release(cl_mem, void* owner) { delete static_cast<std::shared_ptr<const void>*>(owner); }
 
-  bool is_double() const { return policy_.is_double_precision(); }
-  bool is_cpu() const { return policy_.info().is_cpu; }
-  cl_command_queue queue() const { return policy_.queue()(); }
+  bool is_double() const { return queue_.is_double_precision(); }
+  bool is_cpu() const { return queue_.info().is_cpu; }
+  cl_command_queue handle() const { return queue_.queue()(); }
 
   /// How many numbers a T has.
   template <class T>
@@ -166,21 +166,22 @@ private:
     return text;
   }
 
-  /// Throws unless `code` is that of success. Drivers may allocate late, so that memory can give out in any call.
+  /// Throws an OpenCL_error unless `code` is CL_SUCCESS. Drivers may allocate late, so that any call can run out of
+  /// memory.
   void check(cl_int code, const char* call) const
   {
     if(code == CL_MEM_OBJECT_ALLOCATION_FAILURE || code == CL_OUT_OF_RESOURCES || code == CL_OUT_OF_HOST_MEMORY)
-      throw OpenCL_error(
-        call, code, "no memory left on " + policy_.info().name + ", which has " + gigabytes(policy_.info().memory));
+      throw OpenCL_error(call, code,
+                         "no memory left on " + queue_.info().name + ", which has " + gigabytes(queue_.info().memory));
     check_opencl(code, call);
   }
 
   cl::Buffer allocate(cl_mem_flags flags, std::size_t bytes, const void* content) const
   {
-    const OpenCL_device_info& info = policy_.info();
+    const OpenCL_device_info& info = queue_.info();
     cl_int code = CL_INVALID_BUFFER_SIZE;
     if(bytes <= info.largest_allocation) {
-      cl::Buffer buffer(clCreateBuffer(policy_.context(), flags, bytes, const_cast<void*>(content), &code));
+      cl::Buffer buffer(clCreateBuffer(queue_.context(), flags, bytes, const_cast<void*>(content), &code));
       if(code == CL_SUCCESS)
         return buffer;
     }
@@ -196,7 +197,7 @@ private:
     std::vector<float> rounded(is_double() ? 0 : count);
     void* const target = is_double() ? static_cast<void*>(host) : rounded.data();
     const std::size_t bytes = count * bytes_of<double>();
-    check(clEnqueueReadBuffer(queue(), memory, CL_TRUE, 0, bytes, target, 0, nullptr, nullptr), "clEnqueueReadBuffer");
+    check(clEnqueueReadBuffer(handle(), memory, CL_TRUE, 0, bytes, target, 0, nullptr, nullptr), "clEnqueueReadBuffer");
     std::copy(rounded.begin(), rounded.end(), host);
   }
 
@@ -210,7 +211,7 @@ private:
     set(kernel, index, static_cast<int>(n));
     (set(kernel, index, arguments), ...);
     const std::size_t work_items = is_cpu() ? 1 : lanes, all = work_groups * work_items;
-    check(clEnqueueNDRangeKernel(queue(), kernel, 1, nullptr, &all, &work_items, 0, nullptr, nullptr), name);
+    check(clEnqueueNDRangeKernel(handle(), kernel, 1, nullptr, &all, &work_items, 0, nullptr, nullptr), name);
   }
 
   cl_kernel kernel_named(const char* name) const
@@ -267,9 +268,9 @@ private:
     set(kernel, index, t.value);
   }
 
-  OpenCL_device policy_;
+  OpenCL_queue queue_;
   cl::Program program_;
-  mutable std::map<std::string, cl::Kernel> kernels_; ///< ours alone: setting an argument is not thread-safe
+  mutable std::map<std::string, cl::Kernel> kernels_; ///< not shared: setting an argument is not thread-safe
   mutable OpenCL_array<double> partial_;              ///< sums of the blocks, for the largest verb so far
   mutable std::size_t number_of_read_backs_ = 0;
 };

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#include "system/guarded.h"
+
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
+#include <CGAL/Spherical_parameterization/OpenCL_error.h>
+#endif
+
+#include <exception>
+#include <iostream>
+#include <new>
+
+namespace tool {
+
+std::optional<Refusal> guarded(const std::string& input, const std::function<void()>& action)
+{
+  try {
+    action();
+  } catch(const Refusal& refusal) {
+    return refusal;
+  }
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
+  catch(const CGAL::Spherical_parameterization::OpenCL_error& error) {
+    const std::string& log = error.build_log();
+    const std::string text = error.what(); // its lines from the second on are the log
+    return Refusal("OPENCL_ERROR", input, log.empty() ? text : text.substr(0, text.find('\n')),
+                   error.code() == CL_DEVICE_NOT_FOUND ? "see the command 'devices'" : "", log);
+  }
+#endif
+  catch(const std::bad_alloc&) {
+    return Refusal("OUT_OF_MEMORY", input, "not enough memory", "simplify the mesh");
+  } catch(const std::exception& exception) {
+    return Refusal("INTERNAL_ERROR", input, exception.what(), "please report this");
+  }
+  return std::nullopt;
+}
+
+int exit_code_of(const std::optional<Refusal>& refusal)
+{
+  if(!refusal)
+    return 0;
+  std::cerr << "spherical-parameterization: " << refusal->what() << std::endl;
+  if(!refusal->log().empty())
+    std::cerr << refusal->log() << std::endl;
+  return 1;
+}
+
+} // namespace tool

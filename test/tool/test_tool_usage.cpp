@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is said about a command line that is wrong.
+
+#include "helpers/tool.h"
+
+#include <catch2/catch.hpp>
+
+#include <string>
+#include <vector>
+
+using namespace test;
+
+namespace {
+
+/// Exit code 2, and all of the words on standard error.
+void check_usage(const std::vector<std::string>& arguments, const std::vector<std::string>& words)
+{
+  const Process_result run = run_tool(arguments);
+  CAPTURE(arguments, run.out, run.err);
+  CHECK(run.exit_code == 2);
+  CHECK(run.out.empty());
+  for(const std::string& word : words) {
+    CAPTURE(word);
+    CHECK(run.err.find(word) != std::string::npos);
+  }
+}
+
+} // namespace
+
+TEST_CASE("usage: an unknown command is named, and the one that was meant", "[tool][usage]")
+{
+  check_usage({"mpa", "x"}, {"unknown command 'mpa'", "did you mean 'map'?"});
+  check_usage({"serach"}, {"unknown command 'serach'", "did you mean 'search'?"});
+  check_usage({"no-such-command", "x.off", "-o", "y.off"}, {"unknown command 'no-such-command'"});
+  CHECK(run_tool({"no-such-command"}).err.find("did you mean") == std::string::npos);
+  check_usage({}, {"command", "map", "devices"});
+}
+
+TEST_CASE("usage: an unknown option is named before what is missing", "[tool][usage]")
+{
+  check_usage({"map", "a.off", "--weigths", "x"}, {"unknown option '--weigths'", "did you mean '--weights'?"});
+  check_usage({"map", "--weigths=x", "a.off"}, {"unknown option '--weigths'", "did you mean '--weights'?"});
+  check_usage({"map", "a.off", "-o", "b.off", "--no-such-option"}, {"unknown option '--no-such-option'"});
+  check_usage({"--verison"}, {"unknown option '--verison'", "did you mean '--version'?"});
+  check_usage({"search", "a.off", "-n", "3"}, {"unknown option '-n'"});
+}
+
+TEST_CASE("usage: unexpected arguments come in the order in which they were typed", "[tool][usage]")
+{
+  check_usage({"map", "a.off", "-o", "b.off", "one", "two", "three"}, {"unexpected", "one two three"});
+  check_usage({"map", "a.off", "one", "two"}, {"unexpected", "one two"});
+}
+
+TEST_CASE("usage: what is missing is wrong usage", "[tool][usage]")
+{
+  check_usage({"map", "-o", "b.off"}, {"IN"});
+  check_usage({"map", "a.off"}, {"--output"});
+  check_usage({"search", "--index", "a.csv"}, {"QUERY"});
+  check_usage({"search", "a.off"}, {"--index"});
+  check_usage({"signature", "-o", "a.csv"}, {"IN"});
+}

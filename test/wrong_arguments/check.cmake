@@ -1,0 +1,18 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# A wrong argument is a sentence of fewer than 15 lines: cmake -D CXX=... -D FLAGS=... -D SOURCE=... -P check.cmake
+file(STRINGS ${SOURCE} expected REGEX "^// Does not compile: ")
+string(REPLACE "// Does not compile: " "" expected "${expected}")
+separate_arguments(flags NATIVE_COMMAND "${FLAGS}")
+execute_process(COMMAND ${CXX} ${flags} -fsyntax-only ${SOURCE} RESULT_VARIABLE result ERROR_VARIABLE messages)
+if(result EQUAL 0)
+  message(FATAL_ERROR "${SOURCE} compiles, which it must not")
+endif()
+string(FIND "${messages}" "${expected}" found)
+if(found LESS 0)
+  message(FATAL_ERROR "\"${expected}\" is missing in\n${messages}")
+endif()
+string(REGEX MATCHALL "\n" lines "${messages}")
+list(LENGTH lines count)
+if(NOT count LESS 15)
+  message(FATAL_ERROR "${count} lines for one wrong argument:\n${messages}")
+endif()

@@ -9,6 +9,7 @@
 #include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Corner_table.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Vertex_numbering.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/check_face_graph.h>
 
 #include <CGAL/boost/graph/helpers.h>
 
@@ -32,11 +33,13 @@ std::array<int, 3> corners_of_face(const TriangleMesh& mesh, const Index& index,
   return {index(source(h, mesh)), index(target(h, mesh)), index(target(next(h, mesh), mesh))};
 }
 
-/// The corners of all faces in the order of faces(mesh); vertices have the numbers index(v).
+/// The corners of all faces in the order of faces(mesh); vertices have the numbers index(v). Throws Error for a mesh
+/// that is too large.
 template <class TriangleMesh, class Index, class Loop>
 Host_array<std::array<int, 3>> corners_of_faces(const TriangleMesh& mesh, const Index& index, const Loop& loop)
 {
   typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
+  check_size(mesh);
   const std::vector<face_descriptor> descriptor(faces(mesh).begin(), faces(mesh).end());
   Host_array<std::array<int, 3>> face(descriptor.size());
   for_each_part(loop, static_cast<int>(face.size()), [&](int begin, int end) {

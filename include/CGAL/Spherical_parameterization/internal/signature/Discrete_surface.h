@@ -107,10 +107,10 @@ public:
   Surface_solver(const Loop& loop, const Discrete_surface& surface, double shift = 0)
     : surface_(surface), shift_(shift), backend_(loop)
   {
-    if(surface.size() > largest_factorised)
+    if(surface.size() > largest_factorized)
       set_up_multigrid();
     else
-      factorise();
+      factorize();
   }
 
   Surface_solver(const Surface_solver&) = delete; // the hierarchy refers to the backend
@@ -124,17 +124,17 @@ public:
       if(residual.norm() <= 1e-6 * b.norm()) // false for NaN
         return x;
       multigrid_.reset();
-      factorise();
+      factorize();
     }
     return cholesky_.solve(b);
   }
 
 private:
-  /// Up to this size Cholesky's factorisation is as fast as multigrid and gives a residual of rounding, whatever the
+  /// Up to this size Cholesky's factorization is as fast as multigrid and gives a residual of rounding, whatever the
   /// triangles are like; at 134,000 vertices it takes five times as long.
-  static constexpr int largest_factorised = 100000;
+  static constexpr int largest_factorized = 100000;
 
-  void factorise()
+  void factorize()
   {
     Matrix a = surface_.laplacian();
     if(shift_ > 0)

@@ -16,9 +16,9 @@ rooms='
 0|core|vocabulary|Error.h, Result.h, methods.h, OpenCL_error.h, ...
 1|core|base|loops on the host, arrays, monitor, small dense algebra
 2|core|predicates|exact orientation, degree, certificate
-2|core|mesh|corner table, checks of the input, numbering
-3|public|inputs|edge_weights.h, Indexed_triangle_mesh.h
-3|core|backend|formulas; the verbs, on one core and with TBB
+3|core|mesh|corner table, checks of the input, numbering
+4|public|inputs|edge_weights.h, Indexed_triangle_mesh.h
+2|core|backend|formulas; the verbs, on one core and with TBB
 5|core|backend/opencl|the same verbs on an OpenCL device
 4|kernels|kernels|OpenCL C: one kernel per verb
 9|public|devices|OpenCL_device.h: the policy

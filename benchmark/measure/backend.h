@@ -7,7 +7,7 @@
 #include "meshes/mesh.h"
 
 #include <CGAL/Spherical_parameterization/Result.h>
-#include <CGAL/Spherical_parameterization/internal/backend/Any_policy.h>
+#include <CGAL/Spherical_parameterization/Any_policy.h>
 #include <CGAL/Spherical_parameterization/methods.h>
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/task_arena.h>
@@ -26,7 +26,7 @@ using CGAL::Spherical_parameterization::Result;
 using CGAL::Spherical_parameterization::Saddle_point;
 
 /// Every execution policy of this build.
-using Policy = CGAL::Spherical_parameterization::internal::Any_policy;
+using Policy = CGAL::Spherical_parameterization::Any_policy;
 
 /// A policy, and on how many cores it may run.
 struct Backend {

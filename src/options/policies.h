@@ -4,7 +4,7 @@
 #ifndef SPHERICAL_PARAMETERIZATION_TOOL_POLICIES_H
 #define SPHERICAL_PARAMETERIZATION_TOOL_POLICIES_H
 
-#include <CGAL/Spherical_parameterization/internal/backend/Any_policy.h>
+#include <CGAL/Spherical_parameterization/Any_policy.h>
 
 #include <string>
 #include <vector>
@@ -12,7 +12,7 @@
 namespace tool {
 
 /// Every execution policy of this build.
-using Policy = CGAL::Spherical_parameterization::internal::Any_policy;
+using Policy = CGAL::Spherical_parameterization::Any_policy;
 
 /// "sequential", "tbb", "opencl": those of this build.
 const std::vector<std::string>& policy_names();

@@ -4,7 +4,7 @@
 #ifndef TEST_HELPERS_POLICIES_H
 #define TEST_HELPERS_POLICIES_H
 
-#include <CGAL/Spherical_parameterization/internal/backend/Any_policy.h>
+#include <CGAL/Spherical_parameterization/Any_policy.h>
 
 #include <iostream>
 #include <optional>
@@ -15,7 +15,7 @@
 
 namespace test {
 
-using Policy = CGAL::Spherical_parameterization::internal::Any_policy;
+using Policy = CGAL::Spherical_parameterization::Any_policy;
 
 /// All but the first. A build that has no more tests the first: what is tested of the others holds for it, too.
 template <class First, class... Others>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_ANY_POLICY_H
-#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_ANY_POLICY_H
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_ANY_POLICY_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_ANY_POLICY_H
 
 #include <CGAL/tags.h>
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
@@ -13,7 +13,8 @@
 
 namespace CGAL {
 namespace Spherical_parameterization {
-namespace internal {
+/// \addtogroup PkgSphericalParameterizationPolicies
+/// @{
 
 /// One of the execution policies of this build, for programs that choose when they run.
 using Any_policy = std::variant<CGAL::Sequential_tag
@@ -27,8 +28,9 @@ using Any_policy = std::variant<CGAL::Sequential_tag
 #endif
                                 >;
 
-} // namespace internal
+/// @}
+
 } // namespace Spherical_parameterization
 } // namespace CGAL
 
-#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_ANY_POLICY_H
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_ANY_POLICY_H

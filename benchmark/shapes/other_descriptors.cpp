@@ -5,7 +5,7 @@
 
 #include <CGAL/Spherical_parameterization/internal/signature/Discrete_surface.h>
 #include <CGAL/Spherical_parameterization/internal/signature/conformal_factor.h>
-#include <CGAL/Spherical_parameterization/internal/distortion/histogram.h>
+#include <CGAL/Spherical_parameterization/internal/base/histogram.h>
 #include <CGAL/Spherical_parameterization/stretch_histogram.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>

@@ -4,7 +4,7 @@
 #include "measure/backend.h"
 #include "shapes/descriptors.h"
 
-#include <CGAL/Spherical_parameterization/internal/signature/shape_signature_impl.h>
+#include <CGAL/Spherical_parameterization/internal/signature/signature_values_impl.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 #include <CGAL/Spherical_parameterization/shape_signature.h>
 
@@ -41,8 +41,8 @@ Descriptor_values without_poisson(const Mesh& mesh, Sphere_map sphere)
     u[i] = -stretch[Mesh::Vertex_index(map.position[i])];
   u = SP::internal::smoothed(one_core, factor.surface, u, 0.003);
   Shape_signature signature;
-  SP::internal::add_girths(factor.surface, u, signature);
-  SP::internal::add_limbs(factor.surface, u, signature);
+  SP::internal::add_girths(factor.surface, u, signature.values);
+  SP::internal::add_limbs(factor.surface, u, signature.values);
   return part(signature, 0, Shape_signature::size);
 }
 

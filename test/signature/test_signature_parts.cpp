@@ -6,7 +6,7 @@
 #include "helpers/solve.h"
 
 #include <CGAL/Spherical_parameterization/internal/signature/conformal_factor.h>
-#include <CGAL/Spherical_parameterization/internal/segmentation/persistence.h>
+#include <CGAL/Spherical_parameterization/internal/base/persistence.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Mapped_surface.h>
 #include <CGAL/Spherical_parameterization/stretch_histogram.h>
 

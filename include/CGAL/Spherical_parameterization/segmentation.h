@@ -16,13 +16,13 @@
 
 #include <CGAL/Spherical_parameterization/Error.h>
 #include <CGAL/Spherical_parameterization/internal/backend/host_policy.h>
-#include <CGAL/Spherical_parameterization/internal/base/compiled.h>
-#include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/base/precondition.h>
 #include <CGAL/Spherical_parameterization/internal/distortion/Face_measures.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Mapped_surface.h>
+#include <CGAL/Spherical_parameterization/internal/segmentation/segments.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
+#include <CGAL/Spherical_parameterization/segmentation_methods.h>
 
 #include <CGAL/tags.h>
 
@@ -40,44 +40,6 @@ namespace Spherical_parameterization {
 /// \addtogroup PkgSphericalParameterizationSegmentation
 /// @{
 
-/// What all methods of segmentation understand.
-struct Segment_limits {
-  /// Segments smaller than this share of the whole area, in [0, 1], are given to a neighbour.
-  double minimum_area = 0.01;
-  /// 0: the method chooses. Else the method's least convincing cuts are left out until there are so many; if it has
-  /// found less, there are less.
-  std::size_t number_of_segments = 0;
-};
-
-/// The default: girth profiles and four concavity segmentations vote.
-///
-/// Girth profiles know where a limb ends, but not of parts that are no limbs: fins, lids, the steps of a turned part.
-/// Those are bordered by concave creases, which a bottom-up normalized cut finds, at the price of cutting every crease.
-/// It is made at four scales (valleys of 0.02 to 0.07 times the square root of the area), each with one vote; the
-/// girth profiles have two. Neighbours whose union has a majority are united. Where a shape has no limbs the girths
-/// abstain from cutting, and three of the four scales have to agree.
-///
-/// O(n log n); on one core 15,000 faces take about 0.3 s.
-///
-/// \cgalModels{SphericalSegmentationMethod}
-struct Majority_vote : Segment_limits {};
-
-/// Girth profiles alone: the fastest. Cuts limbs off where, along the isolines round their tips on the sphere, the
-/// girth starts to grow like that of a body, and at necks. What is no limb is one segment. O(n) for each tip.
-///
-/// \cgalModels{SphericalSegmentationMethod}
-struct Girth_profiles : Segment_limits {};
-
-/// The published method: region growing over the stretch. T. Athanasiadis and I. Fudos, "Parallel computation of
-/// spherical parameterizations for mesh analysis", Computers & Graphics 35 (SMI 2011), section 5.1. Seeds are the local
-/// extrema of the stretch (Definition 2), taken in descending order; a region grows from each over the faces whose
-/// logarithmic stretch differs by at most `threshold` from that of the seed, and seeds it meets are dropped.
-///
-/// \cgalModels{SphericalSegmentationMethod}
-struct Region_growing : Segment_limits {
-  double threshold = 1; ///< difference of logarithms of the stretch; 0 or more
-};
-
 /// What became of a segmentation. `segment_map` is written only if there is no error.
 struct Segmentation_result {
   Error_code error = Error_code::OK;  ///< what is wrong with the mesh or the map
@@ -89,25 +51,6 @@ struct Segmentation_result {
 };
 
 namespace internal {
-
-/// A segment for every face, by the stretch of the faces. Throws Error for what `make_segmentation_mesh()` refuses, and
-/// for a stretch that is not finite.
-template <class Loop, class Method>
-std::vector<int> segments_of(const Loop& loop, Mapped_surface surface, std::vector<double> stretch,
-                             const Method& method);
-
-/// What the compiled library has, after the word `template` or `extern template`.
-#define CGAL_SP_SEGMENTATION(PREFIX, LOOP)                                                                             \
-  PREFIX std::vector<int> segments_of(const LOOP&, Mapped_surface, std::vector<double>, const Majority_vote&);         \
-  PREFIX std::vector<int> segments_of(const LOOP&, Mapped_surface, std::vector<double>, const Girth_profiles&);        \
-  PREFIX std::vector<int> segments_of(const LOOP&, Mapped_surface, std::vector<double>, const Region_growing&);
-
-#ifdef CGAL_SPHERICAL_PARAMETERIZATION_COMPILED
-CGAL_SP_SEGMENTATION(extern template, Sequential_loop)
-#ifdef CGAL_LINKED_WITH_TBB
-CGAL_SP_SEGMENTATION(extern template, Parallel_loop)
-#endif
-#endif
 
 inline void check_options(const Segment_limits& limits)
 {
@@ -255,9 +198,5 @@ Segmentation_result segmentation_via_area_stretch(const TriangleMesh& mesh, Vert
 
 } // namespace Spherical_parameterization
 } // namespace CGAL
-
-#ifdef CGAL_SP_INCLUDE_CORE
-#include <CGAL/Spherical_parameterization/internal/segmentation/segments_impl.h>
-#endif
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SEGMENTATION_H

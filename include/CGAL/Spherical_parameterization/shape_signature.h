@@ -5,10 +5,9 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_SHAPE_SIGNATURE_H
 
 #include <CGAL/Spherical_parameterization/internal/backend/host_policy.h>
-#include <CGAL/Spherical_parameterization/internal/base/compiled.h>
-#include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Mapped_surface.h>
+#include <CGAL/Spherical_parameterization/internal/signature/signature_values.h>
 
 #include <CGAL/tags.h>
 
@@ -31,10 +30,10 @@ namespace Spherical_parameterization {
 /// - 80 ... 87: how long the limbs are, longest first
 /// - 88 ... 95: how much of the surface they are, largest first
 struct Shape_signature {
-  static constexpr std::size_t coarse_bins = 16;                           ///< of the coarse histogram
-  static constexpr std::size_t fine_bins = 64;                             ///< of the fine histogram
-  static constexpr std::size_t limbs = 8;                                  ///< the longest ones
-  static constexpr std::size_t size = coarse_bins + fine_bins + 2 * limbs; ///< 96
+  static constexpr std::size_t coarse_bins = internal::Signature_sizes::coarse_bins; ///< of the coarse histogram
+  static constexpr std::size_t fine_bins = internal::Signature_sizes::fine_bins;     ///< of the fine histogram
+  static constexpr std::size_t limbs = internal::Signature_sizes::limbs;             ///< the longest ones
+  static constexpr std::size_t size = internal::Signature_sizes::all;                ///< 96
 
   std::array<double, size> values{}; ///< the coordinates
 };
@@ -50,21 +49,6 @@ inline double distance(const Shape_signature& a, const Shape_signature& b)
     sum += std::abs(a.values[i] - b.values[i]);
   return sum;
 }
-
-namespace internal {
-
-/// The signature of a shape by a map that need not be valid. Throws Error for a surface or a map without area.
-template <class Loop>
-Shape_signature signature_of(const Loop& loop, const Mapped_surface& map);
-
-#ifdef CGAL_SPHERICAL_PARAMETERIZATION_COMPILED
-extern template Shape_signature signature_of(const Sequential_loop&, const Mapped_surface&);
-#ifdef CGAL_LINKED_WITH_TBB
-extern template Shape_signature signature_of(const Parallel_loop&, const Mapped_surface&);
-#endif
-#endif
-
-} // namespace internal
 
 /// A shape descriptor for retrieval: what a shape is like, whatever its pose, position, size and triangles, how thick
 /// it is, and what limbs it has.
@@ -97,8 +81,8 @@ Shape_signature shape_signature(const ExecutionPolicy& policy, const TriangleMes
                                 const NamedParameters& np = parameters::default_values())
 {
   const auto loop = internal::host_loop(policy);
-  return internal::signature_of(
-    loop, internal::read_mapped_surface(mesh, internal::vertex_points(mesh, np), sphere_map, loop));
+  return Shape_signature{internal::signature_values(
+    loop, internal::read_mapped_surface(mesh, internal::vertex_points(mesh, np), sphere_map, loop))};
 }
 
 /// \overload
@@ -119,9 +103,5 @@ Shape_signature shape_signature(const TriangleMesh& mesh, VertexSphereMap sphere
 
 } // namespace Spherical_parameterization
 } // namespace CGAL
-
-#ifdef CGAL_SP_INCLUDE_CORE
-#include <CGAL/Spherical_parameterization/internal/signature/shape_signature_impl.h>
-#endif
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SHAPE_SIGNATURE_H

@@ -10,7 +10,7 @@
 #include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/base/precondition.h>
 #include <CGAL/Spherical_parameterization/internal/distortion/Face_measures.h>
-#include <CGAL/Spherical_parameterization/internal/distortion/histogram.h>
+#include <CGAL/Spherical_parameterization/internal/base/histogram.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 
 #include <CGAL/tags.h>

@@ -59,7 +59,7 @@ includes() {
         if(index(file, package) != 1)
           return file ~ /^include/ ? "applications" : substr(file, 1, index(file, "/") - 1)
         name = substr(file, length(package) + 1)
-        if(name ~ /^(Error|Result|methods|version|OpenCL_error|OpenCL_device_info)\.h$/)
+        if(name ~ /^(Error|Result|methods|segmentation_methods|texture_options|version|OpenCL_error|OpenCL_device_info)\.h$/)
           return "vocabulary"
         if(name ~ /^(edge_weights|Indexed_triangle_mesh)\.h$/)
           return "inputs"

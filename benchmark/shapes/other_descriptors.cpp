@@ -5,7 +5,7 @@
 
 #include <CGAL/Spherical_parameterization/internal/signature/Discrete_surface.h>
 #include <CGAL/Spherical_parameterization/internal/signature/conformal_factor.h>
-#include <CGAL/Spherical_parameterization/internal/distortion/histogram.h>
+#include <CGAL/Spherical_parameterization/internal/base/histogram.h>
 #include <CGAL/Spherical_parameterization/stretch_histogram.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -84,9 +84,9 @@ Descriptor_values shape_dna(const Mesh& mesh, Sphere_map)
 {
   constexpr int count = 30;
   constexpr double shift = -0.05; // next to the eigenvalue 0
-  const SP::internal::Source_mesh<Mesh> source(mesh, mesh.points());
-  const SP::internal::Discrete_surface surface(
-    SP::internal::Intrinsic_triangulation(source.face, SP::internal::twins(mesh), source.point));
+  const SP::internal::Mapped_surface map =
+    SP::internal::read_mapped_surface(mesh, mesh.points(), mesh.points(), SP::internal::Sequential_loop());
+  const SP::internal::Discrete_surface surface(SP::internal::Intrinsic_triangulation(map, map.point));
   const Eigen::VectorXd scale = surface.mass().array().rsqrt();
   const Eigen::SparseMatrix<double> a = scale.asDiagonal() * surface.laplacian() * scale.asDiagonal();
   Spectra::SparseSymShiftSolve<double> operation(a);

@@ -4,6 +4,7 @@
 #include "measure/backend.h"
 #include "shapes/descriptors.h"
 
+#include <CGAL/Spherical_parameterization/internal/signature/signature_values_impl.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 #include <CGAL/Spherical_parameterization/shape_signature.h>
 
@@ -15,8 +16,10 @@ namespace {
 
 namespace SP = CGAL::Spherical_parameterization;
 using SP::Shape_signature;
+using SP::internal::Conformal_factor;
 using SP::internal::Discrete_surface;
-typedef SP::internal::Conformal_factor<Mesh> Conformal_factor;
+using SP::internal::Mapped_surface;
+const SP::internal::Sequential_loop one_core;
 
 Descriptor_values part(const Shape_signature& s, std::size_t begin, std::size_t end)
 {
@@ -28,17 +31,18 @@ constexpr std::size_t girths = Shape_signature::coarse_bins + Shape_signature::f
 /// The signature without the Poisson solve: u is what the areas of the map say.
 Descriptor_values without_poisson(const Mesh& mesh, Sphere_map sphere)
 {
-  const Conformal_factor factor(mesh, mesh.points(), sphere);
+  const Mapped_surface map = SP::internal::read_mapped_surface(mesh, mesh.points(), sphere, one_core);
+  const Conformal_factor factor(one_core, map);
   Mesh copy = mesh;
   const auto stretch = copy.add_property_map<Mesh::Vertex_index, double>("v:stretch").first;
-  SP::log_area_stretch(mesh, sphere, stretch);
+  SP::vertex_log_area_stretch(mesh, sphere, stretch);
   Discrete_surface::Vector u(factor.surface.size());
   for(int i = 0; i < u.size(); ++i)
-    u[i] = -stretch[factor.source.vertex[i]];
-  u = SP::internal::smoothed(factor.surface, u, 0.003);
+    u[i] = -stretch[Mesh::Vertex_index(map.position[i])];
+  u = SP::internal::smoothed(one_core, factor.surface, u, 0.003);
   Shape_signature signature;
-  SP::internal::add_girths(factor.surface, u, signature);
-  SP::internal::add_limbs(factor.surface, u, signature);
+  SP::internal::add_girths(factor.surface, u, signature.values);
+  SP::internal::add_limbs(factor.surface, u, signature.values);
   return part(signature, 0, Shape_signature::size);
 }
 
@@ -46,9 +50,10 @@ Descriptor_values without_poisson(const Mesh& mesh, Sphere_map sphere)
 Descriptor_values first_version(const Mesh& mesh, Sphere_map sphere)
 {
   constexpr std::size_t limbs = 12;
-  const Conformal_factor factor(mesh, mesh.points(), sphere);
+  const Mapped_surface map = SP::internal::read_mapped_surface(mesh, mesh.points(), sphere, one_core);
+  const Conformal_factor factor(one_core, map);
   const Discrete_surface& surface = factor.surface;
-  const Discrete_surface::Vector u = SP::internal::smoothed(surface, factor.u, 0.003);
+  const Discrete_surface::Vector u = SP::internal::smoothed(one_core, surface, factor.u, 0.003);
   const Discrete_surface::Vector gradient = surface.gradient_norm(u);
   SP::internal::Histogram histogram(32, -1, 5);
   for(int i = 0; i < surface.size(); ++i)

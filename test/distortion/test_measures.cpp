@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 using namespace test;
 
@@ -184,3 +185,47 @@ TEST_CASE("faces without area do not count", "[measures]")
   CHECK(SP::face_dilatation(mesh, on(sphere), Writable_map<Face, double>{&dilatation}).second ==
         std::numeric_limits<double>::infinity());
 }
+
+TEST_CASE("means over faces: a vertex without faces, and a boundary, are errors", "[measures]")
+{
+  std::map<Vertex, double> mean;
+  const Writable_map<Vertex, double> means = {&mean};
+  const Readable_map<Face, double> one = {[](Face) { return 1.; }};
+  CHECK_THROWS_AS(SP::mean_over_faces(make_mesh(isolated_vertex()), one, means), SP::Error);
+  CHECK_THROWS_AS(SP::mean_over_faces(make_mesh(open_sphere(2)), one, means), SP::Error);
+  CHECK(mean.empty());
+}
+
+#ifdef CGAL_LINKED_WITH_TBB
+TEST_CASE("measures are the same bits on several threads", "[measures]")
+{
+  const CGAL::Parallel_tag several;
+  const Mesh mesh = make_mesh(bumpy_sphere(6)), round = make_mesh(icosphere(6));
+  const auto sphere = round.points();
+  const auto check = [&](const auto& measure) {
+    std::map<Face, double> a, b;
+    CHECK(measure(CGAL::Sequential_tag(), Writable_map<Face, double>{&a}) ==
+          measure(several, Writable_map<Face, double>{&b}));
+    CHECK(a == b);
+  };
+  check([&](auto policy, auto map) { return SP::face_log_area_stretch(policy, mesh, sphere, map); });
+  check([&](auto policy, auto map) { return SP::face_angle_distortion(policy, mesh, sphere, map); });
+  check([&](auto policy, auto map) { return SP::face_dilatation(policy, mesh, sphere, map); });
+  check([&](auto policy, auto map) { return SP::face_symmetric_dirichlet(policy, mesh, sphere, map); });
+  std::map<Vertex, double> a, b;
+  SP::vertex_log_area_stretch(mesh, sphere, Writable_map<Vertex, double>{&a});
+  SP::vertex_log_area_stretch(several, mesh, sphere, Writable_map<Vertex, double>{&b});
+  CHECK(a == b);
+  CHECK(SP::number_of_flipped_faces(several, mesh, sphere) == 0);
+  CHECK(SP::degree_of_map(several, mesh, sphere) == 1);
+  const SP::Distortion_summary x = SP::distortion_summary(mesh, sphere),
+                               y = SP::distortion_summary(several, mesh, sphere);
+  for(const auto member : {&SP::Distortion_summary::log_area_stretch, &SP::Distortion_summary::angle_distortion,
+                           &SP::Distortion_summary::dilatation, &SP::Distortion_summary::symmetric_dirichlet,
+                           &SP::Distortion_summary::spherical_symmetric_dirichlet}) {
+    CHECK((x.*member).mean == (y.*member).mean);
+    CHECK((x.*member).deviation == (y.*member).deviation);
+    CHECK((x.*member).percentile_95 == (y.*member).percentile_95);
+  }
+}
+#endif

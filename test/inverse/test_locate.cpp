@@ -200,13 +200,21 @@ TEST_CASE("locating: what is no direction, and what is no map", "[locate]")
   const Soup soup = icosphere(1);
   const Mesh mesh = make_mesh(soup);
   const Locator locator = make_locator(mesh, soup.points);
-  CHECK_THROWS_AS(locator.locate(Point(0, 0, 0)), std::invalid_argument);
-  CHECK_THROWS_AS(locator.locate(Point(0, std::numeric_limits<double>::quiet_NaN(), 1)), std::invalid_argument);
-  CHECK_THROWS_AS(locator.locate(Point(std::numeric_limits<double>::infinity(), 0, 1)), std::invalid_argument);
+  const auto code_of = [](const auto& f) {
+    try {
+      f();
+    } catch(const SP::Error& error) {
+      return error.code();
+    }
+    return SP::Error_code::OK;
+  };
+  for(const Point& p : {Point(0, 0, 0), Point(0, std::numeric_limits<double>::quiet_NaN(), 1),
+                        Point(std::numeric_limits<double>::infinity(), 0, 1)})
+    CHECK(code_of([&] { locator.locate(p); }) == SP::Error_code::NON_FINITE_COORDINATE);
 
   Sphere flipped = soup.points;
   flipped[0] = flipped[soup.faces[0][0] == 0 ? soup.faces[0][1] : soup.faces[0][0]];
-  CHECK_THROWS_AS(make_locator(mesh, flipped), std::invalid_argument);
+  CHECK(code_of([&] { make_locator(mesh, flipped); }) == SP::Error_code::NOT_BIJECTIVE);
 
   const Soup fine = icosphere(4);
   const Sphere twice = transformed(fine, [](const Point& p) {
@@ -214,14 +222,14 @@ TEST_CASE("locating: what is no direction, and what is no map", "[locate]")
                          return Point(r * std::cos(angle), r * std::sin(angle), p.z());
                        }).points;
   const Mesh fine_mesh = make_mesh(fine);
-  CHECK_THROWS_AS(make_locator(fine_mesh, twice), std::invalid_argument);
+  CHECK(code_of([&] { make_locator(fine_mesh, twice); }) == SP::Error_code::NOT_BIJECTIVE);
 
   // a hole so small that the degree does not tell, and a vertex without faces
   Mesh open = make_mesh(fine);
   CGAL::Euler::remove_face(open.halfedge(Mesh::Face_index(7)), open);
-  CHECK_THROWS_AS(make_locator(open, fine.points), std::invalid_argument);
+  CHECK(code_of([&] { make_locator(open, fine.points); }) == SP::Error_code::BOUNDARY);
   Soup with_isolated = fine;
   with_isolated.points.emplace_back(0, 0, 1);
   const Mesh isolated = make_mesh(with_isolated);
-  CHECK_THROWS_AS(make_locator(isolated, with_isolated.points), std::invalid_argument);
+  CHECK(code_of([&] { make_locator(isolated, with_isolated.points); }) == SP::Error_code::ISOLATED_VERTEX);
 }

@@ -134,8 +134,9 @@ TEST_CASE("icospheres", "[resample]")
     CHECK(count_vertices_off_sphere(soup.points) == 0);
   }
   Mesh mesh;
-  CHECK_THROWS_AS(SP::make_icosphere(-1, mesh, mesh.points()), std::invalid_argument);
-  CHECK_THROWS_AS(SP::make_icosphere(SP::largest_icosphere_level + 1, mesh, mesh.points()), std::invalid_argument);
+  CHECK_THROWS_AS(SP::make_icosphere(-1, mesh, mesh.points()), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(SP::make_icosphere(SP::largest_icosphere_level + 1, mesh, mesh.points()),
+                  CGAL::Precondition_exception);
 }
 
 TEST_CASE("a resampled shape consists of points of the shape, and converges to it", "[resample]")
@@ -239,3 +240,27 @@ TEST_CASE("maps of the same shape are brought into the same position", "[align]"
     }
   }
 }
+
+#ifdef CGAL_LINKED_WITH_TBB
+TEST_CASE("resampling, transfer and alignment are the same bits on several threads", "[resample]")
+{
+  const CGAL::Parallel_tag several;
+  const Soup soup = bumpy_sphere(5);
+  const Mesh mesh = make_mesh(soup), round = make_mesh(icosphere(5));
+  const Locator locator(mesh, round.points()), parallel(several, mesh, round.points());
+  Mesh a, b;
+  const auto sphere_a = a.add_property_map<Vertex, Point>("v:sphere").first;
+  const auto sphere_b = b.add_property_map<Vertex, Point>("v:sphere").first;
+  SP::resample(locator, mesh.points(), 5, a, a.points(), sphere_a);
+  SP::resample(several, parallel, mesh.points(), 5, b, b.points(), sphere_b);
+  for(Vertex v : vertices(a))
+    REQUIRE(a.point(v) == b.point(v));
+  std::map<Face, int> labels_a, labels_b;
+  const auto number = Readable_map<Face, int>{[](Face f) { return int(f.idx()); }};
+  SP::transfer_face_property(locator, number, a, sphere_a, Writable_map<Face, int>{&labels_a});
+  SP::transfer_face_property(several, parallel, number, b, sphere_b, Writable_map<Face, int>{&labels_b});
+  CHECK(labels_a == labels_b);
+  CHECK(SP::aligning_rotation(locator, mesh.points(), locator, mesh.points()) ==
+        SP::aligning_rotation(several, parallel, mesh.points(), parallel, mesh.points()));
+}
+#endif

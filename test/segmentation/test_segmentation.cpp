@@ -451,3 +451,38 @@ TEST_CASE("what cannot be segmented", "[segmentation]")
     CHECK(segments.empty());
   }
 }
+
+TEST_CASE("segmentation: options out of range", "[segmentation]")
+{
+  const Soup soup = icosphere(1);
+  Labels labels;
+  for(Method method : all_methods) {
+    limits(method).minimum_area = GENERATE(-0.1, 1.1, std::numeric_limits<double>::quiet_NaN());
+    CHECK_THROWS_AS(segment(soup, soup.points, method, labels), CGAL::Precondition_exception);
+  }
+  SP::Region_growing method;
+  method.threshold = -1;
+  CHECK_THROWS_AS(segment(soup, soup.points, method, labels), CGAL::Precondition_exception);
+}
+
+#ifdef CGAL_LINKED_WITH_TBB
+TEST_CASE("segments are the same on several threads", "[segmentation]")
+{
+  const Soup soup = spiky_star(4, 4);
+  Sphere sphere;
+  solve(soup, sphere);
+  const Mesh mesh = make_mesh(soup);
+  for(const Method& method : all_methods) {
+    std::map<Face, std::size_t> a, b;
+    std::visit(
+      [&](const auto& m) {
+        SP::segmentation_via_area_stretch(mesh, on(sphere), Writable_map<Face, std::size_t>{&a}, m);
+        SP::segmentation_via_area_stretch(CGAL::Parallel_tag(), mesh, on(sphere), Writable_map<Face, std::size_t>{&b},
+                                          m);
+      },
+      method);
+    CHECK(a == b);
+    CHECK(a.size() == soup.faces.size());
+  }
+}
+#endif

@@ -274,3 +274,13 @@ TEST_CASE("signature: any FaceGraph has one", "[signature]")
   const Shape_signature s = SP::shape_signature(polyhedron, boost::make_assoc_property_map(positions));
   CHECK(s.values == signature_of(make_mesh(soup), sphere).values);
 }
+
+#ifdef CGAL_LINKED_WITH_TBB
+TEST_CASE("signature: the same bits on several threads", "[signature]")
+{
+  const int level = GENERATE(4, 7); // by Cholesky, by multigrid
+  const Mesh mesh = make_mesh(bumpy_sphere(level)), round = make_mesh(icosphere(level));
+  CHECK(SP::shape_signature(mesh, round.points()).values ==
+        SP::shape_signature(CGAL::Parallel_tag(), mesh, round.points()).values);
+}
+#endif

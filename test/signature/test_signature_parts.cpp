@@ -6,7 +6,8 @@
 #include "helpers/solve.h"
 
 #include <CGAL/Spherical_parameterization/internal/signature/conformal_factor.h>
-#include <CGAL/Spherical_parameterization/internal/segmentation/persistence.h>
+#include <CGAL/Spherical_parameterization/internal/base/persistence.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/Mapped_surface.h>
 #include <CGAL/Spherical_parameterization/stretch_histogram.h>
 
 #include <catch2/catch.hpp>
@@ -21,11 +22,18 @@ using SP::Stretch_histogram;
 
 namespace {
 
+const Sequential_loop one_core;
+
+/// With its own points as images.
+Mapped_surface surface_of(const Mesh& mesh)
+{
+  return read_mapped_surface(mesh, mesh.points(), mesh.points(), one_core);
+}
+
 Intrinsic_triangulation triangulation_of(const Soup& soup)
 {
-  const Mesh mesh = make_mesh(soup);
-  const Source_mesh<Mesh> source(mesh, mesh.points());
-  return Intrinsic_triangulation(source.face, twins(mesh), source.point);
+  const Mapped_surface surface = surface_of(make_mesh(soup));
+  return Intrinsic_triangulation(surface, surface.point);
 }
 
 double total_area(const Intrinsic_triangulation& t)
@@ -81,26 +89,25 @@ TEST_CASE("discrete surface: area and curvature are 4 pi, the Laplacian is what 
   CHECK(surface.mass().sum() == Approx(4 * pi));
   CHECK(surface.defect().sum() == Approx(4 * pi)); // Gauss and Bonnet
   CHECK((surface.laplacian() * one).cwiseAbs().maxCoeff() < 1e-9);
-  CHECK((smoothed(surface, one, 0.1) - one).cwiseAbs().maxCoeff() < 1e-9);
+  CHECK((smoothed(one_core, surface, one, 0.1) - one).cwiseAbs().maxCoeff() < 1e-9);
 }
 
 TEST_CASE("discrete surface: harmonics of the sphere", "[signature]")
 {
   const Soup soup = icosphere(5);
-  const Mesh mesh = make_mesh(soup);
-  const Source_mesh<Mesh> source(mesh, mesh.points());
-  const Discrete_surface surface(Intrinsic_triangulation(source.face, twins(mesh), source.point));
+  const Mapped_surface source = surface_of(make_mesh(soup));
+  const Discrete_surface surface(Intrinsic_triangulation(source, source.point));
   Discrete_surface::Vector z(surface.size()), slope(surface.size());
   for(int i = 0; i < surface.size(); ++i) {
-    z[i] = soup.points[source.vertex[i]].z();
+    z[i] = soup.points[std::size_t(source.position[i])].z();
     slope[i] = std::sqrt(1 - z[i] * z[i]);
   }
   // z is an eigenfunction, of the eigenvalue 2
   CHECK((surface.laplacian() * z - 2 * surface.mass().cwiseProduct(z)).norm() < 0.01 * surface.mass().norm());
-  Discrete_surface::Vector x = Surface_solver(surface)(2 * surface.mass().cwiseProduct(z));
+  Discrete_surface::Vector x = Surface_solver<Sequential_loop>(one_core, surface)(2 * surface.mass().cwiseProduct(z));
   x.array() -= x.mean();
   CHECK((x - z).cwiseAbs().maxCoeff() < 0.01);
-  CHECK((smoothed(surface, z, 0.5) - z / 2).cwiseAbs().maxCoeff() < 0.01); // 1 / (1 + 2 t)
+  CHECK((smoothed(one_core, surface, z, 0.5) - z / 2).cwiseAbs().maxCoeff() < 0.01); // 1 / (1 + 2 t)
   CHECK((surface.gradient_norm(z) - slope).cwiseAbs().maxCoeff() < 0.05);
 }
 
@@ -109,19 +116,26 @@ TEST_CASE("discrete surface: large ones are solved as accurately as small ones",
   const Discrete_surface surface(triangulation_of(bumpy_sphere(7)));
   REQUIRE(surface.size() > 100000); // by multigrid
   const Discrete_surface::Vector b = surface.mass() - surface.defect();
-  CHECK((surface.laplacian() * Surface_solver(surface)(b) - b).norm() < 1e-6 * b.norm());
+  CHECK((surface.laplacian() * Surface_solver<Sequential_loop>(one_core, surface)(b) - b).norm() < 1e-6 * b.norm());
+}
+
+TEST_CASE("discrete surface: a singular system is refused, and not solved with what is in the memory", "[signature]")
+{
+  Mapped_surface source = surface_of(make_mesh(icosphere(1)));
+  source.point.push_back({1, 1, 1}); // a vertex without triangles: its row is zero
+  const Discrete_surface surface(Intrinsic_triangulation(source, source.point));
+  CHECK_THROWS_AS(Surface_solver<Sequential_loop>(one_core, surface), SP::Error);
 }
 
 TEST_CASE("midpoint refinement: the same surface in four times as many faces", "[signature]")
 {
-  const Mesh mesh = make_mesh(bumpy_sphere(1));
-  const Source_mesh<Mesh> source(mesh, mesh.points());
-  const Triangle_arrays coarse = {source.face, twins(mesh), source.point};
-  const Triangle_arrays fine = refined_at_midpoints(refined_at_midpoints(coarse));
+  const Mapped_surface source = surface_of(make_mesh(bumpy_sphere(1)));
+  const Triangle_surface coarse = {source, source.point};
+  const Triangle_surface fine = refined_at_midpoints(refined_at_midpoints(coarse));
   REQUIRE(fine.face.size() == 16 * coarse.face.size());
   CHECK(2 * fine.point.size() == fine.face.size() + 4); // Euler
-  CHECK(total_area(Intrinsic_triangulation(fine.face, fine.twin, fine.point)) ==
-        Approx(total_area(Intrinsic_triangulation(coarse.face, coarse.twin, coarse.point))));
+  CHECK(total_area(Intrinsic_triangulation(fine, fine.point)) ==
+        Approx(total_area(Intrinsic_triangulation(coarse, coarse.point))));
   for(std::size_t h = 0; h < fine.twin.size(); ++h) {
     const auto origin = [&](std::size_t g) { return fine.face[g / 3][g % 3]; };
     const std::size_t t = fine.twin[h];
@@ -135,7 +149,7 @@ TEST_CASE("conformal factor: the sphere is mapped to itself without stretch", "[
 {
   const Soup soup = icosphere(4);
   const Mesh mesh = make_mesh(soup);
-  const Conformal_factor<Mesh> factor(mesh, mesh.points(), mesh.points());
+  const Conformal_factor factor(one_core, surface_of(mesh));
   CHECK(factor.u.cwiseAbs().maxCoeff() < 0.01);
 }
 
@@ -146,13 +160,14 @@ TEST_CASE("conformal factor: that of a boost of the sphere", "[signature]")
   const Mesh mesh = make_mesh(soup);
   const vec3 c = {0.3, 0.1, -0.2};
   const auto moved = [&](const Point& p) { return SP::internal::boost({p.x(), p.y(), p.z()}, c); };
-  const Conformal_factor<Mesh> factor(mesh, mesh.points(),
-                                      Readable_map<Mesh::Vertex_index, Point>{[&](const Mesh::Vertex_index& v) {
-                                        const vec3 q = moved(mesh.point(v));
-                                        return Point(q.x, q.y, q.z);
-                                      }});
+  const Readable_map<Mesh::Vertex_index, Point> images = {[&](const Mesh::Vertex_index& v) {
+    const vec3 q = moved(mesh.point(v));
+    return Point(q.x, q.y, q.z);
+  }};
+  const Mapped_surface source = read_mapped_surface(mesh, mesh.points(), images, one_core);
+  const Conformal_factor factor(one_core, source);
   for(int i = 0; i < factor.surface.size(); ++i) {
-    const Point p = mesh.point(factor.source.vertex[i]);
+    const Point p = mesh.point(Mesh::Vertex_index(Mesh::size_type(source.position[std::size_t(i)])));
     const vec3 d = sub({p.x(), p.y(), p.z()}, c);
     CHECK(factor.u[i] == Approx(2 * std::log((1 - inner(c, c)) / inner(d, d))).margin(0.02));
   }
@@ -232,5 +247,7 @@ TEST_CASE("stretch histogram: counts what log_area_stretch() says", "[signature]
     CHECK(SP::stretch_histogram(scaled, mesh.points(), options) == std::vector<double>{1, 0, 0});
   }
   const Mesh point = make_mesh(one_point(2));
-  CHECK_THROWS_AS(SP::stretch_histogram(point, mesh.points(), options), std::invalid_argument);
+  CHECK_THROWS_AS(SP::stretch_histogram(point, mesh.points(), options), SP::Error);
+  options.bins = 1;
+  CHECK_THROWS_AS(SP::stretch_histogram(mesh, mesh.points(), options), CGAL::Precondition_exception);
 }

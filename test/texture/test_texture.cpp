@@ -8,6 +8,7 @@
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Spherical_parameterization/texture_coordinates.h>
+#include <CGAL/boost/graph/Seam_mesh.h>
 
 #include <catch2/catch.hpp>
 
@@ -295,18 +296,95 @@ TEST_CASE("the same texture on a Polyhedron_3", "[texture]")
 TEST_CASE("textures: wrong arguments", "[texture]")
 {
   const Soup soup = icosphere(1);
-  Mapped_soup map = {"", soup, soup.points};
+  const Mapped_soup map = {"", soup, soup.points};
   Texture_options o;
   SECTION("bits") { o.bits = GENERATE(-1, 0, 53); }
   SECTION("parallel axes") { o.axes = axes(Vector(1, 2, 3), Vector(-2, -4, -6)); }
   SECTION("no axis") { o.axes = axes(Vector(0, 0, 0), Vector(1, 0, 0)); }
   SECTION("infinite axis") { o.axes = axes(Vector(0, 0, 1), Vector(std::numeric_limits<double>::infinity(), 0, 0)); }
   SECTION("NaN") { o.axes = axes(Vector(0, std::numeric_limits<double>::quiet_NaN(), 1), Vector(1, 0, 0)); }
-  SECTION("flipped faces") { map.sphere[3] = Point(-soup.points[3].x(), -soup.points[3].y(), -soup.points[3].z()); }
   const Mesh mesh = make_mesh(soup);
   std::map<Halfedge, Point_2> uv;
   const Readable_map<Mesh::Vertex_index, Point> sphere{[&](auto v) { return map.sphere[v]; }};
   CHECK_THROWS_AS(SP::texture_coordinates(mesh, sphere, Writable_map<Halfedge, Point_2>{&uv}, o),
-                  std::invalid_argument);
+                  CGAL::Precondition_exception);
   CHECK(uv.empty());
 }
+
+TEST_CASE("textures: wrong meshes and maps", "[texture]")
+{
+  const auto axes_given = GENERATE(false, true);
+  const auto check = [&](const Soup& soup, const Sphere& sphere, Error_code expected) {
+    const Mesh mesh = make_mesh(soup);
+    std::map<Halfedge, Point_2> uv;
+    Texture_options o;
+    if(axes_given)
+      o.axes = axes(Vector(0, 0, 1), Vector(1, 0, 0));
+    try {
+      SP::texture_coordinates(mesh, Readable_map<Mesh::Vertex_index, Point>{[&](auto v) { return sphere[v]; }},
+                              Writable_map<Halfedge, Point_2>{&uv}, o);
+      FAIL("no error");
+    } catch(const SP::Error& error) {
+      CHECK(error.code() == expected);
+    }
+    CHECK(uv.empty());
+  };
+  check({}, {}, Error_code::EMPTY_MESH);
+  Soup soup = icosphere(1);
+  Sphere flipped = soup.points;
+  flipped[3] = Point(-soup.points[3].x(), -soup.points[3].y(), -soup.points[3].z());
+  check(soup, flipped, Error_code::NOT_BIJECTIVE);
+  soup.points.emplace_back(0, 0, 1);
+  check(soup, soup.points, Error_code::ISOLATED_VERTEX);
+}
+
+TEST_CASE("cut open along its seams, a mesh has one pair of texture coordinates at every vertex", "[texture]")
+{
+  using Edge = Mesh::Edge_index;
+  using Vertex = Mesh::Vertex_index;
+  const auto chart = GENERATE(Texture_chart::LATITUDE_LONGITUDE, Texture_chart::OCTAHEDRAL);
+  const int bits = GENERATE(52, 10); // with few bits, corners are moved, which opens more seams
+  Mesh mesh = make_mesh(icosphere(3));
+  Texture_options o = options(chart, bits);
+  const auto rows = random_rotation(5);
+  o.axes = axes(rows[0], rows[1]);
+  const auto uv = mesh.add_property_map<Halfedge, Point_2>("h:uv").first;
+  SP::texture_coordinates(mesh, mesh.points(), uv, o);
+  const auto is_seam = mesh.add_property_map<Edge, bool>("e:seam").first;
+  const auto on_seam = mesh.add_property_map<Vertex, bool>("v:seam").first;
+  const std::size_t seams = SP::texture_seams(mesh, uv, is_seam, on_seam);
+  CHECK(seams > 10);
+  CHECK(seams < mesh.number_of_edges() / (bits == 52 ? 4 : 1));
+
+  typedef CGAL::Seam_mesh<Mesh, Mesh::Property_map<Edge, bool>, Mesh::Property_map<Vertex, bool>> Seam_mesh;
+  Seam_mesh cut(mesh, is_seam, on_seam);
+  cut.set_seam_edges_number(seams);
+  CHECK(cut.number_of_seam_edges() == seams);
+  std::size_t several = 0, corners = 0;
+  for(auto f : faces(cut))
+    for(auto h : halfedges_around_face(halfedge(f, cut), cut)) {
+      const auto v = target(h, cut); // one of the copies of a vertex on a seam
+      several += uv[Halfedge(h)] != uv[Halfedge(halfedge(v, cut))];
+      ++corners;
+    }
+  CHECK(corners == 3 * mesh.number_of_faces());
+  CHECK(several == 0);
+}
+
+#ifdef CGAL_LINKED_WITH_TBB
+TEST_CASE("textures are the same bits on several threads", "[texture]")
+{
+  const auto chart = GENERATE(Texture_chart::LATITUDE_LONGITUDE, Texture_chart::OCTAHEDRAL);
+  const Soup soup = bumpy_sphere(6);
+  const Mesh mesh = make_mesh(soup), round = make_mesh(icosphere(6));
+  std::map<Halfedge, Point_2> one, several;
+  const SP::Texture_report a =
+    SP::texture_coordinates(mesh, round.points(), Writable_map<Halfedge, Point_2>{&one}, options(chart));
+  const SP::Texture_report b = SP::texture_coordinates(CGAL::Parallel_tag(), mesh, round.points(),
+                                                       Writable_map<Halfedge, Point_2>{&several}, options(chart));
+  CHECK(one == several);
+  CHECK(a.axes.north == b.axes.north);
+  CHECK(a.seam_faces == b.seam_faces);
+  CHECK(a.largest_move == b.largest_move);
+}
+#endif

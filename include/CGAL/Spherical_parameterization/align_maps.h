@@ -4,9 +4,13 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_ALIGN_MAPS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_ALIGN_MAPS_H
 
+#include <CGAL/Spherical_parameterization/internal/backend/host_policy.h>
+#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/base/rotations.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/icosphere.h>
 #include <CGAL/Spherical_parameterization/transfer_properties.h>
+
+#include <CGAL/tags.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -75,13 +79,14 @@ inline void normalize(std::vector<vec3>& points)
 
 } // namespace internal
 
-/// The rotation of the sphere that leads from the map `a` to the map `b`: maps are unique only up to rotation, and data
-/// is transferred, and shapes are morphed, between maps in the same position. It is the one for which the two shapes,
-/// both as functions on the sphere and freed from place and size, are correlated best. The shapes have to stand in
-/// space in the same way.
+/// Registration of two maps: the rotation of the sphere that leads from the map `a` to the map `b`: maps are unique
+/// only up to rotation, and data is transferred, and shapes are morphed, between maps in the same position. It is the
+/// one for which the two shapes, both as functions on the sphere and freed from place and size, are correlated best.
+/// The shapes have to stand in space in the same way.
 ///
 /// Sixty starts and a pattern search from the best of them; the result is a good optimum, to 1e-3, and not proven to be
 /// the best of all.
+/// \param policy    `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result does not depend on it
 /// \param a         the inverse of the first map
 /// \param points_a  readable, key vertex_descriptor of the mesh of `a`, value with x(), y(), z()
 /// \param b         the inverse of the second map
@@ -89,21 +94,29 @@ inline void normalize(std::vector<vec3>& points)
 /// \return R such that R x under `b` is what x is under `a`; see `rotated_map()`
 ///
 /// Complexity: about 400,000 queries.
-template <class MeshA, class PointMapA, class MeshB, class PointMapB>
-Rotation aligning_rotation(const Spherical_locator<MeshA>& a, PointMapA points_a, const Spherical_locator<MeshB>& b,
-                           PointMapB points_b)
+template <class ExecutionPolicy, class MeshA, class PointMapA, class MeshB, class PointMapB>
+Rotation aligning_rotation(const ExecutionPolicy& policy, const Spherical_locator<MeshA>& a, PointMapA points_a,
+                           const Spherical_locator<MeshB>& b, PointMapB points_b)
 {
   using internal::vec3;
-  const std::vector<vec3> samples = internal::Icosphere(3).points;
-  std::vector<vec3> of_a, of_b(samples.size());
-  for(vec3 x : samples)
-    of_a.push_back(internal::coordinates(interpolate(a.mesh(), a.locate(x), points_a)));
-  internal::normalize(of_a);
+  typedef internal::Host_array<vec3> Vectors;
+  const auto loop = internal::host_loop(policy);
+  const std::vector<vec3> points = internal::Icosphere(3).points;
+  const Vectors samples(points.begin(), points.end());
+  const auto values_at = [&](const auto& locator, const auto& map, const Vectors& directions) {
+    std::vector<vec3> values;
+    for(const auto& place : internal::locate_all(loop, locator, directions))
+      values.push_back(internal::coordinates(interpolate(locator.mesh(), place, map)));
+    internal::normalize(values);
+    return values;
+  };
+  const std::vector<vec3> of_a = values_at(a, points_a, samples);
+  Vectors directions(samples.size());
 
   const auto correlation = [&](const Rotation& r) {
     for(std::size_t i = 0; i < samples.size(); ++i)
-      of_b[i] = internal::coordinates(interpolate(b.mesh(), b.locate(internal::rotated(r, samples[i])), points_b));
-    internal::normalize(of_b);
+      directions[i] = internal::rotated(r, samples[i]);
+    const std::vector<vec3> of_b = values_at(b, points_b, directions);
     double sum = 0;
     for(std::size_t i = 0; i < samples.size(); ++i)
       sum += internal::inner(of_a[i], of_b[i]);
@@ -137,6 +150,15 @@ Rotation aligning_rotation(const Spherical_locator<MeshA>& a, PointMapA points_a
       best = {value, r};
   }
   return best.second;
+}
+
+/// \overload
+/// On one core.
+template <class MeshA, class PointMapA, class MeshB, class PointMapB>
+Rotation aligning_rotation(const Spherical_locator<MeshA>& a, PointMapA points_a, const Spherical_locator<MeshB>& b,
+                           PointMapB points_b)
+{
+  return aligning_rotation(CGAL::Sequential_tag(), a, points_a, b, points_b);
 }
 
 /// A spherical map seen through a rotation: what `transfer_vertex_property()` and the like take for a map in another

@@ -4,10 +4,15 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_DISTORTION_SUMMARY_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_DISTORTION_SUMMARY_H
 
-#include <CGAL/Spherical_parameterization/internal/distortion/Face_measures.h>
+#include <CGAL/Spherical_parameterization/internal/backend/host_policy.h>
+#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
+#include <CGAL/Spherical_parameterization/internal/distortion/Face_measures.h>
+
+#include <CGAL/tags.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -78,39 +83,70 @@ inline Distribution distribution(std::vector<std::pair<double, double>>& values)
   return d;
 }
 
+/// A measure each is summarized on a thread.
+template <class Loop>
+Distortion_summary summarize(const Loop& loop, const Face_measures& measures)
+{
+  typedef double (Face_measures::*Measure)(int) const;
+  const std::array<std::pair<Measure, Distribution Distortion_summary::*>, 5> jobs = {
+    {{&Face_measures::log_area_stretch, &Distortion_summary::log_area_stretch},
+     {&Face_measures::angle_distortion, &Distortion_summary::angle_distortion},
+     {&Face_measures::dilatation, &Distortion_summary::dilatation},
+     {&Face_measures::flat_symmetric_dirichlet, &Distortion_summary::symmetric_dirichlet},
+     {&Face_measures::spherical_symmetric_dirichlet, &Distortion_summary::spherical_symmetric_dirichlet}}};
+  Distortion_summary summary;
+  loop.for_each(static_cast<int>(jobs.size()), [&](int job) {
+    const Measure measure = jobs[job].first;
+    const Host_array<double> value =
+      measures.values(loop, [&](const Face_measures& m, int f) { return (m.*measure)(f); });
+    std::vector<std::pair<double, double>> values;
+    for(int f = 0; f < measures.number_of_faces(); ++f)
+      if(measures.source_area(f) > 0)
+        values.emplace_back(value[f], measures.source_area(f));
+    summary.*jobs[job].second = distribution(values);
+  });
+  for(int f = 0; f < measures.number_of_faces(); ++f)
+    summary.degenerate_faces += !(measures.source_area(f) > 0);
+  return summary;
+}
+
 } // namespace internal
 
-/// Measures all faces of a valid map.
+/// The distortion of a valid map in figures: area, angle and quasi-conformal distortion, symmetric Dirichlet energy.
+/// \param policy      `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result does not depend on it
 /// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param sphere_map  readable, key vertex_descriptor, value unit vectors
 /// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
 /// \return how each measure is distributed over the source area
 ///
 /// Complexity: O(n log n).
-template <class TriangleMesh, class VertexSphereMap, class NamedParameters = parameters::Default_named_parameters>
+template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap,
+          class NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          internal::If_policy<ExecutionPolicy> = 0
+#endif
+          >
+Distortion_summary distortion_summary(const ExecutionPolicy& policy, const TriangleMesh& mesh,
+                                      VertexSphereMap sphere_map,
+                                      const NamedParameters& np = parameters::default_values())
+{
+  const auto loop = internal::host_loop(policy);
+  return internal::summarize(loop, internal::make_face_measures(mesh, sphere_map, np, loop));
+}
+
+/// \overload
+/// On one core.
+template <class TriangleMesh, class VertexSphereMap, class NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          internal::If_no_policy<TriangleMesh> = 0
+#endif
+          >
 Distortion_summary distortion_summary(const TriangleMesh& mesh, VertexSphereMap sphere_map,
                                       const NamedParameters& np = parameters::default_values())
 {
-  const auto measures = internal::make_face_measures(mesh, sphere_map, np);
-  Distortion_summary summary;
-  const auto summarize = [&](const auto& measure) {
-    std::vector<std::pair<double, double>> values;
-    summary.degenerate_faces = 0;
-    for(auto f : faces(mesh)) {
-      const double area = measures.source_area(f);
-      if(area > 0)
-        values.emplace_back(measure(f), area);
-      else
-        ++summary.degenerate_faces;
-    }
-    return internal::distribution(values);
-  };
-  summary.log_area_stretch = summarize([&](auto f) { return measures.log_area_stretch(f); });
-  summary.angle_distortion = summarize([&](auto f) { return measures.angle_distortion(f); });
-  summary.dilatation = summarize([&](auto f) { return measures.dilatation(f); });
-  summary.symmetric_dirichlet = summarize([&](auto f) { return measures.flat_symmetric_dirichlet(f); });
-  summary.spherical_symmetric_dirichlet = summarize([&](auto f) { return measures.spherical_symmetric_dirichlet(f); });
-  return summary;
+  return distortion_summary(CGAL::Sequential_tag(), mesh, sphere_map, np);
 }
 
 /// @}

@@ -5,9 +5,8 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_EDGE_WEIGHTS_H
 
 #include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
+#include <CGAL/Spherical_parameterization/internal/base/precondition.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/point_coordinates.h>
-
-#include <CGAL/assertions.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -68,7 +67,8 @@ public:
     : mesh_(&mesh), points_(points), largest_(cotangent_of_degrees(minimum_angle)),
       smallest_(cotangent_of_degrees(maximum_angle))
   {
-    CGAL_precondition(0 < minimum_angle && minimum_angle <= maximum_angle && maximum_angle < 90);
+    CGAL_SP_PRECONDITION(0 < minimum_angle && minimum_angle <= maximum_angle && maximum_angle < 90,
+                         "the angles of conformal weights are 0 < minimum <= maximum < 90 degrees");
   }
 
   friend double get(const Conformal_weight_map& m, const key_type& e)

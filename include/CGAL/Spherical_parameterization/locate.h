@@ -4,10 +4,18 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_LOCATE_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_LOCATE_H
 
+#include <CGAL/Spherical_parameterization/Error.h>
+#include <CGAL/Spherical_parameterization/internal/backend/host_policy.h>
+#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/base/text.h>
+#include <CGAL/Spherical_parameterization/internal/distortion/Mapped_faces.h>
 #include <CGAL/Spherical_parameterization/internal/inverse/Kd_tree.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/Vertex_numbering.h>
 #include <CGAL/Spherical_parameterization/internal/inverse/barycentric_coordinates.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/Corner_table.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/corner_table_of.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
+
+#include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -16,8 +24,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <numeric>
-#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -32,7 +41,8 @@ namespace Spherical_parameterization {
 template <class TriangleMesh>
 using Face_location = std::pair<typename boost::graph_traits<TriangleMesh>::face_descriptor, std::array<double, 3>>;
 
-/// The inverse of a spherical map: finds the point of the mesh that is mapped to a direction.
+/// The inverse of a spherical map (point location on the sphere): finds the point of the mesh that is mapped to a
+/// direction.
 ///
 /// A kd-tree of the vertices says where to start, and a stochastic walk through the triangulation goes on from there
 /// (O. Devillers, S. Pion, M. Teillaud, "Walking in a triangulation", 2002), which ends with probability 1 whatever the
@@ -51,20 +61,27 @@ public:
   /// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`; must outlive the
   ///                    locator
   /// \param sphere_map  readable, key vertex_descriptor, value unit vectors
-  /// \throws std::invalid_argument if the map is not valid: there are flipped faces, or its degree is not 1; or if the
-  ///         mesh is not closed, or has an isolated vertex
+  /// \throws Error  if the map is not valid: there are flipped faces, or its degree is not 1; or if the mesh is not
+  ///         closed, has a face that is no triangle, or an isolated vertex
   ///
   /// Complexity: O(n log n).
   template <class VertexSphereMap>
   Spherical_locator(const TriangleMesh& mesh, VertexSphereMap sphere_map)
-    : Spherical_locator(mesh, valid_points(mesh, sphere_map))
+    : Spherical_locator(CGAL::Sequential_tag(), mesh, sphere_map)
+  {}
+
+  /// The same on the threads of `policy`, `CGAL::Sequential_tag` or `CGAL::Parallel_tag`.
+  template <class ExecutionPolicy, class VertexSphereMap>
+  Spherical_locator(const ExecutionPolicy& policy, const TriangleMesh& mesh, VertexSphereMap sphere_map)
+    : Spherical_locator(mesh, internal::host_loop(policy),
+                        internal::read_images(mesh, sphere_map, internal::host_loop(policy)), 0)
   {}
 
   /// The face whose image contains `direction`, and the weights for which the mean of the images of its corners has
   /// that direction. On an edge or at a vertex it is one of the faces there.
   /// \param direction any vector that is finite and not zero: with x(), y(), z() or operator[]
   /// \return the face and the weights, exact to 1e-12
-  /// \throws std::invalid_argument if it is none
+  /// \throws Error  `NON_FINITE_COORDINATE` if it is none
   ///
   /// Complexity: O(log n) expected, for triangles that are not all slivers.
   template <class Direction>
@@ -72,95 +89,84 @@ public:
   {
     const internal::vec3 given = internal::coordinates(direction);
     if(!internal::is_finite(given) || (given.x == 0 && given.y == 0 && given.z == 0))
-      throw std::invalid_argument("no direction to locate: zero or not finite");
+      throw Error(Error_code::NON_FINITE_COORDINATE, "no direction to locate: zero or not finite");
     const int exponent = binary_exponent(given);
     const internal::vec3 q = scaled(given, -exponent);
     // Where one coordinate is 1e300 times smaller than another, scaling takes digits off; the tests do with any length.
     const bool is_same = internal::is_equal(scaled(q, exponent), given);
-    const std::size_t f = walk(is_same ? q : given, start(q));
-    const Face& face = face_[f];
-    return {descriptor_[f], internal::barycentric_coordinates(
-                              {point_[face.vertex[0]], point_[face.vertex[1]], point_[face.vertex[2]]}, q)};
+    const int f = walk(is_same ? q : given, start(q));
+    const std::array<int, 3>& corner = table_.face[f];
+    return {descriptor_[f],
+            internal::barycentric_coordinates({point_[corner[0]], point_[corner[1]], point_[corner[2]]}, q)};
   }
 
   /// \return the mesh whose map this is the inverse of
   const TriangleMesh& mesh() const { return *mesh_; }
 
 private:
-  struct Face {
-    std::array<int, 3> vertex;
-    std::array<int, 3> neighbour; ///< across the edge from vertex k to vertex k+1
-  };
-
-  Spherical_locator(const TriangleMesh& mesh, const std::vector<internal::vec3>& unsorted)
-    : mesh_(&mesh), tree_(unsorted)
+  template <class Loop>
+  Spherical_locator(const TriangleMesh& mesh, const Loop& loop, internal::Mapped_faces map, int)
+    : mesh_(&mesh), tree_(loop, checked(loop, map))
   {
-    std::vector<int> rank(unsorted.size());
-    point_.reserve(unsorted.size());
+    internal::Host_array<int> rank(map.image.size());
+    point_.reserve(map.image.size());
     for(int i : tree_.order()) {
       rank[i] = static_cast<int>(point_.size());
-      point_.push_back(unsorted[i]);
+      point_.push_back(map.image[i]);
     }
-    const internal::Vertex_numbering<TriangleMesh> number(mesh);
-    link_faces(mesh, [&](auto v) { return rank[number(v)]; });
+    for(std::array<int, 3>& corner : map.face)
+      for(int& v : corner)
+        v = rank[v];
+    sort_faces(mesh, internal::corner_table_of(mesh, std::move(map.face), loop));
+    choose_some_faces();
   }
 
-  template <class VertexSphereMap>
-  static std::vector<internal::vec3> valid_points(const TriangleMesh& mesh, VertexSphereMap sphere_map)
+  /// The images of a valid map.
+  template <class Loop>
+  static const internal::Host_array<internal::vec3>& checked(const Loop& loop, const internal::Mapped_faces& map)
   {
-    if(number_of_flipped_faces(mesh, sphere_map) > 0 || degree_of_map(mesh, sphere_map) != 1)
-      throw std::invalid_argument("no inverse: the map is not valid");
-    std::vector<internal::vec3> points;
-    for(auto v : vertices(mesh))
-      points.push_back(internal::coordinates(get(sphere_map, v)));
-    return points;
+    const std::size_t flipped = internal::number_of_flipped_faces(loop, map);
+    if(flipped > 0)
+      throw Error(Error_code::NOT_BIJECTIVE, internal::counted(flipped, "flipped face", "flipped faces"));
+    const int degree = internal::degree_of_map(loop, map);
+    if(degree != 1)
+      throw Error(Error_code::NOT_BIJECTIVE, "its degree is " + std::to_string(degree));
+    internal::check_no_isolated_vertex(map.face, static_cast<int>(map.image.size()));
+    return map.image;
   }
 
   /// Faces are sorted by their first vertex, so that walks stay in a small part of the memory.
-  template <class Rank>
-  void link_faces(const TriangleMesh& mesh, const Rank& rank)
+  void sort_faces(const TriangleMesh& mesh, const internal::Corner_table& unsorted)
   {
-    for(auto f : faces(mesh)) {
-      const auto h = halfedge(f, mesh);
-      face_.push_back({{rank(source(h, mesh)), rank(target(h, mesh)), rank(target(next(h, mesh), mesh))}, {}});
-      descriptor_.push_back(f);
-    }
-    std::vector<int> order(face_.size());
+    const std::vector<face_descriptor> descriptor(faces(mesh).begin(), faces(mesh).end());
+    std::vector<int> order(unsorted.face.size()), place(order.size());
     std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(), [&](int f, int g) { return face_[f].vertex[0] < face_[g].vertex[0]; });
-    std::vector<Face> sorted_faces;
-    std::vector<face_descriptor> sorted_descriptors;
+    std::stable_sort(order.begin(), order.end(),
+                     [&](int f, int g) { return unsorted.face[f][0] < unsorted.face[g][0]; });
+    for(std::size_t i = 0; i < order.size(); ++i)
+      place[order[i]] = static_cast<int>(i);
     for(int f : order) {
-      sorted_faces.push_back(face_[f]);
-      sorted_descriptors.push_back(descriptor_[f]);
-    }
-    face_.swap(sorted_faces);
-    descriptor_.swap(sorted_descriptors);
-
-    // the edges out of every vertex, as pairs of the other end and the face to the left, sorted
-    std::vector<std::vector<std::pair<int, int>>> edges(point_.size());
-    for(std::size_t f = 0; f < face_.size(); ++f)
-      for(int k = 0; k < 3; ++k)
-        edges[face_[f].vertex[k]].emplace_back(face_[f].vertex[(k + 1) % 3], static_cast<int>(f));
-    for(auto& out : edges)
-      std::sort(out.begin(), out.end());
-    for(Face& face : face_)
-      for(int k = 0; k < 3; ++k) {
-        const auto& out = edges[face.vertex[(k + 1) % 3]];
-        const auto opposite = std::lower_bound(out.begin(), out.end(), std::pair<int, int>(face.vertex[k], 0));
-        if(opposite == out.end() || opposite->first != face.vertex[k])
-          throw std::invalid_argument("no inverse: the mesh is not closed");
-        face.neighbour[k] = opposite->second;
-      }
-    for(const auto& out : edges) {
-      if(out.empty())
-        throw std::invalid_argument("no inverse: the mesh has an isolated vertex");
-      some_face_.push_back(out.front().second);
+      table_.face.push_back(unsorted.face[f]);
+      descriptor_.push_back(descriptor[f]);
+      for(int h = 3 * f; h < 3 * f + 3; ++h)
+        table_.twin.push_back(3 * place[unsorted.twin[h] / 3] + unsorted.twin[h] % 3);
     }
   }
 
+  /// Of every vertex that face in which its smallest neighbour follows on it.
+  void choose_some_faces()
+  {
+    some_face_.resize(point_.size());
+    std::vector<int> smallest(point_.size(), (std::numeric_limits<int>::max)());
+    for(int h = 0; h < table_.number_of_halfedges(); ++h)
+      if(table_.target(h) < smallest[table_.origin(h)]) {
+        smallest[table_.origin(h)] = table_.target(h);
+        some_face_[table_.origin(h)] = h / 3;
+      }
+  }
+
   /// Some face near q.
-  std::size_t start(internal::vec3 q) const { return some_face_[tree_.near(internal::unit(q), point_)]; }
+  int start(internal::vec3 q) const { return some_face_[tree_.near(internal::unit(q), point_)]; }
 
   /// The power of two of which the length of q is about; 0 for unit vectors.
   static int binary_exponent(internal::vec3 q)
@@ -178,29 +184,30 @@ private:
              : internal::vec3{std::ldexp(q.x, exponent), std::ldexp(q.y, exponent), std::ldexp(q.z, exponent)};
   }
 
-  std::size_t walk(internal::vec3 q, std::size_t f) const
+  int walk(internal::vec3 q, int f) const
   {
     std::uint32_t random = 1;
     for(int from = -1;;) {
       random = 1664525 * random + 1013904223; // D. Knuth, TAOCP 2, 3.3.4; the high bits are good
-      const Face& face = face_[f];
+      const std::array<int, 3>& corner = table_.face[f];
       int next = -1;
-      for(unsigned i = 0, k = (random >> 16) % 3; i < 3 && next < 0; ++i, k = (k + 1) % 3)
-        if(face.neighbour[k] != from &&
-           internal::orientation(point_[face.vertex[k]], point_[face.vertex[(k + 1) % 3]], q) < 0)
-          next = face.neighbour[k];
+      for(unsigned i = 0, k = (random >> 16) % 3; i < 3 && next < 0; ++i, k = (k + 1) % 3) {
+        const int beyond = table_.twin[3 * f + k] / 3;
+        if(beyond != from && internal::orientation(point_[corner[k]], point_[corner[(k + 1) % 3]], q) < 0)
+          next = beyond;
+      }
       if(next < 0)
         return f;
-      from = static_cast<int>(f);
-      f = static_cast<std::size_t>(next);
+      from = f;
+      f = next;
     }
   }
 
   const TriangleMesh* mesh_;
   internal::Kd_tree tree_;
-  std::vector<internal::vec3> point_; ///< in the order of the tree, and so are the numbers of vertices here
-  std::vector<int> some_face_;        ///< of every vertex
-  std::vector<Face> face_;
+  internal::Host_array<internal::vec3> point_; ///< in the order of the tree, and so are the numbers of vertices here
+  std::vector<int> some_face_;                 ///< of every vertex
+  internal::Corner_table table_;
   std::vector<face_descriptor> descriptor_;
 };
 

@@ -4,20 +4,23 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_MEASURE_DISTORTION_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_MEASURE_DISTORTION_H
 
-#include <CGAL/Spherical_parameterization/internal/distortion/Face_measures.h>
+#include <CGAL/Spherical_parameterization/internal/backend/host_policy.h>
+#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
+#include <CGAL/Spherical_parameterization/internal/distortion/Face_measures.h>
+#include <CGAL/Spherical_parameterization/internal/distortion/Mapped_faces.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/vertex_stars.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/certificate.h>
 
-#include <CGAL/boost/graph/iterator.h>
-
-#include <boost/graph/graph_traits.hpp>
-#include <boost/property_map/function_property_map.hpp>
+#include <CGAL/tags.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Spherical_parameterization {
@@ -27,14 +30,15 @@ namespace Spherical_parameterization {
 
 namespace internal {
 
-/// Writes value(k) for every k of the range; returns the smallest and the largest value.
-template <class Range, class Map, class Value>
-std::pair<double, double> put_values(const Range& range, Map map, const Value& value)
+/// Writes the values of a range in its order; returns the smallest and the largest one.
+template <class Range, class Values, class Map>
+std::pair<double, double> put_values(const Range& range, const Values& values, Map map)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::pair<double, double> result(infinity, -infinity);
+  std::size_t i = 0;
   for(auto k : range) {
-    const double x = value(k);
+    const double x = values[i++];
     put(map, k, x);
     result.first = (std::min)(result.first, x);
     result.second = (std::max)(result.second, x);
@@ -42,116 +46,282 @@ std::pair<double, double> put_values(const Range& range, Map map, const Value& v
   return result;
 }
 
+template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class FaceMap, class NamedParameters,
+          class Measure>
+std::pair<double, double> measure_faces(const ExecutionPolicy& policy, const TriangleMesh& mesh,
+                                        VertexSphereMap sphere_map, FaceMap face_map, const NamedParameters& np,
+                                        Measure measure)
+{
+  const auto loop = host_loop(policy);
+  return put_values(faces(mesh), make_face_measures(mesh, sphere_map, np, loop).values(loop, measure), face_map);
+}
+
+template <class Loop>
+std::size_t number_of_flipped_faces(const Loop& loop, const Mapped_faces& faces)
+{
+  const auto parts = results_of_parts(loop, faces.number_of_faces(), [&](int begin, int end) {
+    std::size_t flipped = 0;
+    for(int f = begin; f < end; ++f) {
+      const auto c = faces.on_sphere(f);
+      if(!is_finite(c[0], c[1], c[2]) || !is_positively_oriented(c[0], c[1], c[2]))
+        ++flipped;
+    }
+    return flipped;
+  });
+  return std::accumulate(parts.begin(), parts.end(), std::size_t(0));
+}
+
+template <class Loop>
+int degree_of_map(const Loop& loop, const Mapped_faces& faces)
+{
+  return degree([&](vec3 q) {
+    return sum_by_parts(loop, faces.number_of_faces(), [&](int f) {
+      const auto c = faces.on_sphere(f);
+      return is_finite(c[0], c[1], c[2]) ? covering(c[0], c[1], c[2], q) : 0;
+    });
+  });
+}
+
+/// For every vertex the mean of the values of its faces.
+template <class Loop, class Values>
+Host_array<double> means_over_faces(const Loop& loop, const Vertex_stars& stars, const Values& value)
+{
+  const int n = stars.number_of_vertices();
+  Host_array<double> result(n);
+  for_each_part(loop, n, [&](int begin, int end) {
+    for(int v = begin; v < end; ++v) {
+      double sum = 0;
+      for(int k = stars.offset[v]; k < stars.offset[v + 1]; ++k)
+        sum += value[stars.face[k]];
+      result[v] = sum / (stars.offset[v + 1] - stars.offset[v]);
+    }
+  });
+  return result;
+}
+
+/// The logarithmic area stretch of the vertices, in their order. Throws Error for a vertex without faces, and at a
+/// boundary.
+template <class TriangleMesh, class Loop>
+Host_array<double> vertex_stretch(const TriangleMesh& mesh, const Face_measures& measures, const Loop& loop)
+{
+  return means_over_faces(loop, vertex_stars(mesh),
+                          measures.values(loop, [](const Face_measures& m, int f) { return m.log_area_stretch(f); }));
+}
+
 } // namespace internal
 
-/// Number of faces (a, b, c) with orientation(O, a, b, c) <= 0, by exact predicates on the coordinates as doubles.
-/// A map without such faces and of degree 1 is bijective.
-/// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
-/// \param sphere_map  readable, key vertex_descriptor; need not be normalised
+/// Number of flipped faces: faces (a, b, c) with orientation(O, a, b, c) <= 0, by exact predicates on the coordinates
+/// as doubles. A map without such faces and of degree 1 is bijective. \param policy      `CGAL::Sequential_tag` or
+/// `CGAL::Parallel_tag`; the result does not depend on it \param mesh        a closed triangle mesh, a model of
+/// `FaceListGraph` and `HalfedgeListGraph` \param sphere_map  readable, key vertex_descriptor; need not be normalized
 /// \return the number of faces that are flipped, degenerate, or not finite
 ///
 /// Complexity: linear.
+template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap
+#ifndef DOXYGEN_RUNNING
+          ,
+          internal::If_policy<ExecutionPolicy> = 0
+#endif
+          >
+std::size_t number_of_flipped_faces(const ExecutionPolicy& policy, const TriangleMesh& mesh, VertexSphereMap sphere_map)
+{
+  const auto loop = internal::host_loop(policy);
+  return internal::number_of_flipped_faces(loop, internal::read_images(mesh, sphere_map, loop));
+}
+
+/// \overload
+/// On one core.
 template <class TriangleMesh, class VertexSphereMap>
 std::size_t number_of_flipped_faces(const TriangleMesh& mesh, VertexSphereMap sphere_map)
 {
-  std::size_t flipped = 0;
-  for(auto f : faces(mesh)) {
-    const auto c = internal::corners(mesh, sphere_map, f);
-    if(!internal::is_finite(c[0], c[1], c[2]) || !internal::is_positively_oriented(c[0], c[1], c[2]))
-      ++flipped;
-  }
-  return flipped;
+  return number_of_flipped_faces(CGAL::Sequential_tag(), mesh, sphere_map);
 }
 
-/// How often the map covers the sphere, counted with orientation, by exact predicates on the coordinates as doubles.
-/// Faces with coordinates that are not finite do not count.
+/// The degree of the map: how often it covers the sphere, counted with orientation, by exact predicates on the
+/// coordinates as doubles. Faces with coordinates that are not finite do not count.
+/// \param policy      `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result does not depend on it
 /// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param sphere_map  readable, key vertex_descriptor, value unit vectors
 /// \return the degree: 1 for a valid map, -1 for a mirrored one
 ///
 /// Complexity: linear.
+template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap
+#ifndef DOXYGEN_RUNNING
+          ,
+          internal::If_policy<ExecutionPolicy> = 0
+#endif
+          >
+int degree_of_map(const ExecutionPolicy& policy, const TriangleMesh& mesh, VertexSphereMap sphere_map)
+{
+  const auto loop = internal::host_loop(policy);
+  return internal::degree_of_map(loop, internal::read_images(mesh, sphere_map, loop));
+}
+
+/// \overload
+/// On one core.
 template <class TriangleMesh, class VertexSphereMap>
 int degree_of_map(const TriangleMesh& mesh, VertexSphereMap sphere_map)
 {
-  return internal::degree([&](internal::vec3 q) {
-    double sum = 0;
-    for(auto f : faces(mesh)) {
-      const auto c = internal::corners(mesh, sphere_map, f);
-      if(internal::is_finite(c[0], c[1], c[2]))
-        sum += internal::covering(c[0], c[1], c[2], q);
-    }
-    return sum;
-  });
+  return degree_of_map(CGAL::Sequential_tag(), mesh, sphere_map);
 }
 
 /// \name Measures per face
 /// Each writes one value per face and returns the smallest and the largest one. All are linear in the size of the mesh.
 /// @{
 
-/// The area stretch of Definition 1 of the paper (Athanasiadis and Fudos, SMI 2011), as a natural logarithm:
+/// The area distortion of faces, the area stretch of Definition 1 of the paper (Athanasiadis and Fudos, SMI 2011), as a
+/// natural logarithm:
 /// log((source area / total source area) / (spherical area / 4 pi)). Positive where the map shrinks, as in limbs, where
 /// it reaches 60 and more. Areas below 1e-300 of the total count as that.
+/// \param policy      `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result does not depend on it
 /// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param sphere_map  readable, key vertex_descriptor, value unit vectors; a valid map
 /// \param face_map    writable, key face_descriptor, value double
 /// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
 /// \return the smallest and the largest value
+template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class FaceMap,
+          class NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          internal::If_policy<ExecutionPolicy> = 0
+#endif
+          >
+std::pair<double, double> face_log_area_stretch(const ExecutionPolicy& policy, const TriangleMesh& mesh,
+                                                VertexSphereMap sphere_map, FaceMap face_map,
+                                                const NamedParameters& np = parameters::default_values())
+{
+  return internal::measure_faces(
+    policy, mesh, sphere_map, face_map, np,
+    [](const internal::Face_measures& measures, int f) { return measures.log_area_stretch(f); });
+}
+
+/// \overload
+/// On one core.
 template <class TriangleMesh, class VertexSphereMap, class FaceMap,
-          class NamedParameters = parameters::Default_named_parameters>
+          class NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          internal::If_no_policy<TriangleMesh> = 0
+#endif
+          >
 std::pair<double, double> face_log_area_stretch(const TriangleMesh& mesh, VertexSphereMap sphere_map, FaceMap face_map,
                                                 const NamedParameters& np = parameters::default_values())
 {
-  const auto measures = internal::make_face_measures(mesh, sphere_map, np);
-  return internal::put_values(faces(mesh), face_map, [&](auto f) { return measures.log_area_stretch(f); });
+  return face_log_area_stretch(CGAL::Sequential_tag(), mesh, sphere_map, face_map, np);
 }
 
-/// Mean over the three corners of |angle between the great circles - angle in the source|, in radians, in [0, pi).
-/// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
-/// \param sphere_map  readable, key vertex_descriptor, value unit vectors; a valid map
-/// \param face_map    writable, key face_descriptor, value double
-/// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
-/// \return the smallest and the largest value
+/// The angle distortion of faces, 0 for a conformal map: mean over the three corners of |angle between the great
+/// circles - angle in the source|, in radians, in [0, pi). \param policy      `CGAL::Sequential_tag` or
+/// `CGAL::Parallel_tag`; the result does not depend on it \param mesh        a closed triangle mesh, a model of
+/// `FaceListGraph` and `HalfedgeListGraph` \param sphere_map  readable, key vertex_descriptor, value unit vectors; a
+/// valid map \param face_map    writable, key face_descriptor, value double \param np          optional named
+/// parameters: `vertex_point_map`, by default the mesh's own \return the smallest and the largest value
+template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class FaceMap,
+          class NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          internal::If_policy<ExecutionPolicy> = 0
+#endif
+          >
+std::pair<double, double> face_angle_distortion(const ExecutionPolicy& policy, const TriangleMesh& mesh,
+                                                VertexSphereMap sphere_map, FaceMap face_map,
+                                                const NamedParameters& np = parameters::default_values())
+{
+  return internal::measure_faces(
+    policy, mesh, sphere_map, face_map, np,
+    [](const internal::Face_measures& measures, int f) { return measures.angle_distortion(f); });
+}
+
+/// \overload
+/// On one core.
 template <class TriangleMesh, class VertexSphereMap, class FaceMap,
-          class NamedParameters = parameters::Default_named_parameters>
+          class NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          internal::If_no_policy<TriangleMesh> = 0
+#endif
+          >
 std::pair<double, double> face_angle_distortion(const TriangleMesh& mesh, VertexSphereMap sphere_map, FaceMap face_map,
                                                 const NamedParameters& np = parameters::default_values())
 {
-  const auto measures = internal::make_face_measures(mesh, sphere_map, np);
-  return internal::put_values(faces(mesh), face_map, [&](auto f) { return measures.angle_distortion(f); });
+  return face_angle_distortion(CGAL::Sequential_tag(), mesh, sphere_map, face_map, np);
 }
 
-/// The quasi-conformal dilatation sigma_1 / sigma_2 >= 1 of the affine map between the flat triangles; 1 where it is
-/// conformal, infinite for faces without area.
-/// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
-/// \param sphere_map  readable, key vertex_descriptor, value unit vectors; a valid map
-/// \param face_map    writable, key face_descriptor, value double
-/// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
-/// \return the smallest and the largest value
+/// The quasi-conformal distortion (dilatation, shear) of faces, sigma_1 / sigma_2 >= 1 of the affine map between the
+/// flat triangles; 1 where it is conformal, infinite for faces without area. \param policy      `CGAL::Sequential_tag`
+/// or `CGAL::Parallel_tag`; the result does not depend on it \param mesh        a closed triangle mesh, a model of
+/// `FaceListGraph` and `HalfedgeListGraph` \param sphere_map  readable, key vertex_descriptor, value unit vectors; a
+/// valid map \param face_map    writable, key face_descriptor, value double \param np          optional named
+/// parameters: `vertex_point_map`, by default the mesh's own \return the smallest and the largest value
+template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class FaceMap,
+          class NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          internal::If_policy<ExecutionPolicy> = 0
+#endif
+          >
+std::pair<double, double> face_dilatation(const ExecutionPolicy& policy, const TriangleMesh& mesh,
+                                          VertexSphereMap sphere_map, FaceMap face_map,
+                                          const NamedParameters& np = parameters::default_values())
+{
+  return internal::measure_faces(policy, mesh, sphere_map, face_map, np,
+                                 [](const internal::Face_measures& measures, int f) { return measures.dilatation(f); });
+}
+
+/// \overload
+/// On one core.
 template <class TriangleMesh, class VertexSphereMap, class FaceMap,
-          class NamedParameters = parameters::Default_named_parameters>
+          class NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          internal::If_no_policy<TriangleMesh> = 0
+#endif
+          >
 std::pair<double, double> face_dilatation(const TriangleMesh& mesh, VertexSphereMap sphere_map, FaceMap face_map,
                                           const NamedParameters& np = parameters::default_values())
 {
-  const auto measures = internal::make_face_measures(mesh, sphere_map, np);
-  return internal::put_values(faces(mesh), face_map, [&](auto f) { return measures.dilatation(f); });
+  return face_dilatation(CGAL::Sequential_tag(), mesh, sphere_map, face_map, np);
 }
 
 /// The symmetric Dirichlet energy sigma_1^2 + sigma_2^2 + 1/sigma_1^2 + 1/sigma_2^2 >= 4 of the affine map between the
 /// flat triangles, both surfaces scaled to the same area; 4 where it is isometric, infinite for faces without area.
 /// J. Smith and S. Schaefer, "Bijective parameterization with free boundaries", SIGGRAPH 2015.
+/// \param policy      `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result does not depend on it
 /// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param sphere_map  readable, key vertex_descriptor, value unit vectors; a valid map
 /// \param face_map    writable, key face_descriptor, value double
 /// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
 /// \return the smallest and the largest value
+template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class FaceMap,
+          class NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          internal::If_policy<ExecutionPolicy> = 0
+#endif
+          >
+std::pair<double, double> face_symmetric_dirichlet(const ExecutionPolicy& policy, const TriangleMesh& mesh,
+                                                   VertexSphereMap sphere_map, FaceMap face_map,
+                                                   const NamedParameters& np = parameters::default_values())
+{
+  return internal::measure_faces(
+    policy, mesh, sphere_map, face_map, np,
+    [](const internal::Face_measures& measures, int f) { return measures.flat_symmetric_dirichlet(f); });
+}
+
+/// \overload
+/// On one core.
 template <class TriangleMesh, class VertexSphereMap, class FaceMap,
-          class NamedParameters = parameters::Default_named_parameters>
+          class NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          internal::If_no_policy<TriangleMesh> = 0
+#endif
+          >
 std::pair<double, double> face_symmetric_dirichlet(const TriangleMesh& mesh, VertexSphereMap sphere_map,
                                                    FaceMap face_map,
                                                    const NamedParameters& np = parameters::default_values())
 {
-  const auto measures = internal::make_face_measures(mesh, sphere_map, np);
-  return internal::put_values(faces(mesh), face_map, [&](auto f) { return measures.flat_symmetric_dirichlet(f); });
+  return face_symmetric_dirichlet(CGAL::Sequential_tag(), mesh, sphere_map, face_map, np);
 }
 
 /// @}
@@ -163,36 +333,67 @@ std::pair<double, double> face_symmetric_dirichlet(const TriangleMesh& mesh, Ver
 /// \param face_map    readable, key face_descriptor, value double
 /// \param vertex_map  writable, key vertex_descriptor, value double
 /// \return the smallest and the largest value
+/// \throws Error  `ISOLATED_VERTEX` or `BOUNDARY` where there is a vertex without faces, or a boundary
 template <class TriangleMesh, class FaceMap, class VertexMap>
 std::pair<double, double> mean_over_faces(const TriangleMesh& mesh, FaceMap face_map, VertexMap vertex_map)
 {
-  return internal::put_values(vertices(mesh), vertex_map, [&](auto v) {
-    double sum = 0;
-    int count = 0;
-    for(auto h : halfedges_around_target(halfedge(v, mesh), mesh)) {
-      sum += get(face_map, face(h, mesh));
-      ++count;
-    }
-    return sum / count;
-  });
+  std::vector<double> values;
+  for(auto f : faces(mesh))
+    values.push_back(get(face_map, f));
+  return internal::put_values(
+    vertices(mesh), internal::means_over_faces(internal::Sequential_loop(), internal::vertex_stars(mesh), values),
+    vertex_map);
 }
 
-/// The area stretch of Definition 1 itself: for every vertex the mean of `face_log_area_stretch()`.
-/// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
+/// The area distortion of Definition 1 of the paper, the logarithmic area stretch of vertices: for every vertex the
+/// mean of `face_log_area_stretch()`. \param policy      `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result
+/// does not depend on it \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param sphere_map  readable, key vertex_descriptor, value unit vectors; a valid map
 /// \param stretch_map writable, key vertex_descriptor, value double
 /// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
 /// \return the smallest and the largest value
+/// \throws Error  `ISOLATED_VERTEX` or `BOUNDARY` where there is a vertex without faces, or a boundary
+template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class VertexStretchMap,
+          class NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          internal::If_policy<ExecutionPolicy> = 0
+#endif
+          >
+std::pair<double, double> vertex_log_area_stretch(const ExecutionPolicy& policy, const TriangleMesh& mesh,
+                                                  VertexSphereMap sphere_map, VertexStretchMap stretch_map,
+                                                  const NamedParameters& np = parameters::default_values())
+{
+  const auto loop = internal::host_loop(policy);
+  return internal::put_values(
+    vertices(mesh), internal::vertex_stretch(mesh, internal::make_face_measures(mesh, sphere_map, np, loop), loop),
+    stretch_map);
+}
+
+/// \overload
+/// On one core.
+template <class TriangleMesh, class VertexSphereMap, class VertexStretchMap,
+          class NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          internal::If_no_policy<TriangleMesh> = 0
+#endif
+          >
+std::pair<double, double> vertex_log_area_stretch(const TriangleMesh& mesh, VertexSphereMap sphere_map,
+                                                  VertexStretchMap stretch_map,
+                                                  const NamedParameters& np = parameters::default_values())
+{
+  return vertex_log_area_stretch(CGAL::Sequential_tag(), mesh, sphere_map, stretch_map, np);
+}
+
+/// The former name of `vertex_log_area_stretch()`.
 template <class TriangleMesh, class VertexSphereMap, class VertexStretchMap,
           class NamedParameters = parameters::Default_named_parameters>
 std::pair<double, double> log_area_stretch(const TriangleMesh& mesh, VertexSphereMap sphere_map,
                                            VertexStretchMap stretch_map,
                                            const NamedParameters& np = parameters::default_values())
 {
-  const auto measures = internal::make_face_measures(mesh, sphere_map, np);
-  typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
-  const auto of_face = [&](face_descriptor f) { return measures.log_area_stretch(f); };
-  return mean_over_faces(mesh, boost::make_function_property_map<face_descriptor>(of_face), stretch_map);
+  return vertex_log_area_stretch(CGAL::Sequential_tag(), mesh, sphere_map, stretch_map, np);
 }
 
 /// @}

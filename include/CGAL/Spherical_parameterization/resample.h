@@ -4,16 +4,17 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_RESAMPLE_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_RESAMPLE_H
 
+#include <CGAL/Spherical_parameterization/internal/base/precondition.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/icosphere.h>
 #include <CGAL/Spherical_parameterization/transfer_properties.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <array>
-#include <stdexcept>
 #include <vector>
 
 namespace CGAL {
@@ -29,12 +30,11 @@ constexpr int largest_icosphere_level = 12;
 /// \param level       0 for an icosahedron
 /// \param out         a model of `MutableFaceGraph`, empty
 /// \param sphere_map  writable, key vertex_descriptor of `out`, value constructible from three numbers: unit vectors
-/// \throws std::invalid_argument if the level is not in 0 ... `largest_icosphere_level`
+/// \pre the level is in 0 ... `largest_icosphere_level`
 template <class Graph, class VertexSphereMap>
 void make_icosphere(int level, Graph& out, VertexSphereMap sphere_map)
 {
-  if(level < 0 || level > largest_icosphere_level)
-    throw std::invalid_argument("the level of an icosphere is 0 to 12");
+  CGAL_SP_PRECONDITION(level >= 0 && level <= largest_icosphere_level, "the level of an icosphere is 0 to 12");
   typedef typename boost::property_traits<VertexSphereMap>::value_type Point;
   const internal::Icosphere icosphere(level);
   typedef typename boost::graph_traits<Graph>::vertex_descriptor vertex_descriptor;
@@ -48,28 +48,39 @@ void make_icosphere(int level, Graph& out, VertexSphereMap sphere_map)
     CGAL::Euler::add_face(std::array<vertex_descriptor, 3>{vertex[a], vertex[b], vertex[c]}, out);
 }
 
-/// A shape as a function on the sphere, sampled: adds an icosphere to `out`, and to every vertex of it the point of the
-/// shape that has its direction as image. Two shapes sampled at one level have the same vertices and faces, which is
-/// what morphing and statistics of shapes need.
+/// Remeshing by an icosphere, a shape as a function on the sphere, sampled: adds an icosphere to `out`, and to every
+/// vertex of it the point of the shape that has its direction as image. Two shapes sampled at one level have the same
+/// vertices and faces, which is what morphing and statistics of shapes need.
 ///
 /// The samples are even on the sphere and not on the shape: a limb that the map makes tiny gets few of them or none.
 /// Barycentric weights or larger spring exponents keep limbs wider.
 ///
+/// \param policy      `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result does not depend on it
 /// \param shape       the inverse of the map of the shape
 /// \param points      readable, key vertex_descriptor of the shape; see `interpolate()`
 /// \param level       of the icosphere
 /// \param out         a model of `MutableFaceGraph`, empty
 /// \param out_points  writable, key vertex_descriptor of `out`
 /// \param out_sphere  writable, likewise: the directions
-/// \throws std::invalid_argument if the level is not in 0 ... `largest_icosphere_level`
+/// \pre the level is in 0 ... `largest_icosphere_level`
 ///
 /// Complexity: 10 * 4^level + 2 queries.
+template <class ExecutionPolicy, class TriangleMesh, class VertexPointMap, class Graph, class OutPointMap,
+          class OutSphereMap>
+void resample(const ExecutionPolicy& policy, const Spherical_locator<TriangleMesh>& shape, VertexPointMap points,
+              int level, Graph& out, OutPointMap out_points, OutSphereMap out_sphere)
+{
+  make_icosphere(level, out, out_sphere);
+  transfer_vertex_property(policy, shape, points, out, out_sphere, out_points);
+}
+
+/// \overload
+/// On one core.
 template <class TriangleMesh, class VertexPointMap, class Graph, class OutPointMap, class OutSphereMap>
 void resample(const Spherical_locator<TriangleMesh>& shape, VertexPointMap points, int level, Graph& out,
               OutPointMap out_points, OutSphereMap out_sphere)
 {
-  make_icosphere(level, out, out_sphere);
-  transfer_vertex_property(shape, points, out, out_sphere, out_points);
+  resample(CGAL::Sequential_tag(), shape, points, level, out, out_points, out_sphere);
 }
 
 /// @}

@@ -14,27 +14,23 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_SEGMENTATION_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_SEGMENTATION_H
 
-#include <CGAL/Spherical_parameterization/Result.h>
-#include <CGAL/Spherical_parameterization/internal/segmentation/Segmentation_mesh.h>
-#include <CGAL/Spherical_parameterization/internal/segmentation/concave_cuts.h>
-#include <CGAL/Spherical_parameterization/internal/segmentation/girth_profiles.h>
-#include <CGAL/Spherical_parameterization/internal/segmentation/majority_vote.h>
+#include <CGAL/Spherical_parameterization/Error.h>
+#include <CGAL/Spherical_parameterization/internal/backend/host_policy.h>
 #include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
-#include <CGAL/Spherical_parameterization/internal/segmentation/region_growing.h>
-#include <CGAL/Spherical_parameterization/internal/segmentation/segment_selection.h>
+#include <CGAL/Spherical_parameterization/internal/base/precondition.h>
+#include <CGAL/Spherical_parameterization/internal/distortion/Face_measures.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/Mapped_surface.h>
+#include <CGAL/Spherical_parameterization/internal/segmentation/segments.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
+#include <CGAL/Spherical_parameterization/segmentation_methods.h>
 
-#include <CGAL/assertions.h>
+#include <CGAL/tags.h>
 
-#include <boost/functional/hash.hpp>
-#include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <string>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -43,44 +39,6 @@ namespace Spherical_parameterization {
 
 /// \addtogroup PkgSphericalParameterizationSegmentation
 /// @{
-
-/// What all methods of segmentation understand.
-struct Segment_limits {
-  /// Segments smaller than this share of the whole area, in [0, 1], are given to a neighbour.
-  double minimum_area = 0.01;
-  /// 0: the method chooses. Else the method's least convincing cuts are left out until there are so many; if it has
-  /// found less, there are less.
-  std::size_t number_of_segments = 0;
-};
-
-/// The default: girth profiles and four concavity segmentations vote.
-///
-/// Girth profiles know where a limb ends, but not of parts that are no limbs: fins, lids, the steps of a turned part.
-/// Those are bordered by concave creases, which a bottom-up normalised cut finds, at the price of cutting every crease.
-/// It is made at four scales (valleys of 0.02 to 0.07 times the square root of the area), each with one vote; the
-/// girth profiles have two. Neighbours whose union has a majority are united. Where a shape has no limbs the girths
-/// abstain from cutting, and three of the four scales have to agree.
-///
-/// O(n log n); on one core 15,000 faces take about 0.3 s.
-///
-/// \cgalModels{SphericalSegmentationMethod}
-struct Majority_vote : Segment_limits {};
-
-/// Girth profiles alone: the fastest. Cuts limbs off where, along the isolines round their tips on the sphere, the
-/// girth starts to grow like that of a body, and at necks. What is no limb is one segment. O(n) for each tip.
-///
-/// \cgalModels{SphericalSegmentationMethod}
-struct Girth_profiles : Segment_limits {};
-
-/// The published method: region growing over the stretch. T. Athanasiadis and I. Fudos, "Parallel computation of
-/// spherical parameterizations for mesh analysis", Computers & Graphics 35 (SMI 2011), section 5.1. Seeds are the local
-/// extrema of the stretch (Definition 2), taken in descending order; a region grows from each over the faces whose
-/// logarithmic stretch differs by at most `threshold` from that of the seed, and seeds it meets are dropped.
-///
-/// \cgalModels{SphericalSegmentationMethod}
-struct Region_growing : Segment_limits {
-  double threshold = 1; ///< difference of logarithms of the stretch; 0 or more
-};
 
 /// What became of a segmentation. `segment_map` is written only if there is no error.
 struct Segmentation_result {
@@ -94,76 +52,31 @@ struct Segmentation_result {
 
 namespace internal {
 
-inline void check_limits(const Segment_limits& limits)
+inline void check_options(const Segment_limits& limits)
 {
-  CGAL_precondition(limits.minimum_area >= 0 && limits.minimum_area <= 1);
-  (void)limits;
+  CGAL_SP_PRECONDITION(limits.minimum_area >= 0 && limits.minimum_area <= 1,
+                       "the minimum area of segments is a share: 0 to 1");
 }
 
-inline std::vector<int> segments_of(const Segmentation_mesh& mesh, const std::vector<double>& stretch,
-                                    const Girth_profiles& method)
+inline void check_options(const Region_growing& method)
 {
-  return selected_segments(mesh, girth_labels(mesh, stretch), method.minimum_area, method.number_of_segments);
+  check_options(static_cast<const Segment_limits&>(method));
+  CGAL_SP_PRECONDITION(method.threshold >= 0, "the threshold of region growing must not be negative");
 }
 
-inline std::vector<int> segments_of(const Segmentation_mesh& mesh, const std::vector<double>& stretch,
-                                    const Region_growing& method)
-{
-  CGAL_precondition(method.threshold >= 0);
-  return selected_segments(mesh, grown_labels(mesh, stretch, method.threshold), method.minimum_area,
-                           method.number_of_segments);
-}
-
-inline std::vector<int> segments_of(const Segmentation_mesh& mesh, const std::vector<double>& stretch,
-                                    const Majority_vote& method)
-{
-  constexpr double girth_weight = 2;
-  std::vector<Voter> voters = {{segments_of(mesh, stretch, Girth_profiles()), girth_weight}};
-  for(std::vector<int>& label : concavity_segments(mesh))
-    voters.push_back({std::move(label), 1});
-  return majority_segments(mesh, voters, method.minimum_area, method.number_of_segments);
-}
-
-} // namespace internal
-
-/// Cuts a mesh by its stretch. Every segment is connected; their numbers are 0 ... n-1 in the order of their first
-/// faces.
-///
-/// Deterministic. Scaling and rotating the mesh and rotating the sphere change nothing, but where decisions hang on
-/// rounding; nor does another numbering, but where the shape leaves a choice, as symmetric ones do.
-/// \param mesh        a closed triangle mesh of genus 0, a model of `FaceListGraph` and `HalfedgeListGraph`
-/// \param sphere_map  readable, key vertex_descriptor, value of any length but 0
-/// \param stretch_map readable, key face_descriptor, value double: what `face_log_area_stretch()` has written. Faces
-///                    with less than 1e-36 of the sphere, and flipped ones, count as if they had 1e-36: doubles resolve
-///                    nothing smaller near length 1, so that limbs that are too thin end in a plateau.
-/// \param segment_map writable, key face_descriptor, value constructible from std::size_t
-/// \param method      `Majority_vote`, `Girth_profiles` or `Region_growing`
-/// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
-/// \return the number of segments, or what is wrong with the mesh or the maps
-template <class TriangleMesh, class VertexSphereMap, class FaceStretchMap, class FaceSegmentMap,
-          class Method = Majority_vote, class NamedParameters = parameters::Default_named_parameters>
-Segmentation_result segmentation_from_area_stretch(const TriangleMesh& mesh, VertexSphereMap sphere_map,
-                                                   FaceStretchMap stretch_map, FaceSegmentMap segment_map,
-                                                   const Method& method = Method(),
-                                                   const NamedParameters& np = parameters::default_values())
+/// \param read_stretch  returns the stretch of the faces, in their order
+template <class Loop, class TriangleMesh, class VertexSphereMap, class ReadStretch, class FaceSegmentMap, class Method,
+          class NamedParameters>
+Segmentation_result segment(const Loop& loop, const TriangleMesh& mesh, VertexSphereMap sphere_map,
+                            ReadStretch read_stretch, FaceSegmentMap segment_map, const Method& method,
+                            const NamedParameters& np)
 {
   typedef typename boost::property_traits<FaceSegmentMap>::value_type Segment_id;
-  constexpr double least_share = 1e-36;
-  constexpr double least_area = 1e-300;
-  internal::check_limits(method);
+  check_options(method);
   Segmentation_result result;
   try {
-    const internal::Segmentation_mesh arrays =
-      internal::read_segmentation_mesh(mesh, internal::vertex_points(mesh, np), sphere_map);
-    std::vector<double> stretch;
-    stretch.reserve(arrays.face.size());
-    for(auto f : faces(mesh)) {
-      const double value = get(stretch_map, f);
-      if(!std::isfinite(value))
-        throw Error{Error_code::NON_FINITE_COORDINATE, "the stretch of face " + std::to_string(stretch.size())};
-      stretch.push_back((std::min)(value, std::log((std::max)(arrays.area[stretch.size()], least_area) / least_share)));
-    }
-    const std::vector<int> segment = internal::segments_of(arrays, stretch, method);
+    Mapped_surface surface = read_mapped_surface(mesh, vertex_points(mesh, np), sphere_map, loop);
+    const std::vector<int> segment = segments_of(loop, std::move(surface), read_stretch(), method);
     std::size_t i = 0;
     for(auto f : faces(mesh)) {
       const std::size_t id = static_cast<std::size_t>(segment[i++]);
@@ -177,24 +90,108 @@ Segmentation_result segmentation_from_area_stretch(const TriangleMesh& mesh, Ver
   return result;
 }
 
-/// Measure and cut in one call.
+} // namespace internal
+
+/// Segmentation (part decomposition) of a mesh by its stretch: cuts limbs off. Every segment is connected; their
+/// numbers are 0 ... n-1 in the order of their first faces.
+///
+/// Deterministic. Scaling and rotating the mesh and rotating the sphere change nothing, but where decisions hang on
+/// rounding; nor does another numbering, but where the shape leaves a choice, as symmetric ones do.
+/// \param policy      `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result does not depend on it
+/// \param mesh        a closed triangle mesh of genus 0, a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \param sphere_map  readable, key vertex_descriptor, value of any length but 0
+/// \param stretch_map readable, key face_descriptor, value double: what `face_log_area_stretch()` has written. Faces
+///                    with less than 1e-36 of the sphere, and flipped ones, count as if they had 1e-36: doubles resolve
+///                    nothing smaller near length 1, so that limbs that are too thin end in a plateau.
+/// \param segment_map writable, key face_descriptor, value constructible from std::size_t
+/// \param method      `Majority_vote`, `Girth_profiles` or `Region_growing`
+/// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
+/// \return the number of segments, or what is wrong with the mesh or the maps
+/// \pre the options of the method are in their ranges
+template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class FaceStretchMap, class FaceSegmentMap,
+          class Method = Majority_vote, class NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          internal::If_policy<ExecutionPolicy> = 0
+#endif
+          >
+Segmentation_result segmentation_from_area_stretch(const ExecutionPolicy& policy, const TriangleMesh& mesh,
+                                                   VertexSphereMap sphere_map, FaceStretchMap stretch_map,
+                                                   FaceSegmentMap segment_map, const Method& method = Method(),
+                                                   const NamedParameters& np = parameters::default_values())
+{
+  const auto read_stretch = [&] {
+    std::vector<double> stretch;
+    for(auto f : faces(mesh))
+      stretch.push_back(get(stretch_map, f));
+    return stretch;
+  };
+  return internal::segment(internal::host_loop(policy), mesh, sphere_map, read_stretch, segment_map, method, np);
+}
+
+/// \overload
+/// On one core.
+template <class TriangleMesh, class VertexSphereMap, class FaceStretchMap, class FaceSegmentMap,
+          class Method = Majority_vote, class NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          internal::If_no_policy<TriangleMesh> = 0
+#endif
+          >
+Segmentation_result segmentation_from_area_stretch(const TriangleMesh& mesh, VertexSphereMap sphere_map,
+                                                   FaceStretchMap stretch_map, FaceSegmentMap segment_map,
+                                                   const Method& method = Method(),
+                                                   const NamedParameters& np = parameters::default_values())
+{
+  return segmentation_from_area_stretch(CGAL::Sequential_tag(), mesh, sphere_map, stretch_map, segment_map, method, np);
+}
+
+/// Segmentation (part decomposition) of a mesh by its map: measures the stretch and cuts, in one call.
+/// \param policy      `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result does not depend on it
 /// \param mesh        a closed triangle mesh of genus 0, a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param sphere_map  readable, key vertex_descriptor, value unit vectors; the map need not be valid
 /// \param segment_map writable, key face_descriptor, value constructible from std::size_t
 /// \param method      `Majority_vote`, `Girth_profiles` or `Region_growing`
 /// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
 /// \return the number of segments, or what is wrong with the mesh or the map
+/// \pre the options of the method are in their ranges
+template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class FaceSegmentMap,
+          class Method = Majority_vote, class NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          internal::If_policy<ExecutionPolicy> = 0
+#endif
+          >
+Segmentation_result segmentation_via_area_stretch(const ExecutionPolicy& policy, const TriangleMesh& mesh,
+                                                  VertexSphereMap sphere_map, FaceSegmentMap segment_map,
+                                                  const Method& method = Method(),
+                                                  const NamedParameters& np = parameters::default_values())
+{
+  const auto loop = internal::host_loop(policy);
+  const auto measure_stretch = [&] {
+    const auto stretch =
+      internal::make_face_measures(mesh, sphere_map, np, loop).values(loop, [](const auto& measures, int f) {
+        return measures.log_area_stretch(f);
+      });
+    return std::vector<double>(stretch.begin(), stretch.end());
+  };
+  return internal::segment(loop, mesh, sphere_map, measure_stretch, segment_map, method, np);
+}
+
+/// \overload
+/// On one core.
 template <class TriangleMesh, class VertexSphereMap, class FaceSegmentMap, class Method = Majority_vote,
-          class NamedParameters = parameters::Default_named_parameters>
+          class NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          internal::If_no_policy<TriangleMesh> = 0
+#endif
+          >
 Segmentation_result segmentation_via_area_stretch(const TriangleMesh& mesh, VertexSphereMap sphere_map,
                                                   FaceSegmentMap segment_map, const Method& method = Method(),
                                                   const NamedParameters& np = parameters::default_values())
 {
-  typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
-  std::unordered_map<face_descriptor, double, boost::hash<face_descriptor>> stretch;
-  const boost::associative_property_map<decltype(stretch)> stretch_map(stretch);
-  face_log_area_stretch(mesh, sphere_map, stretch_map, np);
-  return segmentation_from_area_stretch(mesh, sphere_map, stretch_map, segment_map, method, np);
+  return segmentation_via_area_stretch(CGAL::Sequential_tag(), mesh, sphere_map, segment_map, method, np);
 }
 
 /// @}

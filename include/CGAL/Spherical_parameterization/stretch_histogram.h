@@ -4,15 +4,16 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_STRETCH_HISTOGRAM_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_STRETCH_HISTOGRAM_H
 
-#include <CGAL/Spherical_parameterization/internal/distortion/Face_measures.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/Vertex_numbering.h>
-#include <CGAL/Spherical_parameterization/internal/distortion/histogram.h>
+#include <CGAL/Spherical_parameterization/Error.h>
+#include <CGAL/Spherical_parameterization/internal/backend/host_policy.h>
+#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
+#include <CGAL/Spherical_parameterization/internal/base/precondition.h>
+#include <CGAL/Spherical_parameterization/internal/distortion/Face_measures.h>
+#include <CGAL/Spherical_parameterization/internal/base/histogram.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 
-#include <CGAL/assertions.h>
-
-#include <boost/property_map/property_map.hpp>
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <array>
@@ -20,7 +21,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <random>
-#include <stdexcept>
 #include <vector>
 
 namespace CGAL {
@@ -54,25 +54,11 @@ struct Stretch_histogram {
 
 namespace internal {
 
-/// Writes numbers to an array, in the order of vertices(mesh).
-template <class TriangleMesh>
-struct Array_map {
-  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor key_type;
-  typedef double value_type;
-  typedef void reference;
-  typedef boost::writable_property_map_tag category;
-
-  const Vertex_numbering<TriangleMesh>* numbering;
-  std::vector<double>* values;
-
-  friend void put(const Array_map& map, const key_type& v, double value) { (*map.values)[(*map.numbering)(v)] = value; }
-};
-
 /// Area-uniform points of a triangle mesh, as the numbers of the barycentric cells in which they are.
 class Cell_sampler {
 public:
   /// \param accumulated  of the areas of the faces, ends with their sum
-  Cell_sampler(const std::vector<double>& accumulated, const std::vector<std::array<int, 3>>& corners)
+  Cell_sampler(const std::vector<double>& accumulated, const Host_array<std::array<int, 3>>& corners)
     : accumulated_(accumulated), corners_(corners)
   {}
 
@@ -91,7 +77,7 @@ public:
 
 private:
   const std::vector<double>& accumulated_;
-  const std::vector<std::array<int, 3>>& corners_;
+  const Host_array<std::array<int, 3>>& corners_;
 };
 
 /// Number of samples by cell.
@@ -117,55 +103,80 @@ inline std::vector<double> sample_cells(const Stretch_histogram& options, const 
   return count;
 }
 
+/// \param stretch  of the vertices
+inline std::vector<double> stretch_histogram(const Face_measures& measures, const Host_array<double>& stretch,
+                                             const Stretch_histogram& options)
+{
+  std::vector<double> accumulated, cell_area(stretch.size(), 0);
+  double total = 0;
+  for(int f = 0; f < measures.number_of_faces(); ++f) {
+    const double area = measures.source_area(f);
+    accumulated.push_back(total += area);
+    for(int i : measures.faces().face[f])
+      cell_area[i] += area / 3;
+  }
+  if(!(total > 0))
+    throw Error(Error_code::DEGENERATE_FACE, "the mesh has no area");
+  const std::vector<double> weight =
+    options.sampling == Stretch_histogram::Sampling::EXACT_AREAS ? cell_area
+    : options.sampling == Stretch_histogram::Sampling::VERTICES
+      ? std::vector<double>(stretch.size(), 1)
+      : sample_cells(options, Cell_sampler(accumulated, measures.faces().face), stretch.size());
+
+  Histogram histogram(options.bins, options.low, options.high);
+  for(std::size_t i = 0; i < stretch.size(); ++i)
+    histogram.add(options.scale == Stretch_histogram::Scale::LINEAR ? std::exp(stretch[i]) : stretch[i], weight[i]);
+  return histogram.shares();
+}
+
 } // namespace internal
 
-/// The signature of the paper: the histogram of the area stretch factor of Definition 1, as `log_area_stretch()`
-/// measures it. T. Athanasiadis and I. Fudos, SMI 2011, section 5.3. Shares, which add up to 1. See `shape_signature()`
-/// for one that tells shapes apart better, and depends less on the tessellation.
+/// The signature of the paper: the histogram of the area stretch factor of Definition 1, as
+/// `vertex_log_area_stretch()` measures it. T. Athanasiadis and I. Fudos, SMI 2011, section 5.3. Shares, which add up
+/// to 1. See `shape_signature()` for one that tells shapes apart better, and depends less on the tessellation.
 ///
+/// \param policy      `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result does not depend on it
 /// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param sphere_map  readable, key vertex_descriptor, value unit vectors
 /// \param options     which histogram
 /// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
 /// \return one share for each bin
 /// \pre options.bins >= 2, options.low < options.high, options.number_of_samples >= 1
-/// \throws std::invalid_argument for a mesh without area
+/// \throws Error  `DEGENERATE_FACE` for a mesh without area, and what `vertex_log_area_stretch()` throws
 ///
 /// Complexity: linear in the size of the mesh and the number of samples.
-template <class TriangleMesh, class VertexSphereMap, class NamedParameters = parameters::Default_named_parameters>
+template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap,
+          class NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          internal::If_policy<ExecutionPolicy> = 0
+#endif
+          >
+std::vector<double> stretch_histogram(const ExecutionPolicy& policy, const TriangleMesh& mesh,
+                                      VertexSphereMap sphere_map, const Stretch_histogram& options = {},
+                                      const NamedParameters& np = parameters::default_values())
+{
+  CGAL_SP_PRECONDITION(options.bins >= 2, "a histogram has two bins or more");
+  CGAL_SP_PRECONDITION(options.low < options.high, "the first bin of a histogram begins below the end of the last one");
+  CGAL_SP_PRECONDITION(options.number_of_samples >= 1, "a histogram has one sample or more");
+  const auto loop = internal::host_loop(policy);
+  const internal::Face_measures measures = internal::make_face_measures(mesh, sphere_map, np, loop);
+  return internal::stretch_histogram(measures, internal::vertex_stretch(mesh, measures, loop), options);
+}
+
+/// \overload
+/// On one core.
+template <class TriangleMesh, class VertexSphereMap, class NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          internal::If_no_policy<TriangleMesh> = 0
+#endif
+          >
 std::vector<double> stretch_histogram(const TriangleMesh& mesh, VertexSphereMap sphere_map,
                                       const Stretch_histogram& options = {},
                                       const NamedParameters& np = parameters::default_values())
 {
-  CGAL_precondition(options.bins >= 2 && options.low < options.high && options.number_of_samples >= 1);
-  const internal::Vertex_numbering<TriangleMesh> numbering(mesh);
-  std::vector<double> stretch(numbering.size());
-  log_area_stretch(mesh, sphere_map, internal::Array_map<TriangleMesh>{&numbering, &stretch}, np);
-
-  const auto measures = internal::make_face_measures(mesh, sphere_map, np);
-  std::vector<double> accumulated, cell_area(stretch.size(), 0);
-  std::vector<std::array<int, 3>> corners;
-  double total = 0;
-  for(auto f : faces(mesh)) {
-    const auto h = halfedge(f, mesh);
-    corners.push_back({numbering(source(h, mesh)), numbering(target(h, mesh)), numbering(target(next(h, mesh), mesh))});
-    const double area = measures.source_area(f);
-    accumulated.push_back(total += area);
-    for(int i : corners.back())
-      cell_area[i] += area / 3;
-  }
-  if(!(total > 0))
-    throw std::invalid_argument("no histogram: the mesh has no area");
-  const std::vector<double> weight =
-    options.sampling == Stretch_histogram::Sampling::EXACT_AREAS ? cell_area
-    : options.sampling == Stretch_histogram::Sampling::VERTICES
-      ? std::vector<double>(stretch.size(), 1)
-      : internal::sample_cells(options, internal::Cell_sampler(accumulated, corners), stretch.size());
-
-  internal::Histogram histogram(options.bins, options.low, options.high);
-  for(std::size_t i = 0; i < stretch.size(); ++i)
-    histogram.add(options.scale == Stretch_histogram::Scale::LINEAR ? std::exp(stretch[i]) : stretch[i], weight[i]);
-  return histogram.shares();
+  return stretch_histogram(CGAL::Sequential_tag(), mesh, sphere_map, options, np);
 }
 
 /// @}

@@ -4,22 +4,25 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_TEXTURE_COORDINATES_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_TEXTURE_COORDINATES_H
 
-#include <CGAL/Spherical_parameterization/internal/texture/least_harmful_poles.h>
+#include <CGAL/Spherical_parameterization/Error.h>
+#include <CGAL/Spherical_parameterization/internal/backend/host_policy.h>
 #include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
-#include <CGAL/Spherical_parameterization/internal/texture/texture_charts.h>
+#include <CGAL/Spherical_parameterization/internal/base/plane.h>
+#include <CGAL/Spherical_parameterization/internal/base/precondition.h>
+#include <CGAL/Spherical_parameterization/internal/base/text.h>
+#include <CGAL/Spherical_parameterization/internal/distortion/Mapped_faces.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/vertex_stars.h>
+#include <CGAL/Spherical_parameterization/internal/texture/texture_layout.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
+#include <CGAL/Spherical_parameterization/texture_options.h>
 
-#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/tags.h>
 
-#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <optional>
-#include <stdexcept>
-#include <string>
 
 namespace CGAL {
 namespace Spherical_parameterization {
@@ -27,46 +30,8 @@ namespace Spherical_parameterization {
 /// \addtogroup PkgSphericalParameterizationTexture
 /// @{
 
-/// How the sphere is laid out in the plane.
-enum class Texture_chart {
-  /// u = longitude / 2 pi, v = 1/2 + latitude / pi, as for maps of the earth. Faces across the seam are continued past
-  /// u = 1, so that textures repeat in u. Corners at a pole have the mean u of the two other corners.
-  LATITUDE_LONGITUDE,
-  /// The octahedral map to the unit square: areas differ by at most 5.2, nothing is torn at the poles. Faces across the
-  /// sides of the square are continued past them, where a texture has to repeat turned by 180 degrees about the
-  /// midpoint of the side (as a checker of an even number of squares does).
-  OCTAHEDRAL
-};
-
-/// Where the chart is on the sphere; two directions that are not parallel. They need not be orthogonal or normalised.
-struct Texture_axes {
-  std::array<double, 3> north;    ///< to v = 1, or the centre of the octahedral square
-  std::array<double, 3> meridian; ///< longitude 0
-};
-
-/// What `texture_coordinates()` is to do.
-struct Texture_options {
-  Texture_chart chart = Texture_chart::LATITUDE_LONGITUDE; ///< how the sphere is laid out in the plane
-  /// Default: where the texture of latitude and longitude is least distorted, the south pole in a vertex, mostly in the
-  /// tip of a limb.
-  std::optional<Texture_axes> axes;
-  /// Coordinates are multiples of 2^-bits, 1 to 52. With 23 they are floats, as viewers use, without further rounding.
-  int bits = 52;
-};
-
-/// What `texture_coordinates()` had to do.
-struct Texture_report {
-  Texture_axes axes;          ///< where the chart is: those of the options, or those that were chosen
-  std::size_t seam_faces = 0; ///< with a corner past the side of the square
-  std::size_t pole_faces = 0; ///< round a pole, or with a corner there (latitude and longitude)
-  /// Faces of which a corner was moved, since the plane triangle between the images of the corners would have been
-  /// flipped or degenerate: those that are too small for the grid, and long ones along which the chart is curved.
-  std::size_t moved_faces = 0;
-  std::size_t unresolved_faces = 0; ///< of these the ones too small: moved by at most two cells of the grid
-  double largest_move = 0;          ///< how far a corner was moved at most, in units of u and v
-};
-
-/// Texture coordinates for every corner of a valid map.
+/// Texture coordinates (uv coordinates, texture mapping) for every corner of a valid map. The edges along which they
+/// are cut: `texture_seams()`.
 ///
 /// Guarantee: every face has a counter-clockwise uv triangle that is not degenerate, by an exact predicate on the
 /// coordinates handed out; also for limbs that are smaller on the sphere than the coordinates resolve. This may open
@@ -74,6 +39,7 @@ struct Texture_report {
 /// the chart bends them by more than their width (`Texture_report` says how many and how far). u and v are in [0, 1],
 /// for faces across the seam in [-1, 2].
 ///
+/// \param policy      `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result does not depend on it
 /// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param sphere_map  readable, key vertex_descriptor, value unit vectors; a valid map
 /// \param uv_map      writable, key halfedge_descriptor, value constructible from two doubles: the corner of face(h) at
@@ -81,87 +47,91 @@ struct Texture_report {
 /// \param options     the chart, where it is on the sphere, and the grid of the coordinates
 /// \param np          optional named parameters: `vertex_point_map`, for the choice of the poles
 /// \return what had to be done
-/// \throws std::invalid_argument if the map has flipped faces, the axes are parallel or not finite, or the bits make no
-///         sense; before anything is written
+/// \throws Error  if the mesh has no faces, an isolated vertex or, where the poles are to be chosen, a boundary; or if
+///         the map has flipped faces; before anything is written
+/// \pre the axes are finite and not parallel, and there are 1 to 52 bits
 ///
 /// Complexity: O(n log n); the logarithm is for the choice of the poles.
-template <class TriangleMesh, class VertexSphereMap, class HalfedgeUVMap,
-          class NamedParameters = parameters::Default_named_parameters>
-Texture_report texture_coordinates(const TriangleMesh& mesh, VertexSphereMap sphere_map, HalfedgeUVMap uv_map,
-                                   const Texture_options& options = Texture_options(),
-                                   const NamedParameters& np = parameters::default_values());
-
-namespace internal {
-
-inline Frame frame_of(const Texture_axes& axes)
-{
-  const vec3 north = {axes.north[0], axes.north[1], axes.north[2]};
-  const vec3 meridian = {axes.meridian[0], axes.meridian[1], axes.meridian[2]};
-  const vec3 normal = outer(scaled_to_unit_box(north), scaled_to_unit_box(meridian));
-  if(!is_finite(north) || !is_finite(meridian) || !(inner(normal, normal) > 1e-20))
-    throw std::invalid_argument("the axes of the texture are parallel or no directions");
-  const bool is_unit = std::abs(inner(north, north) - 1) <= 1e-15;
-  return Frame(is_unit ? north : scaled_to_unit_box(north), scaled_to_unit_box(meridian));
-}
-
-/// Any meridian will do: that of the coordinate axis farthest from the pole.
-inline Texture_axes axes_with_south_pole(vec3 south)
-{
-  const double x = std::abs(south.x), y = std::abs(south.y), z = std::abs(south.z);
-  Texture_axes axes = {{-south.x, -south.y, -south.z}, {0, 0, 0}};
-  axes.meridian[x <= y && x <= z ? 0 : y <= z ? 1 : 2] = 1;
-  return axes;
-}
-
-template <class TriangleMesh, class VertexSphereMap, class HalfedgeUVMap, class Chart>
-void put_texture_coordinates(const TriangleMesh& mesh, VertexSphereMap sphere_map, HalfedgeUVMap uv_map,
-                             const Chart& chart, const Uv_grid& grid, Texture_report& report)
+template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class HalfedgeUVMap,
+          class NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          internal::If_policy<ExecutionPolicy> = 0
+#endif
+          >
+Texture_report texture_coordinates(const ExecutionPolicy& policy, const TriangleMesh& mesh, VertexSphereMap sphere_map,
+                                   HalfedgeUVMap uv_map, const Texture_options& options = Texture_options(),
+                                   const NamedParameters& np = parameters::default_values())
 {
   typedef typename boost::property_traits<HalfedgeUVMap>::value_type UV;
+  CGAL_SP_PRECONDITION(options.bits >= 1 && options.bits <= 52, "texture coordinates have 1 to 52 bits");
+  const auto loop = internal::host_loop(policy);
+  internal::Mapped_faces map = internal::read_images(mesh, sphere_map, loop);
+  if(map.face.empty())
+    throw Error(Error_code::EMPTY_MESH, "there is nothing to lay out");
+  internal::check_no_isolated_vertex(map.face, static_cast<int>(map.image.size()));
+  if(const std::size_t flipped = internal::number_of_flipped_faces(loop, map); flipped > 0)
+    throw Error(Error_code::NOT_BIJECTIVE, internal::counted(flipped, "flipped face", "flipped faces"));
+  internal::Vertex_stars stars;
+  if(!options.axes) {
+    map.point = internal::read_vectors(mesh, internal::vertex_points(mesh, np));
+    stars = internal::vertex_stars(mesh);
+  }
+  const internal::Texture_layout layout = internal::texture_layout(loop, map, stars, options);
+  std::size_t i = 0;
   for(auto f : faces(mesh)) {
-    const Charted_face face = chart(corners(mesh, sphere_map, f));
-    report.seam_faces += face.is_at_seam;
-    report.pole_faces += face.is_at_pole;
-    Uv_triangle uv = grid.rounded(face.uv);
-    if(!is_counterclockwise(uv)) {
-      uv = grid.turned_over(face.uv, face.area);
-      double move = 0;
-      for(int k = 0; k < 3; ++k)
-        move = (std::max)(move, distance(uv[k], face.uv[k]));
-      ++report.moved_faces;
-      report.unresolved_faces += move <= 2 * grid.cell();
-      report.largest_move = (std::max)(report.largest_move, move);
-      chart.into_range(uv);
-    }
+    const std::array<internal::vec2, 3>& uv = layout.uv[i++];
     auto h = halfedge(f, mesh);
     for(int k = 0; k < 3; ++k, h = next(h, mesh))
       put(uv_map, h, UV(uv[(k + 1) % 3].x, uv[(k + 1) % 3].y)); // corner 0 is the source of the first halfedge
   }
+  return layout.report;
 }
 
-} // namespace internal
-
-template <class TriangleMesh, class VertexSphereMap, class HalfedgeUVMap, class NamedParameters>
+/// \overload
+/// On one core.
+template <class TriangleMesh, class VertexSphereMap, class HalfedgeUVMap,
+          class NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          internal::If_no_policy<TriangleMesh> = 0
+#endif
+          >
 Texture_report texture_coordinates(const TriangleMesh& mesh, VertexSphereMap sphere_map, HalfedgeUVMap uv_map,
-                                   const Texture_options& options, const NamedParameters& np)
+                                   const Texture_options& options = Texture_options(),
+                                   const NamedParameters& np = parameters::default_values())
 {
-  if(options.bits < 1 || options.bits > 52)
-    throw std::invalid_argument("texture coordinates have 1 to 52 bits");
-  if(const std::size_t flipped = number_of_flipped_faces(mesh, sphere_map); flipped > 0)
-    throw std::invalid_argument("no texture coordinates: the map has " + std::to_string(flipped) + " flipped faces");
+  return texture_coordinates(CGAL::Sequential_tag(), mesh, sphere_map, uv_map, options, np);
+}
 
-  Texture_report report;
-  report.axes = options.axes ? *options.axes
-                             : internal::axes_with_south_pole(internal::least_harmful_south_pole(
-                                 mesh, internal::vertex_points(mesh, np), sphere_map));
-  const internal::Frame frame = internal::frame_of(report.axes);
-  const internal::Uv_grid grid(options.bits);
-  if(options.chart == Texture_chart::LATITUDE_LONGITUDE)
-    internal::put_texture_coordinates(mesh, sphere_map, uv_map, internal::Latitude_longitude_chart(frame), grid,
-                                      report);
-  else
-    internal::put_texture_coordinates(mesh, sphere_map, uv_map, internal::Octahedral_chart(frame), grid, report);
-  return report;
+/// The seams of a texture: the edges whose two faces have different coordinates at one of its ends. With both maps,
+/// `CGAL::Seam_mesh` is the mesh cut open, on which every vertex has one pair of texture coordinates.
+/// \param mesh            a triangle mesh, a model of `FaceListGraph`, `HalfedgeListGraph` and `EdgeListGraph`
+/// \param uv_map          readable, key halfedge_descriptor, value with `==`: what `texture_coordinates()` has written
+/// \param edge_is_seam    writable, key edge_descriptor, value `bool`: whether the edge is a seam; `false` on the
+/// boundary \param vertex_on_seam  writable, key vertex_descriptor, value `bool`: whether the vertex is the end of a
+/// seam \return the number of seam edges, for `CGAL::Seam_mesh::set_seam_edges_number()`
+///
+/// Complexity: linear.
+template <class TriangleMesh, class HalfedgeUVMap, class EdgeSeamMap, class VertexSeamMap>
+std::size_t texture_seams(const TriangleMesh& mesh, HalfedgeUVMap uv_map, EdgeSeamMap edge_is_seam,
+                          VertexSeamMap vertex_on_seam)
+{
+  for(auto v : vertices(mesh))
+    put(vertex_on_seam, v, false);
+  std::size_t number_of_seams = 0;
+  for(auto e : edges(mesh)) {
+    const auto h = halfedge(e, mesh), o = opposite(h, mesh);
+    const bool is_seam = !is_border(e, mesh) && !(get(uv_map, h) == get(uv_map, prev(o, mesh)) &&
+                                                  get(uv_map, o) == get(uv_map, prev(h, mesh)));
+    put(edge_is_seam, e, is_seam);
+    if(is_seam) {
+      ++number_of_seams;
+      put(vertex_on_seam, source(h, mesh), true);
+      put(vertex_on_seam, target(h, mesh), true);
+    }
+  }
+  return number_of_seams;
 }
 
 /// @}

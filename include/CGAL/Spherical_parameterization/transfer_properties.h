@@ -4,17 +4,23 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_TRANSFER_PROPERTIES_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_TRANSFER_PROPERTIES_H
 
+#include <CGAL/Spherical_parameterization/internal/backend/host_policy.h>
+#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
+#include <CGAL/Spherical_parameterization/internal/distortion/Mapped_faces.h>
 #include <CGAL/Spherical_parameterization/locate.h>
 
-#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Spherical_parameterization {
@@ -53,6 +59,20 @@ Value weighted_mean(const std::array<double, 3>& w, const Value& x0, const Value
   }
 }
 
+/// Queries are independent of each other.
+template <class Loop, class TriangleMesh>
+std::vector<Face_location<TriangleMesh>> locate_all(const Loop& loop, const Spherical_locator<TriangleMesh>& locator,
+                                                    const Host_array<vec3>& directions)
+{
+  constexpr int queries = 256; // on a thread at a time
+  std::vector<Face_location<TriangleMesh>> result(directions.size());
+  for_each_part<queries>(loop, static_cast<int>(directions.size()), [&](int begin, int end) {
+    for(int i = begin; i < end; ++i)
+      result[i] = locator.locate(directions[i]);
+  });
+  return result;
+}
+
 } // namespace internal
 
 /// The value at a point of the mesh, interpolated linearly between the vertices.
@@ -73,41 +93,69 @@ interpolate(const TriangleMesh& mesh, const Face_location<TriangleMesh>& locatio
 
 /// Carries data of vertices from one mesh to another (or to another map of the same mesh): every vertex gets the value
 /// that `from` has under its image.
+/// \param policy      `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result does not depend on it
 /// \param from        the inverse of the map of the mesh that has the data
 /// \param from_map    readable, key vertex_descriptor of that mesh; see `interpolate()`
 /// \param to          the mesh that gets the data, a model of `VertexListGraph`
 /// \param to_sphere   readable, key vertex_descriptor of `to`; a map in the same position as that of `from` (see
 ///                    `align_maps.h`)
 /// \param to_map      writable, key vertex_descriptor of `to`
-/// \throws std::invalid_argument at an image that is no direction
+/// \throws Error  `NON_FINITE_COORDINATE` at an image that is no direction, before anything is written
 ///
 /// Complexity: one query (`Spherical_locator::locate()`) for each vertex of `to`.
+template <class ExecutionPolicy, class FromMesh, class FromMap, class ToMesh, class ToSphereMap, class ToMap>
+void transfer_vertex_property(const ExecutionPolicy& policy, const Spherical_locator<FromMesh>& from, FromMap from_map,
+                              const ToMesh& to, ToSphereMap to_sphere, ToMap to_map)
+{
+  const auto place = internal::locate_all(internal::host_loop(policy), from, internal::read_vectors(to, to_sphere));
+  std::size_t i = 0;
+  for(auto v : vertices(to))
+    put(to_map, v, interpolate(from.mesh(), place[i++], from_map));
+}
+
+/// \overload
+/// On one core.
 template <class FromMesh, class FromMap, class ToMesh, class ToSphereMap, class ToMap>
 void transfer_vertex_property(const Spherical_locator<FromMesh>& from, FromMap from_map, const ToMesh& to,
                               ToSphereMap to_sphere, ToMap to_map)
 {
-  for(auto v : vertices(to))
-    put(to_map, v, interpolate(from.mesh(), from.locate(get(to_sphere, v)), from_map));
+  transfer_vertex_property(CGAL::Sequential_tag(), from, from_map, to, to_sphere, to_map);
 }
 
 /// Carries data of faces, such as labels: every face gets the value of the face of `from` under its centre.
+/// \param policy      `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result does not depend on it
 /// \param from        the inverse of the map of the mesh that has the data
 /// \param from_map    readable, key face_descriptor of the mesh that has the data
 /// \param to          the mesh that gets the data, a triangle mesh and a model of `FaceListGraph`
 /// \param to_sphere   readable, key vertex_descriptor of `to`; a map in the same position as that of `from`
 /// \param to_map      writable, key face_descriptor of `to`
-/// \throws std::invalid_argument at a centre that is no direction
+/// \throws Error  `NON_FINITE_COORDINATE` at a centre that is no direction, before anything is written
 ///
 /// Complexity: one query for each face of `to`.
+template <class ExecutionPolicy, class FromMesh, class FromMap, class ToMesh, class ToSphereMap, class ToMap>
+void transfer_face_property(const ExecutionPolicy& policy, const Spherical_locator<FromMesh>& from, FromMap from_map,
+                            const ToMesh& to, ToSphereMap to_sphere, ToMap to_map)
+{
+  const auto loop = internal::host_loop(policy);
+  const internal::Mapped_faces map = internal::read_images(to, to_sphere, loop);
+  internal::Host_array<internal::vec3> centre;
+  for(int f = 0; f < map.number_of_faces(); ++f) {
+    const auto corner = map.on_sphere(f);
+    centre.push_back(internal::add(corner[0], internal::add(corner[1], corner[2])));
+  }
+  const auto place = internal::locate_all(loop, from, centre);
+  std::size_t i = 0;
+  for(auto f : faces(to))
+    put(to_map, f, get(from_map, place[i++].first));
+}
+
+/// \overload
+/// On one core.
 template <class FromMesh, class FromMap, class ToMesh, class ToSphereMap, class ToMap>
 void transfer_face_property(const Spherical_locator<FromMesh>& from, FromMap from_map, const ToMesh& to,
                             ToSphereMap to_sphere, ToMap to_map)
 {
-  for(auto f : faces(to)) {
-    const auto corner = internal::corners(to, to_sphere, f);
-    const internal::vec3 centre = internal::add(corner[0], internal::add(corner[1], corner[2]));
-    put(to_map, f, get(from_map, from.locate(centre).first));
-  }
+  transfer_face_property(CGAL::Sequential_tag(), from, from_map, to, to_sphere, to_map);
 }
 
 /// @}

@@ -4,16 +4,19 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DISTORTION_FACE_MEASURES_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DISTORTION_FACE_MEASURES_H
 
-#include <CGAL/Spherical_parameterization/internal/distortion/face_distortion.h>
+#include <CGAL/Spherical_parameterization/internal/base/Bounding_box.h>
+#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
-
-#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/Spherical_parameterization/internal/distortion/Mapped_faces.h>
+#include <CGAL/Spherical_parameterization/internal/distortion/face_distortion.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Spherical_parameterization {
@@ -21,85 +24,82 @@ namespace internal {
 
 /// All that is measured about single faces of a map. The source mesh is scaled to a unit box, so that meshes of any
 /// size and place have areas; limbs have areas down to 1e-150 on the sphere, below which everything counts as 1e-300.
-template <class TriangleMesh, class VertexPointMap, class VertexSphereMap>
+/// Sums over all faces are taken in their order, on any number of threads.
 class Face_measures {
-  typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
-
 public:
-  Face_measures(const TriangleMesh& mesh, VertexPointMap points, VertexSphereMap sphere)
-    : mesh_(mesh), points_(points), sphere_(sphere)
+  template <class Loop>
+  Face_measures(Mapped_faces faces, const Loop& loop) : faces_(std::move(faces))
   {
-    set_box();
-    for(auto f : faces(mesh)) {
-      const auto v = on_sphere(f);
-      source_total_ += source_area(f);
-      flat_total_ += flat_area(v);
-      determinant_total_ += half_determinant(v);
+    const Bounding_box box(faces_.point);
+    const vec3 centre = box.centre();
+    const double size = box.half_size();
+    for(vec3& x : faces_.point)
+      x = {(x.x - centre.x) / size, (x.y - centre.y) / size, (x.z - centre.z) / size};
+    const int n = faces_.number_of_faces();
+    source_area_.resize(n);
+    Host_array<std::array<double, 2>> image(n);
+    for_each_part(loop, n, [&](int begin, int end) {
+      for(int f = begin; f < end; ++f) {
+        const auto v = faces_.on_sphere(f);
+        source_area_[f] = flat_area(faces_.in_source(f));
+        image[f] = {flat_area(v), half_determinant(v)};
+      }
+    });
+    for(int f = 0; f < n; ++f) {
+      source_total_ += source_area_[f];
+      flat_total_ += image[f][0];
+      determinant_total_ += image[f][1];
     }
   }
 
-  double source_area(face_descriptor f) const { return flat_area(in_source(f)); }
+  const Mapped_faces& faces() const { return faces_; }
+  int number_of_faces() const { return faces_.number_of_faces(); }
+
+  double source_area(int f) const { return source_area_[f]; }
 
   /// Share of the source area over the share of the sphere, as a logarithm: positive where the map shrinks.
-  double log_area_stretch(face_descriptor f) const
+  double log_area_stretch(int f) const
   {
-    const auto v = on_sphere(f);
+    const auto v = faces_.on_sphere(f);
     return log_of_share(source_area(f) / source_total_) -
            log_of_share(spherical_area(v[0], v[1], v[2]) / (4 * std::acos(-1.)));
   }
 
-  double angle_distortion(face_descriptor f) const { return internal::angle_distortion(in_source(f), on_sphere(f)); }
+  double angle_distortion(int f) const { return internal::angle_distortion(faces_.in_source(f), faces_.on_sphere(f)); }
 
-  double dilatation(face_descriptor f) const
+  double dilatation(int f) const
   {
-    const auto p = in_source(f), v = on_sphere(f);
-    return ratio_of_singular_values(squared_singular_values(p, v), flat_area(v) / flat_area(p));
+    const auto p = faces_.in_source(f), v = faces_.on_sphere(f);
+    return ratio_of_singular_values(squared_singular_values(p, v), flat_area(v) / source_area(f));
   }
 
   /// sigma_1^2 + sigma_2^2 + sigma_1^-2 + sigma_2^-2 between flat triangles.
-  double flat_symmetric_dirichlet(face_descriptor f) const
+  double flat_symmetric_dirichlet(int f) const
   {
-    const auto p = in_source(f), v = on_sphere(f);
-    return symmetric_dirichlet(squared_singular_values(p, v), flat_area(v) / flat_area(p), flat_total_);
+    const auto p = faces_.in_source(f), v = faces_.on_sphere(f);
+    return symmetric_dirichlet(squared_singular_values(p, v), flat_area(v) / source_area(f), flat_total_);
   }
 
   /// The same with det(a, b, c) / 2 in place of the area of the flat triangle abc.
-  double spherical_symmetric_dirichlet(face_descriptor f) const
+  double spherical_symmetric_dirichlet(int f) const
   {
-    const auto p = in_source(f), v = on_sphere(f);
-    return symmetric_dirichlet(squared_singular_values(p, v), half_determinant(v) / flat_area(p), determinant_total_);
+    const auto p = faces_.in_source(f), v = faces_.on_sphere(f);
+    return symmetric_dirichlet(squared_singular_values(p, v), half_determinant(v) / source_area(f), determinant_total_);
+  }
+
+  /// The values of a measure by face.
+  template <class Loop, class Measure>
+  Host_array<double> values(const Loop& loop, Measure measure) const
+  {
+    Host_array<double> result(faces_.face.size());
+    for_each_part(loop, number_of_faces(), [&](int begin, int end) {
+      for(int f = begin; f < end; ++f)
+        result[f] = measure(*this, f);
+    });
+    return result;
   }
 
 private:
-  std::array<vec3, 3> on_sphere(face_descriptor f) const { return corners(mesh_, sphere_, f); }
-
-  std::array<vec3, 3> in_source(face_descriptor f) const
-  {
-    auto p = corners(mesh_, points_, f);
-    for(vec3& x : p)
-      x = in_box(x);
-    return p;
-  }
-
-  vec3 in_box(vec3 x) const
-  {
-    return {(x.x - centre_.x) / size_, (x.y - centre_.y) / size_, (x.z - centre_.z) / size_};
-  }
-
-  void set_box()
-  {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    vec3 low = {infinity, infinity, infinity}, high = {-infinity, -infinity, -infinity};
-    for(auto v : vertices(mesh_)) {
-      const vec3 p = coordinates(get(points_, v));
-      low = {(std::min)(low.x, p.x), (std::min)(low.y, p.y), (std::min)(low.z, p.z)};
-      high = {(std::max)(high.x, p.x), (std::max)(high.y, p.y), (std::max)(high.z, p.z)};
-    }
-    centre_ = {low.x / 2 + high.x / 2, low.y / 2 + high.y / 2, low.z / 2 + high.z / 2};
-    const double half = (std::max)({high.x / 2 - low.x / 2, high.y / 2 - low.y / 2, high.z / 2 - low.z / 2});
-    size_ = half > 0 ? half : 1;
-  }
-
   /// 1e-300 also for NaN, the share of a face in a surface without area.
   static double log_of_share(double share) { return std::log((std::max)(1e-300, share)); }
 
@@ -113,19 +113,16 @@ private:
     return (squared_sum / product) * (stretch + 1 / stretch);
   }
 
-  const TriangleMesh& mesh_;
-  VertexPointMap points_;
-  VertexSphereMap sphere_;
-  vec3 centre_ = {0, 0, 0};
-  double size_ = 1;
+  Mapped_faces faces_; ///< in the box
+  Host_array<double> source_area_;
   double source_total_ = 0, flat_total_ = 0, determinant_total_ = 0;
 };
 
-template <class TriangleMesh, class VertexSphereMap, class NamedParameters>
-auto make_face_measures(const TriangleMesh& mesh, VertexSphereMap sphere_map, const NamedParameters& np)
+template <class TriangleMesh, class VertexSphereMap, class NamedParameters, class Loop>
+Face_measures make_face_measures(const TriangleMesh& mesh, VertexSphereMap sphere_map, const NamedParameters& np,
+                                 const Loop& loop)
 {
-  const auto points = vertex_points(mesh, np);
-  return Face_measures<TriangleMesh, std::decay_t<decltype(points)>, VertexSphereMap>(mesh, points, sphere_map);
+  return Face_measures(read_mapped_faces(mesh, vertex_points(mesh, np), sphere_map, loop), loop);
 }
 
 } // namespace internal

@@ -4,10 +4,8 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DISTORTION_FACE_DISTORTION_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DISTORTION_FACE_DISTORTION_H
 
-#include <CGAL/Spherical_parameterization/internal/mesh/point_coordinates.h>
-#include <CGAL/Spherical_parameterization/internal/predicates/certificate.h>
-
-#include <boost/graph/graph_traits.hpp>
+#include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
+#include <CGAL/Spherical_parameterization/internal/predicates/spherical_area.h>
 
 #include <algorithm>
 #include <array>
@@ -18,16 +16,6 @@ namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
 
-/// The images of the corners of face f, in the order of its halfedges.
-template <class TriangleMesh, class VertexMap>
-std::array<vec3, 3> corners(const TriangleMesh& mesh, VertexMap map,
-                            typename boost::graph_traits<TriangleMesh>::face_descriptor f)
-{
-  const auto h = halfedge(f, mesh);
-  return {coordinates(get(map, source(h, mesh))), coordinates(get(map, target(h, mesh))),
-          coordinates(get(map, target(next(h, mesh), mesh)))};
-}
-
 inline double flat_area(const std::array<vec3, 3>& p)
 {
   const vec3 n = outer(sub(p[1], p[0]), sub(p[2], p[0]));
@@ -35,10 +23,7 @@ inline double flat_area(const std::array<vec3, 3>& p)
 }
 
 /// Half of det(a, b, c): the area of the flat triangle times the distance of its plane from the origin, with sign.
-inline double half_determinant(const std::array<vec3, 3>& v)
-{
-  return inner(v[0], outer(sub(v[1], v[0]), sub(v[2], v[0]))) / 2;
-}
+inline double half_determinant(const std::array<vec3, 3>& v) { return Determinant(v[0], v[1], v[2]).value / 2; }
 
 /// The angle at o between the great circles through a and b.
 inline double spherical_angle(vec3 o, vec3 a, vec3 b)

@@ -4,7 +4,8 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_INVERSE_KD_TREE_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_INVERSE_KD_TREE_H
 
-#include <CGAL/Spherical_parameterization/internal/backend/vertex_formulas.h>
+#include <CGAL/Spherical_parameterization/internal/base/vec3.h>
+#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -21,21 +22,35 @@ namespace internal {
 class Kd_tree {
 public:
   /// \param points  at least one
-  explicit Kd_tree(const std::vector<vec3>& points) : order_(points.size())
+  template <class Loop>
+  Kd_tree(const Loop& loop, const Host_array<vec3>& points) : order_(points.size())
   {
     std::iota(order_.begin(), order_.end(), 0);
     std::size_t nodes = 0;
     for(std::size_t size = points.size(); size > leaf_size; size = (size + 1) / 2)
       nodes = 2 * nodes + 1;
     nodes_.resize(nodes);
-    split(points, 0, 0, order_.size());
+    // Level by level, the nodes of a level on different threads.
+    std::vector<Range> level = {{0, order_.size()}};
+    for(std::size_t first = 0; first < nodes; first = 2 * first + 1) {
+      std::vector<Range> next(2 * level.size());
+      loop.for_each(static_cast<int>(level.size()), [&](int i) {
+        const Range range = level[i];
+        if(range.end - range.begin <= leaf_size)
+          return;
+        const std::size_t middle = split(points, nodes_[first + i], range);
+        next[2 * i] = {range.begin, middle};
+        next[2 * i + 1] = {middle, range.end};
+      });
+      level.swap(next);
+    }
   }
 
   /// The points in the order of the leaves: what is near in space is mostly near in this order.
   const std::vector<int>& order() const { return order_; }
 
   /// The position in `order()` of a point near `q`. `sorted` has the points in that order.
-  int near(vec3 q, const std::vector<vec3>& sorted) const
+  int near(vec3 q, const Host_array<vec3>& sorted) const
   {
     std::size_t node = 0, begin = 0, end = order_.size();
     while(node < nodes_.size() && end - begin > leaf_size) {
@@ -64,30 +79,31 @@ private:
     int axis = 0;
   };
 
+  struct Range {
+    std::size_t begin = 0, end = 0;
+  };
+
   static double coordinate(vec3 p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
 
-  void split(const std::vector<vec3>& points, std::size_t node, std::size_t begin, std::size_t end)
+  /// Returns where the second half begins.
+  std::size_t split(const Host_array<vec3>& points, Node& node, Range range)
   {
-    if(node >= nodes_.size() || end - begin <= leaf_size)
-      return;
+    const auto begin = order_.begin() + range.begin, end = order_.begin() + range.end;
     double extent = -1;
     for(int axis = 0; axis < 3; ++axis) {
-      const auto range = std::minmax_element(order_.begin() + begin, order_.begin() + end, [&](int i, int j) {
-        return coordinate(points[i], axis) < coordinate(points[j], axis);
-      });
-      const double size = coordinate(points[*range.second], axis) - coordinate(points[*range.first], axis);
+      const auto extremes = std::minmax_element(
+        begin, end, [&](int i, int j) { return coordinate(points[i], axis) < coordinate(points[j], axis); });
+      const double size = coordinate(points[*extremes.second], axis) - coordinate(points[*extremes.first], axis);
       if(size > extent) {
         extent = size;
-        nodes_[node].axis = axis;
+        node.axis = axis;
       }
     }
-    const std::size_t middle = begin + (end - begin) / 2;
-    const int axis = nodes_[node].axis;
-    std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
-                     [&](int i, int j) { return coordinate(points[i], axis) < coordinate(points[j], axis); });
-    nodes_[node].value = static_cast<float>(coordinate(points[order_[middle]], axis));
-    split(points, 2 * node + 1, begin, middle);
-    split(points, 2 * node + 2, middle, end);
+    const std::size_t middle = range.begin + (range.end - range.begin) / 2;
+    std::nth_element(begin, order_.begin() + middle, end,
+                     [&](int i, int j) { return coordinate(points[i], node.axis) < coordinate(points[j], node.axis); });
+    node.value = static_cast<float>(coordinate(points[order_[middle]], node.axis));
+    return middle;
   }
 
   std::vector<int> order_;

@@ -4,13 +4,14 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_VERTEX_NUMBERING_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_VERTEX_NUMBERING_H
 
+#include <CGAL/Spherical_parameterization/Error.h>
+
 #include <boost/functional/hash.hpp>
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
 #include <iterator>
 #include <limits>
-#include <stdexcept>
 #include <type_traits>
 #include <unordered_map>
 #include <utility>
@@ -32,12 +33,12 @@ struct Has_idx<Descriptor, std::void_t<decltype(static_cast<std::size_t>(std::de
 template <class Descriptor>
 class Numbering {
 public:
-  /// Throws std::length_error if there are more than an int can number.
+  /// Throws Error if there are more than an int can number.
   template <class Range>
   explicit Numbering(const Range& descriptors)
   {
     if(std::distance(descriptors.begin(), descriptors.end()) > (std::numeric_limits<int>::max)())
-      throw std::length_error("a mesh of more than 2^31 - 1 elements of one kind");
+      throw Error(Error_code::TOO_LARGE, "more than 2^31 - 1 elements of one kind");
     for(Descriptor d : descriptors)
       insert(d, size_++);
   }

@@ -6,11 +6,11 @@
 
 #include <CGAL/Spherical_parameterization/Error.h>
 #include <CGAL/Spherical_parameterization/internal/base/vec3.h>
+#include <CGAL/Spherical_parameterization/internal/base/Bounding_box.h>
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/point_coordinates.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -41,14 +41,9 @@ Host_array<vec3> read_points(const Loop& loop, const std::vector<Vertex>& vertex
 /// other: this keeps their squares and products far from overflow and underflow.
 inline void scale_to_unit_box(Host_array<vec3>& point)
 {
-  vec3 low = point[0], high = point[0];
-  for(const vec3& p : point) {
-    low = {(std::min)(low.x, p.x), (std::min)(low.y, p.y), (std::min)(low.z, p.z)};
-    high = {(std::max)(high.x, p.x), (std::max)(high.y, p.y), (std::max)(high.z, p.z)};
-  }
-  // Halves first: the extent of finite coordinates may overflow.
-  const double half = (std::max)({high.x / 2 - low.x / 2, high.y / 2 - low.y / 2, high.z / 2 - low.z / 2});
-  const double divisor = half > 0 ? half : 1;
+  const Bounding_box box(point);
+  const vec3 low = box.low;
+  const double divisor = box.half_size();
   for(vec3& p : point)
     p = {(p.x / 2 - low.x / 2) / divisor, (p.y / 2 - low.y / 2) / divisor, (p.z / 2 - low.z / 2) / divisor};
 }

@@ -36,11 +36,13 @@ inline std::vector<int> connected_components(const Segmentation_mesh& mesh, cons
     while(!front.empty()) {
       const int g = front.back();
       front.pop_back();
-      for(int h : mesh.across[g])
+      for(int k = 0; k < 3; ++k) {
+        const int h = mesh.across(g, k);
         if(component[h] < 0 && label[h] == label[g]) {
           component[h] = count;
           front.push_back(h);
         }
+      }
     }
     ++count;
   }
@@ -70,7 +72,7 @@ public:
     for(int f = 0; f < mesh.number_of_faces(); ++f) {
       area_[region_[f]] += mesh.area[f];
       for(int k = 0; k < 3; ++k) {
-        const int other = region_[mesh.across[f][k]];
+        const int other = region_[mesh.across(f, k)];
         if(other != region_[f]) {
           borders_[region_[f]].push_back({other, costs[f][k]});
           perimeter_[region_[f]] += costs[f][k];

@@ -5,13 +5,11 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SEGMENTATION_SEGMENTATION_MESH_H
 
 #include <CGAL/Spherical_parameterization/Error.h>
-#include <CGAL/Spherical_parameterization/internal/base/text.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/Source_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/Corner_table.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/Mapped_surface.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/point_coordinates.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/twins.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -24,16 +22,16 @@ namespace internal {
 
 /// What segmentation looks at: a mesh and its sphere as arrays, the mesh scaled to area 1 so that all lengths and areas
 /// are dimensionless. Closed triangle meshes of genus 0 only.
-struct Segmentation_mesh {
+struct Segmentation_mesh : Corner_table {
   Host_array<vec3> point;
-  Host_array<vec3> sphere; ///< unit vectors
-  Host_array<std::array<int, 3>> face;
-  std::vector<std::array<int, 3>> across; ///< the faces beyond the sides (corner k, corner k+1)
-  std::vector<double> area;               ///< of the faces; they sum up to 1
-  Shared_graph graph;                     ///< the neighbours of the vertices
+  Host_array<vec3> sphere;  ///< unit vectors
+  std::vector<double> area; ///< of the faces; they sum up to 1
+  Shared_graph graph;       ///< the neighbours of the vertices
 
   int number_of_faces() const { return static_cast<int>(face.size()); }
   int number_of_vertices() const { return static_cast<int>(point.size()); }
+  /// the face beyond the side (corner k, corner k+1)
+  int across(int f, int k) const { return twin[3 * f + k] / 3; }
   vec3 side(int f, int k) const { return sub(point[face[f][(k + 1) % 3]], point[face[f][k]]); }
   double side_length(int f, int k) const
   {
@@ -48,17 +46,13 @@ struct Segmentation_mesh {
   vec3 area_vector(int f) const { return outer(side(f, 0), sub(point[face[f][2]], point[face[f][0]])); }
 };
 
-/// Reads mesh and map. Throws Error for what is no closed triangle mesh of genus 0, or has no area, and for
-/// images that are not directions. Images need not be normalised.
-template <class TriangleMesh, class VertexPointMap, class VertexSphereMap>
-Segmentation_mesh read_segmentation_mesh(const TriangleMesh& mesh, VertexPointMap points, VertexSphereMap sphere_map)
+/// Throws Error for a mesh without area, and for images that are not directions. Images need not be normalized.
+inline Segmentation_mesh make_segmentation_mesh(Mapped_surface source)
 {
-  Source_mesh<TriangleMesh> source(mesh, points);
   Segmentation_mesh result;
-  const int n = static_cast<int>(source.vertex.size());
-  result.sphere.resize(n);
-  for(int i = 0; i < n; ++i) {
-    const vec3 image = scaled_to_unit_box(coordinates(get(sphere_map, source.vertex[i])));
+  result.sphere.resize(source.image.size());
+  for(std::size_t i = 0; i < source.image.size(); ++i) {
+    const vec3 image = scaled_to_unit_box(source.image[i]);
     const double length2 = inner(image, image);
     if(!std::isfinite(length2))
       throw Error(Error_code::NON_FINITE_COORDINATE,
@@ -70,18 +64,8 @@ Segmentation_mesh read_segmentation_mesh(const TriangleMesh& mesh, VertexPointMa
   }
   result.point = std::move(source.point);
   result.face = std::move(source.face);
-  result.graph = source.graph;
-  const std::vector<int> twin = twins(mesh);
-  result.across.resize(result.face.size());
-  for(std::size_t h = 0; h < twin.size(); ++h)
-    result.across[h / 3][h % 3] = twin[h] / 3;
-
-  double largest = 0;
-  for(const vec3& p : result.point)
-    largest = (std::max)({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  if(largest > 0) // so that no square over- or underflows
-    for(vec3& p : result.point)
-      p = scale(1 / largest, p);
+  result.twin = std::move(source.twin);
+  result.graph = std::move(source.graph);
   result.area.resize(result.face.size());
   double total = 0;
   for(int f = 0; f < result.number_of_faces(); ++f) {

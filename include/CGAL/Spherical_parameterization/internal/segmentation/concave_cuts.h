@@ -26,7 +26,8 @@ namespace internal {
 
 /// The faces as vertices of a graph, two neighbours joined with weight (length of the edge) / (distance of the
 /// centroids) times `diffusion`, and the areas as excess: M + diffusion * L of the dual mesh.
-inline Weighted_graph dual_diffusion(const Segmentation_mesh& mesh, double diffusion)
+template <class Loop>
+Weighted_graph dual_diffusion(const Loop& loop, const Segmentation_mesh& mesh, double diffusion)
 {
   // A needle must not tie its neighbours together more than a good triangle would, by orders of magnitude.
   constexpr double largest_weight = 100;
@@ -40,9 +41,9 @@ inline Weighted_graph dual_diffusion(const Segmentation_mesh& mesh, double diffu
     dual.offset[f] = 3 * f;
   for(int f = 0; f < n; ++f) {
     std::array<int, 3> order = {0, 1, 2};
-    std::sort(order.begin(), order.end(), [&](int a, int b) { return mesh.across[f][a] < mesh.across[f][b]; });
+    std::sort(order.begin(), order.end(), [&](int a, int b) { return mesh.across(f, a) < mesh.across(f, b); });
     for(int i = 0; i < 3; ++i) {
-      const int k = order[i], g = mesh.across[f][k];
+      const int k = order[i], g = mesh.across(f, k);
       const vec3 d = sub(mesh.centroid(g), mesh.centroid(f));
       const double length = mesh.side_length(f, k), distance = std::sqrt(inner(d, d));
       dual.target[3 * f + i] = g;
@@ -50,17 +51,18 @@ inline Weighted_graph dual_diffusion(const Segmentation_mesh& mesh, double diffu
     }
     dual.excess[f] = (std::max)(mesh.area[f], 1e-12 / n);
   }
-  dual.update_diagonal({});
+  dual.update_diagonal({}, loop);
   return dual;
 }
 
 /// The unit normals of the faces, averaged over neighbourhoods of root mean square radius r (the mesh has area 1): one
 /// implicit step of the heat equation, (M + r^2/4 L) n' = M n. Does not depend on how finely the mesh is divided.
-inline Host_array<vec3> smoothed_normals(const Segmentation_mesh& mesh, double radius)
+template <class Loop>
+Host_array<vec3> smoothed_normals(const Loop& loop, const Segmentation_mesh& mesh, double radius)
 {
-  const Backend<CGAL::Sequential_tag> backend{CGAL::Sequential_tag()};
-  const auto dual = std::make_shared<Weighted_graph>(dual_diffusion(mesh, radius * radius / 4));
-  Multigrid<Backend<CGAL::Sequential_tag>> multigrid(backend, dual);
+  const Host_backend<Loop> backend(loop);
+  const auto dual = std::make_shared<Weighted_graph>(dual_diffusion(loop, mesh, radius * radius / 4));
+  Multigrid<Host_backend<Loop>> multigrid(backend, dual);
   Host_array<vec3> mass_times_normal(mesh.number_of_faces());
   for(int f = 0; f < mesh.number_of_faces(); ++f)
     mass_times_normal[f] = scale(0.5, mesh.area_vector(f));
@@ -81,7 +83,7 @@ inline Side_costs inward_turn(const Segmentation_mesh& mesh, const Host_array<ve
   Side_costs turn(mesh.face.size());
   for(int f = 0; f < mesh.number_of_faces(); ++f)
     for(int k = 0; k < 3; ++k) {
-      const int g = mesh.across[f][k];
+      const int g = mesh.across(f, k);
       const vec3 d = sub(mesh.centroid(g), mesh.centroid(f)), dn = sub(normal[g], normal[f]);
       const vec3 axis = outer(normal[f], normal[g]);
       const double angle = std::atan2(std::sqrt(inner(axis, axis)), inner(normal[f], normal[g]));
@@ -119,11 +121,11 @@ inline Side_costs cutting_costs(const Segmentation_mesh& mesh, const Side_costs&
   return cost;
 }
 
-/// Bottom-up normalised cuts (after Golovinskiy and Funkhouser, "Randomized cuts for 3D mesh analysis", SIGGRAPH Asia
+/// Bottom-up normalized cuts (after Golovinskiy and Funkhouser, "Randomized cuts for 3D mesh analysis", SIGGRAPH Asia
 /// 2008): from single faces on, the two neighbours are merged that lower the sum over all segments of (cost of the
 /// perimeter) / area most, until the best merger lowers it by less than `stop`. Areas are shares of the whole, and
 /// costs lengths relative to its square root.
-inline std::vector<int> normalised_cuts(const Segmentation_mesh& mesh, const Side_costs& costs, double stop)
+inline std::vector<int> normalized_cuts(const Segmentation_mesh& mesh, const Side_costs& costs, double stop)
 {
   std::vector<int> single(mesh.face.size());
   std::iota(single.begin(), single.end(), 0);
@@ -142,24 +144,26 @@ inline std::vector<int> normalised_cuts(const Segmentation_mesh& mesh, const Sid
   return regions.labels();
 }
 
-/// Segmentations along concave creases at four scales.
-inline std::vector<std::vector<int>> concavity_segments(const Segmentation_mesh& mesh)
+/// Segmentations along concave creases at four scales, each on a thread.
+template <class Loop>
+std::vector<std::vector<int>> concavity_segments(const Loop& loop, const Segmentation_mesh& mesh)
 {
-  constexpr std::size_t scales = 4;
+  constexpr int scales = 4;
   constexpr double finest = 0.02; // of the square root of the area; meshes of 10,000 faces have edges of 0.015
   constexpr double ratio = 1.5;   // of one scale to the next; valleys are compared with the scale after that
   constexpr double stop = 6;      // what a part of area a and perimeter p has to save, p / a, to be one
   std::vector<Host_array<vec3>> normals;
   std::vector<double> radius;
-  for(std::size_t i = 0; i < scales + 2; ++i) {
+  for(int i = 0; i < scales + 2; ++i) {
     radius.push_back(finest * std::pow(ratio, i));
-    normals.push_back(smoothed_normals(mesh, radius[i]));
+    normals.push_back(smoothed_normals(loop, mesh, radius[i]));
   }
-  std::vector<std::vector<int>> segments;
-  for(std::size_t i = 0; i < scales; ++i)
-    segments.push_back(normalised_cuts(
-      mesh, cutting_costs(mesh, inward_turn(mesh, normals[i], radius[i]), inward_turn(mesh, normals[i + 2], radius[i])),
-      stop));
+  std::vector<std::vector<int>> segments(scales);
+  loop.for_each(scales, [&](int i) {
+    const Side_costs fine = inward_turn(mesh, normals[i], radius[i]),
+                     wide = inward_turn(mesh, normals[i + 2], radius[i]);
+    segments[i] = normalized_cuts(mesh, cutting_costs(mesh, fine, wide), stop);
+  });
   return segments;
 }
 

@@ -233,7 +233,9 @@ inline void add_girth_cuts(const Segmentation_mesh& mesh, const Bundle& bundle, 
 }
 
 /// A label for every face by girth profiles round the minima of the map's scale; equal labels need not be connected.
-inline std::vector<int> girth_labels(const Segmentation_mesh& mesh, const std::vector<double>& face_stretch)
+/// The profiles of different bundles are measured on different threads.
+template <class Loop>
+std::vector<int> girth_labels(const Loop& loop, const Segmentation_mesh& mesh, const std::vector<double>& face_stretch)
 {
   constexpr double persistence = 3; // about twice the length of a limb over its radius
   constexpr int smoothing = 5;
@@ -247,9 +249,12 @@ inline std::vector<int> girth_labels(const Segmentation_mesh& mesh, const std::v
   for(int v : minima)
     tips.push_back(mesh.sphere[v]);
 
+  const std::vector<Bundle> bundles = bundles_of_tips(tips);
+  std::vector<std::vector<Girth_cut>> cuts_of_bundle(bundles.size());
+  loop.for_each(static_cast<int>(bundles.size()), [&](int i) { add_girth_cuts(mesh, bundles[i], cuts_of_bundle[i]); });
   std::vector<Girth_cut> cuts;
-  for(const Bundle& bundle : bundles_of_tips(tips))
-    add_girth_cuts(mesh, bundle, cuts);
+  for(const std::vector<Girth_cut>& some : cuts_of_bundle)
+    cuts.insert(cuts.end(), some.begin(), some.end());
   // outer cuts first, so that inner ones lie on top of them
   std::stable_sort(cuts.begin(), cuts.end(), [](const Girth_cut& a, const Girth_cut& b) {
     return a.number_of_tips != b.number_of_tips ? a.number_of_tips > b.number_of_tips : a.rho > b.rho;

@@ -63,11 +63,13 @@ inline std::vector<int> grown_labels(const Segmentation_mesh& mesh, const std::v
       front.pop_back();
       for(int v : mesh.face[f])
         is_reached[v] = 1;
-      for(int g : mesh.across[f])
+      for(int k = 0; k < 3; ++k) {
+        const int g = mesh.across(f, k);
         if(label[g] == 0 && std::abs(value(g) - stretch[seed]) <= threshold) {
           label[g] = count;
           front.push_back(g);
         }
+      }
     }
   }
   return label;

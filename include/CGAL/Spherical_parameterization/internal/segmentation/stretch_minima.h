@@ -5,7 +5,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SEGMENTATION_STRETCH_MINIMA_H
 
 #include <CGAL/Spherical_parameterization/internal/segmentation/Segmentation_mesh.h>
-#include <CGAL/Spherical_parameterization/internal/segmentation/persistence.h>
+#include <CGAL/Spherical_parameterization/internal/base/persistence.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,11 +4,13 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SIGNATURE_DISCRETE_SURFACE_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SIGNATURE_DISCRETE_SURFACE_H
 
+#include <CGAL/Spherical_parameterization/Error.h>
 #include <CGAL/Spherical_parameterization/internal/backend/Host_backend.h>
-#include <CGAL/Spherical_parameterization/internal/signature/Intrinsic_triangulation.h>
+#include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
 #include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
 #include <CGAL/Spherical_parameterization/internal/multigrid/Multigrid.h>
 #include <CGAL/Spherical_parameterization/internal/multigrid/conjugate_gradients.h>
+#include <CGAL/Spherical_parameterization/internal/signature/Intrinsic_triangulation.h>
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
@@ -93,20 +95,22 @@ private:
 };
 
 /// Solves (L + shift M) x = b on a surface, set up once for several right-hand sides.
+template <class Loop>
 class Surface_solver {
-  typedef Host_backend<Default_loop> Backend;
+  typedef Host_backend<Loop> Backend;
   typedef Discrete_surface::Vector Vector;
   typedef Discrete_surface::Matrix Matrix;
 
 public:
   /// \param shift  if 0, the right-hand sides have to sum to zero, and solutions are defined up to a constant
-  /// The surface has to outlive this.
-  explicit Surface_solver(const Discrete_surface& surface, double shift = 0) : surface_(surface), shift_(shift)
+  /// The surface has to outlive this. Throws Error if the system is singular.
+  Surface_solver(const Loop& loop, const Discrete_surface& surface, double shift = 0)
+    : surface_(surface), shift_(shift), backend_(loop)
   {
-    if(surface.size() > largest_factorised)
+    if(surface.size() > largest_factorized)
       set_up_multigrid();
     else
-      factorise();
+      factorize();
   }
 
   Surface_solver(const Surface_solver&) = delete; // the hierarchy refers to the backend
@@ -120,17 +124,17 @@ public:
       if(residual.norm() <= 1e-6 * b.norm()) // false for NaN
         return x;
       multigrid_.reset();
-      factorise();
+      factorize();
     }
     return cholesky_.solve(b);
   }
 
 private:
-  /// Up to this size Cholesky's factorisation is as fast as multigrid and gives a residual of rounding, whatever the
+  /// Up to this size Cholesky's factorization is as fast as multigrid and gives a residual of rounding, whatever the
   /// triangles are like; at 134,000 vertices it takes five times as long.
-  static constexpr int largest_factorised = 100000;
+  static constexpr int largest_factorized = 100000;
 
-  void factorise()
+  void factorize()
   {
     Matrix a = surface_.laplacian();
     if(shift_ > 0)
@@ -138,6 +142,8 @@ private:
     else
       a.coeffRef(0, 0) *= 2; // holds x at 0 there: a spring that no force pulls, since b sums to zero
     cholesky_.compute(a);
+    if(cholesky_.info() != Eigen::Success) // else solutions are whatever is in the memory
+      throw Error(Error_code::DEGENERATE_FACE, "the surface has no usable metric");
   }
 
   void set_up_multigrid()
@@ -162,10 +168,10 @@ private:
   Vector solve_by_multigrid(const Vector& b)
   {
     constexpr double accuracy = 1e-9; // relative, in the energy norm
-    Backend::Vectors right(surface_.size());
+    typename Backend::Vectors right(surface_.size());
     for(int i = 0; i < surface_.size(); ++i)
       right[i] = make_vec3(b[i], 0, 0);
-    Backend::Vectors solution = backend_.vectors(surface_.size());
+    typename Backend::Vectors solution = backend_.vectors(surface_.size());
     Monitor monitor(std::numeric_limits<double>::infinity(), {}, false);
     conjugate_gradients(backend_, *multigrid_, 0, std::move(right), accuracy, monitor, 0, solution);
     Vector x(surface_.size());
@@ -182,9 +188,11 @@ private:
 };
 
 /// One implicit step of the heat equation, of time t: (M + t L)^-1 M x.
-inline Discrete_surface::Vector smoothed(const Discrete_surface& surface, const Discrete_surface::Vector& x, double t)
+template <class Loop>
+Discrete_surface::Vector smoothed(const Loop& loop, const Discrete_surface& surface, const Discrete_surface::Vector& x,
+                                  double t)
 {
-  return Surface_solver(surface, 1 / t)(surface.mass().cwiseProduct(x) / t);
+  return Surface_solver<Loop>(loop, surface, 1 / t)(surface.mass().cwiseProduct(x) / t);
 }
 
 } // namespace internal

@@ -4,8 +4,9 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SIGNATURE_INTRINSIC_TRIANGULATION_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SIGNATURE_INTRINSIC_TRIANGULATION_H
 
+#include <CGAL/Spherical_parameterization/internal/base/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
-#include <CGAL/Spherical_parameterization/internal/backend/vertex_formulas.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/Corner_table.h>
 
 #include <algorithm>
 #include <array>
@@ -22,36 +23,31 @@ namespace internal {
 /// of the mesh. M. Fisher, B. Springborn, A. Bobenko, P. Schroeder, "An algorithm for the construction of intrinsic
 /// Delaunay triangulations with applications to digital geometry processing", Computing 81 (2007).
 ///
-/// Halfedge 3f + k goes from corner k of triangle f to the next one. Triangles may end up with two equal corners.
+/// Triangles may end up with two equal corners.
 class Intrinsic_triangulation {
 public:
-  /// \param faces  the corners of the triangles
-  /// \param twin   by halfedge: the opposite one
+  /// \param table  the triangles
   /// \param points by vertex
-  Intrinsic_triangulation(const Host_array<std::array<int, 3>>& faces, std::vector<int> twin,
-                          const Host_array<vec3>& points)
-    : twin_(std::move(twin)), number_of_vertices_(static_cast<int>(points.size()))
+  Intrinsic_triangulation(Corner_table table, const Host_array<vec3>& points)
+    : table_(std::move(table)), number_of_vertices_(static_cast<int>(points.size()))
   {
-    origin_.reserve(3 * faces.size());
-    length_.reserve(3 * faces.size());
-    for(const std::array<int, 3>& f : faces)
-      for(int k = 0; k < 3; ++k) {
-        const vec3 e = sub(points[f[(k + 1) % 3]], points[f[k]]);
-        origin_.push_back(f[k]);
-        length_.push_back(std::sqrt(inner(e, e)));
-      }
+    length_.reserve(number_of_halfedges());
+    for(int h = 0; h < number_of_halfedges(); ++h) {
+      const vec3 e = sub(points[target(h)], points[origin(h)]);
+      length_.push_back(std::sqrt(inner(e, e)));
+    }
     mollify();
     make_delaunay();
   }
 
   int number_of_vertices() const { return number_of_vertices_; }
   int number_of_faces() const { return number_of_halfedges() / 3; }
-  int number_of_halfedges() const { return static_cast<int>(origin_.size()); }
-  int origin(int h) const { return origin_[h]; }
-  int target(int h) const { return origin_[next(h)]; }
-  int twin(int h) const { return twin_[h]; }
-  int apex(int h) const { return origin_[next(next(h))]; } ///< the corner opposite to h
-  static int next(int h) { return h % 3 == 2 ? h - 2 : h + 1; }
+  int number_of_halfedges() const { return table_.number_of_halfedges(); }
+  int origin(int h) const { return table_.origin(h); }
+  int target(int h) const { return table_.target(h); }
+  int twin(int h) const { return table_.twin[h]; }
+  int apex(int h) const { return table_.apex(h); } ///< the corner opposite to h
+  static int next(int h) { return Corner_table::next(h); }
 
   /// Area of the triangle of halfedge h, by Heron's formula as W. Kahan writes it: accurate for needles, too.
   double area(int h) const
@@ -107,11 +103,11 @@ private:
       const int h = open.back();
       open.pop_back();
       is_open[h] = 0;
-      if(h > twin_[h] && is_open[twin_[h]])
+      if(h > twin(h) && is_open[twin(h)])
         continue; // it will come up again
-      if(cotangent(h) + cotangent(twin_[h]) >= -tolerance || !flip(h))
+      if(cotangent(h) + cotangent(twin(h)) >= -tolerance || !flip(h))
         continue;
-      for(int e : {next(h), next(next(h)), next(twin_[h]), next(next(twin_[h]))})
+      for(int e : {next(h), next(next(h)), next(twin(h)), next(next(twin(h)))})
         if(!is_open[e]) {
           is_open[e] = 1;
           open.push_back(e);
@@ -123,7 +119,7 @@ private:
   /// which for an edge that is not Delaunay only rounding can bring about, or where both triangles are the same.
   bool flip(int h)
   {
-    const int t = twin_[h];
+    const int t = twin(h);
     if(h / 3 == t / 3)
       return false;
     // h: a -> b with apex c; t: b -> a with apex d. Laid out in the plane with a = (0, 0), b = (length, 0).
@@ -138,31 +134,33 @@ private:
 
     // The triangles become (d, b, c) in the place of h's, and (c, a, d) in the place of t's.
     const double diagonal = std::hypot(dx - cx, dy - cy);
-    const int a = origin_[h], b = origin_[t], c = origin_[ca], d = origin_[db];
-    const std::array<int, 4> outer_twins = {twin_[bc], twin_[ca], twin_[ad], twin_[db]};
+    const int a = origin(h), b = origin(t), c = origin(ca), d = origin(db);
+    const std::array<int, 4> outer_twins = {twin(bc), twin(ca), twin(ad), twin(db)};
     const std::array<double, 4> outer_lengths = {length_[bc], length_[ca], length_[ad], length_[db]};
     const std::array<int, 4> old_places = {bc, ca, ad, db};
     const std::array<int, 4> new_places = {ca, ad, db, bc}; // of the edges bc, ca, ad, db
     // h: c -> d, then db, bc; t: d -> c, then ca, ad
-    origin_[h] = c;
-    origin_[bc] = d;
-    origin_[ca] = b;
-    origin_[t] = d;
-    origin_[ad] = c;
-    origin_[db] = a;
+    set_origin(h, c);
+    set_origin(bc, d);
+    set_origin(ca, b);
+    set_origin(t, d);
+    set_origin(ad, c);
+    set_origin(db, a);
     length_[h] = length_[t] = diagonal;
     for(int k = 0; k < 4; ++k) {
       // the other side may be an edge of this quadrangle, too
       const auto own = std::find(old_places.begin(), old_places.end(), outer_twins[k]);
       const int other = own == old_places.end() ? outer_twins[k] : new_places[own - old_places.begin()];
       length_[new_places[k]] = outer_lengths[k];
-      twin_[new_places[k]] = other;
-      twin_[other] = new_places[k];
+      table_.twin[new_places[k]] = other;
+      table_.twin[other] = new_places[k];
     }
     return true;
   }
 
-  std::vector<int> origin_, twin_;
+  void set_origin(int h, int v) { table_.face[h / 3][h % 3] = v; }
+
+  Corner_table table_;
   std::vector<double> length_;
   int number_of_vertices_;
 };

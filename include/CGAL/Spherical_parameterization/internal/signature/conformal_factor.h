@@ -4,22 +4,18 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SIGNATURE_CONFORMAL_FACTOR_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SIGNATURE_CONFORMAL_FACTOR_H
 
-#include <CGAL/Spherical_parameterization/Result.h>
-#include <CGAL/Spherical_parameterization/internal/signature/Discrete_surface.h>
 #include <CGAL/Spherical_parameterization/Error.h>
-#include <CGAL/Spherical_parameterization/internal/base/text.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/Source_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/base/vec3.h>
+#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/Mapped_surface.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/midpoint_refinement.h>
-#include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/point_coordinates.h>
-#include <CGAL/Spherical_parameterization/internal/predicates/certificate.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/twins.h>
+#include <CGAL/Spherical_parameterization/internal/predicates/spherical_area.h>
+#include <CGAL/Spherical_parameterization/internal/signature/Discrete_surface.h>
+#include <CGAL/Spherical_parameterization/internal/signature/Intrinsic_triangulation.h>
 
 #include <cmath>
 #include <cstddef>
-#include <stdexcept>
-#include <string>
-#include <vector>
+#include <utility>
 
 namespace CGAL {
 namespace Spherical_parameterization {
@@ -37,26 +33,23 @@ namespace internal {
 ///
 /// On a coarse mesh linear functions do not follow u along a limb. So the faces may be cut into four, again and again;
 /// the surface stays what it is.
-template <class TriangleMesh>
 struct Conformal_factor {
-  Source_mesh<TriangleMesh> source;
-  Triangle_arrays fine; ///< `source`, refined; vertices keep their numbers, the pieces of a face stand together
+  Triangle_surface fine; ///< the surface, refined; vertices keep their numbers, the pieces of a face stand together
   Discrete_surface surface;
-  Discrete_surface::Vector u; ///< by vertex, those of `source` first; the integral of e^u is 4 pi
+  Discrete_surface::Vector u; ///< by vertex, those of the map first; the integral of e^u is 4 pi
 
   /// The mesh is refined until it has `fewest_vertices`.
-  /// Throws std::invalid_argument where the mesh is no closed surface of genus 0 with an area, or the map no map.
-  template <class VertexPointMap, class VertexSphereMap>
-  Conformal_factor(const TriangleMesh& mesh, VertexPointMap points, VertexSphereMap sphere_map, int fewest_vertices = 0)
-    : source(checked(mesh, points)), fine(refined({source.face, twins(mesh), source.point}, fewest_vertices)),
-      surface(Intrinsic_triangulation(fine.face, fine.twin, fine.point))
+  /// Throws Error where the surface has no area, or the map none.
+  template <class Loop>
+  Conformal_factor(const Loop& loop, const Mapped_surface& map, int fewest_vertices = 0)
+    : fine(refined(checked(map), fewest_vertices)), surface(Intrinsic_triangulation(fine, fine.point))
   {
-    const Discrete_surface::Vector b = spherical_areas(sphere_map);
+    const Discrete_surface::Vector b = spherical_areas(map);
     const double total = b.sum();
     if(!(total > 0) || !std::isfinite(total))
-      throw std::invalid_argument("the sphere map has no area");
+      throw Error(Error_code::NOT_BIJECTIVE, "the sphere map has no area");
     const double pi = Discrete_surface::pi();
-    Surface_solver solve(surface);
+    Surface_solver<Loop> solve(loop, surface);
     Discrete_surface::Vector curvature = b * (4 * pi / total);
     for(int step = 0; step <= corrections; ++step) {
       u = 2 * solve(curvature - surface.defect());
@@ -67,27 +60,23 @@ struct Conformal_factor {
       curvature *= 4 * pi / integral;
     }
     if(!u.allFinite())
-      throw std::invalid_argument("the surface has no usable metric");
+      throw Error(Error_code::DEGENERATE_FACE, "the surface has no usable metric");
   }
 
 private:
   static constexpr int corrections = 2; // more make up for little of clamping, and let coarse meshes drift along boosts
 
-  template <class VertexPointMap>
-  static Source_mesh<TriangleMesh> checked(const TriangleMesh& mesh, VertexPointMap points)
-  try {
-    Source_mesh<TriangleMesh> result(mesh, points);
+  static Triangle_surface checked(const Mapped_surface& map)
+  {
     double area = 0;
-    for(double a : result.area)
+    for(double a : map.area)
       area += a;
     if(!(area > 0))
       throw Error(Error_code::DEGENERATE_FACE, "no face has an area");
-    return result;
-  } catch(const Error& error) {
-    throw std::invalid_argument(std::string(get_error_message(error.code())) + ": " + error.detail());
+    return {static_cast<const Corner_table&>(map), map.point};
   }
 
-  static Triangle_arrays refined(Triangle_arrays mesh, int fewest_vertices)
+  static Triangle_surface refined(Triangle_surface mesh, int fewest_vertices)
   {
     while(static_cast<int>(mesh.point.size()) < fewest_vertices)
       mesh = refined_at_midpoints(mesh);
@@ -95,18 +84,13 @@ private:
   }
 
   /// A third of the areas round every vertex, without sign. All pieces of a face have the same share of its image.
-  template <class VertexSphereMap>
-  Discrete_surface::Vector spherical_areas(VertexSphereMap sphere_map) const
+  Discrete_surface::Vector spherical_areas(const Mapped_surface& map) const
   {
-    std::vector<vec3> image;
-    image.reserve(source.vertex.size());
-    for(auto v : source.vertex)
-      image.push_back(coordinates(get(sphere_map, v)));
-    const std::size_t pieces = fine.face.size() / source.face.size();
+    const std::size_t pieces = fine.face.size() / map.face.size();
     Discrete_surface::Vector area = Discrete_surface::Vector::Zero(surface.size());
     for(std::size_t f = 0; f < fine.face.size(); ++f) {
-      const auto& [i, j, k] = source.face[f / pieces];
-      const double third = std::abs(spherical_area(image[i], image[j], image[k])) / (3. * pieces);
+      const auto& [i, j, k] = map.face[f / pieces];
+      const double third = std::abs(spherical_area(map.image[i], map.image[j], map.image[k])) / (3. * pieces);
       for(int corner : fine.face[f])
         area[corner] += third;
     }

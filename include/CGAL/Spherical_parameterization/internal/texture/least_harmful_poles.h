@@ -4,7 +4,10 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_TEXTURE_LEAST_HARMFUL_POLES_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_TEXTURE_LEAST_HARMFUL_POLES_H
 
+#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/distortion/Mapped_faces.h>
 #include <CGAL/Spherical_parameterization/internal/distortion/face_distortion.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/vertex_stars.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +29,7 @@ struct Face_sample {
 
 /// Directions that may become a pole: the tips of the limbs first, since a limb with a pole in its tip has all of u
 /// round it, and elsewhere is a speck. Vertices by falling stretch, none closer to another than 0.1.
-inline std::vector<vec3> pole_candidates(const std::vector<vec3>& directions, const std::vector<double>& stretch)
+inline std::vector<vec3> pole_candidates(const Host_array<vec3>& directions, const std::vector<double>& stretch)
 {
   constexpr std::size_t most = 48;
   std::vector<std::size_t> order(directions.size());
@@ -74,26 +77,25 @@ inline double texture_distortion(const std::vector<Face_sample>& samples, vec3 p
 }
 
 /// The vertex that as the south pole makes the texture of latitude and longitude least distorted.
-template <class TriangleMesh, class VertexPointMap, class VertexSphereMap>
-vec3 least_harmful_south_pole(const TriangleMesh& mesh, VertexPointMap points, VertexSphereMap sphere)
+template <class Loop>
+vec3 least_harmful_south_pole(const Loop& loop, const Mapped_faces& map, const Vertex_stars& stars)
 {
   constexpr std::size_t enough = 4000; // samples; every k-th face
-  std::size_t number_of_faces = 0;
+  const std::size_t number_of_faces = map.face.size();
+  std::vector<double> source_area, image_area;
   double total = 0;
-  for(auto f : faces(mesh)) {
-    ++number_of_faces;
-    total += flat_area(corners(mesh, points, f));
+  for(int f = 0; f < map.number_of_faces(); ++f) {
+    source_area.push_back(flat_area(map.in_source(f)));
+    image_area.push_back(flat_area(map.on_sphere(f)));
+    total += source_area.back();
   }
   const std::size_t stride = (std::max)(std::size_t(1), number_of_faces / enough);
 
   std::vector<Face_sample> samples;
-  std::size_t k = 0;
-  for(auto f : faces(mesh)) {
-    if(k++ % stride != 0)
-      continue;
-    const auto p = corners(mesh, points, f), v = corners(mesh, sphere, f);
+  for(std::size_t f = 0; f < number_of_faces; f += stride) {
+    const auto p = map.in_source(static_cast<int>(f)), v = map.on_sphere(static_cast<int>(f));
     const vec3 e = sub(p[1], p[0]), g = sub(p[2], p[0]);
-    const double length = std::sqrt(inner(e, e)), area = flat_area(p);
+    const double length = std::sqrt(inner(e, e)), area = source_area[f];
     if(!(area > 0))
       continue;
     const double along = inner(e, g) / length, height = 2 * area / length;
@@ -105,27 +107,26 @@ vec3 least_harmful_south_pole(const TriangleMesh& mesh, VertexPointMap points, V
     samples.push_back(s);
   }
 
-  std::vector<vec3> directions;
   std::vector<double> stretch;
-  for(auto v : vertices(mesh)) {
-    directions.push_back(coordinates(get(sphere, v)));
+  for(int v = 0; v < stars.number_of_vertices(); ++v) {
     double in_source = 0, on_sphere = 0;
-    for(auto h : halfedges_around_target(halfedge(v, mesh), mesh)) {
-      in_source += flat_area(corners(mesh, points, face(h, mesh)));
-      on_sphere += flat_area(corners(mesh, sphere, face(h, mesh)));
+    for(int k = stars.offset[v]; k < stars.offset[v + 1]; ++k) {
+      in_source += source_area[stars.face[k]];
+      on_sphere += image_area[stars.face[k]];
     }
     stretch.push_back(std::log((std::max)(in_source / total, 1e-300)) - std::log((std::max)(on_sphere, 1e-300)));
   }
 
-  vec3 best = directions.front();
+  const std::vector<vec3> poles = pole_candidates(map.image, stretch);
+  std::vector<double> distortion(poles.size());
+  loop.for_each(static_cast<int>(poles.size()), [&](int i) { distortion[i] = texture_distortion(samples, poles[i]); });
+  vec3 best = map.image.front();
   double least = std::numeric_limits<double>::infinity();
-  for(vec3 pole : pole_candidates(directions, stretch)) {
-    const double distortion = texture_distortion(samples, pole);
-    if(distortion < least) {
-      least = distortion;
-      best = pole;
+  for(std::size_t i = 0; i < poles.size(); ++i)
+    if(distortion[i] < least) {
+      least = distortion[i];
+      best = poles[i];
     }
-  }
   return best;
 }
 

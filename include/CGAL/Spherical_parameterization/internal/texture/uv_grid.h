@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_TEXTURE_UV_GRID_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_TEXTURE_UV_GRID_H
 
+#include <CGAL/Spherical_parameterization/internal/base/plane.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 
 #include <algorithm>
@@ -13,15 +14,6 @@
 namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {
-
-struct vec2 {
-  double x, y;
-};
-inline vec2 add(vec2 a, vec2 b) { return {a.x + b.x, a.y + b.y}; }
-inline vec2 sub(vec2 a, vec2 b) { return {a.x - b.x, a.y - b.y}; }
-inline vec2 scale(double s, vec2 a) { return {s * a.x, s * a.y}; }
-inline double inner(vec2 a, vec2 b) { return a.x * b.x + a.y * b.y; }
-inline double distance(vec2 a, vec2 b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
 typedef std::array<vec2, 3> Uv_triangle;
 

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#include "analysis.h"
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+#ifdef CGAL_LINKED_WITH_TBB
+CGAL_SP_ANALYSIS(Parallel_loop)
+#endif
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL

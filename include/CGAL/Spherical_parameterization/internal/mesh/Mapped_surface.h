@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_MAPPED_SURFACE_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_MAPPED_SURFACE_H
+
+#include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
+#include <CGAL/Spherical_parameterization/internal/base/vec3.h>
+#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/Corner_table.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/Source_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/corner_table_of.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/point_coordinates.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+/// A mesh that Source_mesh has checked, and its image on the sphere, as arrays: faces in the order of the mesh,
+/// vertices breadth-first.
+struct Mapped_surface : Corner_table {
+  Host_array<vec3> point;   ///< in a box of size 1
+  Host_array<vec3> image;   ///< as the sphere map has it
+  Host_array<double> area;  ///< every vertex's third of the areas of its faces
+  Host_array<int> position; ///< of the vertices in vertices(mesh)
+  Shared_graph graph;       ///< the neighbours of the vertices, without weights
+};
+
+/// Throws Error for what is no closed, connected triangle mesh of genus 0 with finite points. Property maps are read on
+/// the calling thread, but for points whose coordinates are plain numbers.
+template <class TriangleMesh, class VertexPointMap, class VertexSphereMap, class Loop>
+Mapped_surface read_mapped_surface(const TriangleMesh& mesh, VertexPointMap points, VertexSphereMap sphere_map,
+                                   const Loop&)
+{
+  typedef typename boost::property_traits<VertexPointMap>::value_type Point;
+  const std::conditional_t<are_plain_coordinates<Point>(), Loop, Sequential_loop> loop;
+  Source_mesh<TriangleMesh> source(mesh, points, loop);
+  Mapped_surface result;
+  static_cast<Corner_table&>(result) = corner_table_of(mesh, std::move(source.face), loop);
+  result.point = std::move(source.point);
+  result.area = std::move(source.area);
+  result.position = std::move(source.position);
+  result.graph = std::move(source.graph);
+  result.image.reserve(source.vertex.size());
+  for(auto v : source.vertex)
+    result.image.push_back(coordinates(get(sphere_map, v)));
+  return result;
+}
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_MAPPED_SURFACE_H

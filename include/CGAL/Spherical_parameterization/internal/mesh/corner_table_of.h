@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_CORNER_TABLE_OF_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_CORNER_TABLE_OF_H
+
+#include <CGAL/Spherical_parameterization/Error.h>
+#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/Corner_table.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/Vertex_numbering.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/check_face_graph.h>
+
+#include <CGAL/boost/graph/helpers.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+/// The corners of face f: source(h), target(h) and target(next(h)) for h = halfedge(f), as in Source_mesh.
+template <class TriangleMesh, class Index>
+std::array<int, 3> corners_of_face(const TriangleMesh& mesh, const Index& index,
+                                   typename boost::graph_traits<TriangleMesh>::face_descriptor f)
+{
+  const auto h = halfedge(f, mesh);
+  return {index(source(h, mesh)), index(target(h, mesh)), index(target(next(h, mesh), mesh))};
+}
+
+/// The corners of all faces in the order of faces(mesh); vertices have the numbers index(v). Throws Error for a mesh
+/// that is too large.
+template <class TriangleMesh, class Index, class Loop>
+Host_array<std::array<int, 3>> corners_of_faces(const TriangleMesh& mesh, const Index& index, const Loop& loop)
+{
+  typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
+  check_size(mesh);
+  const std::vector<face_descriptor> descriptor(faces(mesh).begin(), faces(mesh).end());
+  Host_array<std::array<int, 3>> face(descriptor.size());
+  for_each_part(loop, static_cast<int>(face.size()), [&](int begin, int end) {
+    for(int f = begin; f < end; ++f)
+      face[f] = corners_of_face(mesh, index, descriptor[f]);
+  });
+  return face;
+}
+
+/// The corner table of a face graph. Opposite halfedges are those of the mesh: it may have several edges between two
+/// vertices.
+/// \param corners  what `corners_of_faces()` gives, with any numbers
+/// Throws Error for a face that is no triangle, and for a boundary.
+template <class TriangleMesh, class Loop>
+Corner_table corner_table_of(const TriangleMesh& mesh, Host_array<std::array<int, 3>> corners, const Loop& loop)
+{
+  typedef boost::graph_traits<TriangleMesh> Graph_traits;
+  const Face_numbering<TriangleMesh> numbering(mesh);
+  const std::vector<typename Graph_traits::face_descriptor> descriptor(faces(mesh).begin(), faces(mesh).end());
+  constexpr int no_triangle = -2, boundary = -1;
+  Corner_table table;
+  table.face = std::move(corners);
+  table.twin.resize(3 * descriptor.size());
+  const int n = static_cast<int>(descriptor.size());
+  const int bad = first_index(loop, n, [&](int f) {
+    auto h = halfedge(descriptor[f], mesh);
+    if(next(next(next(h, mesh), mesh), mesh) != h) {
+      table.twin[3 * f] = no_triangle;
+      return true;
+    }
+    for(int k = 0; k < 3; ++k, h = next(h, mesh)) {
+      const auto other = opposite(h, mesh);
+      if(is_border(other, mesh)) {
+        table.twin[3 * f] = boundary;
+        return true;
+      }
+      const auto neighbour = face(other, mesh);
+      const auto first = halfedge(neighbour, mesh);
+      const int corner = other == first ? 0 : other == next(first, mesh) ? 1 : 2;
+      table.twin[3 * f + k] = 3 * numbering(neighbour) + corner;
+    }
+    return false;
+  });
+  if(bad < n && table.twin[3 * bad] == no_triangle)
+    throw Error(Error_code::NOT_TRIANGULAR, "face " + std::to_string(bad) + "; triangulate the mesh first");
+  if(bad < n)
+    throw Error(Error_code::BOUNDARY,
+                "the first boundary edge is one of face " + std::to_string(bad) + "; fill the holes first");
+  return table;
+}
+
+/// Throws Error if there are vertices below n without faces.
+inline void check_no_isolated_vertex(const Host_array<std::array<int, 3>>& face, int n)
+{
+  std::vector<char> has_face(n, 0);
+  for(const std::array<int, 3>& f : face)
+    for(int v : f)
+      has_face[v] = 1;
+  for(int v = 0; v < n; ++v)
+    if(!has_face[v])
+      throw Error(Error_code::ISOLATED_VERTEX, "the first one is vertex " + std::to_string(v) + "; remove them");
+}
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_CORNER_TABLE_OF_H

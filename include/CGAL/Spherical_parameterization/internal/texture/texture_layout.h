@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_TEXTURE_TEXTURE_LAYOUT_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_TEXTURE_TEXTURE_LAYOUT_H
+
+#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/base/compiled.h>
+#include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
+#include <CGAL/Spherical_parameterization/internal/base/plane.h>
+#include <CGAL/Spherical_parameterization/internal/distortion/Mapped_faces.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/vertex_stars.h>
+#include <CGAL/Spherical_parameterization/texture_options.h>
+
+#include <array>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+/// What is to be put into the texture.
+struct Texture_layout {
+  Host_array<std::array<vec2, 3>> uv; ///< of the corners of the faces
+  Texture_report report;
+};
+
+/// \param stars  is used where the poles are to be chosen
+template <class Loop>
+Texture_layout texture_layout(const Loop& loop, const Mapped_faces& map, const Vertex_stars& stars,
+                              const Texture_options& options);
+
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_COMPILED
+extern template Texture_layout texture_layout(const Sequential_loop&, const Mapped_faces&, const Vertex_stars&,
+                                              const Texture_options&);
+#ifdef CGAL_LINKED_WITH_TBB
+extern template Texture_layout texture_layout(const Parallel_loop&, const Mapped_faces&, const Vertex_stars&,
+                                              const Texture_options&);
+#endif
+#endif
+
+} // namespace internal
+
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#ifdef CGAL_SP_INCLUDE_CORE
+#include <CGAL/Spherical_parameterization/internal/texture/texture_layout_impl.h>
+#endif
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_TEXTURE_TEXTURE_LAYOUT_H

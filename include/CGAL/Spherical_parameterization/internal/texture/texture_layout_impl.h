@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_TEXTURE_TEXTURE_LAYOUT_IMPL_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_TEXTURE_TEXTURE_LAYOUT_IMPL_H
+
+#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
+#include <CGAL/Spherical_parameterization/internal/base/precondition.h>
+#include <CGAL/Spherical_parameterization/internal/distortion/Mapped_faces.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/point_coordinates.h>
+#include <CGAL/Spherical_parameterization/internal/texture/least_harmful_poles.h>
+#include <CGAL/Spherical_parameterization/internal/texture/texture_charts.h>
+#include <CGAL/Spherical_parameterization/internal/texture/uv_grid.h>
+#include <CGAL/Spherical_parameterization/internal/texture/texture_layout.h>
+#include <CGAL/Spherical_parameterization/texture_options.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL {
+namespace Spherical_parameterization {
+namespace internal {
+
+inline Frame frame_of(const Texture_axes& axes)
+{
+  const vec3 north = {axes.north[0], axes.north[1], axes.north[2]};
+  const vec3 meridian = {axes.meridian[0], axes.meridian[1], axes.meridian[2]};
+  const vec3 normal = outer(scaled_to_unit_box(north), scaled_to_unit_box(meridian));
+  CGAL_SP_PRECONDITION(is_finite(north) && is_finite(meridian) && inner(normal, normal) > 1e-20,
+                       "the axes of a texture are two directions that are not parallel");
+  const bool is_unit = std::abs(inner(north, north) - 1) <= 1e-15;
+  return Frame(is_unit ? north : scaled_to_unit_box(north), scaled_to_unit_box(meridian));
+}
+
+/// Any meridian will do: that of the coordinate axis farthest from the pole.
+inline Texture_axes axes_with_south_pole(vec3 south)
+{
+  const double x = std::abs(south.x), y = std::abs(south.y), z = std::abs(south.z);
+  Texture_axes axes = {{-south.x, -south.y, -south.z}, {0, 0, 0}};
+  axes.meridian[x <= y && x <= z ? 0 : y <= z ? 1 : 2] = 1;
+  return axes;
+}
+
+template <class Loop, class Chart>
+void lay_out_faces(const Loop& loop, const Mapped_faces& map, const Chart& chart, const Uv_grid& grid,
+                   Texture_layout& layout)
+{
+  struct Note {
+    bool is_at_seam, is_at_pole, is_moved;
+    double move;
+  };
+  const int n = map.number_of_faces();
+  layout.uv.resize(n);
+  Host_array<Note> notes(n);
+  for_each_part(loop, n, [&](int begin, int end) {
+    for(int f = begin; f < end; ++f) {
+      const Charted_face face = chart(map.on_sphere(f));
+      Uv_triangle uv = grid.rounded(face.uv);
+      Note note = {face.is_at_seam, face.is_at_pole, !is_counterclockwise(uv), 0};
+      if(note.is_moved) {
+        uv = grid.turned_over(face.uv, face.area);
+        for(int k = 0; k < 3; ++k)
+          note.move = (std::max)(note.move, distance(uv[k], face.uv[k]));
+        chart.into_range(uv);
+      }
+      layout.uv[f] = uv;
+      notes[f] = note;
+    }
+  });
+  Texture_report& report = layout.report;
+  for(const Note& note : notes) {
+    report.seam_faces += note.is_at_seam;
+    report.pole_faces += note.is_at_pole;
+    report.moved_faces += note.is_moved;
+    report.unresolved_faces += note.is_moved && note.move <= 2 * grid.cell();
+    report.largest_move = (std::max)(report.largest_move, note.move);
+  }
+}
+
+template <class Loop>
+Texture_layout texture_layout(const Loop& loop, const Mapped_faces& map, const Vertex_stars& stars,
+                              const Texture_options& options)
+{
+  Texture_layout layout;
+  layout.report.axes = options.axes ? *options.axes : axes_with_south_pole(least_harmful_south_pole(loop, map, stars));
+  const Frame frame = frame_of(layout.report.axes);
+  const Uv_grid grid(options.bits);
+  if(options.chart == Texture_chart::LATITUDE_LONGITUDE)
+    lay_out_faces(loop, map, Latitude_longitude_chart(frame), grid, layout);
+  else
+    lay_out_faces(loop, map, Octahedral_chart(frame), grid, layout);
+  return layout;
+}
+
+} // namespace internal
+} // namespace Spherical_parameterization
+} // namespace CGAL
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_TEXTURE_TEXTURE_LAYOUT_IMPL_H

@@ -5,6 +5,7 @@
 
 #include "measure/timing.h"
 
+#include <CGAL/Spherical_parameterization/internal/backend/Host_backend.h>
 #include <CGAL/spherical_parameterization.h>
 
 #include <algorithm>
@@ -59,16 +60,14 @@ private:
 } // namespace
 
 Sweep_graph::Sweep_graph(const Mesh& mesh, Weights weights)
-try {
+{
   internal::Source_mesh<Mesh> source(mesh, mesh.points());
-  visit_weights(weights, mesh, [&](auto map) { source.set_weights(mesh, map); });
+  visit_weights(weights, mesh, [&](auto map) { source.set_weights(mesh, map, internal::Sequential_loop()); });
   source.graph->update_diagonal({});
   graph_ = std::move(*source.graph);
   points_ = std::move(source.point);
   faces_ = std::move(source.face);
   position_ = std::move(source.position);
-} catch(const internal::Failure& failure) {
-  throw std::runtime_error(std::string(get_error_message(failure.code)) + ": " + failure.detail);
 }
 
 Sweep_graph Sweep_graph::renumbered(const std::vector<int>& order) const

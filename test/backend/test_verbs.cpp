@@ -3,7 +3,8 @@
 
 #include "helpers/policies.h"
 
-#include <CGAL/Spherical_parameterization/parameterize.h>
+#include <CGAL/Spherical_parameterization/internal/backend/Host_backend.h>
+#include <CGAL/Spherical_parameterization/internal/saddle_point/saddle_point_solver.h>
 
 #include <catch2/catch.hpp>
 

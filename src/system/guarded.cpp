@@ -3,6 +3,9 @@
 
 #include "system/guarded.h"
 
+#include "system/error_code_names.h"
+#include "system/interruption.h"
+
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
 #include <CGAL/Spherical_parameterization/OpenCL_error.h>
 #endif
@@ -22,6 +25,8 @@ std::optional<Refusal> guarded(const std::string& input, const std::function<voi
   }
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
   catch(const CGAL::Spherical_parameterization::OpenCL_error& error) {
+    if(was_interrupted()) // and so was the compiler of the kernels, which Ctrl-C reaches, too
+      return Refusal(name(Error_code::INTERRUPTED), input, "interrupted", "nothing has been written");
     const std::string& log = error.build_log();
     const std::string text = error.what(); // its lines from the second on are the log
     return Refusal("OPENCL_ERROR", input, log.empty() ? text : text.substr(0, text.find('\n')),

@@ -137,6 +137,10 @@ Distortion_summary distortion_summary(const ExecutionPolicy& policy, const Trian
 
 /// \overload
 /// On one core.
+/// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \param sphere_map  readable, key vertex_descriptor, value unit vectors
+/// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
+/// \return how each measure is distributed over the source area
 template <class TriangleMesh, class VertexSphereMap, class NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
           ,

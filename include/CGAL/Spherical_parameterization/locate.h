@@ -70,7 +70,10 @@ public:
     : Spherical_locator(CGAL::Sequential_tag(), mesh, sphere_map)
   {}
 
-  /// The same on the threads of `policy`, `CGAL::Sequential_tag` or `CGAL::Parallel_tag`.
+  /// The same on the threads of a policy.
+  /// \param policy      `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result does not depend on it
+  /// \param mesh        as above
+  /// \param sphere_map  as above
   template <class ExecutionPolicy, class VertexSphereMap>
   Spherical_locator(const ExecutionPolicy& policy, const TriangleMesh& mesh, VertexSphereMap sphere_map)
     : Spherical_locator(mesh, internal::host_loop(policy),

@@ -111,9 +111,12 @@ Host_array<double> vertex_stretch(const TriangleMesh& mesh, const Face_measures&
 } // namespace internal
 
 /// Number of flipped faces: faces (a, b, c) with orientation(O, a, b, c) <= 0, by exact predicates on the coordinates
-/// as doubles. A map without such faces and of degree 1 is bijective. \param policy      `CGAL::Sequential_tag` or
-/// `CGAL::Parallel_tag`; the result does not depend on it \param mesh        a closed triangle mesh, a model of
-/// `FaceListGraph` and `HalfedgeListGraph` \param sphere_map  readable, key vertex_descriptor; need not be normalized
+/// as doubles. A map without such faces and of degree 1 is bijective.
+/// \param policy      `CGAL::Sequential_tag` or
+/// `CGAL::Parallel_tag`; the result does not depend on it
+/// \param mesh        a closed triangle mesh, a model of
+/// `FaceListGraph` and `HalfedgeListGraph`
+/// \param sphere_map  readable, key vertex_descriptor; need not be normalized
 /// \return the number of faces that are flipped, degenerate, or not finite
 ///
 /// Complexity: linear.
@@ -131,6 +134,10 @@ std::size_t number_of_flipped_faces(const ExecutionPolicy& policy, const Triangl
 
 /// \overload
 /// On one core.
+/// \param mesh        a closed triangle mesh, a model of
+/// `FaceListGraph` and `HalfedgeListGraph`
+/// \param sphere_map  readable, key vertex_descriptor; need not be normalized
+/// \return the number of faces that are flipped, degenerate, or not finite
 template <class TriangleMesh, class VertexSphereMap>
 std::size_t number_of_flipped_faces(const TriangleMesh& mesh, VertexSphereMap sphere_map)
 {
@@ -159,6 +166,9 @@ int degree_of_map(const ExecutionPolicy& policy, const TriangleMesh& mesh, Verte
 
 /// \overload
 /// On one core.
+/// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \param sphere_map  readable, key vertex_descriptor, value unit vectors
+/// \return the degree: 1 for a valid map, -1 for a mirrored one
 template <class TriangleMesh, class VertexSphereMap>
 int degree_of_map(const TriangleMesh& mesh, VertexSphereMap sphere_map)
 {
@@ -197,6 +207,11 @@ std::pair<double, double> face_log_area_stretch(const ExecutionPolicy& policy, c
 
 /// \overload
 /// On one core.
+/// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \param sphere_map  readable, key vertex_descriptor, value unit vectors; a valid map
+/// \param face_map    writable, key face_descriptor, value double
+/// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
+/// \return the smallest and the largest value
 template <class TriangleMesh, class VertexSphereMap, class FaceMap,
           class NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
@@ -211,11 +226,16 @@ std::pair<double, double> face_log_area_stretch(const TriangleMesh& mesh, Vertex
 }
 
 /// The angle distortion of faces, 0 for a conformal map: mean over the three corners of |angle between the great
-/// circles - angle in the source|, in radians, in [0, pi). \param policy      `CGAL::Sequential_tag` or
-/// `CGAL::Parallel_tag`; the result does not depend on it \param mesh        a closed triangle mesh, a model of
-/// `FaceListGraph` and `HalfedgeListGraph` \param sphere_map  readable, key vertex_descriptor, value unit vectors; a
-/// valid map \param face_map    writable, key face_descriptor, value double \param np          optional named
-/// parameters: `vertex_point_map`, by default the mesh's own \return the smallest and the largest value
+/// circles - angle in the source|, in radians, in [0, pi).
+/// \param policy      `CGAL::Sequential_tag` or
+/// `CGAL::Parallel_tag`; the result does not depend on it
+/// \param mesh        a closed triangle mesh, a model of
+/// `FaceListGraph` and `HalfedgeListGraph`
+/// \param sphere_map  readable, key vertex_descriptor, value unit vectors; a
+/// valid map \param face_map    writable, key face_descriptor, value double
+/// \param np          optional named
+/// parameters: `vertex_point_map`, by default the mesh's own
+/// \return the smallest and the largest value
 template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class FaceMap,
           class NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
@@ -234,6 +254,13 @@ std::pair<double, double> face_angle_distortion(const ExecutionPolicy& policy, c
 
 /// \overload
 /// On one core.
+/// \param mesh        a closed triangle mesh, a model of
+/// `FaceListGraph` and `HalfedgeListGraph`
+/// \param sphere_map  readable, key vertex_descriptor, value unit vectors; a
+/// valid map \param face_map    writable, key face_descriptor, value double
+/// \param np          optional named
+/// parameters: `vertex_point_map`, by default the mesh's own
+/// \return the smallest and the largest value
 template <class TriangleMesh, class VertexSphereMap, class FaceMap,
           class NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
@@ -248,11 +275,16 @@ std::pair<double, double> face_angle_distortion(const TriangleMesh& mesh, Vertex
 }
 
 /// The quasi-conformal distortion (dilatation, shear) of faces, sigma_1 / sigma_2 >= 1 of the affine map between the
-/// flat triangles; 1 where it is conformal, infinite for faces without area. \param policy      `CGAL::Sequential_tag`
-/// or `CGAL::Parallel_tag`; the result does not depend on it \param mesh        a closed triangle mesh, a model of
-/// `FaceListGraph` and `HalfedgeListGraph` \param sphere_map  readable, key vertex_descriptor, value unit vectors; a
-/// valid map \param face_map    writable, key face_descriptor, value double \param np          optional named
-/// parameters: `vertex_point_map`, by default the mesh's own \return the smallest and the largest value
+/// flat triangles; 1 where it is conformal, infinite for faces without area.
+/// \param policy      `CGAL::Sequential_tag`
+/// or `CGAL::Parallel_tag`; the result does not depend on it
+/// \param mesh        a closed triangle mesh, a model of
+/// `FaceListGraph` and `HalfedgeListGraph`
+/// \param sphere_map  readable, key vertex_descriptor, value unit vectors; a
+/// valid map \param face_map    writable, key face_descriptor, value double
+/// \param np          optional named
+/// parameters: `vertex_point_map`, by default the mesh's own
+/// \return the smallest and the largest value
 template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class FaceMap,
           class NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
@@ -270,6 +302,13 @@ std::pair<double, double> face_dilatation(const ExecutionPolicy& policy, const T
 
 /// \overload
 /// On one core.
+/// \param mesh        a closed triangle mesh, a model of
+/// `FaceListGraph` and `HalfedgeListGraph`
+/// \param sphere_map  readable, key vertex_descriptor, value unit vectors; a
+/// valid map \param face_map    writable, key face_descriptor, value double
+/// \param np          optional named
+/// parameters: `vertex_point_map`, by default the mesh's own
+/// \return the smallest and the largest value
 template <class TriangleMesh, class VertexSphereMap, class FaceMap,
           class NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
@@ -310,6 +349,11 @@ std::pair<double, double> face_symmetric_dirichlet(const ExecutionPolicy& policy
 
 /// \overload
 /// On one core.
+/// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \param sphere_map  readable, key vertex_descriptor, value unit vectors; a valid map
+/// \param face_map    writable, key face_descriptor, value double
+/// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
+/// \return the smallest and the largest value
 template <class TriangleMesh, class VertexSphereMap, class FaceMap,
           class NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
@@ -346,8 +390,10 @@ std::pair<double, double> mean_over_faces(const TriangleMesh& mesh, FaceMap face
 }
 
 /// The area distortion of Definition 1 of the paper, the logarithmic area stretch of vertices: for every vertex the
-/// mean of `face_log_area_stretch()`. \param policy      `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result
-/// does not depend on it \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
+/// mean of `face_log_area_stretch()`.
+/// \param policy      `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result
+/// does not depend on it
+/// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param sphere_map  readable, key vertex_descriptor, value unit vectors; a valid map
 /// \param stretch_map writable, key vertex_descriptor, value double
 /// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
@@ -372,6 +418,11 @@ std::pair<double, double> vertex_log_area_stretch(const ExecutionPolicy& policy,
 
 /// \overload
 /// On one core.
+/// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \param sphere_map  readable, key vertex_descriptor, value unit vectors; a valid map
+/// \param stretch_map writable, key vertex_descriptor, value double
+/// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
+/// \return the smallest and the largest value
 template <class TriangleMesh, class VertexSphereMap, class VertexStretchMap,
           class NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
@@ -386,6 +437,7 @@ std::pair<double, double> vertex_log_area_stretch(const TriangleMesh& mesh, Vert
   return vertex_log_area_stretch(CGAL::Sequential_tag(), mesh, sphere_map, stretch_map, np);
 }
 
+/// \cond SKIP_IN_MANUAL
 /// The former name of `vertex_log_area_stretch()`.
 template <class TriangleMesh, class VertexSphereMap, class VertexStretchMap,
           class NamedParameters = parameters::Default_named_parameters>
@@ -395,6 +447,7 @@ std::pair<double, double> log_area_stretch(const TriangleMesh& mesh, VertexSpher
 {
   return vertex_log_area_stretch(CGAL::Sequential_tag(), mesh, sphere_map, stretch_map, np);
 }
+/// \endcond
 
 /// @}
 

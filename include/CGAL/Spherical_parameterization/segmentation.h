@@ -131,6 +131,15 @@ Segmentation_result segmentation_from_area_stretch(const ExecutionPolicy& policy
 
 /// \overload
 /// On one core.
+/// \param mesh        a closed triangle mesh of genus 0, a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \param sphere_map  readable, key vertex_descriptor, value of any length but 0
+/// \param stretch_map readable, key face_descriptor, value double: what `face_log_area_stretch()` has written. Faces
+///                    with less than 1e-36 of the sphere, and flipped ones, count as if they had 1e-36: doubles resolve
+///                    nothing smaller near length 1, so that limbs that are too thin end in a plateau.
+/// \param segment_map writable, key face_descriptor, value constructible from std::size_t
+/// \param method      `Majority_vote`, `Girth_profiles` or `Region_growing`
+/// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
+/// \return the number of segments, or what is wrong with the mesh or the maps
 template <class TriangleMesh, class VertexSphereMap, class FaceStretchMap, class FaceSegmentMap,
           class Method = Majority_vote, class NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
@@ -180,6 +189,12 @@ Segmentation_result segmentation_via_area_stretch(const ExecutionPolicy& policy,
 
 /// \overload
 /// On one core.
+/// \param mesh        a closed triangle mesh of genus 0, a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \param sphere_map  readable, key vertex_descriptor, value unit vectors; the map need not be valid
+/// \param segment_map writable, key face_descriptor, value constructible from std::size_t
+/// \param method      `Majority_vote`, `Girth_profiles` or `Region_growing`
+/// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
+/// \return the number of segments, or what is wrong with the mesh or the map
 template <class TriangleMesh, class VertexSphereMap, class FaceSegmentMap, class Method = Majority_vote,
           class NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING

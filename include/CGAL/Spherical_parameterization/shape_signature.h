@@ -87,6 +87,12 @@ Shape_signature shape_signature(const ExecutionPolicy& policy, const TriangleMes
 
 /// \overload
 /// On one core.
+/// \param mesh  closed triangle mesh of genus 0, a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \param sphere_map  readable, key vertex_descriptor, value unit vectors; a conformal map to the sphere whose centroid
+///        of the source area is at the centre, as `parameterize()` computes it. Only where the sphere is large does it
+///        have to be right: a map that fails to be bijective in thin limbs will do, and so will a barycentric one.
+/// \param np  optional named parameters: `vertex_point_map`, by default the mesh's own
+/// \return the signature
 template <class TriangleMesh, class VertexSphereMap, class NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
           ,

@@ -166,6 +166,11 @@ std::vector<double> stretch_histogram(const ExecutionPolicy& policy, const Trian
 
 /// \overload
 /// On one core.
+/// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \param sphere_map  readable, key vertex_descriptor, value unit vectors
+/// \param options     which histogram
+/// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
+/// \return one share for each bin
 template <class TriangleMesh, class VertexSphereMap, class NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
           ,

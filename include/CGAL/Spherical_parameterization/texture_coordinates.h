@@ -90,6 +90,13 @@ Texture_report texture_coordinates(const ExecutionPolicy& policy, const Triangle
 
 /// \overload
 /// On one core.
+/// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \param sphere_map  readable, key vertex_descriptor, value unit vectors; a valid map
+/// \param uv_map      writable, key halfedge_descriptor, value constructible from two doubles: the corner of face(h) at
+///                    target(h)
+/// \param options     the chart, where it is on the sphere, and the grid of the coordinates
+/// \param np          optional named parameters: `vertex_point_map`, for the choice of the poles
+/// \return what had to be done
 template <class TriangleMesh, class VertexSphereMap, class HalfedgeUVMap,
           class NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
@@ -109,8 +116,10 @@ Texture_report texture_coordinates(const TriangleMesh& mesh, VertexSphereMap sph
 /// \param mesh            a triangle mesh, a model of `FaceListGraph`, `HalfedgeListGraph` and `EdgeListGraph`
 /// \param uv_map          readable, key halfedge_descriptor, value with `==`: what `texture_coordinates()` has written
 /// \param edge_is_seam    writable, key edge_descriptor, value `bool`: whether the edge is a seam; `false` on the
-/// boundary \param vertex_on_seam  writable, key vertex_descriptor, value `bool`: whether the vertex is the end of a
-/// seam \return the number of seam edges, for `CGAL::Seam_mesh::set_seam_edges_number()`
+/// boundary
+/// \param vertex_on_seam  writable, key vertex_descriptor, value `bool`: whether the vertex is the end of a
+/// seam
+/// \return the number of seam edges, for `CGAL::Seam_mesh::set_seam_edges_number()`
 ///
 /// Complexity: linear.
 template <class TriangleMesh, class HalfedgeUVMap, class EdgeSeamMap, class VertexSeamMap>

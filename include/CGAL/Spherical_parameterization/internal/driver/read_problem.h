@@ -10,6 +10,8 @@
 #include <CGAL/Spherical_parameterization/internal/problem/Problem.h>
 #include <CGAL/Spherical_parameterization/internal/problem/fixed_vertices.h>
 
+#include <CGAL/number_utils.h>
+
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
@@ -37,15 +39,32 @@ Point stored_point(vec3 p)
   return Point{static_cast<FT>(p.x), static_cast<FT>(p.y), static_cast<FT>(p.z)};
 }
 
-/// What points of this type make of a position, if they do not keep all digits of doubles; else null.
+/// A coordinate after a number of type FT has held it. It is volatile since g++ 12 takes two such conversions in a row,
+/// of neighbouring coordinates, for nothing when it vectorizes them.
+template <class FT>
+double coordinate_as_stored(double x)
+{
+  if constexpr(std::is_floating_point_v<FT>) {
+    const volatile FT stored = static_cast<FT>(x);
+    return stored;
+  } else
+    return CGAL::to_double(static_cast<FT>(x));
+}
+
+/// A position after points of this type have held it.
 template <class Point>
-constexpr vec3 (*storage_of_points())(vec3)
+vec3 position_as_stored(vec3 p)
+{
+  typedef Coordinate_of<Point> FT;
+  return {coordinate_as_stored<FT>(p.x), coordinate_as_stored<FT>(p.y), coordinate_as_stored<FT>(p.z)};
+}
+
+/// Whether points of this type round the coordinates of a position, which are doubles.
+template <class Point>
+constexpr bool are_positions_rounded()
 {
   typedef std::numeric_limits<Coordinate_of<Point>> Limits;
-  if constexpr(Limits::is_specialized && Limits::radix == 2 && Limits::digits < std::numeric_limits<double>::digits)
-    return [](vec3 p) { return coordinates(stored_point<Point>(p)); };
-  else
-    return nullptr;
+  return Limits::is_specialized && Limits::radix == 2 && Limits::digits < std::numeric_limits<double>::digits;
 }
 
 /// Weights as far as the method needs them; returns why there are none although it could use them.
@@ -92,7 +111,8 @@ read_problem(const TriangleMesh& mesh, const Solver& solver, VertexSphereMap sph
   problem.graph = std::move(source.graph);
   problem.weight_unit = source.weight_unit;
   problem.effort = effort;
-  problem.as_stored = storage_of_points<Sphere_point>();
+  if(are_positions_rounded<Sphere_point>())
+    problem.as_stored = position_as_stored<Sphere_point>;
   return {std::move(source.vertex), std::move(problem)};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
+#include "output/quantile.h"
 #include "commands/commands.h"
 #include "measure/mass_row.h"
 #include "commands/options.h"
@@ -81,17 +82,7 @@ void compute_missing(const std::vector<Mass_job>& jobs, const Mass_options& opti
                              " rows done; the same command goes on from there");
 }
 
-/// The value below which a share of the values lies; they are reordered. Not a number if there are none.
-double quantile(std::vector<double>& values, double share)
-{
-  if(values.empty())
-    return std::numeric_limits<double>::quiet_NaN();
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
-
-void summarise(const std::vector<Mass_row>& rows, const Mass_options& options)
+void summarize(const std::vector<Mass_row>& rows, const Mass_options& options)
 {
   const std::string limit =
     options.time_limit ? "time limit of every map: " + Cell(*options.time_limit).markdown() + " s" : "no time limit";
@@ -121,9 +112,10 @@ void summarise(const std::vector<Mass_row>& rows, const Mass_options& options)
       deviation.push_back(row->log_area_deviation);
       edge.push_back(row->smallest_edge);
     }
-    table.add_row({key.first, key.second, group.size(), flat.size(), sum, quantile(seconds, 0.5), quantile(seconds, 1),
-                   quantile(flat, 0.5), quantile(flat, 0.95), quantile(spherical, 0.5), quantile(spherical, 0.95),
-                   quantile(deviation, 0.5), quantile(edge, 0)});
+    table.add_row({key.first, key.second, group.size(), flat.size(), sum, tool::quantile(seconds, 0.5),
+                   tool::quantile(seconds, 1), tool::quantile(flat, 0.5), tool::quantile(flat, 0.95),
+                   tool::quantile(spherical, 0.5), tool::quantile(spherical, 0.95), tool::quantile(deviation, 0.5),
+                   tool::quantile(edge, 0)});
   }
 
   Table failures(options.common.output, "mass_failures", "Mass run: maps that are not certified", {},
@@ -151,7 +143,7 @@ void measure(const Mass_options& options)
     file.stream() << to_line(rows.back()) << '\n';
   }
   file.commit();
-  summarise(rows, options);
+  summarize(rows, options);
   journal.remove();
 }
 

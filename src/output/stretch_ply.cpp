@@ -3,6 +3,7 @@
 
 #include "output/stretch_ply.h"
 
+#include "output/quantile.h"
 #include "output/write_mesh.h"
 
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
@@ -33,13 +34,6 @@ Colour diverging(double t)
   for(std::size_t i = 0; i < 3; ++i)
     colour[i] = (1 - share) * scale[below][i] + share * scale[below + 1][i];
   return colour;
-}
-
-double quantile(std::vector<double>& values, double share)
-{
-  const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MULTIGRID_MULTIGRID_H
 
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/multigrid/Chebyshev_smoother.h>
 #include <CGAL/Spherical_parameterization/internal/multigrid/coarsening.h>
 #include <CGAL/Spherical_parameterization/internal/multigrid/dense_inverse.h>
 
@@ -56,7 +57,7 @@ public:
       level.prolongation = backend.upload(std::move(p));
       level.restriction = backend.upload(std::move(r));
       level.aggregate = std::move(aggregates.of_vertex);
-      level.gains = smoothing_gains(radius);
+      level.smoother = Chebyshev_smoother(radius);
       level.scratch = backend.vectors(a->size());
       level.coarse_b = backend.vectors(coarse->size());
       level.coarse_x = backend.vectors(coarse->size());
@@ -95,16 +96,13 @@ public:
       return;
     }
     Level& level = levels_[k];
-    const auto [first, second] = level.gains;
     Vectors& y = level.scratch;
-    backend_.start_smoothing(level.matrix, first, b, x);
-    backend_.smooth(level.matrix, second, b, x, y);
+    level.smoother.smooth_from_zero(backend_, level.matrix, b, x, y);
     backend_.residual(level.matrix, b, y, x);
     backend_.transfer(level.restriction, x, level.coarse_b);
     apply(k + 1, level.coarse_b, level.coarse_x);
     backend_.transfer_add(level.prolongation, level.coarse_x, y);
-    backend_.smooth(level.matrix, second, b, y, x);
-    backend_.smooth(level.matrix, first, b, x, y);
+    level.smoother.smooth_backwards(backend_, level.matrix, b, y, x);
     std::swap(x, y);
   }
 
@@ -120,21 +118,9 @@ private:
     Matrix matrix;
     typename Backend::Transfer prolongation, restriction;
     Host_array<int> aggregate;
-    std::array<double, 2> gains;
+    Chebyshev_smoother smoother;
     Vectors scratch, coarse_b, coarse_x;
   };
-
-  /// Two damped Jacobi steps with these gains are the Chebyshev iteration of degree 2 on the upper part of the spectrum
-  /// of D^-1 A.
-  static std::array<double, 2> smoothing_gains(double spectral_radius)
-  {
-    constexpr double smoothed_range = 6; // the smoother handles the eigenvalues from 1/6 of the largest one on
-    const double high = 1.05 * spectral_radius;
-    const double low = high / smoothed_range;
-    const double centre = (high + low) / 2;
-    const double deviation = (high - low) / 2 * std::sqrt(0.5);
-    return {1 / (centre + deviation), 1 / (centre - deviation)};
-  }
 
   /// Dense inverse. Of a singular matrix, whose kernel are the constants, that of A plus a multiple of 1 1^T: on
   /// right-hand sides that sum to zero it makes no difference which.

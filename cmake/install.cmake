@@ -22,7 +22,7 @@ install(EXPORT CGAL_Spherical_parameterization DESTINATION ${config_folder}
 configure_package_config_file(cmake/config.cmake.in CGAL_Spherical_parameterizationConfig.cmake
   INSTALL_DESTINATION ${config_folder} PATH_VARS CMAKE_INSTALL_INCLUDEDIR)
 write_basic_package_version_file(CGAL_Spherical_parameterizationConfigVersion.cmake
-  COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
+  COMPATIBILITY SameMinorVersion)
 install(FILES
   ${CMAKE_CURRENT_BINARY_DIR}/CGAL_Spherical_parameterizationConfig.cmake
   ${CMAKE_CURRENT_BINARY_DIR}/CGAL_Spherical_parameterizationConfigVersion.cmake

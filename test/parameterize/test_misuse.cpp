@@ -7,10 +7,13 @@
 #include <CGAL/assertions_behaviour.h>
 #include <CGAL/exceptions.h>
 
+#include <boost/property_map/function_property_map.hpp>
 #include <catch2/catch.hpp>
 
 #include <array>
+#include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 using namespace test;
@@ -50,7 +53,7 @@ TEST_CASE("arguments out of range violate a precondition", "[misuse]")
   check_refused(SP::Balanced(), CGAL::parameters::accuracy(-1.));
   check_refused(SP::Balanced(), CGAL::parameters::accuracy(nan));
   check_refused(SP::Balanced(), CGAL::parameters::number_of_iterations(-3));
-  check_refused(SP::Balanced(), CGAL::parameters::maximum_running_time(-1.));
+  check_refused(SP::Balanced(), CGAL::parameters::maximum_running_time(nan));
   check_refused(SP::Balanced{0.5});
   check_refused(SP::Balanced{nan});
   check_refused(SP::Isometric{-1});
@@ -62,4 +65,28 @@ TEST_CASE("arguments out of range violate a precondition", "[misuse]")
   method.relaxation = 0.5;
   method.check_interval = 0;
   check_refused(method);
+}
+
+TEST_CASE("what a callback throws goes through, an Error of the package, too", "[misuse]")
+{
+  const Soup soup = icosphere(2);
+  std::vector<std::array<double, 3>> sphere;
+  const auto stop = [](double) -> bool { throw SP::Error(SP::Error_code::BOUNDARY, "of the caller"); };
+  CHECK_THROWS_AS(SP::parameterize_triangle_soup(CGAL::Sequential_tag(), soup.points, soup.faces, SP::Automatic(),
+                                                 sphere, CGAL::parameters::callback(stop)),
+                  SP::Error);
+}
+
+TEST_CASE("a mesh that has been read has a size, also where the rest is refused", "[misuse]")
+{
+  const Soup soup = icosphere(2);
+  std::vector<std::array<double, 3>> sphere;
+  const auto weights =
+    boost::make_function_property_map<std::pair<std::size_t, std::size_t>>([](const auto&) { return -1.; });
+  const SP::Result result =
+    SP::parameterize_triangle_soup(CGAL::Sequential_tag(), soup.points, soup.faces, SP::Balanced(), sphere,
+                                   CGAL::parameters::edge_weight_map(weights));
+  CHECK(result.error == SP::Error_code::BAD_WEIGHT);
+  CHECK(result.number_of_vertices == soup.points.size());
+  CHECK(result.number_of_faces == soup.faces.size());
 }

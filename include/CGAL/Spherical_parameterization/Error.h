@@ -24,14 +24,14 @@ enum class Error_code {
   INCONSISTENT_ORIENTATION, ///< neighbouring faces of opposite orientations (only in soups and files)
   SEVERAL_COMPONENTS,       ///< more than one connected component
   WRONG_GENUS,              ///< handles: not a topological sphere
-  BAD_INDEX,                ///< a triangle with an index out of range, or no room for the result (only in soups)
   NON_FINITE_COORDINATE,    ///< NaN or infinity in a point
   DEGENERATE_FACE,          ///< a face without area, or an edge without length, where one is needed
   BAD_WEIGHT,               ///< an edge weight that is not positive and finite
   BAD_CONSTRAINTS,          ///< one or two fixed vertices, equal positions, a zero vector; or `Isometric`
   NOT_CONVERGED,            ///< the residual did not reach the accuracy
   INTERRUPTED,              ///< stopped by the callback or the time limit; the best map so far is stored
-  NOT_BIJECTIVE             ///< converged, but faces are flipped or the degree is not 1
+  NOT_BIJECTIVE,            ///< converged, but faces are flipped or the degree is not 1
+  BAD_INDEX                 ///< a triangle that names a point that is not there (only in soups)
 };
 
 /// The message of an error code, in words; `Result::detail` adds what exactly, and where.
@@ -83,6 +83,17 @@ private:
   Error_code code_;
   std::string detail_;
 };
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+/// What this package throws itself. The functions that answer with a `Result` catch this only: an `Error` that comes
+/// out of a callback or a property map goes through.
+class Input_error : public Error {
+public:
+  using Error::Error;
+};
+} // namespace internal
+/// \endcond
 
 /// @}
 

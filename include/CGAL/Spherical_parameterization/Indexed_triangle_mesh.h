@@ -5,9 +5,11 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INDEXED_TRIANGLE_MESH_H
 
 #include <CGAL/Spherical_parameterization/Error.h>
+#include <CGAL/Spherical_parameterization/internal/backend/execution.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Corner_table.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/check_soup.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/point_coordinates.h>
+#include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 
 #include <CGAL/Iterator_range.h>
 #include <CGAL/boost/graph/properties.h>
@@ -108,12 +110,13 @@ public:
   template <class ExecutionPolicy, class PointRange, class TriangleRange>
   Indexed_triangle_mesh(const ExecutionPolicy&, const PointRange& points, const TriangleRange& triangles)
   {
+    static_assert(internal::is_supported_policy<ExecutionPolicy>(), "not an execution policy of this package");
     read(points, triangles);
     const typename internal::Loop_of<ExecutionPolicy>::type loop;
     const internal::Soup_trouble trouble = internal::check_soup(
       loop, table_, static_cast<int>(point_.size()), last_corner_, [&] { return number_of_different_points(); });
     if(trouble.code != Error_code::OK)
-      throw Error(trouble.code, trouble.wrong + "; " + trouble.remedy);
+      throw internal::Input_error(trouble.code, trouble.wrong + "; " + trouble.remedy);
   }
 
   /// \return how many vertices there are
@@ -133,14 +136,6 @@ public:
   friend auto vertices(const Self& m) { return range<Vertex_index>(static_cast<int>(m.point_.size())); }
   friend auto faces(const Self& m) { return range<Face_index>(static_cast<int>(m.table_.face.size())); }
   friend auto halfedges(const Self& m) { return range<Halfedge_index>(m.table_.number_of_halfedges()); }
-  friend std::vector<Edge_index> edges(const Self& m)
-  {
-    std::vector<Edge_index> result;
-    for(int h = 0; h < m.table_.number_of_halfedges(); ++h)
-      if(h < m.table_.twin[h])
-        result.emplace_back(h);
-    return result;
-  }
   friend std::size_t num_vertices(const Self& m) { return m.point_.size(); }
   friend std::size_t num_faces(const Self& m) { return m.table_.face.size(); }
   friend std::size_t num_halfedges(const Self& m) { return m.table_.twin.size(); }
@@ -172,6 +167,17 @@ public:
     return Halfedge_index(internal::Corner_table::previous(m.last_corner_[v.idx()]));
   }
   friend Halfedge_index halfedge(Face_index f, const Self&) { return Halfedge_index(3 * f.idx() + 2); }
+  friend std::pair<Halfedge_index, bool> halfedge(Vertex_index u, Vertex_index v, const Self& m)
+  {
+    const Halfedge_index first = halfedge(v, m);
+    Halfedge_index h = first;
+    do {
+      if(source(h, m) == u)
+        return {h, true};
+      h = opposite(next(h, m), m);
+    } while(h != first);
+    return {Halfedge_index(), false};
+  }
   friend std::size_t degree(Face_index, const Self&) { return 3; }
 
   struct Point_map {
@@ -195,13 +201,15 @@ private:
     const auto number_of_triangles =
       static_cast<std::size_t>(std::distance(std::begin(triangles), std::end(triangles)));
     constexpr std::size_t limit = static_cast<std::size_t>((std::numeric_limits<int>::max)());
-    if(number_of_points >= limit || number_of_triangles > limit / 3)
-      throw Error(Error_code::TOO_LARGE, std::to_string(number_of_points) + " points and " +
-                                           std::to_string(number_of_triangles) +
-                                           " triangles; at most 715,827,882 triangles are supported");
+    if(number_of_points > limit / 3 || number_of_triangles > limit / 3)
+      throw internal::Input_error(Error_code::TOO_LARGE, std::to_string(number_of_points) + " points and " +
+                                                           std::to_string(number_of_triangles) +
+                                                           " triangles; at most 715,827,882 of each are supported");
     point_.reserve(number_of_points);
     for(const auto& p : points) {
       const internal::vec3 c = internal::coordinates(p);
+      if(!internal::is_finite(c))
+        throw internal::Input_error(Error_code::NON_FINITE_COORDINATE, "vertex " + std::to_string(point_.size()));
       point_.push_back({c.x, c.y, c.z});
     }
     table_.face.reserve(number_of_triangles);
@@ -211,16 +219,18 @@ private:
       for(const auto& i : t) {
         const auto index = static_cast<std::size_t>(i);
         if(index >= number_of_points)
-          throw Error(Error_code::BAD_INDEX, "triangle " + std::to_string(table_.face.size()) + " names point " +
-                                               std::to_string(i) + " of " + std::to_string(number_of_points) +
-                                               "; points are numbered from 0 on");
+          throw internal::Input_error(Error_code::BAD_INDEX, "triangle " + std::to_string(table_.face.size()) +
+                                                               " names point " + std::to_string(i) + " of " +
+                                                               std::to_string(number_of_points) +
+                                                               "; points are numbered from 0 on");
         if(corner < 3)
           face[corner] = static_cast<int>(index);
         ++corner;
       }
       if(corner != 3)
-        throw Error(Error_code::NOT_TRIANGULAR, "face " + std::to_string(table_.face.size()) + " has " +
-                                                  std::to_string(corner) + " corners; triangulate the mesh first");
+        throw internal::Input_error(Error_code::NOT_TRIANGULAR, "face " + std::to_string(table_.face.size()) + " has " +
+                                                                  std::to_string(corner) +
+                                                                  " corners; triangulate the mesh first");
       table_.face.push_back(face);
     }
   }
@@ -259,7 +269,6 @@ public:
   typedef Mesh::Iterator<vertex_descriptor> vertex_iterator;
   typedef Mesh::Iterator<halfedge_descriptor> halfedge_iterator;
   typedef Mesh::Iterator<face_descriptor> face_iterator;
-  typedef std::vector<edge_descriptor>::const_iterator edge_iterator;
   typedef boost::undirected_tag directed_category;
   typedef boost::disallow_parallel_edge_tag edge_parallel_category;
   typedef Traversal traversal_category;

@@ -92,7 +92,7 @@ public:
   {
     const internal::vec3 given = internal::coordinates(direction);
     if(!internal::is_finite(given) || (given.x == 0 && given.y == 0 && given.z == 0))
-      throw Error(Error_code::NON_FINITE_COORDINATE, "no direction to locate: zero or not finite");
+      throw internal::Input_error(Error_code::NON_FINITE_COORDINATE, "no direction to locate: zero or not finite");
     const int exponent = binary_exponent(given);
     const internal::vec3 q = scaled(given, -exponent);
     // Where one coordinate is 1e300 times smaller than another, scaling takes digits off; the tests do with any length.
@@ -130,10 +130,11 @@ private:
   {
     const std::size_t flipped = internal::number_of_flipped_faces(loop, map);
     if(flipped > 0)
-      throw Error(Error_code::NOT_BIJECTIVE, internal::counted(flipped, "flipped face", "flipped faces"));
+      throw internal::Input_error(Error_code::NOT_BIJECTIVE,
+                                  internal::counted(flipped, "flipped face", "flipped faces"));
     const int degree = internal::degree_of_map(loop, map);
     if(degree != 1)
-      throw Error(Error_code::NOT_BIJECTIVE, "its degree is " + std::to_string(degree));
+      throw internal::Input_error(Error_code::NOT_BIJECTIVE, "its degree is " + std::to_string(degree));
     internal::check_no_isolated_vertex(map.face, static_cast<int>(map.image.size()));
     return map.image;
   }

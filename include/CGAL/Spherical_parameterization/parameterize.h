@@ -43,7 +43,7 @@ Monitor make_monitor(const NamedParameters& np)
     callback = get_parameter(np, internal_np::callback);
   const double longest =
     choose_parameter(get_parameter(np, internal_np::maximum_running_time), std::numeric_limits<double>::infinity());
-  CGAL_SP_PRECONDITION(longest >= 0, "maximum_running_time must not be negative");
+  CGAL_SP_PRECONDITION(longest == longest, "maximum_running_time has to be a number");
   return Monitor(longest, std::move(callback), choose_parameter(get_parameter(np, internal_np::verbose), false));
 }
 
@@ -65,7 +65,7 @@ Effort make_effort(const NamedParameters& np)
   return effort;
 }
 
-/// Both front doors lead here: read, solve, write. `read()` returns an Input.
+/// Both front doors lead here: read, solve, write. `read(result)` returns an Input.
 template <class ExecutionPolicy, class Method, class VertexSphereMap, class Read>
 Result run(const ExecutionPolicy& policy, const Method& method, VertexSphereMap sphere_map, Monitor& monitor, Read read)
 {
@@ -73,15 +73,13 @@ Result run(const ExecutionPolicy& policy, const Method& method, VertexSphereMap 
   Result result;
   if constexpr(is_supported_policy<ExecutionPolicy>())
     try {
-      const auto input = read();
-      result.number_of_vertices = input.vertex.size();
-      result.number_of_faces = input.problem.face.size();
+      const auto input = read(result);
       result.seconds.read = total.seconds();
       const Solution solution = solve<Default_loop>(policy, method, input.problem, monitor);
       write_solution(solution, input.vertex, sphere_map, result);
       monitor.begin_stage(1, 1);
       monitor.advance(1);
-    } catch(const Error& error) { // of reading
+    } catch(const internal::Input_error& error) { // of reading
       result.error = error.code();
       result.detail = error.detail();
       result.seconds.read = total.seconds();
@@ -182,9 +180,9 @@ Result parameterize(const ExecutionPolicy& policy, const TriangleMesh& mesh, con
     const internal::Method_solver<Method> solver(method); // checks the options
     const internal::Effort effort = internal::make_effort(np);
     internal::Monitor monitor = internal::make_monitor(np);
-    return internal::run(policy, method, sphere_map, monitor, [&] {
-      return internal::read_problem<ExecutionPolicy>(mesh, solver, sphere_map, effort,
-                                                     internal::Mesh_inputs<TriangleMesh, NamedParameters>{mesh, np});
+    return internal::run(policy, method, sphere_map, monitor, [&](Result& result) {
+      return internal::read_problem<ExecutionPolicy>(
+        mesh, solver, sphere_map, effort, internal::Mesh_inputs<TriangleMesh, NamedParameters>{mesh, np}, result);
     });
   } else
     return Result();
@@ -303,11 +301,11 @@ Result parameterize_triangle_soup(const ExecutionPolicy& policy, const PointRang
     const internal::Effort effort = internal::make_effort(np);
     internal::Monitor monitor = internal::make_monitor(np);
     const internal::Range_map<SpherePoints> sphere_map{&sphere_points};
-    return internal::run(policy, method, sphere_map, monitor, [&] {
+    return internal::run(policy, method, sphere_map, monitor, [&](Result& result) {
       const Indexed_triangle_mesh mesh(policy, points, triangles);
       internal::make_room(sphere_points, mesh.number_of_vertices());
       return internal::read_problem<ExecutionPolicy>(mesh, solver, sphere_map, effort,
-                                                     internal::Soup_inputs<NamedParameters>{mesh, np});
+                                                     internal::Soup_inputs<NamedParameters>{mesh, np}, result);
     });
   } else
     return Result();

@@ -83,7 +83,7 @@ Segmentation_result segment(const Loop& loop, const TriangleMesh& mesh, VertexSp
       put(segment_map, f, static_cast<Segment_id>(id));
       result.number_of_segments = (std::max)(result.number_of_segments, id + 1);
     }
-  } catch(const Error& error) {
+  } catch(const internal::Input_error& error) {
     result.error = error.code();
     result.detail = error.detail();
   }

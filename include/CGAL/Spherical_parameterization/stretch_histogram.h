@@ -116,7 +116,7 @@ inline std::vector<double> stretch_histogram(const Face_measures& measures, cons
       cell_area[i] += area / 3;
   }
   if(!(total > 0))
-    throw Error(Error_code::DEGENERATE_FACE, "the mesh has no area");
+    throw Input_error(Error_code::DEGENERATE_FACE, "the mesh has no area");
   const std::vector<double> weight =
     options.sampling == Stretch_histogram::Sampling::EXACT_AREAS ? cell_area
     : options.sampling == Stretch_histogram::Sampling::VERTICES

@@ -68,10 +68,10 @@ Texture_report texture_coordinates(const ExecutionPolicy& policy, const Triangle
   const auto loop = internal::host_loop(policy);
   internal::Mapped_faces map = internal::read_images(mesh, sphere_map, loop);
   if(map.face.empty())
-    throw Error(Error_code::EMPTY_MESH, "there is nothing to lay out");
+    throw internal::Input_error(Error_code::EMPTY_MESH, "there is nothing to lay out");
   internal::check_no_isolated_vertex(map.face, static_cast<int>(map.image.size()));
   if(const std::size_t flipped = internal::number_of_flipped_faces(loop, map); flipped > 0)
-    throw Error(Error_code::NOT_BIJECTIVE, internal::counted(flipped, "flipped face", "flipped faces"));
+    throw internal::Input_error(Error_code::NOT_BIJECTIVE, internal::counted(flipped, "flipped face", "flipped faces"));
   internal::Vertex_stars stars;
   if(!options.axes) {
     map.point = internal::read_vectors(mesh, internal::vertex_points(mesh, np));

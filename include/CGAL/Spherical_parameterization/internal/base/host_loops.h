@@ -16,6 +16,14 @@
 #include <atomic>
 #include <vector>
 
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_COMPILED_WITHOUT_TBB
+#ifdef CGAL_LINKED_WITH_TBB
+#error "the compiled library was built without TBB, and this file is compiled with it: build the library with TBB"
+#endif
+#elif defined(CGAL_SPHERICAL_PARAMETERIZATION_COMPILED_WITH_TBB) && !defined(CGAL_LINKED_WITH_TBB)
+#error "the compiled library was built with TBB: link CGAL::TBB_support, too"
+#endif
+
 namespace CGAL {
 namespace Spherical_parameterization {
 namespace internal {

@@ -132,8 +132,8 @@ private:
       if(!advance())
         give_up();
     }
-    throw Error(Error_code::NOT_BIJECTIVE, "no position in double precision was found for " +
-                                             counted(round.size(), "vertex", "vertices") + "; repair the mesh");
+    throw Input_error(Error_code::NOT_BIJECTIVE, "no position in double precision was found for " +
+                                                   counted(round.size(), "vertex", "vertices") + "; repair the mesh");
   }
 
   /// Pulls all faces towards the same shape, then also towards the same size: angles first, since areas are too stiff
@@ -273,7 +273,7 @@ private:
 
   [[noreturn]] void give_up() const
   {
-    throw Error(Error_code::INTERRUPTED, monitor_.reason() + " before there was a map");
+    throw Input_error(Error_code::INTERRUPTED, monitor_.reason() + " before there was a map");
   }
 
   static constexpr double share_of_decimation = 0.15;

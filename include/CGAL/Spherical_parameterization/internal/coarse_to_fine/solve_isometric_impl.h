@@ -20,11 +20,11 @@ inline void check_simplicial(const Weighted_graph& graph)
 {
   const char* const problem = "there is no map with geodesic edges: ";
   if(graph.size() < 4)
-    throw Error(Error_code::NOT_BIJECTIVE, std::string(problem) + "the mesh has fewer than four vertices");
+    throw Input_error(Error_code::NOT_BIJECTIVE, std::string(problem) + "the mesh has fewer than four vertices");
   for(int i = 0; i < graph.size(); ++i)
     for(int k = graph.offset[i]; k < graph.offset[i + 1]; ++k)
       if(graph.target[k] == i || (k > graph.offset[i] && graph.target[k] == graph.target[k - 1]))
-        throw Error(Error_code::NOT_BIJECTIVE, std::string(problem) + "two edges of the mesh have the same ends");
+        throw Input_error(Error_code::NOT_BIJECTIVE, std::string(problem) + "two edges of the mesh have the same ends");
 }
 
 template <class Backend>
@@ -32,7 +32,7 @@ Solution Method_solver<Isometric>::solve(const Backend& backend, const Problem& 
                                          Monitor& monitor) const
 {
   if(problem.has_fixed())
-    throw Error(Error_code::BAD_CONSTRAINTS, "the isometric method cannot keep vertices fixed");
+    throw Input_error(Error_code::BAD_CONSTRAINTS, "the isometric method cannot keep vertices fixed");
   check_simplicial(*problem.graph);
   const Stopwatch watch;
   Solution solution;

@@ -22,7 +22,7 @@ Solution attempt(const Backend& backend, const Method_solver<Method>& solver, co
   Solution solution;
   try {
     solution = solver.solve(backend, problem, effort, monitor);
-  } catch(const Error& error) {
+  } catch(const Input_error& error) {
     solution.error = error.code();
     solution.detail = error.detail();
     solution.seconds.solve = watch.seconds();

@@ -49,7 +49,8 @@ template <class T, class Key, class = void>
 struct Is_map_of : std::false_type {};
 template <class T, class Key>
 struct Is_map_of<T, Key, std::void_t<typename boost::property_traits<T>::key_type>>
-  : std::is_convertible<Key, typename boost::property_traits<T>::key_type> {};
+  : std::disjunction<std::is_void<typename boost::property_traits<T>::key_type>, // takes any key
+                     std::is_convertible<Key, typename boost::property_traits<T>::key_type>> {};
 
 /// Whether points of this type have two coordinates only.
 template <class Point, class = void>
@@ -80,7 +81,7 @@ template <class Callback, class = void>
 struct Is_callback : std::false_type {};
 template <class Callback>
 struct Is_callback<Callback, std::enable_if_t<std::is_invocable_v<Callback&, double>>>
-  : std::is_same<std::invoke_result_t<Callback&, double>, bool> {};
+  : std::is_same<std::decay_t<std::invoke_result_t<Callback&, double>>, bool> {};
 
 /// static_assert()s about the named parameters of parameterize(); false where one has failed.
 template <class Edge, class Vertex, class NamedParameters>

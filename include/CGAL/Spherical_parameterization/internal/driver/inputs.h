@@ -7,6 +7,7 @@
 #include <CGAL/Spherical_parameterization/Indexed_triangle_mesh.h>
 #include <CGAL/Spherical_parameterization/edge_weights.h>
 #include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
+#include <CGAL/Spherical_parameterization/internal/base/precondition.h>
 
 #include <CGAL/property_map.h>
 
@@ -60,6 +61,7 @@ struct Map_of_numbers {
 
   friend value_type get(const Map_of_numbers& m, Descriptor d)
   {
+    using boost::get; // of pointers
     if constexpr(std::is_same_v<Descriptor, Indexed_triangle_mesh::Edge_index>) {
       const std::pair<int, int> ends = std::minmax(source(d, *m.mesh).idx(), target(d, *m.mesh).idx());
       return get(m.map, std::pair<std::size_t, std::size_t>(ends.first, ends.second));
@@ -120,7 +122,7 @@ struct Has_resize : std::false_type {};
 template <class Range>
 struct Has_resize<Range, std::void_t<decltype(std::declval<Range&>().resize(std::size_t()))>> : std::true_type {};
 
-/// Makes room for n points. Throws Error where that is not possible.
+/// Makes room for n points.
 template <class Range>
 void make_room(Range& range, std::size_t n)
 {
@@ -129,7 +131,7 @@ void make_room(Range& range, std::size_t n)
   if constexpr(Has_resize<Range>::value)
     range.resize(n);
   else
-    throw Error(Error_code::BAD_INDEX, "there is no room for " + std::to_string(n) + " points in the sphere points");
+    CGAL_SP_PRECONDITION(false, "the sphere points have to be as many as the points, or be resizable");
 }
 
 } // namespace internal

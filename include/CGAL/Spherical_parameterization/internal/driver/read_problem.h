@@ -75,7 +75,7 @@ std::string read_weights(Weights use, Read_weights read)
     return {};
   try {
     read();
-  } catch(const Error& error) {
+  } catch(const Input_error& error) {
     if(use == Weights::NEEDED || error.code() != Error_code::DEGENERATE_FACE)
       throw;
     return error.detail();
@@ -83,12 +83,12 @@ std::string read_weights(Weights use, Read_weights read)
   return {};
 }
 
-/// Reads mesh and property maps, each once, and checks them. Throws Error. Numbers that several threads may read at
-/// once are read on the threads of the policy.
+/// Reads mesh and property maps, each once, and checks them. Sets the sizes of `result`. Throws Error. Numbers that
+/// several threads may read at once are read on the threads of the policy.
 template <class ExecutionPolicy, class TriangleMesh, class Solver, class VertexSphereMap, class Inputs>
 Input<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>
 read_problem(const TriangleMesh& mesh, const Solver& solver, VertexSphereMap sphere_map, const Effort& effort,
-             const Inputs& inputs)
+             const Inputs& inputs, Result& result)
 {
   const auto points = inputs.points();
   typedef typename boost::property_traits<std::decay_t<decltype(points)>>::value_type Point;
@@ -96,12 +96,15 @@ read_problem(const TriangleMesh& mesh, const Solver& solver, VertexSphereMap sph
   const std::conditional_t<are_plain_coordinates<Point>(), typename Loop_of<ExecutionPolicy>::type, Sequential_loop>
     loop;
   Source_mesh<TriangleMesh> source(mesh, points, loop);
+  result.number_of_vertices = source.vertex.size();
+  result.number_of_faces = source.face.size();
   Problem problem;
   problem.missing_weights = read_weights(solver.weights(), [&] { source.set_weights(mesh, inputs.weights(), loop); });
   problem.is_fixed = fixed_vertices(source.vertex, inputs.constraints());
   const bool needs_start = solver.needs_given_start();
   if(problem.has_fixed() || needs_start)
-    problem.given = given_positions(source.vertex, source.position, sphere_map, problem.is_fixed, needs_start);
+    problem.given = given_positions(source.vertex, source.position, sphere_map, problem.is_fixed, needs_start,
+                                    are_positions_rounded<Sphere_point>() ? 1e-6 : 1e-15);
   if(!source.graph->weight.empty() && problem.missing_weights.empty())
     source.graph->update_diagonal({}, loop);
   problem.face = std::move(source.face);

@@ -28,14 +28,12 @@ public:
     seconds_.solve += solution.seconds.solve;
     seconds_.certify += solution.seconds.certify;
     if(solution.error == Error_code::OK || !best_.has_map() ||
-       (solution.has_map() && badness(solution) <= badness(best_)))
+       (solution.has_map() && badness(solution) < badness(best_)))
       best_ = std::move(solution);
   }
 
   bool is_valid() const { return best_.has_map() && best_.error == Error_code::OK; }
   bool has_map() const { return best_.has_map(); }
-
-  const std::vector<Result::Attempt>& attempts() const { return attempts_; }
 
   Solution take() &&
   {
@@ -56,11 +54,12 @@ private:
   Result::Seconds seconds_;
 };
 
-/// Why there was another attempt after the first one.
-inline std::string fallback_reason(const Problem& problem, const std::vector<Result::Attempt>& attempts)
+/// What was wrong with the attempts before the one by `method`.
+inline std::string fallback_reason(const Problem& problem, const std::vector<Result::Attempt>& attempts,
+                                   const std::string& method)
 {
   std::string reason = problem.missing_weights;
-  for(std::size_t k = 0; k + 1 < attempts.size(); ++k)
+  for(std::size_t k = 0; k < attempts.size() && attempts[k].method != method; ++k)
     reason += (reason.empty() ? "" : "; ") + attempts[k].method + ": " + attempts[k].detail;
   return reason;
 }
@@ -88,19 +87,19 @@ Solution Method_solver<Automatic>::solve(const Backend& backend, const Problem& 
           return;
       }
     } else if(problem.has_fixed())
-      throw Error(Error_code::DEGENERATE_FACE, problem.missing_weights);
+      throw Input_error(Error_code::DEGENERATE_FACE, problem.missing_weights);
     if(!problem.has_fixed()) // which the isometric method cannot keep; accuracy and iterations are those of the springs
       try_method(Method_solver<Isometric>(Isometric{method_.area_exponent}), Effort(), best.has_map() ? 0.75 : 0, 1);
   };
   run();
-  const std::string reason = fallback_reason(problem, best.attempts());
   const bool is_valid = best.is_valid();
   Solution solution = std::move(best).take();
   if(!is_valid && monitor.is_interrupted() && solution.error != Error_code::INTERRUPTED) {
     solution.error = Error_code::INTERRUPTED;
-    solution.detail = monitor.reason() + "; the best map so far: " + solution.detail;
+    solution.detail =
+      monitor.reason() + (solution.has_map() ? "; the best map so far: " + solution.detail : " before there was a map");
   }
-  solution.fallback_reason = reason;
+  solution.fallback_reason = fallback_reason(problem, solution.attempts, solution.method);
   return solution;
 }
 

@@ -17,11 +17,14 @@ namespace internal {
 template <class Host_loop, class ExecutionPolicy, class Method>
 Solution solve(const ExecutionPolicy& policy, const Method& method, const Problem& problem, Monitor& monitor)
 {
+  const Stopwatch watch;
   Solution solution;
   Choice_of_backend<ExecutionPolicy, Host_loop>::call(
     policy, problem.size(), [&](const auto& backend, const std::string& device) {
+      const double set_up = watch.seconds(); // kernels of a device are compiled when it is used first
       solution = attempt(backend, Method_solver<Method>(method), problem, problem.effort, monitor);
       solution.device = device;
+      solution.seconds.start_map += set_up;
     });
   return solution;
 }

@@ -45,8 +45,9 @@ bool solve_until_valid(const Backend& backend, const Problem& problem, Start sta
   const auto is_valid = [&] {
     const Stopwatch watch;
     solution.certificate = certify_storable(backend, problem, v);
+    const bool is_done = solution.certificate.is_valid() || is_lost_by_rounding(backend, problem, v);
     solution.seconds.certify += watch.seconds();
-    return solution.certificate.is_valid();
+    return is_done;
   };
 
   std::size_t done = 0;
@@ -92,7 +93,7 @@ inline Weighted_graph stiffening_springs(const Problem& problem, double exponent
       const vec3 e = sub(problem.point[i], problem.point[springs.target[k]]);
       springs.weight[k] *= std::pow(std::sqrt(inner(e, e)) / unit_length, 2 - exponent);
       if(!std::isfinite(springs.weight[k]))
-        throw Error(Error_code::DEGENERATE_FACE, "an edge has no length, which spring exponents above 2 need");
+        throw Input_error(Error_code::DEGENERATE_FACE, "an edge has no length, which spring exponents above 2 need");
     }
   return springs;
 }
@@ -151,9 +152,10 @@ bool solve_stiffening(const Backend& backend, const Problem& problem, double exp
       if(is_accurate) {
         const Stopwatch watch;
         solution.certificate = certify_storable(backend, problem, v);
+        const bool is_done = solution.certificate.is_valid() || is_lost_by_rounding(backend, problem, v);
         solution.seconds.certify += watch.seconds();
         is_certified = true;
-        if(solution.certificate.is_valid())
+        if(is_done)
           break;
       }
       goal *= is_accurate ? accuracy_refinement : 0.1;

@@ -162,7 +162,7 @@ std::size_t coarse_start_map(const Backend& backend, Multigrid<Backend>& multigr
     const Coarse_mesh mesh(backend, multigrid, k, problem);
     if(!mesh.is_complete) {
       if(k == 0)
-        throw Error(Error_code::NOT_BIJECTIVE, "every face of the mesh has a vertex twice");
+        throw Input_error(Error_code::NOT_BIJECTIVE, "every face of the mesh has a vertex twice");
       continue;
     }
     Host_array<vec3> z =

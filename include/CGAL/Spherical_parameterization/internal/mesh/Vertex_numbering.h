@@ -38,7 +38,7 @@ public:
   explicit Numbering(const Range& descriptors)
   {
     if(std::distance(descriptors.begin(), descriptors.end()) > (std::numeric_limits<int>::max)())
-      throw Error(Error_code::TOO_LARGE, "more than 2^31 - 1 elements of one kind");
+      throw Input_error(Error_code::TOO_LARGE, "more than 2^31 - 1 elements of one kind");
     for(Descriptor d : descriptors)
       insert(d, size_++);
   }

@@ -44,8 +44,8 @@ inline Host_array<int> number_breadth_first(const Neighbours& neighbours, Host_a
         visit(neighbours.target[k]);
   }
   if(components > 1)
-    throw Error(Error_code::SEVERAL_COMPONENTS,
-                counted(components, "component", "components") + "; map them one by one");
+    throw Input_error(Error_code::SEVERAL_COMPONENTS,
+                      counted(components, "component", "components") + "; map them one by one");
   return index;
 }
 
@@ -56,8 +56,8 @@ inline void check_topology(std::size_t number_of_vertices, std::size_t number_of
   const long long characteristic =
     static_cast<long long>(number_of_vertices) - static_cast<long long>(number_of_faces / 2);
   if(characteristic != 2)
-    throw Error(Error_code::WRONG_GENUS, "genus " + std::to_string((2 - characteristic) / 2) +
-                                           "; only surfaces without handles map to the sphere");
+    throw Input_error(Error_code::WRONG_GENUS, "genus " + std::to_string((2 - characteristic) / 2) +
+                                                 "; only surfaces without handles map to the sphere");
 }
 
 /// Fills the rows of `graph`, in ascending order.

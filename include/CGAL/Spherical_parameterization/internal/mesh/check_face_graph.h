@@ -38,8 +38,9 @@ void check_size(const TriangleMesh& mesh)
   };
   const std::size_t vertex_count = size(vertices(mesh)), face_count = size(faces(mesh));
   if(vertex_count >= limit || face_count > limit / 3)
-    throw Error(Error_code::TOO_LARGE, std::to_string(vertex_count) + " vertices and " + std::to_string(face_count) +
-                                         " faces; at most 715,827,882 faces are supported");
+    throw Input_error(Error_code::TOO_LARGE, std::to_string(vertex_count) + " vertices and " +
+                                               std::to_string(face_count) +
+                                               " faces; at most 715,827,882 faces are supported");
 }
 
 template <class TriangleMesh, class Face, class Loop>
@@ -92,13 +93,13 @@ void explain_what_is_wrong(const TriangleMesh& mesh, const Vertex_numbering<Tria
   std::size_t face_count = 0;
   for(auto f : faces(mesh)) {
     if(!is_triangle(halfedge(f, mesh), mesh))
-      throw Error(Error_code::NOT_TRIANGULAR, "face " + std::to_string(face_count) + " has " +
-                                                std::to_string(degree(f, mesh)) +
-                                                " corners; triangulate the mesh first");
+      throw Input_error(Error_code::NOT_TRIANGULAR, "face " + std::to_string(face_count) + " has " +
+                                                      std::to_string(degree(f, mesh)) +
+                                                      " corners; triangulate the mesh first");
     ++face_count;
   }
   if(face_count == 0)
-    throw Error(Error_code::EMPTY_MESH, "there is nothing to map");
+    throw Input_error(Error_code::EMPTY_MESH, "there is nothing to map");
 
   // Incident faces of each vertex as the faces tell it, to be compared with the walk round the vertex.
   Host_array<int> incident(numbering.size(), 0);
@@ -113,11 +114,12 @@ void explain_what_is_wrong(const TriangleMesh& mesh, const Vertex_numbering<Tria
     if(incident[i] == 0 && isolated++ == 0)
       first_isolated = i;
   if(isolated > 0)
-    throw Error(Error_code::ISOLATED_VERTEX, counted(isolated, "isolated vertex", "isolated vertices") +
-                                               ", the first one is vertex " + std::to_string(first_isolated) +
-                                               "; remove them");
+    throw Input_error(Error_code::ISOLATED_VERTEX, counted(isolated, "isolated vertex", "isolated vertices") +
+                                                     ", the first one is vertex " + std::to_string(first_isolated) +
+                                                     "; remove them");
   if(border > 0)
-    throw Error(Error_code::BOUNDARY, counted(border, "boundary edge", "boundary edges") + "; fill the holes first");
+    throw Input_error(Error_code::BOUNDARY,
+                      counted(border, "boundary edge", "boundary edges") + "; fill the holes first");
   for(auto v : vertices(mesh)) {
     int walked = 0;
     for(auto h : halfedges_around_target(halfedge(v, mesh), mesh)) {
@@ -125,8 +127,8 @@ void explain_what_is_wrong(const TriangleMesh& mesh, const Vertex_numbering<Tria
       ++walked;
     }
     if(walked != incident[numbering(v)])
-      throw Error(Error_code::NON_MANIFOLD, "the faces round vertex " + std::to_string(numbering(v)) +
-                                              " form several fans; duplicate the vertex");
+      throw Input_error(Error_code::NON_MANIFOLD, "the faces round vertex " + std::to_string(numbering(v)) +
+                                                    " form several fans; duplicate the vertex");
   }
 }
 

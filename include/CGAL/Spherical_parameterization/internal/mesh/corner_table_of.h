@@ -84,10 +84,10 @@ Corner_table corner_table_of(const TriangleMesh& mesh, Host_array<std::array<int
     return false;
   });
   if(bad < n && table.twin[3 * bad] == no_triangle)
-    throw Error(Error_code::NOT_TRIANGULAR, "face " + std::to_string(bad) + "; triangulate the mesh first");
+    throw Input_error(Error_code::NOT_TRIANGULAR, "face " + std::to_string(bad) + "; triangulate the mesh first");
   if(bad < n)
-    throw Error(Error_code::BOUNDARY,
-                "the first boundary edge is one of face " + std::to_string(bad) + "; fill the holes first");
+    throw Input_error(Error_code::BOUNDARY,
+                      "the first boundary edge is one of face " + std::to_string(bad) + "; fill the holes first");
   return table;
 }
 
@@ -100,7 +100,7 @@ inline void check_no_isolated_vertex(const Host_array<std::array<int, 3>>& face,
       has_face[v] = 1;
   for(int v = 0; v < n; ++v)
     if(!has_face[v])
-      throw Error(Error_code::ISOLATED_VERTEX, "the first one is vertex " + std::to_string(v) + "; remove them");
+      throw Input_error(Error_code::ISOLATED_VERTEX, "the first one is vertex " + std::to_string(v) + "; remove them");
 }
 
 } // namespace internal

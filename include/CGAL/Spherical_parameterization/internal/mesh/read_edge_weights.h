@@ -126,9 +126,10 @@ private:
       "edge " + std::to_string(position_[j]) + "-" + std::to_string(position_[i]) + " has weight " + to_string(w);
     for(halfedge_descriptor side : {h, opposite(h, mesh_)})
       if(is_degenerate(side, i, j))
-        throw Error(Error_code::DEGENERATE_FACE, edge_name + " because a face at it has no area; use barycentric or "
-                                                             "conformal weights, or repair the mesh");
-    throw Error(Error_code::BAD_WEIGHT, edge_name + "; weights must be positive and finite");
+        throw Input_error(Error_code::DEGENERATE_FACE, edge_name +
+                                                         " because a face at it has no area; use barycentric or "
+                                                         "conformal weights, or repair the mesh");
+    throw Input_error(Error_code::BAD_WEIGHT, edge_name + "; weights must be positive and finite");
   }
 
   /// Whether the face on the left of `side`, an edge between i and j, has no area.

@@ -33,7 +33,7 @@ Host_array<vec3> read_points(const Loop& loop, const std::vector<Vertex>& vertex
     return !std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z);
   });
   if(bad < n)
-    throw Error(Error_code::NON_FINITE_COORDINATE, "vertex " + std::to_string(position[bad]));
+    throw Input_error(Error_code::NON_FINITE_COORDINATE, "vertex " + std::to_string(position[bad]));
   return point;
 }
 

@@ -41,8 +41,8 @@ Vertex_stars vertex_stars(const TriangleMesh& mesh)
   for(auto v : vertices(mesh)) {
     for(auto h : halfedges_around_target(halfedge(v, mesh), mesh)) {
       if(is_border(h, mesh))
-        throw Error(Error_code::BOUNDARY,
-                    "at vertex " + std::to_string(stars.number_of_vertices()) + "; fill the holes first");
+        throw Input_error(Error_code::BOUNDARY,
+                          "at vertex " + std::to_string(stars.number_of_vertices()) + "; fill the holes first");
       stars.face.push_back(face_number(face(h, mesh)));
     }
     stars.offset.push_back(static_cast<int>(stars.face.size()));

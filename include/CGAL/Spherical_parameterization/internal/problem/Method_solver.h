@@ -104,6 +104,13 @@ private:
   Stopwatch watch_;
 };
 
+/// Whether a map that is not valid as it will be stored is so because of rounding only: no solver can help that.
+template <class Backend>
+bool is_lost_by_rounding(const Backend& backend, const Problem& problem, const typename Backend::Vectors& v)
+{
+  return problem.as_stored && certify(backend.host_loop(), problem.face, backend.download(v)).is_valid();
+}
+
 /// Hands the map over, certified if that has not been done yet.
 template <class Backend>
 void finish(const Backend& backend, const Problem& problem, typename Backend::Vectors&& v, bool is_certified,

@@ -36,8 +36,8 @@ std::vector<char> fixed_vertices(const std::vector<Vertex>& vertices, Constraine
   if(count == 0)
     return {};
   if(count < 3)
-    throw Error(Error_code::BAD_CONSTRAINTS,
-                "only " + counted(count, "vertex is", "vertices are") + " fixed; fix three or more, or none");
+    throw Input_error(Error_code::BAD_CONSTRAINTS,
+                      "only " + counted(count, "vertex is", "vertices are") + " fixed; fix three or more, or none");
   return is_fixed;
 }
 
@@ -45,11 +45,11 @@ std::vector<char> fixed_vertices(const std::vector<Vertex>& vertices, Constraine
 /// length 1 up to rounding are kept to the last bit. Throws Error.
 template <class Vertex, class VertexSphereMap>
 Host_array<vec3> given_positions(const std::vector<Vertex>& vertices, const Host_array<int>& position,
-                                 VertexSphereMap sphere_map, const std::vector<char>& is_fixed, bool all)
+                                 VertexSphereMap sphere_map, const std::vector<char>& is_fixed, bool all,
+                                 double rounding)
 {
   typedef typename boost::property_traits<VertexSphereMap>::category Category;
   if constexpr(std::is_convertible_v<Category, boost::readable_property_map_tag>) {
-    constexpr double rounding = 1e-15; // of the squared length of a normalised vector
     Host_array<vec3> given(vertices.size(), vec3{0, 0, 0});
     std::vector<std::tuple<double, double, double, int>> fixed;
     for(std::size_t i = 0; i < vertices.size(); ++i) {
@@ -59,8 +59,8 @@ Host_array<vec3> given_positions(const std::vector<Vertex>& vertices, const Host
       vec3 p = coordinates(get(sphere_map, vertices[i]));
       const vec3 box = scaled_to_unit_box(p);
       if(!is_finite(p) || inner(box, box) == 0)
-        throw Error(Error_code::BAD_CONSTRAINTS,
-                    "the position given for vertex " + std::to_string(position[i]) + " is not a direction");
+        throw Input_error(Error_code::BAD_CONSTRAINTS,
+                          "the position given for vertex " + std::to_string(position[i]) + " is not a direction");
       if(!(std::abs(inner(p, p) - 1) <= rounding))
         p = unit(box);
       given[i] = p;
@@ -72,12 +72,13 @@ Host_array<vec3> given_positions(const std::vector<Vertex>& vertices, const Host
       const auto& [ax, ay, az, a] = fixed[k - 1];
       const auto& [bx, by, bz, b] = fixed[k];
       if(ax == bx && ay == by && az == bz)
-        throw Error(Error_code::BAD_CONSTRAINTS, "the fixed vertices " + std::to_string(a) + " and " +
-                                                   std::to_string(b) + " are at the same position");
+        throw Input_error(Error_code::BAD_CONSTRAINTS, "the fixed vertices " + std::to_string(a) + " and " +
+                                                         std::to_string(b) + " are at the same position");
     }
     return given;
   } else
-    throw Error(Error_code::BAD_CONSTRAINTS, "the sphere map is not readable, and holds no positions to start from");
+    throw Input_error(Error_code::BAD_CONSTRAINTS,
+                      "the sphere map is not readable, and holds no positions to start from");
 }
 
 } // namespace internal

@@ -55,11 +55,11 @@ inline Segmentation_mesh make_segmentation_mesh(Mapped_surface source)
     const vec3 image = scaled_to_unit_box(source.image[i]);
     const double length2 = inner(image, image);
     if(!std::isfinite(length2))
-      throw Error(Error_code::NON_FINITE_COORDINATE,
-                  "the image of vertex " + std::to_string(source.position[i]) + " on the sphere");
+      throw Input_error(Error_code::NON_FINITE_COORDINATE,
+                        "the image of vertex " + std::to_string(source.position[i]) + " on the sphere");
     if(!(length2 > 0))
-      throw Error(Error_code::NOT_BIJECTIVE, "the image of vertex " + std::to_string(source.position[i]) +
-                                               " is the centre of the sphere; compute the map first");
+      throw Input_error(Error_code::NOT_BIJECTIVE, "the image of vertex " + std::to_string(source.position[i]) +
+                                                     " is the centre of the sphere; compute the map first");
     result.sphere[i] = unit(image);
   }
   result.point = std::move(source.point);
@@ -73,7 +73,7 @@ inline Segmentation_mesh make_segmentation_mesh(Mapped_surface source)
     total += result.area[f] = std::sqrt(inner(a, a)) / 2;
   }
   if(!(total > 0))
-    throw Error(Error_code::DEGENERATE_FACE, "the mesh has no area");
+    throw Input_error(Error_code::DEGENERATE_FACE, "the mesh has no area");
   for(double& a : result.area)
     a /= total;
   for(vec3& p : result.point)

@@ -60,7 +60,7 @@ std::vector<int> segments_of(const Loop& loop, Mapped_surface surface, std::vect
   const Segmentation_mesh mesh = make_segmentation_mesh(std::move(surface));
   for(std::size_t f = 0; f < stretch.size(); ++f) {
     if(!std::isfinite(stretch[f]))
-      throw Error(Error_code::NON_FINITE_COORDINATE, "the stretch of face " + std::to_string(f));
+      throw Input_error(Error_code::NON_FINITE_COORDINATE, "the stretch of face " + std::to_string(f));
     stretch[f] = (std::min)(stretch[f], std::log((std::max)(mesh.area[f], least_area) / least_share));
   }
   return labels_of(loop, mesh, stretch, method);

@@ -143,7 +143,7 @@ private:
       a.coeffRef(0, 0) *= 2; // holds x at 0 there: a spring that no force pulls, since b sums to zero
     cholesky_.compute(a);
     if(cholesky_.info() != Eigen::Success) // else solutions are whatever is in the memory
-      throw Error(Error_code::DEGENERATE_FACE, "the surface has no usable metric");
+      throw Input_error(Error_code::DEGENERATE_FACE, "the surface has no usable metric");
   }
 
   void set_up_multigrid()

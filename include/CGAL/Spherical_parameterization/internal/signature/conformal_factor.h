@@ -47,7 +47,7 @@ struct Conformal_factor {
     const Discrete_surface::Vector b = spherical_areas(map);
     const double total = b.sum();
     if(!(total > 0) || !std::isfinite(total))
-      throw Error(Error_code::NOT_BIJECTIVE, "the sphere map has no area");
+      throw Input_error(Error_code::NOT_BIJECTIVE, "the sphere map has no area");
     const double pi = Discrete_surface::pi();
     Surface_solver<Loop> solve(loop, surface);
     Discrete_surface::Vector curvature = b * (4 * pi / total);
@@ -60,7 +60,7 @@ struct Conformal_factor {
       curvature *= 4 * pi / integral;
     }
     if(!u.allFinite())
-      throw Error(Error_code::DEGENERATE_FACE, "the surface has no usable metric");
+      throw Input_error(Error_code::DEGENERATE_FACE, "the surface has no usable metric");
   }
 
 private:
@@ -72,7 +72,7 @@ private:
     for(double a : map.area)
       area += a;
     if(!(area > 0))
-      throw Error(Error_code::DEGENERATE_FACE, "no face has an area");
+      throw Input_error(Error_code::DEGENERATE_FACE, "no face has an area");
     return {static_cast<const Corner_table&>(map), map.point};
   }
 

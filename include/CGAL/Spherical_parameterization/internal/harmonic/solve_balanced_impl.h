@@ -42,13 +42,7 @@ bool solve_until_valid(const Backend& backend, const Problem& problem, Start sta
                        Solution& solution)
 {
   constexpr std::size_t patience_at_the_limit = 3;
-  const auto is_valid = [&] {
-    const Stopwatch watch;
-    solution.certificate = certify_storable(backend, problem, v);
-    const bool is_done = solution.certificate.is_valid() || is_lost_by_rounding(backend, problem, v);
-    solution.seconds.certify += watch.seconds();
-    return is_done;
-  };
+  const auto is_settled = [&] { return certify_and_settle(backend, problem, v, solution); };
 
   std::size_t done = 0;
   Solver_report& report = solution.report;
@@ -63,8 +57,8 @@ bool solve_until_valid(const Backend& backend, const Problem& problem, Start sta
     report.iterations = done;
     options.patience = patience_at_the_limit;
     is_certified = report.has_converged;
-    bool valid = is_certified && is_valid();
-    for(Solver_report refined = report; refined.has_converged && options.accuracy > finest_accuracy && !valid;) {
+    bool settled = is_certified && is_settled();
+    for(Solver_report refined = report; refined.has_converged && options.accuracy > finest_accuracy && !settled;) {
       options.accuracy *= accuracy_refinement;
       options.maximum_iterations = maximum_iterations - done;
       refined = descend(options, v);
@@ -72,9 +66,9 @@ bool solve_until_valid(const Backend& backend, const Problem& problem, Start sta
       report.iterations = done;
       report.residual = refined.residual;
       report.energy = refined.energy;
-      valid = is_valid();
+      settled = is_settled();
     }
-    if(valid || done >= maximum_iterations || monitor.is_interrupted())
+    if(settled || done >= maximum_iterations || monitor.is_interrupted())
       break;
   }
   report.has_converged = report.residual <= accuracy;
@@ -150,12 +144,8 @@ bool solve_stiffening(const Backend& backend, const Problem& problem, double exp
       if(goal < finest_accuracy)
         break;
       if(is_accurate) {
-        const Stopwatch watch;
-        solution.certificate = certify_storable(backend, problem, v);
-        const bool is_done = solution.certificate.is_valid() || is_lost_by_rounding(backend, problem, v);
-        solution.seconds.certify += watch.seconds();
         is_certified = true;
-        if(is_done)
+        if(certify_and_settle(backend, problem, v, solution))
           break;
       }
       goal *= is_accurate ? accuracy_refinement : 0.1;

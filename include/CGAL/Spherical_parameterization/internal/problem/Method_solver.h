@@ -86,29 +86,19 @@ Certificate certify_storable(const Backend& backend, const Problem& problem, con
   return certify(backend.host_loop(), problem.face, backend.download(v));
 }
 
-/// Seconds since construction that were not spent in certify_storable() and the like.
-class Phase_watch {
-public:
-  explicit Phase_watch(Solution& solution) : solution_(solution) {}
-
-  /// The start map ends here.
-  void end_start_map() { solution_.seconds.start_map = watch_.seconds() - solution_.seconds.certify; }
-  /// The solver ends here.
-  void end_solve()
-  {
-    solution_.seconds.solve = watch_.seconds() - solution_.seconds.start_map - solution_.seconds.certify;
-  }
-
-private:
-  Solution& solution_;
-  Stopwatch watch_;
-};
-
-/// Whether a map that is not valid as it will be stored is so because of rounding only: no solver can help that.
+/// Certifies a map on the backend as it will be stored, into `solution`. Returns whether a solver is done with it: it
+/// is valid, or what is wrong with it is rounding only, which no solver can help.
 template <class Backend>
-bool is_lost_by_rounding(const Backend& backend, const Problem& problem, const typename Backend::Vectors& v)
+bool certify_and_settle(const Backend& backend, const Problem& problem, const typename Backend::Vectors& v,
+                        Solution& solution)
 {
-  return problem.as_stored && certify(backend.host_loop(), problem.face, backend.download(v)).is_valid();
+  const Stopwatch watch;
+  solution.certificate = certify_storable(backend, problem, v);
+  const bool is_settled =
+    solution.certificate.is_valid() ||
+    (problem.as_stored && certify(backend.host_loop(), problem.face, backend.download(v)).is_valid());
+  solution.seconds.certify += watch.seconds();
+  return is_settled;
 }
 
 /// Hands the map over, certified if that has not been done yet.

@@ -3,14 +3,10 @@
 
 #include "analysis.h"
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 #ifdef CGAL_LINKED_WITH_TBB
 CGAL_SP_ANALYSIS(Parallel_loop)
 #endif
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal

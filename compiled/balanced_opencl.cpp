@@ -3,14 +3,10 @@
 
 #include "solvers.h"
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
 CGAL_SP_SOLVER(template, Balanced, OpenCL_device)
 #endif
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal

@@ -3,12 +3,8 @@
 
 #include "solvers.h"
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 CGAL_SP_SOLVER(template, Balanced, CGAL::Sequential_tag)
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal

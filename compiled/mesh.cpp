@@ -6,9 +6,7 @@
 #include <CGAL/Spherical_parameterization/internal/predicates/exact_determinant_impl.h>
 #include <CGAL/Spherical_parameterization/internal/problem/Solution_impl.h>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 template Soup_trouble check_soup(const Sequential_loop&, Corner_table&, int, Host_array<int>&,
                                  const std::function<std::size_t()>&);
@@ -17,6 +15,4 @@ template Soup_trouble check_soup(const Parallel_loop&, Corner_table&, int, Host_
                                  const std::function<std::size_t()>&);
 #endif
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal

@@ -3,9 +3,7 @@
 
 #include "solvers.h"
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
 CGAL_SP_SOLVER(template, Saddle_point, OpenCL_device)
@@ -13,6 +11,4 @@ CGAL_SP_SOLVER(template, Isometric, OpenCL_device)
 CGAL_SP_FOR_EACH_METHOD(template, OpenCL_device)
 #endif
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal

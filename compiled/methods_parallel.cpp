@@ -3,9 +3,7 @@
 
 #include "solvers.h"
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 #ifdef CGAL_LINKED_WITH_TBB
 CGAL_SP_SOLVER(template, Saddle_point, CGAL::Parallel_tag)
@@ -13,6 +11,4 @@ CGAL_SP_SOLVER(template, Isometric, CGAL::Parallel_tag)
 CGAL_SP_FOR_EACH_METHOD(template, CGAL::Parallel_tag)
 #endif
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal

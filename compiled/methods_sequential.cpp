@@ -3,14 +3,10 @@
 
 #include "solvers.h"
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 CGAL_SP_SOLVER(template, Saddle_point, CGAL::Sequential_tag)
 CGAL_SP_SOLVER(template, Isometric, CGAL::Sequential_tag)
 CGAL_SP_FOR_EACH_METHOD(template, CGAL::Sequential_tag)
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal

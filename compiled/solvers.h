@@ -18,9 +18,7 @@
   CGAL_SP_SOLVER(PREFIX, Saddle_point, POLICY)                                                                         \
   CGAL_SP_SOLVER(PREFIX, Isometric, POLICY)
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 extern template class Coarse_to_fine_map<Sequential_loop>;
 CGAL_SP_SOLVERS(extern template, CGAL::Sequential_tag)
@@ -32,8 +30,6 @@ CGAL_SP_SOLVERS(extern template, CGAL::Parallel_tag)
 CGAL_SP_SOLVERS(extern template, OpenCL_device)
 #endif
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_COMPILED_SOLVERS_H

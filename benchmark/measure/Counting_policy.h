@@ -28,9 +28,7 @@ struct Counting_policy {
 
 } // namespace benchmark
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 class Counting_backend : public Host_backend<Sequential_loop> {
   typedef Host_backend<Sequential_loop> Base;
@@ -119,8 +117,6 @@ struct Backend_for<benchmark::Counting_policy, Loop> {
 template <>
 struct Is_policy<benchmark::Counting_policy> : std::true_type {};
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // BENCHMARK_COUNTING_POLICY_H

@@ -19,8 +19,7 @@
 #include <cstddef>
 #include <string>
 
-namespace benchmark {
-namespace published {
+namespace benchmark::published {
 
 constexpr Weights B = Weights::BARYCENTRIC;
 constexpr Weights C = Weights::CONFORMAL;
@@ -103,7 +102,6 @@ const Row* find(const Row (&table)[n], const std::string& model, Weights weights
   return best;
 }
 
-} // namespace published
-} // namespace benchmark
+} // namespace benchmark::published
 
 #endif // BENCHMARK_PUBLISHED_FIGURES_H

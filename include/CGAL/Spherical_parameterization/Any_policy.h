@@ -11,8 +11,7 @@
 
 #include <variant>
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 /// \addtogroup PkgSphericalParameterizationPolicies
 /// @{
 
@@ -30,7 +29,6 @@ using Any_policy = std::variant<CGAL::Sequential_tag
 
 /// @}
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_ANY_POLICY_H

@@ -7,8 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 /// \addtogroup PkgSphericalParameterizationMap
 /// @{
 
@@ -97,7 +96,6 @@ public:
 
 /// @}
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_ERROR_H

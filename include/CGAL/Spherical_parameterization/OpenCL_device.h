@@ -29,8 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 
 /// \addtogroup PkgSphericalParameterizationPolicies
 /// @{
@@ -229,7 +228,6 @@ CGAL_SP_FOR_EACH_METHOD(extern template, OpenCL_device)
 #endif
 
 } // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_OPENCL_DEVICE_H

@@ -7,8 +7,7 @@
 #include <cstddef>
 #include <string>
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 
 /// \addtogroup PkgSphericalParameterizationPolicies
 /// @{
@@ -28,7 +27,6 @@ struct OpenCL_device_info {
 
 /// @}
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_OPENCL_DEVICE_INFO_H

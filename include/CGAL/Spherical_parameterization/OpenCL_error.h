@@ -22,8 +22,7 @@
 #include <string>
 #include <utility>
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 
 /// \addtogroup PkgSphericalParameterizationPolicies
 /// @{
@@ -119,7 +118,6 @@ private:
 
 /// @}
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_OPENCL_ERROR_H

@@ -21,8 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 
 /// \addtogroup PkgSphericalParameterizationInverse
 /// @{
@@ -199,7 +198,6 @@ Rotated_map<VertexSphereMap> rotated_map(VertexSphereMap sphere_map, const Rotat
 
 /// @}
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_ALIGN_MAPS_H

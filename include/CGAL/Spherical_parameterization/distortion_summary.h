@@ -18,8 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 
 /// \addtogroup PkgSphericalParameterizationMeasures
 /// @{
@@ -155,7 +154,6 @@ Distortion_summary distortion_summary(const TriangleMesh& mesh, VertexSphereMap 
 
 /// @}
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_DISTORTION_SUMMARY_H

@@ -15,8 +15,7 @@
 #include <cmath>
 #include <type_traits>
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 
 /// \addtogroup PkgSphericalParameterizationWeights
 /// @{
@@ -196,7 +195,6 @@ auto mean_value_weights(const TriangleMesh& mesh, const NamedParameters& np = pa
 
 /// @}
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_EDGE_WEIGHTS_H

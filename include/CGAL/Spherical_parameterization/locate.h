@@ -30,8 +30,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 
 /// \addtogroup PkgSphericalParameterizationInverse
 /// @{
@@ -217,7 +216,6 @@ private:
 
 /// @}
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_LOCATE_H

@@ -22,8 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 
 /// \addtogroup PkgSphericalParameterizationMeasures
 /// @{
@@ -453,7 +452,6 @@ std::pair<double, double> log_area_stretch(const TriangleMesh& mesh, VertexSpher
 
 /// @}
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_MEASURE_DISTORTION_H

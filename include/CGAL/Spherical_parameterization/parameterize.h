@@ -27,8 +27,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 
 namespace internal {
 
@@ -325,7 +324,6 @@ Result parameterize_triangle_soup(const PointRange& points, const TriangleRange&
 
 /// @}
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_PARAMETERIZE_H

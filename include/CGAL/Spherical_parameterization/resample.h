@@ -17,8 +17,7 @@
 #include <array>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 
 /// \addtogroup PkgSphericalParameterizationInverse
 /// @{
@@ -91,7 +90,6 @@ void resample(const Spherical_locator<TriangleMesh>& shape, VertexPointMap point
 
 /// @}
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_RESAMPLE_H

@@ -34,8 +34,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 
 /// \addtogroup PkgSphericalParameterizationSegmentation
 /// @{
@@ -211,7 +210,6 @@ Segmentation_result segmentation_via_area_stretch(const TriangleMesh& mesh, Vert
 
 /// @}
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SEGMENTATION_H

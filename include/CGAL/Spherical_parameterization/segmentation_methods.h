@@ -6,8 +6,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 
 /// \addtogroup PkgSphericalParameterizationSegmentation
 /// @{
@@ -52,7 +51,6 @@ struct Region_growing : Segment_limits {
 
 /// @}
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SEGMENTATION_METHODS_H

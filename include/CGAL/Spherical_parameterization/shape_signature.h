@@ -15,8 +15,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 
 /// \addtogroup PkgSphericalParameterizationSearch
 /// @{
@@ -107,7 +106,6 @@ Shape_signature shape_signature(const TriangleMesh& mesh, VertexSphereMap sphere
 
 /// @}
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_SHAPE_SIGNATURE_H

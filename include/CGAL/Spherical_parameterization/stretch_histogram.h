@@ -23,8 +23,7 @@
 #include <random>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 
 /// \addtogroup PkgSphericalParameterizationSearch
 /// @{
@@ -186,7 +185,6 @@ std::vector<double> stretch_histogram(const TriangleMesh& mesh, VertexSphereMap 
 
 /// @}
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_STRETCH_HISTOGRAM_H

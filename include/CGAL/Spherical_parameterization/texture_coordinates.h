@@ -24,8 +24,7 @@
 #include <array>
 #include <cstddef>
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 
 /// \addtogroup PkgSphericalParameterizationTexture
 /// @{
@@ -145,7 +144,6 @@ std::size_t texture_seams(const TriangleMesh& mesh, HalfedgeUVMap uv_map, EdgeSe
 
 /// @}
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_TEXTURE_COORDINATES_H

@@ -8,8 +8,7 @@
 #include <cstddef>
 #include <optional>
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 
 /// \addtogroup PkgSphericalParameterizationTexture
 /// @{
@@ -55,7 +54,6 @@ struct Texture_report {
 
 /// @}
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_TEXTURE_OPTIONS_H

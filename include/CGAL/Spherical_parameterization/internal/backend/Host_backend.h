@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// The verbs of a backend whose memory is the host's. A verb `v` is a loop over the formula `v_at` of
 /// vertex_formulas.h. `Loop::for_each(count, f)` runs f(0) ... f(count-1) in any order. One core and all cores differ
@@ -352,8 +350,6 @@ struct Backend_for<CGAL::Parallel_tag, Loop> {
 };
 #endif
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_HOST_BACKEND_H

@@ -6,9 +6,7 @@
 
 #include <array>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// The sums that decide about balance: s = sum m_i v_i and S = sum m_i v_i v_i^T (xx, xy, xz, yy, yz, zz).
 struct Moments {
@@ -22,8 +20,6 @@ inline Moments to_moments(const std::array<double, 9>& s)
   return {{s[0], s[1], s[2]}, {s[3], s[4], s[5], s[6], s[7], s[8]}};
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_MOMENTS_H

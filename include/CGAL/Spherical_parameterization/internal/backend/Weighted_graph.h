@@ -11,9 +11,7 @@
 #include <memory>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// A symmetric weighted graph in compressed rows, on the host. Seen as a matrix it is the Laplacian L = D - W plus the
 /// diagonal `excess`. Rows of fixed vertices are present; their inverse diagonal is 0, so that nothing moves them.
@@ -61,8 +59,6 @@ struct Sparse_matrix {
   sparse_view view() const { return {offset.data(), column.data(), value.data()}; }
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_WEIGHTED_GRAPH_H

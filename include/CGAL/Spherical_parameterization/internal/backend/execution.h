@@ -10,9 +10,7 @@
 
 #include <type_traits>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// Where the solvers run. `Backend_for<P, Loop>::type` is the backend of the execution policy P, for each policy that
 /// is supported. A backend is the only place that knows how loops are run there. Its memory and its verbs (one loop
@@ -61,8 +59,6 @@ struct Choice_of_backend {
   }
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_EXECUTION_H

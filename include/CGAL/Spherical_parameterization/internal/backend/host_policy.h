@@ -11,9 +11,7 @@
 
 #include <type_traits>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// Tells `f(policy, mesh, ...)` from `f(mesh, ...)`. `CGAL::Parallel_tag` is a policy without TBB, too: one for which
 /// `host_loop()` says what is missing.
@@ -36,8 +34,6 @@ auto host_loop(const ExecutionPolicy&)
     return Sequential_loop();
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_HOST_POLICY_H

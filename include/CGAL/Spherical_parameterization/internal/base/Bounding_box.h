@@ -9,9 +9,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// The smallest box that holds some points. Halves are taken before sums and differences, which may overflow.
 struct Bounding_box {
@@ -40,8 +38,6 @@ private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BASE_BOUNDING_BOX_H

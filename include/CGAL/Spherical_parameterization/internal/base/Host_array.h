@@ -9,9 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// Leaves what is not given a value uninitialized.
 template <class T>
@@ -38,8 +36,6 @@ struct Uninitialized_allocator : std::allocator<T> {
 template <class T>
 using Host_array = std::vector<T, Uninitialized_allocator<T>>;
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BASE_HOST_ARRAY_H

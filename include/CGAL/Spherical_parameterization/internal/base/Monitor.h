@@ -13,9 +13,7 @@
 #include <string>
 #include <utility>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// Seconds since construction.
 class Stopwatch {
@@ -88,8 +86,6 @@ private:
   std::string reason_;
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BASE_MONITOR_H

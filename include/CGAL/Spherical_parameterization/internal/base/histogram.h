@@ -9,9 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// A weighted histogram of equal bins over [low, high]; what lies outside counts in the first or the last bin.
 class Histogram {
@@ -54,8 +52,6 @@ private:
   std::vector<double> bins_;
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BASE_HISTOGRAM_H

@@ -24,9 +24,7 @@
 #error "the compiled library was built with TBB: link CGAL::TBB_support, too"
 #endif
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// Runs f(0) ... f(count-1) on the calling thread.
 struct Sequential_loop {
@@ -122,8 +120,6 @@ int first_index(const Loop& loop, int n, Predicate holds)
   return first;
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BASE_HOST_LOOPS_H

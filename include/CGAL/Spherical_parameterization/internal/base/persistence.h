@@ -9,9 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// A minimum of a function on a graph, and its basin.
 struct Basin {
@@ -69,8 +67,6 @@ std::vector<Basin> basins(const Values& f, const Values& mass, ForEachNeighbour 
   return result;
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BASE_PERSISTENCE_H

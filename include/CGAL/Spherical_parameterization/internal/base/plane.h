@@ -6,9 +6,7 @@
 
 #include <cmath>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// A point or vector of the plane.
 struct vec2 {
@@ -20,8 +18,6 @@ inline vec2 scale(double s, vec2 a) { return {s * a.x, s * a.y}; }
 inline double inner(vec2 a, vec2 b) { return a.x * b.x + a.y * b.y; }
 inline double distance(vec2 a, vec2 b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BASE_PLANE_H

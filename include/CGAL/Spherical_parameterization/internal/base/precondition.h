@@ -6,8 +6,7 @@
 
 #include <CGAL/assertions.h>
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 namespace internal {
 
 /// A precondition on values that come from outside: it holds with NDEBUG, too. `holds` is false for NaN, if it is
@@ -21,8 +20,7 @@ inline void precondition(bool holds, const char* expression, const char* file, i
 
 } // namespace internal
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #define CGAL_SP_PRECONDITION(expression, message)                                                                      \
   ::CGAL::Spherical_parameterization::internal::precondition((expression), #expression, __FILE__, __LINE__, message)

@@ -9,9 +9,7 @@
 #include <array>
 #include <cmath>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// By rows.
 typedef std::array<std::array<double, 3>, 3> Matrix_3;
@@ -114,8 +112,6 @@ Matrix_3 best_rotation(const Range& from, const Range& to)
   return rotation_of_quaternion(leading_eigenvector(n));
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BASE_ROTATIONS_H

@@ -9,9 +9,7 @@
 #include <limits>
 #include <utility>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// Solves small symmetric systems A x = b by P A P^T = L D L^T with diagonal pivoting (G. Golub, C. Van Loan, "Matrix
 /// Computations", section 4.4). Components along a pivot that vanishes are 0.
@@ -91,8 +89,6 @@ private:
   std::array<int, N> pivot_{};
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BASE_SYMMETRIC_SOLVER_H

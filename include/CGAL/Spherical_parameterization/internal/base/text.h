@@ -9,8 +9,7 @@
 #include <sstream>
 #include <string>
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 namespace internal {
 
 /// "1 face is", "2 faces are"
@@ -31,7 +30,6 @@ inline std::string to_string(double x)
 
 } // namespace internal
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BASE_TEXT_H

@@ -11,9 +11,7 @@
 #else
 #include <cmath>
 #define CGAL_SP_FUNCTION inline
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 using std::sqrt;
 typedef double real; /* a device may take float: kernels/backend/precision.cl */
 #endif
@@ -48,9 +46,7 @@ CGAL_SP_FUNCTION vec3 unit(vec3 a) { return scale(1 / sqrt(inner(a, a)), a); }
 CGAL_SP_FUNCTION vec3 tangent(vec3 a, vec3 v) { return add_scaled(a, -inner(a, v), v); }
 
 #ifndef __OPENCL_C_VERSION__
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 #endif
 
 #endif

@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// Builds a bijective map to the sphere from a tetrahedron up, and keeps it bijective at every moment: a vertex is
 /// inserted into the kernel of its star, and moves only to where all of its faces are positively oriented by the exact
@@ -293,8 +291,6 @@ private:
   double last_newton_ = 0;
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_COARSE_TO_FINE_MAP_H

@@ -9,9 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// The distortion of a linear map with singular values s, t and determinant J = s t > 0, per source area:
 ///   D = 4 E_c E_a^theta,  E_c = (s^2 + t^2) / (2 J),  E_a = (J + 1/J) / 2,
@@ -116,8 +114,6 @@ inline Face_metric face_metric(vec3 a, vec3 b, const Metric_bounds& bounds)
   return {{ab / twice_area, (aa - ab) / twice_area, (bb - ab) / twice_area}, twice_area};
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_DISTORTION_H

@@ -12,9 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// The second derivative of the distortion of a face by the positions of its corners, d = det and L as in `Distortion`
 /// and `Star_face`:  psi L'' + psi' (L' d' + d' L') + L psi'' d' d' + L psi' d''.
@@ -164,8 +162,6 @@ private:
   double stretch_[2], coupling_, shear_, exchange_;
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_FACE_HESSIAN_H

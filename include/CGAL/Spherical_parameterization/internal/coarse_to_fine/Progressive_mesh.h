@@ -16,9 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// The connectivity of a closed triangle mesh that can be coarsened by half-edge collapses, and refined again by
 /// undoing them in reverse order (H. Hoppe, "Progressive meshes", SIGGRAPH 1996).
@@ -184,8 +182,6 @@ private:
   int number_of_vertices_;
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_PROGRESSIVE_MESH_H

@@ -14,9 +14,7 @@
 #include <cmath>
 #include <limits>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// A face (x, j, k) at a vertex x on the sphere: where its other corners are, and what it is in the source.
 struct Star_face {
@@ -146,8 +144,6 @@ inline double relax_centre(const Distortion& distortion, const Star& star, vec3&
   return 0;
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_STAR_H

@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// The sum of squared distances to weighted planes, as a quadratic form: M. Garland and P. Heckbert, "Surface
 /// simplification using quadric error metrics", SIGGRAPH 1997.
@@ -353,8 +351,6 @@ private:
   int maximum_degree_ = 24;       ///< of vertices to be removed
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_DECIMATION_H

@@ -12,9 +12,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// One Newton step for vertex i alone. Keeps a valid map valid.
 inline void relax_vertex(const Distortion& distortion, Map_level& level, int i)
@@ -80,8 +78,6 @@ void relax_region(const Loop& loop, const Distortion& distortion, const std::vec
   }
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_LOCAL_RELAXATION_H

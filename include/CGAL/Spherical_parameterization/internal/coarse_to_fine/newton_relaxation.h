@@ -17,9 +17,7 @@
 #include <cmath>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// Newton's method for all vertices of a level at once. The linear systems are solved by conjugate gradients,
 /// preconditioned by symmetric Gauss-Seidel in the order of the colours.
@@ -279,8 +277,6 @@ private:
   bool is_indefinite_ = false; ///< the matrix, as far as conjugate gradients saw
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_NEWTON_RELAXATION_H

@@ -11,9 +11,7 @@
 
 #include <string>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// See Coarse_to_fine_map.h, and doc/isometric_method.md.
 template <>
@@ -35,9 +33,7 @@ private:
   Isometric method_;
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #ifdef CGAL_SP_INCLUDE_CORE
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/solve_isometric_impl.h>

@@ -11,9 +11,7 @@
 #include <string>
 #include <utility>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// Throws the Error if there is no map whose edges are geodesic: these are determined by their ends.
 inline void check_simplicial(const Weighted_graph& graph)
@@ -49,8 +47,6 @@ Solution Method_solver<Isometric>::solve(const Backend& backend, const Problem& 
   return solution;
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_SOLVE_ISOMETRIC_IMPL_H

@@ -16,9 +16,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// A point well inside the kernel of the star round v, on whose boundary v may lie: the mean of the corners of the
 /// kernel polygon in the tangent plane at v (by the gnomonic projection great circles are lines), clipped to a square a
@@ -103,8 +101,6 @@ inline bool insert_vertex(const Distortion& distortion, const Star& star, vec3 v
   return true;
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_VERTEX_INSERTION_H

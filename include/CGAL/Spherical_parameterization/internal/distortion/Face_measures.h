@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// All that is measured about single faces of a map. The source mesh is scaled to a unit box, so that meshes of any
 /// size and place have areas; limbs have areas down to 1e-150 on the sphere, below which everything counts as 1e-300.
@@ -125,8 +123,6 @@ Face_measures make_face_measures(const TriangleMesh& mesh, VertexSphereMap spher
   return Face_measures(read_mapped_faces(mesh, vertex_points(mesh, np), sphere_map, loop), loop);
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DISTORTION_FACE_MEASURES_H

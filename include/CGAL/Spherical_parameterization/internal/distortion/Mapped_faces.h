@@ -12,9 +12,7 @@
 
 #include <array>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// The faces of a mesh and their images on the sphere as arrays, in the order of the mesh. Nothing is checked.
 struct Mapped_faces {
@@ -60,8 +58,6 @@ Mapped_faces read_mapped_faces(const TriangleMesh& mesh, VertexPointMap points, 
   return result;
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DISTORTION_MAPPED_FACES_H

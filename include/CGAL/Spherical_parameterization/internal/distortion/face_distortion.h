@@ -12,9 +12,7 @@
 #include <cmath>
 #include <limits>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 inline double flat_area(const std::array<vec3, 3>& p)
 {
@@ -76,8 +74,6 @@ inline double ratio_of_singular_values(double squared_sum, double product)
   return half + std::sqrt((half - 1) * (half + 1));
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DISTORTION_FACE_DISTORTION_H

@@ -9,9 +9,7 @@
 #include <CGAL/Spherical_parameterization/internal/problem/Problem.h>
 #include <CGAL/Spherical_parameterization/internal/problem/Solution.h>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// Runs a method, and says how it went: an Error becomes a solution without a map. All seconds are accounted for.
 template <class Backend, class Method>
@@ -37,8 +35,6 @@ Solution attempt(const Backend& backend, const Method_solver<Method>& solver, co
   return solution;
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DRIVER_ATTEMPT_H

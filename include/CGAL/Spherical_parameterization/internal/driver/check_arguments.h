@@ -19,9 +19,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// \file
 /// What the front doors are called with, looked at before anything is instantiated: a wrong argument is a sentence, and
@@ -120,8 +118,6 @@ constexpr bool check_arguments()
     return false;
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DRIVER_CHECK_ARGUMENTS_H

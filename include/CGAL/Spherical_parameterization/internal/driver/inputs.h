@@ -20,9 +20,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// What the caller of parameterize() gives besides the mesh.
 template <class TriangleMesh, class NamedParameters>
@@ -134,8 +132,6 @@ void make_room(Range& range, std::size_t n)
     CGAL_SP_PRECONDITION(false, "the sphere points have to be as many as the points, or be resizable");
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DRIVER_INPUTS_H

@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// A problem, and where its vertices are in the mesh of the caller.
 template <class Vertex>
@@ -119,8 +117,6 @@ read_problem(const TriangleMesh& mesh, const Solver& solver, VertexSphereMap sph
   return {std::move(source.vertex), std::move(problem)};
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DRIVER_READ_PROBLEM_H

@@ -18,9 +18,7 @@
 
 #include <CGAL/tags.h>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// Solves a problem where the policy says.
 template <class Host_loop, class ExecutionPolicy, class Method>
@@ -40,9 +38,7 @@ CGAL_SP_FOR_EACH_METHOD(extern template, CGAL::Parallel_tag)
 #endif
 #endif
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #ifdef CGAL_SP_INCLUDE_CORE
 #include <CGAL/Spherical_parameterization/internal/driver/solve_impl.h>

@@ -13,9 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// Solutions of one problem, of which the best is kept.
 class Best_solution {
@@ -103,8 +101,6 @@ Solution Method_solver<Automatic>::solve(const Backend& backend, const Problem& 
   return solution;
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DRIVER_SOLVE_AUTOMATIC_IMPL_H

@@ -10,9 +10,7 @@
 
 #include <string>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 template <class Host_loop, class ExecutionPolicy, class Method>
 Solution solve(const ExecutionPolicy& policy, const Method& method, const Problem& problem, Monitor& monitor)
@@ -29,8 +27,6 @@ Solution solve(const ExecutionPolicy& policy, const Method& method, const Proble
   return solution;
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DRIVER_SOLVE_IMPL_H

@@ -15,9 +15,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// Everything in a solution but its positions.
 CGAL_SP_CORE void describe(const Solution& solution, Result& result);
@@ -35,9 +33,7 @@ void write_solution(const Solution& solution, const std::vector<Vertex>& vertex,
   result.seconds.certify += watch.seconds();
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_COMPILED
 #include <CGAL/Spherical_parameterization/internal/driver/write_solution_impl.h>

@@ -9,9 +9,7 @@
 #include <cmath>
 #include <string>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 CGAL_SP_CORE void describe(const Solution& solution, Result& result)
 {
@@ -37,8 +35,6 @@ CGAL_SP_CORE void describe(const Solution& solution, Result& result)
   result.seconds.read = read;
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DRIVER_WRITE_SOLUTION_IMPL_H

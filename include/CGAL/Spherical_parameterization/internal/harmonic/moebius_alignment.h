@@ -13,9 +13,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// The Moebius transformation of orientation 1 (boosts and rotations) that brings `from` closest to `to` in the sense
 /// of least squares, by the Gauss-Newton method from the best rotation; exact for three points. Returned as a sequence
@@ -113,8 +111,6 @@ private:
   std::vector<Step> steps_;
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_HARMONIC_MOEBIUS_ALIGNMENT_H

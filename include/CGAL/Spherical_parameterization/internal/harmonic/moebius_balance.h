@@ -11,9 +11,7 @@
 #include <cmath>
 #include <utility>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 inline vec3 first_moment(const Moments& m) { return {m.first[0], m.first[1], m.first[2]}; }
 
@@ -75,8 +73,6 @@ void centre(const Backend& backend, const typename Backend::Scalars& area, typen
   balance(backend, area, tolerance, maximum_steps, v, scratch, moments);
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_HARMONIC_MOEBIUS_BALANCE_H

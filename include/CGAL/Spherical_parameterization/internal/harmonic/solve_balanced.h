@@ -11,9 +11,7 @@
 
 #include <string>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// See solve_balanced_impl.h, and doc/balanced_method.md.
 template <>
@@ -38,9 +36,7 @@ private:
   Balanced method_;
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #ifdef CGAL_SP_INCLUDE_CORE
 #include <CGAL/Spherical_parameterization/internal/harmonic/solve_balanced_impl.h>

@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// Where a converged map has flipped faces, the accuracy is tightened by this factor as long as doubles allow it: the
 /// residual is measured on the whole sphere, and a limb of size 1e-12 is right only when it is far below that.
@@ -252,8 +250,6 @@ Solution Method_solver<Balanced>::solve(const Backend& backend, const Problem& p
   return solution;
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_HARMONIC_SOLVE_BALANCED_IMPL_H

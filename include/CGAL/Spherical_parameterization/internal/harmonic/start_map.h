@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// The harmonic map of level k to the plane, without the triangle `corners`, which goes to an equilateral one (Tutte's
 /// embedding with weights). Since only the corners feel a force, L z is a combination of two dipoles between them: two
@@ -241,8 +239,6 @@ Shared_graph with_fixed_vertices(const Loop& loop, const Problem& problem)
   return graph;
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_HARMONIC_START_MAP_H

@@ -13,9 +13,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// A balanced tree of points that finds some point near another one: the nearest of those in its leaf, which is not
 /// always the nearest of all. That is enough to start a walk, and takes one way down the tree.
@@ -110,8 +108,6 @@ private:
   std::vector<Node> nodes_; ///< the children of node i are 2i+1 and 2i+2
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_INVERSE_KD_TREE_H

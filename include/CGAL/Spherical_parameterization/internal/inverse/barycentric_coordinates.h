@@ -9,9 +9,7 @@
 #include <algorithm>
 #include <array>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// Weights (non-negative, sum 1) for which the weighted mean of the corners v has the direction q, each exact to 1e-12.
 /// \pre q is in the cone of v, which is positively oriented
@@ -38,8 +36,6 @@ inline std::array<double, 3> barycentric_coordinates(const std::array<vec3, 3>& 
   return {w[0] / sum, w[1] / sum, w[2] / sum};
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_INVERSE_BARYCENTRIC_COORDINATES_H

@@ -13,8 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 namespace internal {
 
 /// The connectivity of a closed oriented triangle mesh. Number 3 f + k stands for corner k of face f, and for the
@@ -112,7 +111,6 @@ Edge_troubles match_halfedges(const Loop& loop, const Host_array<std::array<int,
 
 } // namespace internal
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_CORNER_TABLE_H

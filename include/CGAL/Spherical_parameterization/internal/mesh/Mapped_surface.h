@@ -18,9 +18,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// A mesh that Source_mesh has checked, and its image on the sphere, as arrays: faces in the order of the mesh,
 /// vertices breadth-first.
@@ -53,8 +51,6 @@ Mapped_surface read_mapped_surface(const TriangleMesh& mesh, VertexPointMap poin
   return result;
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_MAPPED_SURFACE_H

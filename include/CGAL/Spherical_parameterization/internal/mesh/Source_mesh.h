@@ -19,9 +19,7 @@
 #include <memory>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// A face graph as arrays, checked to be a closed, connected triangle mesh of genus 0 with finite points.
 ///
@@ -84,8 +82,6 @@ public:
   }
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_SOURCE_MESH_H

@@ -17,9 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 template <class Descriptor, class = void>
 struct Has_idx : std::false_type {};
@@ -89,8 +87,6 @@ struct Face_numbering : Numbering<typename boost::graph_traits<TriangleMesh>::fa
   {}
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_VERTEX_NUMBERING_H

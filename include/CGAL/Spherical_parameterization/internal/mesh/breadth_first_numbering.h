@@ -15,9 +15,7 @@
 #include <cstddef>
 #include <string>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// Numbers the vertices of a connected mesh in breadth-first order. Fills `position`, by new number; returns the new
 /// number by position.
@@ -81,8 +79,6 @@ void renumber(const Loop& loop, const Neighbours& neighbours, const Host_array<i
   });
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_BREADTH_FIRST_NUMBERING_H

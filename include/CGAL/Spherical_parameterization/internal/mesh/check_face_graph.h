@@ -19,9 +19,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// The neighbours of every vertex in the order of vertices(mesh), in compressed rows.
 struct Neighbours {
@@ -132,8 +130,6 @@ void explain_what_is_wrong(const TriangleMesh& mesh, const Vertex_numbering<Tria
   }
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_CHECK_FACE_GRAPH_H

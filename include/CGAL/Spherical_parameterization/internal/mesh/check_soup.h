@@ -13,8 +13,7 @@
 #include <functional>
 #include <string>
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 namespace internal {
 
 /// Why triangles form no sphere.
@@ -47,8 +46,7 @@ extern template Soup_trouble check_soup(const Parallel_loop&, Corner_table&, int
 
 } // namespace internal
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #ifdef CGAL_SP_INCLUDE_CORE
 #include <CGAL/Spherical_parameterization/internal/mesh/check_soup_impl.h>

@@ -11,8 +11,7 @@
 #include <numeric>
 #include <utility>
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 namespace internal {
 
 inline void add_trouble(Soup_trouble& trouble, Error_code code, const std::string& wrong, const std::string& remedy)
@@ -165,7 +164,6 @@ Soup_trouble check_soup(const Loop& loop, Corner_table& table, int n, Host_array
 
 } // namespace internal
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_CHECK_SOUP_IMPL_H

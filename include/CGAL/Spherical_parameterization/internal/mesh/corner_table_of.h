@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// The corners of face f: source(h), target(h) and target(next(h)) for h = halfedge(f), as in Source_mesh.
 template <class TriangleMesh, class Index>
@@ -103,8 +101,6 @@ inline void check_no_isolated_vertex(const Host_array<std::array<int, 3>>& face,
       throw Input_error(Error_code::ISOLATED_VERTEX, "the first one is vertex " + std::to_string(v) + "; remove them");
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_CORNER_TABLE_OF_H

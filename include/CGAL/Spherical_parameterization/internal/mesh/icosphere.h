@@ -13,9 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// An icosahedron of which every triangle has been cut in four `level` times, on the unit sphere: 10 * 4^level + 2
 /// points and 20 * 4^level triangles, counter-clockwise seen from outside. The first points are those of the lower
@@ -74,8 +72,6 @@ private:
   }
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_ICOSPHERE_H

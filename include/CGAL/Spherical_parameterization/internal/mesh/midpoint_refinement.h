@@ -11,9 +11,7 @@
 #include <array>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// A closed triangle mesh in space.
 struct Triangle_surface : Corner_table {
@@ -51,8 +49,6 @@ inline Triangle_surface refined_at_midpoints(const Triangle_surface& mesh)
   return fine;
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_MIDPOINT_REFINEMENT_H

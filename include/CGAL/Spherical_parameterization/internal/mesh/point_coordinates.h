@@ -13,9 +13,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 template <class Point, class = void>
 struct Has_xyz : std::false_type {};
@@ -64,8 +62,6 @@ inline vec3 scaled_to_unit_box(vec3 a)
   return largest > 0 ? vec3{a.x / largest, a.y / largest, a.z / largest} : a;
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_POINT_COORDINATES_H

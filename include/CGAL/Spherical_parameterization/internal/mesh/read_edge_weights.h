@@ -22,9 +22,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// Reads the weights of a mesh's edges into the rows of its graph.
 template <class TriangleMesh>
@@ -149,8 +147,6 @@ private:
   Host_array<int> index_; ///< number of a vertex by its position in vertices(mesh)
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_READ_EDGE_WEIGHTS_H

@@ -17,9 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// Reads the points of the vertices, in their order. Throws Error where a coordinate is not finite.
 template <class Vertex, class VertexPointMap, class Loop>
@@ -68,8 +66,6 @@ Host_array<double> vertex_areas(const Loop& loop, const Host_array<std::array<in
   return area;
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_SOURCE_GEOMETRY_H

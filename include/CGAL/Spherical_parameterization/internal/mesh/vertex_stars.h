@@ -15,9 +15,7 @@
 
 #include <string>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// The faces round every vertex, from halfedge(v, mesh) on, in compressed rows: vertices and faces have the numbers
 /// they have in the mesh.
@@ -50,8 +48,6 @@ Vertex_stars vertex_stars(const TriangleMesh& mesh)
   return stars;
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_VERTEX_STARS_H

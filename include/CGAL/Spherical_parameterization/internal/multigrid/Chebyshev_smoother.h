@@ -6,9 +6,7 @@
 
 #include <cmath>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// The smoother of the V-cycle: two damped Jacobi steps whose gains make them the Chebyshev iteration of degree 2 on
 /// the upper part of the spectrum of D^-1 A. After the coarse correction the gains come in reverse order, which keeps
@@ -48,8 +46,6 @@ private:
   double first_, second_; ///< gains
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MULTIGRID_CHEBYSHEV_SMOOTHER_H

@@ -17,9 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// One symmetric V-cycle of smoothed aggregation as a preconditioner for the Laplacian of a weighted graph, applied to
 /// three right-hand sides at once. Fixed vertices stay 0. Without fixed vertices and excess the matrix is singular; its
@@ -164,8 +162,6 @@ private:
   int bottom_size_;
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MULTIGRID_MULTIGRID_H

@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 struct Aggregates {
   Host_array<int> of_vertex; ///< -1 for fixed vertices
@@ -293,8 +291,6 @@ double spectral_radius(const Loop& loop, const Weighted_graph& a)
   return (std::min)(bound, (std::max)(is_positive ? least : 0, safety * radius));
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MULTIGRID_COARSENING_H

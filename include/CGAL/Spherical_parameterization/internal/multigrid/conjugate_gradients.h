@@ -10,9 +10,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// Solves A x = b on level k of the hierarchy, for three right-hand sides, by conjugate gradients with one multigrid
 /// cycle as the preconditioner, to a relative error of about `accuracy` in the energy norm. `x` is 0 on entry. Returns
@@ -52,8 +50,6 @@ std::size_t conjugate_gradients(const Backend& backend, Multigrid<Backend>& mult
   return maximum_iterations;
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MULTIGRID_CONJUGATE_GRADIENTS_H

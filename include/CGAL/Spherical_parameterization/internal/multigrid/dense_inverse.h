@@ -13,9 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// The inverse of a dense symmetric matrix of size n, by rows, from P A P^T = L D L^T with diagonal pivoting, as in
 /// Symmetric_solver. Rows of the inverse that belong to a pivot that vanishes are 0.
@@ -139,8 +137,6 @@ private:
   std::vector<int> pivot_;
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MULTIGRID_DENSE_INVERSE_H

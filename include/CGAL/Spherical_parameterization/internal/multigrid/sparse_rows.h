@@ -15,9 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// Collects one sparse row at a time: values are added by column, and read out in the order of first use.
 ///
@@ -147,8 +145,6 @@ Sparse_matrix transposed(const Loop& loop, const Sparse_matrix& a, int columns)
   return t;
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MULTIGRID_SPARSE_ROWS_H

@@ -12,9 +12,7 @@
 #include <cmath>
 #include <limits>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// What covering() says of a direction on the border of a face: more than all other faces together can add up to.
 constexpr double on_border = 1e15;
@@ -61,8 +59,6 @@ int degree(Sum_of_coverings sum_of_coverings)
   }
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PREDICATES_DEGREE_H

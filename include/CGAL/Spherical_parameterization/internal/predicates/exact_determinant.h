@@ -9,9 +9,7 @@
 
 #include <array>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// The sign of det(a, b, c) in integers of any length: no rounding, no overflow, no underflow, no rounding mode.
 /// \pre all coordinates are finite
@@ -21,9 +19,7 @@ CGAL_SP_CORE int sign_of_exact_determinant(vec3 a, vec3 b, vec3 c);
 /// the sum of all three. The quotients are rounded once. \pre all coordinates are finite, and the exact sum is not 0
 CGAL_SP_CORE std::array<double, 3> exact_barycentric_coordinates(const std::array<vec3, 3>& v, vec3 q);
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_COMPILED
 #include <CGAL/Spherical_parameterization/internal/predicates/exact_determinant_impl.h>

@@ -12,9 +12,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// A vector of doubles as three integers times 2^exponent.
 struct Integer_vector {
@@ -84,8 +82,6 @@ CGAL_SP_CORE std::array<double, 3> exact_barycentric_coordinates(const std::arra
   return result;
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PREDICATES_EXACT_DETERMINANT_IMPL_H

@@ -9,9 +9,7 @@
 
 #include <cmath>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// det(a, b, q) in doubles, and a bound of its error.
 ///
@@ -55,8 +53,6 @@ inline int orientation(vec3 a, vec3 b, vec3 q)
 
 inline bool is_positively_oriented(vec3 a, vec3 b, vec3 c) { return orientation(a, b, c) > 0; }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PREDICATES_ORIENTATION_H

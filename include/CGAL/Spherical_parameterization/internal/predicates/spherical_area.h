@@ -8,9 +8,7 @@
 
 #include <cmath>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// Signed area of the spherical triangle (a, b, c) of unit vectors, positive if it is seen counter-clockwise from
 /// outside; in (-2 pi, 2 pi). Triangles far below the resolution of the coordinates keep a meaningful size.
@@ -24,8 +22,6 @@ inline double spherical_area(vec3 a, vec3 b, vec3 c)
   return 2 * std::atan2(volume, denominator);
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PREDICATES_SPHERICAL_AREA_H

@@ -15,8 +15,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 namespace internal {
 
 /// What a method does with edge weights.
@@ -116,7 +115,6 @@ void finish(const Backend& backend, const Problem& problem, typename Backend::Ve
 
 } // namespace internal
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PROBLEM_METHOD_SOLVER_H

@@ -14,8 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 namespace internal {
 
 /// How far the caller wants a method to go; what is not given is the default of the method.
@@ -51,7 +50,6 @@ inline vec3 normal(const Host_array<vec3>& points, const std::array<int, 3>& f)
 
 } // namespace internal
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PROBLEM_PROBLEM_H

@@ -17,8 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 namespace internal {
 
 /// What a solver has to say about its run.
@@ -53,8 +52,7 @@ CGAL_SP_CORE void pass_verdict(const Problem& problem, const Monitor& monitor, S
 
 } // namespace internal
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_COMPILED
 #include <CGAL/Spherical_parameterization/internal/problem/Solution_impl.h>

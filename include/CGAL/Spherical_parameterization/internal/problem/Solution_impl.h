@@ -9,8 +9,7 @@
 
 #include <string>
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 namespace internal {
 
 /// Why the solver may have converged to what is no map, and what to do about it.
@@ -61,7 +60,6 @@ CGAL_SP_CORE void pass_verdict(const Problem& problem, const Monitor& monitor, S
 
 } // namespace internal
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PROBLEM_SOLUTION_IMPL_H

@@ -20,9 +20,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// Marks the constrained vertices; empty if there are none. One or two would leave a boost free, along which the map
 /// collapses.
@@ -81,8 +79,6 @@ Host_array<vec3> given_positions(const std::vector<Vertex>& vertices, const Host
                       "the sphere map is not readable, and holds no positions to start from");
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PROBLEM_FIXED_VERTICES_H

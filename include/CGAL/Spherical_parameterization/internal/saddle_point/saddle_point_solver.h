@@ -16,9 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// Greedy colouring in vertex order: vertices of one colour have no edge between them, so that a Gauss-Seidel sweep may
 /// treat them at once, and gives the same result on every backend.
@@ -126,8 +124,6 @@ private:
   typename Backend::Colouring colours_;
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SADDLE_POINT_SADDLE_POINT_SOLVER_H

@@ -12,9 +12,7 @@
 
 #include <utility>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// Where the published method starts.
 template <class Backend>
@@ -68,8 +66,6 @@ Solution Method_solver<Saddle_point>::solve(const Backend& backend, const Proble
   return solution;
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SADDLE_POINT_SOLVE_SADDLE_POINT_IMPL_H

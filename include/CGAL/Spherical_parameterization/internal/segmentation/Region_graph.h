@@ -16,9 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// A cost for every side of every face, the same from both sides of an edge.
 typedef std::vector<std::array<double, 3>> Side_costs;
@@ -200,8 +198,6 @@ void merge_in_order(Region_graph& regions, Key key, Goes_on goes_on, Merged merg
   }
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SEGMENTATION_REGION_GRAPH_H

@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// The faces as vertices of a graph, two neighbours joined with weight (length of the edge) / (distance of the
 /// centroids) times `diffusion`, and the areas as excess: M + diffusion * L of the dual mesh.
@@ -167,8 +165,6 @@ std::vector<std::vector<int>> concavity_segments(const Loop& loop, const Segment
   return segments;
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SEGMENTATION_CONCAVE_CUTS_H

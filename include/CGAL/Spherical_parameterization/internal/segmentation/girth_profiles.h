@@ -15,9 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// Some tips of limbs that lie together on the sphere: a single one, or all of a hand.
 struct Bundle {
@@ -271,8 +269,6 @@ std::vector<int> girth_labels(const Loop& loop, const Segmentation_mesh& mesh, c
   return label;
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SEGMENTATION_GIRTH_PROFILES_H

@@ -14,9 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// A segmentation with a say in the common one.
 struct Voter {
@@ -104,8 +102,6 @@ inline std::vector<int> majority_segments(const Segmentation_mesh& mesh, const s
   return regions.labels();
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SEGMENTATION_MAJORITY_VOTE_H

@@ -11,9 +11,7 @@
 #include <cmath>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// Seeds of Definition 2: the vertices where the stretch is a strict local minimum or maximum, those with the largest
 /// stretch first.
@@ -75,8 +73,6 @@ inline std::vector<int> grown_labels(const Segmentation_mesh& mesh, const std::v
   return label;
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SEGMENTATION_REGION_GROWING_H

@@ -14,9 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// The length of every side: what borders are measured with where nothing else is known.
 inline Side_costs side_lengths(const Segmentation_mesh& mesh)
@@ -84,8 +82,6 @@ inline std::vector<int> selected_segments(const Segmentation_mesh& mesh, const s
   return regions.labels();
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SEGMENTATION_SEGMENT_SELECTION_H

@@ -11,8 +11,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 namespace internal {
 
 /// A segment for every face, by the stretch of the faces. Throws Error for what `make_segmentation_mesh()` refuses, and
@@ -36,8 +35,7 @@ CGAL_SP_SEGMENTATION(extern template, Parallel_loop)
 
 } // namespace internal
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #ifdef CGAL_SP_INCLUDE_CORE
 #include <CGAL/Spherical_parameterization/internal/segmentation/segments_impl.h>

@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 template <class Loop>
 std::vector<int> labels_of(const Loop& loop, const Segmentation_mesh& mesh, const std::vector<double>& stretch,
@@ -66,8 +64,6 @@ std::vector<int> segments_of(const Loop& loop, Mapped_surface surface, std::vect
   return labels_of(loop, mesh, stretch, method);
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SEGMENTATION_SEGMENTS_IMPL_H

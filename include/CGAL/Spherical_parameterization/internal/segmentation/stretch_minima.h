@@ -11,9 +11,7 @@
 #include <cmath>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// The logarithmic area stretch of the vertices from that of the faces, log(source area / spherical area) of the star:
 /// a mean of the reciprocal stretches, weighted with the source areas, so that a face that is much too small on the
@@ -73,8 +71,6 @@ inline std::vector<int> persistent_minima(const Segmentation_mesh& mesh, const s
   return vertices;
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SEGMENTATION_STRETCH_MINIMA_H

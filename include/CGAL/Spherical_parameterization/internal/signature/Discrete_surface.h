@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// A closed surface scaled to area 4 pi, with the operators on its piecewise linear functions. The Laplacian is the
 /// cotangent one, not clamped; the triangulation being Delaunay, no weight is negative.
@@ -195,8 +193,6 @@ Discrete_surface::Vector smoothed(const Loop& loop, const Discrete_surface& surf
   return Surface_solver<Loop>(loop, surface, 1 / t)(surface.mass().cwiseProduct(x) / t);
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SIGNATURE_DISCRETE_SURFACE_H

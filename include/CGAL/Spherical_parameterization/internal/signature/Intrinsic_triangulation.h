@@ -14,9 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// A closed triangulated surface given by nothing but the lengths of its edges, made Delaunay by flipping edges inside
 /// the surface: the shape stays, to rounding, and all cotangent weights become nonnegative, however bad the triangles
@@ -165,8 +163,6 @@ private:
   int number_of_vertices_;
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SIGNATURE_INTRINSIC_TRIANGULATION_H

@@ -17,9 +17,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// The logarithm u of the factor by which the conformal map to the sphere enlarges areas, on a surface of area 4 pi.
 ///
@@ -98,8 +96,6 @@ private:
   }
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SIGNATURE_CONFORMAL_FACTOR_H

@@ -11,8 +11,7 @@
 #include <array>
 #include <cstddef>
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 namespace internal {
 
 /// Of what the coordinates of a signature are, in their order.
@@ -37,8 +36,7 @@ extern template Signature_values signature_values(const Parallel_loop&, const Ma
 
 } // namespace internal
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #ifdef CGAL_SP_INCLUDE_CORE
 #include <CGAL/Spherical_parameterization/internal/signature/signature_values_impl.h>

@@ -16,9 +16,7 @@
 #include <functional>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// Typical distances of unlike shapes, which make both parts of the signature weigh the same: what 35 models of 9
 /// classes of the SHREC 2007 watertight track have on average.
@@ -77,8 +75,6 @@ Signature_values signature_values(const Loop& loop, const Mapped_surface& map)
   return signature;
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SIGNATURE_SIGNATURE_VALUES_IMPL_H

@@ -16,9 +16,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// A face as seen by the choice of the poles: where it is, and the affine map from the source to the sphere.
 struct Face_sample {
@@ -130,8 +128,6 @@ vec3 least_harmful_south_pole(const Loop& loop, const Mapped_faces& map, const V
   return best;
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_TEXTURE_LEAST_HARMFUL_POLES_H

@@ -14,8 +14,7 @@
 
 #include <array>
 
-namespace CGAL {
-namespace Spherical_parameterization {
+namespace CGAL::Spherical_parameterization {
 namespace internal {
 
 /// What is to be put into the texture.
@@ -40,8 +39,7 @@ extern template Texture_layout texture_layout(const Parallel_loop&, const Mapped
 
 } // namespace internal
 
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization
 
 #ifdef CGAL_SP_INCLUDE_CORE
 #include <CGAL/Spherical_parameterization/internal/texture/texture_layout_impl.h>

@@ -19,9 +19,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 inline Frame frame_of(const Texture_axes& axes)
 {
@@ -94,8 +92,6 @@ Texture_layout texture_layout(const Loop& loop, const Mapped_faces& map, const V
   return layout;
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_TEXTURE_TEXTURE_LAYOUT_IMPL_H

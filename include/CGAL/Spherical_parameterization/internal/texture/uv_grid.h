@@ -11,9 +11,7 @@
 #include <array>
 #include <cmath>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 typedef std::array<vec2, 3> Uv_triangle;
 
@@ -66,8 +64,6 @@ private:
   double cell_;
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_TEXTURE_UV_GRID_H

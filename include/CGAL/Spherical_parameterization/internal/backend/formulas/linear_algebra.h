@@ -16,9 +16,7 @@
 #include <CGAL/Spherical_parameterization/internal/base/vec3.h>
 #include <cstddef>
 #define CGAL_SP_GLOBAL
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 using std::size_t;
 #endif
 
@@ -135,9 +133,7 @@ CGAL_SP_FUNCTION void multiply_dense_at(int i, int n, CGAL_SP_GLOBAL const real*
 }
 
 #ifndef __OPENCL_C_VERSION__
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 #endif
 
 #endif

@@ -8,9 +8,7 @@
 
 #ifndef __OPENCL_C_VERSION__
 #include <CGAL/Spherical_parameterization/internal/backend/formulas/linear_algebra.h>
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 #endif
 
 /* returns sum_j w_ij u_j */
@@ -73,9 +71,7 @@ CGAL_SP_FUNCTION void barycentric_residual2_at(int i, graph_view a, CGAL_SP_GLOB
 }
 
 #ifndef __OPENCL_C_VERSION__
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 #endif
 
 #endif

@@ -9,9 +9,7 @@
 #ifndef __OPENCL_C_VERSION__
 #include <CGAL/Spherical_parameterization/internal/backend/formulas/linear_algebra.h>
 #include <cmath>
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 using std::pow;
 #endif
 
@@ -217,9 +215,7 @@ CGAL_SP_FUNCTION void transform_at(int i, CGAL_SP_GLOBAL const real* mass, vec3 
 }
 
 #ifndef __OPENCL_C_VERSION__
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 #endif
 
 #endif

@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// The verbs of Host_backend on an OpenCL device: each is a kernel of kernels/, named like the verb. Verbs that return
 /// numbers wait for the device. All others return at once. Set-up on the host is run with `Loop`. An object is for one
@@ -237,8 +235,6 @@ private:
   Host_loop loop_;
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_OPENCL_OPENCL_BACKEND_H

@@ -10,9 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// Throws an OpenCL_error unless `code` is CL_SUCCESS.
 inline void check_opencl(cl_int code, const char* call)
@@ -52,8 +50,6 @@ std::string opencl_text(Query get, const char* call, Object object, cl_uint key)
   return text.substr(text.find_first_not_of(' ') == std::string::npos ? 0 : text.find_first_not_of(' '));
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_OPENCL_OPENCL_CALL_H

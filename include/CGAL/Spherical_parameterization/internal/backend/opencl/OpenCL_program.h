@@ -11,9 +11,7 @@
 #include <mutex>
 #include <string>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// `source` compiled for `device`. Throws an OpenCL_error with the build log where it does not compile.
 inline cl::Program build_program(cl_context context, cl_device_id device, const std::string& source,
@@ -57,8 +55,6 @@ private:
   cl::Program program_;
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_OPENCL_OPENCL_PROGRAM_H

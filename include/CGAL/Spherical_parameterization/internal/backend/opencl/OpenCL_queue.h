@@ -12,9 +12,7 @@
 #include <memory>
 #include <utility>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// A command queue, what is known of its device, and the kernels for it. A value: copies share the queue and the
 /// kernels.
@@ -62,8 +60,6 @@ private:
   std::shared_ptr<OpenCL_program> program_;
 };
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_OPENCL_OPENCL_QUEUE_H

@@ -11,9 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// Every device of every platform, in an order that stays while no driver comes or goes.
 inline std::vector<cl_device_id> opencl_device_ids()
@@ -57,8 +55,6 @@ inline OpenCL_device_info opencl_device_info(cl_device_id device)
   return info;
 }
 
-} // namespace internal
-} // namespace Spherical_parameterization
-} // namespace CGAL
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_OPENCL_DEVICE_QUERIES_H

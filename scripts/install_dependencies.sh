@@ -10,7 +10,7 @@ packages=(
   build-essential cmake
   libcgal-dev libboost-dev libeigen3-dev libgmp-dev libmpfr-dev     # the library
   libtbb-dev ocl-icd-opencl-dev opencl-clhpp-headers pocl-opencl-icd # its parallel backends
-  libcli11-dev nlohmann-json3-dev libpng-dev                        # the tool
+  libcli11-dev nlohmann-json3-dev libpng-dev libsqlite3-dev         # the tool
   libboost-mpi-dev libopenmpi-dev openmpi-bin                       # its batches on a cluster
   catch2 libopenmesh-dev libcgal-demo doxygen                       # the tests, of which the manual is one
   file                                                              # cpack asks it what needs which libraries

@@ -9,7 +9,7 @@
 
 #include "output/atomic_file.h"
 #include "system/interruption.h"
-#include "collections/journal.h"
+#include "collections/database.h"
 #include "input/mesh_list.h"
 
 #include <CLI/CLI.hpp>
@@ -38,22 +38,26 @@ struct Mass_options {
   int jobs = static_cast<int>((std::max)(1u, std::thread::hardware_concurrency()));
 };
 
-std::optional<std::string> name_of_line(const std::string& line)
+constexpr tool::Database::Format format = {0x4d415353, "the rows of a mass run",
+                                           "CREATE TABLE row(name TEXT PRIMARY KEY, line TEXT NOT NULL)"};
+
+std::optional<Mass_row> row_of(const Mass_job& job, const tool::Database& done)
 {
-  const std::optional<Mass_row> row = mass_row(line);
-  return row ? std::optional(row->job.name()) : std::nullopt;
+  auto row = done.query("SELECT line FROM row WHERE name = ?", job.name());
+  return row.next() ? mass_row(row.text(0)) : std::nullopt;
 }
 
-/// Computes what the journal does not have, each job on one core. Throws what is wrong with the journal.
-void compute_missing(const std::vector<Mass_job>& jobs, const Mass_options& options, tool::Journal& journal)
+/// Computes what is not done, each job on one core. Throws what is wrong with the database.
+void compute_missing(const std::vector<Mass_job>& jobs, const Mass_options& options, tool::Database& done)
 {
   std::vector<Mass_job> missing;
   for(const Mass_job& job : jobs)
-    if(journal.lines().count(job.name()) == 0)
+    if(!row_of(job, done))
       missing.push_back(job);
+  std::size_t count = jobs.size() - missing.size();
   std::atomic<std::size_t> next{0};
   std::atomic<bool> has_failed{false};
-  std::mutex mutex; // of the journal and the failure
+  std::mutex mutex; // of the database, the count and the failure
   std::exception_ptr failure;
   const auto go_on = [&] { return !tool::was_interrupted() && !has_failed; };
   const auto work = [&] {
@@ -61,9 +65,8 @@ void compute_missing(const std::vector<Mass_job>& jobs, const Mass_options& opti
       if(const std::optional<Mass_row> row = compute_mass_row(missing[i], options.time_limit, go_on)) {
         const std::lock_guard<std::mutex> lock(mutex);
         try {
-          journal.add(row->job.name(), to_line(*row));
-          std::cerr << journal.lines().size() << " of " << jobs.size() << ": " << row->job.name() << ": "
-                    << row->outcome << std::endl;
+          done.run("INSERT OR REPLACE INTO row VALUES(?, ?)", row->job.name(), to_line(*row));
+          std::cerr << ++count << " of " << jobs.size() << ": " << row->job.name() << ": " << row->outcome << std::endl;
         } catch(...) {
           failure = std::current_exception();
           has_failed = true;
@@ -78,7 +81,7 @@ void compute_missing(const std::vector<Mass_job>& jobs, const Mass_options& opti
   if(failure)
     std::rethrow_exception(failure);
   if(tool::was_interrupted())
-    throw std::runtime_error("interrupted with " + std::to_string(journal.lines().size()) +
+    throw std::runtime_error("interrupted with " + std::to_string(count) +
                              " rows done; the same command goes on from there");
 }
 
@@ -132,19 +135,21 @@ void measure(const Mass_options& options)
     mass_jobs(tool::list_meshes(options.common.meshes, options.list), options.methods, options.weights);
   std::filesystem::create_directories(options.common.output);
   const std::string output = (std::filesystem::path(options.common.output) / "mass_rows.csv").string();
-  tool::Journal journal(output + ".journal", mass_header(), name_of_line);
-  compute_missing(jobs, options, journal);
-
-  std::vector<Mass_row> rows;
-  tool::Atomic_file file(output);
-  file.stream() << mass_header() << '\n';
-  for(const Mass_job& job : jobs) {
-    rows.push_back(mass_row(journal.lines().at(job.name())).value());
-    file.stream() << to_line(rows.back()) << '\n';
+  const std::string database = output + ".db";
+  {
+    tool::Database done(database, format, tool::Database::Access::WRITE);
+    compute_missing(jobs, options, done);
+    std::vector<Mass_row> rows;
+    tool::Atomic_file file(output);
+    file.stream() << mass_header() << '\n';
+    for(const Mass_job& job : jobs) {
+      rows.push_back(row_of(job, done).value());
+      file.stream() << to_line(rows.back()) << '\n';
+    }
+    file.commit();
+    summarize(rows, options);
   }
-  file.commit();
-  summarize(rows, options);
-  journal.remove();
+  std::filesystem::remove(database);
 }
 
 } // namespace

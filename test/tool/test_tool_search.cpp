@@ -39,7 +39,7 @@ std::string make_index(const Scratch& scratch)
               transformed(dumbbell(4), [i](const Point& p) { return Point(p.x(), p.y(), (1 + 0.03 * i) * p.z()); }));
   }
   write_off(scratch / "torus.off", torus(8, 8)); // has no signature
-  std::string index = scratch / "index.csv";
+  std::string index = scratch / "index.db";
   REQUIRE(run_tool({"signature", scratch.folder(), "-o", index}).exit_code == 0);
   return index;
 }
@@ -73,7 +73,7 @@ TEST_CASE("search: what is wrong is said in one line", "[tool][search]")
   Scratch scratch;
   const std::string good = write_off(scratch / "good.off", icosphere(2));
   const std::string bad = write_off(scratch / "bad.off", open_sphere(2));
-  const std::string index = scratch / "index.csv", broken = scratch / "broken.csv";
+  const std::string index = scratch / "index.db", broken = scratch / "broken.db";
   REQUIRE(run_tool({"signature", good, "-o", index}).exit_code == 0);
   const auto check = [&](const std::string& query, const std::string& file, const std::string& word) {
     const Process_result run = run_tool({"search", query, "--index", file});
@@ -86,13 +86,15 @@ TEST_CASE("search: what is wrong is said in one line", "[tool][search]")
   check(scratch / "none.off", index, "does not exist");
   check(good, scratch / "none.csv", "does not exist");
   check(good, scratch.folder(), "directory");
-  const std::string text = text_of(index);
+  const std::string bytes = text_of(index);
   write_text(broken, "a,b\n1,2\n");
-  check(good, broken, "line 1");
-  write_text(broken, text + "x,12,OK\n");
-  check(good, broken, "line 3");
-  write_text(broken, text.substr(0, text.size() - 30));
-  check(good, broken, "line 2");
+  check(good, broken, "no database");
+  write_text(broken, bytes.substr(0, bytes.size() / 2));
+  check(good, broken, "damaged");
+  write_text(broken, bytes.substr(0, 100) + std::string(bytes.size() - 100, '\xaa'));
+  check(good, broken, "damaged");
+  write_text(scratch / "old.csv", "name,vertices\n"); // an index of older versions
+  check(good, scratch / "old.csv", "'signature'");
   write_text(broken, "");
   check(good, broken, "is empty");
   CHECK(run_tool({"search", good}).exit_code == 2);

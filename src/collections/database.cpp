@@ -97,8 +97,7 @@ std::string_view Database::Rows::bytes(int column) const
 
 void Database::refuse_damaged(const std::string& what) const
 {
-  throw Refusal(unreadable_file, file_, "is no database, or damaged (" + what + ")",
-                "choose another name, or remove it and write it again");
+  throw Refusal(unreadable_file, file_, "is damaged (" + what + ")", "remove it, and write it again");
 }
 
 void Database::check(int code) const
@@ -108,7 +107,7 @@ void Database::check(int code) const
   case SQLITE_OK:
   case SQLITE_DONE: return;
   case SQLITE_NOMEM: throw std::bad_alloc();
-  case SQLITE_NOTADB:
+  case SQLITE_NOTADB: throw Refusal(unreadable_file, file_, "is no database", "choose another one");
   case SQLITE_CORRUPT:
   case SQLITE_ERROR: refuse_damaged(what); // as when a table is not there
   case SQLITE_BUSY:

@@ -93,7 +93,8 @@ Shape_index::Shape_index(const std::string& file, Database::Access access) : dat
 
 bool Shape_index::is_current(const std::string& mesh)
 {
-  auto row = database_.query("SELECT bytes, changed, hash FROM mesh WHERE name = ? AND status <> 'OUT_OF_MEMORY'", mesh);
+  auto row =
+    database_.query("SELECT bytes, changed, hash FROM mesh WHERE name = ? AND status <> 'OUT_OF_MEMORY'", mesh);
   const File_version now = version_of(mesh);
   if(!row.next() || row.integer(0) != now.bytes)
     return false;
@@ -115,9 +116,10 @@ void Shape_index::put(const Signature_row& row)
                 row.signature ? Bytes{row.signature->values.data(), sizeof row.signature->values} : Bytes());
   database_.run("INSERT OR IGNORE INTO code SELECT id / ?2, zeroblob(?2 * ?3) FROM mesh WHERE name = ?1", row.name,
                 codes_per_block, code_size);
-  database_.run("UPDATE code SET codes = CAST(substr(codes, 1, id % ?2 * ?3) || ?4 || substr(codes, id % ?2 * ?3 + ?3 + 1) "
-                "AS BLOB) FROM mesh WHERE name = ?1 AND block = id / ?2",
-                row.name, codes_per_block, code_size, Bytes{code.data(), sizeof code});
+  database_.run(
+    "UPDATE code SET codes = CAST(substr(codes, 1, id % ?2 * ?3) || ?4 || substr(codes, id % ?2 * ?3 + ?3 + 1) "
+    "AS BLOB) FROM mesh WHERE name = ?1 AND block = id / ?2",
+    row.name, codes_per_block, code_size, Bytes{code.data(), sizeof code});
   database_.run("COMMIT");
 }
 

@@ -6,8 +6,15 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <numeric>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace test;
@@ -39,12 +46,50 @@ std::string make_index(const Scratch& scratch)
               transformed(dumbbell(4), [i](const Point& p) { return Point(p.x(), p.y(), (1 + 0.03 * i) * p.z()); }));
   }
   write_off(scratch / "torus.off", torus(8, 8)); // has no signature
-  std::string index = scratch / "index.db";
+  std::string index = scratch / "index.csv";     // and index.db
   REQUIRE(run_tool({"signature", scratch.folder(), "-o", index}).exit_code == 0);
   return index;
 }
 
+/// Name and numbers of the rows of a table that have a signature.
+std::map<std::string, std::vector<double>> signatures(const std::string& table)
+{
+  std::map<std::string, std::vector<double>> result;
+  for(const std::string& line : lines_of(text_of(table))) {
+    std::istringstream in(line);
+    std::vector<std::string> fields;
+    for(std::string field; std::getline(in, field, ',');)
+      fields.push_back(field);
+    if(fields.at(2) == "OK")
+      std::transform(fields.begin() + 5, fields.end(), std::back_inserter(result[fields[0]]),
+                     [](const std::string& field) { return std::stod(field); });
+  }
+  return result;
+}
+
 } // namespace
+
+TEST_CASE("search: exactly the nearest ones, by the numbers of the table", "[tool][search]")
+{
+  Scratch scratch;
+  const std::string index = make_index(scratch);
+  const auto all = signatures(index);
+  REQUIRE(all.size() == 8);
+  for(const auto& [query, numbers] : all) {
+    std::vector<std::pair<double, std::string>> expected;
+    for(const auto& [name, other] : all)
+      expected.emplace_back(std::inner_product(numbers.begin(), numbers.end(), other.begin(), 0., std::plus<>(),
+                                               [](double x, double y) { return std::abs(x - y); }),
+                            name);
+    std::sort(expected.begin(), expected.end());
+    const std::vector<Hit> found = hits(run_tool({"search", query, "--index", index, "-k", "5"}).out);
+    REQUIRE(found.size() == 5);
+    for(std::size_t i = 0; i < found.size(); ++i) {
+      CHECK(found[i].name == expected[i].second);
+      CHECK(std::abs(found[i].distance - expected[i].first) < 1e-4);
+    }
+  }
+}
 
 TEST_CASE("search: the class of the query comes first", "[tool][search]")
 {

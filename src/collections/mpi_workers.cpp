@@ -91,8 +91,7 @@ void work_for_rank_0(const mpi::communicator& world, int threads)
 
 } // namespace
 
-int run_on_all_ranks(int threads_per_rank,
-                     const std::function<int(const std::function<void(Signature_batch&)>&)>& action)
+int run_on_all_ranks(int threads_per_rank, const std::function<int(const Batch_workers&)>& action)
 {
   const mpi::environment environment(mpi::threading::serialized); // one thread at a time talks
   const mpi::communicator world;
@@ -113,7 +112,7 @@ int run_on_all_ranks(int threads_per_rank,
   }
 }
 #else
-int run_on_all_ranks(int, const std::function<int(const std::function<void(Signature_batch&)>&)>&)
+int run_on_all_ranks(int, const std::function<int(const Batch_workers&)>&)
 {
   throw Refusal("NO_MPI", "--mpi", "this build has no MPI support",
                 "configure it with CGAL_SP_WITH_MPI=ON, or use --jobs in one process");

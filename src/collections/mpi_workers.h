@@ -10,12 +10,11 @@
 
 namespace tool {
 
-/// Starts MPI, and runs `action` on rank 0 with a function that works on a batch with the threads of all ranks, so many
-/// on each. Returns what `action` returns on rank 0, and 0 on the others, when all is done.
+/// Starts MPI, and runs `action` on rank 0, with the threads of all ranks as workers, so many on each. Returns what it
+/// returns; 0 on the others, when all is done.
 ///
 /// Throws a `Refusal` in builds without MPI.
-int run_on_all_ranks(int threads_per_rank,
-                     const std::function<int(const std::function<void(Signature_batch&)>&)>& action);
+int run_on_all_ranks(int threads_per_rank, const std::function<int(const Batch_workers&)>& action);
 
 } // namespace tool
 

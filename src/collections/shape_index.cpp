@@ -154,10 +154,12 @@ std::size_t Shape_index::keep_only(const std::vector<std::string>& meshes)
   for(auto row = database_.query("SELECT name FROM mesh"); row.next();)
     if(kept.count(row.text(0)) == 0)
       others.push_back(row.text(0));
+  database_.run("BEGIN");
   for(const std::string& name : others)
     database_.run("DELETE FROM mesh WHERE name = ?", name);
   if(!others.empty())
     database_.run("DELETE FROM code WHERE block NOT IN (SELECT id / ? FROM mesh)", codes_per_block);
+  database_.run("COMMIT");
   return others.size();
 }
 

@@ -63,6 +63,9 @@ private:
   std::optional<Progress_bar> bar_;
 };
 
+/// Works on a batch until next() has no more meshes.
+typedef std::function<void(Signature_batch&)> Batch_workers;
+
 /// Calls `work` on this thread and so many more that they are `threads`, or as many as the system has.
 void run_on_threads(int threads, const std::function<void()>& work);
 

@@ -14,7 +14,6 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <functional>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -45,7 +44,7 @@ void check(const Signature_options& options)
               {{"--output", options.output}, {"the index", index == options.output ? "" : index}});
 }
 
-int sign_all(const Signature_options& options, const std::function<void(Signature_batch&)>& work)
+int sign_all(const Signature_options& options, const Batch_workers& work)
 {
   const std::vector<std::string> meshes = list_meshes(options.inputs, options.list);
   if(meshes.empty())
@@ -72,7 +71,7 @@ int run(const Signature_options& options)
   const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   const int jobs = options.jobs.value_or(options.uses_mpi ? 1 : cores); // mpirun starts a process for each
   if(options.uses_mpi)
-    return run_on_all_ranks(jobs, [&](const auto& work) { return sign_all(options, work); });
+    return run_on_all_ranks(jobs, [&](const Batch_workers& work) { return sign_all(options, work); });
   return sign_all(options, [jobs](Signature_batch& batch) { run_on_threads(jobs, [&batch] { batch.work(); }); });
 }
 

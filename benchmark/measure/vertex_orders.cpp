@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "meshes/vertex_orders.h"
+#include "measure/sweep_graph.h"
 
 #include <CGAL/Spatial_sort_traits_adapter_3.h>
 #include <CGAL/hilbert_sort.h>
@@ -14,10 +14,9 @@
 #include <meshoptimizer.h>
 #endif
 
-#include <algorithm>
 #include <numeric>
 #include <random>
-#include <stdexcept>
+#include <utility>
 
 namespace benchmark {
 namespace {
@@ -33,7 +32,7 @@ std::vector<int> as_in_file(const Sweep_graph& graph)
 {
   std::vector<int> order(graph.size());
   for(int i = 0; i < graph.size(); ++i)
-    order[graph.position()[i]] = i;
+    order[graph.position[i]] = i;
   return order;
 }
 
@@ -54,9 +53,9 @@ std::vector<int> reverse_cuthill_mckee(const Sweep_graph& graph)
     Graph;
   Graph g(graph.size());
   for(int i = 0; i < graph.size(); ++i)
-    for(int j : graph.neighbours(i))
-      if(i < j)
-        add_edge(i, j, g);
+    for(int k = graph.graph.offset[i]; k < graph.graph.offset[i + 1]; ++k)
+      if(i < graph.graph.target[k])
+        add_edge(i, graph.graph.target[k], g);
   std::vector<int> order(graph.size());
   boost::cuthill_mckee_ordering(g, order.rbegin(), get(boost::vertex_color, g), boost::make_degree_map(g));
   return order;
@@ -64,12 +63,11 @@ std::vector<int> reverse_cuthill_mckee(const Sweep_graph& graph)
 
 std::vector<int> hilbert_curve(const Sweep_graph& graph)
 {
-  const std::vector<Point_3> points = graph.points();
   typedef CGAL::Pointer_property_map<Point_3>::const_type Point_map;
   typedef CGAL::Spatial_sort_traits_adapter_3<CGAL::Simple_cartesian<double>, Point_map> Traits;
-  std::vector<std::size_t> order(points.size());
+  std::vector<std::size_t> order(graph.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
-  CGAL::hilbert_sort(order.begin(), order.end(), Traits(CGAL::make_property_map(points)));
+  CGAL::hilbert_sort(order.begin(), order.end(), Traits(CGAL::make_property_map(graph.point)));
   return {order.begin(), order.end()};
 }
 
@@ -80,9 +78,9 @@ std::vector<int> vertex_cache(const Sweep_graph& graph)
 {
   const std::vector<int> file = as_in_file(graph);
   std::vector<unsigned> corners;
-  for(const std::array<int, 3>& f : graph.faces())
+  for(const std::array<int, 3>& f : graph.face)
     for(int i : f)
-      corners.push_back(static_cast<unsigned>(graph.position()[i]));
+      corners.push_back(static_cast<unsigned>(graph.position[i]));
   std::vector<unsigned> number(file.size());
   meshopt_optimizeVertexCache(corners.data(), corners.data(), corners.size(), file.size());
   meshopt_optimizeVertexFetchRemap(number.data(), corners.data(), corners.size(), file.size());
@@ -95,33 +93,12 @@ std::vector<int> vertex_cache(const Sweep_graph& graph)
 
 } // namespace
 
-const std::vector<Vertex_order>& vertex_orders()
-{
-  static const std::vector<Vertex_order> orders = {
-    {"breadth-first", breadth_first}, {"file", as_in_file},
-    {"shuffled", shuffled},           {"reverse-cuthill-mckee", reverse_cuthill_mckee},
+const std::map<std::string, Vertex_order> vertex_orders = {
+  {"breadth-first", breadth_first}, {"file", as_in_file},
+  {"shuffled", shuffled},           {"reverse-cuthill-mckee", reverse_cuthill_mckee},
 #ifdef BENCHMARK_WITH_MESHOPTIMIZER
-    {"vertex-cache", vertex_cache},
+  {"vertex-cache", vertex_cache},
 #endif
-    {"hilbert", hilbert_curve}};
-  return orders;
-}
-
-std::string missing_vertex_orders()
-{
-#ifdef BENCHMARK_WITH_MESHOPTIMIZER
-  return "";
-#else
-  return "The order vertex-cache is left out: this build has no meshoptimizer (Debian: libmeshoptimizer-dev).";
-#endif
-}
-
-const Vertex_order& vertex_order(const std::string& name)
-{
-  for(const Vertex_order& order : vertex_orders())
-    if(order.name == name)
-      return order;
-  throw std::runtime_error("no vertex order \"" + name + "\"");
-}
+  {"hilbert", hilbert_curve}};
 
 } // namespace benchmark

@@ -152,12 +152,8 @@ Rotation aligning_rotation(const ExecutionPolicy& policy, const Spherical_locato
 }
 
 /// \overload
-/// On one core.
-/// \param a         the inverse of the first map
-/// \param points_a  readable, key vertex_descriptor of the mesh of `a`, value with x(), y(), z()
-/// \param b         the inverse of the second map
-/// \param points_b  readable, key vertex_descriptor of the mesh of `b`, value with x(), y(), z()
-/// \return R such that R x under `b` is what x is under `a`; see `rotated_map()`
+/// \param a,points_a,b,points_b  as above; on one core
+/// \return as above
 template <class MeshA, class PointMapA, class MeshB, class PointMapB>
 Rotation aligning_rotation(const Spherical_locator<MeshA>& a, PointMapA points_a, const Spherical_locator<MeshB>& b,
                            PointMapB points_b)

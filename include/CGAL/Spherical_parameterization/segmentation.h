@@ -108,16 +108,11 @@ Segmentation_result segment(const Loop& loop, const TriangleMesh& mesh, VertexSp
 /// \return the number of segments, or what is wrong with the mesh or the maps
 /// \pre the options of the method are in their ranges
 template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class FaceStretchMap, class FaceSegmentMap,
-          class Method = Majority_vote, class NamedParameters = parameters::Default_named_parameters
-#ifndef DOXYGEN_RUNNING
-          ,
-          internal::If_policy<ExecutionPolicy> = 0
-#endif
-          >
+          class Method = Majority_vote, class CGAL_NP_TEMPLATE_PARAMETERS, internal::If_policy<ExecutionPolicy> = 0>
 Segmentation_result segmentation_from_area_stretch(const ExecutionPolicy& policy, const TriangleMesh& mesh,
                                                    VertexSphereMap sphere_map, FaceStretchMap stretch_map,
                                                    FaceSegmentMap segment_map, const Method& method = Method(),
-                                                   const NamedParameters& np = parameters::default_values())
+                                                   const CGAL_NP_CLASS& np = parameters::default_values())
 {
   const auto read_stretch = [&] {
     std::vector<double> stretch;
@@ -129,27 +124,14 @@ Segmentation_result segmentation_from_area_stretch(const ExecutionPolicy& policy
 }
 
 /// \overload
-/// On one core.
-/// \param mesh        a closed triangle mesh of genus 0, a model of `FaceListGraph` and `HalfedgeListGraph`
-/// \param sphere_map  readable, key vertex_descriptor, value of any length but 0
-/// \param stretch_map readable, key face_descriptor, value double: what `face_log_area_stretch()` has written. Faces
-///                    with less than 1e-36 of the sphere, and flipped ones, count as if they had 1e-36: doubles resolve
-///                    nothing smaller near length 1, so that limbs that are too thin end in a plateau.
-/// \param segment_map writable, key face_descriptor, value constructible from std::size_t
-/// \param method      `Majority_vote`, `Girth_profiles` or `Region_growing`
-/// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
-/// \return the number of segments, or what is wrong with the mesh or the maps
+/// \param mesh,sphere_map,stretch_map,segment_map,method,np  as above; on one core
+/// \return as above
 template <class TriangleMesh, class VertexSphereMap, class FaceStretchMap, class FaceSegmentMap,
-          class Method = Majority_vote, class NamedParameters = parameters::Default_named_parameters
-#ifndef DOXYGEN_RUNNING
-          ,
-          internal::If_no_policy<TriangleMesh> = 0
-#endif
-          >
+          class Method = Majority_vote, class CGAL_NP_TEMPLATE_PARAMETERS, internal::If_no_policy<TriangleMesh> = 0>
 Segmentation_result segmentation_from_area_stretch(const TriangleMesh& mesh, VertexSphereMap sphere_map,
                                                    FaceStretchMap stretch_map, FaceSegmentMap segment_map,
                                                    const Method& method = Method(),
-                                                   const NamedParameters& np = parameters::default_values())
+                                                   const CGAL_NP_CLASS& np = parameters::default_values())
 {
   return segmentation_from_area_stretch(CGAL::Sequential_tag(), mesh, sphere_map, stretch_map, segment_map, method, np);
 }
@@ -164,46 +146,29 @@ Segmentation_result segmentation_from_area_stretch(const TriangleMesh& mesh, Ver
 /// \return the number of segments, or what is wrong with the mesh or the map
 /// \pre the options of the method are in their ranges
 template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class FaceSegmentMap,
-          class Method = Majority_vote, class NamedParameters = parameters::Default_named_parameters
-#ifndef DOXYGEN_RUNNING
-          ,
-          internal::If_policy<ExecutionPolicy> = 0
-#endif
-          >
+          class Method = Majority_vote, class CGAL_NP_TEMPLATE_PARAMETERS, internal::If_policy<ExecutionPolicy> = 0>
 Segmentation_result segmentation_via_area_stretch(const ExecutionPolicy& policy, const TriangleMesh& mesh,
                                                   VertexSphereMap sphere_map, FaceSegmentMap segment_map,
                                                   const Method& method = Method(),
-                                                  const NamedParameters& np = parameters::default_values())
+                                                  const CGAL_NP_CLASS& np = parameters::default_values())
 {
   const auto loop = internal::host_loop(policy);
   const auto measure_stretch = [&] {
-    const auto stretch =
-      internal::make_face_measures(mesh, sphere_map, np, loop).values(loop, [](const auto& measures, int f) {
-        return measures.log_area_stretch(f);
-      });
+    const internal::Face_measures measures = internal::make_face_measures(mesh, sphere_map, np, loop);
+    const auto stretch = measures.values(loop, &internal::Face_measures::log_area_stretch);
     return std::vector<double>(stretch.begin(), stretch.end());
   };
   return internal::segment(loop, mesh, sphere_map, measure_stretch, segment_map, method, np);
 }
 
 /// \overload
-/// On one core.
-/// \param mesh        a closed triangle mesh of genus 0, a model of `FaceListGraph` and `HalfedgeListGraph`
-/// \param sphere_map  readable, key vertex_descriptor, value unit vectors; the map need not be valid
-/// \param segment_map writable, key face_descriptor, value constructible from std::size_t
-/// \param method      `Majority_vote`, `Girth_profiles` or `Region_growing`
-/// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
-/// \return the number of segments, or what is wrong with the mesh or the map
+/// \param mesh,sphere_map,segment_map,method,np  as above; on one core
+/// \return as above
 template <class TriangleMesh, class VertexSphereMap, class FaceSegmentMap, class Method = Majority_vote,
-          class NamedParameters = parameters::Default_named_parameters
-#ifndef DOXYGEN_RUNNING
-          ,
-          internal::If_no_policy<TriangleMesh> = 0
-#endif
-          >
+          class CGAL_NP_TEMPLATE_PARAMETERS, internal::If_no_policy<TriangleMesh> = 0>
 Segmentation_result segmentation_via_area_stretch(const TriangleMesh& mesh, VertexSphereMap sphere_map,
                                                   FaceSegmentMap segment_map, const Method& method = Method(),
-                                                  const NamedParameters& np = parameters::default_values())
+                                                  const CGAL_NP_CLASS& np = parameters::default_values())
 {
   return segmentation_via_area_stretch(CGAL::Sequential_tag(), mesh, sphere_map, segment_map, method, np);
 }

@@ -144,16 +144,11 @@ inline std::vector<double> stretch_histogram(const Face_measures& measures, cons
 /// \throws Error  `DEGENERATE_FACE` for a mesh without area, and what `vertex_log_area_stretch()` throws
 ///
 /// Complexity: linear in the size of the mesh and the number of samples.
-template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap,
-          class NamedParameters = parameters::Default_named_parameters
-#ifndef DOXYGEN_RUNNING
-          ,
-          internal::If_policy<ExecutionPolicy> = 0
-#endif
-          >
+template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class CGAL_NP_TEMPLATE_PARAMETERS,
+          internal::If_policy<ExecutionPolicy> = 0>
 std::vector<double> stretch_histogram(const ExecutionPolicy& policy, const TriangleMesh& mesh,
                                       VertexSphereMap sphere_map, const Stretch_histogram& options = {},
-                                      const NamedParameters& np = parameters::default_values())
+                                      const CGAL_NP_CLASS& np = parameters::default_values())
 {
   CGAL_SP_PRECONDITION(options.bins >= 2, "a histogram has two bins or more");
   CGAL_SP_PRECONDITION(options.low < options.high, "the first bin of a histogram begins below the end of the last one");
@@ -164,21 +159,12 @@ std::vector<double> stretch_histogram(const ExecutionPolicy& policy, const Trian
 }
 
 /// \overload
-/// On one core.
-/// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
-/// \param sphere_map  readable, key vertex_descriptor, value unit vectors
-/// \param options     which histogram
-/// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
-/// \return one share for each bin
-template <class TriangleMesh, class VertexSphereMap, class NamedParameters = parameters::Default_named_parameters
-#ifndef DOXYGEN_RUNNING
-          ,
-          internal::If_no_policy<TriangleMesh> = 0
-#endif
-          >
+/// \param mesh,sphere_map,options,np  as above; on one core
+/// \return as above
+template <class TriangleMesh, class VertexSphereMap, class CGAL_NP_TEMPLATE_PARAMETERS>
 std::vector<double> stretch_histogram(const TriangleMesh& mesh, VertexSphereMap sphere_map,
                                       const Stretch_histogram& options = {},
-                                      const NamedParameters& np = parameters::default_values())
+                                      const CGAL_NP_CLASS& np = parameters::default_values())
 {
   return stretch_histogram(CGAL::Sequential_tag(), mesh, sphere_map, options, np);
 }

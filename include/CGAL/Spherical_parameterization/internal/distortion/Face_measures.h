@@ -16,7 +16,6 @@
 #include <cmath>
 #include <limits>
 #include <utility>
-#include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 
@@ -58,41 +57,38 @@ public:
   /// Share of the source area over the share of the sphere, as a logarithm: positive where the map shrinks.
   double log_area_stretch(int f) const
   {
-    const auto v = faces_.on_sphere(f);
-    return log_of_share(source_area(f) / source_total_) -
-           log_of_share(spherical_area(v[0], v[1], v[2]) / (4 * std::acos(-1.)));
+    const auto [a, b, c] = faces_.on_sphere(f);
+    return log_of_share(source_area(f) / source_total_) - log_of_share(spherical_area(a, b, c) / (4 * std::acos(-1.)));
   }
 
   double angle_distortion(int f) const { return internal::angle_distortion(faces_.in_source(f), faces_.on_sphere(f)); }
 
   double dilatation(int f) const
   {
-    const auto p = faces_.in_source(f), v = faces_.on_sphere(f);
-    return ratio_of_singular_values(squared_singular_values(p, v), flat_area(v) / source_area(f));
+    const auto v = faces_.on_sphere(f);
+    return ratio_of_singular_values(squared_singular_values(faces_.in_source(f), v), flat_area(v) / source_area(f));
   }
 
   /// sigma_1^2 + sigma_2^2 + sigma_1^-2 + sigma_2^-2 between flat triangles.
   double flat_symmetric_dirichlet(int f) const
   {
-    const auto p = faces_.in_source(f), v = faces_.on_sphere(f);
-    return symmetric_dirichlet(squared_singular_values(p, v), flat_area(v) / source_area(f), flat_total_);
+    return symmetric_dirichlet(f, flat_area(faces_.on_sphere(f)), flat_total_);
   }
 
   /// The same with det(a, b, c) / 2 in place of the area of the flat triangle abc.
   double spherical_symmetric_dirichlet(int f) const
   {
-    const auto p = faces_.in_source(f), v = faces_.on_sphere(f);
-    return symmetric_dirichlet(squared_singular_values(p, v), half_determinant(v) / source_area(f), determinant_total_);
+    return symmetric_dirichlet(f, half_determinant(faces_.on_sphere(f)), determinant_total_);
   }
 
-  /// The values of a measure by face.
-  template <class Loop, class Measure>
-  Host_array<double> values(const Loop& loop, Measure measure) const
+  /// The values of a measure, one of the functions above, by face.
+  template <class Loop>
+  Host_array<double> values(const Loop& loop, double (Face_measures::*measure)(int) const) const
   {
     Host_array<double> result(faces_.face.size());
     for_each_part(loop, number_of_faces(), [&](int begin, int end) {
       for(int f = begin; f < end; ++f)
-        result[f] = measure(*this, f);
+        result[f] = (this->*measure)(f);
     });
     return result;
   }
@@ -103,8 +99,10 @@ private:
 
   /// With Q = sigma_1 / sigma_2 and d = sigma_1 sigma_2 the energy is (Q + 1/Q)(d + 1/d), after both surfaces have been
   /// scaled to equal area.
-  double symmetric_dirichlet(double squared_sum, double product, double total) const
+  double symmetric_dirichlet(int f, double image_area, double total) const
   {
+    const double squared_sum = squared_singular_values(faces_.in_source(f), faces_.on_sphere(f));
+    const double product = image_area / source_area(f);
     if(!(product > 0) || !std::isfinite(squared_sum))
       return std::numeric_limits<double>::infinity();
     const double stretch = product * (source_total_ / total);

@@ -23,17 +23,8 @@ inline double flat_area(const std::array<vec3, 3>& p)
 /// Half of det(a, b, c): the area of the flat triangle times the distance of its plane from the origin, with sign.
 inline double half_determinant(const std::array<vec3, 3>& v) { return Determinant(v[0], v[1], v[2]).value / 2; }
 
-/// The angle at o between the great circles through a and b.
-inline double spherical_angle(vec3 o, vec3 a, vec3 b)
+inline double angle(vec3 u, vec3 w)
 {
-  const vec3 u = tangent(sub(a, o), o), w = tangent(sub(b, o), o);
-  const vec3 n = outer(u, w);
-  return std::atan2(std::sqrt(inner(n, n)), inner(u, w));
-}
-
-inline double flat_angle(vec3 o, vec3 a, vec3 b)
-{
-  const vec3 u = sub(a, o), w = sub(b, o);
   const vec3 n = outer(u, w);
   return std::atan2(std::sqrt(inner(n, n)), inner(u, w));
 }
@@ -44,7 +35,8 @@ inline double angle_distortion(const std::array<vec3, 3>& p, const std::array<ve
   double sum = 0;
   for(int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
-    sum += std::abs(spherical_angle(v[i], v[j], v[k]) - flat_angle(p[i], p[j], p[k]));
+    const double between_great_circles = angle(tangent(sub(v[j], v[i]), v[i]), tangent(sub(v[k], v[i]), v[i]));
+    sum += std::abs(between_great_circles - angle(sub(p[j], p[i]), sub(p[k], p[i])));
   }
   return sum / 3;
 }

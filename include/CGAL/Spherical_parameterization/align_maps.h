@@ -100,8 +100,8 @@ Rotation aligning_rotation(const ExecutionPolicy& policy, const Spherical_locato
   using internal::vec3;
   typedef internal::Host_array<vec3> Vectors;
   const auto loop = internal::host_loop(policy);
-  const std::vector<vec3> points = internal::Icosphere(3).points;
-  const Vectors samples(points.begin(), points.end());
+  const internal::Icosphere icosphere(3);
+  const Vectors samples(icosphere.points.begin(), icosphere.points.end());
   const auto values_at = [&](const auto& locator, const auto& map, const Vectors& directions) {
     std::vector<vec3> values;
     for(const auto& place : internal::locate_all(loop, locator, directions))

@@ -31,6 +31,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -51,18 +52,6 @@ struct Segmentation_result {
 
 namespace internal {
 
-inline void check_options(const Segment_limits& limits)
-{
-  CGAL_SP_PRECONDITION(limits.minimum_area >= 0 && limits.minimum_area <= 1,
-                       "the minimum area of segments is a share: 0 to 1");
-}
-
-inline void check_options(const Region_growing& method)
-{
-  check_options(static_cast<const Segment_limits&>(method));
-  CGAL_SP_PRECONDITION(method.threshold >= 0, "the threshold of region growing must not be negative");
-}
-
 /// \param read_stretch  returns the stretch of the faces, in their order
 template <class Loop, class TriangleMesh, class VertexSphereMap, class ReadStretch, class FaceSegmentMap, class Method,
           class NamedParameters>
@@ -71,7 +60,10 @@ Segmentation_result segment(const Loop& loop, const TriangleMesh& mesh, VertexSp
                             const NamedParameters& np)
 {
   typedef typename boost::property_traits<FaceSegmentMap>::value_type Segment_id;
-  check_options(method);
+  CGAL_SP_PRECONDITION(method.minimum_area >= 0 && method.minimum_area <= 1,
+                       "the minimum area of segments is a share: 0 to 1");
+  if constexpr(std::is_same_v<Method, Region_growing>)
+    CGAL_SP_PRECONDITION(method.threshold >= 0, "the threshold of region growing must not be negative");
   Segmentation_result result;
   try {
     Mapped_surface surface = read_mapped_surface(mesh, vertex_points(mesh, np), sphere_map, loop);
@@ -82,7 +74,7 @@ Segmentation_result segment(const Loop& loop, const TriangleMesh& mesh, VertexSp
       put(segment_map, f, static_cast<Segment_id>(id));
       result.number_of_segments = (std::max)(result.number_of_segments, id + 1);
     }
-  } catch(const internal::Input_error& error) {
+  } catch(const Input_error& error) {
     result.error = error.code();
     result.detail = error.detail();
   }

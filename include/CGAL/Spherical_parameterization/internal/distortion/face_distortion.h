@@ -14,20 +14,12 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-inline double flat_area(const std::array<vec3, 3>& p)
-{
-  const vec3 n = outer(sub(p[1], p[0]), sub(p[2], p[0]));
-  return std::sqrt(inner(n, n)) / 2;
-}
+inline double flat_area(const std::array<vec3, 3>& p) { return norm(outer(sub(p[1], p[0]), sub(p[2], p[0]))) / 2; }
 
 /// Half of det(a, b, c): the area of the flat triangle times the distance of its plane from the origin, with sign.
 inline double half_determinant(const std::array<vec3, 3>& v) { return Determinant(v[0], v[1], v[2]).value / 2; }
 
-inline double angle(vec3 u, vec3 w)
-{
-  const vec3 n = outer(u, w);
-  return std::atan2(std::sqrt(inner(n, n)), inner(u, w));
-}
+inline double angle(vec3 u, vec3 w) { return std::atan2(norm(outer(u, w)), inner(u, w)); }
 
 /// Mean over the corners of |angle on the sphere - angle in the source|, in radians.
 inline double angle_distortion(const std::array<vec3, 3>& p, const std::array<vec3, 3>& v)

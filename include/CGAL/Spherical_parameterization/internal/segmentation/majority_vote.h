@@ -6,7 +6,6 @@
 
 #include <CGAL/Spherical_parameterization/internal/segmentation/Region_graph.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/Segmentation_mesh.h>
-#include <CGAL/Spherical_parameterization/internal/segmentation/segment_selection.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -47,11 +46,9 @@ public:
     if(tallies_[a].size() > tallies_[b].size())
       std::swap(a, b);
     double sum = 0;
-    for(const auto& [key, area] : tallies_[a]) {
-      const auto other = tallies_[b].find(key);
-      if(other != tallies_[b].end())
+    for(const auto& [key, area] : tallies_[a])
+      if(const auto other = tallies_[b].find(key); other != tallies_[b].end())
         sum += weight_[key.first] * area * other->second;
-    }
     return sum / (area_[a] * area_[b]);
   }
 
@@ -92,13 +89,10 @@ inline std::vector<int> majority_segments(const Segmentation_mesh& mesh, const s
   const auto count = [&](int a, int b, int c) { ballots.merge(a, b, c); };
   absorb_small_regions(regions, minimum_area, votes_against, count);
   constexpr double half = 0.5 - 1e-9; // a tie is no majority
-  merge_in_order(
-    regions, votes_against,
-    [&](double against) {
-      return number_of_segments > 0 ? static_cast<std::size_t>(regions.number_of_regions()) > number_of_segments
-                                    : against < half;
-    },
-    count);
+  const auto goes_on = [&](double against) {
+    return number_of_segments > 0 ? regions.number_of_regions() > number_of_segments : against < half;
+  };
+  merge_in_order(regions, votes_against, goes_on, count);
   return regions.labels();
 }
 

@@ -10,7 +10,6 @@
 #include <CGAL/Spherical_parameterization/internal/segmentation/girth_profiles.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/majority_vote.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/region_growing.h>
-#include <CGAL/Spherical_parameterization/internal/segmentation/segment_selection.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/segments.h>
 #include <CGAL/Spherical_parameterization/segmentation_methods.h>
 

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -30,10 +31,8 @@ public:
     : table_(std::move(table)), number_of_vertices_(static_cast<int>(points.size()))
   {
     length_.reserve(number_of_halfedges());
-    for(int h = 0; h < number_of_halfedges(); ++h) {
-      const vec3 e = sub(points[target(h)], points[origin(h)]);
-      length_.push_back(std::sqrt(inner(e, e)));
-    }
+    for(int h = 0; h < number_of_halfedges(); ++h)
+      length_.push_back(norm(sub(points[target(h)], points[origin(h)])));
     mollify();
     make_delaunay();
   }
@@ -94,9 +93,8 @@ private:
   {
     constexpr double tolerance = 1e-10; // cocircular points may be triangulated in either way
     std::vector<int> open(number_of_halfedges());
+    std::iota(open.begin(), open.end(), 0);
     std::vector<char> is_open(number_of_halfedges(), 1);
-    for(int h = 0; h < number_of_halfedges(); ++h)
-      open[h] = h;
     while(!open.empty()) {
       const int h = open.back();
       open.pop_back();

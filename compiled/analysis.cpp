@@ -6,6 +6,7 @@
 #include <CGAL/Spherical_parameterization/internal/segmentation/segments.h>
 #include <CGAL/Spherical_parameterization/internal/signature/signature_values.h>
 #include <CGAL/Spherical_parameterization/internal/texture/texture_layout.h>
+#include <CGAL/Spherical_parameterization/segmentation_methods.h>
 
 #define CGAL_SP_SEGMENTS(LOOP, METHOD)                                                                                 \
   template std::vector<int> segments_of(const LOOP&, Mapped_surface, std::vector<double>, const METHOD&);

@@ -16,7 +16,6 @@
 #include <CGAL/Spherical_parameterization/internal/backend/opencl/OpenCL_backend.h>
 #include <CGAL/Spherical_parameterization/internal/backend/opencl/OpenCL_queue.h>
 #include <CGAL/Spherical_parameterization/internal/backend/opencl/device_queries.h>
-#include <CGAL/Spherical_parameterization/internal/driver/solve.h>
 
 #include <CGAL/tags.h>
 

@@ -18,7 +18,6 @@
 #include <CGAL/Spherical_parameterization/internal/driver/write_solution.h>
 #include <CGAL/Spherical_parameterization/methods.h>
 
-#include <CGAL/property_map.h>
 #include <CGAL/tags.h>
 
 #include <cstddef>

@@ -2,14 +2,9 @@
 // Part of CGAL Spherical Parameterization.
 //
 // Segmentation of a mesh into body and limbs by its spherical parameterization. As with CGAL's SDF values, the measure
-// and the cut are separate calls:
-//
-//   face_log_area_stretch(mesh, sphere, stretch);                              // like sdf_values()
-//   segmentation_from_area_stretch(mesh, sphere, stretch, segments);           // like segmentation_from_sdf_values()
-//   segmentation_via_area_stretch(mesh, sphere, segments);                     // both
-//
-// The sphere should be conformal (the default of parameterize()): its stretch knows how long and how thin a limb is.
-// It need not be valid: tips too thin for doubles, where faces are flipped, do no harm.
+// and the cut can be separate calls: face_log_area_stretch() and segmentation_from_area_stretch(). The sphere should be
+// conformal (the default of parameterize()): its stretch knows how long and how thin a limb is. It need not be valid:
+// tips too thin for doubles, where faces are flipped, do no harm.
 
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_SEGMENTATION_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_SEGMENTATION_H

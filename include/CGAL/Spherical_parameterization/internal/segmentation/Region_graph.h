@@ -5,6 +5,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SEGMENTATION_REGION_GRAPH_H
 
 #include <CGAL/Spherical_parameterization/internal/segmentation/Segmentation_mesh.h>
+#include <CGAL/Spherical_parameterization/segmentation_methods.h>
 
 #include <algorithm>
 #include <array>
@@ -51,11 +52,11 @@ public:
   /// `region` numbers the regions of the faces from 0 without gaps.
   Region_graph(const Segmentation_mesh& mesh, std::vector<int> region, const Side_costs& costs)
     : region_(std::move(region)), count_(1 + *std::max_element(region_.begin(), region_.end())), parent_(count_),
-      area_(count_, 0), perimeter_(count_, 0), borders_(count_), place_(count_, -1)
+      area_(count_, 0), perimeter_(count_, 0), borders_(count_)
   {
     std::iota(parent_.begin(), parent_.end(), 0);
     for(int f = 0; f < mesh.number_of_faces(); ++f) {
-      area_[region_[f]] += mesh.area[f];
+      area_[region_[f]] += mesh.face_area[f];
       for(int k = 0; k < 3; ++k) {
         const int other = region_[mesh.across(f, k)];
         if(other != region_[f]) {
@@ -83,34 +84,20 @@ public:
     parent_[b] = a;
     --count_;
     area_[a] += area_[b];
-    std::vector<Border>& row = borders_[a];
-    for(std::size_t i = 0; i < row.size(); ++i)
-      place_[row[i].region] = static_cast<int>(i);
     for(const Border& border : borders_[b]) {
-      if(border.region == a) {
+      const int c = border.region;
+      if(c == a)
         perimeter_[a] += perimeter_[b] - 2 * border.cost;
-        continue;
-      }
-      std::vector<Border>& back = borders_[border.region];
-      const auto to = [&](int region) {
-        return std::find_if(back.begin(), back.end(), [=](const Border& x) { return x.region == region; });
-      };
-      const auto to_b = to(b);
-      if(place_[border.region] < 0) {
-        row.push_back(border);
-        to_b->region = a;
+      else if(const auto common = find(a, c); common == borders_[a].end()) {
+        borders_[a].push_back(border);
+        find(c, b)->region = a;
       } else {
-        row[place_[border.region]].cost += border.cost;
-        to(a)->cost += border.cost;
-        *to_b = back.back();
-        back.pop_back();
+        common->cost += border.cost;
+        find(c, a)->cost += border.cost;
+        remove(c, b);
       }
     }
-    const int place_of_b = place_[b];
-    for(const Border& border : row)
-      place_[border.region] = -1;
-    row[place_of_b] = row.back();
-    row.pop_back();
+    remove(a, b);
     borders_[b] = {};
     return a;
   }
@@ -132,6 +119,18 @@ public:
   }
 
 private:
+  /// The border of region a with b.
+  std::vector<Border>::iterator find(int a, int b)
+  {
+    return std::find_if(borders_[a].begin(), borders_[a].end(), [=](const Border& x) { return x.region == b; });
+  }
+
+  void remove(int a, int b)
+  {
+    *find(a, b) = borders_[a].back();
+    borders_[a].pop_back();
+  }
+
   static void sum_up(std::vector<Border>& row)
   {
     std::stable_sort(row.begin(), row.end(), [](const Border& a, const Border& b) { return a.region < b.region; });
@@ -149,7 +148,6 @@ private:
   std::vector<int> parent_;
   std::vector<double> area_, perimeter_;
   std::vector<std::vector<Border>> borders_;
-  std::vector<int> place_; // scratch of merge(): where a region is in a row; -1: nowhere
 };
 
 /// The length of every side: what borders are measured with where nothing else is known.
@@ -231,18 +229,20 @@ void absorb_small_regions(Region_graph& regions, double minimum_area, Key key, M
 }
 
 /// Connected segments from labels: parts below `minimum_area` go to the neighbour with the longest common border, and
-/// while there are more than `number_of_segments` (0: any number), the least significant cut is taken back: that of the
+/// while there are more than the limits allow, the least significant cut is taken back: that of the
 /// smallest area over its squared length.
 inline std::vector<int> selected_segments(const Segmentation_mesh& mesh, const std::vector<int>& label,
-                                          double minimum_area, std::size_t number_of_segments)
+                                          const Segment_limits& limits)
 {
   Region_graph regions(mesh, connected_components(mesh, label), side_lengths(mesh));
-  absorb_small_regions(regions, minimum_area, [](int, const Region_graph::Border& border) { return -border.cost; });
+  absorb_small_regions(regions, limits.minimum_area,
+                       [](int, const Region_graph::Border& border) { return -border.cost; });
   const auto significance = [&](int a, const Region_graph::Border& border) {
     return (std::min)(regions.area(a), regions.area(border.region)) / (border.cost * border.cost);
   };
-  if(number_of_segments > 0)
-    merge_in_order(regions, significance, [&](double) { return regions.number_of_regions() > number_of_segments; });
+  if(limits.number_of_segments > 0)
+    merge_in_order(regions, significance,
+                   [&](double) { return regions.number_of_regions() > limits.number_of_segments; });
   return regions.labels();
 }
 

@@ -5,7 +5,6 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SEGMENTATION_SEGMENTATION_MESH_H
 
 #include <CGAL/Spherical_parameterization/Error.h>
-#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Corner_table.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Mapped_surface.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/point_coordinates.h>
@@ -20,12 +19,35 @@
 namespace CGAL::Spherical_parameterization::internal {
 
 /// What segmentation looks at: a mesh and its sphere as arrays, the mesh scaled to area 1 so that all lengths and areas
-/// are dimensionless. Closed triangle meshes of genus 0 only.
-struct Segmentation_mesh : Corner_table {
-  Host_array<vec3> point;
-  Host_array<vec3> sphere;  ///< unit vectors
-  std::vector<double> area; ///< of the faces; they sum up to 1
-  Shared_graph graph;       ///< the neighbours of the vertices
+/// are dimensionless. Images are unit vectors.
+struct Segmentation_mesh : Mapped_surface {
+  std::vector<double> face_area; ///< they sum up to 1
+
+  /// Throws Error for a mesh without area, and for images that are not directions.
+  explicit Segmentation_mesh(Mapped_surface source) : Mapped_surface(std::move(source)), face_area(face.size())
+  {
+    for(std::size_t i = 0; i < image.size(); ++i) {
+      const vec3 direction = scaled_to_unit_box(image[i]);
+      const double length2 = inner(direction, direction);
+      const auto fail = [&](Error_code code, const char* what) {
+        throw Input_error(code, "the image of vertex " + std::to_string(position[i]) + what);
+      };
+      if(!std::isfinite(length2))
+        fail(Error_code::NON_FINITE_COORDINATE, " on the sphere");
+      if(!(length2 > 0))
+        fail(Error_code::NOT_BIJECTIVE, " is the centre of the sphere; compute the map first");
+      image[i] = unit(direction);
+    }
+    double total = 0;
+    for(int f = 0; f < number_of_faces(); ++f)
+      total += face_area[f] = norm(area_vector(f)) / 2;
+    if(!(total > 0))
+      throw Input_error(Error_code::DEGENERATE_FACE, "the mesh has no area");
+    for(double& a : face_area)
+      a /= total;
+    for(vec3& p : point)
+      p = scale(1 / std::sqrt(total), p);
+  }
 
   int number_of_faces() const { return static_cast<int>(face.size()); }
   int number_of_vertices() const { return static_cast<int>(point.size()); }
@@ -69,39 +91,6 @@ inline double mean_of_corners(const Segmentation_mesh& mesh, const std::vector<d
   return (value[a] + value[b] + value[c]) / 3;
 }
 
-/// Throws Error for a mesh without area, and for images that are not directions. Images need not be normalized.
-inline Segmentation_mesh make_segmentation_mesh(Mapped_surface source)
-{
-  Segmentation_mesh result;
-  result.sphere.resize(source.image.size());
-  for(std::size_t i = 0; i < source.image.size(); ++i) {
-    const vec3 image = scaled_to_unit_box(source.image[i]);
-    const double length2 = inner(image, image);
-    if(!std::isfinite(length2))
-      throw Input_error(Error_code::NON_FINITE_COORDINATE,
-                        "the image of vertex " + std::to_string(source.position[i]) + " on the sphere");
-    if(!(length2 > 0))
-      throw Input_error(Error_code::NOT_BIJECTIVE, "the image of vertex " + std::to_string(source.position[i]) +
-                                                     " is the centre of the sphere; compute the map first");
-    result.sphere[i] = unit(image);
-  }
-  result.point = std::move(source.point);
-  result.face = std::move(source.face);
-  result.twin = std::move(source.twin);
-  result.graph = std::move(source.graph);
-  result.area.resize(result.face.size());
-  double total = 0;
-  for(int f = 0; f < result.number_of_faces(); ++f)
-    total += result.area[f] = norm(result.area_vector(f)) / 2;
-  if(!(total > 0))
-    throw Input_error(Error_code::DEGENERATE_FACE, "the mesh has no area");
-  for(double& a : result.area)
-    a /= total;
-  for(vec3& p : result.point)
-    p = scale(1 / std::sqrt(total), p);
-  return result;
-}
-
 /// The logarithmic area stretch of the vertices from that of the faces, log(source area / spherical area) of the star:
 /// a mean of the reciprocal stretches, weighted with the source areas, so that a face that is much too small on the
 /// sphere, or flipped, does not count.
@@ -114,8 +103,8 @@ inline std::vector<double> stretch_of_vertices(const Segmentation_mesh& mesh, co
       least[v] = (std::min)(least[v], face_stretch[f]);
   for(int f = 0; f < mesh.number_of_faces(); ++f)
     for(int v : mesh.face[f]) {
-      sum[v] += mesh.area[f] * std::exp(least[v] - face_stretch[f]);
-      area[v] += mesh.area[f];
+      sum[v] += mesh.face_area[f] * std::exp(least[v] - face_stretch[f]);
+      area[v] += mesh.face_area[f];
     }
   std::vector<double> stretch(n);
   for(int v = 0; v < n; ++v)

@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 #include <memory>
 #include <numeric>
@@ -41,7 +40,7 @@ Weighted_graph dual_diffusion(const Loop& loop, const Segmentation_mesh& mesh, d
       dual.weight.push_back(diffusion * (length < largest_weight * distance ? length / distance : largest_weight));
     }
     dual.offset.push_back(static_cast<int>(dual.target.size()));
-    dual.excess.push_back((std::max)(mesh.area[f], 1e-12 / n));
+    dual.excess.push_back((std::max)(mesh.face_area[f], 1e-12 / n));
   }
   dual.update_diagonal({}, loop);
   return dual;

@@ -75,9 +75,9 @@ inline std::vector<Bundle> bundles_of_tips(const std::vector<vec3>& tips)
 /// map of a tube round the centre has rho as its length over its radius; a turn is isolines of rho.
 inline std::vector<double> log_radius(const Segmentation_mesh& mesh, vec3 centre)
 {
-  std::vector<double> rho(mesh.sphere.size());
+  std::vector<double> rho(mesh.image.size());
   for(std::size_t v = 0; v < rho.size(); ++v) {
-    const vec3 d = sub(mesh.sphere[v], centre);
+    const vec3 d = sub(mesh.image[v], centre);
     const double t2 = (std::max)(1e-34, inner(d, d));
     rho[v] = 0.5 * std::log(t2 / (std::max)(1e-6, 1 - t2 / 4));
   }
@@ -106,7 +106,7 @@ inline Girth_profile girth_profile(const Segmentation_mesh& mesh, const std::vec
     const double r[3] = {rho[corner[0]], rho[corner[1]], rho[corner[2]]};
     const double inside = (mean_of_corners(mesh, rho, f) - first) / profile.step;
     if(inside <= n - 1)
-      profile.area[inside > 0 ? static_cast<int>(std::ceil(inside)) : 0] += mesh.area[f];
+      profile.area[inside > 0 ? static_cast<int>(std::ceil(inside)) : 0] += mesh.face_area[f];
     const auto [least, largest] = std::minmax({r[0], r[1], r[2]});
     const double from = (least - first) / profile.step, to = (largest - first) / profile.step;
     if(!(to >= 0 && from <= n - 1))
@@ -250,7 +250,7 @@ std::vector<int> girth_labels(const Loop& loop, const Segmentation_mesh& mesh, c
   minima.resize((std::min)(minima.size(), largest_number_of_tips));
   std::vector<vec3> tips;
   for(int v : minima)
-    tips.push_back(mesh.sphere[v]);
+    tips.push_back(mesh.image[v]);
 
   const std::vector<Bundle> bundles = bundles_of_tips(tips);
   std::vector<std::vector<Girth_cut>> cuts_of_bundle(bundles.size());

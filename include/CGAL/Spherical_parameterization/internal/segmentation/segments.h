@@ -6,7 +6,6 @@
 
 #include <CGAL/Spherical_parameterization/internal/base/compiled.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Mapped_surface.h>
-#include <CGAL/Spherical_parameterization/segmentation_methods.h>
 
 #include <vector>
 

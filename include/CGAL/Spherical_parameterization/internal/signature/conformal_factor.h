@@ -5,8 +5,6 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SIGNATURE_CONFORMAL_FACTOR_H
 
 #include <CGAL/Spherical_parameterization/Error.h>
-#include <CGAL/Spherical_parameterization/internal/base/vec3.h>
-#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Mapped_surface.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/midpoint_refinement.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/spherical_area.h>
@@ -15,7 +13,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <utility>
 
 namespace CGAL::Spherical_parameterization::internal {
 

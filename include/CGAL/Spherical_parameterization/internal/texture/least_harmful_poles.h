@@ -6,7 +6,7 @@
 
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/distortion/Mapped_faces.h>
-#include <CGAL/Spherical_parameterization/internal/distortion/face_distortion.h>
+#include <CGAL/Spherical_parameterization/internal/distortion/Face_measures.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/vertex_stars.h>
 
 #include <algorithm>

@@ -54,9 +54,8 @@ inline double shortest_turn(double from, double to)
 /// u = longitude / 2 pi, v = 1/2 + latitude / pi. Corners are continued past u = 1 from the westernmost one, which is
 /// in [0, 1). A corner at a pole has the mean u of the two others. A face round a pole leaves out the edge nearest to
 /// the pole: what is north of it is no triangle on the chart.
-class Latitude_longitude_chart {
-public:
-  explicit Latitude_longitude_chart(const Frame& frame) : frame_(frame) {}
+struct Latitude_longitude_chart {
+  Frame frame;
 
   Charted_face operator()(const std::array<vec3, 3>& p) const
   {
@@ -65,7 +64,7 @@ public:
     std::array<double, 3> longitude;
     int pole = -1; // the corner that is one
     for(int k = 0; k < 3; ++k) {
-      const vec3 q = frame_(p[k]);
+      const vec3 q = frame(p[k]);
       const double to_axis = std::hypot(q.x, q.y);
       longitude[k] = std::atan2(q.y, q.x) / (2 * pi);
       const double to_pole = std::atan2(to_axis, std::abs(q.z)) / pi;
@@ -96,7 +95,7 @@ public:
     face.is_at_seam = (std::max)({face.uv[0].x, face.uv[1].x, face.uv[2].x}) >= 1;
 
     const vec3 centre = unit(add(p[0], add(p[1], p[2])));
-    const vec3 c = frame_(centre);
+    const vec3 c = frame(centre);
     face.area = spherical_area(p[0], p[1], p[2]) / (2 * pi * pi * (std::max)(std::hypot(c.x, c.y), 1e-3));
     return face;
   }
@@ -109,18 +108,14 @@ public:
     for(vec2& p : t)
       p = {p.x - turns, p.y - below - above};
   }
-
-private:
-  Frame frame_;
 };
 
 /// The octahedral map: central projection to the octahedron |x| + |y| + |z| = 1, whose northern half becomes the
 /// diamond in the middle of the square and whose southern faces are unfolded to its corners. Each octant is mapped
 /// projectively: faces inside of one cannot flip. The sides of the square are glued to themselves by half-turns about
 /// their midpoints; corners are continued across them.
-class Octahedral_chart {
-public:
-  explicit Octahedral_chart(const Frame& frame) : frame_(frame) {}
+struct Octahedral_chart {
+  Frame frame;
 
   Charted_face operator()(const std::array<vec3, 3>& p) const
   {
@@ -132,7 +127,7 @@ public:
       face.uv[k] = nearest_image(q, home);
       face.is_at_seam = face.is_at_seam || face.uv[k].x != q.x || face.uv[k].y != q.y;
     }
-    const vec3 c = frame_(centre);
+    const vec3 c = frame(centre);
     const double s = std::abs(c.x) + std::abs(c.y) + std::abs(c.z);
     face.area = spherical_area(p[0], p[1], p[2]) / (4 * s * s * s);
     return face;
@@ -143,7 +138,7 @@ public:
 private:
   vec2 in_square(vec3 p) const
   {
-    const vec3 q = frame_(p);
+    const vec3 q = frame(p);
     const double s = std::abs(q.x) + std::abs(q.y) + std::abs(q.z), x = q.x / s, y = q.y / s;
     if(q.z >= 0)
       return {(1 + x) / 2, (1 + y) / 2};
@@ -163,8 +158,6 @@ private:
       }
     return best;
   }
-
-  Frame frame_;
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 
 namespace CGAL::Spherical_parameterization::internal {
 
@@ -86,9 +85,9 @@ Texture_layout texture_layout(const Loop& loop, const Mapped_faces& map, const V
   const Frame frame = frame_of(layout.report.axes);
   const Uv_grid grid(options.bits);
   if(options.chart == Texture_chart::LATITUDE_LONGITUDE)
-    lay_out_faces(loop, map, Latitude_longitude_chart(frame), grid, layout);
+    lay_out_faces(loop, map, Latitude_longitude_chart{frame}, grid, layout);
   else
-    lay_out_faces(loop, map, Octahedral_chart(frame), grid, layout);
+    lay_out_faces(loop, map, Octahedral_chart{frame}, grid, layout);
   return layout;
 }
 

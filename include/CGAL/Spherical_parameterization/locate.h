@@ -152,13 +152,11 @@ private:
   template <class Loop>
   static const internal::Host_array<internal::vec3>& checked(const Loop& loop, const internal::Mapped_faces& map)
   {
-    const std::size_t flipped = internal::number_of_flipped_faces(loop, map);
-    if(flipped > 0)
-      throw internal::Input_error(Error_code::NOT_BIJECTIVE,
-                                  internal::counted(flipped, "flipped face", "flipped faces"));
-    const int degree = internal::degree_of_map(loop, map);
-    if(degree != 1)
-      throw internal::Input_error(Error_code::NOT_BIJECTIVE, "its degree is " + std::to_string(degree));
+    using internal::Input_error;
+    if(const std::size_t flipped = internal::number_of_flipped_faces(loop, map); flipped > 0)
+      throw Input_error(Error_code::NOT_BIJECTIVE, internal::counted(flipped, "flipped face", "flipped faces"));
+    if(const int degree = internal::degree_of_map(loop, map); degree != 1)
+      throw Input_error(Error_code::NOT_BIJECTIVE, "its degree is " + std::to_string(degree));
     internal::check_no_isolated_vertex(map.face, static_cast<int>(map.image.size()));
     return map.image;
   }

@@ -160,19 +160,6 @@ inline std::vector<std::size_t> prominent_minima(const std::vector<double>& valu
   return minima;
 }
 
-/// The vertices that are minima of `value` with a persistence of at least `persistence`: the value has to rise that far
-/// before one comes from them to a lower one. The lowest vertex is always one. In the order of their persistence.
-inline std::vector<int> persistent_minima(const Segmentation_mesh& mesh, const std::vector<double>& value,
-                                          double persistence)
-{
-  const auto neighbours = [&](int v, const auto& visit) { mesh.for_each_neighbour(v, visit); };
-  std::vector<int> vertices;
-  for(const Basin& basin : basins(value, std::vector<double>(value.size(), 1), neighbours))
-    if(vertices.empty() || basin.persistence >= persistence)
-      vertices.push_back(basin.minimum);
-  return vertices;
-}
-
 /// A cut along an isoline of rho.
 struct Girth_cut {
   vec3 centre;
@@ -246,11 +233,12 @@ std::vector<int> girth_labels(const Loop& loop, const Segmentation_mesh& mesh, c
   std::vector<double> scale_of_map = stretch_of_vertices(mesh, face_stretch);
   for(double& x : scale_of_map)
     x = -x;
-  std::vector<int> minima = persistent_minima(mesh, smoothed(mesh, std::move(scale_of_map), smoothing), persistence);
-  minima.resize((std::min)(minima.size(), largest_number_of_tips));
+  scale_of_map = smoothed(mesh, std::move(scale_of_map), smoothing);
+  const auto neighbours = [&](int v, const auto& visit) { mesh.for_each_neighbour(v, visit); };
   std::vector<vec3> tips;
-  for(int v : minima)
-    tips.push_back(mesh.image[v]);
+  for(const Basin& basin : basins(scale_of_map, std::vector<double>(scale_of_map.size(), 1), neighbours))
+    if(tips.empty() || (basin.persistence >= persistence && tips.size() < largest_number_of_tips))
+      tips.push_back(mesh.image[basin.minimum]);
 
   const std::vector<Bundle> bundles = bundles_of_tips(tips);
   std::vector<std::vector<Girth_cut>> cuts_of_bundle(bundles.size());

@@ -13,6 +13,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 
 namespace CGAL::Spherical_parameterization::internal {
 
@@ -63,10 +64,7 @@ private:
 
   static Triangle_surface checked(const Mapped_surface& map)
   {
-    double area = 0;
-    for(double a : map.area)
-      area += a;
-    if(!(area > 0))
+    if(!(std::accumulate(map.area.begin(), map.area.end(), 0.) > 0))
       throw Input_error(Error_code::DEGENERATE_FACE, "no face has an area");
     return {static_cast<const Corner_table&>(map), map.point};
   }

@@ -11,7 +11,6 @@
 #include <CGAL/Spherical_parameterization/internal/mesh/point_coordinates.h>
 #include <CGAL/Spherical_parameterization/internal/texture/least_harmful_poles.h>
 #include <CGAL/Spherical_parameterization/internal/texture/texture_charts.h>
-#include <CGAL/Spherical_parameterization/internal/texture/uv_grid.h>
 #include <CGAL/Spherical_parameterization/internal/texture/texture_layout.h>
 #include <CGAL/Spherical_parameterization/texture_options.h>
 

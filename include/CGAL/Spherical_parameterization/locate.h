@@ -122,7 +122,7 @@ public:
     const internal::vec3 q = scaled(given, -exponent);
     // Where one coordinate is 1e300 times smaller than another, scaling takes digits off; the tests do with any length.
     const bool is_same = internal::is_equal(scaled(q, exponent), given);
-    const int f = walk(is_same ? q : given, start(q));
+    const int f = walk(is_same ? q : given, some_face_[tree_.near(internal::unit(q), point_)]);
     const auto [a, b, c] = table_.face[f];
     return {descriptor_[f], internal::barycentric_coordinates({point_[a], point_[b], point_[c]}, q)};
   }
@@ -190,9 +190,6 @@ private:
         some_face_[table_.origin(h)] = h / 3;
       }
   }
-
-  /// Some face near q.
-  int start(internal::vec3 q) const { return some_face_[tree_.near(internal::unit(q), point_)]; }
 
   /// The power of two of which the length of q is about; 0 for unit vectors.
   static int binary_exponent(internal::vec3 q)

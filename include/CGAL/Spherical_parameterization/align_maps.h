@@ -147,8 +147,7 @@ Rotation aligning_rotation(const ExecutionPolicy& policy, const Spherical_locato
 }
 
 /// \overload
-/// \param a,points_a,b,points_b  as above; on one core
-/// \return as above
+/// \param a,points_a,b,points_b as above; on one core \return as above
 template <class MeshA, class PointMapA, class MeshB, class PointMapB>
 Rotation aligning_rotation(const Spherical_locator<MeshA>& a, PointMapA points_a, const Spherical_locator<MeshB>& b,
                            PointMapB points_b)

@@ -127,8 +127,7 @@ Distortion_summary distortion_summary(const ExecutionPolicy& policy, const Trian
 }
 
 /// \overload
-/// \param mesh,sphere_map,np  as above; on one core
-/// \return as above
+/// \param mesh,sphere_map,np as above; on one core \return as above
 template <class TriangleMesh, class VertexSphereMap, class CGAL_NP_TEMPLATE_PARAMETERS>
 Distortion_summary distortion_summary(const TriangleMesh& mesh, VertexSphereMap sphere_map,
                                       const CGAL_NP_CLASS& np = parameters::default_values())

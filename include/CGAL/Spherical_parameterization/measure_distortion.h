@@ -116,8 +116,7 @@ std::size_t number_of_flipped_faces(const ExecutionPolicy& policy, const Triangl
 }
 
 /// \overload
-/// \param mesh,sphere_map  as above; on one core
-/// \return as above
+/// \param mesh,sphere_map as above; on one core \return as above
 template <class TriangleMesh, class VertexSphereMap>
 std::size_t number_of_flipped_faces(const TriangleMesh& mesh, VertexSphereMap sphere_map)
 {
@@ -140,8 +139,7 @@ int degree_of_map(const ExecutionPolicy& policy, const TriangleMesh& mesh, Verte
 }
 
 /// \overload
-/// \param mesh,sphere_map  as above; on one core
-/// \return as above
+/// \param mesh,sphere_map as above; on one core \return as above
 template <class TriangleMesh, class VertexSphereMap>
 int degree_of_map(const TriangleMesh& mesh, VertexSphereMap sphere_map)
 {
@@ -172,8 +170,7 @@ std::pair<double, double> face_log_area_stretch(const ExecutionPolicy& policy, c
 }
 
 /// \overload
-/// \param mesh,sphere_map,face_map,np  as above; on one core
-/// \return as above
+/// \param mesh,sphere_map,face_map,np as above; on one core \return as above
 template <class TriangleMesh, class VertexSphereMap, class FaceMap, class CGAL_NP_TEMPLATE_PARAMETERS>
 std::pair<double, double> face_log_area_stretch(const TriangleMesh& mesh, VertexSphereMap sphere_map, FaceMap face_map,
                                                 const CGAL_NP_CLASS& np = parameters::default_values())
@@ -195,8 +192,7 @@ std::pair<double, double> face_angle_distortion(const ExecutionPolicy& policy, c
 }
 
 /// \overload
-/// \param mesh,sphere_map,face_map,np  as above; on one core
-/// \return as above
+/// \param mesh,sphere_map,face_map,np as above; on one core \return as above
 template <class TriangleMesh, class VertexSphereMap, class FaceMap, class CGAL_NP_TEMPLATE_PARAMETERS>
 std::pair<double, double> face_angle_distortion(const TriangleMesh& mesh, VertexSphereMap sphere_map, FaceMap face_map,
                                                 const CGAL_NP_CLASS& np = parameters::default_values())
@@ -218,8 +214,7 @@ std::pair<double, double> face_dilatation(const ExecutionPolicy& policy, const T
 }
 
 /// \overload
-/// \param mesh,sphere_map,face_map,np  as above; on one core
-/// \return as above
+/// \param mesh,sphere_map,face_map,np as above; on one core \return as above
 template <class TriangleMesh, class VertexSphereMap, class FaceMap, class CGAL_NP_TEMPLATE_PARAMETERS>
 std::pair<double, double> face_dilatation(const TriangleMesh& mesh, VertexSphereMap sphere_map, FaceMap face_map,
                                           const CGAL_NP_CLASS& np = parameters::default_values())
@@ -243,8 +238,7 @@ std::pair<double, double> face_symmetric_dirichlet(const ExecutionPolicy& policy
 }
 
 /// \overload
-/// \param mesh,sphere_map,face_map,np  as above; on one core
-/// \return as above
+/// \param mesh,sphere_map,face_map,np as above; on one core \return as above
 template <class TriangleMesh, class VertexSphereMap, class FaceMap, class CGAL_NP_TEMPLATE_PARAMETERS>
 std::pair<double, double> face_symmetric_dirichlet(const TriangleMesh& mesh, VertexSphereMap sphere_map,
                                                    FaceMap face_map,
@@ -276,11 +270,8 @@ std::pair<double, double> mean_over_faces(const TriangleMesh& mesh, FaceMap face
 
 /// The area distortion of Definition 1 of the paper, the logarithmic area stretch of vertices: for every vertex the
 /// mean of `face_log_area_stretch()`.
-/// \param policy      `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result does not depend on it
-/// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
-/// \param sphere_map  readable, key vertex_descriptor, value unit vectors; a valid map
+/// \param policy,mesh,sphere_map,np  as for `face_log_area_stretch()`
 /// \param stretch_map writable, key vertex_descriptor, value double
-/// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
 /// \return the smallest and the largest value
 /// \throws Error  `ISOLATED_VERTEX` or `BOUNDARY` where there is a vertex without faces, or a boundary
 template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class VertexStretchMap,
@@ -295,8 +286,7 @@ std::pair<double, double> vertex_log_area_stretch(const ExecutionPolicy& policy,
 }
 
 /// \overload
-/// \param mesh,sphere_map,stretch_map,np  as above; on one core
-/// \return as above
+/// \param mesh,sphere_map,stretch_map,np as above; on one core \return as above
 template <class TriangleMesh, class VertexSphereMap, class VertexStretchMap, class CGAL_NP_TEMPLATE_PARAMETERS>
 std::pair<double, double> vertex_log_area_stretch(const TriangleMesh& mesh, VertexSphereMap sphere_map,
                                                   VertexStretchMap stretch_map,

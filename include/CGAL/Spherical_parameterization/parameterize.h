@@ -190,8 +190,7 @@ Result parameterize(const ExecutionPolicy& policy, const TriangleMesh& mesh, con
 }
 
 /// \overload
-/// \param mesh,method,sphere_map,np  as above; on one core
-/// \return as above
+/// \param mesh,method,sphere_map,np as above; on one core \return as above
 template <class TriangleMesh, class Method, class VertexSphereMap, class CGAL_NP_TEMPLATE_PARAMETERS,
           internal::If_method_for<TriangleMesh, Method> = 0>
 Result parameterize(const TriangleMesh& mesh, const Method& method, VertexSphereMap sphere_map,
@@ -201,8 +200,7 @@ Result parameterize(const TriangleMesh& mesh, const Method& method, VertexSphere
 }
 
 /// \overload
-/// \param policy,mesh,sphere_map,np  as above; by `Balanced`
-/// \return as above
+/// \param policy,mesh,sphere_map,np as above; by `Balanced` \return as above
 template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class CGAL_NP_TEMPLATE_PARAMETERS,
           internal::If_map_for<TriangleMesh, VertexSphereMap> = 0>
 Result parameterize(const ExecutionPolicy& policy, const TriangleMesh& mesh, VertexSphereMap sphere_map,
@@ -212,8 +210,7 @@ Result parameterize(const ExecutionPolicy& policy, const TriangleMesh& mesh, Ver
 }
 
 /// \overload
-/// \param mesh,sphere_map,np  as above; by `Balanced`, on one core
-/// \return as above
+/// \param mesh,sphere_map,np as above; by `Balanced`, on one core \return as above
 template <class TriangleMesh, class VertexSphereMap, class CGAL_NP_TEMPLATE_PARAMETERS,
           internal::If_map_for<TriangleMesh, VertexSphereMap> = 0>
 Result parameterize(const TriangleMesh& mesh, VertexSphereMap sphere_map,
@@ -279,8 +276,7 @@ Result parameterize_triangle_soup(const ExecutionPolicy& policy, const PointRang
 }
 
 /// \overload
-/// \param points,triangles,sphere_points  as above; by `Balanced`, on one core
-/// \return as above
+/// \param points,triangles,sphere_points as above; by `Balanced`, on one core \return as above
 template <class PointRange, class TriangleRange, class SpherePoints>
 Result parameterize_triangle_soup(const PointRange& points, const TriangleRange& triangles, SpherePoints& sphere_points)
 {

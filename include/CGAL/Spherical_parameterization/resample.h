@@ -74,7 +74,7 @@ void resample(const ExecutionPolicy& policy, const Spherical_locator<TriangleMes
 }
 
 /// \overload
-/// \param shape,points,level,out,out_points,out_sphere  as above; on one core
+/// \param shape,points,level,out,out_points,out_sphere as above; on one core
 template <class TriangleMesh, class VertexPointMap, class Graph, class OutPointMap, class OutSphereMap>
 void resample(const Spherical_locator<TriangleMesh>& shape, VertexPointMap points, int level, Graph& out,
               OutPointMap out_points, OutSphereMap out_sphere)

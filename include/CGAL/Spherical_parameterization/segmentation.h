@@ -111,8 +111,7 @@ Segmentation_result segmentation_from_area_stretch(const ExecutionPolicy& policy
 }
 
 /// \overload
-/// \param mesh,sphere_map,stretch_map,segment_map,method,np  as above; on one core
-/// \return as above
+/// \param mesh,sphere_map,stretch_map,segment_map,method,np as above; on one core \return as above
 template <class TriangleMesh, class VertexSphereMap, class FaceStretchMap, class FaceSegmentMap,
           class Method = Majority_vote, class CGAL_NP_TEMPLATE_PARAMETERS, internal::If_no_policy<TriangleMesh> = 0>
 Segmentation_result segmentation_from_area_stretch(const TriangleMesh& mesh, VertexSphereMap sphere_map,
@@ -124,12 +123,8 @@ Segmentation_result segmentation_from_area_stretch(const TriangleMesh& mesh, Ver
 }
 
 /// Segmentation (part decomposition) of a mesh by its map: measures the stretch and cuts, in one call.
-/// \param policy      `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result does not depend on it
-/// \param mesh        a closed triangle mesh of genus 0, a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \param policy,mesh,segment_map,method,np  as for `segmentation_from_area_stretch()`
 /// \param sphere_map  readable, key vertex_descriptor, value unit vectors; the map need not be valid
-/// \param segment_map writable, key face_descriptor, value constructible from std::size_t
-/// \param method      `Majority_vote`, `Girth_profiles` or `Region_growing`
-/// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
 /// \return the number of segments, or what is wrong with the mesh or the map
 /// \pre the options of the method are in their ranges
 template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class FaceSegmentMap,
@@ -149,8 +144,7 @@ Segmentation_result segmentation_via_area_stretch(const ExecutionPolicy& policy,
 }
 
 /// \overload
-/// \param mesh,sphere_map,segment_map,method,np  as above; on one core
-/// \return as above
+/// \param mesh,sphere_map,segment_map,method,np as above; on one core \return as above
 template <class TriangleMesh, class VertexSphereMap, class FaceSegmentMap, class Method = Majority_vote,
           class CGAL_NP_TEMPLATE_PARAMETERS, internal::If_no_policy<TriangleMesh> = 0>
 Segmentation_result segmentation_via_area_stretch(const TriangleMesh& mesh, VertexSphereMap sphere_map,

@@ -79,8 +79,7 @@ Shape_signature shape_signature(const ExecutionPolicy& policy, const TriangleMes
 }
 
 /// \overload
-/// \param mesh,sphere_map,np  as above; on one core
-/// \return as above
+/// \param mesh,sphere_map,np as above; on one core \return as above
 template <class TriangleMesh, class VertexSphereMap, class CGAL_NP_TEMPLATE_PARAMETERS>
 Shape_signature shape_signature(const TriangleMesh& mesh, VertexSphereMap sphere_map,
                                 const CGAL_NP_CLASS& np = parameters::default_values())

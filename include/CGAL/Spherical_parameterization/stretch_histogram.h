@@ -145,8 +145,7 @@ std::vector<double> stretch_histogram(const ExecutionPolicy& policy, const Trian
 }
 
 /// \overload
-/// \param mesh,sphere_map,options,np  as above; on one core
-/// \return as above
+/// \param mesh,sphere_map,options,np as above; on one core \return as above
 template <class TriangleMesh, class VertexSphereMap, class CGAL_NP_TEMPLATE_PARAMETERS>
 std::vector<double> stretch_histogram(const TriangleMesh& mesh, VertexSphereMap sphere_map,
                                       const Stretch_histogram& options = {},

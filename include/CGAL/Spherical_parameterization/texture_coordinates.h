@@ -83,8 +83,7 @@ Texture_report texture_coordinates(const ExecutionPolicy& policy, const Triangle
 }
 
 /// \overload
-/// \param mesh,sphere_map,uv_map,options,np  as above; on one core
-/// \return as above
+/// \param mesh,sphere_map,uv_map,options,np as above; on one core \return as above
 template <class TriangleMesh, class VertexSphereMap, class HalfedgeUVMap, class CGAL_NP_TEMPLATE_PARAMETERS>
 Texture_report texture_coordinates(const TriangleMesh& mesh, VertexSphereMap sphere_map, HalfedgeUVMap uv_map,
                                    const Texture_options& options = Texture_options(),

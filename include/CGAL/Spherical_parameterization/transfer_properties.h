@@ -112,7 +112,7 @@ void transfer_vertex_property(const ExecutionPolicy& policy, const Spherical_loc
 }
 
 /// \overload
-/// \param from,from_map,to,to_sphere,to_map  as above; on one core
+/// \param from,from_map,to,to_sphere,to_map as above; on one core
 template <class FromMesh, class FromMap, class ToMesh, class ToSphereMap, class ToMap>
 void transfer_vertex_property(const Spherical_locator<FromMesh>& from, FromMap from_map, const ToMesh& to,
                               ToSphereMap to_sphere, ToMap to_map)
@@ -148,7 +148,7 @@ void transfer_face_property(const ExecutionPolicy& policy, const Spherical_locat
 }
 
 /// \overload
-/// \param from,from_map,to,to_sphere,to_map  as above; on one core
+/// \param from,from_map,to,to_sphere,to_map as above; on one core
 template <class FromMesh, class FromMap, class ToMesh, class ToSphereMap, class ToMap>
 void transfer_face_property(const Spherical_locator<FromMesh>& from, FromMap from_map, const ToMesh& to,
                             ToSphereMap to_sphere, ToMap to_map)

@@ -28,16 +28,9 @@ namespace CGAL::Spherical_parameterization {
 /// Uniform (Tutte) weights, w = 1 for every edge: each vertex is at the projected mean of its neighbours. The map
 /// depends on the connectivity alone. \cgalModels{SphericalParameterizationWeightMap}
 template <class TriangleMesh>
-class Barycentric_weight_map {
-public:
-  /// \cond SKIP_IN_MANUAL
-  typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor key_type;
-  typedef double value_type;
-  typedef double reference;
-  typedef boost::readable_property_map_tag category;
-  /// \endcond
-
-  friend double get(const Barycentric_weight_map&, const key_type&) { return 1; }
+struct Barycentric_weight_map
+  : boost::static_property_map<double, typename boost::graph_traits<TriangleMesh>::edge_descriptor> {
+  Barycentric_weight_map() : Barycentric_weight_map::static_property_map(1) {}
 };
 
 /// Cotangent weights, w = (cot alpha + cot beta) / 2, with alpha and beta the angles opposite to the edge, each clamped

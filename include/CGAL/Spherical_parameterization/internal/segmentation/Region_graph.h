@@ -160,7 +160,7 @@ inline Side_costs side_lengths(const Segmentation_mesh& mesh)
   return length;
 }
 
-/// What to do after regions a and b have been merged to c, one of them: nothing.
+/// What follows when regions a and b have become c, one of them: nothing.
 inline constexpr auto ignore_merger = [](int /* a */, int /* b */, int /* c */) {};
 
 /// Merges pairs of neighbours, those with the smallest `key(a, border)` first, for as long as `goes_on(key)`; calls
@@ -228,9 +228,8 @@ void absorb_small_regions(Region_graph& regions, double minimum_area, Key key, M
   }
 }
 
-/// Connected segments from labels: parts below `minimum_area` go to the neighbour with the longest common border, and
-/// while there are more than the limits allow, the least significant cut is taken back: that of the
-/// smallest area over its squared length.
+/// Connected segments from labels: parts that are too small go to the neighbour with the longest common border. While
+/// there are too many, the least significant cut is taken back: that of the smallest area over its squared length.
 inline std::vector<int> selected_segments(const Segmentation_mesh& mesh, const std::vector<int>& label,
                                           const Segment_limits& limits)
 {

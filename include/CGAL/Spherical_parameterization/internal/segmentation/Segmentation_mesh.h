@@ -69,8 +69,8 @@ struct Segmentation_mesh : Mapped_surface {
   vec3 area_vector(int f) const { return outer(side(f, 0), sub(point[face[f][2]], point[face[f][0]])); }
 };
 
-/// Goes from face to face, beginning with `first`: over every side of a face f beyond which there is a face g with
-/// `takes(g)`, which is asked again wherever g is met.
+/// Spreads from face `first` to the faces beyond its sides that `takes(face)` takes, and on from these. Faces are asked
+/// each time they are met: it is `takes` that has to remember which ones it has taken.
 template <class Takes>
 void flood(const Segmentation_mesh& mesh, int first, Takes takes)
 {

@@ -37,11 +37,6 @@ template <class T>
 struct Is_mesh<T, std::void_t<decltype(faces(std::declval<const T&>())), decltype(halfedges(std::declval<const T&>()))>>
   : std::true_type {};
 
-template <class T>
-struct Are_named_parameters : std::false_type {};
-template <class T, class Tag, class Base>
-struct Are_named_parameters<Named_function_parameters<T, Tag, Base>> : std::true_type {};
-
 /// Whether T is a property map whose keys can be made of Key.
 template <class T, class Key, class = void>
 struct Is_map_of : std::false_type {};

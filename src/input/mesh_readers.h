@@ -50,6 +50,15 @@ Soup read_ply(const std::string& file, const std::string& bytes);
 Soup read_stl(const std::string& file, std::string bytes); ///< corners at the same place become one vertex
 /// @}
 
+struct Fixed_vertex {
+  std::size_t index;
+  std::array<double, 3> position; ///< on the unit sphere
+};
+
+/// Reads lines `index x y z`: the number of a vertex, from 0 on, and the direction it is to have on the sphere.
+/// Throws a `Refusal` that names the first line that does not fit a mesh of so many vertices.
+std::vector<Fixed_vertex> read_fixed_vertices(const std::string& file, std::size_t number_of_vertices);
+
 } // namespace tool
 
 #endif // SPHERICAL_PARAMETERIZATION_TOOL_MESH_READERS_H

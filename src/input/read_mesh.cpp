@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "input/read_mesh.h"
+#include "input/mesh.h"
 
 #include "input/files.h"
 #include "input/mesh_readers.h"

@@ -5,7 +5,7 @@
 #include "tables/table.h"
 
 #include "collections/database.h"
-#include "input/mesh_list.h"
+#include "input/files.h"
 #include "mapping/mapped_mesh.h"
 #include "mapping/spherical_map.h"
 #include "output/atomic_file.h"

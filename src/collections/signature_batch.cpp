@@ -3,7 +3,7 @@
 
 #include "collections/signature_batch.h"
 
-#include "input/read_mesh.h"
+#include "input/mesh.h"
 #include "mapping/spherical_map.h"
 #include "output/atomic_file.h"
 #include "output/csv.h"
@@ -39,34 +39,33 @@ void sign(const std::string& file, Signature_row& row)
   row.version = version_of(file); // a change from here on makes it another one
   if(row.version.bytes >= 0)      // a pipe has no end
     row.version.hash = content_hash(file);
-  Mesh mesh = read_mesh(file).mesh;
+  const Mesh mesh = read_mesh(file).mesh;
   row.vertices = mesh.number_of_vertices();
-  const auto compute = [&](Sphere_map sphere, const auto& weights) {
+  const auto compute = [&](Sphere& sphere, const auto& weights) {
     Map_settings settings;
     settings.weights = weights;
     settings.policy = CGAL::Sequential_tag(); // the other cores have meshes of their own
     return map_to_sphere(mesh, sphere, settings, [](double) { return !was_interrupted(); });
   };
-  const Sphere_map conformal = mesh.add_property_map<Mesh::Vertex_index, Point>("v:conformal").first;
-  const Result result = compute(conformal, Conformal_weights());
+  Sphere sphere;
+  const Result result = compute(sphere, Conformal_weights());
   if(result.error == Error_code::INTERRUPTED)
     return;
   if(!has_map(result.error))
     throw Refusal(name(result.error), file,
                   get_error_message(result.error) + (result.detail.empty() ? "" : ": " + result.detail), "");
-  Sphere_map sphere = conformal;
   row.map = result ? "conformal" : "uncertified";
   if(result.error == Error_code::NOT_CONVERGED) {
-    const Sphere_map barycentric = mesh.add_property_map<Mesh::Vertex_index, Point>("v:barycentric").first;
+    Sphere barycentric;
     const Result other = compute(barycentric, Barycentric_weights());
     if(other.error == Error_code::INTERRUPTED)
       return;
     if(other) {
       row.map = "barycentric";
-      sphere = barycentric;
+      sphere = std::move(barycentric);
     }
   }
-  row.signature = CGAL::Spherical_parameterization::shape_signature(mesh, sphere);
+  row.signature = CGAL::Spherical_parameterization::shape_signature(mesh, as_map(sphere));
 }
 
 void write_csv_header(std::ostream& out)

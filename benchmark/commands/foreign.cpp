@@ -21,7 +21,7 @@ void add_row(Table& table, const char* name, const tool::Mapping_options& mappin
   tool::Mapped_mesh map;
   tool::read_input(mapping, map);
   tool::map_input(mapping, map, tool::Map_quality::CONVERGED);
-  const auto d = CGAL::Spherical_parameterization::distortion_summary(map.mesh, map.sphere);
+  const auto d = CGAL::Spherical_parameterization::distortion_summary(map.mesh(), tool::as_map(map.sphere));
   const double degrees = 180 / std::acos(-1.);
   table.add_row({std::filesystem::path(mapping.input).stem().string(), map.result.number_of_vertices, name,
                  map.result.flipped_faces, map.result.degree, degrees * d.angle_distortion.mean,

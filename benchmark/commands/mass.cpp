@@ -119,7 +119,7 @@ void compute(const Options& options, const std::function<bool()>& go_on, Row& ro
   tool::read_input(mapping, map);
   row["vertices"] = std::to_string(map.result.number_of_vertices);
   const double start = cpu_seconds_of_thread();
-  const SP::Result result = tool::map_to_sphere(map.mesh, map.sphere, map.settings, [&](double) { return go_on(); });
+  const SP::Result result = tool::map_to_sphere(map.mesh(), map.sphere, *map.settings, [&](double) { return go_on(); });
   row["CPU s"] = digits(cpu_seconds_of_thread() - start);
   row["outcome"] = tool::name(result.error);
   row["method used"] = result.method;
@@ -127,13 +127,13 @@ void compute(const Options& options, const std::function<bool()>& go_on, Row& ro
   row["flipped faces"] = std::to_string(result.flipped_faces);
   if(!result)
     return;
-  const std::size_t flipped_faces = SP::number_of_flipped_faces(map.mesh, map.sphere);
+  const std::size_t flipped_faces = SP::number_of_flipped_faces(map.mesh(), tool::as_map(map.sphere));
   row["flipped faces"] = std::to_string(flipped_faces);
-  if(flipped_faces > 0 || SP::degree_of_map(map.mesh, map.sphere) != 1) {
+  if(flipped_faces > 0 || SP::degree_of_map(map.mesh(), tool::as_map(map.sphere)) != 1) {
     row["outcome"] = "WRONG_CERTIFICATE";
     return;
   }
-  const SP::Distortion_summary distortion = SP::distortion_summary(map.mesh, map.sphere);
+  const SP::Distortion_summary distortion = SP::distortion_summary(map.mesh(), tool::as_map(map.sphere));
   row["smallest area"] = digits(result.smallest_area);
   row["smallest edge"] = digits(result.smallest_edge);
   row["symmetric Dirichlet"] = digits(distortion.symmetric_dirichlet.mean);

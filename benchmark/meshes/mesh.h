@@ -4,7 +4,7 @@
 #ifndef BENCHMARK_MESH_H
 #define BENCHMARK_MESH_H
 
-#include "input/mesh_list.h"
+#include "input/files.h"
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -3,7 +3,7 @@
 
 #include "collections/database.h"
 
-#include "input/readable_file.h"
+#include "input/files.h"
 #include "system/refusal.h"
 
 #include <cerrno>

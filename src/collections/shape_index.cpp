@@ -3,7 +3,7 @@
 
 #include "collections/shape_index.h"
 
-#include "input/mesh_extensions.h"
+#include "input/files.h"
 
 #include <boost/uuid/name_generator_sha1.hpp>
 #include <boost/uuid/nil_generator.hpp>

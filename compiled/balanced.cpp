@@ -5,8 +5,6 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-#ifdef CGAL_LINKED_WITH_TBB
-CGAL_SP_SOLVER(template, Balanced, CGAL::Parallel_tag)
-#endif
+CGAL_SP_BALANCED(template, Host_backend<Host_loop>)
 
 } // namespace CGAL::Spherical_parameterization::internal

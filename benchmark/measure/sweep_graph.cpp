@@ -54,7 +54,7 @@ struct Sweeper {
 Sweep_graph::Sweep_graph(const Mesh& mesh, Weights weights)
 {
   internal::Source_mesh<Mesh> source(mesh, mesh.points());
-  visit_weights(weights, mesh, [&](auto map) { source.set_weights(mesh, map, internal::Sequential_loop()); });
+  visit_weights(weights, mesh, [&](auto map) { source.set_weights(mesh, map, internal::Host_loop()); });
   source.graph->update_diagonal({});
   graph = std::move(*source.graph);
   for(const vec3& p : source.point)

@@ -21,7 +21,7 @@ using SP::internal::Conformal_factor;
 using SP::internal::Discrete_surface;
 using SP::internal::Histogram;
 using SP::internal::Mapped_surface;
-const SP::internal::Sequential_loop one_core;
+const SP::internal::Host_loop one_core;
 
 constexpr std::size_t girths = Shape_signature::coarse_bins + Shape_signature::fine_bins;
 

@@ -19,7 +19,7 @@ benchmark::Descriptor_values benchmark::shape_dna(const Mesh& mesh, Sphere_map)
   constexpr int count = 30;
   constexpr double shift = -0.05; // next to the eigenvalue 0
   const internal::Mapped_surface map =
-    internal::read_mapped_surface(mesh, mesh.points(), mesh.points(), internal::Sequential_loop());
+    internal::read_mapped_surface(mesh, mesh.points(), mesh.points(), internal::Host_loop());
   const internal::Discrete_surface surface(internal::Intrinsic_triangulation(map, map.point));
   const Eigen::VectorXd scale = surface.mass().array().rsqrt();
   const Eigen::SparseMatrix<double> a = scale.asDiagonal() * surface.laplacian() * scale.asDiagonal();

@@ -8,7 +8,7 @@
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Progressive_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Star.h>
-#include <CGAL/Spherical_parameterization/internal/predicates/degree.h>
+#include <CGAL/Spherical_parameterization/internal/predicates/certificate.h>
 #include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/backend/vertex_formulas.h>
 
@@ -36,7 +36,7 @@ template <int Enough = few_steps, class Loop, class F>
 void for_each_of_level(const Loop& loop, int begin, int end, F f)
 {
   if(end - begin < least_tasks * Enough)
-    Sequential_loop().for_each(end - begin, [&](int i) { f(begin + i); });
+    Host_loop().for_each(end - begin, [&](int i) { f(begin + i); });
   else
     for_each_part<Enough>(loop, end - begin, [&](int first, int last) {
       for(int i = first; i < last; ++i)

@@ -10,7 +10,6 @@
 #include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/distortion/Mapped_faces.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
-#include <CGAL/Spherical_parameterization/internal/predicates/spherical_area.h>
 
 #include <algorithm>
 #include <array>

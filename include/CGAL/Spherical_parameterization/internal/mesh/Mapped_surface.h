@@ -34,10 +34,10 @@ struct Mapped_surface : Corner_table {
 /// the calling thread, but for points whose coordinates are plain numbers.
 template <class TriangleMesh, class VertexPointMap, class VertexSphereMap, class Loop>
 Mapped_surface read_mapped_surface(const TriangleMesh& mesh, VertexPointMap points, VertexSphereMap sphere_map,
-                                   const Loop&)
+                                   const Loop& where_safe)
 {
   typedef typename boost::property_traits<VertexPointMap>::value_type Point;
-  const std::conditional_t<are_plain_coordinates<Point>(), Loop, Sequential_loop> loop;
+  const Loop loop = are_plain_coordinates<Point>() ? where_safe : Loop();
   Source_mesh<TriangleMesh> source(mesh, points, loop);
   Mapped_surface result;
   static_cast<Corner_table&>(result) = corner_table_of(mesh, std::move(source.face), loop);

@@ -43,7 +43,7 @@ public:
   double weight_unit = 1;               ///< what a weight of 1 in the graph is to the caller
 
   /// Throws Error.
-  template <class VertexPointMap, class Loop = Sequential_loop>
+  template <class VertexPointMap, class Loop = Host_loop>
   Source_mesh(const TriangleMesh& mesh, VertexPointMap points, const Loop& loop = Loop())
   {
     check_size(mesh);

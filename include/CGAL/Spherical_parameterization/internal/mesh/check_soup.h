@@ -36,12 +36,8 @@ Soup_trouble check_soup(const Loop& loop, Corner_table& table, int n, Host_array
                         const std::function<std::size_t()>& number_of_different_points);
 
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_COMPILED
-extern template Soup_trouble check_soup(const Sequential_loop&, Corner_table&, int, Host_array<int>&,
+extern template Soup_trouble check_soup(const Host_loop&, Corner_table&, int, Host_array<int>&,
                                         const std::function<std::size_t()>&);
-#ifdef CGAL_LINKED_WITH_TBB
-extern template Soup_trouble check_soup(const Parallel_loop&, Corner_table&, int, Host_array<int>&,
-                                        const std::function<std::size_t()>&);
-#endif
 #endif
 
 } // namespace internal

@@ -6,7 +6,6 @@
 
 #include <CGAL/Spherical_parameterization/internal/base/plane.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
-#include <CGAL/Spherical_parameterization/internal/predicates/spherical_area.h>
 
 #include <algorithm>
 #include <array>

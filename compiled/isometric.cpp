@@ -5,8 +5,6 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-#ifdef CGAL_LINKED_WITH_TBB
-CGAL_SP_SOLVER(template, Balanced, CGAL::Parallel_tag)
-#endif
+template class Coarse_to_fine_map<Host_loop>;
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -5,6 +5,6 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-template class Coarse_to_fine_map<Sequential_loop>;
+CGAL_SP_BALANCED(template, Host_backend<Host_loop>)
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -4,7 +4,7 @@
 #include "measure/measure.h"
 
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
-#include <CGAL/Spherical_parameterization/internal/backend/opencl/device_queries.h>
+#include <CGAL/Spherical_parameterization/OpenCL_device.h>
 #endif
 
 #include <CGAL/version.h>

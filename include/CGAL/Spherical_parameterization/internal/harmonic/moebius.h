@@ -34,8 +34,6 @@ inline vec3 solve(const Symmetric_solver<3>& matrix, vec3 b)
   return {x[0], x[1], x[2]};
 }
 
-inline double norm(vec3 a) { return std::sqrt(inner(a, a)); }
-
 /// Boosts v until |sum m_i v_i| <= tolerance sum m_i, by at most so many steps of Newton's method in the ball, with
 /// backtracking. `scratch` has the size of v; `moments` are those of v, on entry and on return.
 template <class Backend>

@@ -7,7 +7,6 @@ namespace CGAL::Spherical_parameterization::internal {
 
 #ifdef CGAL_LINKED_WITH_TBB
 CGAL_SP_SOLVER(template, Saddle_point, CGAL::Parallel_tag)
-CGAL_SP_SOLVER(template, Isometric, CGAL::Parallel_tag)
 CGAL_SP_FOR_EACH_METHOD(template, CGAL::Parallel_tag)
 #endif
 

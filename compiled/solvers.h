@@ -15,15 +15,12 @@
   PREFIX Solution Method_solver<METHOD>::solve(const Backend<POLICY>&, const Problem&, const Effort&, Monitor&) const;
 #define CGAL_SP_SOLVERS(PREFIX, POLICY)                                                                                \
   CGAL_SP_SOLVER(PREFIX, Balanced, POLICY)                                                                             \
-  CGAL_SP_SOLVER(PREFIX, Saddle_point, POLICY)                                                                         \
-  CGAL_SP_SOLVER(PREFIX, Isometric, POLICY)
+  CGAL_SP_SOLVER(PREFIX, Saddle_point, POLICY)
 
 namespace CGAL::Spherical_parameterization::internal {
 
-extern template class Coarse_to_fine_map<Sequential_loop>;
 CGAL_SP_SOLVERS(extern template, CGAL::Sequential_tag)
 #ifdef CGAL_LINKED_WITH_TBB
-extern template class Coarse_to_fine_map<Parallel_loop>;
 CGAL_SP_SOLVERS(extern template, CGAL::Parallel_tag)
 #endif
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <functional>
 #include <vector>
 
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_COMPILED_WITHOUT_TBB
@@ -46,10 +47,18 @@ struct Parallel_loop {
   template <class F>
   void for_each(int count, F f) const
   {
-    tbb::parallel_for(tbb::blocked_range<int>(0, count), [&](const tbb::blocked_range<int>& range) {
-      for(int i = range.begin(); i < range.end(); ++i)
+    run(count, [&f](int begin, int end) {
+      for(int i = begin; i < end; ++i)
         f(i);
     });
+  }
+
+private:
+  /// No template, so that TBB's are instantiated once, and not for every loop.
+  static void run(int count, const std::function<void(int, int)>& f)
+  {
+    tbb::parallel_for(tbb::blocked_range<int>(0, count),
+                      [&f](const tbb::blocked_range<int>& range) { f(range.begin(), range.end()); });
   }
 };
 
@@ -68,6 +77,24 @@ struct Loop_of<CGAL::Sequential_tag> {
   typedef Sequential_loop type;
 };
 
+/// One of these loops. What takes it is compiled once, and not for each of them: for steps that are long, like parts.
+class Any_loop {
+public:
+  template <class Loop>
+  Any_loop(const Loop& loop)
+    : run_([loop](int count, const std::function<void(int)>& f) { loop.for_each(count, std::cref(f)); })
+  {}
+
+  template <class F>
+  void for_each(int count, F f) const
+  {
+    run_(count, std::ref(f));
+  }
+
+private:
+  std::function<void(int, const std::function<void(int)>&)> run_;
+};
+
 /// The parts into which 0 ... n-1 is cut; the same for any number of threads.
 inline constexpr int part_size = 8192;
 
@@ -76,6 +103,16 @@ template <int Size = part_size, class Loop, class F>
 void for_each_part(const Loop& loop, int n, F f)
 {
   loop.for_each(n / Size + 1, [&](int part) { f(part * Size, (std::min)(n, (part + 1) * Size)); });
+}
+
+/// Runs f(0) ... f(n-1), part by part: what is small is better run so.
+template <int Size = part_size, class Loop, class F>
+void for_each_index(const Loop& loop, int n, F f)
+{
+  for_each_part<Size>(loop, n, [&](int begin, int end) {
+    for(int i = begin; i < end; ++i)
+      f(i);
+  });
 }
 
 /// The results of f(begin, end) on these parts, in their order.

@@ -4,17 +4,14 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_COARSE_TO_FINE_MAP_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_COARSE_TO_FINE_MAP_H
 
-#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Distortion.h>
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
-#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Map_level.h>
 #include <CGAL/Spherical_parameterization/internal/base/text.h>
-#include <CGAL/Spherical_parameterization/internal/problem/Method_solver.h>
+#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Map_level.h>
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Progressive_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Star.h>
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/decimation.h>
-#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/local_relaxation.h>
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/newton_relaxation.h>
-#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/vertex_insertion.h>
+#include <CGAL/Spherical_parameterization/internal/problem/Method_solver.h>
 #include <CGAL/Spherical_parameterization/methods.h>
 
 #include <algorithm>
@@ -32,16 +29,15 @@ namespace CGAL::Spherical_parameterization::internal {
 /// "Advanced hierarchical spherical parameterizations", TVCG 2018.
 ///
 /// The rounds of the decimation are undone one by one, last first. After each one the distortion of the map is relaxed.
-template <class Loop>
 class Coarse_to_fine_map {
 public:
-  Coarse_to_fine_map(const Loop& loop, const Isometric& method, const Problem& problem, const Effort& effort,
+  Coarse_to_fine_map(const Any_loop& loop, const Isometric& method, const Problem& problem, const Effort& effort,
                      Monitor& monitor)
     : loop_(loop), method_(method), exponent_((std::min)(method.area_exponent, largest_coarse_exponent)),
       distortion_(exponent_), problem_(problem), effort_(effort), monitor_(monitor), source_area_(area_of_source()),
       mesh_(loop, problem.face, problem.size()),
-      level_(problem.size()), map_{Host_array<vec3>(problem.size(), vec3{0, 0, 0}),
-                                   std::vector<int>(problem.size(), -1)}
+      level_(loop, problem.size()), map_{Host_array<vec3>(problem.size(), vec3{0, 0, 0}),
+                                         std::vector<int>(problem.size(), -1)}
   {
     if(!(source_area_ > 0)) // all points are one: then all faces count as equal
       source_area_ = 1;
@@ -56,8 +52,7 @@ public:
       insert(std::move(rounds_.back()));
       if(rounds_.size() > 1) {
         relax_level();
-        if(!advance())
-          give_up();
+        advance_or_give_up();
       }
     }
     finish(report);
@@ -85,7 +80,7 @@ private:
 
   void decimate()
   {
-    Decimation<Loop> decimation(loop_, problem_.point, mesh_);
+    Decimation decimation(loop_, problem_.point, mesh_);
     for(;;) {
       std::vector<int> round = decimation.round();
       if(round.empty())
@@ -110,10 +105,9 @@ private:
       map_.colour[w] = k;
     };
     place(v, 0);
-    int k = 0;
     // seen from outside, the neighbours of (c, c, c) are regular[3], [2], [1], counterclockwise
-    constexpr std::array<int, 3> order = {3, 2, 1};
-    mesh_.for_each_corner(v, [&](int corner) { place(mesh_.vertex(Progressive_mesh::next(corner)), order[k++]); });
+    int k = 3;
+    mesh_.for_each_corner(v, [&](int corner) { place(mesh_.target(corner), k--); });
   }
 
   /// Undoes the collapses of a round. Those for whose vertex doubles have no position come last, after the others
@@ -127,8 +121,7 @@ private:
         return;
       round = std::move(failed);
       make_room();
-      if(!advance())
-        give_up();
+      advance_or_give_up();
     }
     throw Input_error(Error_code::NOT_BIJECTIVE, "no position in double precision was found for " +
                                                    counted(round.size(), "vertex", "vertices") + "; repair the mesh");
@@ -143,10 +136,10 @@ private:
     for(double exponent : {0., 1.}) {
       const Distortion distortion(exponent);
       for(int s = 0; s < sweeps; ++s)
-        relax_all(loop_, distortion, level_);
+        level_.relax(distortion);
       relax_globally(distortion);
     }
-    level_.store(loop_, map_);
+    level_.store(map_);
   }
 
   std::vector<int> try_to_insert(const std::vector<int>& round)
@@ -157,14 +150,13 @@ private:
     const int size = mesh_.number_of_vertices();
     const Metric_bounds bounds = {coarse_bounds.aspect, coarse_bounds.area * source_area_ / (2. * size - 4)};
     for_each_of_level(loop_, 0, n, [&](int r) {
-      const int u = mesh_.vertex(round[r]), v = mesh_.vertex(Progressive_mesh::next(round[r]));
+      const int u = mesh_.vertex(round[r]), v = mesh_.target(round[r]);
       Star star;
       mesh_.for_each_corner(u, [&](int c) {
-        const int j = mesh_.vertex(Progressive_mesh::next(c)), k = mesh_.vertex(Progressive_mesh::previous(c));
-        const Face_metric m =
+        const int j = mesh_.target(c), k = mesh_.apex(c);
+        const Face_metric metric =
           face_metric(sub(problem_.point[j], problem_.point[u]), sub(problem_.point[k], problem_.point[u]), bounds);
-        star.push_back({map_.position[j], map_.position[k], m.cotangent[0], m.cotangent[1], m.cotangent[2],
-                        level_.area_scale() * m.twice_area});
+        star.emplace_back(map_.position[j], map_.position[k], metric, level_.area_scale());
       });
       is_inserted[r] = insert_vertex(distortion_, star, map_.position[v], map_.position[u]);
       map_.colour[u] = free_colour(u); // its neighbours are not of this round
@@ -181,19 +173,13 @@ private:
   /// The smallest colour that no neighbour of u has.
   int free_colour(int u) const
   {
-    for(int colour = 0;; ++colour) {
-      bool is_free = true;
-      mesh_.for_each_corner(
-        u, [&](int c) { is_free = is_free && map_.colour[mesh_.vertex(Progressive_mesh::next(c))] != colour; });
-      if(is_free)
-        return colour;
-    }
+    int colour = 0;
+    while(mesh_.any_neighbour(u, [&](int w) { return map_.colour[w] == colour; }))
+      ++colour;
+    return colour;
   }
 
-  void assign_level(const Metric_bounds& bounds)
-  {
-    level_.assign(loop_, mesh_, problem_.point, source_area_, bounds, map_);
-  }
+  void assign_level(const Metric_bounds& bounds) { level_.assign(mesh_, problem_.point, source_area_, bounds, map_); }
 
   void relax_level()
   {
@@ -202,15 +188,13 @@ private:
     constexpr double growth = 1.3;
     assign_level(coarse_bounds);
     for(int s = 0; s < sweeps; ++s)
-      relax_all(loop_, distortion_, level_);
+      level_.relax(distortion_);
     if(level_.size() >= growth * last_newton_) {
       last_newton_ = level_.size();
       relax_globally(distortion_);
     }
-    const std::vector<int> region = distorted_regions(loop_, distortion_, level_, bad_factor, rings);
-    for(int s = 0; s < sweeps_of_regions && !region.empty(); ++s)
-      relax_region(loop_, distortion_, region, level_);
-    level_.store(loop_, map_);
+    level_.relax_distorted(distortion_, bad_factor, rings, sweeps_of_regions);
+    level_.store(map_);
   }
 
   /// Newton's method on coarse meshes, where limbs find their places for little: the number of steps falls with the
@@ -220,12 +204,11 @@ private:
     constexpr int maximum_size = 6000, maximum_steps = 100, maximum_work = 100000, maximum_iterations = 50;
     if(level_.size() > maximum_size)
       return;
-    Newton_relaxation<Loop> newton(loop_, distortion, level_);
+    Newton_relaxation newton(loop_, distortion, level_);
     const int steps = (std::min)(maximum_steps, maximum_work / level_.size());
     for(int s = 0; s < steps && newton.step(maximum_iterations, linear_tolerance) > least_gain; ++s) {
-      relax_all(loop_, distortion, level_);
-      if(!advance())
-        give_up();
+      level_.relax(distortion);
+      advance_or_give_up();
     }
   }
 
@@ -237,15 +220,15 @@ private:
     constexpr double growth_of_exponent = 1.5;
     assign_level(final_bounds);
     for(int s = 0; s < sweeps && advance(); ++s)
-      relax_all(loop_, distortion_, level_);
+      level_.relax(distortion_);
     const double accuracy = effort_.accuracy.value_or(Isometric::default_accuracy);
     const auto descend = [&](std::size_t maximum_steps) {
-      Newton_relaxation<Loop> newton(loop_, distortion_, level_);
+      Newton_relaxation newton(loop_, distortion_, level_);
       for(std::size_t s = 0; s < maximum_steps && advance(); ++s) {
         newton.step(maximum_iterations, linear_tolerance);
         report.residual = newton.promised_gain();
         ++report.iterations;
-        relax_all(loop_, distortion_, level_);
+        level_.relax(distortion_);
         if(report.residual < accuracy)
           return;
       }
@@ -256,8 +239,8 @@ private:
       distortion_ = Distortion(exponent_);
       descend(steps_per_exponent);
     }
-    level_.store(loop_, map_);
-    report.energy = level_.energy(loop_, distortion_);
+    level_.store(map_);
+    report.energy = level_.energy(distortion_);
     report.has_converged = !monitor_.is_interrupted();
   }
 
@@ -269,6 +252,12 @@ private:
     return monitor_.advance(share_of_decimation + (1 - share_of_decimation - share_of_last_level) * done);
   }
 
+  void advance_or_give_up()
+  {
+    if(!advance())
+      give_up();
+  }
+
   [[noreturn]] void give_up() const
   {
     throw Input_error(Error_code::INTERRUPTED, monitor_.reason() + " before there was a map");
@@ -276,7 +265,7 @@ private:
 
   static constexpr double share_of_decimation = 0.15;
 
-  const Loop& loop_;
+  const Any_loop& loop_;
   Isometric method_;
   double exponent_; ///< of the area, at the moment
   Distortion distortion_;

@@ -25,24 +25,22 @@ inline void check_simplicial(const Weighted_graph& graph)
         throw Input_error(Error_code::NOT_BIJECTIVE, std::string(problem) + "two edges of the mesh have the same ends");
 }
 
-template <class Backend>
-Solution Method_solver<Isometric>::solve(const Backend& backend, const Problem& problem, const Effort& effort,
-                                         Monitor& monitor) const
+CGAL_SP_CORE Solution solve_isometric(const Any_loop& loop, const Isometric& method, const Problem& problem,
+                                      const Effort& effort, Monitor& monitor)
 {
   if(problem.has_fixed())
     throw Input_error(Error_code::BAD_CONSTRAINTS, "the isometric method cannot keep vertices fixed");
   check_simplicial(*problem.graph);
   const Stopwatch watch;
   Solution solution;
-  typedef Coarse_to_fine_map<typename Backend::Host_loop> Map;
-  solution.position = Map(backend.host_loop(), method_, problem, effort, monitor).run(solution.report);
+  solution.position = Coarse_to_fine_map(loop, method, problem, effort, monitor).run(solution.report);
   solution.seconds.solve = watch.seconds();
 
   const Stopwatch certify_watch;
   if(problem.as_stored)
     for(vec3& p : solution.position)
       p = problem.as_stored(p);
-  solution.certificate = certify(backend.host_loop(), problem.face, solution.position);
+  solution.certificate = certify(loop, problem.face, solution.position);
   solution.seconds.certify = certify_watch.seconds();
   return solution;
 }

@@ -6,6 +6,7 @@
 
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
+#include <CGAL/Spherical_parameterization/internal/base/vec3.h>
 
 #include <algorithm>
 #include <array>
@@ -30,6 +31,12 @@ struct Corner_table {
   static int previous(int h) { return h % 3 == 0 ? h + 2 : h - 1; }
 };
 
+/// Normal of a face, as long as twice its area.
+inline vec3 normal(const Host_array<vec3>& points, const std::array<int, 3>& f)
+{
+  return outer(sub(points[f[1]], points[f[0]]), sub(points[f[2]], points[f[0]]));
+}
+
 /// An edge that has not two faces of the same orientation.
 struct Edge_trouble {
   std::size_t count = 0;
@@ -49,9 +56,8 @@ struct Edge_troubles {
 /// its origin, or -1 where there is not exactly one.
 ///
 /// Halfedges are grouped by their smaller end (counting sort), and sorted within the groups: O(n) for bounded degrees.
-template <class Loop>
-Edge_troubles match_halfedges(const Loop& loop, const Host_array<std::array<int, 3>>& face, int n,
-                              Host_array<int>& twin)
+inline Edge_troubles match_halfedges(const Any_loop& loop, const Host_array<std::array<int, 3>>& face, int n,
+                                     Host_array<int>& twin)
 {
   const int m = static_cast<int>(3 * face.size());
   const auto origin = [&](int h) { return face[h / 3][h % 3]; };

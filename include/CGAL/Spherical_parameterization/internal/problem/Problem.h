@@ -7,6 +7,7 @@
 #include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
 #include <CGAL/Spherical_parameterization/internal/backend/vertex_formulas.h>
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/Corner_table.h>
 
 #include <array>
 #include <cstddef>
@@ -41,12 +42,6 @@ struct Problem {
   bool has_fixed() const { return !is_fixed.empty(); }
   int size() const { return static_cast<int>(point.size()); }
 };
-
-/// Normal of a face, as long as twice its area.
-inline vec3 normal(const Host_array<vec3>& points, const std::array<int, 3>& f)
-{
-  return outer(sub(points[f[1]], points[f[0]]), sub(points[f[2]], points[f[0]]));
-}
 
 } // namespace internal
 

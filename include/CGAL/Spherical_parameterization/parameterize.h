@@ -15,7 +15,6 @@
 #include <CGAL/Spherical_parameterization/internal/driver/inputs.h>
 #include <CGAL/Spherical_parameterization/internal/driver/read_problem.h>
 #include <CGAL/Spherical_parameterization/internal/driver/solve.h>
-#include <CGAL/Spherical_parameterization/internal/driver/write_solution.h>
 #include <CGAL/Spherical_parameterization/methods.h>
 
 #include <CGAL/property_map.h>

@@ -78,10 +78,10 @@ struct Loop_of<CGAL::Sequential_tag> {
 };
 
 /// One of these loops. What takes it is compiled once, and not for each of them: for steps that are long, like parts.
-class Any_loop {
+class Host_loop {
 public:
-  template <class Loop>
-  Any_loop(const Loop& loop)
+  template <class Loop = Sequential_loop>
+  Host_loop(const Loop& loop = Loop())
     : run_([loop](int count, const std::function<void(int)>& f) { loop.for_each(count, std::cref(f)); })
   {}
 

@@ -31,7 +31,7 @@ namespace CGAL::Spherical_parameterization::internal {
 /// The rounds of the decimation are undone one by one, last first. After each one the distortion of the map is relaxed.
 class Coarse_to_fine_map {
 public:
-  Coarse_to_fine_map(const Any_loop& loop, const Isometric& method, const Problem& problem, const Effort& effort,
+  Coarse_to_fine_map(const Host_loop& loop, const Isometric& method, const Problem& problem, const Effort& effort,
                      Monitor& monitor)
     : loop_(loop), method_(method), exponent_((std::min)(method.area_exponent, largest_coarse_exponent)),
       distortion_(exponent_), problem_(problem), effort_(effort), monitor_(monitor), source_area_(area_of_source()),
@@ -265,7 +265,7 @@ private:
 
   static constexpr double share_of_decimation = 0.15;
 
-  const Any_loop& loop_;
+  const Host_loop& loop_;
   Isometric method_;
   double exponent_; ///< of the area, at the moment
   Distortion distortion_;

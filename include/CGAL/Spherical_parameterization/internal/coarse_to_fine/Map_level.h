@@ -29,13 +29,13 @@ constexpr int least_tasks = 4; ///< for fewer, no other thread is worth waking
 
 /// Runs f(begin) ... f(end-1), in parallel if there are enough.
 template <int Enough = few_steps, class F>
-void for_each_of_level(const Any_loop& loop, int begin, int end, F f)
+void for_each_of_level(const Host_loop& loop, int begin, int end, F f)
 {
-  const auto step = [&](int i) { f(begin + i); };
   if(end - begin < least_tasks * Enough)
-    Sequential_loop().for_each(end - begin, step);
+    for(int i = begin; i < end; ++i)
+      f(i);
   else
-    for_each_index<Enough>(loop, end - begin, step);
+    for_each_index<Enough>(loop, end - begin, [&](int i) { f(begin + i); });
 }
 
 /// The current mesh of a progressive mesh as compact arrays, with a map to the sphere: what is relaxed.
@@ -52,7 +52,7 @@ public:
 
   /// Takes the memory for the whole mesh at once: levels grow, and new memory for each would cost more than what they
   /// do.
-  Map_level(const Any_loop& loop, int number_of_vertices) : loop_(loop), index_(number_of_vertices)
+  Map_level(const Host_loop& loop, int number_of_vertices) : loop_(loop), index_(number_of_vertices)
   {
     vertex_.reserve(number_of_vertices);
     offset_.reserve(number_of_vertices + 1);
@@ -287,7 +287,7 @@ private:
     area_ = image / 2;
   }
 
-  const Any_loop& loop_;
+  const Host_loop& loop_;
   Host_array<int> vertex_; ///< number of vertex i in the whole mesh
   Host_array<int> index_;  ///< the inverse
   std::vector<int> colour_begin_;

@@ -26,7 +26,7 @@ namespace CGAL::Spherical_parameterization::internal {
 class Progressive_mesh {
 public:
   /// \pre closed, oriented, without double edges
-  Progressive_mesh(const Any_loop& loop, const Host_array<std::array<int, 3>>& faces, int number_of_vertices)
+  Progressive_mesh(const Host_loop& loop, const Host_array<std::array<int, 3>>& faces, int number_of_vertices)
     : corner_(number_of_vertices), degree_(number_of_vertices), number_of_vertices_(number_of_vertices)
   {
     vertex_.reserve(3 * faces.size());
@@ -136,7 +136,7 @@ public:
   void count_collapses(int count) { number_of_vertices_ -= count; }
 
   /// Undoes collapses. \pre they do not touch each other's faces, and later ones that touch them are undone
-  void undo_collapses(const Any_loop& loop, const std::vector<int>& half_edges)
+  void undo_collapses(const Host_loop& loop, const std::vector<int>& half_edges)
   {
     constexpr int steps_of_a_task = 256;
     for_each_index<steps_of_a_task>(loop, static_cast<int>(half_edges.size()),

@@ -62,7 +62,7 @@ private:
 /// across their borders. The result is the same for any number of threads.
 class Decimation {
 public:
-  Decimation(const Any_loop& loop, const Host_array<vec3>& points, Progressive_mesh& mesh)
+  Decimation(const Host_loop& loop, const Host_array<vec3>& points, Progressive_mesh& mesh)
     : loop_(loop), point_(points), mesh_(mesh), quadric_(points.size()), best_(points.size()),
       role_(points.size(), FREE), remaining_(points.size()), is_outdated_(points.size(), true),
       band_size_(size_of_bands(mesh.capacity()))
@@ -313,7 +313,7 @@ private:
     }
   }
 
-  const Any_loop& loop_;
+  const Host_loop& loop_;
   const Host_array<vec3>& point_;
   Progressive_mesh& mesh_;
   std::vector<Quadric> quadric_;

@@ -29,7 +29,7 @@ namespace CGAL::Spherical_parameterization::internal {
 /// Single precision is enough for the blocks, since they only give a direction.
 class Newton_relaxation {
 public:
-  Newton_relaxation(const Any_loop& loop, const Distortion& distortion, Map_level& level)
+  Newton_relaxation(const Host_loop& loop, const Distortion& distortion, Map_level& level)
     : loop_(loop), distortion_(distortion), level_(level), tangents_(level.size()), factor_(level.size()),
       gradient_(level.size()), middle_(level.size()), entry_(level.offset(level.size()))
   {}
@@ -245,7 +245,7 @@ private:
     return after;
   }
 
-  const Any_loop& loop_;
+  const Host_loop& loop_;
   const Distortion& distortion_;
   Map_level& level_;
   Host_array<Tangents> tangents_; ///< in which the diagonal blocks are the identity

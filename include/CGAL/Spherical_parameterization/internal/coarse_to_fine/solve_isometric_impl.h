@@ -25,7 +25,7 @@ inline void check_simplicial(const Weighted_graph& graph)
         throw Input_error(Error_code::NOT_BIJECTIVE, std::string(problem) + "two edges of the mesh have the same ends");
 }
 
-CGAL_SP_CORE Solution solve_isometric(const Any_loop& loop, const Isometric& method, const Problem& problem,
+CGAL_SP_CORE Solution solve_isometric(const Host_loop& loop, const Isometric& method, const Problem& problem,
                                       const Effort& effort, Monitor& monitor)
 {
   if(problem.has_fixed())
@@ -37,9 +37,7 @@ CGAL_SP_CORE Solution solve_isometric(const Any_loop& loop, const Isometric& met
   solution.seconds.solve = watch.seconds();
 
   const Stopwatch certify_watch;
-  if(problem.as_stored)
-    for(vec3& p : solution.position)
-      p = problem.as_stored(p);
+  make_storable(loop, problem, false, solution.position);
   solution.certificate = certify(loop, problem.face, solution.position);
   solution.seconds.certify = certify_watch.seconds();
   return solution;

@@ -4,13 +4,14 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_ICOSPHERE_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_ICOSPHERE_H
 
+#include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/base/vec3.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/midpoint_refinement.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -24,51 +25,29 @@ struct Icosphere {
 
   explicit Icosphere(int level)
   {
+    Triangle_surface mesh;
+    Host_array<vec3>& point = mesh.point;
     const double golden = (1 + std::sqrt(5.)) / 2;
     for(const double a : {-1., 1.})
-      for(const double b : {-golden, golden}) {
-        points.push_back(unit({0, a, b}));
-        points.push_back(unit({a, b, 0}));
-        points.push_back(unit({b, 0, a}));
-      }
-    const int n = static_cast<int>(points.size());
+      for(const double b : {-golden, golden})
+        for(const vec3& p : {vec3{0, a, b}, vec3{a, b, 0}, vec3{b, 0, a}})
+          point.push_back(unit(p));
+    const int n = static_cast<int>(point.size());
     for(int i = 0; i < n; ++i) // neighbours have the inner product 1/sqrt(5), all others a negative one
       for(int j = i + 1; j < n; ++j)
         for(int k = j + 1; k < n; ++k)
-          if(inner(points[i], points[j]) > 0 && inner(points[j], points[k]) > 0 && inner(points[k], points[i]) > 0) {
-            const bool is_positive = inner(points[i], outer(points[j], points[k])) > 0;
-            triangles.push_back(is_positive ? std::array<int, 3>{i, j, k} : std::array<int, 3>{i, k, j});
+          if(inner(point[i], point[j]) > 0 && inner(point[j], point[k]) > 0 && inner(point[k], point[i]) > 0) {
+            const bool is_positive = inner(point[i], outer(point[j], point[k])) > 0;
+            mesh.face.push_back(is_positive ? std::array<int, 3>{i, j, k} : std::array<int, 3>{i, k, j});
           }
-    for(; level > 0; --level)
-      subdivide();
-  }
-
-private:
-  void subdivide()
-  {
-    // The midpoint of an edge is made by the first of its two triangles, and found by the other one in the list of the
-    // smaller vertex, which has at most six entries.
-    std::vector<std::vector<std::pair<int, int>>> midpoints(points.size());
-    const auto midpoint = [&](int a, int b) {
-      auto& list = midpoints[(std::min)(a, b)];
-      for(const auto& [end, m] : list)
-        if(end == (std::max)(a, b))
-          return m;
-      const int m = static_cast<int>(points.size());
-      points.push_back(unit(add(points[a], points[b])));
-      list.emplace_back((std::max)(a, b), m);
-      return m;
-    };
-    std::vector<std::array<int, 3>> finer;
-    finer.reserve(4 * triangles.size());
-    for(const auto& [a, b, c] : triangles) {
-      const int ab = midpoint(a, b), bc = midpoint(b, c), ca = midpoint(c, a);
-      finer.push_back({a, ab, ca});
-      finer.push_back({b, bc, ab});
-      finer.push_back({c, ca, bc});
-      finer.push_back({ab, bc, ca});
+    match_halfedges(Host_loop(), mesh.face, n, mesh.twin);
+    for(; level > 0; --level) {
+      const auto old = static_cast<std::ptrdiff_t>(point.size());
+      mesh = refined_at_midpoints(mesh);
+      std::transform(point.begin() + old, point.end(), point.begin() + old, unit);
     }
-    triangles.swap(finer);
+    points.assign(point.begin(), point.end());
+    triangles.assign(mesh.face.begin(), mesh.face.end());
   }
 };
 

@@ -15,8 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL::Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// How far the caller wants a method to go; what is not given is the default of the method.
 struct Effort {
@@ -43,8 +42,6 @@ struct Problem {
   int size() const { return static_cast<int>(point.size()); }
 };
 
-} // namespace internal
-
-} // namespace CGAL::Spherical_parameterization
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PROBLEM_PROBLEM_H

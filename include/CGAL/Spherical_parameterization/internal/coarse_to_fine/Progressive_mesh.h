@@ -106,16 +106,10 @@ public:
     return common == 2;
   }
 
-  /// Moves the vertex that the half-edge leaves into its target.
+  /// Moves the vertex that the half-edge leaves into its target; to be followed by count_collapses(). Several threads
+  /// may do so at once, if they touch no common vertex.
   /// \pre is_collapsible(half_edge)
   void collapse(int half_edge)
-  {
-    collapse_uncounted(half_edge);
-    count_collapses(1);
-  }
-
-  /// The same for several threads at once, which touch no common vertex; to be followed by count_collapses().
-  void collapse_uncounted(int half_edge)
   {
     const int u = vertex(half_edge), v = target(half_edge), opposite = twin_[half_edge];
     const int left = twin_[previous(half_edge)], right = twin_[next(opposite)]; // outside of the two faces

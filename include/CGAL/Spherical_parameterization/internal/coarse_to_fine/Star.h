@@ -48,6 +48,9 @@ inline Tangents tangents_at(vec3 x)
   return {s, outer(x, s)};
 }
 
+/// det(x, y, z), from differences: exact relative to the size of the triangle.
+inline double determinant(vec3 x, vec3 y, vec3 z) { return inner(x, outer(sub(y, x), sub(z, x))); }
+
 /// A face (x, j, k) at a vertex x on the sphere: where its other corners are, and what it is in the source.
 struct Star_face {
   vec3 j, k;
@@ -59,8 +62,7 @@ struct Star_face {
       twice_area(area_scale * metric.twice_area)
   {}
 
-  /// det(x, j, k), from differences: exact relative to the size of the triangle.
-  double determinant(vec3 x) const { return inner(x, outer(sub(j, x), sub(k, x))); }
+  double determinant(vec3 x) const { return internal::determinant(x, j, k); }
 
   /// The Dirichlet energy of the chordal triangle: half the sum over the sides of cotangent times squared length.
   double dirichlet(vec3 x) const

@@ -309,7 +309,7 @@ private:
       role_[u] = FREE;
       best_[u] = Collapse();
       quadric_[v].add(quadric_[u]);
-      mesh_.collapse_uncounted(h);
+      mesh_.collapse(h);
     }
   }
 

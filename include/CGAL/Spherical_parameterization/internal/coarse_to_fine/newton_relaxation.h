@@ -186,14 +186,10 @@ private:
           const Map_level::Corner& corner = level_.corner(c);
           if(i > corner.j || i > corner.k)
             continue;
-          const vec3 x = level_.position()[i], y = level_.position()[corner.j], z = level_.position()[corner.k];
-          const auto determinant = [&](double s) {
-            const vec3 a = add_scaled(x, s, direction[i]);
-            return inner(
-              a, outer(sub(add_scaled(y, s, direction[corner.j]), a), sub(add_scaled(z, s, direction[corner.k]), a)));
-          };
-          const double least = least_share * determinant(0);
-          while(t > 1e-6 && !(determinant(t) > least))
+          const auto moved = [&](int v, double s) { return add_scaled(level_.position()[v], s, direction[v]); };
+          const auto after = [&](double s) { return determinant(moved(i, s), moved(corner.j, s), moved(corner.k, s)); };
+          const double least = least_share * after(0);
+          while(t > 1e-6 && !(after(t) > least))
             t *= shrink;
         }
       return t;

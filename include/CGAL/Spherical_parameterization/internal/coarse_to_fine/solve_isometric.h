@@ -17,7 +17,7 @@ namespace CGAL::Spherical_parameterization::internal {
 CGAL_SP_CORE Solution solve_isometric(const Host_loop& loop, const Isometric& method, const Problem& problem,
                                       const Effort& effort, Monitor& monitor);
 
-/// See Coarse_to_fine_map.h, and doc/isometric_method.md.
+/// See solve_isometric_impl.h, and doc/isometric_method.md.
 template <>
 class Method_solver<Isometric> {
 public:

@@ -39,43 +39,6 @@ Solution attempt(const Backend& backend, const Method_solver<Method>& solver, co
   return solution;
 }
 
-/// Solutions of one problem, of which the best is kept.
-class Best_solution {
-public:
-  /// Takes a solution into account, and its seconds.
-  void add(Solution solution)
-  {
-    attempts_.insert(attempts_.end(), solution.attempts.begin(), solution.attempts.end());
-    seconds_.start_map += solution.seconds.start_map;
-    seconds_.solve += solution.seconds.solve;
-    seconds_.certify += solution.seconds.certify;
-    if(solution.error == Error_code::OK || !best_.has_map() ||
-       (solution.has_map() && badness(solution) < badness(best_)))
-      best_ = std::move(solution);
-  }
-
-  bool is_valid() const { return best_.has_map() && best_.error == Error_code::OK; }
-  bool has_map() const { return best_.has_map(); }
-
-  Solution take() &&
-  {
-    best_.attempts = std::move(attempts_);
-    best_.seconds = seconds_;
-    return std::move(best_);
-  }
-
-private:
-  /// What is not covered once is worst; then flipped faces count.
-  static std::pair<bool, std::size_t> badness(const Solution& solution)
-  {
-    return {solution.certificate.degree != 1, solution.certificate.flipped_faces};
-  }
-
-  Solution best_;
-  std::vector<Result::Attempt> attempts_;
-  Result::Seconds seconds_;
-};
-
 /// What was wrong with the attempts before the one by `method`.
 inline std::string fallback_reason(const Problem& problem, const std::vector<Result::Attempt>& attempts,
                                    const std::string& method)
@@ -91,12 +54,25 @@ Solution Method_solver<Automatic>::solve(const Backend& backend, const Problem& 
                                          Monitor& monitor) const
 {
   constexpr std::size_t patience = 100; // where the larger exponent helps, it does so soon
-  Best_solution best;
+  Solution best;
+  std::vector<Result::Attempt> attempts;
+  Result::Seconds seconds;
+  // What is not covered once is worst; then flipped faces count.
+  const auto badness = [](const Solution& s) {
+    return std::make_pair(s.certificate.degree != 1, s.certificate.flipped_faces);
+  };
   // Nobody knows how many methods will be needed: each takes half of the progress that is left, the last one the rest.
   const auto try_method = [&](const auto& solver, const Effort& its_effort, double begin, double end) {
     monitor.begin_stage(begin, end);
-    best.add(attempt(backend, solver, problem, its_effort, monitor));
-    return best.is_valid() || monitor.is_interrupted();
+    Solution solution = attempt(backend, solver, problem, its_effort, monitor);
+    attempts.insert(attempts.end(), solution.attempts.begin(), solution.attempts.end());
+    seconds.start_map += solution.seconds.start_map;
+    seconds.solve += solution.seconds.solve;
+    seconds.certify += solution.seconds.certify;
+    const bool is_valid = solution.error == Error_code::OK;
+    if(is_valid || !best.has_map() || (solution.has_map() && badness(solution) < badness(best)))
+      best = std::move(solution);
+    return is_valid || monitor.is_interrupted();
   };
   const auto run = [&] {
     if(problem.missing_weights.empty()) {
@@ -114,15 +90,15 @@ Solution Method_solver<Automatic>::solve(const Backend& backend, const Problem& 
       try_method(Method_solver<Isometric>(Isometric{method_.area_exponent}), Effort(), best.has_map() ? 0.75 : 0, 1);
   };
   run();
-  const bool is_valid = best.is_valid();
-  Solution solution = std::move(best).take();
-  if(!is_valid && monitor.is_interrupted() && solution.error != Error_code::INTERRUPTED) {
-    solution.error = Error_code::INTERRUPTED;
-    solution.detail =
-      monitor.reason() + (solution.has_map() ? "; the best map so far: " + solution.detail : " before there was a map");
+  if(best.error != Error_code::OK && best.error != Error_code::INTERRUPTED && monitor.is_interrupted()) {
+    best.error = Error_code::INTERRUPTED;
+    best.detail =
+      monitor.reason() + (best.has_map() ? "; the best map so far: " + best.detail : " before there was a map");
   }
-  solution.fallback_reason = fallback_reason(problem, solution.attempts, solution.method);
-  return solution;
+  best.attempts = std::move(attempts);
+  best.seconds = seconds;
+  best.fallback_reason = fallback_reason(problem, best.attempts, best.method);
+  return best;
 }
 
 template <class Host_loop, class ExecutionPolicy, class Method>

@@ -56,23 +56,18 @@ Corner_table corner_table_of(const TriangleMesh& mesh, Host_array<std::array<int
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
   const Face_numbering<TriangleMesh> numbering(faces(mesh));
   const std::vector<typename Graph_traits::face_descriptor> descriptor(faces(mesh).begin(), faces(mesh).end());
-  constexpr int no_triangle = -2, boundary = -1;
   Corner_table table;
   table.face = std::move(corners);
   table.twin.resize(3 * descriptor.size());
   const int n = static_cast<int>(descriptor.size());
   const int bad = first_index(loop, n, [&](int f) {
     auto h = halfedge(descriptor[f], mesh);
-    if(next(next(next(h, mesh), mesh), mesh) != h) {
-      table.twin[3 * f] = no_triangle;
+    if(!is_triangle(h, mesh))
       return true;
-    }
     for(int k = 0; k < 3; ++k, h = next(h, mesh)) {
       const auto other = opposite(h, mesh);
-      if(is_border(other, mesh)) {
-        table.twin[3 * f] = boundary;
+      if(is_border(other, mesh))
         return true;
-      }
       const auto neighbour = face(other, mesh);
       const auto first = halfedge(neighbour, mesh);
       const int corner = other == first ? 0 : other == next(first, mesh) ? 1 : 2;
@@ -80,7 +75,7 @@ Corner_table corner_table_of(const TriangleMesh& mesh, Host_array<std::array<int
     }
     return false;
   });
-  if(bad < n && table.twin[3 * bad] == no_triangle)
+  if(bad < n && !is_triangle(halfedge(descriptor[bad], mesh), mesh))
     throw Input_error(Error_code::NOT_TRIANGULAR, "face " + std::to_string(bad) + "; triangulate the mesh first");
   if(bad < n)
     throw Input_error(Error_code::BOUNDARY,

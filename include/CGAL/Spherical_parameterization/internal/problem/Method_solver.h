@@ -5,14 +5,11 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PROBLEM_METHOD_SOLVER_H
 
 #include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
-#include <CGAL/Spherical_parameterization/internal/base/compiled.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/certificate.h>
 #include <CGAL/Spherical_parameterization/internal/problem/Problem.h>
 #include <CGAL/Spherical_parameterization/internal/problem/Solution.h>
-#include <CGAL/Spherical_parameterization/internal/base/precondition.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <utility>
 
 namespace CGAL::Spherical_parameterization::internal {

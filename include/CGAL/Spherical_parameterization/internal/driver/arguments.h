@@ -28,8 +28,8 @@
 namespace CGAL::Spherical_parameterization::internal {
 
 /// \file
-/// What the front doors are called with. It is looked at before anything is instantiated: a wrong argument is a sentence,
-/// and not a page of the compiler.
+/// What the front doors are called with. It is looked at before anything is instantiated: a wrong argument is a
+/// sentence, and not a page of the compiler.
 
 template <class T, class = void>
 struct Is_method : std::false_type {};
@@ -161,10 +161,11 @@ struct Soup_inputs {
     if constexpr(parameters::is_default_parameter<NamedParameters, edge_weight_tag>::value)
       return conformal_weights(mesh);
     else
-      return map_of<Indexed_triangle_mesh::Edge_index>(edge_weight_tag(), [m = &mesh](Indexed_triangle_mesh::Edge_index e) {
-        const auto [first, second] = std::minmax({source(e, *m).idx(), target(e, *m).idx()});
-        return std::pair<std::size_t, std::size_t>(first, second);
-      });
+      return map_of<Indexed_triangle_mesh::Edge_index>(
+        edge_weight_tag(), [m = &mesh](Indexed_triangle_mesh::Edge_index e) {
+          const auto [first, second] = std::minmax({source(e, *m).idx(), target(e, *m).idx()});
+          return std::pair<std::size_t, std::size_t>(first, second);
+        });
   }
 
   auto constraints() const
@@ -173,7 +174,8 @@ struct Soup_inputs {
     if constexpr(parameters::is_default_parameter<NamedParameters, internal_np::vertex_is_constrained_t>::value)
       return Static_boolean_property_map<Vertex, false>();
     else
-      return map_of<Vertex>(internal_np::vertex_is_constrained, [](Vertex v) { return static_cast<std::size_t>(v.idx()); });
+      return map_of<Vertex>(internal_np::vertex_is_constrained,
+                            [](Vertex v) { return static_cast<std::size_t>(v.idx()); });
   }
 
 private:

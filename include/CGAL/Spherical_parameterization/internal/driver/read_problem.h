@@ -77,30 +77,14 @@ constexpr bool are_positions_rounded()
   return Limits::is_specialized && Limits::radix == 2 && Limits::digits < std::numeric_limits<double>::digits;
 }
 
-/// Weights as far as the method needs them; returns why there are none although it could use them.
-template <class Read_weights>
-std::string read_weights(Weights use, Read_weights read)
-{
-  if(use == Weights::UNUSED)
-    return {};
-  try {
-    read();
-  } catch(const Input_error& error) {
-    if(use == Weights::NEEDED || error.code() != Error_code::DEGENERATE_FACE)
-      throw;
-    return error.detail();
-  }
-  return {};
-}
-
 /// Marks the constrained vertices; empty if there are none. One or two would leave a boost free, along which the map
 /// collapses.
 template <class Vertex, class ConstrainedMap>
 std::vector<char> fixed_vertices(const std::vector<Vertex>& vertices, ConstrainedMap is_constrained)
 {
-  std::vector<char> is_fixed(vertices.size());
-  std::transform(vertices.begin(), vertices.end(), is_fixed.begin(),
-                 [&](const Vertex& v) { return get(is_constrained, v) ? 1 : 0; });
+  std::vector<char> is_fixed;
+  for(const Vertex& v : vertices)
+    is_fixed.push_back(get(is_constrained, v) ? 1 : 0);
   const auto count = std::count(is_fixed.begin(), is_fixed.end(), 1);
   if(count == 0)
     return {};
@@ -164,7 +148,14 @@ read_problem(const TriangleMesh& mesh, const Solver& solver, VertexSphereMap sph
   result.number_of_vertices = source.vertex.size();
   result.number_of_faces = source.face.size();
   Problem problem;
-  problem.missing_weights = read_weights(solver.weights(), [&] { source.set_weights(mesh, inputs.weights(), loop); });
+  if(solver.weights() != Weights::UNUSED)
+    try {
+      source.set_weights(mesh, inputs.weights(), loop);
+    } catch(const Input_error& error) {
+      if(solver.weights() == Weights::NEEDED || error.code() != Error_code::DEGENERATE_FACE)
+        throw;
+      problem.missing_weights = error.detail();
+    }
   problem.is_fixed = fixed_vertices(source.vertex, inputs.constraints());
   const bool needs_start = solver.needs_given_start();
   if(problem.has_fixed() || needs_start)

@@ -7,9 +7,14 @@
 #include <CGAL/Spherical_parameterization/internal/base/text.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/check_soup.h>
 
+#include <boost/iterator/counting_iterator.hpp>
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
 #include <array>
-#include <numeric>
+#include <cstddef>
+#include <functional>
+#include <string>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -77,21 +82,12 @@ inline bool are_vertices_manifold(const Host_loop& loop, Soup_trouble& trouble, 
 
 inline std::size_t number_of_components(const Host_array<std::array<int, 3>>& face, int n)
 {
-  std::vector<int> parent(n);
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&parent](int v) {
-    while(parent[v] != v)
-      v = parent[v] = parent[parent[v]];
-    return v;
-  };
-  std::size_t components = static_cast<std::size_t>(n);
+  boost::disjoint_sets_with_storage<> sets(n);
   for(const std::array<int, 3>& f : face)
-    for(int k = 1; k < 3; ++k) {
-      const int a = root(f[0]), b = root(f[k]);
-      components -= a != b;
-      parent[a] = b;
-    }
-  return components;
+    for(int k : {1, 2})
+      sets.union_set(f[0], f[k]);
+  typedef boost::counting_iterator<std::size_t> Vertex;
+  return static_cast<std::size_t>(sets.count_sets(Vertex(0), Vertex(n)));
 }
 
 CGAL_SP_CORE Soup_trouble check_soup(const Host_loop& loop, Corner_table& table, int n, Host_array<int>& last_corner,

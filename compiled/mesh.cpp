@@ -2,5 +2,5 @@
 // Part of CGAL Spherical Parameterization.
 
 #include <CGAL/Spherical_parameterization/internal/mesh/check_soup_impl.h>
-#include <CGAL/Spherical_parameterization/internal/predicates/exact_determinant_impl.h>
+#include <CGAL/Spherical_parameterization/internal/predicates/orientation_impl.h>
 #include <CGAL/Spherical_parameterization/internal/problem/Solution_impl.h>

@@ -62,7 +62,7 @@ private:
 Sweep_graph::Sweep_graph(const Mesh& mesh, Weights weights)
 {
   internal::Source_mesh<Mesh> source(mesh, mesh.points());
-  visit_weights(weights, mesh, [&](auto map) { source.set_weights(mesh, map, internal::Sequential_loop()); });
+  visit_weights(weights, mesh, [&](auto map) { source.set_weights(mesh, map, internal::Host_loop()); });
   source.graph->update_diagonal({});
   graph_ = std::move(*source.graph);
   points_ = std::move(source.point);

@@ -85,7 +85,7 @@ Descriptor_values shape_dna(const Mesh& mesh, Sphere_map)
   constexpr int count = 30;
   constexpr double shift = -0.05; // next to the eigenvalue 0
   const SP::internal::Mapped_surface map =
-    SP::internal::read_mapped_surface(mesh, mesh.points(), mesh.points(), SP::internal::Sequential_loop());
+    SP::internal::read_mapped_surface(mesh, mesh.points(), mesh.points(), SP::internal::Host_loop());
   const SP::internal::Discrete_surface surface(SP::internal::Intrinsic_triangulation(map, map.point));
   const Eigen::VectorXd scale = surface.mass().array().rsqrt();
   const Eigen::SparseMatrix<double> a = scale.asDiagonal() * surface.laplacian() * scale.asDiagonal();

@@ -19,7 +19,7 @@ using SP::Shape_signature;
 using SP::internal::Conformal_factor;
 using SP::internal::Discrete_surface;
 using SP::internal::Mapped_surface;
-const SP::internal::Sequential_loop one_core;
+const SP::internal::Host_loop one_core;
 
 Descriptor_values part(const Shape_signature& s, std::size_t begin, std::size_t end)
 {

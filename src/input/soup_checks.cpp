@@ -49,7 +49,7 @@ void check_triangulated_sphere(const std::string& file, const Polygon_soup& soup
     table.face.push_back({static_cast<int>(p[0]), static_cast<int>(p[1]), static_cast<int>(p[2])});
   SP::internal::Host_array<int> last_corner;
   const SP::internal::Soup_trouble trouble =
-    SP::internal::check_soup(SP::internal::Default_loop(), table, static_cast<int>(soup.points.size()), last_corner,
+    SP::internal::check_soup(SP::internal::Host_loop(true), table, static_cast<int>(soup.points.size()), last_corner,
                              [&] { return number_of_different_points(soup.points); });
   if(trouble.code != SP::Error_code::OK)
     throw Refusal(name(trouble.code), file, "has " + trouble.wrong, trouble.remedy);

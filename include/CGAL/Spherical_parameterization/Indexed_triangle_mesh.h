@@ -111,7 +111,7 @@ public:
   {
     static_assert(internal::is_supported_policy<ExecutionPolicy>(), "not an execution policy of this package");
     read(points, triangles);
-    const typename internal::Loop_of<ExecutionPolicy>::type loop;
+    const internal::Host_loop loop = internal::loop_of<ExecutionPolicy>();
     const internal::Soup_trouble trouble = internal::check_soup(
       loop, table_, static_cast<int>(point_.size()), last_corner_, [&] { return number_of_different_points(); });
     if(trouble.code != Error_code::OK)

@@ -15,7 +15,6 @@
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
 #include <CGAL/Spherical_parameterization/internal/backend/opencl/OpenCL_backend.h>
 #include <CGAL/Spherical_parameterization/internal/backend/opencl/OpenCL_queue.h>
-#include <CGAL/Spherical_parameterization/internal/backend/opencl/device_queries.h>
 #include <CGAL/Spherical_parameterization/internal/driver/solve.h>
 
 #include <CGAL/tags.h>
@@ -217,7 +216,7 @@ struct Choice_of_backend<OpenCL_device, Loop> {
       const OpenCL_backend<Loop> backend(device);
       f(backend, backend.device_name());
     } else {
-      const Sequential_backend backend{CGAL::Sequential_tag()};
+      const Host_backend<Loop> backend{CGAL::Sequential_tag()};
       f(backend, backend.device_name() + " (the mesh has fewer than " + std::to_string(smallest) + " vertices)");
     }
   }

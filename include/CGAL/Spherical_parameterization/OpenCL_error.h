@@ -5,8 +5,8 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_OPENCL_ERROR_H
 
 // Includes CL/opencl.hpp for OpenCL 1.2. Settings of the user stay: a newer version works, with and without
-// CL_HPP_ENABLE_EXCEPTIONS. The classes of opencl.hpp only own handles here; every call that can fail is one of the C
-// interface.
+// CL_HPP_ENABLE_EXCEPTIONS. The classes of opencl.hpp only own handles and tell what a device is; every other call that
+// can fail is one of the C interface.
 #ifndef CL_HPP_TARGET_OPENCL_VERSION
 #define CL_HPP_TARGET_OPENCL_VERSION 120
 #ifndef CL_HPP_MINIMUM_OPENCL_VERSION

@@ -4,7 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_ALIGN_MAPS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_ALIGN_MAPS_H
 
-#include <CGAL/Spherical_parameterization/internal/backend/host_policy.h>
+#include <CGAL/Spherical_parameterization/internal/backend/execution.h>
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/base/rotations.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/midpoint_refinement.h>

@@ -5,7 +5,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_LOCATE_H
 
 #include <CGAL/Spherical_parameterization/Error.h>
-#include <CGAL/Spherical_parameterization/internal/backend/host_policy.h>
+#include <CGAL/Spherical_parameterization/internal/backend/execution.h>
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/base/text.h>
 #include <CGAL/Spherical_parameterization/internal/distortion/Mapped_faces.h>

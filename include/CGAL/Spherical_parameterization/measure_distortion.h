@@ -4,7 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_MEASURE_DISTORTION_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_MEASURE_DISTORTION_H
 
-#include <CGAL/Spherical_parameterization/internal/backend/host_policy.h>
+#include <CGAL/Spherical_parameterization/internal/backend/execution.h>
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
@@ -383,9 +383,9 @@ std::pair<double, double> mean_over_faces(const TriangleMesh& mesh, FaceMap face
   std::vector<double> values;
   for(auto f : faces(mesh))
     values.push_back(get(face_map, f));
-  return internal::put_values(
-    vertices(mesh), internal::means_over_faces(internal::Sequential_loop(), internal::vertex_stars(mesh), values),
-    vertex_map);
+  return internal::put_values(vertices(mesh),
+                              internal::means_over_faces(internal::Host_loop(), internal::vertex_stars(mesh), values),
+                              vertex_map);
 }
 
 /// The area distortion of Definition 1 of the paper, the logarithmic area stretch of vertices: for every vertex the

@@ -72,7 +72,7 @@ Result run(const ExecutionPolicy& policy, const Method& method, VertexSphereMap 
     try {
       const auto input = read(result);
       result.seconds.read = total.seconds();
-      const Solution solution = solve<Default_loop>(policy, method, input.problem, monitor);
+      const Solution solution = solve<Host_loop>(policy, method, input.problem, monitor);
       write_solution(solution, input.vertex, sphere_map, result);
       monitor.begin_stage(1, 1);
       monitor.advance(1);

@@ -4,7 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_SHAPE_SIGNATURE_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_SHAPE_SIGNATURE_H
 
-#include <CGAL/Spherical_parameterization/internal/backend/host_policy.h>
+#include <CGAL/Spherical_parameterization/internal/backend/execution.h>
 #include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Mapped_surface.h>
 #include <CGAL/Spherical_parameterization/internal/signature/signature_values.h>

@@ -5,7 +5,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_STRETCH_HISTOGRAM_H
 
 #include <CGAL/Spherical_parameterization/Error.h>
-#include <CGAL/Spherical_parameterization/internal/backend/host_policy.h>
+#include <CGAL/Spherical_parameterization/internal/backend/execution.h>
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/base/precondition.h>

@@ -4,7 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_TRANSFER_PROPERTIES_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_TRANSFER_PROPERTIES_H
 
-#include <CGAL/Spherical_parameterization/internal/backend/host_policy.h>
+#include <CGAL/Spherical_parameterization/internal/backend/execution.h>
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/distortion/Mapped_faces.h>

@@ -5,7 +5,6 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BASE_HOST_LOOPS_H
 
 #ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #endif
@@ -13,8 +12,9 @@
 #include <CGAL/tags.h>
 
 #include <algorithm>
-#include <atomic>
-#include <functional>
+#include <numeric>
+#include <string>
+#include <type_traits>
 #include <vector>
 
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_COMPILED_WITHOUT_TBB
@@ -27,73 +27,56 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-/// Runs f(0) ... f(count-1) on the calling thread.
-struct Sequential_loop {
-  static int concurrency() { return 1; }
+// The name tells the two apart: nothing is defined in two ways in a program of which only a part is compiled with TBB.
+#ifdef CGAL_LINKED_WITH_TBB
+inline namespace with_tbb {
+#else
+inline namespace without_tbb {
+#endif
 
+/// How loops of the host run: on the calling thread, or on all cores.
+class Host_loop {
+public:
+  /// \param on_all_cores  on the threads of the caller's TBB arena; without TBB that is the calling thread, too
+  explicit Host_loop(bool on_all_cores = false) : on_all_cores_(on_all_cores) {}
+
+  std::string name() const { return on_all_cores_ ? std::to_string(concurrency()) + " threads" : "one core"; }
+
+  int concurrency() const
+  {
+#ifdef CGAL_LINKED_WITH_TBB
+    if(on_all_cores_)
+      return tbb::this_task_arena::max_concurrency();
+#endif
+    return 1;
+  }
+
+  /// Runs f(0) ... f(count-1), in any order.
   template <class F>
   void for_each(int count, F f) const
   {
+#ifdef CGAL_LINKED_WITH_TBB
+    if(on_all_cores_) {
+      tbb::parallel_for(0, count, f);
+      return;
+    }
+#endif
     for(int i = 0; i < count; ++i)
       f(i);
   }
-};
-
-#ifdef CGAL_LINKED_WITH_TBB
-/// Runs f(0) ... f(count-1) in any order on the threads of the caller's TBB arena.
-struct Parallel_loop {
-  static int concurrency() { return tbb::this_task_arena::max_concurrency(); }
-
-  template <class F>
-  void for_each(int count, F f) const
-  {
-    run(count, [&f](int begin, int end) {
-      for(int i = begin; i < end; ++i)
-        f(i);
-    });
-  }
 
 private:
-  /// No template, so that TBB's are instantiated once, and not for every loop.
-  static void run(int count, const std::function<void(int, int)>& f)
-  {
-    tbb::parallel_for(tbb::blocked_range<int>(0, count),
-                      [&f](const tbb::blocked_range<int>& range) { f(range.begin(), range.end()); });
-  }
+  bool on_all_cores_;
 };
 
-typedef Parallel_loop Default_loop;
-#else
-typedef Sequential_loop Default_loop;
-#endif
+} // inline namespace
 
-/// What an execution policy runs loops of the host with: a device leaves them to all cores.
+/// How an execution policy runs loops of the host: a device leaves them to all cores.
 template <class ExecutionPolicy>
-struct Loop_of {
-  typedef Default_loop type;
-};
-template <>
-struct Loop_of<CGAL::Sequential_tag> {
-  typedef Sequential_loop type;
-};
-
-/// One of these loops. What takes it is compiled once, and not for each of them: for steps that are long, like parts.
-class Host_loop {
-public:
-  template <class Loop = Sequential_loop>
-  Host_loop(const Loop& loop = Loop())
-    : run_([loop](int count, const std::function<void(int)>& f) { loop.for_each(count, std::cref(f)); })
-  {}
-
-  template <class F>
-  void for_each(int count, F f) const
-  {
-    run_(count, std::ref(f));
-  }
-
-private:
-  std::function<void(int, const std::function<void(int)>&)> run_;
-};
+Host_loop loop_of()
+{
+  return Host_loop(!std::is_same_v<ExecutionPolicy, CGAL::Sequential_tag>);
+}
 
 /// The parts into which 0 ... n-1 is cut; the same for any number of threads.
 inline constexpr int part_size = 8192;
@@ -134,27 +117,20 @@ double sum_by_parts(const Loop& loop, int n, F f)
       sum += f(i);
     return sum;
   };
-  double total = 0;
-  for(double sum : results_of_parts<Size>(loop, n, sum_of_part))
-    total += sum;
-  return total;
+  const std::vector<double> sums = results_of_parts<Size>(loop, n, sum_of_part);
+  return std::accumulate(sums.begin(), sums.end(), 0.);
 }
 
 /// The smallest i in 0 ... n-1 for which `holds(i)`, or n: the same for any number of threads.
 template <class Loop, class Predicate>
 int first_index(const Loop& loop, int n, Predicate holds)
 {
-  std::atomic<int> first(n);
-  for_each_part(loop, n, [&](int begin, int end) {
-    for(int i = begin; i < (std::min)(end, first.load(std::memory_order_relaxed)); ++i)
-      if(holds(i)) {
-        int known = first;
-        while(i < known && !first.compare_exchange_weak(known, i))
-          ;
-        return;
-      }
+  const std::vector<int> firsts = results_of_parts(loop, n, [&](int begin, int end) {
+    while(begin < end && !holds(begin))
+      ++begin;
+    return begin < end ? begin : n;
   });
-  return first;
+  return *std::min_element(firsts.begin(), firsts.end());
 }
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -8,10 +8,15 @@
 
 #ifdef __OPENCL_C_VERSION__
 #define CGAL_SP_FUNCTION
+#define CGAL_SP_GLOBAL __global
 #else
 #include <cmath>
+#include <cstddef>
 #define CGAL_SP_FUNCTION inline
+#define CGAL_SP_GLOBAL
 namespace CGAL::Spherical_parameterization::internal {
+using std::pow;
+using std::size_t;
 using std::sqrt;
 typedef double real; /* a device may take float: kernels/backend/precision.cl */
 #endif
@@ -22,10 +27,7 @@ typedef struct {
 
 CGAL_SP_FUNCTION vec3 make_vec3(real x, real y, real z)
 {
-  vec3 r;
-  r.x = x;
-  r.y = y;
-  r.z = z;
+  const vec3 r = {x, y, z};
   return r;
 }
 CGAL_SP_FUNCTION vec3 add(vec3 a, vec3 b) { return make_vec3(a.x + b.x, a.y + b.y, a.z + b.z); }

@@ -8,7 +8,7 @@
 #include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Progressive_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Star.h>
-#include <CGAL/Spherical_parameterization/internal/predicates/degree.h>
+#include <CGAL/Spherical_parameterization/internal/predicates/certificate.h>
 
 #include <algorithm>
 #include <cstddef>

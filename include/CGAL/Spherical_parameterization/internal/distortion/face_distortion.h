@@ -5,7 +5,6 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DISTORTION_FACE_DISTORTION_H
 
 #include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
-#include <CGAL/Spherical_parameterization/internal/predicates/spherical_area.h>
 
 #include <algorithm>
 #include <array>

@@ -142,8 +142,7 @@ read_problem(const TriangleMesh& mesh, const Solver& solver, VertexSphereMap sph
   const auto points = inputs.points();
   typedef typename boost::property_traits<std::decay_t<decltype(points)>>::value_type Point;
   typedef typename boost::property_traits<VertexSphereMap>::value_type Sphere_point;
-  const Host_loop loop =
-    are_plain_coordinates<Point>() ? Host_loop(typename Loop_of<ExecutionPolicy>::type()) : Host_loop();
+  const Host_loop loop = are_plain_coordinates<Point>() ? loop_of<ExecutionPolicy>() : Host_loop();
   Source_mesh<TriangleMesh> source(mesh, points, loop);
   result.number_of_vertices = source.vertex.size();
   result.number_of_faces = source.face.size();

@@ -50,10 +50,10 @@ Solution solve(const ExecutionPolicy& policy, const Method& method, const Proble
 
 /// What the compiled library has of a policy, after the word `template` or `extern template`.
 #define CGAL_SP_FOR_EACH_METHOD(PREFIX, POLICY)                                                                        \
-  PREFIX Solution solve<Default_loop>(const POLICY&, const Balanced&, const Problem&, Monitor&);                       \
-  PREFIX Solution solve<Default_loop>(const POLICY&, const Saddle_point&, const Problem&, Monitor&);                   \
-  PREFIX Solution solve<Default_loop>(const POLICY&, const Isometric&, const Problem&, Monitor&);                      \
-  PREFIX Solution solve<Default_loop>(const POLICY&, const Automatic&, const Problem&, Monitor&);
+  PREFIX Solution solve<Host_loop>(const POLICY&, const Balanced&, const Problem&, Monitor&);                          \
+  PREFIX Solution solve<Host_loop>(const POLICY&, const Saddle_point&, const Problem&, Monitor&);                      \
+  PREFIX Solution solve<Host_loop>(const POLICY&, const Isometric&, const Problem&, Monitor&);                         \
+  PREFIX Solution solve<Host_loop>(const POLICY&, const Automatic&, const Problem&, Monitor&);
 
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_COMPILED
 CGAL_SP_FOR_EACH_METHOD(extern template, CGAL::Sequential_tag)

@@ -8,7 +8,6 @@
 #include <CGAL/Spherical_parameterization/internal/multigrid/Multigrid.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/Region_graph.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/Segmentation_mesh.h>
-#include <CGAL/Spherical_parameterization/internal/multigrid/conjugate_gradients.h>
 
 #include <algorithm>
 #include <array>

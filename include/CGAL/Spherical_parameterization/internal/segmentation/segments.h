@@ -27,10 +27,7 @@ std::vector<int> segments_of(const Loop& loop, Mapped_surface surface, std::vect
   PREFIX std::vector<int> segments_of(const LOOP&, Mapped_surface, std::vector<double>, const Region_growing&);
 
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_COMPILED
-CGAL_SP_SEGMENTATION(extern template, Sequential_loop)
-#ifdef CGAL_LINKED_WITH_TBB
-CGAL_SP_SEGMENTATION(extern template, Parallel_loop)
-#endif
+CGAL_SP_SEGMENTATION(extern template, Host_loop)
 #endif
 
 } // namespace internal

@@ -9,7 +9,6 @@
 #include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
 #include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
 #include <CGAL/Spherical_parameterization/internal/multigrid/Multigrid.h>
-#include <CGAL/Spherical_parameterization/internal/multigrid/conjugate_gradients.h>
 #include <CGAL/Spherical_parameterization/internal/signature/Intrinsic_triangulation.h>
 
 #include <Eigen/SparseCholesky>

@@ -9,7 +9,7 @@
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Mapped_surface.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/midpoint_refinement.h>
-#include <CGAL/Spherical_parameterization/internal/predicates/spherical_area.h>
+#include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 #include <CGAL/Spherical_parameterization/internal/signature/Discrete_surface.h>
 #include <CGAL/Spherical_parameterization/internal/signature/Intrinsic_triangulation.h>
 

@@ -28,10 +28,7 @@ template <class Loop>
 Signature_values signature_values(const Loop& loop, const Mapped_surface& map);
 
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_COMPILED
-extern template Signature_values signature_values(const Sequential_loop&, const Mapped_surface&);
-#ifdef CGAL_LINKED_WITH_TBB
-extern template Signature_values signature_values(const Parallel_loop&, const Mapped_surface&);
-#endif
+extern template Signature_values signature_values(const Host_loop&, const Mapped_surface&);
 #endif
 
 } // namespace internal

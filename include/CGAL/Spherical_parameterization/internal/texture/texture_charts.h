@@ -4,7 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_TEXTURE_TEXTURE_CHARTS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_TEXTURE_TEXTURE_CHARTS_H
 
-#include <CGAL/Spherical_parameterization/internal/predicates/spherical_area.h>
+#include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 #include <CGAL/Spherical_parameterization/internal/texture/uv_grid.h>
 
 #include <algorithm>

@@ -29,12 +29,8 @@ Texture_layout texture_layout(const Loop& loop, const Mapped_faces& map, const V
                               const Texture_options& options);
 
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_COMPILED
-extern template Texture_layout texture_layout(const Sequential_loop&, const Mapped_faces&, const Vertex_stars&,
+extern template Texture_layout texture_layout(const Host_loop&, const Mapped_faces&, const Vertex_stars&,
                                               const Texture_options&);
-#ifdef CGAL_LINKED_WITH_TBB
-extern template Texture_layout texture_layout(const Parallel_loop&, const Mapped_faces&, const Vertex_stars&,
-                                              const Texture_options&);
-#endif
 #endif
 
 } // namespace internal

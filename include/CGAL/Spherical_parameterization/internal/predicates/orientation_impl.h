@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PREDICATES_EXACT_DETERMINANT_IMPL_H
-#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PREDICATES_EXACT_DETERMINANT_IMPL_H
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PREDICATES_ORIENTATION_IMPL_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PREDICATES_ORIENTATION_IMPL_H
 
-#include <CGAL/Spherical_parameterization/internal/predicates/exact_determinant.h>
+#include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
 
@@ -19,28 +19,18 @@ struct Integer_vector {
   typedef boost::multiprecision::cpp_int Integer;
 
   std::array<Integer, 3> coordinate;
-  int exponent = 0;
+  int exponent;
 
   explicit Integer_vector(vec3 p)
   {
     constexpr int bits = 53;
     const std::array<double, 3> value = {p.x, p.y, p.z};
-    std::array<std::int64_t, 3> mantissa;
     std::array<int, 3> exponents;
-    bool is_zero = true;
-    for(int k = 0; k < 3; ++k) {
-      mantissa[k] = static_cast<std::int64_t>(std::ldexp(std::frexp(value[k], &exponents[k]), bits));
-      exponents[k] -= bits;
-      if(mantissa[k] != 0) {
-        exponent = is_zero ? exponents[k] : (std::min)(exponent, exponents[k]);
-        is_zero = false;
-      }
-    }
     for(int k = 0; k < 3; ++k)
-      if(mantissa[k] != 0) {
-        coordinate[k] = mantissa[k];
-        coordinate[k] <<= exponents[k] - exponent;
-      }
+      coordinate[k] = static_cast<std::int64_t>(std::ldexp(std::frexp(value[k], &exponents[k]), bits));
+    exponent = *std::min_element(exponents.begin(), exponents.end()) - bits;
+    for(int k = 0; k < 3; ++k)
+      coordinate[k] <<= exponents[k] - bits - exponent;
   }
 };
 
@@ -84,4 +74,4 @@ CGAL_SP_CORE std::array<double, 3> exact_barycentric_coordinates(const std::arra
 
 } // namespace CGAL::Spherical_parameterization::internal
 
-#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PREDICATES_EXACT_DETERMINANT_IMPL_H
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PREDICATES_ORIENTATION_IMPL_H

@@ -1,19 +1,80 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_HARMONIC_MOEBIUS_ALIGNMENT_H
-#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_HARMONIC_MOEBIUS_ALIGNMENT_H
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_HARMONIC_MOEBIUS_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_HARMONIC_MOEBIUS_H
 
-#include <CGAL/Spherical_parameterization/internal/backend/vertex_formulas.h>
+#include <CGAL/Spherical_parameterization/internal/backend/Verbs.h>
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/base/rotations.h>
 #include <CGAL/Spherical_parameterization/internal/base/symmetric_solver.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
+
+inline vec3 first_moment(const Moments& m) { return {m[0], m[1], m[2]}; }
+
+/// sum m_i, since the v_i are unit vectors
+inline double total_mass(const Moments& m) { return m[3] + m[6] + m[8]; }
+
+/// N = sum m_i P_i, the 3x3 matrix that turns a boost into the motion of the weighted centroid.
+inline Symmetric_solver<3> boost_matrix(const Moments& m)
+{
+  return Symmetric_solver<3>({{{m[6] + m[8], -m[4], -m[5]}, {-m[4], m[3] + m[8], -m[7]}, {-m[5], -m[7], m[3] + m[6]}}});
+}
+
+inline vec3 solve(const Symmetric_solver<3>& matrix, vec3 b)
+{
+  const std::array<double, 3> x = matrix.solve({b.x, b.y, b.z});
+  return {x[0], x[1], x[2]};
+}
+
+inline double norm(vec3 a) { return std::sqrt(inner(a, a)); }
+
+/// Boosts v until |sum m_i v_i| <= tolerance sum m_i, by at most so many steps of Newton's method in the ball, with
+/// backtracking. `scratch` has the size of v; `moments` are those of v, on entry and on return.
+template <class Backend>
+void balance(const Backend& backend, const typename Backend::Scalars& mass, double tolerance, int maximum_steps,
+             typename Backend::Vectors& v, typename Backend::Vectors& scratch, Moments& moments)
+{
+  constexpr int maximum_halvings = 30;
+  constexpr double maximum_step = 0.9; // the ball ends at 1
+  for(int it = 0; it < maximum_steps; ++it) {
+    const double distance = norm(first_moment(moments));
+    if(!(distance > tolerance * total_mass(moments)))
+      return;
+    vec3 c = scale(0.5, solve(boost_matrix(moments), first_moment(moments)));
+    if(norm(c) > maximum_step)
+      c = scale(maximum_step / norm(c), c);
+    bool is_nearer = false;
+    for(int h = 0; !is_nearer && h < maximum_halvings; ++h, c = scale(0.5, c)) {
+      const Moments next = backend.transform(mass, c, v, scratch);
+      is_nearer = norm(first_moment(next)) < distance;
+      if(is_nearer) {
+        std::swap(v, scratch);
+        moments = next;
+      }
+    }
+    if(!is_nearer)
+      return;
+  }
+}
+
+/// Boosts v, unit vectors, until the centroid of `area` is at the centre of the sphere. `scratch` has the size of v.
+template <class Backend>
+void centre(const Backend& backend, const typename Backend::Scalars& area, typename Backend::Vectors& v,
+            typename Backend::Vectors& scratch)
+{
+  constexpr int maximum_steps = 50;
+  constexpr double tolerance = 1e-5;
+  Moments moments = backend.moments(area, v);
+  balance(backend, area, tolerance, maximum_steps, v, scratch, moments);
+}
 
 /// The Moebius transformation of orientation 1 (boosts and rotations) that brings `from` closest to `to` in the sense
 /// of least squares, by the Gauss-Newton method from the best rotation; exact for three points. Returned as a sequence
@@ -22,8 +83,8 @@ class Moebius_alignment {
 public:
   Moebius_alignment(Host_array<vec3> from, const Host_array<vec3>& to)
   {
-    apply({make_vec3(0, 0, 0), best_rotation(from, to)}, from);
-
+    steps_.push_back({make_vec3(0, 0, 0), best_rotation(from, to)});
+    from = moved(steps_.back(), from);
     constexpr int maximum_iterations = 100;
     constexpr double longest_boost = 0.9; // the ball ends at 1
     double error = distance2(from, to);
@@ -35,14 +96,12 @@ public:
                                 rotation_about({t * step[0], t * step[1], t * step[2]})};
         if(inner(candidate.centre, candidate.centre) >= longest_boost * longest_boost)
           continue;
-        Host_array<vec3> moved = from;
-        for(vec3& p : moved)
-          p = transformed(candidate, p);
-        const double next = distance2(moved, to);
+        Host_array<vec3> nearer = moved(candidate, from);
+        const double next = distance2(nearer, to);
         is_nearer = next < error;
         if(is_nearer) {
           steps_.push_back(candidate);
-          from = moved;
+          from = std::move(nearer);
           error = next;
         }
       }
@@ -66,11 +125,11 @@ private:
 
   static vec3 transformed(const Step& s, vec3 p) { return unit(rotated(s.rotation, boost(p, s.centre))); }
 
-  void apply(const Step& s, Host_array<vec3>& points)
+  static Host_array<vec3> moved(const Step& s, Host_array<vec3> points)
   {
-    steps_.push_back(s);
     for(vec3& p : points)
       p = transformed(s, p);
+    return points;
   }
 
   static double distance2(const Host_array<vec3>& a, const Host_array<vec3>& b)
@@ -113,4 +172,4 @@ private:
 
 } // namespace CGAL::Spherical_parameterization::internal
 
-#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_HARMONIC_MOEBIUS_ALIGNMENT_H
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_HARMONIC_MOEBIUS_H

@@ -5,7 +5,9 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-CGAL_SP_SOLVER(template, Saddle_point, CGAL::Sequential_tag)
 CGAL_SP_FOR_EACH_METHOD(template, CGAL::Sequential_tag)
+#ifdef CGAL_LINKED_WITH_TBB
+CGAL_SP_FOR_EACH_METHOD(template, CGAL::Parallel_tag)
+#endif
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+// What is done with a map, as far as it does not depend on the type of the mesh: segments, signatures, textures.
+#include <CGAL/Spherical_parameterization/internal/segmentation/segments.h>
+#include <CGAL/Spherical_parameterization/internal/signature/signature_values.h>
+#include <CGAL/Spherical_parameterization/internal/texture/texture_layout.h>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+CGAL_SP_SEGMENTATION(template, Host_loop)
+template Signature_values signature_values(const Host_loop&, const Mapped_surface&);
+template Texture_layout texture_layout(const Host_loop&, const Mapped_faces&, const Vertex_stars&,
+                                       const Texture_options&);
+
+} // namespace CGAL::Spherical_parameterization::internal

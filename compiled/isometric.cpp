@@ -1,10 +1,4 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "solvers.h"
-
-namespace CGAL::Spherical_parameterization::internal {
-
-template class Coarse_to_fine_map<Host_loop>;
-
-} // namespace CGAL::Spherical_parameterization::internal
+#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/solve_isometric_impl.h>

@@ -18,7 +18,6 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-extern template class Coarse_to_fine_map<Host_loop>;
 CGAL_SP_BALANCED(extern template, Host_backend<Host_loop>)
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
 CGAL_SP_BALANCED(extern template, OpenCL_backend<Host_loop>)

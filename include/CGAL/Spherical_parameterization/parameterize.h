@@ -11,11 +11,9 @@
 #include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
 #include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/base/precondition.h>
-#include <CGAL/Spherical_parameterization/internal/driver/check_arguments.h>
-#include <CGAL/Spherical_parameterization/internal/driver/inputs.h>
+#include <CGAL/Spherical_parameterization/internal/driver/arguments.h>
 #include <CGAL/Spherical_parameterization/internal/driver/read_problem.h>
 #include <CGAL/Spherical_parameterization/internal/driver/solve.h>
-#include <CGAL/Spherical_parameterization/internal/driver/write_solution.h>
 #include <CGAL/Spherical_parameterization/methods.h>
 
 #include <CGAL/tags.h>

@@ -5,7 +5,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_RESAMPLE_H
 
 #include <CGAL/Spherical_parameterization/internal/base/precondition.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/icosphere.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/midpoint_refinement.h>
 #include <CGAL/Spherical_parameterization/transfer_properties.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>

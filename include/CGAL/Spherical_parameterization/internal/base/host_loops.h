@@ -5,6 +5,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BASE_HOST_LOOPS_H
 
 #ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #endif
@@ -12,6 +13,7 @@
 #include <CGAL/tags.h>
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
 #include <string>
 #include <type_traits>
@@ -55,17 +57,26 @@ public:
   template <class F>
   void for_each(int count, F f) const
   {
-#ifdef CGAL_LINKED_WITH_TBB
-    if(on_all_cores_) {
-      tbb::parallel_for(0, count, f);
-      return;
-    }
-#endif
-    for(int i = 0; i < count; ++i)
-      f(i);
+    run(count, [&f](int begin, int end) {
+      for(int i = begin; i < end; ++i)
+        f(i);
+    });
   }
 
 private:
+  /// No template, so that TBB's are instantiated once, and not for every loop.
+  void run(int count, const std::function<void(int, int)>& f) const
+  {
+#ifdef CGAL_LINKED_WITH_TBB
+    if(on_all_cores_) {
+      tbb::parallel_for(tbb::blocked_range<int>(0, count),
+                        [&f](const tbb::blocked_range<int>& range) { f(range.begin(), range.end()); });
+      return;
+    }
+#endif
+    f(0, count);
+  }
+
   bool on_all_cores_;
 };
 
@@ -86,6 +97,16 @@ template <int Size = part_size, class Loop, class F>
 void for_each_part(const Loop& loop, int n, F f)
 {
   loop.for_each(n / Size + 1, [&](int part) { f(part * Size, (std::min)(n, (part + 1) * Size)); });
+}
+
+/// Runs f(0) ... f(n-1), part by part: what is small is better run so.
+template <int Size = part_size, class Loop, class F>
+void for_each_index(const Loop& loop, int n, F f)
+{
+  for_each_part<Size>(loop, n, [&](int begin, int end) {
+    for(int i = begin; i < end; ++i)
+      f(i);
+  });
 }
 
 /// The results of f(begin, end) on these parts, in their order.

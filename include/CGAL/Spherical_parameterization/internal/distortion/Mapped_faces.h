@@ -44,7 +44,7 @@ Host_array<vec3> read_vectors(const TriangleMesh& mesh, VertexMap map)
 template <class TriangleMesh, class VertexSphereMap, class Loop>
 Mapped_faces read_images(const TriangleMesh& mesh, VertexSphereMap sphere_map, const Loop& loop)
 {
-  const Vertex_numbering<TriangleMesh> numbering(mesh);
+  const Vertex_numbering<TriangleMesh> numbering(vertices(mesh));
   return {corners_of_faces(mesh, numbering, loop), {}, read_vectors(mesh, sphere_map)};
 }
 

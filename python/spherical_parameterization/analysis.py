@@ -297,7 +297,17 @@ class Locator:
         return result.reshape((len(places), *given.shape[1:]))
 
     def transfer(self, values: npt.ArrayLike, directions: npt.ArrayLike) -> Doubles:
-        """Values of vertices at directions: the vertices of another map, say. `locate()` and `interpolate()`."""
+        """Values of vertices at directions, such as those of another map: `locate()` and `interpolate()`.
+
+        Parameters
+        ----------
+        values : array_like (n,) or (n, d) of float
+        directions : array_like (k, 3) of float
+
+        Returns
+        -------
+        ndarray (k,) or (k, d) of float64
+        """
         return self.interpolate(values, *self.locate(directions))
 
     def resample(

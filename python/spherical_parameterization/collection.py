@@ -64,7 +64,17 @@ def map_file(path: str, **settings: Any) -> dict[str, Any]:
 
 
 def signature_file(path: str) -> list[float]:
-    """The `shape_signature()` of a mesh: a function for `map()`."""
+    """The `shape_signature()` of a mesh: a function for `map()`.
+
+    Parameters
+    ----------
+    path : str
+        For `read_mesh()`.
+
+    Returns
+    -------
+    list of float
+    """
     signature: list[float] = shape_signature(*read_mesh(path), policy="sequential").tolist()
     return signature
 

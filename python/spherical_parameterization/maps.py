@@ -203,13 +203,23 @@ def opencl_device(name: str = "", *, precision: str = "automatic", smallest_mesh
     ------
     DeviceError
         If there is no such device, or if it does not have the precision.
+
+    Returns
+    -------
+    OpenCLDevice
     """
     one_of("precision", precision, "automatic", "double", "single")
     return _core.opencl_device(name, precision, smallest_mesh)
 
 
 def opencl_devices() -> list[dict[str, Any]]:
-    """What each OpenCL device says of itself; an empty list where there is no driver."""
+    """What each OpenCL device says of itself.
+
+    Returns
+    -------
+    list of dict
+        Empty where there is no driver.
+    """
     return _core.opencl_devices()
 
 

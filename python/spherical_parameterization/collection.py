@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import dataclasses
+import functools
 import itertools
 import json
 import os
@@ -92,6 +93,14 @@ def _key(item: Any) -> str:
     return str(item[0] if isinstance(item, tuple) else item)
 
 
+def _name(function: Any) -> str:
+    """What a function is called in the store; with the settings of functools.partial."""
+    if isinstance(function, functools.partial):
+        settings = [*(repr(value) for value in function.args), *(f"{key}={value!r}" for key, value in function.keywords.items())]
+        return f"{_name(function.func)}({', '.join(settings)})"
+    return str(getattr(function, "__qualname__", type(function).__qualname__))
+
+
 def _run(function: Callable[[Any], Any], items: list[Any]) -> tuple[list[tuple[str, str, str, str | None]], float]:
     """The rows of some items, and the seconds that they took. Runs on the workers."""
     start = time.perf_counter()
@@ -102,7 +111,7 @@ def _run(function: Callable[[Any], Any], items: list[Any]) -> tuple[list[tuple[s
             rows.append((_key(item), "OK", "", value))
         except MeshError as error:
             rows.append((_key(item), str(error.code), str(error), None))
-        except Exception as error:
+        except (Exception, SystemExit) as error:  # some readers exit
             rows.append((_key(item), type(error).__name__, str(error), None))
     return rows, time.perf_counter() - start
 
@@ -111,7 +120,7 @@ class _Store:
     """The SQLite file. Only this process writes to it, in the journal mode that works on network drives, too."""
 
     def __init__(self, path: str | os.PathLike[str], function: Callable[[Any], Any]) -> None:
-        name = repr(getattr(function, "__qualname__", function))
+        name = _name(function)
         self._connection = sqlite3.connect(path)
         with self._connection as c:
             c.execute("CREATE TABLE IF NOT EXISTS about (function TEXT)")

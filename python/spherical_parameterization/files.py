@@ -78,7 +78,7 @@ def _read_off(name: str) -> tuple[Doubles, Integers]:
     """All variants of the header, and colours of vertices or faces; meshio knows one."""
     with open(name) as file:
         lines = (words for words in (line.partition("#")[0].split() for line in file) if words)
-        header = next(lines, [])
+        header: list[str] = next(lines, [])
         if not header or header[0].removeprefix("\ufeff") not in ("OFF", "COFF", "NOFF", "CNOFF"):
             raise OSError(f"{name} is not an OFF file: the first word is not OFF")
         sizes = header[1:] or next(lines, [])

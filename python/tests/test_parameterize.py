@@ -8,6 +8,7 @@ import pickle
 import signal
 import threading
 import time
+import tracemalloc
 
 import numpy as np
 import pytest
@@ -338,3 +339,17 @@ def test_arrays_are_not_copied(dtype: str, order: str) -> None:
     points, triangles = np.asarray(points, order=order), np.asarray(triangles, dtype=dtype, order=order)
     assert np.shares_memory(vectors("points", points), points) == (order == "C")
     assert np.shares_memory(index_triples(triangles), triangles) == (order == "C")
+
+
+@pytest.mark.parametrize("dtype", ["int32", "int64"])
+def test_memory_of_a_call(dtype: str) -> None:
+    """The sphere, and nothing else of its size."""
+    points, triangles = ellipsoid(6)
+    triangles = triangles.astype(dtype)
+    tracemalloc.start()
+    try:
+        result = sp.parameterize(points, triangles, sp.Balanced(), policy="sequential")
+        peak = tracemalloc.get_traced_memory()[1]
+    finally:
+        tracemalloc.stop()
+    assert result.sphere.nbytes <= peak < 1.1 * result.sphere.nbytes

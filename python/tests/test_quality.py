@@ -16,6 +16,7 @@ from pathlib import Path
 
 import pytest
 
+import make_reference
 import spherical_parameterization as sp
 
 PACKAGE = Path(sp.__file__).parent
@@ -71,3 +72,9 @@ def test_nothing_that_is_gpl() -> None:
         spdx = re.search(r"SPDX-License-Identifier: (.*)", file.read_text())
         licence = spdx.group(1) if spdx else ""
         assert not re.match(r"(?<!L)GPL", licence), f"{file}: {licence}"
+
+
+def test_reference_is_up_to_date() -> None:
+    """The chapter of the manual is what the docstrings say."""
+    chapter = Path(__file__).parents[2] / "doc/python_reference.md"
+    assert chapter.read_text() == make_reference.page() + "\n", f"run {make_reference.__doc__}"

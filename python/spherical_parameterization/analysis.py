@@ -254,10 +254,10 @@ class Locator:
     """
 
     def __init__(self, triangles: npt.ArrayLike, sphere: npt.ArrayLike, *, policy: str = "parallel") -> None:
-        sphere = vectors("sphere", sphere)
-        self._number_of_vertices = len(sphere)
+        sphere, triangles = vectors("sphere", sphere), index_triples(triangles)
+        self._number_of_vertices, self._number_of_faces = len(sphere), len(triangles)
         self._policy = policy
-        self._locator = _core.Locator(index_triples(triangles), sphere, policy)
+        self._locator = _core.Locator(triangles, sphere, policy)
 
     def locate(self, directions: npt.ArrayLike) -> tuple[npt.NDArray[np.int32], Doubles]:
         """The faces whose images contain the directions.
@@ -293,6 +293,8 @@ class Locator:
         if len(table) != self._number_of_vertices:
             raise ValueError(f"values: {self._number_of_vertices} rows are needed, not {len(table)}")
         places = np.ascontiguousarray(faces, dtype=np.int32)
+        if places.size and not 0 <= places.min() <= places.max() < self._number_of_faces:
+            raise IndexError(f"faces are numbers from 0 to {self._number_of_faces - 1}")
         result = self._locator.interpolate(table, places, vectors("weights", weights, len(places)))
         return result.reshape((len(places), *given.shape[1:]))
 

@@ -128,8 +128,8 @@ py::array segment(const Doubles& points, const py::array& triangles, const Doubl
     return std::visit(
       [&](const auto& chosen) {
         if(values)
-          return SP::segmentation_from_area_stretch(
-            p, mesh, sphere_of(sphere), Array_map<Mesh::Face_index, const double>(values), map, chosen);
+          return SP::segmentation_from_area_stretch(p, mesh, sphere_of(sphere),
+                                                    Array_map<Mesh::Face_index, const double>(values), map, chosen);
         return SP::segmentation_via_area_stretch(p, mesh, sphere_of(sphere), map, chosen);
       },
       method);
@@ -185,7 +185,10 @@ struct Column {
   const double* first;
   std::size_t columns;
 
-  friend double get(const Column& map, key_type v) { return map.first[map.columns * static_cast<std::size_t>(v.idx())]; }
+  friend double get(const Column& map, key_type v)
+  {
+    return map.first[map.columns * static_cast<std::size_t>(v.idx())];
+  }
 };
 
 /// A point that can be made of three numbers, as interpolation does.
@@ -275,8 +278,9 @@ py::tuple icosphere(int level)
   Doubles points = make_array<double>(icosphere.points.size(), 3);
   auto triangles = make_array<std::int32_t>(icosphere.triangles.size(), 3);
   std::transform(icosphere.points.begin(), icosphere.points.end(),
-                 reinterpret_cast<std::array<double, 3>*>(points.mutable_data()),
-                 [](const auto& p) { return std::array<double, 3>{p.x, p.y, p.z}; });
+                 reinterpret_cast<std::array<double, 3>*>(points.mutable_data()), [](const auto& p) {
+                   return std::array<double, 3>{p.x, p.y, p.z};
+                 });
   std::copy(icosphere.triangles.begin(), icosphere.triangles.end(),
             reinterpret_cast<std::array<int, 3>*>(triangles.mutable_data()));
   return py::make_tuple(points, triangles);

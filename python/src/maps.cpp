@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 //
-// The module spherical_parameterization._core: parameterize(), devices, errors. analysis.cpp has what is done with a map.
+// The module spherical_parameterization._core: parameterize(), devices, errors. analysis.cpp has what is done with a
+// map.
 
 #include "arrays.h"
 
@@ -193,8 +194,8 @@ py::tuple parameterize(const Doubles& points, const py::array& triangles, const 
   const Weight_settings weights(weight_options);
   const SP::Any_policy policy = policy_of(policy_options);
   const bool* const is_fixed = fixed.is_none() ? nullptr : fixed.cast<py::array_t<bool>>().data();
-  const auto is_constrained =
-    boost::make_function_property_map<Mesh::Vertex_index>([is_fixed](Mesh::Vertex_index v) { return is_fixed && is_fixed[v.idx()]; });
+  const auto is_constrained = boost::make_function_property_map<Mesh::Vertex_index>(
+    [is_fixed](Mesh::Vertex_index v) { return is_fixed && is_fixed[v.idx()]; });
   bool has_map = false;
   const Sphere_map sphere_map{reinterpret_cast<std::array<double, 3>*>(sphere.mutable_data()), &has_map};
   Watch watch{progress};
@@ -208,15 +209,15 @@ py::tuple parameterize(const Doubles& points, const py::array& triangles, const 
         const Clock::time_point start = Clock::now();
         const Mesh mesh(chosen_policy, positions, rows);
         const std::chrono::duration<double> reading = Clock::now() - start;
-        SP::Result mapped = SP::parameterize(
-          chosen_policy, mesh, chosen_method, sphere_map,
-          CGAL::parameters::edge_weight_map(weights.map(mesh))
-            .vertex_is_constrained_map(is_constrained)
-            .accuracy(accuracy.value_or(Method::default_accuracy))
-            .number_of_iterations(iterations.value_or(Method::default_number_of_iterations))
-            .maximum_running_time(maximum_running_time)
-            .callback([&watch](double fraction) { return watch.go_on(fraction); })
-            .verbose(verbose));
+        SP::Result mapped =
+          SP::parameterize(chosen_policy, mesh, chosen_method, sphere_map,
+                           CGAL::parameters::edge_weight_map(weights.map(mesh))
+                             .vertex_is_constrained_map(is_constrained)
+                             .accuracy(accuracy.value_or(Method::default_accuracy))
+                             .number_of_iterations(iterations.value_or(Method::default_number_of_iterations))
+                             .maximum_running_time(maximum_running_time)
+                             .callback([&watch](double fraction) { return watch.go_on(fraction); })
+                             .verbose(verbose));
         mapped.seconds.read += reading.count();
         mapped.seconds.total += reading.count();
         return mapped;
@@ -231,7 +232,8 @@ void add_devices(py::module_& module)
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
   typedef SP::OpenCL_device Device;
   py::class_<Device>(module, "OpenCLDevice", "An OpenCL device as policy; `opencl_device()` makes it.")
-    .def_property_readonly("name", [](const Device& d) { return d.info().name; }, "What the device is called.")
+    .def_property_readonly(
+      "name", [](const Device& d) { return d.info().name; }, "What the device is called.")
     .def_property_readonly("is_double_precision", &Device::is_double_precision, "Whether it computes with 64 bits.")
     .def_property_readonly("smallest_mesh", &Device::smallest_mesh, "Meshes with fewer vertices stay on the host.")
     .def("__repr__", [](const Device& d) { return "<OpenCLDevice " + d.info().name + ">"; });
@@ -244,9 +246,10 @@ void add_devices(py::module_& module)
     return devices;
   });
   module.def("opencl_device", [](const std::string& wanted, const std::string& precision, std::size_t smallest_mesh) {
-    Device device = SP::opencl_device(SP::find_opencl_device(wanted), precision == "double"   ? Device::Precision::DOUBLE
-                                                                      : precision == "single" ? Device::Precision::SINGLE
-                                                                                              : Device::Precision::AUTOMATIC);
+    Device device =
+      SP::opencl_device(SP::find_opencl_device(wanted), precision == "double"   ? Device::Precision::DOUBLE
+                                                        : precision == "single" ? Device::Precision::SINGLE
+                                                                                : Device::Precision::AUTOMATIC);
     return device.set_smallest_mesh(smallest_mesh);
   });
 #else

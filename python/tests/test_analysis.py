@@ -110,6 +110,9 @@ def test_locate(mapped: tuple[np.ndarray, ...]) -> None:
     assert caught.value.code == "NOT_BIJECTIVE"
     with pytest.raises(ValueError, match="rows"):
         locator.transfer(points[1:], directions)
+    for wrong in (-1, len(triangles)):
+        with pytest.raises(IndexError):
+            locator.interpolate(points, [wrong], [[1, 0, 0]])
 
 
 def test_resample(mapped: tuple[np.ndarray, ...]) -> None:

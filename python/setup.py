@@ -25,6 +25,12 @@ class CMakeBuild(build_ext):
         if not (folder / "CMakeCache.txt").exists():
             off = ("BUILD_TESTING", "WITH_TOOL", "WITH_EXAMPLES", "WITH_INSTALL")
             configure += [f"-DPython3_EXECUTABLE={sys.executable}", *(f"-DCGAL_SP_{option}=OFF" for option in off)]
+        try:
+            import pybind11
+
+            configure.append(f"-Dpybind11_DIR={pybind11.get_cmake_dir()}")
+        except ImportError:  # CMake knows where Debian has it
+            pass
         subprocess.run(configure, check=True)
         jobs = os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL", str(os.cpu_count()))
         subprocess.run(

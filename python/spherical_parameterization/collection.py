@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import dataclasses
 import functools
 import itertools
@@ -223,7 +224,7 @@ class _Cluster:
             for item in batch.items:
                 self.submit(_Batch([item]))
             return [], 0
-        if isinstance(result, TimeoutError) or future.cancelled():
+        if isinstance(result, (TimeoutError, asyncio.TimeoutError)) or future.cancelled():
             self._copy(batch)
             return [], 0
         if isinstance(result, BaseException):
@@ -249,7 +250,9 @@ class _Cluster:
     def _forget(self, batch: _Batch) -> None:
         for future in batch.futures:
             self._batches.pop(future.key, None)
-        self._client.cancel([f for f in batch.futures if not f.done()])
+        copies = [future for future in batch.futures if not future.done()]
+        if copies:
+            self._client.cancel(copies)
 
     def close(self) -> None:
         for batch in list(self._batches.values()):

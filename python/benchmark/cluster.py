@@ -39,6 +39,21 @@ def rows(store: str) -> list[tuple[str, ...]]:
         connection.close()
 
 
+busy: list[float] = []  # seconds of the batches that have arrived
+
+
+class Watched(sp.collection._Cluster):
+    """Writes down how long the workers were at work."""
+
+    def next_rows(self) -> tuple[list[tuple[str, str, str, str | None]], float]:
+        rows, seconds = super().next_rows()
+        busy.append(seconds)
+        return rows, seconds
+
+
+sp.collection._Cluster = Watched  # type: ignore[misc]
+
+
 def processor() -> float:
     """Seconds of this process and of its children that have ended."""
     usages = (resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN))
@@ -62,10 +77,13 @@ def on_cluster(meshes: int, workers: int, store: str, is_harmed: bool) -> int:
         with Client(cluster) as client:
             if is_harmed:
                 threading.Thread(target=kill, daemon=True).start()
+            busy.clear()
             start = time.perf_counter()
             counts = sp.collection.map(range(meshes), map_number, client, store)
+            seconds = time.perf_counter() - start
             is_done.set()
-            print(f"  map() took {time.perf_counter() - start:.1f} s; rows: {counts}; killed: {killed}", flush=True)
+            share = sum(busy) / workers / seconds
+            print(f"  map(): {seconds:.1f} s, {share:.1%} of it in batches; rows: {counts}; killed: {killed}", flush=True)
     return killed
 
 

@@ -346,7 +346,7 @@ def _map_on_cluster(todo: Iterator[Any], cluster: _Cluster, save: Callable[[Any]
             rows, seconds = cluster.next_rows()
             save(rows)
             if seconds > 0:
-                seconds_per_item += 0.2 * (seconds / len(rows) - seconds_per_item)
+                seconds_per_item += 0.5 * (seconds / len(rows) - seconds_per_item)
     finally:
         cluster.close()
 

@@ -13,6 +13,9 @@ packages=(
   libcli11-dev nlohmann-json3-dev libpng-dev libsqlite3-dev         # the tool
   libboost-mpi-dev libopenmpi-dev openmpi-bin                       # its batches on a cluster
   catch2 libopenmesh-dev libcgal-demo doxygen                       # the tests, of which the manual is one
+  python3-dev pybind11-dev python3-numpy python3-pip python3-venv python3-setuptools python3-wheel # the Python package
+  python3-pytest mypy python3-numpydoc python3-tqdm python3-nibabel python3-meshio python3-matplotlib # its tests
+  python3-distributed python3-nbclient python3-nbformat python3-ipykernel python3-matplotlib-inline
   file                                                              # cpack asks it what needs which libraries
   f3d xvfb xauth                                                    # pictures
   "$@"

@@ -110,7 +110,7 @@ Rotation aligning_rotation(const ExecutionPolicy& policy, const Spherical_locato
     internal::normalize(result);
     return result;
   };
-  const std::vector<vec3> of_a = values(a, points_a, internal::identity_matrix);
+  const std::vector<vec3> of_a = values(a, points_a, internal::rotation_about({0, 0, 0}));
   const auto correlation = [&](const Rotation& r) {
     const std::vector<vec3> of_b = values(b, points_b, r);
     double sum = 0;

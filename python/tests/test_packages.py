@@ -7,6 +7,7 @@ import os
 import shutil
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 import pytest
@@ -19,7 +20,9 @@ pytestmark = pytest.mark.skipif(not BUILD, reason="SPHERICAL_PARAMETERIZATION_BU
 
 def run(*command: object, **environment: str) -> str:
     names = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
-    done = subprocess.run([*map(str, command)], env={**names, **environment}, capture_output=True, text=True)
+    done = subprocess.run(  # not where ctest runs: Python would find the build folder's package there
+        [*map(str, command)], env={**names, **environment}, capture_output=True, text=True, cwd=tempfile.gettempdir()
+    )
     assert done.returncode == 0, done.stdout + done.stderr
     return done.stdout
 

@@ -13,7 +13,6 @@
 #include <CGAL/tags.h>
 
 #include <algorithm>
-#include <functional>
 #include <numeric>
 #include <string>
 #include <type_traits>
@@ -57,25 +56,28 @@ public:
   template <class F>
   void for_each(int count, F f) const
   {
-    run(count, [&f](int begin, int end) {
+    const auto run_range = [](void* loop, int begin, int end) {
       for(int i = begin; i < end; ++i)
-        f(i);
-    });
+        (*static_cast<F*>(loop))(i);
+    };
+#ifdef CGAL_LINKED_WITH_TBB
+    run(count, run_range, &f);
+#else
+    run_range(&f, 0, count);
+#endif
   }
 
 private:
-  /// No template, so that TBB's are instantiated once, and not for every loop.
-  void run(int count, const std::function<void(int, int)>& f) const
-  {
 #ifdef CGAL_LINKED_WITH_TBB
-    if(on_all_cores_) {
-      tbb::parallel_for(tbb::blocked_range<int>(0, count),
-                        [&f](const tbb::blocked_range<int>& range) { f(range.begin(), range.end()); });
-      return;
-    }
-#endif
-    f(0, count);
+  /// No template, so that TBB's are instantiated once, and not for every loop.
+  void run(int count, void (*run_range)(void*, int, int), void* loop) const
+  {
+    if(!on_all_cores_)
+      return run_range(loop, 0, count);
+    tbb::parallel_for(tbb::blocked_range<int>(0, count),
+                      [=](const tbb::blocked_range<int>& range) { run_range(loop, range.begin(), range.end()); });
   }
+#endif
 
   bool on_all_cores_;
 };

@@ -20,6 +20,8 @@
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
+#include <optional>
+#include <utility>
 #include <variant>
 
 namespace page {
@@ -129,24 +131,16 @@ SP::Result map_by_settings(const Mesh& mesh, Points& sphere, const val& settings
   return map_by(mesh, sphere, automatic, settings, hear);
 }
 
-/// What is shown of a map besides its coordinates. Segments presume that there are no more than a few flipped faces.
+/// What is shown of a map besides its coordinates, but for the segments.
 void measure(const Mesh& mesh, const Points& sphere, val& answer)
 {
   const auto images = as_map<Mesh::Vertex_index>(sphere);
-  std::vector<double> values(mesh.number_of_vertices());
-  SP::log_area_stretch(mesh, images, as_map<Mesh::Vertex_index>(values));
-  answer.set("stretch", to_array(values));
-  std::vector<double> of_faces(mesh.number_of_faces());
-  SP::face_angle_distortion(mesh, images, as_map<Mesh::Face_index>(of_faces));
-  answer.set("face_angle_distortion", to_array(of_faces));
-  SP::mean_over_faces(mesh, as_map<Mesh::Face_index>(of_faces), as_map<Mesh::Vertex_index>(values));
-  answer.set("angle_distortion", to_array(values));
-  SP::face_log_area_stretch(mesh, images, as_map<Mesh::Face_index>(of_faces));
-  answer.set("face_stretch", to_array(of_faces));
+  std::vector<double> values(mesh.number_of_faces());
+  SP::face_angle_distortion(mesh, images, as_map<Mesh::Face_index>(values));
+  answer.set("face_angle_distortion", to_array(values));
+  SP::face_log_area_stretch(mesh, images, as_map<Mesh::Face_index>(values));
+  answer.set("face_stretch", to_array(values));
   answer.set("distortion", to_object(SP::distortion_summary(mesh, images)));
-  std::vector<int> segments(mesh.number_of_faces());
-  if(SP::segmentation_via_area_stretch(mesh, images, as_map<Mesh::Face_index>(segments)))
-    answer.set("segments", to_array(segments));
 }
 
 void write_result(const SP::Result& result, val& answer)
@@ -181,12 +175,28 @@ void refuse(val& answer, const std::string& code, const std::string& what)
   answer.set("error", what);
 }
 
+/// The last mesh and its map: they are kept for `segment_last()`.
+std::optional<Mesh> last_mesh;
+Points last_sphere;
+
+/// The segments of the faces of the mesh that was mapped last, or undefined if there are none.
+val segment_last()
+{
+  if(!last_mesh)
+    return val::undefined();
+  std::vector<int> segments(last_mesh->number_of_faces());
+  const auto found = SP::segmentation_via_area_stretch(*last_mesh, as_map<Mesh::Vertex_index>(last_sphere),
+                                                       as_map<Mesh::Face_index>(segments));
+  return found ? to_array(segments) : val::undefined();
+}
+
 /// Reads, maps and measures. `hear("mesh", {points, triangles})` is called as soon as the file has been read, also if
 /// the mesh is refused then; `hear("progress", fraction)` returns whether to go on.
 val map_file(const std::string& name, const std::string& bytes, const val& settings, const val& hear)
 {
   val answer = val::object();
   refuse(answer, "OK", "");
+  last_mesh.reset();
   try {
     SP::internal::Stopwatch reading;
     const Soup soup = read_soup(name, bytes, settings["triangulate"].as<bool>());
@@ -196,7 +206,7 @@ val map_file(const std::string& name, const std::string& bytes, const val& setti
     hear(std::string("mesh"), mesh_of_file);
     answer.set("vertices", static_cast<double>(soup.points.size()));
     answer.set("faces", static_cast<double>(soup.triangles.size()));
-    const Mesh mesh(soup.points, soup.triangles);
+    Mesh mesh(soup.points, soup.triangles);
     const double seconds_read = reading.seconds();
 
     Points sphere(soup.points.size());
@@ -206,9 +216,14 @@ val map_file(const std::string& name, const std::string& bytes, const val& setti
       answer.set("sphere", to_array(sphere));
     }
     const SP::internal::Stopwatch measuring;
-    if(result || result.error == SP::Error_code::NOT_BIJECTIVE)
+    const bool is_worth_a_look = result || result.error == SP::Error_code::NOT_BIJECTIVE;
+    if(is_worth_a_look)
       measure(mesh, sphere, answer);
     answer.set("seconds", seconds_of(result, seconds_read, measuring.seconds()));
+    if(is_worth_a_look) {
+      last_mesh = std::move(mesh);
+      last_sphere = std::move(sphere);
+    }
     if(!result)
       refuse(answer, tool::name(result.error),
              name + ": " + get_error_message(result.error) + (result.detail.empty() ? "" : ": " + result.detail));
@@ -228,5 +243,6 @@ val map_file(const std::string& name, const std::string& bytes, const val& setti
 EMSCRIPTEN_BINDINGS(page)
 {
   emscripten::function("mapFile", &page::map_file);
+  emscripten::function("segmentLast", &page::segment_last);
   emscripten::constant("version", std::string(CGAL_SPHERICAL_PARAMETERIZATION_VERSION));
 }

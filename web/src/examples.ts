@@ -58,20 +58,19 @@ const smooth = (t: number) => {
   return x * x * (3 - 2 * x);
 };
 
-/// Eight arms that curl.
+/// Eight arms that curl, and a head.
 function octopus([x, y, z]: Vec): Vec {
   const angle = Math.atan2(z, x);
   const out = Math.hypot(x, z);
-  const ridge = Math.pow(0.5 + 0.5 * Math.cos(8 * angle), 2);
-  const low = smooth((0.28 - y) / 0.5) * smooth((y + 0.93) / 0.5);
-  const reach = 1 + 2.1 * low * ridge * smooth(out * 1.2) - 0.25 * low * (1 - ridge);
-  const radius = out * reach;
-  const beyond = Math.max(0, radius - 0.9);
-  const turn = angle + 0.42 * beyond;
-  const head = y > 0 ? 1.35 * y * (1 + 0.25 * y) : y * 0.55;
-  const bulge = y > 0 ? 1 + 0.35 * Math.sin(Math.PI * Math.min(1, y)) : 1;
-  const height = head - 0.12 * beyond + 0.3 * beyond * beyond * low;
-  return [radius * bulge * Math.cos(turn), height, radius * bulge * Math.sin(turn)];
+  const arm = Math.pow(0.5 + 0.5 * Math.cos(8 * angle), 1.5);
+  const belt = smooth((0.2 - y) / 0.45) * smooth((y + 0.85) / 0.45); // where arms begin
+  const head = smooth(y / 0.7);
+  const radius = out * (0.62 + 0.2 * head + belt * (1.9 * arm - 0.12));
+  const beyond = Math.max(0, radius - 0.62);
+  const turn = angle + 0.5 * beyond;
+  const height = y > 0 ? 1.5 * y : 0.5 * y;
+  const wave = beyond * (0.62 * beyond - 0.75);
+  return [radius * Math.cos(turn), height + belt * wave, radius * Math.sin(turn)];
 }
 
 /// Waves of all lengths, and craters.

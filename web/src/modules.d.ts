@@ -10,6 +10,7 @@ declare module "core" {
       settings: Settings,
       hear: (what: string, payload: unknown) => boolean,
     ): Answer;
+    segmentLast(): Int32Array | undefined;
   }
   export default function createCore(): Promise<Core>;
 }

@@ -20,6 +20,7 @@ const stage = new Stage();
 let file: { name: string; bytes: Uint8Array } | null = null;
 let version = "";
 let running: { name: string; settings: Settings } | null = null;
+let segmenting = false;
 let worker = start();
 
 function start(): Worker {
@@ -41,7 +42,7 @@ function settings(): Settings {
 
 function map(): void {
   if (!file) return;
-  if (running) stop();
+  if (running || segmenting) stop();
   running = { name: file.name, settings: settings() };
   document.body.classList.add("running");
   document.body.dataset.state = "running";
@@ -50,6 +51,17 @@ function map(): void {
   const job: Job = { name: file.name, bytes: file.bytes, settings: running.settings };
   worker.postMessage(job);
 }
+
+/// Segments take longer than the map: only when they are to be seen.
+stage.onColouring = (colouring) => {
+  if (colouring !== "segments" || !stage.model?.sphere || stage.model.segments || running || segmenting) return;
+  segmenting = true;
+  document.body.classList.add("running");
+  document.body.dataset.state = "running";
+  progress(0, "Segmenting");
+  const job: Job = "segments";
+  worker.postMessage(job);
+};
 
 /// WebAssembly cannot be interrupted from outside: the worker ends, and another one begins.
 function stop(): void {
@@ -60,6 +72,7 @@ function stop(): void {
 
 function finish(state: string): void {
   running = null;
+  segmenting = false;
   document.body.classList.remove("running");
   document.body.dataset.state = state;
 }
@@ -79,6 +92,11 @@ function hear(message: Message): void {
   if (message.kind === "ready") {
     version = message.version;
     document.body.dataset.core = "ready";
+    return;
+  }
+  if (message.kind === "segments") {
+    finish(stage.model?.report.error === null ? "certified" : "refused");
+    if (stage.model) stage.show({ ...stage.model, segments: message.segments });
     return;
   }
   if (!running) return;
@@ -116,7 +134,7 @@ function refuse(report: Report): void {
 }
 
 function answer(name: string, settings: Settings, given: Answer): void {
-  const { sphere, face_stretch, face_angle_distortion, segments, ...rest } = given;
+  const { sphere, face_stretch, face_angle_distortion, ...rest } = given;
   const report: Report = {
     version,
     ...rest,
@@ -140,13 +158,13 @@ function answer(name: string, settings: Settings, given: Answer): void {
     sphere,
     stretch: face_stretch,
     angle: face_angle_distortion,
-    segments,
     report,
   };
   stage.show(model);
   const troubles = sphere ? [] : troublesOf(model).map((trouble) => ({ trouble, name: nameOfTrouble(trouble) }));
   stage.say(model, troubles);
   byId("downloads").hidden = !sphere;
+  stage.onColouring(stage.colouring);
 }
 
 // --- controls
@@ -195,7 +213,7 @@ dependentControls();
 
 byId("cancel").addEventListener("click", stop);
 document.addEventListener("keydown", (event) => {
-  if (event.key === "Escape" && running) stop();
+  if (event.key === "Escape" && (running || segmenting)) stop();
   if (event.key === "o" && (event.target as HTMLElement).tagName !== "INPUT" && !event.ctrlKey && !event.metaKey)
     input.click();
 });

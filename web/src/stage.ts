@@ -13,6 +13,7 @@ const byId = <T extends HTMLElement = HTMLElement>(id: string) => document.getEl
 
 export class Stage {
   readonly viewer: Viewer;
+  onColouring: (colouring: Colouring) => void = () => {};
   model: Model | null = null;
   colouring: Colouring = "stretch";
   private readonly slider = byId<HTMLInputElement>("morph");
@@ -72,13 +73,14 @@ export class Stage {
         element("p", { class: "marked", id: "marked" }, "Marked on the mesh: " + troubles.map((t) => t.name).join(", ") + "."),
       );
     this.viewer.markTroubles(troubles.map((t) => t.trouble));
-    byId("result").replaceChildren(verdict, facts(model.report));
+    byId("result").replaceChildren(verdict);
+    byId("facts").replaceChildren(...(model.report.vertices === undefined ? [] : [facts(model.report)]));
   }
 
   recolour(): Legend | null {
     if (!this.model) return null;
     const legend = this.viewer.colour(this.model, this.model.sphere ? this.colouring : "plain");
-    byId("colours-of").replaceChildren(legendPanel(this.model, this.colouring));
+    byId("colours-of").replaceChildren(...(this.model.sphere ? [legendPanel(this.model, this.colouring)] : []));
     return legend;
   }
 
@@ -86,6 +88,7 @@ export class Stage {
     this.colouring = colouring;
     byId<HTMLInputElement>(`colour-${colouring}`).checked = true;
     this.recolour();
+    this.onColouring(colouring);
   }
 
   private name(): void {

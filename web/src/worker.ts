@@ -15,7 +15,9 @@ export interface Settings {
   triangulate: boolean;
 }
 
-export interface Job {
+/// A file to map, or the wish for the segments of the last one.
+export type Job = MapJob | "segments";
+export interface MapJob {
   name: string;
   bytes: Uint8Array;
   settings: Settings;
@@ -26,7 +28,6 @@ export type Answer = Report & {
   sphere?: Float64Array;
   face_stretch?: Float64Array;
   face_angle_distortion?: Float64Array;
-  segments?: Int32Array;
 };
 
 export type Message =
@@ -34,6 +35,7 @@ export type Message =
   | { kind: "mesh"; mesh: Mesh }
   | { kind: "progress"; fraction: number }
   | { kind: "answer"; answer: Answer; total: number }
+  | { kind: "segments"; segments: Int32Array | undefined }
   | { kind: "failed"; why: string };
 
 const post = (message: Message, transfer: Transferable[] = []) =>
@@ -45,24 +47,29 @@ core.then(
   (error: unknown) => post({ kind: "failed", why: String(error) }),
 );
 
-self.onmessage = async ({ data: { name, bytes, settings } }: MessageEvent<Job>) => {
+async function map({ name, bytes, settings }: MapJob): Promise<void> {
+  const { mapFile } = await core;
+  const start = performance.now();
+  let told = start;
+  const hear = (what: string, payload: unknown) => {
+    if (what === "mesh") {
+      const mesh = payload as Mesh;
+      post({ kind: "mesh", mesh }, [mesh.points.buffer, mesh.triangles.buffer]);
+    } else if (performance.now() - told > 30) {
+      told = performance.now();
+      post({ kind: "progress", fraction: payload as number });
+    }
+    return true;
+  };
+  const answer = mapFile(name, bytes, settings, hear);
+  const arrays = Object.values(answer).filter((x): x is Float64Array => ArrayBuffer.isView(x));
+  post({ kind: "answer", answer, total: (performance.now() - start) / 1000 }, arrays.map((a) => a.buffer));
+}
+
+self.onmessage = async ({ data: job }: MessageEvent<Job>) => {
   try {
-    const { mapFile } = await core;
-    const start = performance.now();
-    let told = start;
-    const hear = (what: string, payload: unknown) => {
-      if (what === "mesh") {
-        const mesh = payload as Mesh;
-        post({ kind: "mesh", mesh }, [mesh.points.buffer, mesh.triangles.buffer]);
-      } else if (performance.now() - told > 30) {
-        told = performance.now();
-        post({ kind: "progress", fraction: payload as number });
-      }
-      return true;
-    };
-    const answer = mapFile(name, bytes, settings, hear);
-    const arrays = Object.values(answer).filter((x): x is Float64Array => ArrayBuffer.isView(x));
-    post({ kind: "answer", answer, total: (performance.now() - start) / 1000 }, arrays.map((a) => a.buffer));
+    if (job === "segments") post({ kind: "segments", segments: (await core).segmentLast() });
+    else await map(job);
   } catch (error) {
     post({ kind: "failed", why: error instanceof Error ? error.message : String(error) });
   }

@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "commands/devices_command.h"
-#include "commands/map_command.h"
-#include "commands/resample_command.h"
-#include "commands/search_command.h"
-#include "commands/segment_command.h"
-#include "commands/signature_command.h"
-#include "commands/texture_command.h"
-#include "options/help_formatter.h"
-#include "options/usage_error.h"
+#include "commands/commands.h"
+#include "options/usage.h"
+#include "system/guarded.h"
 #include "system/interruption.h"
-#include "system/standard_output.h"
 
 #include <CGAL/assertions.h>
 #include <CGAL/version.h>
@@ -21,7 +14,6 @@
 #include <csignal>
 #include <exception>
 #include <iostream>
-#include <memory>
 #include <new>
 
 namespace {
@@ -38,7 +30,7 @@ int run(int argc, char** argv)
   CLI::App app("Spherical parameterization of closed triangle meshes of genus 0", "spherical-parameterization");
   app.set_version_flag("--version",
                        "spherical-parameterization " SPHERICAL_PARAMETERIZATION_VERSION " (CGAL " CGAL_VERSION_STR ")");
-  app.formatter(std::make_shared<tool::Help_formatter>()); // of the commands, too
+  app.formatter(tool::help_formatter()); // of the commands, too
   app.footer("'spherical-parameterization COMMAND --help' lists the options of a command.\n"
              "Example: spherical-parameterization map bunny.ply -o sphere.off --stretch-ply stretch.ply");
   app.require_subcommand(1);

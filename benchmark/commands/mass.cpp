@@ -10,7 +10,7 @@
 #include "output/atomic_file.h"
 #include "system/interruption.h"
 #include "collections/journal.h"
-#include "input/mesh_list.h"
+#include "input/files.h"
 
 #include <CLI/CLI.hpp>
 

@@ -54,13 +54,13 @@ tool::Map_settings settings_of(const Mass_job& job)
 /// Fills the row but for its job. Throws.
 void compute(std::optional<double> time_limit, const std::function<bool()>& go_on, Mass_row& row)
 {
-  tool::Mesh mesh = tool::read_mesh(row.job.mesh).mesh;
+  const tool::Mesh mesh = tool::read_mesh(row.job.mesh).mesh;
   row.vertices = mesh.number_of_vertices();
-  const auto sphere = mesh.add_property_map<tool::Mesh::Vertex_index, tool::Point>("v:sphere").first;
+  tool::Sphere positions;
   tool::Map_settings settings = settings_of(row.job);
   settings.max_time = time_limit;
   const double start = cpu_seconds_of_thread();
-  const SP::Result result = tool::map_to_sphere(mesh, sphere, settings, [&](double) { return go_on(); });
+  const SP::Result result = tool::map_to_sphere(mesh, positions, settings, [&](double) { return go_on(); });
   row.cpu_seconds = cpu_seconds_of_thread() - start;
   row.outcome = tool::name(result.error);
   row.method_used = result.method;
@@ -68,6 +68,7 @@ void compute(std::optional<double> time_limit, const std::function<bool()>& go_o
   row.flipped_faces = result.flipped_faces;
   if(!result)
     return;
+  const auto sphere = tool::as_map(positions);
   row.flipped_faces = SP::number_of_flipped_faces(mesh, sphere);
   if(row.flipped_faces > 0 || SP::degree_of_map(mesh, sphere) != 1) {
     row.outcome = "WRONG_CERTIFICATE";

@@ -26,25 +26,24 @@ bool has_map(Error_code code)
 /// Fills `row` but for its name. Throws; leaves the signature out where `go_on` says no.
 void sign(const std::string& file, const std::function<bool()>& go_on, Signature_row& row)
 {
-  Mesh mesh = read_mesh(file).mesh;
+  const Mesh mesh = read_mesh(file).mesh;
   row.vertices = mesh.number_of_vertices();
-  const auto compute = [&](Sphere_map sphere, const auto& weights) {
+  const auto compute = [&](Sphere& sphere, const auto& weights) {
     Map_settings settings;
     settings.weights = weights;
     settings.policy = CGAL::Sequential_tag(); // the other cores have meshes of their own
     return map_to_sphere(mesh, sphere, settings, [&go_on](double) { return go_on(); });
   };
-  const Sphere_map conformal = mesh.add_property_map<Mesh::Vertex_index, Point>("v:conformal").first;
-  const Result result = compute(conformal, Conformal_weights());
+  Sphere sphere;
+  const Result result = compute(sphere, Conformal_weights());
   if(result.error == Error_code::INTERRUPTED)
     return;
   if(!has_map(result.error))
     throw Refusal(name(result.error), file,
                   get_error_message(result.error) + (result.detail.empty() ? "" : ": " + result.detail), "");
-  Sphere_map sphere = conformal;
   row.map = result ? "conformal" : "uncertified";
   if(result.error == Error_code::NOT_CONVERGED) {
-    const Sphere_map barycentric = mesh.add_property_map<Mesh::Vertex_index, Point>("v:barycentric").first;
+    Sphere barycentric;
     const Result other = compute(barycentric, Barycentric_weights());
     if(other.error == Error_code::INTERRUPTED)
       return;
@@ -53,7 +52,7 @@ void sign(const std::string& file, const std::function<bool()>& go_on, Signature
       sphere = barycentric;
     }
   }
-  row.signature = CGAL::Spherical_parameterization::shape_signature(mesh, sphere);
+  row.signature = CGAL::Spherical_parameterization::shape_signature(mesh, as_map(sphere));
 }
 
 void set_error(Signature_row& row, const std::string& status, std::string message)

@@ -3,7 +3,7 @@
 
 #include "collections/signature_index.h"
 
-#include "input/readable_file.h"
+#include "input/files.h"
 #include "output/csv.h"
 #include "system/refusal.h"
 

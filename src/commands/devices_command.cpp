@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "commands/devices_command.h"
+#include "commands/commands.h"
 
-#include "options/policies.h"
+#include "options/mapping_options.h"
+
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
+#include <CGAL/Spherical_parameterization/OpenCL_device.h>
+#endif
 
 #include <CLI/CLI.hpp>
 

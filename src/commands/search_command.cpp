@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "commands/search_command.h"
+#include "commands/commands.h"
 
 #include "collections/nearest_signatures.h"
 #include "collections/sign_mesh.h"

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "commands/signature_command.h"
+#include "commands/commands.h"
 
 #include "collections/mpi_workers.h"
 #include "collections/signature_batch.h"
 #include "collections/signature_pool.h"
-#include "input/mesh_extensions.h"
-#include "input/mesh_list.h"
+#include "input/files.h"
 #include "options/usage.h"
 #include "system/interruption.h"
 #include "system/refusal.h"

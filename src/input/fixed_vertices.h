@@ -4,8 +4,7 @@
 #ifndef SPHERICAL_PARAMETERIZATION_TOOL_FIXED_VERTICES_H
 #define SPHERICAL_PARAMETERIZATION_TOOL_FIXED_VERTICES_H
 
-#include "input/polygon_soup.h"
-
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -14,7 +13,7 @@ namespace tool {
 
 struct Fixed_vertex {
   std::size_t index;
-  Point position; ///< on the unit sphere
+  std::array<double, 3> position; ///< on the unit sphere
 };
 
 /// Reads lines `index x y z`: the number of a vertex, from 0 on, and the direction it is to have on the sphere.

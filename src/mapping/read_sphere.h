@@ -16,7 +16,7 @@ namespace tool {
 /// Returns sizes and certificate: flipped faces are an error of the result. Throws a `Refusal` if the file has not the
 /// same vertices and faces in the same order, or a point that is not on the unit sphere.
 CGAL::Spherical_parameterization::Result read_sphere(const std::string& file, const std::string& mesh_file,
-                                                     const Mesh& mesh, Sphere_map sphere);
+                                                     const Mesh& mesh, Sphere& sphere);
 
 } // namespace tool
 

@@ -4,10 +4,9 @@
 #ifndef SPHERICAL_PARAMETERIZATION_TOOL_REPORT_H
 #define SPHERICAL_PARAMETERIZATION_TOOL_REPORT_H
 
-#include "options/mapping_options.h"
+#include "mapping/mapped_mesh.h"
 #include "system/refusal.h"
 
-#include <CGAL/Spherical_parameterization/Result.h>
 #include <CGAL/Spherical_parameterization/distortion_summary.h>
 
 #include <optional>
@@ -15,11 +14,8 @@
 
 namespace tool {
 
-/// What one run of `map` did, for programs to read.
+/// What one run of `map` did besides mapping.
 struct Report {
-  Mapping_options options;
-  CGAL::Spherical_parameterization::Result result;
-  double seconds_read = 0;                                                        ///< reading and checking the file
   std::optional<CGAL::Spherical_parameterization::Distortion_summary> distortion; ///< of a certified map
   double seconds_measure = 0;                                                     ///< the distortion
   double seconds_write = 0;
@@ -27,8 +23,10 @@ struct Report {
   std::optional<Refusal> refusal; ///< its log is too long for the JSON file
 };
 
-/// Writes the report as JSON. What is not known, since there is no map, is null. Throws a `Refusal`.
-void write_report(const std::string& file, const Report& report);
+/// Writes the report as JSON, for programs to read. What is not known, since there is no map, is null. Throws a
+/// `Refusal`.
+void write_report(const std::string& file, const Mapping_options& options, const Mapped_mesh& input,
+                  const Report& report);
 
 } // namespace tool
 

@@ -8,6 +8,7 @@
 
 #include <limits>
 #include <type_traits>
+#include <vector>
 
 namespace tool {
 namespace {
@@ -41,14 +42,17 @@ Weight_map weight_map(const Mesh& mesh, Mean_value_weights) { return {SP::mean_v
 
 } // namespace
 
-SP::Result map_to_sphere(Mesh& mesh, Sphere_map sphere, const Map_settings& settings,
+SP::Result map_to_sphere(const Mesh& mesh, Sphere& sphere, const Map_settings& settings,
                          const std::function<bool(double)>& go_on)
 {
-  const auto is_fixed = mesh.add_property_map<Mesh::Vertex_index, bool>("v:is_fixed", false).first;
+  sphere.resize(mesh.number_of_vertices());
+  std::vector<bool> is_fixed(mesh.number_of_vertices(), false);
   for(const Fixed_vertex& fixed : settings.fixed_vertices) {
-    is_fixed[Mesh::Vertex_index(static_cast<Mesh::size_type>(fixed.index))] = true;
-    sphere[Mesh::Vertex_index(static_cast<Mesh::size_type>(fixed.index))] = fixed.position;
+    is_fixed[fixed.index] = true;
+    sphere[fixed.index] = fixed.position;
   }
+  const auto is_fixed_map = boost::make_function_property_map<Mesh::Vertex_index>(
+    [&is_fixed](Mesh::Vertex_index v) -> bool { return is_fixed[static_cast<std::size_t>(v.idx())]; });
   const Weight_map weights =
     std::visit([&mesh](const auto& chosen) { return weight_map(mesh, chosen); }, settings.weights);
 
@@ -57,12 +61,12 @@ SP::Result map_to_sphere(Mesh& mesh, Sphere_map sphere, const Map_settings& sett
       using Method = std::decay_t<decltype(method)>;
       const auto parameters =
         CGAL::parameters::edge_weight_map(weights)
-          .vertex_is_constrained_map(is_fixed)
+          .vertex_is_constrained_map(is_fixed_map)
           .accuracy(settings.accuracy.value_or(Method::default_accuracy))
           .number_of_iterations(settings.iterations.value_or(Method::default_number_of_iterations))
           .maximum_running_time(settings.max_time.value_or(std::numeric_limits<double>::infinity()))
           .callback(go_on);
-      return SP::parameterize(policy, mesh, method, sphere, parameters);
+      return SP::parameterize(policy, mesh, method, as_map(sphere), parameters);
     },
     settings.policy, settings.method);
 }

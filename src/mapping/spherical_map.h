@@ -15,7 +15,8 @@ namespace tool {
 
 /// Calls `parameterize()` as `settings` say: the one place where it is instantiated, and where names and numbers
 /// become types. `go_on` is told the fraction of the work done, and stops it by returning `false`.
-CGAL::Spherical_parameterization::Result map_to_sphere(Mesh& mesh, Sphere_map sphere, const Map_settings& settings,
+/// `sphere` gets the size that it needs.
+CGAL::Spherical_parameterization::Result map_to_sphere(const Mesh& mesh, Sphere& sphere, const Map_settings& settings,
                                                        const std::function<bool(double)>& go_on);
 
 } // namespace tool

@@ -6,19 +6,20 @@
 
 #include "input/mesh.h"
 
-#include <CGAL/Simple_cartesian.h>
-
 #include <ostream>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace tool {
 
-using Point_2 = Kernel::Point_2;
-using Uv_map = Mesh::Property_map<Mesh::Halfedge_index, Point_2>;
+/// A position in the texture.
+using Uv = std::pair<double, double>;
 
-/// Writes the mesh as OBJ with one `vt` for every position that a vertex has in the texture. All 17 digits: with less,
-/// slivers may flip when the file is read.
-void write_textured_obj(std::ostream& out, const Mesh& mesh, Uv_map uv, const std::string& material_file);
+/// Writes the mesh as OBJ with one `vt` for every position that a vertex has in the texture; `uv` has those at the
+/// targets of the halfedges. No digit is left out: with less, slivers may flip when the file is read.
+void write_textured_obj(std::ostream& out, const Mesh& mesh, const std::vector<Uv>& uv,
+                        const std::string& material_file);
 
 /// The material `texture`: white, with the image.
 void write_material(std::ostream& out, const std::string& image_file);

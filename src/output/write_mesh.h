@@ -6,21 +6,24 @@
 
 #include "input/mesh.h"
 
+#include <cstddef>
 #include <ostream>
 #include <string>
+#include <vector>
 
 namespace tool {
 
-enum class Mesh_format { OFF, OBJ, PLY, UNKNOWN };
+/// Writes the faces of `mesh` over other points, in the format that the extension of `file` asks for: OFF, OBJ or PLY.
+void write_mesh(std::ostream& out, const std::string& file, const Mesh& mesh, const std::vector<Point>& points);
 
-/// The format that the extension of an output file asks for.
-Mesh_format output_format(const std::string& file);
+/// Writes the mesh (not the sphere) as a PLY file with the log area stretch of every vertex, and coloured by it:
+/// white where areas keep their share, red where the map shrinks them, blue where it enlarges them.
+void write_stretch_ply(std::ostream& out, const Mesh& mesh, const Sphere& sphere);
 
-/// Writes the faces of `mesh` over the points of `sphere`, with 17 significant digits.
-void write_mesh(std::ostream& out, Mesh_format format, const Mesh& mesh, Sphere_map sphere);
-
-/// Writes one line per face, as in OFF and text PLY files.
-void write_faces(std::ostream& out, const Mesh& mesh);
+/// Writes the mesh as PLY with the segment of every face, and faces coloured by it. Segment i has the same colour in
+/// every file.
+void write_segments_ply(std::ostream& out, const Mesh& mesh, const std::vector<std::size_t>& segments,
+                        std::size_t number_of_segments);
 
 } // namespace tool
 

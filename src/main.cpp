@@ -40,6 +40,7 @@ int run(int argc, char** argv)
   tool::add_resample_command(app, exit_code);
   tool::add_signature_command(app, exit_code);
   tool::add_search_command(app, exit_code);
+  tool::add_view_command(app, exit_code);
   tool::add_devices_command(app, exit_code);
   try {
     app.parse(argc, argv);

@@ -5,6 +5,7 @@
 #define SPHERICAL_PARAMETERIZATION_TOOL_READ_MESH_H
 
 #include "input/mesh.h"
+#include "input/mesh_readers.h"
 
 #include <cstddef>
 #include <string>
@@ -13,6 +14,9 @@ namespace tool {
 
 /// What to do with faces of more than three vertices.
 enum class Polygons { REFUSE, TRIANGULATE };
+
+/// Reads the bytes of a mesh file whose name is `file`. Nothing is known then about how the faces fit together.
+Soup read_soup(const std::string& file, std::string bytes, Polygons polygons = Polygons::REFUSE);
 
 struct Input_mesh {
   Mesh mesh;

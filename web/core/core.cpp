@@ -3,8 +3,7 @@
 //
 // The door through which JavaScript comes in: the bytes of a file, settings, and a function that hears what happens.
 
-#include "read_soup.h"
-
+#include "input/read_mesh.h"
 #include "system/error_code_names.h"
 #include "system/refusal.h"
 
@@ -14,8 +13,6 @@
 #include <CGAL/Spherical_parameterization/parameterize.h>
 #include <CGAL/Spherical_parameterization/segmentation.h>
 #include <CGAL/Spherical_parameterization/version.h>
-
-#include <boost/property_map/function_property_map.hpp>
 
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
@@ -29,16 +26,9 @@ namespace {
 
 namespace SP = CGAL::Spherical_parameterization;
 using emscripten::val;
-using Mesh = SP::Indexed_triangle_mesh;
-using Points = std::vector<std::array<double, 3>>;
-
-/// A vector of values as a property map. `Key` is the index of vertices or faces.
-template <class Key, class Values>
-auto as_map(Values& values)
-{
-  return boost::make_function_property_map<Key>(
-    [&values](Key key) -> auto& { return values[static_cast<std::size_t>(key.idx())]; });
-}
+using tool::as_map;
+using tool::Mesh;
+using Points = tool::Sphere;
 
 /// The numbers as an array of JavaScript, which owns them.
 template <class Number, std::size_t N>
@@ -111,9 +101,9 @@ template <class Method>
 SP::Result map_by(const Mesh& mesh, Points& sphere, const Method& method, const val& settings, const val& hear)
 {
   const auto go_on = [&hear](double fraction) { return hear(std::string("progress"), fraction).template as<bool>(); };
-  return SP::parameterize(CGAL::Sequential_tag(), mesh, method, as_map<Mesh::Vertex_index>(sphere),
-                          CGAL::parameters::edge_weight_map(weight_map(mesh, settings["weights"].as<std::string>()))
-                            .callback(go_on));
+  return SP::parameterize(
+    CGAL::Sequential_tag(), mesh, method, as_map<Mesh::Vertex_index>(sphere),
+    CGAL::parameters::edge_weight_map(weight_map(mesh, settings["weights"].as<std::string>())).callback(go_on));
 }
 
 SP::Result map_by_settings(const Mesh& mesh, Points& sphere, const val& settings, const val& hear)
@@ -199,7 +189,10 @@ val map_file(const std::string& name, const std::string& bytes, const val& setti
   last_mesh.reset();
   try {
     SP::internal::Stopwatch reading;
-    const Soup soup = read_soup(name, bytes, settings["triangulate"].as<bool>());
+    const auto polygons = settings["triangulate"].as<bool>() ? tool::Polygons::TRIANGULATE : tool::Polygons::REFUSE;
+    if(bytes.empty())
+      throw tool::Refusal(tool::unreadable_file, name, "is empty", "export it again");
+    const tool::Soup soup = tool::read_soup(name, bytes, polygons);
     val mesh_of_file = val::object();
     mesh_of_file.set("points", to_array(soup.points));
     mesh_of_file.set("triangles", to_array(soup.triangles));

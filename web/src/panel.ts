@@ -25,7 +25,7 @@ export const duration = (s: number) =>
 
 /// The verdict, a heading and a sentence or two.
 export function certificate(report: Report): HTMLElement {
-  if (report.error !== null && report.flipped_faces === undefined)
+  if (report.error !== null && report.flipped_faces == null)
     return element(
       "div",
       { class: "certificate refused", id: "certificate", "data-code": report.error_code },
@@ -56,16 +56,16 @@ export function certificate(report: Report): HTMLElement {
 /// Sizes, method and times.
 export function facts(report: Report): HTMLElement {
   const list = element("dl", { class: "facts" });
-  const add = (term: string, text: string | undefined) => {
+  const add = (term: string, text: string | null | undefined) => {
     if (text) list.append(element("dt", {}, term), element("dd", {}, text));
   };
-  add("Vertices", report.vertices === undefined ? undefined : whole(report.vertices));
-  add("Faces", report.faces === undefined ? undefined : whole(report.faces));
+  add("Vertices", report.vertices == null ? "" : whole(report.vertices));
+  add("Faces", report.faces == null ? "" : whole(report.faces));
   if (report.method_used) {
     const weights = report.method_used === "isometric" ? "" : `, ${report.weights} weights`;
     add("Method", report.method_used + weights);
     add("Iterations", `${report.start_iterations} + ${report.iterations}`);
-    add("Residual", report.residual === undefined ? undefined : figures(report.residual));
+    add("Residual", report.residual == null ? "" : figures(report.residual));
   }
   add("Before", report.fallback_reason);
   const names: Record<string, string> = {

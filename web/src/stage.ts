@@ -30,13 +30,6 @@ export class Stage {
       views.forEach((view, i) => {
         this.labels[i]!.style.left = `${view.x}px`;
         this.labels[i]!.style.top = `${view.y}px`;
-        byId(i === 0 ? "empty" : "no-sphere").style.inset = "";
-        Object.assign(byId(i === 0 ? "empty" : "no-sphere").style, {
-          left: `${view.x}px`,
-          top: `${view.y}px`,
-          width: `${view.width}px`,
-          height: `${view.height}px`,
-        });
       });
     this.viewer.onHover = (hover) => {
       byId("hover").textContent = hover && this.model ? describe(this.model, hover.face) : "";
@@ -58,6 +51,7 @@ export class Stage {
     const before = this.model?.sphere;
     this.model = model;
     if (!before || !model.sphere) this.viewer.morph = 0;
+    this.viewer.alone = false;
     this.viewer.show(model);
     this.name();
     document.body.classList.toggle("has-mesh", true);
@@ -72,9 +66,10 @@ export class Stage {
       verdict.append(
         element("p", { class: "marked", id: "marked" }, "Marked on the mesh: " + troubles.map((t) => t.name).join(", ") + "."),
       );
+    this.viewer.alone = !model.sphere;
     this.viewer.markTroubles(troubles.map((t) => t.trouble));
     byId("result").replaceChildren(verdict);
-    byId("facts").replaceChildren(...(model.report.vertices === undefined ? [] : [facts(model.report)]));
+    byId("facts").replaceChildren(...(model.report.vertices == null ? [] : [facts(model.report)]));
   }
 
   recolour(): Legend | null {

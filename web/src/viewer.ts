@@ -50,15 +50,16 @@ const surfaceFragment = /* glsl */ `
   in vec3 vPaint, vNormal, vSphere, vView;
   out vec4 colour;
   uniform bool checker;
-  float wave(float a) { // a field is dark where it is negative; as sharp as the screen
+  float wave(float a, float width) { // a field is dark where it is negative; as sharp as the screen
     float t = abs(fract(a / 2.0) - 0.5) * 2.0 - 0.5;
-    return clamp(t / max(fwidth(a), 1e-5), -1.0, 1.0);
+    return clamp(t / width, -1.0, 1.0);
   }
   float fields() {
     vec3 s = abs(vSphere);
     vec3 d = s.x >= s.y && s.x >= s.z ? vec3(vSphere.yz, s.x) : s.y >= s.z ? vec3(vSphere.zx, s.y) : vec3(vSphere.xy, s.z);
     vec2 cell = atan(d.xy / d.z) * (16.0 / 3.14159265);
-    return 0.5 + 0.5 * wave(cell.x + 0.5) * wave(cell.y + 0.5);
+    float width = max(5.0 * length(fwidth(vSphere)), 1e-5);
+    return 0.5 + 0.5 * wave(cell.x + 0.5, width) * wave(cell.y + 0.5, width);
   }
   void main() {
     vec3 n = normalize(vNormal);
@@ -89,8 +90,11 @@ const pickFragment = /* glsl */ `
 
 const markVertex = /* glsl */ `${morphing}
   uniform float size;
+  uniform vec2 offset; // in pixels
+  uniform vec2 pixel;
   void main() {
     gl_Position = projectionMatrix * modelViewMatrix * vec4(place(), 1.0);
+    gl_Position.xy += offset * pixel * gl_Position.w;
     gl_Position.z -= 0.0008 * gl_Position.w; // before the surface
     gl_PointSize = size;
   }`;
@@ -140,7 +144,11 @@ export class Viewer {
   private readonly picking: ShaderMaterial;
   private readonly ring: ShaderMaterial;
   private readonly patch: ShaderMaterial;
-  private readonly uniforms = { morph: { value: 0 }, checker: { value: false } };
+  private readonly uniforms = {
+    morph: { value: 0 },
+    checker: { value: false },
+    pixel: { value: new Vector2() }, // its size, where the view is 2 wide and high
+  };
 
   private hasSphere = false;
   private source = new Uint32Array(); // of every vertex that is drawn: its point of the mesh
@@ -160,6 +168,7 @@ export class Viewer {
   private needed = true;
   private pointer: { x: number; y: number } | null = null;
   private playing = 0; // direction
+  private alone_ = false; // no place for a sphere
   private spinning = 0; // radians per second
 
   constructor(readonly canvas: HTMLCanvasElement) {
@@ -170,15 +179,16 @@ export class Viewer {
       new ShaderMaterial({ vertexShader, fragmentShader, glslVersion: GLSL3, side: DoubleSide, ...more });
     this.surface = material(surfaceVertex, surfaceFragment, { uniforms: this.uniforms });
     this.picking = material(pickVertex, pickFragment, { uniforms: this.uniforms });
-    const tint = { value: new Color(1, 1, 1) };
+    const tint = { value: new Color(1, 0.72, 0) };
+    const offset = { value: new Vector2() };
     const size = { value: 22 * this.renderer.getPixelRatio() };
     this.ring = material(markVertex, ringFragment, {
-      uniforms: { ...this.uniforms, tint, size },
+      uniforms: { ...this.uniforms, tint, size, offset },
       transparent: true,
       depthTest: false,
     });
     this.patch = material(markVertex, markFragment, {
-      uniforms: { ...this.uniforms, tint: { value: new Color(1, 0.85, 0.1) }, size, opacity: { value: 1 } },
+      uniforms: { ...this.uniforms, tint: { value: new Color(1, 0.85, 0.1) }, size, offset, opacity: { value: 1 } },
     });
     this.resetView();
     this.listen();
@@ -246,29 +256,29 @@ export class Viewer {
   /// Lines on the mesh where it is no sphere.
   markTroubles(troubles: Trouble[]): void {
     if (!this.shape) return;
+    // Lines of WebGL are one pixel wide: more of them, beside each other. Faint where the surface hides them.
     for (const trouble of troubles)
-      for (const [opacity, depthTest] of [
-        [0.35, false],
-        [1, true],
-      ] as const) {
-        const geometry = new BufferGeometry();
-        for (const name of ["position", "onSphere"]) geometry.setAttribute(name, this.shape.geometry.getAttribute(name));
-        geometry.setIndex(new BufferAttribute(trouble.lines, 1));
-        const material = this.patch.clone();
-        material.uniforms = {
-          ...this.uniforms,
-          size: { value: 1 },
-          tint: { value: new Color(0.9, 0.05, 0.1) },
-          opacity: { value: opacity },
-        };
-        material.transparent = opacity < 1;
-        material.depthTest = depthTest;
-        const lines = new LineSegments(geometry, material);
-        lines.frustumCulled = false;
-        lines.renderOrder = depthTest ? 2 : 1;
-        this.scene.add(lines);
-        this.troubles.push(lines);
-      }
+      for (const depthTest of [false, true])
+        for (const [x, y] of [[0, 0], [1, 0], [0, 1], [1, 1], [-1, 0], [0, -1]] as const) {
+          const geometry = new BufferGeometry();
+          for (const name of ["position", "onSphere"]) geometry.setAttribute(name, this.shape.geometry.getAttribute(name));
+          geometry.setIndex(new BufferAttribute(trouble.lines, 1));
+          const material = this.patch.clone();
+          material.uniforms = {
+            ...this.uniforms,
+            size: { value: 1 },
+            offset: { value: new Vector2(x, y) },
+            tint: { value: new Color(0.9, 0.05, 0.1) },
+            opacity: { value: depthTest ? 1 : 0.12 },
+          };
+          material.transparent = !depthTest;
+          material.depthTest = depthTest;
+          const lines = new LineSegments(geometry, material);
+          lines.frustumCulled = false;
+          lines.renderOrder = depthTest ? 2 : 1;
+          this.scene.add(lines);
+          this.troubles.push(lines);
+        }
     this.redraw();
   }
 
@@ -291,6 +301,12 @@ export class Viewer {
   set morph(value: number) {
     this.morph_ = Math.min(1, Math.max(0, value));
     this.onMorph(this.morph_);
+    this.redraw();
+  }
+
+  /// Whether the mesh has all of the canvas.
+  set alone(value: boolean) {
+    this.alone_ = value;
     this.redraw();
   }
 
@@ -364,6 +380,7 @@ export class Viewer {
   /// The rectangles of the two views.
   views(): View[] {
     const { clientWidth: w, clientHeight: h } = this.canvas;
+    if (this.alone_) return [{ x: 0, y: 0, width: w, height: h }];
     if (w >= h)
       return [
         { x: 0, y: 0, width: w / 2, height: h },
@@ -404,6 +421,7 @@ export class Viewer {
     this.camera.updateMatrixWorld();
     for (const scene of [this.scene, this.pickScene]) scene.quaternion.copy(this.rotation);
     this.uniforms.morph.value = isSphere ? 1 : this.morph_;
+    this.uniforms.pixel.value.set(2 / Math.max(1, view.width), 2 / Math.max(1, view.height));
   }
 
   private draw(): void {

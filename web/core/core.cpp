@@ -9,6 +9,7 @@
 
 #include <CGAL/Spherical_parameterization/distortion_summary.h>
 #include <CGAL/Spherical_parameterization/edge_weights.h>
+#include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 #include <CGAL/Spherical_parameterization/parameterize.h>
 #include <CGAL/Spherical_parameterization/segmentation.h>
@@ -230,12 +231,20 @@ val map_file(const std::string& name, const std::string& bytes, const val& setti
   return answer;
 }
 
+/// For tests: the sign of det(a, b, c) of nine coordinates, as the certificate takes it.
+int orientation(const val& coordinates)
+{
+  const auto x = emscripten::convertJSArrayToNumberVector<double>(coordinates);
+  return SP::internal::orientation({x[0], x[1], x[2]}, {x[3], x[4], x[5]}, {x[6], x[7], x[8]});
+}
+
 } // namespace
 } // namespace page
 
 EMSCRIPTEN_BINDINGS(page)
 {
   emscripten::function("mapFile", &page::map_file);
+  emscripten::function("orientation", &page::orientation);
   emscripten::function("segmentLast", &page::segment_last);
   emscripten::constant("version", std::string(CGAL_SPHERICAL_PARAMETERIZATION_VERSION));
 }

@@ -8,7 +8,7 @@ import workerText from "worker-text";
 import { colouredPly, json, save, sphereOff, texturedGlb } from "./downloads";
 import { examples } from "./examples";
 import type { Model, Report } from "./model";
-import { element, whole } from "./panel";
+import { element } from "./panel";
 import { Stage } from "./stage";
 import { nameOfTrouble, troublesOf } from "./topology";
 import type { Answer, Job, Message, Settings } from "./worker";
@@ -68,6 +68,7 @@ function stop(): void {
   worker.terminate();
   worker = start();
   finish("cancelled");
+  if (!stage.model?.sphere) byId("result").replaceChildren(element("p", { class: "hint" }, "Cancelled: there is no map."));
 }
 
 function finish(state: string): void {
@@ -84,7 +85,8 @@ function progress(fraction: number, what: string): void {
 
 function open(name: string, bytes: Uint8Array): void {
   file = { name, bytes };
-  stage.model = null;
+  stage.clear();
+  byId("downloads").hidden = true;
   map();
 }
 
@@ -146,10 +148,7 @@ function answer(name: string, settings: Settings, given: Answer): void {
   };
   if (!meshOfFile) {
     // not even a mesh
-    stage.viewer.clear();
-    stage.model = null;
-    document.body.classList.remove("has-sphere", "has-mesh");
-    byId("colours-of").replaceChildren();
+    stage.clear();
     refuse(report);
     return;
   }
@@ -229,4 +228,4 @@ for (const [id, action] of Object.entries(actions))
   byId(id).addEventListener("click", () => void (stage.model && action(stage.model)));
 
 // for tests
-Object.assign(window, { page: { stage, open, whole } });
+Object.assign(window, { page: { stage, text: () => new TextDecoder().decode(file?.bytes) } });

@@ -60,6 +60,14 @@ export class Stage {
     this.recolour();
   }
 
+  /// Nothing is shown, and nothing is said.
+  clear(): void {
+    this.model = null;
+    this.viewer.clear();
+    document.body.classList.remove("has-sphere", "has-mesh");
+    for (const id of ["result", "colours-of", "facts"]) byId(id).replaceChildren();
+  }
+
   say(model: Model, troubles: { trouble: Trouble; name: string }[] = []): void {
     const verdict = certificate(model.report);
     if (troubles.length > 0)

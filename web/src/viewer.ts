@@ -454,7 +454,7 @@ export class Viewer {
     const view = this.views()[i];
     if (!view || (i === 1 && !this.hasSphere)) return null;
     this.aim(view, i === 1);
-    this.camera.setViewOffset(view.width, view.height, x - view.x, y - view.y, 1, 1);
+    this.camera.setViewOffset(view.width, view.height, x - view.x - 0.5, y - view.y - 0.5, 1, 1); // a pixel round it
     this.renderer.setRenderTarget(this.target);
     this.renderer.setScissorTest(false);
     this.renderer.clear();
@@ -471,20 +471,37 @@ export class Viewer {
     return face === null ? null : { face, onSphere: i === 1 };
   }
 
-  /// Of the faces whose last corner is `vertex` the one that is at `ndc`.
-  private nearestOf(vertex: number, ndc: Vector2): number | null {
+  /// Where the middle of a face is on the canvas; null if it looks away.
+  screenOf(face: number, onSphere: boolean): { x: number; y: number } | null {
+    const view = this.views()[onSphere ? 1 : 0];
+    if (!this.shape || !view) return null;
+    this.aim(view, onSphere);
+    const [a, b, c] = this.onScreen(face);
+    if ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) <= 0) return null;
+    const middle = (k: "x" | "y") => (a[k] + b[k] + c[k]) / 3;
+    return { x: view.x + ((1 + middle("x")) / 2) * view.width, y: view.y + ((1 - middle("y")) / 2) * view.height };
+  }
+
+  /// The corners of a face in the view at which the camera is aimed, from -1 to 1.
+  private onScreen(face: number): [Vector3, Vector3, Vector3] {
     const [p, s] = ["position", "onSphere"].map((a) => this.shape!.geometry.getAttribute(a) as BufferAttribute);
-    const onScreen = (v: number) =>
-      new Vector3()
+    return [0, 1, 2].map((k) => {
+      const v = this.corners[3 * face + k]!;
+      return new Vector3()
         .fromBufferAttribute(p!, v)
         .lerp(new Vector3().fromBufferAttribute(s!, v), this.uniforms.morph.value)
         .applyQuaternion(this.rotation)
         .project(this.camera);
+    }) as [Vector3, Vector3, Vector3];
+  }
+
+  /// Of the faces whose last corner is `vertex` the one that is at `ndc`.
+  private nearestOf(vertex: number, ndc: Vector2): number | null {
     let best: number | null = null;
     let bestDistance = Infinity;
     for (let i = this.firstFace[vertex]!; i < this.firstFace[vertex + 1]!; ++i) {
       const face = this.faceOf[i]!;
-      const [a, b, c] = [0, 1, 2].map((k) => onScreen(this.corners[3 * face + k]!)) as [Vector3, Vector3, Vector3];
+      const [a, b, c] = this.onScreen(face);
       const cross = (u: { x: number; y: number }, v: { x: number; y: number }, w: { x: number; y: number }) =>
         (v.x - u.x) * (w.y - u.y) - (v.y - u.y) * (w.x - u.x);
       const area = cross(a, b, c);

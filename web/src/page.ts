@@ -26,8 +26,10 @@ let worker = start();
 function start(): Worker {
   const url = URL.createObjectURL(new Blob([workerText], { type: "text/javascript" }));
   const result = new Worker(url);
-  result.onmessage = ({ data }: MessageEvent<Message>) => hear(data);
-  result.onerror = (event) => hear({ kind: "failed", why: event.message });
+  // what an ended worker has said before may still come
+  const hearIt = (message: Message) => result === worker && hear(message);
+  result.onmessage = ({ data }: MessageEvent<Message>) => hearIt(data);
+  result.onerror = (event) => hearIt({ kind: "failed", why: event.message });
   return result;
 }
 

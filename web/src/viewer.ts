@@ -8,6 +8,7 @@ import {
   BufferGeometry,
   Color,
   DoubleSide,
+  FrontSide,
   GLSL3,
   LineSegments,
   Matrix3,
@@ -33,45 +34,59 @@ const morphing = /* glsl */ `
   uniform float morph;
   vec3 place() { return mix(position, onSphere, morph); }`;
 
+// Lean: software renderers draw it, too.
 const surfaceVertex = /* glsl */ `${morphing}
   in vec3 paint;
-  out vec3 vPaint, vNormal, vSphere, vView;
+  out vec3 vNormal;
+  #ifdef CHECKER
+  out vec3 vSphere;
+  #else
+  out vec3 vPaint;
+  #endif
   void main() {
-    vPaint = paint;
+  #ifdef CHECKER
     vSphere = onSphere;
+  #else
+    vPaint = paint;
+  #endif
     vNormal = normalMatrix * mix(normal, onSphere, 0.55 * morph);
-    vec4 view = modelViewMatrix * vec4(place(), 1.0);
-    vView = view.xyz;
-    gl_Position = projectionMatrix * view;
+    gl_Position = projectionMatrix * modelViewMatrix * vec4(place(), 1.0);
   }`;
 
 // The checker is that of isDark() in colours.ts.
 const surfaceFragment = /* glsl */ `
-  in vec3 vPaint, vNormal, vSphere, vView;
+  in vec3 vNormal;
   out vec4 colour;
-  uniform bool checker;
+  #ifdef CHECKER
+  in vec3 vSphere;
   float wave(float a, float width) { // a field is dark where it is negative; as sharp as the screen
     float t = abs(fract(a / 2.0) - 0.5) * 2.0 - 0.5;
     return clamp(t / width, -1.0, 1.0);
   }
-  float fields() {
+  vec3 paint() {
     vec3 s = abs(vSphere);
     vec3 d = s.x >= s.y && s.x >= s.z ? vec3(vSphere.yz, s.x) : s.y >= s.z ? vec3(vSphere.zx, s.y) : vec3(vSphere.xy, s.z);
     vec2 cell = atan(d.xy / d.z) * (16.0 / 3.14159265);
     float width = max(5.0 * length(fwidth(vSphere)), 1e-5);
-    return 0.5 + 0.5 * wave(cell.x + 0.5, width) * wave(cell.y + 0.5, width);
+    float light = 0.5 + 0.5 * wave(cell.x + 0.5, width) * wave(cell.y + 0.5, width);
+    return mix(vec3(0.16, 0.30, 0.42), vec3(0.93, 0.91, 0.86), light);
   }
+  #else
+  in vec3 vPaint;
+  vec3 paint() { return vPaint; }
+  #endif
   void main() {
     vec3 n = normalize(vNormal);
-    vec3 eye = normalize(-vView);
-    if (dot(n, eye) < 0.0) n = -n;
-    vec3 base = checker ? mix(vec3(0.16, 0.30, 0.42), vec3(0.93, 0.91, 0.86), fields()) : vPaint;
-    float key = max(0.0, dot(n, normalize(vec3(-0.45, 0.65, 0.75))));
-    float fill = max(0.0, dot(n, normalize(vec3(0.8, -0.1, 0.4))));
-    float rim = pow(1.0 - max(0.0, dot(n, eye)), 3.0);
-    float gloss = pow(max(0.0, dot(n, normalize(normalize(vec3(-0.45, 0.65, 0.75)) + eye))), 40.0);
-    vec3 lit = base * (0.42 + 0.56 * key + 0.20 * fill) + 0.10 * gloss - 0.10 * rim * base;
-    colour = vec4(lit, 1.0);
+    n = n.z < 0.0 ? -n : n;
+    float key = max(0.0, dot(n, vec3(-0.413, 0.597, 0.688)));
+    float fill = max(0.0, dot(n, vec3(0.889, -0.111, 0.444)));
+    float gloss = max(0.0, dot(n, vec3(-0.225, 0.325, 0.919))); // half way between key light and eye
+    gloss *= gloss;
+    gloss *= gloss;
+    gloss *= gloss;
+    gloss *= gloss;
+    float rim = 1.0 - n.z;
+    colour = vec4(paint() * (0.42 + 0.56 * key + 0.20 * fill - 0.10 * rim * rim) + 0.08 * gloss * gloss, 1.0);
   }`;
 
 // The last corner of a triangle decides about flat values: so the pixel names that corner.
@@ -136,6 +151,7 @@ export class Viewer {
   readonly frames: number[] = [];
 
   private readonly renderer: WebGLRenderer;
+  private readonly isSoftware: boolean;
   private readonly camera = new PerspectiveCamera(28, 1, 0.1, 60);
   private readonly scene = new Scene();
   private readonly pickScene = new Scene();
@@ -146,11 +162,11 @@ export class Viewer {
   private readonly patch: ShaderMaterial;
   private readonly uniforms = {
     morph: { value: 0 },
-    checker: { value: false },
     pixel: { value: new Vector2() }, // its size, where the view is 2 wide and high
   };
 
   private hasSphere = false;
+  private isOutside = false; // which side the faces show
   private source = new Uint32Array(); // of every vertex that is drawn: its point of the mesh
   private firstFace = new Uint32Array(); // of every vertex that is drawn: the faces whose last corner it is
   private faceOf = new Uint32Array();
@@ -161,6 +177,7 @@ export class Viewer {
   private troubles: LineSegments[] = [];
   private faceOfVertex = new Uint32Array();
 
+  private readonly ringSize = { value: 22 };
   private readonly rotation = new Quaternion();
   private zoom = 1;
   private shift = new Vector2();
@@ -172,8 +189,9 @@ export class Viewer {
   private spinning = 0; // radians per second
 
   constructor(readonly canvas: HTMLCanvasElement) {
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: false });
-    this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
+    this.isSoftware = /swiftshader|llvmpipe|software/i.test(nameOfRenderer());
+    this.renderer = new WebGLRenderer({ canvas, antialias: !this.isSoftware });
+    this.renderer.setPixelRatio(this.sharp());
     this.renderer.autoClear = false;
     const material = (vertexShader: string, fragmentShader: string, more = {}) =>
       new ShaderMaterial({ vertexShader, fragmentShader, glslVersion: GLSL3, side: DoubleSide, ...more });
@@ -181,7 +199,7 @@ export class Viewer {
     this.picking = material(pickVertex, pickFragment, { uniforms: this.uniforms });
     const tint = { value: new Color(1, 0.72, 0) };
     const offset = { value: new Vector2() };
-    const size = { value: 22 * this.renderer.getPixelRatio() };
+    const size = this.ringSize;
     this.ring = material(markVertex, ringFragment, {
       uniforms: { ...this.uniforms, tint, size, offset },
       transparent: true,
@@ -231,6 +249,7 @@ export class Viewer {
     geometry.setAttribute("normal", new BufferAttribute(normal, 3));
     geometry.setAttribute("paint", new BufferAttribute(new Uint8Array(3 * n), 3, true));
     geometry.setIndex(new BufferAttribute(this.corners, 1));
+    this.isOutside = model.sphere !== undefined && !isInsideOut(model);
     this.shape = new Shape(geometry, this.surface);
     const pick = new Shape(geometry, this.picking);
     for (const s of [this.shape, pick]) s.frustumCulled = false;
@@ -248,7 +267,11 @@ export class Viewer {
     for (let v = 0; v < this.source.length; ++v)
       paint.array.set(colours.ofVertex(this.source[v]!, this.faceOfVertex[v]!).map(Math.round), 3 * v);
     paint.needsUpdate = true;
-    this.uniforms.checker.value = colouring === "checker" && this.hasSphere;
+    const isChecker = colouring === "checker" && this.hasSphere;
+    if (isChecker !== "CHECKER" in this.surface.defines) {
+      this.surface.defines = isChecker ? { CHECKER: "" } : {};
+      this.surface.needsUpdate = true;
+    }
     this.redraw();
     return colours.legend;
   }
@@ -395,6 +418,8 @@ export class Viewer {
   // --- frames
 
   private lastTime = 0;
+  private lastMove = 0;
+  private isSharp = false;
   private step(time: number): void {
     const elapsed = Math.min(0.1, (time - this.lastTime) / 1000);
     if (this.frames.push((time - this.lastTime) / 1000) > 200) this.frames.shift();
@@ -404,10 +429,18 @@ export class Viewer {
       if (this.morph_ === 0 || this.morph_ === 1) this.playing = 0;
     }
     if (this.spinning !== 0) this.turn(this.spinning * elapsed, 0);
-    if (this.needed) {
-      this.needed = false;
-      this.draw();
-    }
+    const moving = this.needed;
+    this.needed = false;
+    // What moves may be coarse, where there is no graphics card; what rests is drawn once more, sharp.
+    if (moving) {
+      this.lastMove = time;
+      this.draw(this.isSoftware ? 0.75 : this.sharp());
+    } else if (this.isSoftware && !this.isSharp && time - this.lastMove > 200) this.draw(this.sharp());
+  }
+
+  /// Pixels of the canvas per CSS pixel at rest.
+  private sharp(): number {
+    return this.isSoftware ? 1.5 : Math.min(2, window.devicePixelRatio);
   }
 
   private aim(view: View, isSphere: boolean): void {
@@ -421,12 +454,17 @@ export class Viewer {
     this.camera.updateMatrixWorld();
     for (const scene of [this.scene, this.pickScene]) scene.quaternion.copy(this.rotation);
     this.uniforms.morph.value = isSphere ? 1 : this.morph_;
+    const isWhole = this.isOutside && (isSphere || this.morph_ === 0 || this.morph_ === 1);
+    this.surface.side = this.picking.side = isWhole ? FrontSide : DoubleSide; // in between a surface may turn over
     this.uniforms.pixel.value.set(2 / Math.max(1, view.width), 2 / Math.max(1, view.height));
   }
 
-  private draw(): void {
+  private draw(ratio: number): void {
     const { clientWidth: w, clientHeight: h } = this.canvas;
     if (w === 0 || h === 0) return;
+    this.isSharp = ratio === this.sharp();
+    this.ringSize.value = 22 * ratio;
+    if (this.renderer.getPixelRatio() !== ratio) this.renderer.setPixelRatio(ratio);
     const size = this.renderer.getSize(new Vector2());
     if (size.x !== w || size.y !== h) this.renderer.setSize(w, h, false);
     this.renderer.setScissorTest(false);
@@ -632,6 +670,15 @@ export class Viewer {
   }
 }
 
+/// What draws.
+function nameOfRenderer(): string {
+  const gl = document.createElement("canvas").getContext("webgl2");
+  const info = gl?.getExtension("WEBGL_debug_renderer_info");
+  const name = info ? String(gl!.getParameter(info.UNMASKED_RENDERER_WEBGL)) : "";
+  gl?.getExtension("WEBGL_lose_context")?.loseContext();
+  return name;
+}
+
 /// The ball that the mesh is scaled to: about the middle of its box.
 function frameOf(points: Coordinates): { center: [number, number, number]; radius: number } {
   const low = [Infinity, Infinity, Infinity];
@@ -645,6 +692,21 @@ function frameOf(points: Coordinates): { center: [number, number, number]; radiu
   for (let i = 0; i < points.length; i += 3)
     radius = Math.max(radius, Math.hypot(points[i]! - center[0], points[i + 1]! - center[1], points[i + 2]! - center[2]));
   return { center, radius: radius || 1 };
+}
+
+/// Whether the faces of a closed mesh look to its inside.
+function isInsideOut({ points, triangles }: Mesh): boolean {
+  let volume = 0;
+  for (let t = 0; t < triangles.length; t += 3) {
+    const [a, b, c] = [0, 1, 2].map((k) => 3 * triangles[t + k]!) as [number, number, number];
+    const [x, y, z] = [0, 1, 2].map((k) => points[b + k]! - points[k]!) as [number, number, number];
+    const [u, v, w] = [0, 1, 2].map((k) => points[c + k]! - points[k]!) as [number, number, number];
+    volume +=
+      (points[a]! - points[0]!) * (y * w - z * v) +
+      (points[a + 1]! - points[1]!) * (z * u - x * w) +
+      (points[a + 2]! - points[2]!) * (x * v - y * u);
+  }
+  return volume < 0;
 }
 
 /// Normals of the vertices, weighted by the areas of the faces.

@@ -35,9 +35,13 @@ async function open(url, options = {}) {
 }
 
 const url = () => `http://127.0.0.1:${server.address().port}/`;
-const state = (...which) =>
-  page.waitForFunction((w) => w.includes(document.body.dataset.state), which, { timeout: 300_000 });
-const settled = async () => (await state("certified", "refused", "failed")).jsonValue();
+/// Waits until the file `name` has come to a state.
+const state = (name, which) =>
+  page.waitForFunction(
+    ([n, s]) => document.getElementById("file-name").textContent === n && document.body.dataset.state === s,
+    [name, which],
+    { timeout: 300_000 },
+  );
 const shot = (name) => page.screenshot({ path: join(folder, name + ".png") });
 const text = (selector) => page.locator(selector).innerText();
 
@@ -62,7 +66,7 @@ for (const example of examples)
   test(`maps the example ${example.name}, as the tool does`, async () => {
     await page.selectOption("#method", "balanced");
     await page.click(`[data-example="${example.file}"]`);
-    await settled();
+    await state(example.file, "certified");
     // not example.text(): the sines of chromium and node differ
     const expected = native(write(folder, example.file, await page.evaluate(() => window.page.text())), folder);
     assert.equal(expected.error, null);
@@ -174,7 +178,7 @@ test("downloads can be read again", async () => {
 test("refuses a torus, and marks its handle", async () => {
   const file = write(folder, "torus.off", torus(60, 30));
   await page.setInputFiles("#file", file);
-  await state("refused");
+  await state("torus.off", "refused");
   assert.equal(await page.getAttribute("#certificate", "data-code"), "WRONG_GENUS");
   assert.ok((await text("#certificate")).includes(native(file, folder).error));
   assert.match(await text("#marked"), /1 handle\./);
@@ -187,11 +191,11 @@ test("refuses a mesh with a hole, and what is no mesh", async () => {
   const [n, m] = lines[0].split(" ").map(Number);
   const open = [head, `${n} ${m - 40} 0`, ...lines.slice(1, -40)].join("\n") + "\n";
   await page.setInputFiles("#file", write(folder, "open.off", open));
-  await state("refused");
+  await state("open.off", "refused");
   assert.match(await text("#marked"), /\d+ holes?\./);
   await shot("hole");
   await page.setInputFiles("#file", write(folder, "words.off", "these are words\n"));
-  await page.waitForFunction(() => document.getElementById("certificate").textContent.includes("words.off"));
+  await state("words.off", "refused");
   assert.equal(await page.getAttribute("#certificate", "data-code"), "UNREADABLE_FILE");
 });
 
@@ -209,17 +213,17 @@ test("a long run shows progress, can be cancelled, and the page goes on", async 
   assert.equal(frames, 20); // it draws while it maps
   await shot("running");
   await page.keyboard.press("Escape");
-  await state("cancelled");
+  await state("large.off", "cancelled");
   await page.selectOption("#method", "balanced");
   await page.click('[data-example="bar.off"]');
-  await state("certified");
+  await state("bar.off", "certified");
 });
 
 test("narrow and dark, by touch", async () => {
   const wide = page;
   page = await open(url(), { viewport: { width: 390, height: 844 }, colorScheme: "dark", hasTouch: true, isMobile: true });
   await page.tap('[data-example="bar.off"]');
-  await state("certified");
+  await state("bar.off", "certified");
   const box = await page.locator("#canvas").boundingBox();
   await page.touchscreen.tap(box.x + box.width / 2, box.y + 0.75 * box.height);
   await page.waitForFunction(() => document.getElementById("hover").textContent !== "");
@@ -233,14 +237,14 @@ test("works from a file, too, and the file of `view`", async () => {
   const wide = page;
   page = await open(pathToFileURL(join(web, "dist", "index.html")).href);
   await page.click('[data-example="bar.off"]');
-  await state("certified");
+  await state("bar.off", "certified");
   await page.context().close();
 
   const html = join(folder, "bar.html");
   execFileSync(tool, ["view", join(folder, "bar.off"), "-o", html]);
   assert.ok(statSync(html).size < 3_000_000);
   page = await open(pathToFileURL(html).href, { offline: true });
-  await state("shown");
+  await state("bar.off", "shown");
   assert.match(await text("#certificate"), /^Certified\s+0 of [\d,]+ faces flipped, degree 1\./);
   const expected = native(join(folder, "bar.off"), folder).sphere;
   const found = await page.evaluate(() => Array.from(window.page.stage.model.sphere));

@@ -26,6 +26,7 @@ import {
 
 import { coloursOf, type Colouring, type Legend } from "./colours";
 import type { Coordinates, Mesh, Model } from "./model";
+import { localOrder } from "./order";
 import { bestRotation } from "./rotation";
 import type { Trouble } from "./topology";
 
@@ -248,7 +249,7 @@ export class Viewer {
     geometry.setAttribute("onSphere", new BufferAttribute(onSphere, 3));
     geometry.setAttribute("normal", new BufferAttribute(normal, 3));
     geometry.setAttribute("paint", new BufferAttribute(new Uint8Array(3 * n), 3, true));
-    geometry.setIndex(new BufferAttribute(this.corners, 1));
+    geometry.setIndex(new BufferAttribute(this.order(model), 1));
     this.isOutside = model.sphere !== undefined && !isInsideOut(model);
     this.shape = new Shape(geometry, this.surface);
     const pick = new Shape(geometry, this.picking);
@@ -550,6 +551,14 @@ export class Viewer {
     }
     return best;
   }
+
+  /// The corners in the order in which they are drawn. That of a mesh stays when its sphere comes.
+  private order(model: Model): Uint32Array {
+    if (this.ordered?.triangles !== model.triangles || this.ordered.n !== this.source.length)
+      this.ordered = { triangles: model.triangles, n: this.source.length, order: localOrder(this.corners, this.source.length) };
+    return this.ordered.order;
+  }
+  private ordered: { triangles: Int32Array; n: number; order: Uint32Array } | null = null;
 
   /// One vertex per point, and one more per segment that meets there.
   private split(model: Model): void {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-import { meanOverFaces, quantile, type Model } from "./model";
+import { meanOverFaces, quantiles, type Model } from "./model";
 
 export type Colour = [number, number, number]; // 0 to 255
 
@@ -41,7 +41,8 @@ export function colourAt(scale: Scale, t: number): Colour {
   const place = Math.min(1, Math.max(0, t)) * (scale.length - 1);
   const below = Math.min(Math.floor(place), scale.length - 2);
   const share = place - below;
-  return [0, 1, 2].map((k) => (1 - share) * scale[below]![k]! + share * scale[below + 1]![k]!) as Colour;
+  const [a, b] = [scale[below]!, scale[below + 1]!];
+  return [a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1]), a[2] + share * (b[2] - a[2])];
 }
 
 /// Hues by the golden ratio, as the tool has them.
@@ -69,13 +70,14 @@ export interface Legend {
 /// The scale ends at quantiles, or a few vertices at the tips of limbs would leave everything else white. Either side
 /// of the stretch has its own, as in the tool.
 export function legendOf(colouring: Colouring, values: ArrayLike<number>): Legend | null {
+  const [least, most] = quantiles(values, [0.02, 0.98]) as [number, number];
   if (colouring === "stretch") {
-    const low = Math.min(quantile(values, 0.02), -1e-3);
-    const high = Math.max(quantile(values, 0.98), 1e-3);
+    const low = Math.min(least, -1e-3);
+    const high = Math.max(most, 1e-3);
     return { scale: diverging, low, high, at: (x) => 0.5 + (x < 0 ? -x / low : x / high) / 2 };
   }
   if (colouring === "angle") {
-    const high = Math.max(quantile(values, 0.98), 1e-3);
+    const high = Math.max(most, 1e-3);
     return { scale: sequential, low: 0, high, at: (x) => x / high };
   }
   return null;

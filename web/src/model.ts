@@ -47,28 +47,44 @@ export function meanOverFaces(mesh: Mesh, values: Coordinates): Float32Array {
   const n = mesh.points.length / 3;
   const sum = new Float32Array(n);
   const count = new Uint32Array(n);
-  mesh.triangles.forEach((v, corner) => {
+  for (let corner = 0; corner < mesh.triangles.length; ++corner) {
+    const v = mesh.triangles[corner]!;
     sum[v]! += values[(corner / 3) | 0]!;
     count[v]!++;
-  });
-  return sum.map((s, v) => (count[v] ? s / count[v]! : 0));
+  }
+  for (let v = 0; v < n; ++v) sum[v]! /= Math.max(1, count[v]!);
+  return sum;
 }
 
-/// The value below which the share `share` of the values lies.
-export function quantile(values: ArrayLike<number>, share: number): number {
+/// The values below which these shares of the values lie.
+export function quantiles(values: ArrayLike<number>, shares: number[]): number[] {
   const sorted = Float64Array.from(values).sort();
-  return sorted[Math.min(sorted.length - 1, Math.floor(share * sorted.length))] ?? 0;
+  return shares.map((share) => sorted[Math.min(sorted.length - 1, Math.floor(share * sorted.length))] ?? 0);
+}
+
+/// Calls `visit` for every face with the cross product of two of its edges (twice its area, outwards), and with the
+/// places of its corners in the coordinates. In plain numbers: meshes are large, and the page must not wait.
+export function forEachFace(
+  { points, triangles }: Mesh,
+  visit: (x: number, y: number, z: number, a: number, b: number, c: number, face: number) => void,
+): void {
+  for (let t = 0; t < triangles.length; t += 3) {
+    const a = 3 * triangles[t]!;
+    const b = 3 * triangles[t + 1]!;
+    const c = 3 * triangles[t + 2]!;
+    const ux = points[b]! - points[a]!;
+    const uy = points[b + 1]! - points[a + 1]!;
+    const uz = points[b + 2]! - points[a + 2]!;
+    const vx = points[c]! - points[a]!;
+    const vy = points[c + 1]! - points[a + 1]!;
+    const vz = points[c + 2]! - points[a + 2]!;
+    visit(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx, a, b, c, t / 3);
+  }
 }
 
 /// Areas of the faces.
 export function faceAreas(mesh: Mesh): Float64Array {
-  const { points, triangles } = mesh;
-  const areas = new Float64Array(triangles.length / 3);
-  for (let f = 0; f < areas.length; ++f) {
-    const [a, b, c] = [0, 1, 2].map((i) => 3 * triangles[3 * f + i]!) as [number, number, number];
-    const [ux, uy, uz] = [0, 1, 2].map((k) => points[b + k]! - points[a + k]!) as [number, number, number];
-    const [vx, vy, vz] = [0, 1, 2].map((k) => points[c + k]! - points[a + k]!) as [number, number, number];
-    areas[f] = Math.hypot(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx) / 2;
-  }
+  const areas = new Float64Array(mesh.triangles.length / 3);
+  forEachFace(mesh, (x, y, z, _a, _b, _c, face) => (areas[face] = Math.sqrt(x * x + y * y + z * z) / 2));
   return areas;
 }

@@ -55,3 +55,27 @@ export function localOrder(corners: Uint32Array, vertices: number): Uint32Array 
   }
   return result;
 }
+
+/// Fewer triangles between some of the vertices, for those who draw slowly: all vertices in a cell of a grid become one.
+/// Positions are in [-1, 1].
+export function coarsened(corners: Uint32Array, position: Float32Array): Uint32Array {
+  const cells = 112; // along an edge
+  const one = new Int32Array(cells ** 3).fill(-1);
+  const cellOf = (x: number) => Math.min(cells - 1, Math.floor(((x + 1) / 2) * cells));
+  const standsFor = new Uint32Array(position.length / 3);
+  for (let v = 0; v < standsFor.length; ++v) {
+    const cell = (cellOf(position[3 * v]!) * cells + cellOf(position[3 * v + 1]!)) * cells + cellOf(position[3 * v + 2]!);
+    if (one[cell] === -1) one[cell] = v;
+    standsFor[v] = one[cell]!;
+  }
+  const result = new Uint32Array(corners.length);
+  let written = 0;
+  for (let c = 0; c < corners.length; c += 3) {
+    const [x, y, z] = [standsFor[corners[c]!]!, standsFor[corners[c + 1]!]!, standsFor[corners[c + 2]!]!];
+    if (x === y || y === z || z === x) continue;
+    result[written++] = x;
+    result[written++] = y;
+    result[written++] = z;
+  }
+  return result.slice(0, written);
+}

@@ -25,8 +25,8 @@ import {
 } from "three";
 
 import { coloursOf, type Colouring, type Legend } from "./colours";
-import type { Coordinates, Mesh, Model } from "./model";
-import { localOrder } from "./order";
+import { forEachFace, type Coordinates, type Mesh, type Model } from "./model";
+import { coarsened, localOrder } from "./order";
 import { bestRotation } from "./rotation";
 import type { Trouble } from "./topology";
 
@@ -130,6 +130,9 @@ const ringFragment = /* glsl */ `
     colour = vec4(mix(vec3(0.0), tint, ring), max(ring, 0.55 * halo));
     if (colour.a < 0.02) discard;
   }`;
+
+/// Pixels per CSS pixel where software draws what moves.
+const coarse = 0.75;
 
 interface View {
   x: number; // of the canvas, in CSS pixels, from above
@@ -249,7 +252,7 @@ export class Viewer {
     geometry.setAttribute("onSphere", new BufferAttribute(onSphere, 3));
     geometry.setAttribute("normal", new BufferAttribute(normal, 3));
     geometry.setAttribute("paint", new BufferAttribute(new Uint8Array(3 * n), 3, true));
-    geometry.setIndex(new BufferAttribute(this.order(model), 1));
+    geometry.setIndex(new BufferAttribute(this.order(model, position), 1));
     this.isOutside = model.sphere !== undefined && !isInsideOut(model);
     this.shape = new Shape(geometry, this.surface);
     const pick = new Shape(geometry, this.picking);
@@ -265,8 +268,10 @@ export class Viewer {
     if (!this.shape) return null;
     const colours = coloursOf(model, colouring);
     const paint = this.shape.geometry.getAttribute("paint") as BufferAttribute;
-    for (let v = 0; v < this.source.length; ++v)
-      paint.array.set(colours.ofVertex(this.source[v]!, this.faceOfVertex[v]!).map(Math.round), 3 * v);
+    for (let v = 0; v < this.source.length; ++v) {
+      const colour = colours.ofVertex(this.source[v]!, this.faceOfVertex[v]!);
+      for (let k = 0; k < 3; ++k) paint.array[3 * v + k] = colour[k]! + 0.5;
+    }
     paint.needsUpdate = true;
     const isChecker = colouring === "checker" && this.hasSphere;
     if (isChecker !== "CHECKER" in this.surface.defines) {
@@ -435,7 +440,7 @@ export class Viewer {
     // What moves may be coarse, where there is no graphics card; what rests is drawn once more, sharp.
     if (moving) {
       this.lastMove = time;
-      this.draw(this.isSoftware ? 0.75 : this.sharp());
+      this.draw(this.isSoftware ? coarse : this.sharp());
     } else if (this.isSoftware && !this.isSharp && time - this.lastMove > 200) this.draw(this.sharp());
   }
 
@@ -553,9 +558,12 @@ export class Viewer {
   }
 
   /// The corners in the order in which they are drawn. That of a mesh stays when its sphere comes.
-  private order(model: Model): Uint32Array {
-    if (this.ordered?.triangles !== model.triangles || this.ordered.n !== this.source.length)
-      this.ordered = { triangles: model.triangles, n: this.source.length, order: localOrder(this.corners, this.source.length) };
+  private order(model: Model, position: Float32Array): Uint32Array {
+    const n = this.source.length;
+    if (this.ordered?.triangles !== model.triangles || this.ordered.n !== n) {
+      const corners = this.isSoftware && this.corners.length > 900_000 ? coarsened(this.corners, position) : this.corners;
+      this.ordered = { triangles: model.triangles, n, order: localOrder(corners, n) };
+    }
     return this.ordered.order;
   }
   private ordered: { triangles: Int32Array; n: number; order: Uint32Array } | null = null;
@@ -564,31 +572,35 @@ export class Viewer {
   private split(model: Model): void {
     const { triangles, segments } = model;
     const n = model.points.length / 3;
-    const source = Array.from({ length: n }, (_, v) => v);
-    const faceOfVertex = new Array<number>(n).fill(0);
     const corners = new Uint32Array(triangles);
+    const face = new Uint32Array(n);
+    const copies: { source: number; face: number }[] = [];
     if (segments) {
       const first = new Int32Array(n).fill(-1); // segment of the point
       const others = new Map<string, number>();
       for (let c = 0; c < triangles.length; ++c) {
         const v = triangles[c]!;
-        const segment = segments[(c / 3) | 0]!;
+        const f = (c / 3) | 0;
+        const segment = segments[f]!;
         if (first[v] === -1) {
           first[v] = segment;
-          faceOfVertex[v] = (c / 3) | 0;
+          face[v] = f;
         } else if (first[v] !== segment) {
           const key = `${v} ${segment}`;
           let copy = others.get(key);
-          if (copy === undefined) {
-            others.set(key, (copy = source.push(v) - 1));
-            faceOfVertex.push((c / 3) | 0);
-          }
+          if (copy === undefined) others.set(key, (copy = n + copies.push({ source: v, face: f }) - 1));
           corners[c] = copy;
         }
       }
     }
-    this.source = Uint32Array.from(source);
-    this.faceOfVertex = Uint32Array.from(faceOfVertex);
+    this.source = new Uint32Array(n + copies.length);
+    this.faceOfVertex = new Uint32Array(n + copies.length);
+    for (let v = 0; v < n; ++v) this.source[v] = v;
+    this.faceOfVertex.set(face);
+    copies.forEach((copy, i) => {
+      this.source[n + i] = copy.source;
+      this.faceOfVertex[n + i] = copy.face;
+    });
     this.corners = corners;
     this.firstFace = new Uint32Array(this.source.length + 1);
     for (let f = 0; f < corners.length / 3; ++f) this.firstFace[corners[3 * f + 2]! + 1]!++;
@@ -692,59 +704,51 @@ function nameOfRenderer(): string {
 function frameOf(points: Coordinates): { center: [number, number, number]; radius: number } {
   const low = [Infinity, Infinity, Infinity];
   const high = [-Infinity, -Infinity, -Infinity];
-  for (let i = 0; i < points.length; ++i) {
-    low[i % 3] = Math.min(low[i % 3]!, points[i]!);
-    high[i % 3] = Math.max(high[i % 3]!, points[i]!);
-  }
+  for (let k = 0; k < 3; ++k)
+    for (let i = k; i < points.length; i += 3) {
+      low[k] = Math.min(low[k]!, points[i]!);
+      high[k] = Math.max(high[k]!, points[i]!);
+    }
   const center = [0, 1, 2].map((k) => (low[k]! + high[k]!) / 2) as [number, number, number];
-  let radius = 0;
-  for (let i = 0; i < points.length; i += 3)
-    radius = Math.max(radius, Math.hypot(points[i]! - center[0], points[i + 1]! - center[1], points[i + 2]! - center[2]));
-  return { center, radius: radius || 1 };
+  let square = 0;
+  for (let i = 0; i < points.length; i += 3) {
+    const x = points[i]! - center[0];
+    const y = points[i + 1]! - center[1];
+    const z = points[i + 2]! - center[2];
+    square = Math.max(square, x * x + y * y + z * z);
+  }
+  return { center, radius: Math.sqrt(square) || 1 };
 }
 
 /// Whether the faces of a closed mesh look to its inside.
-function isInsideOut({ points, triangles }: Mesh): boolean {
+function isInsideOut(mesh: Mesh): boolean {
+  const p = mesh.points;
   let volume = 0;
-  for (let t = 0; t < triangles.length; t += 3) {
-    const [a, b, c] = [0, 1, 2].map((k) => 3 * triangles[t + k]!) as [number, number, number];
-    const [x, y, z] = [0, 1, 2].map((k) => points[b + k]! - points[k]!) as [number, number, number];
-    const [u, v, w] = [0, 1, 2].map((k) => points[c + k]! - points[k]!) as [number, number, number];
-    volume +=
-      (points[a]! - points[0]!) * (y * w - z * v) +
-      (points[a + 1]! - points[1]!) * (z * u - x * w) +
-      (points[a + 2]! - points[2]!) * (x * v - y * u);
-  }
+  forEachFace(mesh, (x, y, z, a) => {
+    volume += (p[a]! - p[0]!) * x + (p[a + 1]! - p[1]!) * y + (p[a + 2]! - p[2]!) * z;
+  });
   return volume < 0;
 }
 
 /// Normals of the vertices, weighted by the areas of the faces.
-function normalsOf({ points, triangles }: Mesh): Float32Array {
-  const normals = new Float32Array(points.length);
-  for (let t = 0; t < triangles.length; t += 3) {
-    const a = 3 * triangles[t]!;
-    const b = 3 * triangles[t + 1]!;
-    const c = 3 * triangles[t + 2]!;
-    const ux = points[b]! - points[a]!;
-    const uy = points[b + 1]! - points[a + 1]!;
-    const uz = points[b + 2]! - points[a + 2]!;
-    const vx = points[c]! - points[a]!;
-    const vy = points[c + 1]! - points[a + 1]!;
-    const vz = points[c + 2]! - points[a + 2]!;
-    const x = uy * vz - uz * vy;
-    const y = uz * vx - ux * vz;
-    const z = ux * vy - uy * vx;
-    for (const v of [a, b, c]) {
-      normals[v]! += x;
-      normals[v + 1]! += y;
-      normals[v + 2]! += z;
-    }
-  }
+function normalsOf(mesh: Mesh): Float32Array {
+  const normals = new Float32Array(mesh.points.length);
+  const add = (v: number, x: number, y: number, z: number) => {
+    normals[v]! += x;
+    normals[v + 1]! += y;
+    normals[v + 2]! += z;
+  };
+  forEachFace(mesh, (x, y, z, a, b, c) => {
+    add(a, x, y, z);
+    add(b, x, y, z);
+    add(c, x, y, z);
+  });
   for (let v = 0; v < normals.length; v += 3) {
-    const length = Math.hypot(normals[v]!, normals[v + 1]!, normals[v + 2]!) || 1;
-    normals[v]! /= length;
-    normals[v + 1]! /= length;
-    normals[v + 2]! /= length;
+    const [x, y, z] = [normals[v]!, normals[v + 1]!, normals[v + 2]!];
+    const length = Math.sqrt(x * x + y * y + z * z) || 1;
+    normals[v] = x / length;
+    normals[v + 1] = y / length;
+    normals[v + 2] = z / length;
   }
   return normals;
 }

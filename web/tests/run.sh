@@ -20,5 +20,4 @@ fi
 export SPHERICAL_PARAMETERIZATION_TOOL=$2
 cd "$web"
 [ "$1" = viewer ] || flock build.mjs node build.mjs
-# emscripten 3.1.6 does not know that node has fetch()
-node --no-experimental-fetch --test "tests/$1.test.mjs"
+node --test "tests/$1.test.mjs"

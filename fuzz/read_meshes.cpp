@@ -3,13 +3,13 @@
 #include "Input_file.h"
 #include "targets.h"
 
-#include "input/fixed_vertices.h"
-#include "input/read_mesh.h"
-#include "mapping/read_sphere.h"
+#include "input/mesh_readers.h"
+#include "input/mesh.h"
+#include "mapping/spherical_map.h"
 #include "output/write_mesh.h"
 #include "system/refusal.h"
 
-#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
 
 #include <cmath>
 #include <cstring>
@@ -41,8 +41,16 @@ std::optional<tool::Mesh> read(const std::string& file, tool::Polygons polygons)
 /// What the rest of the tool takes for granted.
 void check_mesh(const tool::Mesh& mesh)
 {
-  promise(CGAL::is_valid_polygon_mesh(mesh), "a mesh that is broken");
-  promise(CGAL::is_triangle_mesh(mesh) && CGAL::is_closed(mesh), "a mesh that is not closed, or has polygons");
+  for(const auto h : halfedges(mesh)) {
+    const auto twin = opposite(h, mesh);
+    promise(twin != h && opposite(twin, mesh) == h, "a mesh that is not closed");
+    promise(source(twin, mesh) == target(h, mesh) && target(twin, mesh) == source(h, mesh),
+            "halfedges that do not fit");
+  }
+  std::size_t corners = 0;
+  for(const auto v : vertices(mesh))
+    corners += CGAL::halfedges_around_target(v, mesh).size();
+  promise(corners == num_halfedges(mesh), "a vertex whose faces form no disk");
   promise(mesh.number_of_vertices() == mesh.number_of_faces() / 2 + 2, "a mesh of another genus, or in parts");
   for(const tool::Point& p : mesh.points())
     for(const double x : p)

@@ -50,7 +50,10 @@ async function minified(css) {
   return result.outputFiles[0].text.trim();
 }
 
-const licence = "<!-- SPDX-License-Identifier: GPL-3.0-or-later. Contains three.js, (c) its authors, MIT licence. -->";
+const licence =
+  "<!-- SPDX-License-Identifier: GPL-3.0-or-later\nPart of CGAL Spherical Parameterization. Contains three.js:\n\n" +
+  readFileSync(join(here, "node_modules", "three", "LICENSE"), "utf8").replaceAll("\u00a9", "(c)").trim() +
+  " -->";
 
 async function html(js, data) {
   return source("page.html")

@@ -3,7 +3,7 @@
 
 #include "measure/mass_row.h"
 
-#include "input/read_mesh.h"
+#include "input/mesh.h"
 #include "mapping/spherical_map.h"
 #include "options/map_settings.h"
 #include "output/csv.h"

@@ -3,7 +3,7 @@
 
 #include "collections/sign_mesh.h"
 
-#include "input/read_mesh.h"
+#include "input/mesh.h"
 #include "mapping/spherical_map.h"
 #include "system/error_code_names.h"
 #include "system/refusal.h"

@@ -23,6 +23,10 @@ void add_view_command(CLI::App& app, int& exit_code);      ///< the mesh and its
 void add_devices_command(CLI::App& app, int& exit_code);   ///< the execution policies, and their devices
 /// @}
 
+/// The program: parses the command line, and runs its command. Returns the exit code: 0, 1 for a failure, 2 for wrong
+/// usage. Throws what is thrown outside of a command.
+int run(int argc, char** argv);
+
 } // namespace tool
 
 #endif // SPHERICAL_PARAMETERIZATION_TOOL_COMMANDS_H

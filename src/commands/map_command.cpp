@@ -34,27 +34,6 @@ struct Map_options : Mapping_options {
   std::string stretch_ply;
 };
 
-void add_map_options(CLI::App& command, Map_options& options)
-{
-  add_mapping_options(command, options);
-  command
-    .add_option(
-      "-o,--output", options.output,
-      "Output file of the sphere: .off, .obj or .ply. Its vertices and faces are those of IN, in the same order")
-    ->required()
-    ->type_name("FILE");
-  command
-    .add_option("--report", options.report,
-                "Write the certificate, distortion, times, memory and settings, or the error, as JSON")
-    ->type_name("FILE");
-  command
-    .add_option("--stretch-ply", options.stretch_ply, "Write IN as PLY, coloured by the logarithm of the area stretch")
-    ->type_name("FILE");
-  command.footer("Example: spherical-parameterization map bunny.ply -o sphere.off --method automatic\n"
-                 "Exit code: 0 a certified map was written, 1 no map was written (stderr says why), 2 wrong usage,\n"
-                 "130 interrupted.");
-}
-
 void check_map_options(const Map_options& options)
 {
   require_extension("--output", options.output, {".off", ".obj", ".ply"});
@@ -141,7 +120,24 @@ void add_map_command(CLI::App& app, int& exit_code)
 {
   CLI::App* command = app.add_subcommand("map", "Map a closed genus-0 triangle mesh to the sphere, certified");
   const auto options = std::make_shared<Map_options>();
-  add_map_options(*command, *options);
+  add_mapping_options(*command, *options);
+  command
+    ->add_option(
+      "-o,--output", options->output,
+      "Output file of the sphere: .off, .obj or .ply. Its vertices and faces are those of IN, in the same order")
+    ->required()
+    ->type_name("FILE");
+  command
+    ->add_option("--report", options->report,
+                 "Write the certificate, distortion, times, memory and settings, or the error, as JSON")
+    ->type_name("FILE");
+  command
+    ->add_option("--stretch-ply", options->stretch_ply,
+                 "Write IN as PLY, coloured by the logarithm of the area stretch")
+    ->type_name("FILE");
+  command->footer("Example: spherical-parameterization map bunny.ply -o sphere.off --method automatic\n"
+                  "Exit code: 0 a certified map was written, 1 no map was written (stderr says why), 2 wrong usage,\n"
+                  "130 interrupted.");
   command->callback([options, &exit_code] {
     check_map_options(*options);
     exit_code = run(*options);

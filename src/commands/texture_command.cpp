@@ -7,7 +7,7 @@
 #include "mapping/mapped_mesh.h"
 #include "options/usage.h"
 #include "output/atomic_file.h"
-#include "output/textured_obj.h"
+#include "output/write_mesh.h"
 #include "system/guarded.h"
 #include "system/interruption.h"
 

@@ -3,10 +3,10 @@
 
 #include "input/files.h"
 
+#include "input/text_lines.h"
 #include "system/refusal.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -66,13 +66,7 @@ std::string read_file(const std::string& file)
   return bytes;
 }
 
-std::string lower_case_extension(const std::string& file)
-{
-  std::string extension = fs::path(file).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
+std::string lower_case_extension(const std::string& file) { return lower_case(fs::path(file).extension().string()); }
 
 bool is_mesh_file(const std::string& file)
 {

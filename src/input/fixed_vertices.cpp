@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "input/fixed_vertices.h"
+#include "input/mesh_readers.h"
 
 #include "input/files.h"
 #include "input/text_lines.h"

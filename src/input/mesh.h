@@ -8,6 +8,8 @@
 
 #include <boost/property_map/function_property_map.hpp>
 
+#include <cstddef>
+#include <string>
 #include <vector>
 
 namespace tool {
@@ -30,6 +32,20 @@ auto as_map(Values& values)
 /// The places as a property map of the vertices.
 inline auto as_map(Sphere& sphere) { return as_map<Mesh::Vertex_index>(sphere); }
 inline auto as_map(const Sphere& sphere) { return as_map<Mesh::Vertex_index>(sphere); }
+
+/// What to do with faces of more than three vertices.
+enum class Polygons { REFUSE, TRIANGULATE };
+
+struct Input_mesh {
+  Mesh mesh;
+  std::size_t triangulated_polygons = 0; ///< if there are any, the faces are not those of the file
+};
+
+/// Reads a triangulated sphere from an OFF, OBJ, PLY or STL file. Vertex `i` of the file is vertex `i` of the mesh, and
+/// the same for faces (of STL files: in the order in which they appear first). Anything else throws a `Refusal`.
+///
+/// The extension has to be one of the four; a PLY or OFF file under one of the other three is read as what it is.
+Input_mesh read_mesh(const std::string& file, Polygons polygons = Polygons::REFUSE);
 
 } // namespace tool
 

@@ -36,6 +36,12 @@ struct Soup {
 /// Above this, 32-bit indices could not number all halfedges.
 constexpr std::size_t largest_count = 700'000'000;
 
+/// Reads the bytes of a mesh file in the format that its first line names, or else its extension.
+Soup read_soup(const std::string& file, std::string bytes);
+
+/// Throws a `Refusal` of polygons that are no triangles.
+void check_triangles(const std::string& file, const Soup& soup);
+
 /// \name Readers, one per file format
 /// They read the bytes of a file once. A broken file is refused in one sentence before it costs memory or yields a
 /// wrong mesh: header counts against the size of the file, numbers that are none, NaN, indices out of range, files that
@@ -49,6 +55,15 @@ Soup read_obj(const std::string& file, std::string text);
 Soup read_ply(const std::string& file, const std::string& bytes);
 Soup read_stl(const std::string& file, std::string bytes); ///< corners at the same place become one vertex
 /// @}
+
+struct Fixed_vertex {
+  std::size_t index;
+  std::array<double, 3> position; ///< on the unit sphere
+};
+
+/// Reads lines `index x y z`: the number of a vertex, from 0 on, and the direction it is to have on the sphere.
+/// Throws a `Refusal` that names the first line that does not fit a mesh of so many vertices.
+std::vector<Fixed_vertex> read_fixed_vertices(const std::string& file, std::size_t number_of_vertices);
 
 } // namespace tool
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "input/read_mesh.h"
+#include "input/mesh.h"
 
 #include "input/files.h"
 #include "input/mesh_readers.h"
@@ -37,6 +37,15 @@ void check_extension(const std::string& file)
                   std::string("meshes are read from ") + mesh_extensions + " files");
 }
 
+Soup read_format(const std::string& format, const std::string& file, std::string bytes)
+{
+  if(format == ".ply")
+    return read_ply(file, bytes);
+  return (format == ".off" ? read_off : format == ".obj" ? read_obj : read_stl)(file, std::move(bytes));
+}
+
+} // namespace
+
 void check_triangles(const std::string& file, const Soup& soup)
 {
   if(soup.polygons > 0)
@@ -48,30 +57,20 @@ void check_triangles(const std::string& file, const Soup& soup)
                   "triangulate the mesh, or use --triangulate");
 }
 
-Soup read_format(const std::string& format, const std::string& file, std::string bytes)
-{
-  if(format == ".ply")
-    return read_ply(file, bytes);
-  return (format == ".off" ? read_off : format == ".obj" ? read_obj : read_stl)(file, std::move(bytes));
-}
-
-} // namespace
-
-Soup read_soup(const std::string& file, std::string bytes, Polygons polygons)
+Soup read_soup(const std::string& file, std::string bytes)
 {
   check_extension(file);
   const std::string content = format_of_content(bytes);
-  Soup soup = read_format(content.empty() ? lower_case_extension(file) : content, file, std::move(bytes));
-  if(polygons == Polygons::REFUSE)
-    check_triangles(file, soup);
-  return soup;
+  return read_format(content.empty() ? lower_case_extension(file) : content, file, std::move(bytes));
 }
 
 Input_mesh read_mesh(const std::string& file, Polygons polygons)
 {
   check_readable(file);
   check_extension(file); // before the file costs memory
-  const Soup soup = read_soup(file, read_file(file), polygons);
+  const Soup soup = read_soup(file, read_file(file));
+  if(polygons == Polygons::REFUSE)
+    check_triangles(file, soup);
   try {
     return {Mesh(CGAL::Parallel_if_available_tag(), soup.points, soup.triangles), soup.polygons};
   } catch(const CGAL::Spherical_parameterization::Error& error) {

@@ -50,30 +50,40 @@ struct Element {
       std::find_if(properties.begin(), properties.end(), [=](const Property& p) { return p.name == property; });
     return found == properties.end() ? nullptr : &*found;
   }
-
-  /// The list of the vertices of a face.
-  const Property* corners() const
-  {
-    const Property* indices = find("vertex_indices");
-    return indices ? indices : find("vertex_index");
-  }
 };
 
-enum class Format { ASCII, LITTLE_ENDIAN_BINARY, BIG_ENDIAN_BINARY };
-
-struct Header {
-  Format format = Format::ASCII;
-  std::vector<Element> elements;
-  const Element* vertices = nullptr;
-  const Element* faces = nullptr;
-};
-
-class Header_reader {
+class Ply_reader {
 public:
-  /// `bytes` are those of the file; `read()` leaves those behind the header.
-  Header_reader(const std::string& file, std::string_view& bytes) : file_(file), bytes_(bytes) {}
+  Ply_reader(const std::string& file, std::string_view bytes) : file_(file), rest_(bytes) {}
 
-  Header read()
+  Soup read()
+  {
+    read_header();
+    check_elements();
+    check_faces();
+    for(const Element& element : elements_)
+      if(element.count > (rest_.size() + 1) / smallest_size(element))
+        throw Refusal(unreadable_file, file_,
+                      "cut short: the header announces " + std::to_string(element.count) + " elements " +
+                        in_quotes(element.name) + ", more than " + std::to_string(rest_.size()) + " bytes can hold",
+                      damaged_);
+    soup_.points.reserve(vertices_->count);
+    soup_.triangles.reserve(faces_->count);
+    for(const Element& element : elements_)
+      for(std::size_t row = 0; row < element.count; ++row)
+        read_row(element, row);
+    if(is_text() ? !next_token(rest_).empty() : rest_.size() >= smallest_size(elements_.back()))
+      throw Refusal(unreadable_file, file_, "has more data than the header announces",
+                    "the counts in the header are wrong; export it again");
+    return std::move(soup_);
+  }
+
+private:
+  enum class Format { ASCII, LITTLE_ENDIAN_BINARY, BIG_ENDIAN_BINARY };
+
+  bool is_text() const { return format_ == Format::ASCII; }
+
+  void read_header()
   {
     next_line();
     if(next_token(line_) != "ply")
@@ -84,7 +94,7 @@ public:
       next_line();
       const std::string_view keyword = next_token(line_);
       if(keyword == "end_header")
-        break;
+        return;
       if(keyword == "element")
         read_element();
       else if(keyword == "property")
@@ -92,18 +102,15 @@ public:
       else if(keyword != "comment" && keyword != "obj_info")
         refuse("begins with " + in_quotes(keyword) + ", which is not a keyword of a PLY header");
     }
-    check_elements();
-    return std::move(header_);
   }
 
-private:
   void next_line()
   {
-    if(bytes_.empty())
+    if(rest_.empty())
       throw Refusal(unreadable_file, file_, "cut short: the header has no 'end_header'", "export it again");
     ++number_;
-    line_ = bytes_.substr(0, bytes_.find('\n'));
-    bytes_.remove_prefix(std::min(line_.size() + 1, bytes_.size()));
+    line_ = rest_.substr(0, rest_.find('\n'));
+    rest_.remove_prefix(std::min(line_.size() + 1, rest_.size()));
   }
 
   [[noreturn]] void refuse(const std::string& wrong,
@@ -118,9 +125,9 @@ private:
     if(keyword != "format" || next_token(line_).empty())
       refuse("expected 'format', found " + in_quotes(line));
     if(format == "binary_little_endian")
-      header_.format = Format::LITTLE_ENDIAN_BINARY;
+      format_ = Format::LITTLE_ENDIAN_BINARY;
     else if(format == "binary_big_endian")
-      header_.format = Format::BIG_ENDIAN_BINARY;
+      format_ = Format::BIG_ENDIAN_BINARY;
     else if(format != "ascii")
       refuse("the format " + in_quotes(format) + " is unknown");
   }
@@ -137,12 +144,12 @@ private:
       refuse("the header announces " + std::to_string(*count) + " elements " + in_quotes(element.name) +
              ", more than this program can index");
     element.count = static_cast<std::size_t>(*count);
-    header_.elements.push_back(element);
+    elements_.push_back(element);
   }
 
   void read_property()
   {
-    if(header_.elements.empty())
+    if(elements_.empty())
       refuse("a property before any element");
     Property property;
     std::string_view type_name = next_token(line_);
@@ -156,7 +163,7 @@ private:
     property.name = next_token(line_);
     if(property.name.empty())
       refuse("a property without a name");
-    header_.elements.back().properties.push_back(property);
+    elements_.back().properties.push_back(property);
   }
 
   const Type* type(std::string_view name) const
@@ -170,90 +177,56 @@ private:
   /// Finds vertices and faces, and what is needed of them.
   void check_elements()
   {
-    for(const Element& element : header_.elements) {
+    for(const Element& element : elements_) {
       if(element.properties.empty() && element.count > 0)
         refuse("element " + in_quotes(element.name) + " has no properties");
-      if(element.is_vertex() && std::exchange(header_.vertices, &element))
+      if(element.is_vertex() && std::exchange(vertices_, &element))
         refuse("the element 'vertex' occurs twice");
-      if(element.is_face() && std::exchange(header_.faces, &element))
+      if(element.is_face() && std::exchange(faces_, &element))
         refuse("the element 'face' occurs twice");
     }
-    if(!header_.vertices)
+    if(!vertices_)
       refuse("there is no element 'vertex'");
-    for(const char* name : {"x", "y", "z"}) {
-      const Property* property = header_.vertices->find(name);
-      if(!property || property->count_type || property->type->is_integer)
+    for(std::size_t k = 0; k < 3; ++k) {
+      const std::string name(1, "xyz"[k]);
+      coordinate_[k] = vertices_->find(name);
+      if(!coordinate_[k] || coordinate_[k]->count_type || coordinate_[k]->type->is_integer)
         refuse("the vertices have no 'float' or 'double' property " + in_quotes(name), "export it again");
     }
-    check_faces();
   }
 
-  void check_faces() const
+  void check_faces()
   {
-    const std::string points = std::to_string(header_.vertices->count) + " vertices";
-    if(!header_.faces || header_.faces->count == 0) {
-      for(const Element& element : header_.elements)
+    const std::string points = std::to_string(vertices_->count) + " vertices";
+    if(!faces_ || faces_->count == 0) {
+      for(const Element& element : elements_)
         if(element.name == "tristrips")
           throw Refusal(unreadable_file, file_, "has " + points + " and its faces as triangle strips ('tristrips')",
                         "save it with one element 'face' per triangle");
       throw Refusal("EMPTY_MESH", file_, "has " + points + ", but no faces",
                     "a point cloud cannot be mapped; reconstruct a surface first");
     }
-    const Property* corners = header_.faces->corners();
-    if(!corners || !corners->count_type)
+    corners_ = faces_->find("vertex_indices");
+    if(!corners_)
+      corners_ = faces_->find("vertex_index");
+    if(!corners_ || !corners_->count_type)
       refuse("the faces have no list 'vertex_indices'", "export it again");
-    if(!corners->type->is_integer)
-      refuse("the vertex indices of the faces are of type " + in_quotes(corners->type->name) +
+    if(!corners_->type->is_integer)
+      refuse("the vertex indices of the faces are of type " + in_quotes(corners_->type->name) +
                ", which has no integers",
              "export it again");
   }
 
-  const std::string& file_;
-  std::string_view& bytes_;
-  std::string_view line_; ///< the part that has not been read
-  std::size_t number_ = 0;
-  Header header_;
-};
-
-class Ply_reader {
-public:
-  Ply_reader(const std::string& file, std::string_view bytes)
-    : file_(file), rest_(bytes), header_(Header_reader(file_, rest_).read()),
-      is_text_(header_.format == Format::ASCII), coordinate_{header_.vertices->find("x"), header_.vertices->find("y"),
-                                                             header_.vertices->find("z")},
-      corners_(header_.faces->corners())
-  {}
-
-  Soup read()
-  {
-    for(const Element& element : header_.elements)
-      if(element.count > (rest_.size() + 1) / smallest_size(element))
-        throw Refusal(unreadable_file, file_,
-                      "cut short: the header announces " + std::to_string(element.count) + " elements " +
-                        in_quotes(element.name) + ", more than " + std::to_string(rest_.size()) + " bytes can hold",
-                      damaged_);
-    soup_.points.reserve(header_.vertices->count);
-    soup_.triangles.reserve(header_.faces->count);
-    for(const Element& element : header_.elements)
-      for(std::size_t row = 0; row < element.count; ++row)
-        read_row(element, row);
-    if(is_text_ ? !next_token(rest_).empty() : rest_.size() >= smallest_size(header_.elements.back()))
-      throw Refusal(unreadable_file, file_, "has more data than the header announces",
-                    "the counts in the header are wrong; export it again");
-    return std::move(soup_);
-  }
-
-private:
   /// How many bytes a number of this type takes at least: in text, a digit and a space.
-  std::size_t smallest_size(const Type& type) const { return is_text_ ? 2 : type.size; }
+  std::size_t smallest_size(const Type& type) const { return is_text() ? 2 : type.size; }
 
   std::size_t smallest_size(const Element& element) const
   {
     std::size_t size = 0;
     for(const Property& p : element.properties)
       size += smallest_size(p.count_type ? *p.count_type : *p.type);
-    if(&element == header_.faces)
-      size += 3 * smallest_size(*element.corners()->type);
+    if(&element == faces_)
+      size += 3 * smallest_size(*corners_->type);
     return std::max<std::size_t>(size, 1);
   }
 
@@ -270,7 +243,7 @@ private:
         if(&property == coordinate_[k])
           point[k] = finite(value, row, property.name);
     }
-    if(&element == header_.vertices)
+    if(&element == vertices_)
       soup_.points.push_back(point);
   }
 
@@ -300,7 +273,7 @@ private:
       const double value = next(*property.type, element, row);
       if(!is_face)
         continue;
-      const std::size_t vertices = header_.vertices->count;
+      const std::size_t vertices = vertices_->count;
       if(value < 0 || value >= double(vertices))
         refuse_face("the vertex " + std::to_string(std::int64_t(value)) + ", which is not in the range 0.." +
                     std::to_string(std::int64_t(vertices) - 1));
@@ -313,14 +286,14 @@ private:
   /// The next number, which is part of `element` number `row`.
   double next(const Type& type, const Element& element, std::size_t row)
   {
-    if(is_text_)
+    if(is_text())
       return next_in_text(type, element, row);
     if(rest_.size() < type.size)
       refuse_cut_short(element, row);
     std::array<char, 8> bytes;
     std::memcpy(bytes.data(), rest_.data(), type.size);
     rest_.remove_prefix(type.size);
-    if(header_.format == Format::BIG_ENDIAN_BINARY) // the machine is taken to be little-endian
+    if(format_ == Format::BIG_ENDIAN_BINARY) // the machine is taken to be little-endian
       std::reverse(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(type.size));
     if(!type.is_integer)
       return type.size == 4 ? as<float>(bytes) : as<double>(bytes);
@@ -373,11 +346,15 @@ private:
 
   const std::string damaged_ = "the file is damaged, or the counts in its header are wrong; export it again";
   std::string file_;
-  std::string_view rest_; ///< of the bytes
-  Header header_;
-  bool is_text_;
-  std::array<const Property*, 3> coordinate_;
-  const Property* corners_;
+  std::string_view rest_;  ///< of the bytes
+  std::string_view line_;  ///< of the header, as far as it has not been read
+  std::size_t number_ = 0; ///< of the line
+  Format format_ = Format::ASCII;
+  std::vector<Element> elements_;
+  const Element* vertices_ = nullptr;
+  const Element* faces_ = nullptr;
+  std::array<const Property*, 3> coordinate_ = {};
+  const Property* corners_ = nullptr; ///< the list of the vertices of a face
   std::vector<int> face_;
   Soup soup_;
 };

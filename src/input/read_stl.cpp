@@ -7,8 +7,6 @@
 
 #include <boost/functional/hash.hpp>
 
-#include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstring>
 #include <unordered_map>
@@ -19,14 +17,6 @@ namespace {
 
 constexpr std::size_t binary_header_size = 84; // 80 bytes of anything, then the number of triangles
 constexpr std::size_t triangle_size = 50;      // normal, three corners, two bytes of anything
-
-std::string lower_case(std::string_view text)
-{
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return result;
-}
 
 /// The format has no vertices, but the corners of single triangles.
 class Soup_of_corners {

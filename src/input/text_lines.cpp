@@ -17,12 +17,10 @@ namespace {
 
 bool is_white(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
-bool spells_non_finite(std::string token)
+bool spells_non_finite(std::string_view token)
 {
-  std::transform(token.begin(), token.end(), token.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   for(const char* word : {"nan", "inf", "1.#"}) // the last one: what old Windows programs print
-    if(token.find(word) != std::string::npos)
+    if(lower_case(token).find(word) != std::string::npos)
       return true;
   return false;
 }
@@ -36,13 +34,21 @@ Number read_number(std::string_view token, Real& value)
   const char* const end = digits.data() + digits.size();
   const auto [stop, error] = std::from_chars(digits.data(), end, value);
   if(stop != end || error == std::errc::invalid_argument)
-    return spells_non_finite(std::string(token)) ? Number::NOT_FINITE : Number::NONE;
+    return spells_non_finite(token) ? Number::NOT_FINITE : Number::NONE;
   if(error == std::errc::result_out_of_range) // too large or too small, and only this tells
     value = static_cast<Real>(std::strtod(std::string(digits).c_str(), nullptr));
   return std::isfinite(value) ? Number::FINITE : Number::NOT_FINITE;
 }
 
 } // namespace
+
+std::string lower_case(std::string_view text)
+{
+  std::string result(text);
+  std::transform(result.begin(), result.end(), result.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return result;
+}
 
 Number to_number(std::string_view token, double& value) { return read_number(token, value); }
 Number to_number(std::string_view token, float& value) { return read_number(token, value); }

@@ -3,7 +3,6 @@
 
 #include "mapping/mapped_mesh.h"
 
-#include "mapping/read_sphere.h"
 #include "mapping/spherical_map.h"
 #include "system/error_code_names.h"
 #include "system/interruption.h"

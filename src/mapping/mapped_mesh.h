@@ -4,7 +4,7 @@
 #ifndef SPHERICAL_PARAMETERIZATION_TOOL_MAPPED_MESH_H
 #define SPHERICAL_PARAMETERIZATION_TOOL_MAPPED_MESH_H
 
-#include "input/read_mesh.h"
+#include "input/mesh.h"
 #include "options/mapping_options.h"
 
 #include <CGAL/Spherical_parameterization/Result.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "mapping/read_sphere.h"
+#include "mapping/spherical_map.h"
 
-#include "input/read_mesh.h"
+#include "input/mesh.h"
 #include "system/refusal.h"
 
 #include <CGAL/Spherical_parameterization/measure_distortion.h>

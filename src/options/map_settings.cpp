@@ -16,25 +16,22 @@ Map_settings map_settings(const Mapping_options& options)
   Map_settings settings;
   if(options.weights == "mean-value")
     settings.weights = Mean_value_weights();
-  else if(options.weights == "conformal") {
-    Conformal_weights weights;
-    weights.min_degrees = options.min_angle.value_or(weights.min_degrees);
-    weights.max_degrees = options.max_angle.value_or(weights.max_degrees);
-    settings.weights = weights;
+  if(options.weights == "conformal") {
+    const Conformal_weights standard;
+    settings.weights = Conformal_weights{options.min_angle.value_or(standard.min_degrees),
+                                         options.max_angle.value_or(standard.max_degrees)};
   }
 
-  if(options.method == "balanced") {
-    SP::Balanced method;
-    method.spring_exponent = options.spring_exponent.value_or(method.spring_exponent);
-    settings.method = method;
-  } else if(options.method == "isometric") {
-    SP::Isometric method;
-    method.area_exponent = options.area_exponent.value_or(method.area_exponent);
-    settings.method = method;
-  } else if(options.method == "automatic") {
+  const double spring_exponent = options.spring_exponent.value_or(SP::Balanced().spring_exponent);
+  const double area_exponent = options.area_exponent.value_or(SP::Isometric().area_exponent);
+  if(options.method == "balanced")
+    settings.method = SP::Balanced{spring_exponent};
+  else if(options.method == "isometric")
+    settings.method = SP::Isometric{area_exponent};
+  else if(options.method == "automatic") {
     SP::Automatic method;
-    method.spring_exponent = options.spring_exponent.value_or(method.spring_exponent);
-    method.area_exponent = options.area_exponent.value_or(method.area_exponent);
+    method.spring_exponent = spring_exponent;
+    method.area_exponent = area_exponent;
     settings.method = method;
   } else {
     SP::Saddle_point method;
@@ -49,8 +46,7 @@ Map_settings map_settings(const Mapping_options& options)
   }
 
   settings.accuracy = options.accuracy;
-  if(options.iterations)
-    settings.iterations = static_cast<std::size_t>(*options.iterations);
+  settings.iterations = options.iterations;
   settings.max_time = options.max_time;
   return settings;
 }

@@ -4,7 +4,7 @@
 #ifndef SPHERICAL_PARAMETERIZATION_TOOL_MAP_SETTINGS_H
 #define SPHERICAL_PARAMETERIZATION_TOOL_MAP_SETTINGS_H
 
-#include "input/fixed_vertices.h"
+#include "input/mesh_readers.h"
 
 #include <CGAL/Spherical_parameterization/Any_policy.h>
 #include <CGAL/Spherical_parameterization/methods.h>

@@ -7,24 +7,14 @@
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
-#include <iterator>
 #include <sstream>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace tool {
 namespace {
 
-const std::string weights_group = "Weights", method_group = "Method", place_group = "Where to run",
-                  effort_group = "Effort";
-const std::string mapping_groups[] = {weights_group, method_group, place_group, effort_group};
-
-using CGAL::Spherical_parameterization::Automatic;
-using CGAL::Spherical_parameterization::Balanced;
-using CGAL::Spherical_parameterization::Isometric;
-using CGAL::Spherical_parameterization::Saddle_point;
+namespace SP = CGAL::Spherical_parameterization;
 
 /// " [balanced 5e-09, saddle-point 1e-07, isometric 0.0005]"
 template <class Number>
@@ -111,7 +101,7 @@ void add_mapping_options(CLI::App& command, Mapping_options& options)
     ->type_name("FILE");
   command.add_flag("--triangulate", options.triangulate, "Triangulate the polygons of IN instead of refusing them");
 
-  std::string group = weights_group;
+  std::string group = "Weights"; // those in groups say how to map
   const auto add = [&](const char* name, auto& value, const std::string& description) {
     return command.add_option(name, value, description)->group(group);
   };
@@ -122,7 +112,7 @@ void add_mapping_options(CLI::App& command, Mapping_options& options)
   add("--min-angle", options.min_angle, "Conformal: lower bound to which angles are clamped, in degrees [5]");
   add("--max-angle", options.max_angle, "Conformal: upper bound to which angles are clamped, in degrees [85]");
 
-  group = method_group;
+  group = "Method";
   add("--method", options.method,
       "balanced (fast), saddle-point (as published), isometric (low length distortion, for every mesh), "
       "automatic (the first valid map of balanced and isometric)")
@@ -144,7 +134,7 @@ void add_mapping_options(CLI::App& command, Mapping_options& options)
       "Text file of fixed vertices: three or more lines 'index x y z', indices from 0, positions on the sphere")
     ->type_name("FILE");
 
-  group = place_group;
+  group = "Where to run";
   add("--policy", options.policy, "sequential (one core), tbb (all cores), opencl (a device). The map is the same")
     ->check(CLI::IsMember(policy_names()))
     ->capture_default_str();
@@ -155,23 +145,21 @@ void add_mapping_options(CLI::App& command, Mapping_options& options)
   add("--precision", options.precision, "OpenCL: floating-point precision [double if the device supports it]")
     ->check(CLI::IsMember({"double", "single"}));
 
-  group = effort_group;
+  group = "Effort";
   add("--accuracy", options.accuracy,
       "Residual to reach; isometric: relative energy decrease at which to stop" +
-        defaults(Balanced::default_accuracy, Saddle_point::default_accuracy, Isometric::default_accuracy));
+        defaults(SP::Balanced::default_accuracy, SP::Saddle_point::default_accuracy, SP::Isometric::default_accuracy));
   add("--iterations", options.iterations,
-      "Maximum number of iterations" + defaults(Balanced::default_number_of_iterations,
-                                                Saddle_point::default_number_of_iterations,
-                                                Isometric::default_number_of_iterations));
+      "Maximum number of iterations" + defaults(SP::Balanced::default_number_of_iterations,
+                                                SP::Saddle_point::default_number_of_iterations,
+                                                SP::Isometric::default_number_of_iterations));
   add("--max-time", options.max_time, "Time limit in seconds [no limit]");
 }
 
 void add_sphere_option(CLI::App& command, Mapping_options& options)
 {
-  const std::vector<CLI::Option*> how_to_map = command.get_options([](const CLI::Option* option) {
-    return std::find(std::begin(mapping_groups), std::end(mapping_groups), option->get_group()) !=
-           std::end(mapping_groups);
-  });
+  const auto how_to_map =
+    command.get_options([](const CLI::Option* option) { return option->get_group() != "Options"; });
   CLI::Option* sphere = command.add_option(
     "--sphere", options.sphere,
     "Sphere of IN that 'map' has written; it is used instead of a new map, and excludes all mapping options");

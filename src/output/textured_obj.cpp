@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "output/textured_obj.h"
+#include "output/write_mesh.h"
 
 #include "output/text_writer.h"
 

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tool {
@@ -24,6 +25,22 @@ void write_stretch_ply(std::ostream& out, const Mesh& mesh, const Sphere& sphere
 /// every file.
 void write_segments_ply(std::ostream& out, const Mesh& mesh, const std::vector<std::size_t>& segments,
                         std::size_t number_of_segments);
+
+/// A position in the texture.
+using Uv = std::pair<double, double>;
+
+/// Writes the mesh as OBJ with one `vt` for every position that a vertex has in the texture; `uv` has those at the
+/// targets of the halfedges. No digit is left out: with less, slivers may flip when the file is read.
+void write_textured_obj(std::ostream& out, const Mesh& mesh, const std::vector<Uv>& uv,
+                        const std::string& material_file);
+
+/// The material `texture`: white, with the image.
+void write_material(std::ostream& out, const std::string& image_file);
+
+/// Writes a PNG of a checker, whose squares are white and of a hue that goes once round with u. The number of squares
+/// is even in both directions, so that it repeats whether shifted or turned by 180 degrees. Throws a
+/// `std::runtime_error`.
+void write_checker(std::ostream& out, int columns, int rows);
 
 } // namespace tool
 

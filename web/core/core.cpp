@@ -3,7 +3,8 @@
 //
 // The door through which JavaScript comes in: the bytes of a file, settings, and a function that hears what happens.
 
-#include "input/read_mesh.h"
+#include "input/mesh.h"
+#include "input/mesh_readers.h"
 #include "system/error_code_names.h"
 #include "system/refusal.h"
 
@@ -190,10 +191,11 @@ val map_file(const std::string& name, const std::string& bytes, const val& setti
   last_mesh.reset();
   try {
     SP::internal::Stopwatch reading;
-    const auto polygons = settings["triangulate"].as<bool>() ? tool::Polygons::TRIANGULATE : tool::Polygons::REFUSE;
     if(bytes.empty())
       throw tool::Refusal(tool::unreadable_file, name, "is empty", "export it again");
-    const tool::Soup soup = tool::read_soup(name, bytes, polygons);
+    const tool::Soup soup = tool::read_soup(name, bytes);
+    if(!settings["triangulate"].as<bool>())
+      tool::check_triangles(name, soup);
     val mesh_of_file = val::object();
     mesh_of_file.set("points", to_array(soup.points));
     mesh_of_file.set("triangles", to_array(soup.triangles));

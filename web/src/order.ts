@@ -57,9 +57,8 @@ export function localOrder(corners: Uint32Array, vertices: number): Uint32Array 
 }
 
 /// Fewer triangles between some of the vertices, for those who draw slowly: all vertices in a cell of a grid become one.
-/// Positions are in [-1, 1].
-export function coarsened(corners: Uint32Array, position: Float32Array): Uint32Array {
-  const cells = 112; // along an edge
+/// Positions are in [-1, 1]; there are `cells` cells along every edge of that box.
+export function coarsened(corners: Uint32Array, position: Float32Array, cells: number): Uint32Array {
   const one = new Int32Array(cells ** 3).fill(-1);
   const cellOf = (x: number) => Math.min(cells - 1, Math.floor(((x + 1) / 2) * cells));
   const standsFor = new Uint32Array(position.length / 3);

@@ -252,7 +252,8 @@ export class Viewer {
     geometry.setAttribute("onSphere", new BufferAttribute(onSphere, 3));
     geometry.setAttribute("normal", new BufferAttribute(normal, 3));
     geometry.setAttribute("paint", new BufferAttribute(new Uint8Array(3 * n), 3, true));
-    geometry.setIndex(new BufferAttribute(this.order(model, position), 1));
+    this.order(model, position);
+    geometry.setIndex(this.ordered!.atRest);
     this.isOutside = model.sphere !== undefined && !isInsideOut(model);
     this.shape = new Shape(geometry, this.surface);
     const pick = new Shape(geometry, this.picking);
@@ -440,7 +441,8 @@ export class Viewer {
     // What moves may be coarse, where there is no graphics card; what rests is drawn once more, sharp.
     if (moving) {
       this.lastMove = time;
-      this.draw(this.isSoftware ? coarse : this.sharp());
+      if (this.isSoftware) this.draw(coarse, this.ordered?.moving);
+      else this.draw(this.sharp());
     } else if (this.isSoftware && !this.isSharp && time - this.lastMove > 200) this.draw(this.sharp());
   }
 
@@ -465,9 +467,10 @@ export class Viewer {
     this.uniforms.pixel.value.set(2 / Math.max(1, view.width), 2 / Math.max(1, view.height));
   }
 
-  private draw(ratio: number): void {
+  private draw(ratio: number, corners = this.ordered?.atRest): void {
     const { clientWidth: w, clientHeight: h } = this.canvas;
     if (w === 0 || h === 0) return;
+    if (corners) this.shape?.geometry.setIndex(corners);
     this.isSharp = ratio === this.sharp();
     this.ringSize.value = 22 * ratio;
     if (this.renderer.getPixelRatio() !== ratio) this.renderer.setPixelRatio(ratio);
@@ -500,6 +503,7 @@ export class Viewer {
     this.aim(view, i === 1);
     this.camera.setViewOffset(view.width, view.height, x - view.x - 0.5, y - view.y - 0.5, 1, 1); // a pixel round it
     this.renderer.setRenderTarget(this.target);
+    this.shape.geometry.setIndex(this.ordered!.atRest);
     this.renderer.setScissorTest(false);
     this.renderer.clear();
     this.renderer.render(this.pickScene, this.camera);
@@ -557,16 +561,20 @@ export class Viewer {
     return best;
   }
 
-  /// The corners in the order in which they are drawn. That of a mesh stays when its sphere comes.
-  private order(model: Model, position: Float32Array): Uint32Array {
+  /// The corners in the order in which they are drawn, and fewer where software draws what moves. They stay when the
+  /// sphere of a mesh comes.
+  private order(model: Model, position: Float32Array): void {
     const n = this.source.length;
-    if (this.ordered?.triangles !== model.triangles || this.ordered.n !== n) {
-      const corners = this.isSoftware && this.corners.length > 900_000 ? coarsened(this.corners, position) : this.corners;
-      this.ordered = { triangles: model.triangles, n, order: localOrder(corners, n) };
-    }
-    return this.ordered.order;
+    if (this.ordered?.triangles === model.triangles && this.ordered.n === n) return;
+    const fewer = (cells: number) => coarsened(this.corners, position, cells);
+    const isLarge = this.corners.length > 900_000;
+    const atRest = this.isSoftware && isLarge ? fewer(112) : this.corners;
+    const moving = this.isSoftware && atRest.length > 60_000 ? fewer(72) : atRest;
+    const attribute = (corners: Uint32Array) => new BufferAttribute(localOrder(corners, n), 1);
+    const first = attribute(atRest);
+    this.ordered = { triangles: model.triangles, n, atRest: first, moving: moving === atRest ? first : attribute(moving) };
   }
-  private ordered: { triangles: Int32Array; n: number; order: Uint32Array } | null = null;
+  private ordered: { triangles: Int32Array; n: number; atRest: BufferAttribute; moving: BufferAttribute } | null = null;
 
   /// One vertex per point, and one more per segment that meets there.
   private split(model: Model): void {

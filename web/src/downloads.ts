@@ -4,7 +4,7 @@
 // Results as files.
 
 import { coloursOf, isDark, type Colouring } from "./colours";
-import { meanOverFaces, type Model, type Report } from "./model";
+import { meanOverFaces, normalsOf, type Model, type Report } from "./model";
 
 const pointsOf = (coordinates: ArrayLike<number>) =>
   Array.from({ length: coordinates.length / 3 }, (_, v) =>
@@ -112,13 +112,15 @@ export async function texturedGlb(model: Model): Promise<Uint8Array> {
   );
   const ends = (values: Float32Array, end: (a: number, b: number) => number) =>
     [0, 1, 2].map((k) => source.reduce((m, _, v) => end(m, values[3 * v + k]!), values[k]!));
+  const normals = normalsOf(model);
+  const normal = Float32Array.from(source.flatMap((v) => [...normals.subarray(3 * v, 3 * v + 3)]));
   const png = await checkerPng();
-  const parts: Uint8Array[] = [position, morph, Float32Array.from(uv), index, png].map(
+  const parts: Uint8Array[] = [position, morph, Float32Array.from(uv), index, normal, png].map(
     (a) => new Uint8Array(a.buffer, a.byteOffset, a.byteLength),
   );
   let end = 0;
   const bufferViews = parts.map((part, i) => {
-    const view = { buffer: 0, byteOffset: end, byteLength: part.length, ...(i < 4 ? { target: i === 3 ? 34963 : 34962 } : {}) };
+    const view = { buffer: 0, byteOffset: end, byteLength: part.length, ...(i < 5 ? { target: i === 3 ? 34963 : 34962 } : {}) };
     end += (part.length + 3) & ~3;
     return view;
   });
@@ -131,7 +133,7 @@ export async function texturedGlb(model: Model): Promise<Uint8Array> {
     nodes: [{ mesh: 0, name: model.report.input }],
     meshes: [
       {
-        primitives: [{ attributes: { POSITION: 0, TEXCOORD_0: 2 }, indices: 3, material: 0, targets: [{ POSITION: 1 }] }],
+        primitives: [{ attributes: { POSITION: 0, NORMAL: 4, TEXCOORD_0: 2 }, indices: 3, material: 0, targets: [{ POSITION: 1 }] }],
         weights: [0],
         extras: { targetNames: ["sphere"] },
       },
@@ -139,12 +141,13 @@ export async function texturedGlb(model: Model): Promise<Uint8Array> {
     materials: [{ pbrMetallicRoughness: { baseColorTexture: { index: 0 }, metallicFactor: 0, roughnessFactor: 0.8 } }],
     textures: [{ source: 0, sampler: 0 }],
     samplers: [{ wrapS: 10497, wrapT: 33071 }],
-    images: [{ bufferView: 4, mimeType: "image/png" }],
+    images: [{ bufferView: 5, mimeType: "image/png" }],
     accessors: [
       { bufferView: 0, componentType: FLOAT, count, type: "VEC3", min: low, max: high },
       { bufferView: 1, componentType: FLOAT, count, type: "VEC3", min: ends(morph, Math.min), max: ends(morph, Math.max) },
       { bufferView: 2, componentType: FLOAT, count, type: "VEC2" },
       { bufferView: 3, componentType: UINT, count: index.length, type: "SCALAR" },
+      { bufferView: 4, componentType: FLOAT, count, type: "VEC3" },
     ],
     bufferViews,
     buffers: [{ byteLength: end }],

@@ -88,3 +88,26 @@ export function faceAreas(mesh: Mesh): Float64Array {
   forEachFace(mesh, (x, y, z, _a, _b, _c, face) => (areas[face] = Math.sqrt(x * x + y * y + z * z) / 2));
   return areas;
 }
+
+/// Normals of the vertices, weighted by the areas of the faces.
+export function normalsOf(mesh: Mesh): Float32Array {
+  const normals = new Float32Array(mesh.points.length);
+  const add = (v: number, x: number, y: number, z: number) => {
+    normals[v]! += x;
+    normals[v + 1]! += y;
+    normals[v + 2]! += z;
+  };
+  forEachFace(mesh, (x, y, z, a, b, c) => {
+    add(a, x, y, z);
+    add(b, x, y, z);
+    add(c, x, y, z);
+  });
+  for (let v = 0; v < normals.length; v += 3) {
+    const [x, y, z] = [normals[v]!, normals[v + 1]!, normals[v + 2]!];
+    const length = Math.sqrt(x * x + y * y + z * z) || 1;
+    normals[v] = x / length;
+    normals[v + 1] = y / length;
+    normals[v + 2] = z / length;
+  }
+  return normals;
+}

@@ -21,6 +21,7 @@ let file: { name: string; bytes: Uint8Array } | null = null;
 let version = "";
 let running: { name: string; settings: Settings } | null = null;
 let segmenting = false;
+let isFresh = true; // the worker has mapped nothing
 let worker = start();
 
 function start(): Worker {
@@ -57,6 +58,7 @@ function map(): void {
 /// Segments take longer than the map: only when they are to be seen.
 stage.onColouring = (colouring) => {
   if (colouring !== "segments" || !stage.model?.sphere || stage.model.segments || running || segmenting) return;
+  if (isFresh) return map(); // which comes back here
   segmenting = true;
   document.body.classList.add("running");
   document.body.dataset.state = "running";
@@ -69,6 +71,7 @@ stage.onColouring = (colouring) => {
 function stop(): void {
   worker.terminate();
   worker = start();
+  isFresh = true;
   finish("cancelled");
   if (!stage.model?.sphere) byId("result").replaceChildren(element("p", { class: "hint" }, "Cancelled: there is no map."));
 }
@@ -121,9 +124,11 @@ function hear(message: Message): void {
       finish("failed");
       worker.terminate();
       worker = start();
+      isFresh = true;
       refuse({ input: name, error: `${name}: ${message.why}; use the command-line tool`, error_code: "FAILED" });
       break;
     case "answer":
+      isFresh = false;
       finish(message.answer.error_code === "OK" ? "certified" : "refused");
       answer(name, settings, message.answer);
       meshOfFile = null;

@@ -25,7 +25,7 @@ import {
 } from "three";
 
 import { coloursOf, type Colouring, type Legend } from "./colours";
-import { forEachFace, type Coordinates, type Mesh, type Model } from "./model";
+import { forEachFace, normalsOf, type Coordinates, type Mesh, type Model } from "./model";
 import { coarsened, localOrder } from "./order";
 import { bestRotation } from "./rotation";
 import type { Trouble } from "./topology";
@@ -736,27 +736,4 @@ function isInsideOut(mesh: Mesh): boolean {
     volume += (p[a]! - p[0]!) * x + (p[a + 1]! - p[1]!) * y + (p[a + 2]! - p[2]!) * z;
   });
   return volume < 0;
-}
-
-/// Normals of the vertices, weighted by the areas of the faces.
-function normalsOf(mesh: Mesh): Float32Array {
-  const normals = new Float32Array(mesh.points.length);
-  const add = (v: number, x: number, y: number, z: number) => {
-    normals[v]! += x;
-    normals[v + 1]! += y;
-    normals[v + 2]! += z;
-  };
-  forEachFace(mesh, (x, y, z, a, b, c) => {
-    add(a, x, y, z);
-    add(b, x, y, z);
-    add(c, x, y, z);
-  });
-  for (let v = 0; v < normals.length; v += 3) {
-    const [x, y, z] = [normals[v]!, normals[v + 1]!, normals[v + 2]!];
-    const length = Math.sqrt(x * x + y * y + z * z) || 1;
-    normals[v] = x / length;
-    normals[v + 1] = y / length;
-    normals[v + 2] = z / length;
-  }
-  return normals;
 }

@@ -135,6 +135,9 @@ test("keys turn, zoom and colour", async () => {
 
 test("segments come when they are asked for", async () => {
   await page.click("label[for=colour-segments]");
+  await page.keyboard.press("Escape"); // the next wish has to map again
+  await page.click("label[for=colour-plain]");
+  await page.click("label[for=colour-segments]");
   await page.waitForFunction(() => window.page.stage.model.segments, null, { timeout: 120_000 });
   assert.match(await text("#legend"), /\d+ segments?\./);
   await shot("segments");

@@ -111,7 +111,7 @@ export interface Example {
 }
 
 export const examples: Example[] = [
-  { name: "Octopus", file: "octopus.off", text: () => deformed(6, octopus) },
+  { name: "Octopus", file: "octopus.off", text: () => deformed(5, octopus) },
   { name: "Asteroid", file: "asteroid.off", text: () => deformed(6, asteroid) },
   { name: "Twisted bar", file: "bar.off", text: () => deformed(5, bar) },
 ];

@@ -6,7 +6,7 @@
 import workerText from "worker-text";
 
 import { colouredPly, json, save, sphereOff, texturedGlb } from "./downloads";
-import { examples } from "./examples";
+import { examples, type Example } from "./examples";
 import type { Model, Report } from "./model";
 import { element } from "./panel";
 import { Stage } from "./stage";
@@ -95,10 +95,15 @@ function open(name: string, bytes: Uint8Array): void {
   map();
 }
 
+function openExample(example: Example): void {
+  open(example.file, new TextEncoder().encode(example.text()));
+}
+
 function hear(message: Message): void {
   if (message.kind === "ready") {
     version = message.version;
     document.body.dataset.core = "ready";
+    if (!file) openExample(examples[0]!); // something to look at
     return;
   }
   if (message.kind === "segments") {
@@ -177,7 +182,7 @@ function answer(name: string, settings: Settings, given: Answer): void {
 
 for (const example of examples) {
   const button = element("button", { type: "button", class: "example", "data-example": example.file }, example.name);
-  button.addEventListener("click", () => open(example.file, new TextEncoder().encode(example.text())));
+  button.addEventListener("click", () => openExample(example));
   byId("examples").append(button);
 }
 

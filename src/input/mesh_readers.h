@@ -36,6 +36,12 @@ struct Soup {
 /// Above this, 32-bit indices could not number all halfedges.
 constexpr std::size_t largest_count = 700'000'000;
 
+/// Reads the bytes of a mesh file in the format that its first line names, or else its extension.
+Soup read_soup(const std::string& file, std::string bytes);
+
+/// Throws a `Refusal` of polygons that are no triangles.
+void check_triangles(const std::string& file, const Soup& soup);
+
 /// \name Readers, one per file format
 /// They read the bytes of a file once. A broken file is refused in one sentence before it costs memory or yields a
 /// wrong mesh: header counts against the size of the file, numbers that are none, NaN, indices out of range, files that

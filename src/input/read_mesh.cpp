@@ -28,21 +28,23 @@ std::string format_of_content(std::string_view bytes)
   return word == "ply" ? ".ply" : "";
 }
 
-Soup read_soup(const std::string& file)
+void check_extension(const std::string& file)
 {
-  check_readable(file);
   const std::string extension = lower_case_extension(file);
   if(!is_mesh_file(file))
     throw Refusal(unreadable_file, file,
                   extension.empty() ? "has no extension" : "has the unknown extension '" + extension + "'",
                   std::string("meshes are read from ") + mesh_extensions + " files");
-  std::string bytes = read_file(file);
-  const std::string content = format_of_content(bytes);
-  const std::string& format = content.empty() ? extension : content;
+}
+
+Soup read_format(const std::string& format, const std::string& file, std::string bytes)
+{
   if(format == ".ply")
     return read_ply(file, bytes);
   return (format == ".off" ? read_off : format == ".obj" ? read_obj : read_stl)(file, std::move(bytes));
 }
+
+} // namespace
 
 void check_triangles(const std::string& file, const Soup& soup)
 {
@@ -55,11 +57,18 @@ void check_triangles(const std::string& file, const Soup& soup)
                   "triangulate the mesh, or use --triangulate");
 }
 
-} // namespace
+Soup read_soup(const std::string& file, std::string bytes)
+{
+  check_extension(file);
+  const std::string content = format_of_content(bytes);
+  return read_format(content.empty() ? lower_case_extension(file) : content, file, std::move(bytes));
+}
 
 Input_mesh read_mesh(const std::string& file, Polygons polygons)
 {
-  const Soup soup = read_soup(file);
+  check_readable(file);
+  check_extension(file); // before the file costs memory
+  const Soup soup = read_soup(file, read_file(file));
   if(polygons == Polygons::REFUSE)
     check_triangles(file, soup);
   try {

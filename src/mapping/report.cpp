@@ -107,8 +107,7 @@ Json settings_of(const Mapping_options& options)
 
 } // namespace
 
-void write_report(const std::string& file, const Mapping_options& options, const Mapped_mesh& input,
-                  const Report& report)
+std::string report_json(const Mapping_options& options, const Mapped_mesh& input, const Report& report)
 {
   const SP::Result& result = input.result;
   const bool has_mesh = result.number_of_vertices > 0;
@@ -145,9 +144,15 @@ void write_report(const std::string& file, const Mapping_options& options, const
                      {"peak_memory_bytes", peak_memory_bytes()},
                      {"error", report.refusal ? Json(report.refusal->what()) : Json(nullptr)},
                      {"error_code", report.refusal ? report.refusal->code() : "OK"}};
-  Atomic_file out(file);
   // file names need not be valid UTF-8, JSON must be
-  out.stream() << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+void write_report(const std::string& file, const Mapping_options& options, const Mapped_mesh& input,
+                  const Report& report)
+{
+  Atomic_file out(file);
+  out.stream() << report_json(options, input, report);
   out.commit();
 }
 

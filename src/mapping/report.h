@@ -23,8 +23,10 @@ struct Report {
   std::optional<Refusal> refusal; ///< its log is too long for the JSON file
 };
 
-/// Writes the report as JSON, for programs to read. What is not known, since there is no map, is null. Throws a
-/// `Refusal`.
+/// The report as JSON, for programs to read. What is not known, since there is no map, is null.
+std::string report_json(const Mapping_options& options, const Mapped_mesh& input, const Report& report);
+
+/// Writes it to a file. Throws a `Refusal`.
 void write_report(const std::string& file, const Mapping_options& options, const Mapped_mesh& input,
                   const Report& report);
 

@@ -115,7 +115,9 @@ public:
   {
     const halfedge_descriptor h = halfedge(e, *m.mesh_);
     const internal::vec3 d = internal::sub(m.point(target(h, *m.mesh_)), m.point(source(h, *m.mesh_)));
-    const double length = std::hypot(d.x, d.y, d.z);
+    const internal::vec3 unit = internal::scaled_to_unit_box(d);
+    const double size = (std::max)({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+    const double length = size * std::sqrt(internal::inner(unit, unit)); // std::hypot() differs between libraries
     return (m.half_tangents(h) + m.half_tangents(opposite(h, *m.mesh_))) / (2 * length);
   }
 

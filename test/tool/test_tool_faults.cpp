@@ -370,7 +370,7 @@ void check_stops(const Scratch& scratch, const std::vector<std::string>& argumen
     time = std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - begin);
     fs::remove(scratch / "out.off");
   }
-  for(const double share : {0.02, 0.1, 0.2, 0.35, 0.5, 0.65, 0.8, 0.95}) {
+  for(const double share : {0.02, 0.15, 0.35, 0.55, 0.75, 0.95}) {
     const int after = std::max(1, static_cast<int>(share * static_cast<double>(time.count())));
     const auto begin = Clock::now();
     const Process_result run = stop(after, arguments);

@@ -36,10 +36,10 @@ std::vector<Model> models_in(const fs::path& folder)
       continue;
     const std::string name = path.filename().string();
     Model model = {name.substr(0, name.rfind('_')), {}, {}};
-    for(const fs::path file : fs::directory_iterator(path))
-      if(file.extension() == ".seg")
-        model.segmentations.insert(file);
-      else if(file.stem() == name)
+    for(const fs::directory_entry& file : fs::directory_iterator(path))
+      if(file.path().extension() == ".seg")
+        model.segmentations.insert(file.path());
+      else if(file.path().stem() == name)
         model.mesh = file;
     if(!model.mesh.empty() && !model.segmentations.empty())
       models.push_back(model);

@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+include(${CMAKE_CURRENT_LIST_DIR}/write_if_different.cmake)
 
 # embed_page(output input): writes the header `output` with the parts of the page `input`, which is web/viewer/view.html:
 # what comes before {HEADER}, before {DATA} and after it.
@@ -35,11 +36,5 @@ namespace tool {
     string(APPEND header "  return text;\n}\n")
   endforeach()
   string(APPEND header "\n} // namespace tool\n")
-  set(old "")
-  if(EXISTS ${output})
-    file(READ ${output} old)
-  endif()
-  if(NOT old STREQUAL header) # what includes it is compiled again only if it has changed
-    file(WRITE ${output} "${header}")
-  endif()
+  write_if_different(${output} "${header}")
 endfunction()

@@ -47,7 +47,7 @@ namespace SP = CGAL::Spherical_parameterization;
 const char* const header = "mesh,method,weights,outcome,method used,vertices,flipped faces,CPU s,smallest area,"
                            "smallest edge,symmetric Dirichlet,spherical symmetric Dirichlet,log area deviation,"
                            "mean angle distortion,message";
-const std::vector<std::string> columns = tool::csv_fields(header);
+const std::vector<std::string> columns = csv_fields(header);
 
 /// What is known of one map, by column: of a mesh file, with a method and weights.
 typedef std::map<std::string, std::string> Row;
@@ -68,7 +68,7 @@ std::string to_line(const Row& row)
 /// None if the line is not complete.
 std::optional<Row> to_row(const std::string& line)
 {
-  const std::vector<std::string> fields = tool::csv_fields(line);
+  const std::vector<std::string> fields = csv_fields(line);
   if(fields.size() != columns.size())
     return std::nullopt;
   Row row;

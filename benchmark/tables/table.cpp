@@ -72,13 +72,30 @@ void Table::print(const std::string& markdown)
   std::cout << markdown << std::flush;
 }
 
+std::vector<std::string> csv_fields(const std::string& line)
+{
+  std::vector<std::string> result(1);
+  bool is_quoted = false;
+  for(std::size_t i = 0; i < line.size(); ++i) {
+    if(line[i] == '"' && is_quoted && i + 1 < line.size() && line[i + 1] == '"')
+      result.back() += line[i++];
+    else if(line[i] == '"')
+      is_quoted = !is_quoted;
+    else if(line[i] == ',' && !is_quoted)
+      result.emplace_back();
+    else
+      result.back() += line[i];
+  }
+  return is_quoted ? std::vector<std::string>() : result;
+}
+
 Published_table::Published_table(int number)
 {
   const std::string file = BENCHMARK_SOURCE_DIR "/published/table_" + std::to_string(number) + ".csv";
   std::ifstream in(file);
   for(std::string line; std::getline(in, line);)
     if(!line.empty() && line.front() != '#')
-      lines_.push_back(tool::csv_fields(line));
+      lines_.push_back(csv_fields(line));
   if(lines_.empty())
     throw std::runtime_error(file + ": cannot be read");
 }

@@ -29,6 +29,9 @@ private:
   std::string text_;
 };
 
+/// The fields of a line of comma-separated values (RFC 4180) without line breaks in them; none if a quote is left open.
+std::vector<std::string> csv_fields(const std::string& line);
+
 /// Writes a table row by row to NAME.md and NAME.csv in a folder, and as Markdown to standard output. Both files say
 /// first what it is and what machine it is from (in the CSV in lines that start with #). A run that is stopped leaves
 /// the rows so far.

@@ -74,12 +74,13 @@ void write_page(std::ostream& out, const View_options& options, const Mapped_mes
       add(v, 3);
   Report report;
   report.distortion = SP::distortion_summary(mesh, sphere);
-  header["report"] = nlohmann::json::parse(report_json(options, input, report));
+  header["report"] = report_json(options, input, report);
 
   using namespace boost::archive::iterators;
   using Base64 = base64_from_binary<transform_width<std::string::const_iterator, 6, 8>>;
   bytes.append((3 - bytes.size() % 3) % 3, '\0'); // four letters for three bytes
-  out << view_page_before_header() << boost::replace_all_copy(header.dump(), "<", "\\u003c") // no end of the element
+  const std::string text = header.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  out << view_page_before_header() << boost::replace_all_copy(text, "<", "\\u003c") // no end of the element
       << view_page_before_data() << std::string(Base64(bytes.begin()), Base64(bytes.end())) << view_page_after_data();
 }
 

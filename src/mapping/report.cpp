@@ -107,52 +107,50 @@ Json settings_of(const Mapping_options& options)
 
 } // namespace
 
-std::string report_json(const Mapping_options& options, const Mapped_mesh& input, const Report& report)
+Json report_json(const Mapping_options& options, const Mapped_mesh& input, const Report& report)
 {
   const SP::Result& result = input.result;
   const bool has_mesh = result.number_of_vertices > 0;
   const bool has_map = result.degree != 0 || result.residual != 0;
-  const Json json = {{"version", SPHERICAL_PARAMETERIZATION_VERSION},
-                     {"input", options.input},
-                     {"vertices", known(has_mesh, result.number_of_vertices)},
-                     {"faces", known(has_mesh, result.number_of_faces)},
-                     {"weights", options.weights},
-                     {"method", options.method},
-                     {"method_used", known(has_map, result.method)},
-                     {"fallback_reason", given(result.fallback_reason)},
-                     {"policy", options.policy},
-                     {"device", given(result.device)},
-                     {"settings", settings_of(options)},
-                     {"start_iterations", known(has_map, result.start_iterations)},
-                     {"iterations", known(has_map, result.iterations)},
-                     {"sweeps", known(has_map, result.sweeps)},
-                     {"residual", known(has_map, result.residual)},
-                     {"energy", known(has_map, result.energy)},
-                     {"flipped_faces", known(has_map, result.flipped_faces)},
-                     {"degree", known(has_map, result.degree)},
-                     {"smallest_area", known(has_map, result.smallest_area)},
-                     {"smallest_edge", known(has_map, result.smallest_edge)},
-                     {"distortion", report.distortion ? to_json(*report.distortion) : Json(nullptr)},
-                     {"seconds",
-                      {{"read", input.seconds_read},
-                       {"start_map", result.seconds.start_map},
-                       {"solve", result.seconds.solve},
-                       {"certify", result.seconds.certify},
-                       {"measure", report.seconds_measure},
-                       {"write", report.seconds_write},
-                       {"total", report.seconds_total}}},
-                     {"peak_memory_bytes", peak_memory_bytes()},
-                     {"error", report.refusal ? Json(report.refusal->what()) : Json(nullptr)},
-                     {"error_code", report.refusal ? report.refusal->code() : "OK"}};
-  // file names need not be valid UTF-8, JSON must be
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  return {{"version", SPHERICAL_PARAMETERIZATION_VERSION},
+          {"input", options.input},
+          {"vertices", known(has_mesh, result.number_of_vertices)},
+          {"faces", known(has_mesh, result.number_of_faces)},
+          {"weights", options.weights},
+          {"method", options.method},
+          {"method_used", known(has_map, result.method)},
+          {"fallback_reason", given(result.fallback_reason)},
+          {"policy", options.policy},
+          {"device", given(result.device)},
+          {"settings", settings_of(options)},
+          {"start_iterations", known(has_map, result.start_iterations)},
+          {"iterations", known(has_map, result.iterations)},
+          {"sweeps", known(has_map, result.sweeps)},
+          {"residual", known(has_map, result.residual)},
+          {"energy", known(has_map, result.energy)},
+          {"flipped_faces", known(has_map, result.flipped_faces)},
+          {"degree", known(has_map, result.degree)},
+          {"smallest_area", known(has_map, result.smallest_area)},
+          {"smallest_edge", known(has_map, result.smallest_edge)},
+          {"distortion", report.distortion ? to_json(*report.distortion) : Json(nullptr)},
+          {"seconds",
+           {{"read", input.seconds_read},
+            {"start_map", result.seconds.start_map},
+            {"solve", result.seconds.solve},
+            {"certify", result.seconds.certify},
+            {"measure", report.seconds_measure},
+            {"write", report.seconds_write},
+            {"total", report.seconds_total}}},
+          {"peak_memory_bytes", peak_memory_bytes()},
+          {"error", report.refusal ? Json(report.refusal->what()) : Json(nullptr)},
+          {"error_code", report.refusal ? report.refusal->code() : "OK"}};
 }
 
 void write_report(const std::string& file, const Mapping_options& options, const Mapped_mesh& input,
                   const Report& report)
 {
   Atomic_file out(file);
-  out.stream() << report_json(options, input, report);
+  out.stream() << report_json(options, input, report).dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
   out.commit();
 }
 

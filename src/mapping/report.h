@@ -9,6 +9,8 @@
 
 #include <CGAL/Spherical_parameterization/distortion_summary.h>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <optional>
 #include <string>
 
@@ -23,8 +25,9 @@ struct Report {
   std::optional<Refusal> refusal; ///< its log is too long for the JSON file
 };
 
-/// The report as JSON, for programs to read. What is not known, since there is no map, is null.
-std::string report_json(const Mapping_options& options, const Mapped_mesh& input, const Report& report);
+/// The report, for programs to read. What is not known, since there is no map, is null. File names need not be valid
+/// UTF-8, which has to be replaced in text.
+nlohmann::ordered_json report_json(const Mapping_options& options, const Mapped_mesh& input, const Report& report);
 
 /// Writes it to a file. Throws a `Refusal`.
 void write_report(const std::string& file, const Mapping_options& options, const Mapped_mesh& input,

@@ -31,10 +31,10 @@ KERNEL sp_stiffening_gradient(int n, MATRIX(a), real p, vec3_in v, vec3_out g, r
   ADD_UP(4);
 }
 
-KERNEL sp_spring_masses(int n, MATRIX(a), vec3_in v, real_out m)
+KERNEL sp_spring_masses(int n, MATRIX(a), vec3 tilt, vec3_in v, real_out m)
 {
   FOR_EACH(i, n)
-  spring_masses_at(i, VIEW(a), v, m);
+  spring_masses_at(i, VIEW(a), tilt, v, m);
 }
 
 KERNEL sp_curvature(int n, MATRIX(a), real_in mass, vec3 mu, vec3_in v, vec3_in d, real_in density, real_out partial)

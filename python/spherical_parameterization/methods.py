@@ -47,7 +47,7 @@ class Balanced:
 
     Notes
     -----
-    `accuracy` bounds the residual (default 5e-9), `iterations` the descent steps (default 500).
+    `accuracy` bounds the residual (default 2e-9), `iterations` the descent steps (default 500).
     """
 
     spring_exponent: float = 2

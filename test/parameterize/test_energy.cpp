@@ -42,9 +42,9 @@ void check_energy_falls(const Soup& soup, Settings settings, std::size_t last_it
 
 TEST_CASE("the energy falls monotonically in the fast method", "[energy]")
 {
-  // With exponent 2 a boost is nearly free. The balance that picks one refers to masses which are renewed when the
-  // residual has come down to 1e-2 and to 1e-4; the boost to the new balance may raise the energy, by little.
-  const auto [exponent, rises] = GENERATE(std::pair(2., 2), std::pair(2.5, 0), std::pair(4., 0));
+  // With exponent 2 a boost is nearly free. The balance that picks one refers to masses which are renewed as the
+  // residual falls; the boost to the new balance may raise the energy, by little.
+  const auto [exponent, rises] = GENERATE(std::pair(2., 15), std::pair(2.5, 0), std::pair(4., 0));
   Settings settings;
   settings.weights = GENERATE(Weights::BARYCENTRIC, Weights::CONFORMAL);
   settings.method = SP::Balanced{exponent};

@@ -16,10 +16,11 @@ namespace CGAL::Spherical_parameterization {
 /// \ref balanced_method.
 ///
 /// Without fixed vertices and with exponent 2 the Moebius boosts, along which the energy hardly changes, are removed by
-/// the constraint sum of m_i v_i = 0, with m_i the density of the energy in the map itself (to 1e-4). The residual is
-/// that of the stationarity P_i((Lv)_i - m_i mu) = 0, P_i the projection to the tangent plane. With three or more
-/// fixed vertices, or with an exponent above 2, nothing is balanced, and the residual is that of eq. (2) of the paper,
-/// v_i parallel to its weighted neighbour mean.
+/// the constraint sum of m_i v_i = 0, with m_i the density of the energy in the map itself, tilted so that the centroid
+/// of the source area is at the centre. Such a map depends on the mesh alone, not on its numbering (up to a rotation,
+/// to the accuracy). The residual is that of the stationarity P_i((Lv)_i - m_i mu) = 0, P_i the projection to the
+/// tangent plane. With three or more fixed vertices, or with an exponent above 2, nothing is balanced, and the residual
+/// is that of eq. (2) of the paper, v_i parallel to its weighted neighbour mean.
 ///
 /// Guarantee: none in advance. Positive weights make a solution of eq. (2) bijective, but not its computation in
 /// double precision. The certificate in `Result` says whether the map is valid.
@@ -29,7 +30,7 @@ namespace CGAL::Spherical_parameterization {
 /// \cgalModels{SphericalParameterizationMethod}
 struct Balanced {
   /// Default of the named parameter `accuracy`.
-  static constexpr double default_accuracy = 5e-9;
+  static constexpr double default_accuracy = 2e-9;
   /// Default of the named parameter `number_of_iterations`.
   static constexpr std::size_t default_number_of_iterations = 500;
 

@@ -61,16 +61,18 @@ public:
       mass_(mass)
   {}
 
-  /// Descends from v, unit vectors that need not be balanced. Calls `refer(v)` when the residual has fallen to the next
-  /// of `references`, which fall, too. It may move v a little along a Moebius transformation, and change the masses.
+  /// Descends from v, unit vectors that need not be balanced. Calls `refer(v)`, if given, when the residual has come
+  /// down to 1e-2, and whenever it has fallen to a third since. It may move v a little along a Moebius transformation,
+  /// and change the masses.
   Solver_report solve(const Descent_options& options, Monitor& monitor, Vectors& v,
-                      const std::vector<double>& references = {},
                       const std::function<void(Vectors&)>& refer = nullptr) const
   {
     constexpr double longest_step = 0.25;      // root mean square over the sphere of the angles by which vertices move
     constexpr double progress = 0.8;           // at the limit of rounding the residual falls no more
     constexpr double balance_tolerance = 1e-4; // the steps undo what is left
     constexpr int balance_steps = 10;
+    constexpr double fall_between_references = 0.3, largest_rise = 10;
+    double next_reference = 1e-2;
     const int n = multigrid_.size(level_);
     Vectors g = backend_.vectors(n), old_g = backend_.vectors(n), s = backend_.vectors(n), d = backend_.vectors(n);
     Vectors& w = multigrid_.scratch(level_);
@@ -95,17 +97,18 @@ public:
       report.residual = std::sqrt(backend_.balance_gradient(matrix_, mass_, mu, v, g));
     };
     begin();
-    auto reference = references.begin();
     double gs = 0;
     double first = 0, best = 0;
     std::size_t best_at = 0;
     for(;; ++report.iterations) {
       balance_forces();
-      if(reference != references.end() && report.residual <= *reference) {
-        ++reference;
+      if(refer && report.residual <= next_reference) {
+        const double before = report.residual;
         refer(v);
         begin();
         balance_forces();
+        // Where limbs are lost to rounding, a renewal may undo more than the steps between two of them gain.
+        next_reference = report.residual <= largest_rise * before ? fall_between_references * before : 0;
       }
       if(report.iterations == 0)
         first = best = report.residual;

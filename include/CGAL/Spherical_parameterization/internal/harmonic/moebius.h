@@ -34,6 +34,14 @@ inline vec3 solve(const Symmetric_solver<3>& matrix, vec3 b)
   return {x[0], x[1], x[2]};
 }
 
+/// The vector t with sum m_i (1 + t . v_i) v_i = 0; 0 where some of these masses may be negative.
+inline vec3 balancing_tilt(const Moments& m)
+{
+  const Symmetric_solver<3> second_moment({{{m[3], m[4], m[5]}, {m[4], m[6], m[7]}, {m[5], m[7], m[8]}}});
+  const vec3 tilt = solve(second_moment, scale(-1, first_moment(m)));
+  return norm(tilt) < 1 ? tilt : make_vec3(0, 0, 0);
+}
+
 /// Boosts v until |sum m_i v_i| <= tolerance sum m_i, by at most so many steps of Newton's method in the ball, with
 /// backtracking. `scratch` has the size of v; `moments` are those of v, on entry and on return.
 template <class Backend>
@@ -69,7 +77,7 @@ void centre(const Backend& backend, const typename Backend::Scalars& area, typen
             typename Backend::Vectors& scratch)
 {
   constexpr int maximum_steps = 50;
-  constexpr double tolerance = 1e-5;
+  const double tolerance = backend.rounding();
   Moments moments = backend.moments(area, v);
   balance(backend, area, tolerance, maximum_steps, v, scratch, moments);
 }

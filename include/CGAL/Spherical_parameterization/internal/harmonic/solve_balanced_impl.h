@@ -152,7 +152,7 @@ bool solve_stiffening(const Backend& backend, const Problem& problem, double exp
       break;
     springs->inverse_diagonal = current->inverse_diagonal;
     const typename Backend::Matrix matrix = backend.upload(Shared_graph(springs));
-    backend.spring_masses(backend.upload(problem.graph), v, mass);
+    backend.spring_masses(backend.upload(problem.graph), {0, 0, 0}, v, mass);
     Balanced_solver<Backend> solver(backend, matrix, multigrid, 0, exponent, gauge, mass);
     const std::size_t round = (std::min)(iterations_per_hierarchy(report.residual), maximum_iterations - done);
     is_certified = false;
@@ -167,10 +167,11 @@ bool solve_stiffening(const Backend& backend, const Problem& problem, double exp
 /// Exponent 2: the balanced critical point or, with fixed vertices, the harmonic map, of which nothing is free to be
 /// balanced. Returns whether the certificate is that of v.
 ///
-/// The masses of the balance are the spring densities of a reference map, the solution itself to 1e-4, with the
-/// centroid of the source area at the centre. (On a conformal map the density of energy is that of area.) The reference
-/// is taken early and renewed, so that it is a small change each time, and the descent goes on as if nothing had
-/// happened.
+/// The masses of the balance are the spring densities of a reference map, the solution itself, with the centroid of the
+/// source area at the centre. (On a conformal map the density of energy is that of area.) They are tilted by a linear
+/// function, so that this map is balanced. The reference is taken early and renewed as the residual falls: it is a
+/// small change each time, and the descent goes on as if nothing had happened. Each renewal reduces the influence of
+/// the start map, which depends on the numbering, some forty times.
 template <class Backend>
 bool solve_harmonic(const Backend& backend, const Problem& problem, double accuracy, std::size_t maximum_iterations,
                     Monitor& monitor, typename Backend::Vectors& v, Solution& solution)
@@ -187,24 +188,23 @@ bool solve_harmonic(const Backend& backend, const Problem& problem, double accur
   const auto refer_to = [&](typename Backend::Vectors& x) {
     if(is_free)
       centre(backend, area, x, multigrid.scratch(0));
-    backend.spring_masses(matrix, x, mass);
+    backend.spring_masses(matrix, {0, 0, 0}, x, mass);
+    if(is_free)
+      backend.spring_masses(matrix, balancing_tilt(backend.moments(mass, x)), x, mass);
   };
   const Gauge gauge = is_free ? Gauge::BALANCED : Gauge::FIXED;
   Balanced_solver<Backend> solver(backend, matrix, multigrid, 0, 2, gauge, mass);
   solution.seconds.start_map = watch.seconds();
 
-  std::vector<double> references;
   const auto start = [&](typename Backend::Vectors& x) {
     const Stopwatch start_watch;
     x = is_free ? start_map(backend, multigrid, problem, monitor, solution.report.start_iterations)
                 : backend.upload(positions);
     refer_to(x);
-    if(is_free)
-      references = {1e-2, 1e-4};
     solution.seconds.start_map += start_watch.seconds();
   };
   const auto descend = [&](const Descent_options& options, typename Backend::Vectors& x) {
-    return solver.solve(options, monitor, x, std::exchange(references, {}), refer_to);
+    return is_free ? solver.solve(options, monitor, x, refer_to) : solver.solve(options, monitor, x);
   };
   // The residual of eq. (2) is that of the descent times D_i / |sum w_ij v_j|: 1 on fine meshes, up to 3 on coarse
   // ones.

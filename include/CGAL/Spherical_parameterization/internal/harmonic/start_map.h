@@ -192,7 +192,7 @@ typename Backend::Vectors start_map(const Backend& backend, Multigrid<Backend>& 
   typename Backend::Vectors v;
   for(std::size_t k = coarse_start_map(backend, multigrid, problem, monitor, iterations, v); k > 0; --k) {
     typename Backend::Scalars mass = backend.scalars(multigrid.size(k));
-    backend.spring_masses(multigrid.matrix(k), v, mass);
+    backend.spring_masses(multigrid.matrix(k), {0, 0, 0}, v, mass);
     Balanced_solver<Backend> solver(backend, multigrid.matrix(k), multigrid, k, 2, Gauge::BALANCED, mass);
     iterations += solver.solve(coarse_descent, monitor, v).iterations;
     typename Backend::Vectors& finer = multigrid.scratch(k - 1);

@@ -67,11 +67,12 @@ CGAL_SP_FUNCTION void gradient_at(int i, graph_view a, vec3_in v, vec3_out g, re
   stiffening_gradient_at(i, a, 2, v, g, density, s);
 }
 
-/* m = spring density of exponent 2, or 0 where negative weights (of coarse levels) make it negative */
-CGAL_SP_FUNCTION void spring_masses_at(int i, graph_view a, vec3_in v, real_out m)
+/* m = (1 + tilt . v) times the spring density of exponent 2, or 0 where negative weights (of coarse levels) or a large
+ * tilt make it negative */
+CGAL_SP_FUNCTION void spring_masses_at(int i, graph_view a, vec3 tilt, vec3_in v, real_out m)
 {
-  const real density = spring_density(i, a, 2, v);
-  m[i] = density > 0 ? density : 0;
+  const real mass = (1 + inner(tilt, v[i])) * spring_density(i, a, 2, v);
+  m[i] = mass > 0 ? mass : 0;
 }
 
 /* s[0]: the second derivative of the Lagrangian E - mu . sum m_i v_i along the geodesics with velocity d;

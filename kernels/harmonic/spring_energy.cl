@@ -4,7 +4,7 @@
  * The verbs of the descent on the sphere: see formulas/spring_energy.h for what they compute.
  */
 
-/* Gradient and curvature are kernels twice, for exponent 2 and for all others: the mere presence of pow() makes the
+/* Gradient and curvature are kernels twice, for exponent 2 and for all others: the mere presence of power() makes the
  * code of a CPU driver three times slower, even where it is not called. */
 
 KERNEL sp_energy(int n, MATRIX(a), vec3_in v, real_out partial)

@@ -56,7 +56,7 @@ function map(): void {
   document.body.dataset.state = "running";
   byId("file-name").textContent = file.name;
   progress(0, "Reading");
-  permit = URL.createObjectURL(new Blob(["go on"]));
+  permit = URL.createObjectURL(new Blob([""], { type: "text/javascript" }));
   const job: Job = { name: file.name, bytes: file.bytes, settings: running.settings, permit };
   worker.postMessage(job);
 }
@@ -73,9 +73,10 @@ stage.onColouring = (colouring) => {
   worker.postMessage(job);
 };
 
-/// Asks for the best map so far. Who does not answer is stopped.
+/// Asks for the best map so far. Who does not answer is stopped, and who cannot be asked: in a page from a disk, browsers
+/// give the worker another origin, from which the address is never there.
 function cancel(): void {
-  if (segmenting) stop();
+  if (segmenting || (running && origin === "null")) stop();
   if (!running || patience !== undefined) return;
   URL.revokeObjectURL(permit);
   patience = setTimeout(stop, 2000);

@@ -47,7 +47,7 @@ export function certificate(report: Report): HTMLElement {
     { class: "certificate bad", id: "certificate", "data-code": report.error_code },
     element("h2", {}, isCancelled ? "Cancelled: the best map so far" : "Not certified"),
     element("p", { class: "counts" }, `${counts}.`),
-    element("p", {}, report.error),
+    element("p", {}, isCancelled ? `After ${whole(report.iterations ?? 0)} iterations, at a residual of ${figures(report.residual ?? 0)}.` : report.error),
     ...(isCancelled || report.method === "automatic" || report.method === "isometric"
       ? []
       : [element("p", {}, "The method Automatic tries others where one fails.")]),

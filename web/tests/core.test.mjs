@@ -14,7 +14,7 @@ import { different, native, scratch, source, web, write } from "./helpers.mjs";
 const folder = scratch("core");
 copyFileSync(join(web, "build", "core", "core.js"), join(folder, "core.cjs")); // no ES module
 const core = await createRequire(import.meta.url)(join(folder, "core.cjs"))();
-const { examples, torus } = await source("examples.ts");
+const { examples, small, torus } = await source("examples.ts");
 const { off } = await source("downloads.ts");
 
 const defaults = { method: "balanced", weights: "conformal", spring_exponent: 2, area_exponent: 1, triangulate: false };
@@ -42,24 +42,19 @@ function compare(file, settings = {}) {
   return found;
 }
 
-for (const example of examples) {
-  const file = write(folder, example.file, off(example.mesh()));
-  for (const settings of [
-    { method: "balanced", weights: "conformal" },
-    { method: "balanced", weights: "barycentric" },
-    { method: "balanced", weights: "mean-value" },
-    { method: "automatic" },
-    ...(example.file === "bar.off"
-      ? [
-          { method: "balanced", spring_exponent: 2.3 },
-          { method: "balanced", spring_exponent: 2.5 },
-          { method: "balanced", spring_exponent: 3 },
-          ...[0, 0.3, 0.5, 1, 2].map((area_exponent) => ({ method: "isometric", area_exponent })),
-        ]
-      : []),
-  ])
-    test(`bits: ${example.name}, ${Object.values(settings).join(", ")}`, () => void compare(file, settings));
-}
+/// Every setting on a small mesh, the page's defaults on its examples.
+const settings = [
+  ...["conformal", "barycentric", "mean-value"].map((weights) => ({ method: "balanced", weights })),
+  ...[2.3, 2.5, 3].map((spring_exponent) => ({ method: "balanced", spring_exponent })),
+  ...[0, 0.3, 0.5, 1, 2].map((area_exponent) => ({ method: "isometric", area_exponent })),
+  { method: "saddle-point" },
+];
+const cases = [
+  ...settings.map((one) => ({ file: "small.off", mesh: small, settings: one })),
+  ...examples.map(({ file, mesh }) => ({ file, mesh, settings: { method: "automatic" } })),
+];
+for (const { file, mesh, settings } of cases)
+  test(`bits: ${file}, ${Object.values(settings).join(", ")}`, () => void compare(write(folder, file, off(mesh())), settings));
 
 test("a torus is refused in the words of the tool", () => {
   const found = compare(write(folder, "torus.off", off(torus(40, 20))));

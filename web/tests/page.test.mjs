@@ -17,7 +17,7 @@ import { serve } from "../serve.mjs";
 import { different, native, readOff, scratch, source, tool, web, write } from "./helpers.mjs";
 
 const folder = scratch("page");
-const { examples, torus, large } = await source("examples.ts");
+const { examples, torus } = await source("examples.ts");
 const { off } = await source("downloads.ts");
 let browser, server, page;
 const complaints = []; // of the console
@@ -210,7 +210,7 @@ async function begin(name, method, spring) {
     await page.fill("#spring-exponent", spring);
     await page.locator("#spring-exponent").blur();
   }
-  await page.setInputFiles("#file", write(folder, name, off(large(6))));
+  await page.setInputFiles("#file", write(folder, name, off(examples[1].mesh())));
   await page.waitForFunction(
     (n) => document.getElementById("file-name").textContent === n && document.getElementById("bar").value > 0,
     name,

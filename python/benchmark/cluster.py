@@ -102,7 +102,7 @@ def on_cluster(meshes: int, workers: int, batch_seconds: float, store: str, is_h
 def main() -> None:
     meshes = int(sys.argv[1]) if len(sys.argv) > 1 else 10000
     workers = int(sys.argv[2]) if len(sys.argv) > 2 else os.cpu_count() or 1
-    batch_seconds = float(sys.argv[3]) if len(sys.argv) > 3 else 1
+    batch_seconds = float(sys.argv[3]) if len(sys.argv) > 3 else 0.5
     folder = tempfile.mkdtemp()
     serial = os.path.join(folder, "serial.sqlite")
 

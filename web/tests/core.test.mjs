@@ -47,7 +47,6 @@ const settings = [
   ...["conformal", "barycentric", "mean-value"].map((weights) => ({ method: "balanced", weights })),
   ...[2.3, 2.5, 3].map((spring_exponent) => ({ method: "balanced", spring_exponent })),
   ...[0, 0.3, 0.5, 1, 2].map((area_exponent) => ({ method: "isometric", area_exponent })),
-  { method: "saddle-point" },
 ];
 const cases = [
   ...settings.map((one) => ({ file: "small.off", mesh: small, settings: one })),

@@ -264,6 +264,13 @@ test("narrow and dark, by touch", async () => {
   await page.waitForFunction(() => document.getElementById("hover").textContent !== "");
   assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth)); // nothing sticks out
 
+  const ground = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+  assert.equal(await ground(), "rgb(21, 24, 27)"); // dark, as the system
+  await page.tap("#theme");
+  assert.equal(await ground(), "rgb(244, 244, 241)");
+  await page.tap("#theme");
+  assert.equal(await ground(), "rgb(21, 24, 27)");
+
   // two fingers that part and move to the right: larger, and to the right
   const cdp = await page.context().newCDPSession(page);
   const [x, y] = [box.x + box.width / 2, box.y + box.height / 4];

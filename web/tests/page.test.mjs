@@ -260,8 +260,19 @@ test("narrow and dark, by touch", async () => {
   await page.tap('[data-example="bar.off"]');
   await state("bar.off", "certified");
   const box = await page.locator("#canvas").boundingBox();
-  await page.touchscreen.tap(box.x + box.width / 2, box.y + 0.75 * box.height);
-  await page.waitForFunction(() => document.getElementById("hover").textContent !== "");
+  const cdp = await page.context().newCDPSession(page);
+  const touch = (...touchPoints) => // all fingers that are on the screen now
+    cdp.send("Input.dispatchTouchEvent", { type: touchPoints.length > 0 ? "touchStart" : "touchEnd", touchPoints });
+  const told = (is) =>
+    page.waitForFunction((t) => (document.getElementById("hover").textContent !== "") === t, is, { timeout: 120_000 });
+  await touch({ x: box.x + box.width / 2, y: box.y + 0.75 * box.height });
+  await told(true);
+  await touch();
+  await page.evaluate(() => new Promise(requestAnimationFrame));
+  await told(true); // it stays when the finger is lifted
+  await touch({ x: box.x + 5, y: box.y + 0.75 * box.height }); // beside the sphere
+  await told(false);
+  await touch();
   assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth)); // nothing sticks out
 
   const ground = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
@@ -272,7 +283,6 @@ test("narrow and dark, by touch", async () => {
   assert.equal(await ground(), "rgb(21, 24, 27)");
 
   // two fingers that part and move to the right: larger, and to the right
-  const cdp = await page.context().newCDPSession(page);
   const [x, y] = [box.x + box.width / 2, box.y + box.height / 4];
   const fingers = (type, apart, along) =>
     cdp.send("Input.dispatchTouchEvent", {

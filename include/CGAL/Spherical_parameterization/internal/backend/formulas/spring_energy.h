@@ -62,7 +62,7 @@ CGAL_SP_FUNCTION void stiffening_gradient_at(int i, graph_view a, real p, vec3_i
   add_to(g[i], s + 1);
 }
 
-/* The same for exponent 2, without what power() costs even where it is not called. */
+/* The same for exponent 2, without what powers cost even where they are not taken. */
 CGAL_SP_FUNCTION void gradient_at(int i, graph_view a, vec3_in v, vec3_out g, real_out density, real* s)
 {
   stiffening_gradient_at(i, a, 2, v, g, density, s);

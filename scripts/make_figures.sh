@@ -2,14 +2,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # make_figures.sh [FIGURE...]
 # Makes the figures of the manual and the README, doc/images/, with the package's own tool from CGAL's meshes: all, or
-# those named (strip method stretch segmentation texture morph search scaling).
+# those named (strip method stretch segmentation texture morph search scaling page).
 # It installs what it needs, and builds in build/; TOOL=..., MORPH=... and SDF_SEGMENTS=... take programs built elsewhere.
 set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 images=$root/doc/images
 work=$(mktemp -d)
 trap 'rm -rf -- "$work"' EXIT
-[ $# -gt 0 ] || set -- strip method stretch segmentation texture morph search scaling
+[ $# -gt 0 ] || set -- strip method stretch segmentation texture morph search scaling page
 
 "$root/scripts/install_dependencies.sh" f3d xvfb xauth imagemagick gnuplot-nox
 if [ -z "${TOOL:-}" ]; then
@@ -197,6 +197,13 @@ figure_search() {
 
 figure_scaling() {
   gnuplot -e "csv='$root/benchmark_results/scaling.csv'; svg='$images/scaling.svg'" "$root/benchmark/plot_scaling.gp"
+}
+
+figure_page() {
+  "$root/web/install_dependencies.sh"
+  node "$root/web/build.mjs"
+  node "$root/web/picture.mjs" armadillo.off page.png
+  convert page.png -colors 255 -dither None -define png:compression-level=9 "PNG8:$images/page.png"
 }
 
 for figure in "$@"; do

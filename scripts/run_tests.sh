@@ -5,6 +5,7 @@ set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 
 "$root/scripts/install_dependencies.sh" --all
+"$root/web/install_dependencies.sh" || echo "run_tests.sh: the tests of the page will be skipped" >&2
 cmake -S "$root" -B "$root/build" -DCMAKE_BUILD_TYPE=Release
 cmake --build "$root/build" --parallel "$(nproc)"
 cd "$root/build"

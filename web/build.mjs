@@ -79,7 +79,7 @@ function compileCore() {
   const run = (program, ...args) => execFileSync(program, args, { cwd: here, env, stdio: ["ignore", "inherit", "inherit"] });
   if (!existsSync(join(core, "Makefile")))
     run("emcmake", "cmake", "-S", join(here, "core"), "-B", core, "-DCMAKE_BUILD_TYPE=Release");
-  run("cmake", "--build", core);
+  run("cmake", "--build", core, "--parallel", "2");
 }
 
 async function page() {

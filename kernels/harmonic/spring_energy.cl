@@ -4,8 +4,8 @@
  * The verbs of the descent on the sphere: see formulas/spring_energy.h for what they compute.
  */
 
-/* Gradient and curvature are kernels twice, for exponent 2 and for all others: the mere presence of pow() makes the
- * code of a CPU driver three times slower, even where it is not called. */
+/* Gradient and curvature are kernels twice, for exponent 2 and for all others: the mere presence of powers (measured
+ * with the driver's own pow()) makes the code of a CPU driver three times slower, even where none is taken. */
 
 KERNEL sp_energy(int n, MATRIX(a), vec3_in v, real_out partial)
 {

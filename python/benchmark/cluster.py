@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A collection of small meshes in a loop, on a LocalCluster, and on one of which a worker is killed every ten seconds.
 
-    python3 cluster.py [MESHES] [WORKERS]
+    python3 cluster.py [MESHES] [WORKERS] [BATCH_SECONDS]
 
 Seconds of processor count on a machine that does other things, too: those of all processes, start of workers included.
 """
 
+import multiprocessing.forkserver
 import os
 import random
 import resource
@@ -16,10 +17,20 @@ import tempfile
 import threading
 import time
 
-import numpy as np
-from distributed import Client, LocalCluster
+# Before Dask is imported: workers that are there again at once, and less housekeeping. See doc/python_collections.md.
+SETTINGS = {
+    "WORKER__MULTIPROCESSING_METHOD": "forkserver",
+    "WORKER__PROFILE__ENABLED": "False",
+    "ADMIN__TICK__INTERVAL": "1s",
+    "WORKER__MEMORY__MONITOR_INTERVAL": "1s",
+}
+for name, value in SETTINGS.items():
+    os.environ.setdefault(f"DASK_DISTRIBUTED__{name}", value)
 
-import spherical_parameterization as sp
+import numpy as np  # noqa: E402
+from distributed import Client, LocalCluster  # noqa: E402
+
+import spherical_parameterization as sp  # noqa: E402
 
 
 def map_number(number: int) -> dict[str, object]:
@@ -55,12 +66,13 @@ sp.collection._Cluster = Watched  # type: ignore[misc]
 
 
 def processor() -> float:
-    """Seconds of this process and of its children that have ended."""
+    """Seconds of this process and of its children that have ended. Workers are children of the server that forks them."""
+    multiprocessing.forkserver._forkserver._stop()  # type: ignore[attr-defined]
     usages = (resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN))
     return sum(usage.ru_utime + usage.ru_stime for usage in usages)
 
 
-def on_cluster(meshes: int, workers: int, store: str, is_harmed: bool) -> int:
+def on_cluster(meshes: int, workers: int, batch_seconds: float, store: str, is_harmed: bool) -> int:
     """Returns how many workers were killed."""
     is_done = threading.Event()
     killed = 0
@@ -79,7 +91,7 @@ def on_cluster(meshes: int, workers: int, store: str, is_harmed: bool) -> int:
                 threading.Thread(target=kill, daemon=True).start()
             busy.clear()
             start = time.perf_counter()
-            counts = sp.collection.map(range(meshes), map_number, client, store)
+            counts = sp.collection.map(range(meshes), map_number, client, store, batch_seconds=batch_seconds)
             seconds = time.perf_counter() - start
             is_done.set()
             share = sum(busy) / workers / seconds
@@ -90,6 +102,7 @@ def on_cluster(meshes: int, workers: int, store: str, is_harmed: bool) -> int:
 def main() -> None:
     meshes = int(sys.argv[1]) if len(sys.argv) > 1 else 10000
     workers = int(sys.argv[2]) if len(sys.argv) > 2 else os.cpu_count() or 1
+    batch_seconds = float(sys.argv[3]) if len(sys.argv) > 3 else 0.5
     folder = tempfile.mkdtemp()
     serial = os.path.join(folder, "serial.sqlite")
 
@@ -100,7 +113,7 @@ def main() -> None:
     for name in ("cluster", "cluster with deaths"):
         store = os.path.join(folder, f"{name}.sqlite")
         before, start = processor(), time.perf_counter()
-        on_cluster(meshes, workers, store, name != "cluster")
+        on_cluster(meshes, workers, batch_seconds, store, name != "cluster")
         wall, used = time.perf_counter() - start, processor() - before
         print(
             f"{name}: {workers} workers, {wall:.1f} s, {used:.1f} s of processor; the loop's {loop_processor / used:.1%} of "

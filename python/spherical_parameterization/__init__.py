@@ -18,11 +18,13 @@ from .analysis import (
     distortion,
     face_distortion,
     icosphere,
+    mean_over_faces,
     search,
     segment,
     shape_signature,
     stretch_histogram,
     texture_coordinates,
+    texture_seams,
     vertex_log_area_stretch,
 )
 from .errors import DeviceError, ErrorCode, MapWarning, MeshError
@@ -78,6 +80,7 @@ __all__ = [
     "edges",
     "face_distortion",
     "icosphere",
+    "mean_over_faces",
     "opencl_device",
     "opencl_devices",
     "parameterize",
@@ -87,5 +90,6 @@ __all__ = [
     "shape_signature",
     "stretch_histogram",
     "texture_coordinates",
+    "texture_seams",
     "vertex_log_area_stretch",
 ]

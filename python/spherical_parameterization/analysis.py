@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, fields
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -110,6 +111,40 @@ def face_distortion(
     return _core.face_distortion(*_mesh(points, triangles, sphere), measure, policy)
 
 
+def _surface(triangles: npt.ArrayLike) -> tuple[Doubles, Integers]:
+    """What the core takes for a mesh of which the points do not matter."""
+    triangles = index_triples(triangles)
+    number_of_points = min(int(triangles.max(initial=-1)) + 1, triangles.size)  # a larger number is BAD_INDEX
+    return np.zeros((number_of_points, 3)), triangles
+
+
+def mean_over_faces(triangles: npt.ArrayLike, values: npt.ArrayLike) -> Doubles:
+    """Values of faces as values of vertices: the mean over the faces of a vertex.
+
+    Parameters
+    ----------
+    triangles : array_like (m, 3) of int
+    values : array_like (m,) of float
+
+    Returns
+    -------
+    ndarray (n,) of float64
+
+    Raises
+    ------
+    MeshError
+        If the triangles do not form a closed surface of genus 0.
+
+    Examples
+    --------
+    >>> import spherical_parameterization as sp
+    >>> sp.mean_over_faces([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]], [0, 3, 6, 9])
+    array([4., 3., 5., 6.])
+    """
+    points, triangles = _surface(triangles)
+    return _core.mean_over_faces(points, triangles, numbers("values", values, len(triangles)))
+
+
 def vertex_log_area_stretch(
     points: npt.ArrayLike, triangles: npt.ArrayLike, sphere: npt.ArrayLike, *, policy: str = "parallel"
 ) -> Doubles:
@@ -212,6 +247,32 @@ def texture_coordinates(
     return Texture(*_core.texture_coordinates(*_mesh(points, triangles, sphere), chart, axes, bits, policy))
 
 
+def texture_seams(triangles: npt.ArrayLike, uv: npt.ArrayLike) -> npt.NDArray[np.int32]:
+    """The edges along which a texture is cut: their faces have different coordinates at one of the ends.
+
+    Parameters
+    ----------
+    triangles : array_like (m, 3) of int
+    uv : array_like (m, 3, 2) of float
+        u and v of every corner, as `texture_coordinates()` returns them.
+
+    Returns
+    -------
+    ndarray (k, 2) of int32
+        The ends of the edges, the smaller number first, sorted. `numpy.unique()` of it are the vertices to double.
+
+    Raises
+    ------
+    MeshError
+        If the triangles do not form a closed surface of genus 0.
+    """
+    points, triangles = _surface(triangles)
+    corners = np.ascontiguousarray(uv, dtype=np.float64)
+    if corners.shape != (len(triangles), 3, 2):
+        raise ValueError(f"uv: shape ({len(triangles)}, 3, 2) is needed, not {corners.shape}")
+    return _core.texture_seams(points, triangles, corners)
+
+
 def icosphere(level: int) -> tuple[Doubles, npt.NDArray[np.int32]]:
     """An icosahedron of which every triangle has been cut in four `level` times, on the unit sphere.
 
@@ -311,6 +372,28 @@ class Locator:
         ndarray (k,) or (k, d) of float64
         """
         return self.interpolate(values, *self.locate(directions))
+
+    def transfer_faces(self, values: npt.ArrayLike, triangles: npt.ArrayLike, sphere: npt.ArrayLike) -> Any:
+        """Values of faces, such as labels, on another mesh: each face gets that of the face under its centre.
+
+        Parameters
+        ----------
+        values : array_like (m, ...)
+            Of the faces of this mesh, of any type.
+        triangles : array_like (k, 3) of int
+            Of the other mesh.
+        sphere : array_like (l, 3) of float
+            A map of the other mesh in the same position, see `align()`.
+
+        Returns
+        -------
+        ndarray (k, ...)
+        """
+        of_faces = np.asarray(values)
+        if len(of_faces) != self._number_of_faces:
+            raise ValueError(f"values: {self._number_of_faces} rows are needed, not {len(of_faces)}")
+        a, b, c = vectors("sphere", sphere)[index_triples(triangles)].swapaxes(0, 1)
+        return of_faces[self.locate(a + (b + c))[0]]
 
     def resample(
         self, points: npt.ArrayLike, level: int

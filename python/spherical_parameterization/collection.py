@@ -266,7 +266,7 @@ def map(
     client: Any = None,
     store: str | os.PathLike[str] = "results.sqlite",
     *,
-    batch_seconds: float = 1,
+    batch_seconds: float = 0.5,
     stall_seconds: float = 300,
     progress: Callable[[int], object] | None = None,
 ) -> dict[str, int]:

@@ -77,17 +77,26 @@ def _triangles(name: str, faces: list[list[int]]) -> Integers:
 def _read_off(name: str) -> tuple[Doubles, Integers]:
     """All variants of the header, and colours of vertices or faces; meshio knows one."""
     with open(name) as file:
-        lines = (words for words in (line.partition("#")[0].split() for line in file) if words)
-        header: list[str] = next(lines, [])
-        if not header or header[0].removeprefix("\ufeff") not in ("OFF", "COFF", "NOFF", "CNOFF"):
-            raise OSError(f"{name} is not an OFF file: the first word is not OFF")
-        sizes = header[1:] or next(lines, [])
-        try:
-            points = np.array([next(lines)[:3] for _ in range(int(sizes[0]))], dtype=np.float64).reshape(-1, 3)
-            faces = [[int(i) for i in words[1 : 1 + int(words[0])]] for words in itertools.islice(lines, int(sizes[1]))]
-        except (StopIteration, IndexError, ValueError) as error:
-            raise OSError(f"{name} is cut off, or has no numbers where they have to be") from error
-    if len(faces) < int(sizes[1]):
+        text = file.read()
+    if "#" in text:
+        text = "\n".join(line.partition("#")[0] for line in text.splitlines())
+    words = text.split()
+    if not words or words[0].removeprefix("\ufeff") not in ("OFF", "COFF", "NOFF", "CNOFF"):
+        raise OSError(f"{name} is not an OFF file: the first word is not OFF")
+    try:
+        n, m = int(words[1]), int(words[2])
+        corners = words[4 + 3 * n :]
+        if len(corners) == 4 * m and corners[::4] == ["3"] * m:  # triangles and nothing else: three times as fast
+            triangles = np.array(corners, dtype=np.int64).reshape(-1, 4)[:, 1:]
+            return np.array(words[4 : 4 + 3 * n], dtype=np.float64).reshape(-1, 3), triangles
+        lines = (line.split() for line in text.splitlines() if line.strip())
+        if len(next(lines)) == 1:
+            next(lines)
+        points = np.array([next(lines)[:3] for _ in range(n)], dtype=np.float64).reshape(-1, 3)
+        faces = [[int(i) for i in line[1 : 1 + int(line[0])]] for line in itertools.islice(lines, m)]
+    except (StopIteration, IndexError, ValueError) as error:
+        raise OSError(f"{name} is cut off, or has no numbers where they have to be") from error
+    if len(faces) < m:
         raise OSError(f"{name} is cut off")
     return points, _triangles(name, faces)
 

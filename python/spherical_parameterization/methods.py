@@ -112,7 +112,13 @@ class ConformalWeights:
 
 
 @dataclass(frozen=True)
-class MajorityVote:
+class _SegmentLimits:
+    minimum_area: float = 0.01
+    number_of_segments: int = 0
+
+
+@dataclass(frozen=True)
+class MajorityVote(_SegmentLimits):
     """Segmentation by girth profiles and four concavity segmentations, which vote. The default.
 
     Parameters
@@ -123,32 +129,22 @@ class MajorityVote:
         0: the method chooses; otherwise the least convincing cuts are left out until there are so many.
     """
 
-    minimum_area: float = 0.01
-    number_of_segments: int = 0
-
 
 @dataclass(frozen=True)
-class GirthProfiles:
+class GirthProfiles(_SegmentLimits):
     """Segmentation by girth profiles alone: cuts limbs off. Parameters as for `MajorityVote`."""
 
-    minimum_area: float = 0.01
-    number_of_segments: int = 0
-
 
 @dataclass(frozen=True)
-class RegionGrowing:
-    """The published segmentation: region growing over the stretch.
+class RegionGrowing(_SegmentLimits):
+    """The published segmentation: region growing over the stretch. Parameters as for `MajorityVote`, and one more.
 
     Parameters
     ----------
-    minimum_area, number_of_segments
-        As for `MajorityVote`.
     threshold : float
         By how much the logarithmic stretch of a region may differ from that of its seed.
     """
 
-    minimum_area: float = 0.01
-    number_of_segments: int = 0
     threshold: float = 1
 
 

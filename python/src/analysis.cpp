@@ -103,6 +103,18 @@ py::tuple distortion_summary(const Doubles& points, const py::array& triangles, 
                         d.degenerate_faces);
 }
 
+/// Values of faces as values of vertices.
+Doubles mean_over_faces(const Doubles& points, const py::array& triangles, const Doubles& values)
+{
+  const Mesh mesh = make_mesh(points, triangles);
+  Doubles means = make_array<double>(mesh.number_of_vertices());
+  const Vertex_values map(means);
+  const Array_map<Mesh::Face_index, const double> of_faces(values.data());
+  const py::gil_scoped_release no_lock;
+  SP::mean_over_faces(mesh, of_faces, map);
+  return means;
+}
+
 std::variant<SP::Majority_vote, SP::Girth_profiles, SP::Region_growing> segmentation_of(const py::object& options)
 {
   const std::string name = py::str(py::type::of(options).attr("__name__"));
@@ -140,16 +152,16 @@ py::array segment(const Doubles& points, const py::array& triangles, const Doubl
 }
 
 /// Row f, column k of an array (m, 3, 2): the corner k of face f, which is the target of the halfedge before it.
+template <class UV> // of two doubles, may be const
 struct Corner_map {
   typedef Mesh::Halfedge_index key_type;
-  typedef std::pair<double, double> value_type;
-  typedef value_type& reference;
+  typedef std::remove_const_t<UV> value_type;
+  typedef UV& reference;
   typedef boost::lvalue_property_map_tag category;
 
-  value_type* first;
+  UV* first;
 
-  explicit Corner_map(Doubles& array) : first(reinterpret_cast<value_type*>(array.mutable_data())) {}
-  value_type& operator[](key_type h) const { return first[3 * (h.idx() / 3) + (h.idx() + 1) % 3]; }
+  UV& operator[](key_type h) const { return first[3 * (h.idx() / 3) + (h.idx() + 1) % 3]; }
   friend reference get(const Corner_map& map, key_type h) { return map[h]; }
   friend void put(const Corner_map& map, key_type h, const value_type& uv) { map[h] = uv; }
 };
@@ -168,11 +180,35 @@ py::tuple texture_coordinates(const Doubles& points, const py::array& triangles,
   options.bits = bits;
   const Mesh mesh = make_mesh(points, triangles);
   Doubles uv = make_array<double>(mesh.number_of_faces(), 3, 2);
-  const Corner_map map(uv);
+  typedef std::pair<double, double> UV;
+  const Corner_map<UV> map{reinterpret_cast<UV*>(uv.mutable_data())};
   const SP::Texture_report r =
     on(policy, [&](const auto& p) { return SP::texture_coordinates(p, mesh, sphere_of(sphere), map, options); });
   return py::make_tuple(uv, r.axes.north, r.axes.meridian, r.seam_faces, r.pole_faces, r.moved_faces,
                         r.unresolved_faces, r.largest_move);
+}
+
+/// The ends of the edges along which a texture is cut, the smaller number first, sorted.
+py::array texture_seams(const Doubles& points, const py::array& triangles, const Doubles& uv)
+{
+  typedef const std::pair<double, double> UV;
+  const Mesh mesh = make_mesh(points, triangles);
+  std::vector<std::array<std::int32_t, 2>> seams;
+  {
+    const py::gil_scoped_release no_lock;
+    std::vector<char> is_seam(num_halfedges(mesh)), is_on_seam(num_vertices(mesh)); // edges have numbers of halfedges
+    SP::texture_seams(mesh, Corner_map<UV>{reinterpret_cast<UV*>(uv.data())},
+                      Array_map<Mesh::Edge_index, char>(is_seam.data()),
+                      Array_map<Mesh::Vertex_index, char>(is_on_seam.data()));
+    for(const Mesh::Edge_index e : edges(mesh))
+      if(is_seam[e.idx()])
+        seams.push_back(
+          {(std::min)(source(e, mesh), target(e, mesh)).idx(), (std::max)(source(e, mesh), target(e, mesh)).idx()});
+    std::sort(seams.begin(), seams.end());
+  }
+  auto result = make_array<std::int32_t>(seams.size(), 2);
+  std::copy(seams.begin(), seams.end(), reinterpret_cast<std::array<std::int32_t, 2>*>(result.mutable_data()));
+  return result;
 }
 
 /// A column of an array (n, d), read from its first number on.
@@ -190,19 +226,6 @@ struct Column {
     return map.first[map.columns * static_cast<std::size_t>(v.idx())];
   }
 };
-
-/// A point that can be made of three numbers, as interpolation does.
-struct Point {
-  std::array<double, 3> coordinates;
-
-  Point(double x, double y, double z) : coordinates{x, y, z} {}
-  double operator[](std::size_t i) const { return coordinates[i]; }
-};
-
-Array_map<Mesh::Vertex_index, const Point> points_of(const Doubles& array)
-{
-  return Array_map<Mesh::Vertex_index, const Point>(reinterpret_cast<const Point*>(array.data()));
-}
 
 /// The inverse of a map, with the mesh that it needs.
 class Locator {
@@ -262,7 +285,7 @@ public:
                      const std::string& policy) const
   {
     return on(policy, [&](const auto& p) {
-      return SP::aligning_rotation(p, locator_, points_of(points), other.locator_, points_of(other_points));
+      return SP::aligning_rotation(p, locator_, sphere_of(points), other.locator_, sphere_of(other_points));
     });
   }
 
@@ -334,9 +357,11 @@ void add_analysis(py::module_& module)
   module.def("certify", certify);
   module.def("face_distortion", face_distortion);
   module.def("vertex_log_area_stretch", vertex_log_area_stretch);
+  module.def("mean_over_faces", mean_over_faces);
   module.def("distortion_summary", distortion_summary);
   module.def("segment", segment);
   module.def("texture_coordinates", texture_coordinates);
+  module.def("texture_seams", texture_seams);
   py::class_<Locator>(module, "Locator")
     .def(py::init<const py::array&, const Doubles&, const std::string&>())
     .def("locate", &Locator::locate)

@@ -241,7 +241,8 @@ void add_devices(py::module_& module)
     py::list devices;
     for(const SP::OpenCL_device_info& d : SP::opencl_devices())
       devices.append(py::dict("platform"_a = d.platform, "name"_a = d.name, "driver"_a = d.driver,
-                              "version"_a = d.version, "memory"_a = d.memory, "has_fp64"_a = d.has_fp64,
+                              "version"_a = d.version, "memory"_a = d.memory,
+                              "largest_allocation"_a = d.largest_allocation, "has_fp64"_a = d.has_fp64,
                               "is_gpu"_a = d.is_gpu, "is_cpu"_a = d.is_cpu));
     return devices;
   });

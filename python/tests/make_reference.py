@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Prints the chapter doc/python_reference.md from the docstrings: python3 python/tests/make_reference.py > doc/python_reference.md"""
 
+import enum
 import inspect
+import re
 
 import spherical_parameterization as sp
 
@@ -21,7 +23,8 @@ def entry(name: str) -> str:
     thing = find(name)
     text = inspect.getdoc(thing) or ""
     if inspect.isclass(thing):
-        fields = [f"    {field}" for field in getattr(thing, "__dataclass_fields__", ())]
+        has_list = "__dataclass_fields__" in vars(thing) or issubclass(thing, enum.Enum)
+        fields = re.findall(r"^    \w+(?:: | = ).*", inspect.getsource(thing), re.MULTILINE) if has_list else []
         if fields and "Parameters\n" not in text and "Attributes\n" not in text:
             text += "\n\nAttributes\n----------\n" + "\n".join(fields)
     names = ", ".join(inspect.signature(thing).parameters) if inspect.isroutine(inspect.unwrap(thing)) else ""  # type: ignore[arg-type]

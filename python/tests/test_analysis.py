@@ -52,6 +52,13 @@ def test_vertex_stretch(mapped: tuple[np.ndarray, ...]) -> None:
     np.add.at(sums, triangles, of_faces[:, None])
     np.add.at(counts, triangles, 1)
     assert np.allclose(sp.vertex_log_area_stretch(*mapped), sums / counts)
+    assert (sp.mean_over_faces(triangles, of_faces) == sp.vertex_log_area_stretch(*mapped)).all()
+    with pytest.raises(ValueError, match="values"):
+        sp.mean_over_faces(triangles, of_faces[1:])
+    for wrong, code in ((triangles[1:], "BOUNDARY"), (np.where(triangles == 7, 2**40, triangles), "BAD_INDEX")):
+        with pytest.raises(sp.MeshError) as caught:
+            sp.mean_over_faces(wrong, of_faces[: len(wrong)])
+        assert caught.value.code == code
     assert "dilatation" in str(sp.distortion(*mapped))
 
 
@@ -78,6 +85,18 @@ def test_texture(mapped: tuple[np.ndarray, ...]) -> None:
         u, v = np.moveaxis(texture.uv, 2, 0)
         assert ((u[:, 1] - u[:, 0]) * (v[:, 2] - v[:, 0]) > (u[:, 2] - u[:, 0]) * (v[:, 1] - v[:, 0])).all()
         assert texture.uv.min() >= -1 and texture.uv.max() <= 2
+        seams = sp.texture_seams(mapped[1], texture.uv)
+        assert len(seams) > 5 and (seams[:, 0] < seams[:, 1]).all()
+        # across all other edges both faces have the same coordinates at both ends
+        corners: dict[tuple[int, int], list[tuple[object, object]]] = {}
+        for f, face in enumerate(mapped[1].tolist()):
+            for k in range(3):
+                ends = sorted(((face[k], k), (face[k - 2], (k + 1) % 3)))
+                at = tuple(tuple(texture.uv[f, corner]) for _, corner in ends)
+                corners.setdefault((ends[0][0], ends[1][0]), []).append(at)
+        assert {e for e, (left, right) in corners.items() if left != right} == set(map(tuple, seams.tolist()))
+    with pytest.raises(ValueError, match="uv"):
+        sp.texture_seams(mapped[1], texture.uv[1:])
     north = sp.texture_coordinates(*mapped, axes=([0, 0, 5], [1, 0, 0]))
     assert np.allclose(north.north, [0, 0, 1]) or np.allclose(north.north, [0, 0, 5])
     latitude = np.arcsin(mapped[2][mapped[1]][:, :, 2]) / np.pi + 0.5
@@ -103,6 +122,10 @@ def test_locate(mapped: tuple[np.ndarray, ...]) -> None:
     alone = sp.Locator(triangles, sphere, policy="sequential")
     assert all((a == b).all() for a, b in zip(alone.locate(directions), (faces, weights)))
     assert np.allclose(locator.transfer(points, sphere), points)
+    labels = np.arange(len(triangles)).astype(str)
+    assert (locator.transfer_faces(labels, triangles, sphere) == labels).all()
+    with pytest.raises(ValueError, match="rows"):
+        locator.transfer_faces(labels[1:], triangles, sphere)
     with pytest.raises(sp.MeshError):
         locator.locate([[0, 0, 0]])
     with pytest.raises(sp.MeshError) as caught:

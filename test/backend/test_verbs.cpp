@@ -9,10 +9,12 @@
 #include <catch2/catch.hpp>
 
 #include <array>
-#include <memory>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <limits>
+#include <memory>
 #include <random>
 #include <vector>
 
@@ -201,6 +203,29 @@ private:
 
 } // namespace
 
+TEST_CASE("powers are those of the C library, but for rounding", "[verbs]")
+{
+  Random random;
+  for(const double y : {0., 1., -1., 0.5, 2., 30., -2.75, 0.1, 2.3, -0.7, 100.})
+    for(int i = 0; i < 2000; ++i) {
+      const double x = std::exp2(random.number(-6, 6));
+      CAPTURE(x, y);
+      const double expected = std::pow(x, y);
+      const double bound = std::ldexp(3 + std::abs(y) + std::abs(std::log(expected)), -52);
+      CHECK(std::abs(power(x, y) / expected - 1) <= bound);
+    }
+  const double least = std::numeric_limits<double>::denorm_min(), most = (std::numeric_limits<double>::max)();
+  CHECK(power(least, 0.3) == Approx(std::pow(least, 0.3)).epsilon(1e-13));
+  CHECK(power(most, 0.3) == Approx(std::pow(most, 0.3)).epsilon(1e-13));
+  CHECK(power(2, -1070.3) == Approx(std::exp2(-1070.3)).epsilon(0.1)); // with few digits
+  for(const double y : {2., 2.1, 1e300}) {
+    CHECK(power(most, y) == std::numeric_limits<double>::infinity());
+    CHECK(power(least, y) == 0);
+    CHECK(power(most, -y) == 0);
+    CHECK(power(1, y) == 1);
+  }
+}
+
 TEMPLATE_LIST_TEST_CASE("every verb does the same on every backend, bit by bit", "[verbs]", test::Parallel_policies)
 {
   auto policy = test::some_policy<TestType>();
@@ -261,7 +286,7 @@ TEMPLATE_LIST_TEST_CASE("every verb does the same on every backend, bit by bit",
     t.backend.smooth(t.a, alpha, t.x, t.y, t.w);
     t.wrote(t.w);
   });
-  for(double p : {2., 4.}) // 4: pow() of an integer exponent is exact
+  for(double p : {2., 2.1, 3., 4.5})
     check("gradient, curvature", [&](auto& t) {
       t.returned(t.backend.gradient(t.a, p, t.x, t.w, t.scratch));
       t.wrote(t.w);

@@ -59,6 +59,7 @@ TEST_CASE("values of all kinds are interpolated", "[transfer]")
   std::map<Vertex, float> single;
   std::map<Vertex, Vector> vector;
   std::map<Vertex, Eigen::Vector2d> pair;
+  std::map<Vertex, std::array<float, 3>> array;
   SP::transfer_vertex_property(locator, of_vertex<double>([&](Vertex v) { return value(coarse.point(v)); }), fine,
                                fine.points(), Writable_map<Vertex, double>{&number});
   SP::transfer_vertex_property(locator, of_vertex<float>([&](Vertex v) { return float(value(coarse.point(v))); }), fine,
@@ -69,6 +70,10 @@ TEST_CASE("values of all kinds are interpolated", "[transfer]")
   SP::transfer_vertex_property(
     locator, of_vertex<Eigen::Vector2d>([&](Vertex v) { return Eigen::Vector2d(coarse.point(v).x(), 1); }), fine,
     fine.points(), Writable_map<Vertex, Eigen::Vector2d>{&pair});
+  SP::transfer_vertex_property(locator, of_vertex<std::array<float, 3>>([&](Vertex v) {
+                                 return std::array<float, 3>{1, float(value(coarse.point(v))), 2};
+                               }),
+                               fine, fine.points(), Writable_map<Vertex, std::array<float, 3>>{&array});
   for(Vertex v : vertices(fine)) {
     // the coarse vertices are among the fine ones, and the others are in the middle of an edge: a linear function is
     // off by the sagitta of that edge, 1 - cos(angle / 2)
@@ -76,6 +81,7 @@ TEST_CASE("values of all kinds are interpolated", "[transfer]")
     CHECK(double(single.at(v)) == Approx(number.at(v)).margin(1e-5));
     CHECK((vector.at(v) - 2 * (fine.point(v) - CGAL::ORIGIN)).squared_length() < 4e-4);
     CHECK(pair.at(v)[1] == Approx(1).epsilon(1e-15));
+    CHECK(array.at(v) == std::array<float, 3>{1, single.at(v), 2});
   }
   for(Vertex v : vertices(coarse)) // the first ones
     CHECK(number.at(v) == value(coarse.point(v)));

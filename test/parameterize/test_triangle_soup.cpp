@@ -198,4 +198,11 @@ TEST_CASE("an indexed mesh is a FaceGraph whose halfedges fit together", "[soup]
     CHECK(target(halfedge(v, mesh), mesh) == v);
   for(const auto f : faces(mesh))
     CHECK(face(halfedge(f, mesh), mesh) == f);
+  std::size_t number_of_edges = 0;
+  for(const auto e : edges(mesh)) {
+    CHECK(edge(halfedge(e, mesh), mesh) == e);
+    CHECK(edge(opposite(halfedge(e, mesh), mesh), mesh) == e);
+    ++number_of_edges;
+  }
+  CHECK(number_of_edges == num_edges(mesh));
 }

@@ -112,13 +112,15 @@ SP::Result map_by_settings(const Mesh& mesh, Points& sphere, const val& settings
 {
   const std::string method = settings["method"].as<std::string>();
   const double area_exponent = settings["area_exponent"].as<double>();
+  const double spring_exponent = settings["spring_exponent"].as<double>();
   if(method == "balanced")
-    return map_by(mesh, sphere, SP::Balanced(), settings, hear);
+    return map_by(mesh, sphere, SP::Balanced{spring_exponent}, settings, hear);
   if(method == "saddle-point")
     return map_by(mesh, sphere, SP::Saddle_point(), settings, hear);
   if(method == "isometric")
     return map_by(mesh, sphere, SP::Isometric{area_exponent}, settings, hear);
   SP::Automatic automatic;
+  automatic.spring_exponent = spring_exponent;
   automatic.area_exponent = area_exponent;
   return map_by(mesh, sphere, automatic, settings, hear);
 }
@@ -207,16 +209,15 @@ val map_file(const std::string& name, const std::string& bytes, const val& setti
 
     Points sphere(soup.points.size());
     const SP::Result result = map_by_settings(mesh, sphere, settings, hear);
-    if(result.degree != 0 || result.residual != 0) {
+    const bool has_map = sphere[0] != Points::value_type(); // else nothing was written
+    const SP::internal::Stopwatch measuring;
+    if(has_map) {
       write_result(result, answer);
+      measure(mesh, sphere, answer);
       answer.set("sphere", to_array(sphere));
     }
-    const SP::internal::Stopwatch measuring;
-    const bool is_worth_a_look = result || result.error == SP::Error_code::NOT_BIJECTIVE;
-    if(is_worth_a_look)
-      measure(mesh, sphere, answer);
     answer.set("seconds", seconds_of(result, seconds_read, measuring.seconds()));
-    if(is_worth_a_look) {
+    if(has_map) {
       last_mesh = std::move(mesh);
       last_sphere = std::move(sphere);
     }

@@ -4,20 +4,19 @@
 // Results as files.
 
 import { coloursOf, isDark, type Colouring } from "./colours";
-import { meanOverFaces, normalsOf, type Model, type Report } from "./model";
+import { meanOverFaces, normalsOf, type Mesh, type Model, type Report } from "./model";
 
 const pointsOf = (coordinates: ArrayLike<number>) =>
   Array.from({ length: coordinates.length / 3 }, (_, v) =>
     [0, 1, 2].map((k) => String(coordinates[3 * v + k])).join(" "),
   );
-const facesOf = (model: Model) =>
-  Array.from({ length: model.triangles.length / 3 }, (_, f) => "3 " + model.triangles.slice(3 * f, 3 * f + 3).join(" "));
+const facesOf = ({ triangles }: Mesh) =>
+  Array.from({ length: triangles.length / 3 }, (_, f) => "3 " + triangles.slice(3 * f, 3 * f + 3).join(" "));
 
-/// The sphere, with the vertices and faces of the mesh in the same order. Numbers are the shortest that read as the
-/// same doubles.
-export function sphereOff(model: Model): string {
-  const sizes = `${model.points.length / 3} ${model.triangles.length / 3} 0`;
-  return ["OFF", sizes, ...pointsOf(model.sphere!), ...facesOf(model)].join("\n") + "\n";
+/// Vertices and faces in their order. Numbers are the shortest that read as the same doubles.
+export function off(mesh: Mesh): string {
+  const sizes = `${mesh.points.length / 3} ${mesh.triangles.length / 3} 0`;
+  return ["OFF", sizes, ...pointsOf(mesh.points), ...facesOf(mesh)].join("\n") + "\n";
 }
 
 /// The mesh with the colours that are shown, and the values behind them.

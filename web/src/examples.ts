@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 //
-// Meshes made by a formula, as files: they go through the same door as files that are dropped.
+// Meshes made by a formula. As files they go through the same door as those that are dropped.
+
+import type { Mesh } from "./model";
 
 type Vec = [number, number, number];
 
+interface Faceted {
+  points: Vec[];
+  triangles: Vec[];
+}
+
 /// A subdivided icosahedron on the unit sphere.
-function icosphere(level: number): { points: Vec[]; triangles: Vec[] } {
+function icosphere(level: number): Faceted {
   const g = (1 + Math.sqrt(5)) / 2;
   let triangles: Vec[] = (
     "0 11 5,0 5 1,0 1 7,0 7 10,0 10 11,1 5 9,5 11 4,11 10 2,10 7 6,7 1 8," +
@@ -14,7 +21,10 @@ function icosphere(level: number): { points: Vec[]; triangles: Vec[] } {
   )
     .split(",")
     .map((t) => t.split(" ").map(Number) as Vec);
-  const unit = (p: Vec): Vec => p.map((x) => x / Math.hypot(...p)) as Vec;
+  const unit = ([x, y, z]: Vec): Vec => {
+    const length = Math.hypot(x, y, z);
+    return [x / length, y / length, z / length];
+  };
   const points: Vec[] = [];
   for (const [a, b] of [[-1, g], [1, g], [-1, -g], [1, -g]] as const) points.push(unit([a, b, 0]));
   for (const [a, b] of [[-1, g], [1, g], [-1, -g], [1, -g]] as const) points.push(unit([0, a, b]));
@@ -43,14 +53,13 @@ function icosphere(level: number): { points: Vec[]; triangles: Vec[] } {
   return { points, triangles };
 }
 
-function off(points: Vec[], triangles: Vec[]): string {
-  const rows = [...points.map((p) => p.join(" ")), ...triangles.map((t) => "3 " + t.join(" "))];
-  return `OFF\n${points.length} ${triangles.length} 0\n${rows.join("\n")}\n`;
+function arrays({ points, triangles }: Faceted): Mesh {
+  return { points: Float64Array.from(points.flat()), triangles: Int32Array.from(triangles.flat()) };
 }
 
-function deformed(level: number, move: (p: Vec) => Vec): string {
+function deformed(level: number, move: (p: Vec) => Vec): Mesh {
   const { points, triangles } = icosphere(level);
-  return off(points.map(move), triangles);
+  return arrays({ points: points.map(move), triangles });
 }
 
 const smooth = (t: number) => {
@@ -107,17 +116,17 @@ function bar([x, y, z]: Vec): Vec {
 export interface Example {
   name: string;
   file: string; // its name
-  text(): string;
+  mesh(): Mesh;
 }
 
 export const examples: Example[] = [
-  { name: "Octopus", file: "octopus.off", text: () => deformed(5, octopus) },
-  { name: "Asteroid", file: "asteroid.off", text: () => deformed(6, asteroid) },
-  { name: "Twisted bar", file: "bar.off", text: () => deformed(5, bar) },
+  { name: "Octopus", file: "octopus.off", mesh: () => deformed(5, octopus) },
+  { name: "Asteroid", file: "asteroid.off", mesh: () => deformed(6, asteroid) },
+  { name: "Twisted bar", file: "bar.off", mesh: () => deformed(5, bar) },
 ];
 
 /// For tests: a closed mesh that is no sphere.
-export function torus(n: number, m: number): string {
+export function torus(n: number, m: number): Mesh {
   const points: Vec[] = [];
   const triangles: Vec[] = [];
   for (let i = 0; i < n; ++i)
@@ -128,8 +137,8 @@ export function torus(n: number, m: number): string {
       const [k, l] = [(i + 1) % n, (j + 1) % m];
       triangles.push([i * m + j, k * m + j, k * m + l], [i * m + j, k * m + l, i * m + l]);
     }
-  return off(points, triangles);
+  return arrays({ points, triangles });
 }
 
-/// For tests: a large mesh.
-export const large = (level: number): string => deformed(level, asteroid);
+/// For tests: a small mesh.
+export const small = (): Mesh => deformed(4, bar);

@@ -5,15 +5,17 @@
 
 import workerText from "worker-text";
 
-import { colouredPly, json, save, sphereOff, texturedGlb } from "./downloads";
+import { colouredPly, json, off, save, texturedGlb } from "./downloads";
 import { examples, type Example } from "./examples";
-import type { Model, Report } from "./model";
+import type { Mesh, Model, Report } from "./model";
 import { element } from "./panel";
 import { Stage } from "./stage";
 import { nameOfTrouble, troublesOf } from "./topology";
 import type { Answer, Job, Message, Settings } from "./worker";
 
 const byId = <T extends HTMLElement = HTMLElement>(id: string) => document.getElementById(id) as T;
+
+let worker = start(); // first: it reads WebAssembly while the views are made
 const stage = new Stage();
 
 /// The file that is shown, and that other settings map again.
@@ -22,7 +24,9 @@ let version = "";
 let running: { name: string; settings: Settings } | null = null;
 let segmenting = false;
 let isFresh = true; // the worker has mapped nothing
-let worker = start();
+/// While it maps, the worker hears nothing. It asks for this address now and then, and goes on as long as it is there.
+let permit = "";
+let patience: ReturnType<typeof setTimeout> | undefined;
 
 function start(): Worker {
   const url = URL.createObjectURL(new Blob([workerText], { type: "text/javascript" }));
@@ -38,6 +42,7 @@ function settings(): Settings {
   return {
     method: byId<HTMLSelectElement>("method").value as Settings["method"],
     weights: byId<HTMLSelectElement>("weights").value as Settings["weights"],
+    spring_exponent: Math.max(2, Number(byId<HTMLInputElement>("spring-exponent").value) || 2),
     area_exponent: Math.max(0, Number(byId<HTMLInputElement>("area-exponent").value) || 0),
     triangulate: byId<HTMLInputElement>("triangulate").checked,
   };
@@ -51,7 +56,8 @@ function map(): void {
   document.body.dataset.state = "running";
   byId("file-name").textContent = file.name;
   progress(0, "Reading");
-  const job: Job = { name: file.name, bytes: file.bytes, settings: running.settings };
+  permit = URL.createObjectURL(new Blob([""], { type: "text/javascript" }));
+  const job: Job = { name: file.name, bytes: file.bytes, settings: running.settings, permit };
   worker.postMessage(job);
 }
 
@@ -67,6 +73,15 @@ stage.onColouring = (colouring) => {
   worker.postMessage(job);
 };
 
+/// Asks for the best map so far. Who does not answer is stopped, and who cannot be asked: in a page from a disk, browsers
+/// give the worker another origin, from which the address is never there.
+function cancel(): void {
+  if (segmenting || (running && origin === "null")) stop();
+  if (!running || patience !== undefined) return;
+  URL.revokeObjectURL(permit);
+  patience = setTimeout(stop, 2000);
+}
+
 /// WebAssembly cannot be interrupted from outside: the worker ends, and another one begins.
 function stop(): void {
   worker.terminate();
@@ -77,6 +92,9 @@ function stop(): void {
 }
 
 function finish(state: string): void {
+  clearTimeout(patience);
+  patience = undefined;
+  URL.revokeObjectURL(permit);
   running = null;
   segmenting = false;
   document.body.classList.remove("running");
@@ -96,14 +114,21 @@ function open(name: string, bytes: Uint8Array): void {
 }
 
 function openExample(example: Example): void {
-  open(example.file, new TextEncoder().encode(example.text()));
+  const mesh = example.mesh();
+  open(example.file, new TextEncoder().encode(off(mesh)));
+  showMesh(mesh); // the first picture does not wait for the worker
+}
+
+/// The mesh of the file; it stays while other settings are tried.
+function showMesh(mesh: Mesh): void {
+  const isShown = stage.model?.points.length === mesh.points.length;
+  if (!isShown) stage.show({ ...mesh, report: { input: file!.name, error: null, error_code: "OK" } });
 }
 
 function hear(message: Message): void {
   if (message.kind === "ready") {
     version = message.version;
     document.body.dataset.core = "ready";
-    if (!file) openExample(examples[0]!); // something to look at
     return;
   }
   if (message.kind === "segments") {
@@ -114,14 +139,11 @@ function hear(message: Message): void {
   if (!running) return;
   const { name, settings } = running;
   switch (message.kind) {
-    case "mesh": {
-      // The mesh that is there stays while other settings are tried.
-      const same = stage.model?.points.length === message.mesh.points.length;
-      if (!same) stage.show({ ...message.mesh, report: { input: name, error: null, error_code: "OK" } });
+    case "mesh":
+      showMesh(message.mesh);
       meshOfFile = message.mesh;
       progress(0, "Mapping");
       break;
-    }
     case "progress":
       progress(message.fraction, "Mapping");
       break;
@@ -134,13 +156,15 @@ function hear(message: Message): void {
       break;
     case "answer":
       isFresh = false;
-      finish(message.answer.error_code === "OK" ? "certified" : "refused");
+      finish(stateOf[message.answer.error_code] ?? "refused");
       answer(name, settings, message.answer);
       meshOfFile = null;
   }
 }
 
-let meshOfFile: { points: Float64Array | Float32Array; triangles: Int32Array } | null = null;
+const stateOf: Record<string, string> = { OK: "certified", INTERRUPTED: "cancelled" };
+
+let meshOfFile: Mesh | null = null;
 
 function refuse(report: Report): void {
   stage.say({ points: new Float64Array(), triangles: new Int32Array(), report });
@@ -212,32 +236,35 @@ document.addEventListener("drop", (event) => {
 
 function dependentControls(): void {
   const { method } = settings();
+  byId("spring-row").hidden = method !== "balanced" && method !== "automatic";
   byId("area-row").hidden = method !== "isometric" && method !== "automatic";
   byId("weights-row").hidden = method === "isometric";
 }
-for (const id of ["method", "weights", "area-exponent", "triangulate"])
+for (const id of ["method", "weights", "spring-exponent", "area-exponent", "triangulate"])
   byId(id).addEventListener("change", () => {
     dependentControls();
     map();
   });
 dependentControls();
 
-byId("cancel").addEventListener("click", stop);
+byId("cancel").addEventListener("click", cancel);
 document.addEventListener("keydown", (event) => {
-  if (event.key === "Escape" && (running || segmenting)) stop();
+  if (event.key === "Escape") cancel();
   if (event.key === "o" && (event.target as HTMLElement).tagName !== "INPUT" && !event.ctrlKey && !event.metaKey)
     input.click();
 });
 
 const base = () => (file?.name ?? "mesh").replace(/\.[^.]*$/, "");
 const actions: Record<string, (model: Model) => Promise<void> | void> = {
-  "save-sphere": (m) => save(`${base()}_sphere.off`, sphereOff(m), "text/plain"),
+  "save-sphere": (m) => save(`${base()}_sphere.off`, off({ points: m.sphere!, triangles: m.triangles }), "text/plain"),
   "save-ply": (m) => save(`${base()}_${stage.colouring}.ply`, colouredPly(m, stage.colouring), "text/plain"),
   "save-glb": async (m) => save(`${base()}.glb`, await texturedGlb(m), "model/gltf-binary"),
   "save-json": (m) => save(`${base()}.json`, json(m.report), "application/json"),
 };
 for (const [id, action] of Object.entries(actions))
   byId(id).addEventListener("click", () => void (stage.model && action(stage.model)));
+
+openExample(examples[0]!); // something to look at
 
 // for tests
 Object.assign(window, { page: { stage, text: () => new TextDecoder().decode(file?.bytes) } });

@@ -29,7 +29,7 @@ export function certificate(report: Report): HTMLElement {
     return element(
       "div",
       { class: "certificate refused", id: "certificate", "data-code": report.error_code },
-      element("h2", {}, "Refused"),
+      element("h2", {}, report.error_code === "INTERRUPTED" ? "Cancelled" : "Refused"),
       element("p", {}, report.error),
     );
   const counts = `${whole(report.flipped_faces ?? 0)} of ${whole(report.faces ?? 0)} faces flipped, degree ${report.degree}`;
@@ -41,13 +41,14 @@ export function certificate(report: Report): HTMLElement {
       element("p", { class: "counts" }, `${counts}.`),
       element("p", {}, "Every point of the surface has one place on the sphere, and no other point has the same: checked with exact numbers on the coordinates as they are stored."),
     );
+  const isCancelled = report.error_code === "INTERRUPTED";
   return element(
     "div",
     { class: "certificate bad", id: "certificate", "data-code": report.error_code },
-    element("h2", {}, "Not certified"),
+    element("h2", {}, isCancelled ? "Cancelled: the best map so far" : "Not certified"),
     element("p", { class: "counts" }, `${counts}.`),
-    element("p", {}, report.error),
-    ...(report.method === "automatic" || report.method === "isometric"
+    element("p", {}, isCancelled ? `After ${whole(report.iterations ?? 0)} iterations, at a residual of ${figures(report.residual ?? 0)}.` : report.error),
+    ...(isCancelled || report.method === "automatic" || report.method === "isometric"
       ? []
       : [element("p", {}, "The method Automatic tries others where one fails.")]),
   );

@@ -110,8 +110,8 @@ export class Stage {
 
   private switchTheme(): void {
     const root = document.documentElement;
-    const isDark = getComputedStyle(root).colorScheme === "dark";
-    root.dataset.theme = isDark ? "light" : "dark";
+    const ofSystem = matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
+    root.dataset.theme = (root.dataset.theme ?? ofSystem) === "dark" ? "light" : "dark";
   }
 
   private key(event: KeyboardEvent): void {

@@ -649,7 +649,9 @@ export class Viewer {
     });
     for (const end of ["pointerup", "pointercancel"] as const)
       canvas.addEventListener(end, (event) => down.delete(event.pointerId));
-    canvas.addEventListener("pointerleave", () => this.hover(null));
+    canvas.addEventListener("pointerleave", (event) => {
+      if (event.pointerType !== "touch") this.hover(null); // what a tap has marked stays when the finger is lifted
+    });
     canvas.addEventListener(
       "wheel",
       (event) => {

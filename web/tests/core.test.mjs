@@ -14,14 +14,16 @@ import { different, native, scratch, source, web, write } from "./helpers.mjs";
 const folder = scratch("core");
 copyFileSync(join(web, "build", "core", "core.js"), join(folder, "core.cjs")); // no ES module
 const core = await createRequire(import.meta.url)(join(folder, "core.cjs"))();
-const { examples, torus } = await source("examples.ts");
+const { examples, small, torus } = await source("examples.ts");
+const { off } = await source("downloads.ts");
 
-const defaults = { method: "balanced", weights: "conformal", area_exponent: 1, triangulate: false };
+const defaults = { method: "balanced", weights: "conformal", spring_exponent: 2, area_exponent: 1, triangulate: false };
 
 /// Maps a file by both, and compares.
 function compare(file, settings = {}) {
   const all = { ...defaults, ...settings };
   const options = ["--method", all.method, "--weights", all.weights];
+  if (all.method === "balanced" || all.method === "automatic") options.push("--spring-exponent", String(all.spring_exponent));
   if (all.method === "isometric" || all.method === "automatic") options.push("--area-exponent", String(all.area_exponent));
   if (all.triangulate) options.push("--triangulate");
   const expected = native(file, folder, options);
@@ -40,20 +42,21 @@ function compare(file, settings = {}) {
   return found;
 }
 
-for (const example of examples) {
-  const file = write(folder, example.file, example.text());
-  for (const settings of [
-    { method: "balanced", weights: "conformal" },
-    { method: "balanced", weights: "barycentric" },
-    { method: "balanced", weights: "mean-value" },
-    { method: "automatic" },
-    ...(example.file === "bar.off" ? [{ method: "isometric" }, { method: "isometric", area_exponent: 0 }] : []),
-  ])
-    test(`bits: ${example.name}, ${Object.values(settings).join(", ")}`, () => void compare(file, settings));
-}
+/// Every setting on a small mesh, the page's defaults on its examples.
+const settings = [
+  ...["conformal", "barycentric", "mean-value"].map((weights) => ({ method: "balanced", weights })),
+  ...[2.3, 2.5, 3].map((spring_exponent) => ({ method: "balanced", spring_exponent })),
+  ...[0, 0.3, 0.5, 1, 2].map((area_exponent) => ({ method: "isometric", area_exponent })),
+];
+const cases = [
+  ...settings.map((one) => ({ file: "small.off", mesh: small, settings: one })),
+  ...examples.map(({ file, mesh }) => ({ file, mesh, settings: { method: "automatic" } })),
+];
+for (const { file, mesh, settings } of cases)
+  test(`bits: ${file}, ${Object.values(settings).join(", ")}`, () => void compare(write(folder, file, off(mesh())), settings));
 
 test("a torus is refused in the words of the tool", () => {
-  const found = compare(write(folder, "torus.off", torus(40, 20)));
+  const found = compare(write(folder, "torus.off", off(torus(40, 20))));
   assert.equal(found.error_code, "WRONG_GENUS");
 });
 

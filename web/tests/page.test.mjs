@@ -17,7 +17,8 @@ import { serve } from "../serve.mjs";
 import { different, native, readOff, scratch, source, tool, web, write } from "./helpers.mjs";
 
 const folder = scratch("page");
-const { examples, torus, large } = await source("examples.ts");
+const { examples, torus } = await source("examples.ts");
+const { off } = await source("downloads.ts");
 let browser, server, page;
 const complaints = []; // of the console
 
@@ -67,7 +68,7 @@ for (const example of examples)
     await page.selectOption("#method", "balanced");
     await page.click(`[data-example="${example.file}"]`);
     await state(example.file, "certified");
-    // not example.text(): the sines of chromium and node differ
+    // not example.mesh(): the sines of chromium and node differ
     const expected = native(write(folder, example.file, await page.evaluate(() => window.page.text())), folder);
     assert.equal(expected.error, null);
     assert.equal(await page.getAttribute("#certificate", "data-code"), "OK");
@@ -179,7 +180,7 @@ test("downloads can be read again", async () => {
 });
 
 test("refuses a torus, and marks its handle", async () => {
-  const file = write(folder, "torus.off", torus(60, 30));
+  const file = write(folder, "torus.off", off(torus(60, 30)));
   await page.setInputFiles("#file", file);
   await state("torus.off", "refused");
   assert.equal(await page.getAttribute("#certificate", "data-code"), "WRONG_GENUS");
@@ -190,7 +191,7 @@ test("refuses a torus, and marks its handle", async () => {
 });
 
 test("refuses a mesh with a hole, and what is no mesh", async () => {
-  const [head, ...lines] = examples[2].text().trim().split("\n");
+  const [head, ...lines] = off(examples[2].mesh()).trim().split("\n");
   const [n, m] = lines[0].split(" ").map(Number);
   const open = [head, `${n} ${m - 40} 0`, ...lines.slice(1, -40)].join("\n") + "\n";
   await page.setInputFiles("#file", write(folder, "open.off", open));
@@ -202,10 +203,23 @@ test("refuses a mesh with a hole, and what is no mesh", async () => {
   assert.equal(await page.getAttribute("#certificate", "data-code"), "UNREADABLE_FILE");
 });
 
-test("a long run shows progress, can be cancelled, and the page goes on", async () => {
-  await page.selectOption("#method", "isometric");
-  await page.setInputFiles("#file", write(folder, "large.off", large(7)));
-  await page.waitForFunction(() => document.getElementById("bar").value > 0, null, { timeout: 120_000 });
+/// Begins a long run on the asteroid, and waits until it is under way.
+async function begin(name, method, spring) {
+  await page.selectOption("#method", method);
+  if (spring) {
+    await page.fill("#spring-exponent", spring);
+    await page.locator("#spring-exponent").blur();
+  }
+  await page.setInputFiles("#file", write(folder, name, off(examples[1].mesh())));
+  await page.waitForFunction(
+    (n) => document.getElementById("file-name").textContent === n && document.getElementById("bar").value > 0,
+    name,
+    { timeout: 120_000 },
+  );
+}
+
+test("a long run shows progress, and can be cancelled before there is a map", async () => {
+  await begin("early.off", "isometric");
   const frames = await page.evaluate(
     () => new Promise((done) => {
       let n = 0;
@@ -216,10 +230,28 @@ test("a long run shows progress, can be cancelled, and the page goes on", async 
   assert.equal(frames, 20); // it draws while it maps
   await shot("running");
   await page.keyboard.press("Escape");
-  await state("large.off", "cancelled");
-  await page.selectOption("#method", "balanced");
-  await page.click('[data-example="bar.off"]');
-  await state("bar.off", "certified");
+  await state("early.off", "cancelled");
+  assert.match(await text("#result"), /^Cancelled/);
+  assert.equal(await page.evaluate(() => window.page.stage.model.sphere), undefined);
+});
+
+test("a cancelled run leaves the best map so far, and the page goes on", async () => {
+  await begin("late.off", "balanced", "9");
+  await page.waitForFunction(() => document.getElementById("bar").value > 0.1, null, { timeout: 120_000 });
+  await page.click("#cancel");
+  await state("late.off", "cancelled");
+  assert.equal(await page.getAttribute("#certificate", "data-code"), "INTERRUPTED");
+  assert.match(await text("#certificate"), /^Cancelled: the best map so far\s+[\d,]+ of 81,920 faces flipped, degree -?\d+\./);
+  const lengths = await page.evaluate(() => {
+    const { sphere } = window.page.stage.model;
+    return Array.from({ length: sphere.length / 3 }, (_, v) => Math.hypot(...sphere.slice(3 * v, 3 * v + 3)));
+  });
+  assert.ok(lengths.length === 40962 && lengths.every((l) => Math.abs(l - 1) < 1e-12));
+  assert.ok(await page.isVisible("#downloads"));
+  await shot("cancelled");
+  await page.fill("#spring-exponent", "2");
+  await page.locator("#spring-exponent").blur();
+  await state("late.off", "certified");
 });
 
 test("narrow and dark, by touch", async () => {
@@ -228,9 +260,43 @@ test("narrow and dark, by touch", async () => {
   await page.tap('[data-example="bar.off"]');
   await state("bar.off", "certified");
   const box = await page.locator("#canvas").boundingBox();
-  await page.touchscreen.tap(box.x + box.width / 2, box.y + 0.75 * box.height);
-  await page.waitForFunction(() => document.getElementById("hover").textContent !== "");
+  const cdp = await page.context().newCDPSession(page);
+  const touch = (...touchPoints) => // all fingers that are on the screen now
+    cdp.send("Input.dispatchTouchEvent", { type: touchPoints.length > 0 ? "touchStart" : "touchEnd", touchPoints });
+  const told = (is) =>
+    page.waitForFunction((t) => (document.getElementById("hover").textContent !== "") === t, is, { timeout: 120_000 });
+  await touch({ x: box.x + box.width / 2, y: box.y + 0.75 * box.height });
+  await told(true);
+  await touch();
+  await page.evaluate(() => new Promise(requestAnimationFrame));
+  await told(true); // it stays when the finger is lifted
+  await touch({ x: box.x + 5, y: box.y + 0.75 * box.height }); // beside the sphere
+  await told(false);
+  await touch();
   assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth)); // nothing sticks out
+
+  const ground = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+  assert.equal(await ground(), "rgb(21, 24, 27)"); // dark, as the system
+  await page.tap("#theme");
+  assert.equal(await ground(), "rgb(244, 244, 241)");
+  await page.tap("#theme");
+  assert.equal(await ground(), "rgb(21, 24, 27)");
+
+  // two fingers that part and move to the right: larger, and to the right
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 4];
+  const fingers = (type, apart, along) =>
+    cdp.send("Input.dispatchTouchEvent", {
+      type,
+      touchPoints: type === "touchEnd" ? [] : [{ x: x - apart + along, y, id: 1 }, { x: x + apart + along, y, id: 2 }],
+    });
+  const camera = () => page.evaluate(() => (({ zoom, shift }) => ({ zoom, x: shift.x, y: shift.y }))(window.page.stage.viewer));
+  const before = await camera();
+  await fingers("touchStart", 20, 0);
+  for (let i = 1; i <= 8; ++i) await fingers("touchMove", 20 + 5 * i, 3 * i);
+  await fingers("touchEnd");
+  const after = await camera();
+  assert.ok(Math.abs(after.zoom / before.zoom - 3) < 0.3, `${after.zoom}`);
+  assert.ok(after.x > before.x && Math.abs(after.y - before.y) < 1e-6);
   await shot("narrow");
   await page.context().close();
   page = wide;

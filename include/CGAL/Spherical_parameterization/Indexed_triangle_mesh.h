@@ -17,6 +17,7 @@
 
 #include <boost/functional/hash.hpp>
 #include <boost/graph/graph_traits.hpp>
+#include <boost/iterator/filter_iterator.hpp>
 #include <boost/iterator/iterator_adaptor.hpp>
 #include <boost/property_map/property_map.hpp>
 
@@ -36,9 +37,9 @@ namespace CGAL::Spherical_parameterization {
 /// @{
 
 /// A closed, oriented, connected triangle mesh of genus 0 made of arrays: points and index triples, as CGAL's functions
-/// for polygon soups take them, and nothing else. It is a model of `FaceListGraph` and `HalfedgeListGraph`, so that all
-/// functions of this package take it, and cannot be changed. Vertices and faces have the numbers they have in the
-/// arrays: `v.idx()`, `f.idx()`.
+/// for polygon soups take them, and nothing else. It is a model of `FaceListGraph`, `HalfedgeListGraph` and
+/// `EdgeListGraph`, so that all functions of this package take it, and cannot be changed. Vertices and faces have the
+/// numbers they have in the arrays: `v.idx()`, `f.idx()`.
 ///
 /// Maps are the same bit for bit as those of a `CGAL::Surface_mesh` to which the same faces are added one by one.
 /// Memory: 76 bytes per vertex.
@@ -79,6 +80,12 @@ public:
   {
     return {Iterator<I>(0), Iterator<I>(static_cast<int>(size))};
   }
+  /// Of all halfedges those that name an edge.
+  struct Names_edge {
+    const Indexed_triangle_mesh* mesh = nullptr;
+    bool operator()(Edge_index e) const { return e.idx() < mesh->table_.twin[e.idx()]; }
+  };
+  typedef boost::filter_iterator<Names_edge, Iterator<Edge_index>> Edge_iterator;
   /// \endcond
 
   /// What `get(CGAL::vertex_point, mesh)` gives.
@@ -128,6 +135,11 @@ public:
   friend auto vertices(const Self& m) { return range<Vertex_index>(m.point_.size()); }
   friend auto faces(const Self& m) { return range<Face_index>(m.table_.face.size()); }
   friend auto halfedges(const Self& m) { return range<Halfedge_index>(m.table_.twin.size()); }
+  friend CGAL::Iterator_range<Edge_iterator> edges(const Self& m)
+  {
+    const auto all = range<Edge_index>(m.table_.twin.size());
+    return {Edge_iterator({&m}, all.begin(), all.end()), Edge_iterator({&m}, all.end(), all.end())};
+  }
   friend std::size_t num_vertices(const Self& m) { return m.point_.size(); }
   friend std::size_t num_faces(const Self& m) { return m.table_.face.size(); }
   friend std::size_t num_halfedges(const Self& m) { return m.table_.twin.size(); }
@@ -254,6 +266,7 @@ public:
   typedef Mesh::Face_index face_descriptor;
   typedef Mesh::Iterator<vertex_descriptor> vertex_iterator;
   typedef Mesh::Iterator<halfedge_descriptor> halfedge_iterator;
+  typedef Mesh::Edge_iterator edge_iterator;
   typedef Mesh::Iterator<face_descriptor> face_iterator;
   typedef boost::undirected_tag directed_category;
   typedef boost::disallow_parallel_edge_tag edge_parallel_category;

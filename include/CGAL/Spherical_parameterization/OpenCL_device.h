@@ -42,10 +42,9 @@ namespace CGAL::Spherical_parameterization {
 /// Results do not depend on it; the work on one queue is done one after the other.
 ///
 /// In double precision results are those of `CGAL::Sequential_tag` bit by bit, on devices whose division and square
-/// root round correctly, as OpenCL demands, and for spring exponent 2 (for the others the `pow()` of the device
-/// counts, too). In single precision the residual does not come down to the default accuracy: accuracies below
-/// 3e-7 sqrt(n), with n vertices, are taken for that; `Result::device` names the precision. The certificate is exact in
-/// either case.
+/// root round correctly, as OpenCL demands. In single precision the residual does not come down to the default
+/// accuracy: accuracies below 3e-7 sqrt(n), with n vertices, are taken for that; `Result::device` names the precision.
+/// The certificate is exact in either case.
 ///
 /// A mesh with fewer than `smallest_mesh()` vertices is mapped on one core of the host, which is faster;
 /// `Result::device` says so.

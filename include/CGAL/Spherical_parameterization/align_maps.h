@@ -87,9 +87,9 @@ inline void normalize(std::vector<vec3>& points)
 /// the best of all.
 /// \param policy    `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result does not depend on it
 /// \param a         the inverse of the first map
-/// \param points_a  readable, key vertex_descriptor of the mesh of `a`, value with x(), y(), z()
+/// \param points_a  readable, key vertex_descriptor of the mesh of `a`, value with x(), y(), z() or `std::array`
 /// \param b         the inverse of the second map
-/// \param points_b  readable, key vertex_descriptor of the mesh of `b`, value with x(), y(), z()
+/// \param points_b  readable, key vertex_descriptor of the mesh of `b`, value with x(), y(), z() or `std::array`
 /// \return R such that R x under `b` is what x is under `a`; see `rotated_map()`
 ///
 /// Complexity: about 400,000 queries.

@@ -42,6 +42,11 @@ Number weighted_mean_of_numbers(const std::array<double, 3>& w, Number x0, Numbe
   return std::clamp<Number>(w[0] * x0 + w[1] * x1 + w[2] * x2, least, largest);
 }
 
+template <class Value>
+struct Is_array_of_three : std::false_type {};
+template <class Number>
+struct Is_array_of_three<std::array<Number, 3>> : std::true_type {};
+
 /// w_0 x_0 + w_1 x_1 + w_2 x_2 of numbers, vectors of any library, or points (which CGAL does not add up).
 template <class Value>
 Value weighted_mean(const std::array<double, 3>& w, const Value& x0, const Value& x1, const Value& x2)
@@ -52,8 +57,13 @@ Value weighted_mean(const std::array<double, 3>& w, const Value& x0, const Value
     return static_cast<Value>(w[0] * x0 + w[1] * x1 + w[2] * x2);
   else {
     const vec3 a = coordinates(x0), b = coordinates(x1), c = coordinates(x2);
-    return Value(weighted_mean_of_numbers(w, a.x, b.x, c.x), weighted_mean_of_numbers(w, a.y, b.y, c.y),
-                 weighted_mean_of_numbers(w, a.z, b.z, c.z));
+    const vec3 p = {weighted_mean_of_numbers(w, a.x, b.x, c.x), weighted_mean_of_numbers(w, a.y, b.y, c.y),
+                    weighted_mean_of_numbers(w, a.z, b.z, c.z)};
+    if constexpr(Is_array_of_three<Value>::value) {
+      typedef typename Value::value_type Number;
+      return {static_cast<Number>(p.x), static_cast<Number>(p.y), static_cast<Number>(p.z)};
+    } else
+      return Value(p.x, p.y, p.z);
   }
 }
 
@@ -77,7 +87,7 @@ std::vector<Face_location<TriangleMesh>> locate_all(const Loop& loop, const Sphe
 /// \param mesh        a triangle mesh, a model of `FaceGraph`
 /// \param location    a face of it, and the weights of its corners
 /// \param vertex_map  readable, key vertex_descriptor; value a number, a vector that can be multiplied by a double
-///                    and added, or a point or vector with x(), y(), z()
+///                    and added, or a point or vector with x(), y(), z(), or `std::array` of three numbers
 /// \return the weighted mean of the values at the corners: numbers in their range, points in their bounding box
 template <class TriangleMesh, class VertexMap>
 typename boost::property_traits<VertexMap>::value_type

@@ -15,7 +15,6 @@
 #define CGAL_SP_FUNCTION inline
 #define CGAL_SP_GLOBAL
 namespace CGAL::Spherical_parameterization::internal {
-using std::pow;
 using std::size_t;
 using std::sqrt;
 typedef double real; /* a device may take float: kernels/backend/precision.cl */

@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_DISTORTION_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_DISTORTION_H
 
+#include <CGAL/Spherical_parameterization/internal/backend/formulas/power.h>
 #include <CGAL/Spherical_parameterization/internal/base/vec3.h>
 
 #include <algorithm>
@@ -30,7 +31,12 @@ public:
   double value(double ratio) const
   {
     const double inverse = 1 / ratio;
-    return theta_ == 1 ? 1 + inverse * inverse : 2 * inverse * std::pow((ratio + inverse) / 2, theta_);
+    if(theta_ == 0)
+      return 2 * inverse;
+    if(theta_ == 1)
+      return 1 + inverse * inverse;
+    const double area = (ratio + inverse) / 2; // E_a
+    return 2 * inverse * (std::isfinite(area) ? power(area, theta_) : area);
   }
 
   Psi psi(double ratio) const

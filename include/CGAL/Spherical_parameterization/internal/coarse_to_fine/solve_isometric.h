@@ -10,6 +10,8 @@
 #include <CGAL/Spherical_parameterization/internal/problem/Method_solver.h>
 #include <CGAL/Spherical_parameterization/methods.h>
 
+#include <cmath>
+
 #include <string>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -23,7 +25,8 @@ class Method_solver<Isometric> {
 public:
   explicit Method_solver(const Isometric& method) : method_(method)
   {
-    CGAL_SP_PRECONDITION(method.area_exponent >= 0, "the area exponent must not be negative");
+    CGAL_SP_PRECONDITION(method.area_exponent >= 0 && std::isfinite(method.area_exponent),
+                         "the area exponent has to be 0 or larger, and finite");
   }
 
   static Weights weights() { return Weights::UNUSED; }

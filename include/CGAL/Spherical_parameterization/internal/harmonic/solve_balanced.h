@@ -9,6 +9,7 @@
 #include <CGAL/Spherical_parameterization/internal/problem/Method_solver.h>
 #include <CGAL/Spherical_parameterization/methods.h>
 
+#include <cmath>
 #include <string>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -19,7 +20,8 @@ class Method_solver<Balanced> {
 public:
   explicit Method_solver(const Balanced& method) : method_(method)
   {
-    CGAL_SP_PRECONDITION(method.spring_exponent >= 2, "the spring exponent has to be 2 or larger");
+    CGAL_SP_PRECONDITION(method.spring_exponent >= 2 && std::isfinite(method.spring_exponent),
+                         "the spring exponent has to be 2 or larger, and finite");
   }
 
   static Weights weights() { return Weights::NEEDED; }

@@ -83,8 +83,9 @@ inline Weighted_graph stiffening_springs(const Problem& problem, double exponent
   for(int i = 0; i < springs.size(); ++i)
     for(int k = springs.offset[i]; k < springs.offset[i + 1]; ++k) {
       const vec3 e = sub(problem.point[i], problem.point[springs.target[k]]);
-      springs.weight[k] *= std::pow(std::sqrt(inner(e, e)) / unit_length, 2 - exponent);
-      if(!std::isfinite(springs.weight[k]))
+      const double length = std::sqrt(inner(e, e)) / unit_length;
+      springs.weight[k] *= length > 0 && std::isfinite(length) ? power(length, 2 - exponent) : length;
+      if(!(springs.weight[k] > 0 && std::isfinite(springs.weight[k])))
         throw Input_error(Error_code::DEGENERATE_FACE, "an edge has no length, which spring exponents above 2 need");
     }
   return springs;

@@ -8,6 +8,7 @@
 
 #ifndef __OPENCL_C_VERSION__
 #include <CGAL/Spherical_parameterization/internal/backend/formulas/linear_algebra.h>
+#include <CGAL/Spherical_parameterization/internal/backend/formulas/power.h>
 namespace CGAL::Spherical_parameterization::internal {
 #endif
 
@@ -24,7 +25,7 @@ CGAL_SP_FUNCTION void add_to(vec3 v, real* s)
 /* Weight of a spring of exponent p whose ends are apart by the square root of squared_length: w length^(p-2). */
 CGAL_SP_FUNCTION real spring_weight(real w, real squared_length, real p)
 {
-  return p == 2 ? w : (squared_length > 0 ? w * pow(squared_length, p / 2 - 1) : 0);
+  return p == 2 ? w : (squared_length > 0 ? w * power(squared_length, p / 2 - 1) : 0);
 }
 
 /* returns sum_j w_ij(v) |v_i - v_j|^2 / 2; the densities of all vertices sum up to p E */
@@ -61,7 +62,7 @@ CGAL_SP_FUNCTION void stiffening_gradient_at(int i, graph_view a, real p, vec3_i
   add_to(g[i], s + 1);
 }
 
-/* The same for exponent 2, without what pow() costs even where it is not called. */
+/* The same for exponent 2, without what powers cost even where they are not taken. */
 CGAL_SP_FUNCTION void gradient_at(int i, graph_view a, vec3_in v, vec3_out g, real_out density, real* s)
 {
   stiffening_gradient_at(i, a, 2, v, g, density, s);

@@ -135,7 +135,8 @@ public:
     const std::lock_guard<std::mutex> lock(kernels_->mutex);
     if(kernels_->program() == nullptr)
       kernels_->program = build_program(context_, device_, kernel_source(),
-                                        std::string("-cl-std=CL1.2") + (is_double_ ? " -D CGAL_SP_DOUBLE" : "") +
+                                        std::string("-cl-std=CL1.2") +
+                                          (is_double_ ? " -D CGAL_SP_DOUBLE" : " -cl-single-precision-constant") +
                                           (info_.is_cpu ? " -D CGAL_SP_CPU" : ""));
     return kernels_->program;
   }

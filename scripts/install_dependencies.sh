@@ -11,7 +11,6 @@ packages=(
   libcgal-dev libboost-dev libeigen3-dev libgmp-dev libmpfr-dev     # the library
   libtbb-dev ocl-icd-opencl-dev opencl-clhpp-headers pocl-opencl-icd # its parallel backends
   libcli11-dev nlohmann-json3-dev libpng-dev libsqlite3-dev         # the tool
-  libboost-mpi-dev libopenmpi-dev openmpi-bin                       # its batches on a cluster
   libcgal-demo                                                      # its first mesh
   f3d xvfb xauth                                                    # pictures
 )

@@ -112,7 +112,7 @@ void Database::check(int code) const
   case SQLITE_ERROR: refuse_damaged(what); // as when a table is not there
   case SQLITE_BUSY:
     throw Refusal("UNWRITABLE_FILE", file_, "is in use by another program",
-                  "wait until it ends, or choose another --output; processes of mpirun need --mpi");
+                  "wait until it ends, or choose another --output");
   default:
     throw Refusal(lock_ ? "UNWRITABLE_FILE" : unreadable_file, file_,
                   std::string("cannot be ") + (lock_ ? "written" : "read") + " (" + what + ")",

@@ -5,23 +5,15 @@
 
 #include "input/files.h"
 
-#include <boost/uuid/name_generator_sha1.hpp>
-#include <boost/uuid/nil_generator.hpp>
-#include <boost/uuid/uuid_io.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <iterator>
 #include <queue>
-#include <sstream>
 #include <unordered_set>
-
-#include <sys/stat.h>
 
 namespace tool {
 namespace {
@@ -66,24 +58,6 @@ double least_distance(std::uint32_t steps)
 
 } // namespace
 
-File_version version_of(const std::string& file)
-{
-  struct stat status = {};
-  if(stat(file.c_str(), &status) != 0 || !S_ISREG(status.st_mode))
-    return {};
-  constexpr std::int64_t nano = 1000000000;
-  return {status.st_size, status.st_ctim.tv_sec * nano + status.st_ctim.tv_nsec, ""};
-}
-
-std::string content_hash(const std::string& file)
-{
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream bytes;
-  bytes << in.rdbuf();
-  const boost::uuids::name_generator_sha1 sha1(boost::uuids::nil_uuid());
-  return in ? to_string(sha1(bytes.str())) : "";
-}
-
 std::string index_of(const std::string& file)
 {
   return lower_case_extension(file) == ".csv" ? std::filesystem::path(file).replace_extension(".db").string() : file;
@@ -91,20 +65,7 @@ std::string index_of(const std::string& file)
 
 Shape_index::Shape_index(const std::string& file, Database::Access access) : database_(file, format, access) {}
 
-bool Shape_index::is_current(const std::string& mesh)
-{
-  auto row =
-    database_.query("SELECT bytes, changed, hash FROM mesh WHERE name = ? AND status <> 'OUT_OF_MEMORY'", mesh);
-  const File_version now = version_of(mesh);
-  if(!row.next() || row.integer(0) != now.bytes)
-    return false;
-  if(row.integer(1) == now.changed)
-    return true;
-  if(row.text(2) != content_hash(mesh))
-    return false;
-  database_.run("UPDATE mesh SET changed = ? WHERE name = ?", now.changed, mesh);
-  return true;
-}
+bool Shape_index::is_current(const std::string& mesh) { return tool::is_current(database_, mesh, mesh); }
 
 void Shape_index::put(const Signature_row& row)
 {

@@ -6,6 +6,8 @@
 #include "system/refusal.h"
 
 #include <cerrno>
+#include <charconv>
+#include <csignal>
 #include <filesystem>
 #include <system_error>
 
@@ -13,8 +15,14 @@
 
 namespace tool {
 
+namespace {
+
+const std::string before_process = ".part";
+
+} // namespace
+
 Atomic_file::Atomic_file(const std::string& file)
-  : file_(file), temporary_(file + ".part" + std::to_string(getpid())) // same folder: renaming must not copy
+  : file_(file), temporary_(file + before_process + std::to_string(getpid())) // same folder: renaming must not copy
 {
   errno = 0;
   out_.open(temporary_, std::ios::binary | std::ios::trunc);
@@ -27,6 +35,32 @@ Atomic_file::~Atomic_file()
   out_.close();
   std::error_code ignored; // after commit() there is nothing left to remove
   std::filesystem::remove(temporary_, ignored);
+}
+
+void Atomic_file::create_folder(const std::string& folder)
+{
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if(error)
+    throw Refusal("UNWRITABLE_FILE", folder, "cannot be created (" + error.message() + ")",
+                  "check the folder above it, and its permissions");
+}
+
+void Atomic_file::remove_leftovers(const std::string& folder)
+{
+  std::error_code none; // what cannot be looked at stays
+  for(std::filesystem::recursive_directory_iterator it(folder, none), end; it != end; it.increment(none)) {
+    const std::string name = it->path().filename().string();
+    const std::size_t at = name.rfind(before_process);
+    if(at == std::string::npos || !it->is_regular_file(none))
+      continue;
+    const std::string digits = name.substr(at + before_process.size());
+    pid_t process = 0;
+    const auto [rest, error] = std::from_chars(digits.data(), digits.data() + digits.size(), process);
+    if(error == std::errc() && rest == digits.data() + digits.size() && process > 0 && kill(process, 0) != 0 &&
+       errno == ESRCH)
+      std::filesystem::remove(it->path(), none);
+  }
 }
 
 void Atomic_file::commit() { commit_all({this}); }

@@ -25,6 +25,13 @@ public:
 
   std::ostream& stream() { return out_; }
 
+  /// Creates a folder for such files, with those above it, if it is not there. Throws a `Refusal`.
+  static void create_folder(const std::string& folder);
+
+  /// Removes the temporary files in a folder and its subfolders that belong to no process any more: one that was killed
+  /// has left them.
+  static void remove_leftovers(const std::string& folder);
+
   /// Gives the file its name, or throws a `Refusal` if not all of it could be written.
   void commit();
 

@@ -12,11 +12,11 @@ namespace tool {
 /// Stores what was computed; empty if there is nothing, as after an interruption.
 typedef std::function<void()> Store;
 
-/// Calls `compute(i)` for all i below `count`, on this thread and so many more that they are `threads`, or as many as the
-/// system has; and what it returns, once, on one thread at a time.
+/// Calls `compute(i)` for all i below `count`, on this thread and so many more that they are `threads`, or as many as
+/// the system has; and what it returns, once, on one thread at a time.
 ///
-/// Begins no more of them after SIGINT or SIGTERM, if they are watched for, and after an exception, the first of which it
-/// throws when all threads have ended.
+/// Begins no more of them after SIGINT or SIGTERM, if they are watched for, and after an exception, the first of which
+/// it throws when all threads have ended.
 void run_batch(std::size_t count, int threads, const std::function<Store(std::size_t)>& compute);
 
 } // namespace tool

@@ -81,8 +81,8 @@ std::vector<Item> named(const std::vector<std::pair<std::string, fs::path>>& fil
 
 /// What is known of an item.
 struct Item_row {
-  std::string status;       ///< "OK", or the code of a refusal
-  std::string message;      ///< the line of the outcome, or that of the refusal
+  std::string status;  ///< "OK", or the code of a refusal
+  std::string message; ///< the line of the outcome, or that of the refusal
   std::string line(const Item& item) const { return status == "OK" ? item.mesh + ": " + message : message; }
 };
 
@@ -96,8 +96,9 @@ public:
   {
     if(!is_current(database_, item.name, item.mesh))
       return std::nullopt;
-    auto row = database_.query("SELECT status, message, output_bytes FROM mesh WHERE name = ? AND mesh = ? AND settings = ?",
-                               item.name, item.mesh, settings);
+    auto row =
+      database_.query("SELECT status, message, output_bytes FROM mesh WHERE name = ? AND mesh = ? AND settings = ?",
+                      item.name, item.mesh, settings);
     if(!row.next() || row.integer(2) != size_of(job.outputs))
       return std::nullopt;
     return Item_row{row.text(0), row.text(1)};
@@ -166,35 +167,44 @@ void check_outputs(const Collection& collection)
 
 } // namespace
 
-std::vector<Item> items_of(const Collection_options& options, const std::string& folder)
+std::vector<Item> items_of(const Collection_options& options, const std::vector<File_option>& other_folders)
 {
-  const fs::path outputs = place_of(folder);
   fs::path root;
-  bool is_output_inside = false;
+  std::vector<fs::path> left_out;
   for(const std::string& input : named_inputs(options.inputs, options.list)) {
     std::error_code none;
     const bool is_folder = fs::is_directory(input, none);
     const fs::path place = place_of(is_folder ? fs::path(input) : fs::path(input).parent_path());
-    if(is_folder && !folder.empty()) {
-      require(place != outputs, "--output", "'" + folder + "' is the folder of the meshes; name another one, or one in it");
-      is_output_inside = is_output_inside || is_in(outputs, place);
-    }
     root = root.empty() ? place : common_folder(root, place);
+    for(const auto& [option, folder] : other_folders)
+      if(const fs::path other = place_of(folder); is_folder && !folder.empty() && is_in(other, place)) {
+        require(other != place, option, "'" + folder + "' is the folder of the meshes; name another one, or one in it");
+        left_out.push_back(other);
+      }
   }
   Places place;
   std::vector<std::pair<std::string, fs::path>> files;
-  for(const std::string& mesh : options.meshes())
-    if(const fs::path there = place(mesh); !is_output_inside || !is_in(there, outputs))
+  for(const std::string& mesh : options.meshes()) {
+    const fs::path there = place(mesh);
+    if(std::none_of(left_out.begin(), left_out.end(), [&](const fs::path& folder) { return is_in(there, folder); }))
       files.emplace_back(mesh, there);
+  }
+  if(files.empty())
+    throw Refusal(unreadable_file, root.string(), "has no meshes but those of an earlier run", "name other meshes");
   return named(files, root);
 }
 
-std::map<std::string, std::string> items_in(const std::string& folder)
+std::map<std::string, std::string> spheres_in(const std::string& folder)
 {
+  std::map<std::string, std::string> by_name;
+  if(folder.empty())
+    return by_name;
+  if(std::error_code none; !fs::is_directory(folder, none))
+    throw Refusal(unreadable_file, folder, "is no folder, and there are several meshes",
+                  "name the folder of their spheres");
   std::vector<std::pair<std::string, fs::path>> files;
   for(const std::string& mesh : list_meshes({folder}, ""))
     files.emplace_back(mesh, mesh);
-  std::map<std::string, std::string> by_name;
   for(const Item& item : named(files, folder))
     by_name.emplace(item.name, item.mesh);
   return by_name;
@@ -258,8 +268,8 @@ int run_collection(const Collection& collection)
         return nullptr;
       if(outcome.refusal && concerns_all(*outcome.refusal))
         throw Refusal(*outcome.refusal);
-      const Item_row row = outcome.refusal ? Item_row{outcome.refusal->code(), outcome.refusal->what()}
-                                           : Item_row{"OK", outcome.line};
+      const Item_row row =
+        outcome.refusal ? Item_row{outcome.refusal->code(), outcome.refusal->what()} : Item_row{"OK", outcome.line};
       return [&, i, job, settings, version, row] {
         if(results)
           results->put(items[i], version, settings, job, row);

@@ -23,8 +23,8 @@ struct Collection_options {
   /// That of a command that takes one mesh or many: whether there are many, or one whose output goes to a folder.
   bool are_many(const std::string& output) const;
 
-  /// Each once, folders replaced by the mesh files in them and in their subfolders. Throws a `Refusal`, also if there is
-  /// none.
+  /// Each once, folders replaced by the mesh files in them and in their subfolders. Throws a `Refusal`, also if there
+  /// is none.
   std::vector<std::string> meshes() const;
 
   /// All cores if it was not given.

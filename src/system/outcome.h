@@ -13,9 +13,9 @@ namespace tool {
 
 /// What a command has to say of a mesh.
 struct Outcome {
-  std::optional<Refusal> refusal; ///< then nothing else is said
-  std::string text;               ///< of a mesh alone: lines, without the end of the last one
-  std::string line;               ///< of one among many: one line that does not name the mesh, the same in every run
+  std::optional<Refusal> refusal;
+  std::string text; ///< of a mesh alone, before the refusal if there is one: lines, without the end of the last one
+  std::string line; ///< of one among many, if it is not refused: does not name the mesh, and is the same in every run
 };
 
 } // namespace tool

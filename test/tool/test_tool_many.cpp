@@ -333,6 +333,13 @@ TEST_CASE("many: names of outputs", "[tool][many]")
     const Process_result run = run_tool({"map", scratch / "in", "-o", scratch / "in/out"});
     CHECK(lines_of(run.out).back() == scratch / "in/out: 3 meshes, 0 refused, 3 done by an earlier run");
   }
+  SECTION("neither are spheres that are there")
+  {
+    const std::string spheres = scratch / "in/spheres";
+    REQUIRE(run_tool({"map", scratch / "in", "-o", spheres}).exit_code == 0);
+    CHECK(run_tool({"segment", scratch / "in", "-o", out, "--sphere", spheres}).exit_code == 0);
+    CHECK(files_in(out).size() == 3);
+  }
   SECTION("one mesh, and a folder with a slash")
   {
     CHECK(run_tool({"map", a, "-o", out + "/"}).exit_code == 0);
@@ -365,10 +372,12 @@ TEST_CASE("many: wrong usage is said before any work", "[tool][many]")
         "would take the place of the mesh");
   check({"map", "--list", scratch / "file", "-o"}, "--output");
   check({"map", "-o", out}, "IN or --list");
+  check({"segment", folder, "-o", out, "--sphere", folder}, "is the folder of the meshes");
   check({"map", folder, "-o", out, "--spring-exponent", "1"}, "--spring-exponent");
   check({"map", folder, "-o", out, "-j", "0"}, "--jobs");
   fs::create_directories(scratch / "empty");
   CHECK(run_tool({"map", scratch / "empty", "-o", out}).exit_code == 1);
+  CHECK(run_tool({"segment", folder, "-o", out, "--sphere", scratch / "none"}).exit_code == 1);
   CHECK_FALSE(fs::exists(out));
 }
 

@@ -15,7 +15,7 @@ class Database;
 struct File_version {
   std::int64_t bytes = -1;   ///< -1: it is not there, or no regular file
   std::int64_t changed = -1; ///< when, in nanoseconds; permissions are a change, too
-  std::string hash;          ///< of the contents: a UUID made of their SHA-1; empty if they cannot be read
+  std::string hash;          ///< of the contents; empty if they cannot be read
 };
 
 /// Of the file as it is now, without the hash.

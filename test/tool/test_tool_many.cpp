@@ -10,6 +10,7 @@
 #include <chrono>
 #include <csignal>
 #include <filesystem>
+#include <iostream>
 #include <map>
 #include <string>
 #include <thread>
@@ -444,3 +445,24 @@ TEST_CASE("many: what another command has written in the folder is not taken for
   CHECK_FALSE(says(run, "earlier"));
   CHECK(files_in(out) == spheres);
 }
+
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
+TEST_CASE("many: several meshes at the same time on an OpenCL device", "[tool][many]")
+{
+  if(!some_policy<CGAL::Spherical_parameterization::OpenCL_device>()) {
+    std::cout << "SKIPPED: no OpenCL device" << std::endl;
+    return;
+  }
+  Scratch scratch;
+  fs::create_directories(scratch / "meshes");
+  for(int i = 0; i < 6; ++i) // devices are not used for less
+    write_off(scratch / ("meshes/" + std::to_string(i) + ".off"), spiky_star(5, 1 + 0.1 * i));
+  const Process_result host = run_many({"map"}, scratch / "meshes", scratch / "host");
+  const Process_result device =
+    run_many({"map", "--policy", "opencl", "-j", "3"}, scratch / "meshes", scratch / "device");
+  CAPTURE(device.out, device.err);
+  CHECK(device.exit_code == 0);
+  CHECK(mesh_lines(host) == mesh_lines(device));
+  CHECK(files_in(scratch / "host") == files_in(scratch / "device"));
+}
+#endif

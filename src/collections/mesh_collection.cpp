@@ -22,6 +22,7 @@
 #include <optional>
 #include <system_error>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 namespace tool {
@@ -219,7 +220,11 @@ int run_collection(const Collection& collection)
   if(!collection.folder.empty()) {
     Atomic_file::create_folder(collection.folder);
     results.emplace(collection.folder);
-    Atomic_file::remove_leftovers(collection.folder);
+    std::unordered_set<std::string> ours; // nobody else's: there is one run at a time
+    for(const Item& item : items)
+      for(const std::string& output : collection.job(item).outputs)
+        ours.insert(output);
+    Atomic_file::remove_leftovers(collection.folder, [&ours](const std::string& file) { return ours.count(file) > 0; });
   }
 
   std::vector<std::optional<Item_row>> rows(items.size());

@@ -6,8 +6,6 @@
 #include "system/refusal.h"
 
 #include <cerrno>
-#include <charconv>
-#include <csignal>
 #include <filesystem>
 #include <system_error>
 
@@ -46,19 +44,14 @@ void Atomic_file::create_folder(const std::string& folder)
                   "check the folder above it, and its permissions");
 }
 
-void Atomic_file::remove_leftovers(const std::string& folder)
+void Atomic_file::remove_leftovers(const std::string& folder, const std::function<bool(const std::string&)>& is_ours)
 {
   std::error_code none; // what cannot be looked at stays
   for(std::filesystem::recursive_directory_iterator it(folder, none), end; it != end; it.increment(none)) {
-    const std::string name = it->path().filename().string();
-    const std::size_t at = name.rfind(before_process);
-    if(at == std::string::npos || !it->is_regular_file(none))
-      continue;
-    const std::string digits = name.substr(at + before_process.size());
-    pid_t process = 0;
-    const auto [rest, error] = std::from_chars(digits.data(), digits.data() + digits.size(), process);
-    if(error == std::errc() && rest == digits.data() + digits.size() && process > 0 && kill(process, 0) != 0 &&
-       errno == ESRCH)
+    const std::string file = it->path().string();
+    const std::size_t process = file.rfind(before_process);
+    if(process != std::string::npos && is_ours(file.substr(0, process)) &&
+       file.find_first_not_of("0123456789", process + before_process.size()) == std::string::npos)
       std::filesystem::remove(it->path(), none);
   }
 }

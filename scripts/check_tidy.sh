@@ -14,7 +14,7 @@ if ! command -v "$tidy" >/dev/null || ! command -v clang++ >/dev/null; then
   echo "check_tidy.sh: $tidy or clang++ is missing: apt-get install clang-tidy-14 clang" >&2
   exit 1
 fi
-cmake -S "$root" -B "$build" -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Debug -DCGAL_SP_WITH_MPI=OFF \
+cmake -S "$root" -B "$build" -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Debug \
   -DCMAKE_EXPORT_COMPILE_COMMANDS=ON >/dev/null
 cd "$root"
 files=("$@")

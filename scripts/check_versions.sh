@@ -94,7 +94,7 @@ check() {
   mkdir -p "$folder"
   cmake -S "$root" -B "$folder" -DCMAKE_CXX_COMPILER="$2" -DCMAKE_CXX_STANDARD="$3" -DCMAKE_BUILD_TYPE="$4" \
     -DCMAKE_CXX_FLAGS_RELEASE="$release" -DCMAKE_COMPILE_WARNING_AS_ERROR=ON \
-    -DCGAL_SP_WITH_MPI=OFF -DCGAL_SP_WITH_BENCHMARKS=OFF "${options[@]}" >"$folder/log" 2>&1 || return 1
+    -DCGAL_SP_WITH_BENCHMARKS=OFF "${options[@]}" >"$folder/log" 2>&1 || return 1
   cmake --build "$folder" --parallel "$jobs" --target "${targets[@]}" -- --keep-going >>"$folder/log" 2>&1 || return 1
   build_seconds=$((SECONDS - start))
   start=$SECONDS

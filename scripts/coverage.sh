@@ -16,7 +16,7 @@ if ! command -v gcovr >/dev/null; then
   exit 1
 fi
 cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS="--coverage -fprofile-update=atomic" \
-  -DCMAKE_CXX_FLAGS_DEBUG=-O1 -DCGAL_SP_WITH_BENCHMARKS=OFF -DCGAL_SP_WITH_MPI=OFF
+  -DCMAKE_CXX_FLAGS_DEBUG=-O1 -DCGAL_SP_WITH_BENCHMARKS=OFF
 read -ra targets <<<"${TARGETS:-all}"
 cmake --build "$build" --parallel "$jobs" --target "${targets[@]}"
 find "$build" -name '*.gcda' -delete

@@ -13,7 +13,7 @@ targets=("${@:3}")
 [ ${#targets[@]} -gt 0 ] || targets=(read_meshes read_indices map_meshes use_maps)
 
 cmake -S "$root" -B "$build" -DCMAKE_CXX_COMPILER="${CXX:-clang++}" -DCMAKE_BUILD_TYPE=None \
-  -DCMAKE_CXX_FLAGS="-O1 -g1 -D_GLIBCXX_ASSERTIONS" -DCGAL_SP_WITH_FUZZING=ON -DCGAL_SP_WITH_OPENCL=OFF -DCGAL_SP_WITH_MPI=OFF \
+  -DCMAKE_CXX_FLAGS="-O1 -g1 -D_GLIBCXX_ASSERTIONS" -DCGAL_SP_WITH_FUZZING=ON -DCGAL_SP_WITH_OPENCL=OFF \
   -DCGAL_SP_BUILD_TESTING=OFF -DCGAL_SP_WITH_EXAMPLES=OFF -DCGAL_SP_WITH_BENCHMARKS=OFF >/dev/null
 cmake --build "$build" --parallel "${JOBS:-$(nproc)}" --target "${targets[@]/#/fuzz_}"
 

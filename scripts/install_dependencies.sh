@@ -10,8 +10,7 @@ packages=(
   build-essential cmake
   libcgal-dev libboost-dev libeigen3-dev libgmp-dev libmpfr-dev     # the library
   libtbb-dev ocl-icd-opencl-dev opencl-clhpp-headers pocl-opencl-icd # its parallel backends
-  libcli11-dev nlohmann-json3-dev libpng-dev libsqlite3-dev         # the tool
-  libboost-mpi-dev libopenmpi-dev openmpi-bin                       # its batches on a cluster
+  libcli11-dev nlohmann-json3-dev libpng-dev libsqlite3-dev libxxhash-dev # the tool
   libcgal-demo                                                      # its first mesh
   f3d xvfb xauth                                                    # pictures
 )

@@ -4,6 +4,7 @@
 #include "commands/commands.h"
 #include "tables/table.h"
 
+#include "collections/batch.h"
 #include "collections/database.h"
 #include "input/files.h"
 #include "mapping/mapped_mesh.h"
@@ -22,17 +23,13 @@
 #include <boost/format.hpp>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <ctime>
 #include <exception>
 #include <filesystem>
-#include <functional>
-#include <future>
 #include <iostream>
 #include <iterator>
 #include <map>
-#include <mutex>
 #include <optional>
 #include <stdexcept>
 
@@ -102,7 +99,7 @@ double cpu_seconds_of_thread()
 std::string digits(double number) { return (boost::format("%.6g") % number).str(); }
 
 /// Fills the row on this thread. Throws.
-void compute(const Options& options, const std::function<bool()>& go_on, Row& row)
+void compute(const Options& options, Row& row)
 {
   tool::Mapping_options mapping;
   mapping.input = row["mesh"];
@@ -119,7 +116,8 @@ void compute(const Options& options, const std::function<bool()>& go_on, Row& ro
   tool::read_input(mapping, map);
   row["vertices"] = std::to_string(map.result.number_of_vertices);
   const double start = cpu_seconds_of_thread();
-  const SP::Result result = tool::map_to_sphere(map.mesh(), map.sphere, *map.settings, [&](double) { return go_on(); });
+  const SP::Result result =
+    tool::map_to_sphere(map.mesh(), map.sphere, *map.settings, [](double) { return !tool::was_interrupted(); });
   row["CPU s"] = digits(cpu_seconds_of_thread() - start);
   row["outcome"] = tool::name(result.error);
   row["method used"] = result.method;
@@ -142,11 +140,11 @@ void compute(const Options& options, const std::function<bool()>& go_on, Row& ro
   row["mean angle distortion"] = digits(distortion.angle_distortion.mean);
 }
 
-/// None if it was interrupted: `go_on` is asked again and again.
-std::optional<Row> computed(Row row, const Options& options, const std::function<bool()>& go_on)
+/// None if it was interrupted.
+std::optional<Row> computed(Row row, const Options& options)
 {
   try {
-    compute(options, go_on, row);
+    compute(options, row);
   } catch(const tool::Refusal& refusal) {
     row["outcome"] = refusal.code();
     row["message"] = refusal.what();
@@ -156,7 +154,7 @@ std::optional<Row> computed(Row row, const Options& options, const std::function
   }
   std::replace_if(
     row["message"].begin(), row["message"].end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
-  return go_on() ? std::optional(row) : std::nullopt;
+  return tool::was_interrupted() ? std::nullopt : std::optional(row);
 }
 
 constexpr tool::Database::Format format = {0x4d415353, "the rows of a mass run",
@@ -176,28 +174,15 @@ void compute_missing(const std::vector<Row>& jobs, const Options& options, tool:
   std::copy_if(jobs.begin(), jobs.end(), std::back_inserter(missing),
                [&](const Row& job) { return !row_of(job, done); });
   std::size_t count = jobs.size() - missing.size();
-  std::atomic<std::size_t> next{0};
-  std::atomic<bool> has_failed{false};
-  std::mutex mutex; // of the database and the count
-  const auto go_on = [&] { return !tool::was_interrupted() && !has_failed; };
-  const auto work = [&] {
-    for(std::size_t i; go_on() && (i = next++) < missing.size();)
-      if(const std::optional<Row> row = computed(missing[i], options, go_on)) {
-        const std::lock_guard<std::mutex> lock(mutex);
-        try {
-          done.run("INSERT OR REPLACE INTO row VALUES(?, ?)", name(*row), to_line(*row));
-        } catch(...) {
-          has_failed = true;
-          throw;
-        }
-        std::cerr << ++count << " of " << jobs.size() << ": " << name(*row) << ": " << row->at("outcome") << std::endl;
-      }
-  };
-  std::vector<std::future<void>> threads;
-  for(int i = 0; i < options.jobs; ++i)
-    threads.push_back(std::async(std::launch::async, work));
-  for(std::future<void>& thread : threads)
-    thread.get();
+  tool::run_batch(missing.size(), options.jobs, [&](std::size_t i) -> tool::Store {
+    const std::optional<Row> row = computed(missing[i], options);
+    if(!row)
+      return nullptr;
+    return [&done, &jobs, &count, row] {
+      done.run("INSERT OR REPLACE INTO row VALUES(?, ?)", name(*row), to_line(*row));
+      std::cerr << ++count << " of " << jobs.size() << ": " << name(*row) << ": " << row->at("outcome") << std::endl;
+    };
+  });
   if(tool::was_interrupted())
     throw std::runtime_error("interrupted with " + std::to_string(count) +
                              " rows done; the same command goes on from there");

@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <new>
 #include <system_error>
+#include <utility>
 
 #include <sqlite3.h>
 #include <sys/file.h>
@@ -49,23 +50,38 @@ Database::Database(const std::string& file, const Format& format, Access access)
   if(writes) { // commits that need not wait for the disk: a power cut may lose the last ones, nothing else does
     run("PRAGMA journal_mode=WAL");
     run("PRAGMA synchronous=NORMAL");
+    run("PRAGMA wal_autocheckpoint=10000"); // pages. Fewer waits for the disk; pages that are written often are written
+                                            // once
   }
 }
 
 Database::~Database()
 {
-  if(lock_)
+  if(lock_) {
+    statements_.clear();                                              // or they would keep it open
     for(const char* sql : {"ROLLBACK", "PRAGMA journal_mode=DELETE"}) // then it is one file, that anybody can read
       sqlite3_exec(database_.get(), sql, nullptr, nullptr, nullptr);
+  }
 }
 
 Database::Rows::Rows(const Database& database, const char* sql)
-  : database_(database), statement_(nullptr, sqlite3_finalize)
+  : database_(database), kept_(database.statements_[sql]), statement_(std::move(kept_))
 {
+  if(statement_)
+    return;
   sqlite3_stmt* statement = nullptr;
   database.check(sqlite3_prepare_v2(database.database_.get(), sql, -1, &statement, nullptr));
   statement_.reset(statement);
 }
+
+Database::Rows::~Rows()
+{
+  sqlite3_reset(statement_.get());
+  sqlite3_clear_bindings(statement_.get());
+  kept_ = std::move(statement_);
+}
+
+void Database::Finalize::operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
 
 int Database::Rows::bind(int i, std::int64_t value) { return sqlite3_bind_int64(statement_.get(), i, value); }
 
@@ -112,7 +128,7 @@ void Database::check(int code) const
   case SQLITE_ERROR: refuse_damaged(what); // as when a table is not there
   case SQLITE_BUSY:
     throw Refusal("UNWRITABLE_FILE", file_, "is in use by another program",
-                  "wait until it ends, or choose another --output; processes of mpirun need --mpi");
+                  "wait until it ends, or choose another --output");
   default:
     throw Refusal(lock_ ? "UNWRITABLE_FILE" : unreadable_file, file_,
                   std::string("cannot be ") + (lock_ ? "written" : "read") + " (" + what + ")",

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -25,6 +26,11 @@ struct Bytes {
 /// A database of SQLite in one file. What has been committed is there whenever the program ends, however it does. All
 /// functions throw a `Refusal` that says what is wrong with the file.
 class Database {
+  struct Finalize {
+    void operator()(sqlite3_stmt* statement) const;
+  };
+  typedef std::unique_ptr<sqlite3_stmt, Finalize> Statement;
+
 public:
   struct Format {
     std::int32_t id;    ///< PRAGMA application_id
@@ -46,6 +52,10 @@ public:
   /// The rows of a statement, one at a time.
   class Rows {
   public:
+    ~Rows();
+    Rows(const Rows&) = delete;
+    Rows& operator=(const Rows&) = delete;
+
     /// Whether there is one more. To be called before the first one, too.
     bool next();
 
@@ -56,22 +66,26 @@ public:
   private:
     friend class Database;
     Rows(const Database& database, const char* sql);
+    template <class... Values>
+    Rows(const Database& database, const char* sql, const Values&... values) : Rows(database, sql)
+    {
+      int i = 0;
+      (database.check(bind(++i, values)), ...);
+    }
     int bind(int i, std::int64_t value);
     int bind(int i, const std::string& text);
     int bind(int i, const Bytes& bytes);
 
     const Database& database_;
-    std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)> statement_;
+    Statement& kept_; ///< where it is kept for the next time
+    Statement statement_;
   };
 
   /// Prepares one statement of SQL, with the values for its question marks.
   template <class... Values>
   Rows query(const char* sql, const Values&... values) const
   {
-    Rows rows(*this, sql);
-    int i = 0;
-    (check(rows.bind(++i, values)), ...);
-    return rows;
+    return Rows(*this, sql, values...);
   }
 
   /// Executes it.
@@ -90,6 +104,7 @@ private:
   std::string file_;
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> lock_; ///< of who writes. To be closed after the database
   std::unique_ptr<sqlite3, int (*)(sqlite3*)> database_;
+  mutable std::map<std::string, Statement> statements_; ///< prepared, by their SQL. To be gone before the database
 };
 
 } // namespace tool

@@ -5,23 +5,15 @@
 
 #include "input/files.h"
 
-#include <boost/uuid/name_generator_sha1.hpp>
-#include <boost/uuid/nil_generator.hpp>
-#include <boost/uuid/uuid_io.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <iterator>
 #include <queue>
-#include <sstream>
 #include <unordered_set>
-
-#include <sys/stat.h>
 
 namespace tool {
 namespace {
@@ -36,8 +28,19 @@ constexpr Database::Format format = {0x53484158, "an index of signatures", R"(
 typedef std::array<std::uint16_t, Shape_signature::size> Code;
 constexpr double steps_per_unit = 4096;
 
-constexpr std::int64_t code_size = sizeof(Code);
-constexpr std::int64_t codes_per_block = 64; ///< quicker to read than so many rows
+/// As many as fill a page of the database, which is read and written at once.
+constexpr std::int64_t codes_per_block = 21;
+typedef std::array<Code, codes_per_block> Block;
+
+Block block_of(const Database& database, const Database::Rows& row, int column)
+{
+  const std::string_view bytes = row.bytes(column);
+  Block block;
+  if(bytes.size() != sizeof block)
+    database.refuse_damaged("a block of codes is not complete");
+  std::memcpy(block.data(), bytes.data(), sizeof block);
+  return block;
+}
 
 Code code_of(const std::optional<Shape_signature>& signature)
 {
@@ -66,24 +69,6 @@ double least_distance(std::uint32_t steps)
 
 } // namespace
 
-File_version version_of(const std::string& file)
-{
-  struct stat status = {};
-  if(stat(file.c_str(), &status) != 0 || !S_ISREG(status.st_mode))
-    return {};
-  constexpr std::int64_t nano = 1000000000;
-  return {status.st_size, status.st_ctim.tv_sec * nano + status.st_ctim.tv_nsec, ""};
-}
-
-std::string content_hash(const std::string& file)
-{
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream bytes;
-  bytes << in.rdbuf();
-  const boost::uuids::name_generator_sha1 sha1(boost::uuids::nil_uuid());
-  return in ? to_string(sha1(bytes.str())) : "";
-}
-
 std::string index_of(const std::string& file)
 {
   return lower_case_extension(file) == ".csv" ? std::filesystem::path(file).replace_extension(".db").string() : file;
@@ -91,35 +76,25 @@ std::string index_of(const std::string& file)
 
 Shape_index::Shape_index(const std::string& file, Database::Access access) : database_(file, format, access) {}
 
-bool Shape_index::is_current(const std::string& mesh)
-{
-  auto row =
-    database_.query("SELECT bytes, changed, hash FROM mesh WHERE name = ? AND status <> 'OUT_OF_MEMORY'", mesh);
-  const File_version now = version_of(mesh);
-  if(!row.next() || row.integer(0) != now.bytes)
-    return false;
-  if(row.integer(1) == now.changed)
-    return true;
-  if(row.text(2) != content_hash(mesh))
-    return false;
-  database_.run("UPDATE mesh SET changed = ? WHERE name = ?", now.changed, mesh);
-  return true;
-}
+bool Shape_index::is_current(const std::string& mesh) { return tool::is_current(database_, mesh, mesh); }
 
 void Shape_index::put(const Signature_row& row)
 {
-  const Code code = code_of(row.signature);
   database_.run("BEGIN");
-  database_.run("INSERT OR REPLACE INTO mesh VALUES((SELECT id FROM mesh WHERE name = ?1), ?1, ?, ?, ?, ?, ?, ?, ?, ?)",
-                row.name, row.version.bytes, row.version.changed, row.version.hash,
-                static_cast<std::int64_t>(row.vertices), row.status, row.map, row.message,
-                row.signature ? Bytes{row.signature->values.data(), sizeof row.signature->values} : Bytes());
-  database_.run("INSERT OR IGNORE INTO code SELECT id / ?2, zeroblob(?2 * ?3) FROM mesh WHERE name = ?1", row.name,
-                codes_per_block, code_size);
-  database_.run(
-    "UPDATE code SET codes = CAST(substr(codes, 1, id % ?2 * ?3) || ?4 || substr(codes, id % ?2 * ?3 + ?3 + 1) "
-    "AS BLOB) FROM mesh WHERE name = ?1 AND block = id / ?2",
-    row.name, codes_per_block, code_size, Bytes{code.data(), sizeof code});
+  auto inserted = database_.query(
+    "INSERT OR REPLACE INTO mesh VALUES((SELECT id FROM mesh WHERE name = ?1), ?1, ?, ?, ?, ?, ?, ?, ?, "
+    "?) RETURNING id",
+    row.name, row.version.bytes, row.version.changed, row.version.hash, static_cast<std::int64_t>(row.vertices),
+    row.status, row.map, row.message,
+    row.signature ? Bytes{row.signature->values.data(), sizeof row.signature->values} : Bytes());
+  inserted.next();
+  const std::int64_t id = inserted.integer(0), block = id / codes_per_block;
+  inserted.next(); // to the end, or it could not be committed
+  Block codes = {};
+  if(auto old = database_.query("SELECT codes FROM code WHERE block = ?", block); old.next())
+    codes = block_of(database_, old, 0);
+  codes[static_cast<std::size_t>(id % codes_per_block)] = code_of(row.signature);
+  database_.run("INSERT OR REPLACE INTO code VALUES(?, ?)", block, Bytes{codes.data(), sizeof codes});
   database_.run("COMMIT");
 }
 
@@ -169,14 +144,11 @@ std::set<std::pair<double, std::string>> Shape_index::nearest(const Shape_signat
   typedef std::pair<std::uint32_t, std::int64_t> Candidate; // steps between the codes, id
   std::vector<Candidate> candidates;
   for(auto row = database_.query("SELECT block, codes FROM code"); row.next();) {
-    const std::string_view codes = row.bytes(1);
-    if(codes.size() != codes_per_block * sizeof(Code))
-      database_.refuse_damaged("a block of codes is not complete");
-    for(std::int64_t i = 0; i < codes_per_block; ++i) {
-      Code other;
-      std::memcpy(other.data(), codes.data() + i * code_size, sizeof other);
+    std::int64_t id = codes_per_block * row.integer(0);
+    for(const Code& other : block_of(database_, row, 1)) {
       if(other.front() > 0)
-        candidates.emplace_back(steps_between(code, other), codes_per_block * row.integer(0) + i);
+        candidates.emplace_back(steps_between(code, other), id);
+      ++id;
     }
   }
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> queue(std::greater<>(), std::move(candidates));

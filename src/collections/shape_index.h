@@ -5,6 +5,7 @@
 #define SPHERICAL_PARAMETERIZATION_TOOL_SHAPE_INDEX_H
 
 #include "collections/database.h"
+#include "collections/file_version.h"
 
 #include <CGAL/Spherical_parameterization/shape_signature.h>
 
@@ -19,19 +20,6 @@
 namespace tool {
 
 using CGAL::Spherical_parameterization::Shape_signature;
-
-/// What an edited file differs in.
-struct File_version {
-  std::int64_t bytes = -1;   ///< -1: it is not there
-  std::int64_t changed = -1; ///< when, in nanoseconds; permissions are a change, too
-  std::string hash;          ///< of the contents; empty if it cannot be read
-};
-
-/// Of the file as it is now, without the hash.
-File_version version_of(const std::string& file);
-
-/// \pre it is a regular file
-std::string content_hash(const std::string& file);
 
 /// What is known of a mesh.
 struct Signature_row {

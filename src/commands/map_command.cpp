@@ -2,6 +2,7 @@
 // Part of CGAL Spherical Parameterization.
 
 #include "commands/commands.h"
+#include "commands/mesh_command.h"
 
 #include "mapping/mapped_mesh.h"
 #include "mapping/report.h"
@@ -16,10 +17,11 @@
 
 #include <CLI/CLI.hpp>
 
-#include <iostream>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <string>
+#include <vector>
 
 namespace tool {
 namespace {
@@ -28,8 +30,7 @@ namespace SP = CGAL::Spherical_parameterization;
 using SP::internal::Stopwatch;
 
 /// The command line of `map`.
-struct Map_options : Mapping_options {
-  std::string output;
+struct Map_options : Mesh_options {
   std::string report;
   std::string stretch_ply;
 };
@@ -39,39 +40,48 @@ void check_map_options(const Map_options& options)
   require_extension("--output", options.output, {".off", ".obj", ".ply"});
   if(!options.stretch_ply.empty())
     require_extension("--stretch-ply", options.stretch_ply, {".ply"});
-  check_files(input_files(options),
-              {{"--output", options.output}, {"--report", options.report}, {"--stretch-ply", options.stretch_ply}});
   check_mapping_options(options);
 }
 
-void print_certificate(const Map_options& options, const Mapped_mesh& input, const Report& report)
+std::vector<File_option> map_inputs(const Map_options& options) { return input_files(options); }
+
+std::vector<File_option> map_outputs(const Map_options& options)
+{
+  return {{"--output", options.output}, {"--report", options.report}, {"--stretch-ply", options.stretch_ply}};
+}
+
+void say(const Map_options& options, const Mapped_mesh& input, const Report& report, Outcome& outcome)
 {
   const SP::Result& result = input.result;
-  std::cout.precision(3);
+  std::ostringstream text, line;
+  text.precision(3);
+  line << "valid spherical map: " << result.flipped_faces << " flipped faces, degree " << result.degree;
   if(input.file->triangulated_polygons > 0)
-    std::cout << input.file->triangulated_polygons
-              << " polygons were triangulated, so the faces of the sphere are not those of " << options.input << '\n';
-  std::cout << options.input << ": " << result.number_of_vertices << " vertices, " << result.number_of_faces
-            << " faces\n"
-            << "valid spherical map: " << result.flipped_faces << " flipped faces, degree " << result.degree
-            << ", residual " << result.residual << '\n'
-            << (options.method == "automatic" ? "automatic: " : "") << result.method << ", "
-            << (result.method == "isometric" ? "" : options.weights + " weights, ") << options.policy << " on "
-            << result.device << ": " << result.start_iterations << " + " << result.iterations << " iterations";
+    text << input.file->triangulated_polygons
+         << " polygons were triangulated, so the faces of the sphere are not those of " << options.input << '\n';
+  text << options.input << ": " << result.number_of_vertices << " vertices, " << result.number_of_faces << " faces\n"
+       << line.str() << ", residual " << result.residual << '\n'
+       << (options.method == "automatic" ? "automatic: " : "") << result.method << ", "
+       << (result.method == "isometric" ? "" : options.weights + " weights, ") << options.policy << " on "
+       << result.device << ": " << result.start_iterations << " + " << result.iterations << " iterations";
   if(result.sweeps > 0)
-    std::cout << " of " << result.sweeps << " sweeps in total";
-  std::cout << '\n';
+    text << " of " << result.sweeps << " sweeps in total";
+  text << '\n';
   if(!result.fallback_reason.empty())
-    std::cout << "earlier attempts failed: " << result.fallback_reason << '\n';
-  std::cout << report.seconds_total << " s: read " << input.seconds_read << ", start map " << result.seconds.start_map
-            << ", solve " << result.seconds.solve << ", certify " << result.seconds.certify << ", write "
-            << report.seconds_write << '\n'
-            << "written: " << options.output << (options.stretch_ply.empty() ? "" : " and " + options.stretch_ply)
-            << std::endl;
+    text << "earlier attempts failed: " << result.fallback_reason << '\n';
+  text << report.seconds_total << " s: read " << input.seconds_read << ", start map " << result.seconds.start_map
+       << ", solve " << result.seconds.solve << ", certify " << result.seconds.certify << ", write "
+       << report.seconds_write << '\n'
+       << "written: " << options.output << (options.stretch_ply.empty() ? "" : " and " + options.stretch_ply);
+  line << ", " << result.number_of_vertices << " vertices, " << result.method;
+  if(input.file->triangulated_polygons > 0)
+    line << ", " << input.file->triangulated_polygons << " polygons were triangulated";
+  outcome.text = text.str();
+  outcome.line = line.str();
 }
 
 /// Either all of the files get their names or none.
-void map(const Map_options& options, Mapped_mesh& input, Report& report)
+void map(const Map_options& options, Mapped_mesh& input, Report& report, Outcome& outcome)
 {
   const Stopwatch total;
   read_input(options, input);
@@ -94,15 +104,15 @@ void map(const Map_options& options, Mapped_mesh& input, Report& report)
   Atomic_file::commit_all({stretch_file.get(), &sphere_file});
   report.seconds_write = writing.seconds();
   report.seconds_total = total.seconds();
-  print_certificate(options, input, report);
+  say(options, input, report, outcome);
 }
 
-int run(const Map_options& options)
+void map_and_report(const Map_options& options, Outcome& outcome)
 {
   Report report;
   Mapped_mesh input;
   const Stopwatch total;
-  report.refusal = guarded(options.input, [&] { map(options, input, report); });
+  report.refusal = guarded(options.input, [&] { map(options, input, report, outcome); });
   report.seconds_total = total.seconds();
 
   std::optional<Refusal> refusal = report.refusal;
@@ -111,8 +121,13 @@ int run(const Map_options& options)
     if(!refusal)
       refusal = of_report;
   }
-  return exit_code_of(refusal);
+  if(refusal)
+    throw Refusal(*refusal);
 }
+
+const Mesh_command<Map_options> map_command = {{"ply", "off", "obj"}, {&Map_options::report, &Map_options::stretch_ply},
+                                               check_map_options,     map_inputs,
+                                               map_outputs,           map_and_report};
 
 } // namespace
 
@@ -120,11 +135,13 @@ void add_map_command(CLI::App& app, int& exit_code)
 {
   CLI::App* command = app.add_subcommand("map", "Map a closed genus-0 triangle mesh to the sphere, certified");
   const auto options = std::make_shared<Map_options>();
+  add_mesh_options(*command, map_command, *options);
   add_mapping_options(*command, *options);
   command
     ->add_option(
       "-o,--output", options->output,
-      "Output file of the sphere: .off, .obj or .ply. Its vertices and faces are those of IN, in the same order")
+      "Output file of the sphere: .off, .obj or .ply. Its vertices and faces are those of IN, in the same order. "
+      "Of several IN: a folder")
     ->required()
     ->type_name("FILE");
   command
@@ -138,10 +155,7 @@ void add_map_command(CLI::App& app, int& exit_code)
   command->footer("Example: spherical-parameterization map bunny.ply -o sphere.off --method automatic\n"
                   "Exit code: 0 a certified map was written, 1 no map was written (stderr says why), 2 wrong usage,\n"
                   "130 interrupted.");
-  command->callback([options, &exit_code] {
-    check_map_options(*options);
-    exit_code = run(*options);
-  });
+  command->callback([options, command, &exit_code] { exit_code = run_mesh_command(*command, map_command, *options); });
 }
 
 } // namespace tool

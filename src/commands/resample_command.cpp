@@ -2,19 +2,18 @@
 // Part of CGAL Spherical Parameterization.
 
 #include "commands/commands.h"
+#include "commands/mesh_command.h"
 
 #include "mapping/mapped_mesh.h"
 #include "options/usage.h"
 #include "output/atomic_file.h"
 #include "output/write_mesh.h"
-#include "system/guarded.h"
 #include "system/interruption.h"
 
 #include <CGAL/Spherical_parameterization/resample.h>
 
 #include <CLI/CLI.hpp>
 
-#include <iostream>
 #include <memory>
 #include <string>
 #include <vector>
@@ -24,18 +23,23 @@ namespace {
 
 namespace SP = CGAL::Spherical_parameterization;
 
-struct Resample_options : Mapping_options {
-  std::string output;
+struct Resample_options : Mesh_options {
   std::string output_sphere;
   int level = 6;
 };
 
-void check(const Resample_options& options)
+std::vector<File_option> resample_inputs(const Resample_options& options) { return input_files(options); }
+
+std::vector<File_option> resample_outputs(const Resample_options& options)
+{
+  return {{"--output", options.output}, {"--output-sphere", options.output_sphere}};
+}
+
+void check_resample_options(const Resample_options& options)
 {
   require_extension("--output", options.output, {".off", ".obj", ".ply"});
   if(!options.output_sphere.empty())
     require_extension("--output-sphere", options.output_sphere, {".off", ".obj", ".ply"});
-  check_files(input_files(options), {{"--output", options.output}, {"--output-sphere", options.output_sphere}});
   check_mapping_options(options);
 }
 
@@ -52,7 +56,7 @@ Point point_at(const SP::Spherical_locator<Mesh>& shape, const Point& direction)
   return point;
 }
 
-void resample(const Resample_options& options)
+void resample(const Resample_options& options, Outcome& outcome)
 {
   Mapped_mesh input;
   read_input(options, input);
@@ -72,9 +76,14 @@ void resample(const Resample_options& options)
     write_mesh(sphere_file->stream(), options.output_sphere, out, out.points());
   stop_if_interrupted(options.input);
   Atomic_file::commit_all({sphere_file.get(), &file});
-  std::cout << options.output << ": " << out.number_of_vertices() << " vertices, " << out.number_of_faces() << " faces"
-            << std::endl;
+  outcome.line =
+    std::to_string(out.number_of_vertices()) + " vertices, " + std::to_string(out.number_of_faces()) + " faces";
+  outcome.text = options.output + ": " + outcome.line;
 }
+
+const Mesh_command<Resample_options> resample_command = {{"ply", "off", "obj"},  {&Resample_options::output_sphere},
+                                                         check_resample_options, resample_inputs,
+                                                         resample_outputs,       resample};
 
 } // namespace
 
@@ -82,9 +91,12 @@ void add_resample_command(CLI::App& app, int& exit_code)
 {
   CLI::App* command = app.add_subcommand("resample", "Sample a shape at the vertices of an icosphere");
   const auto options = std::make_shared<Resample_options>();
+  add_mesh_options(*command, resample_command, *options);
   add_mapping_options(*command, *options);
   add_sphere_option(*command, *options);
-  command->add_option("-o,--output", options->output, "Output file of the new mesh: .off, .obj or .ply")
+  command
+    ->add_option("-o,--output", options->output,
+                 "Output file of the new mesh: .off, .obj or .ply. Of several IN: a folder")
     ->required()
     ->type_name("FILE");
   command
@@ -97,10 +109,8 @@ void add_resample_command(CLI::App& app, int& exit_code)
   command->footer("Example: spherical-parameterization resample bunny.ply -o icosphere.off --level 7\n"
                   "Exit code: 0 the mesh was written, 1 nothing was written (stderr says why), 2 wrong usage,\n"
                   "130 interrupted.");
-  command->callback([options, &exit_code] {
-    check(*options);
-    exit_code = exit_code_of(guarded(options->input, [&] { resample(*options); }));
-  });
+  command->callback(
+    [options, command, &exit_code] { exit_code = run_mesh_command(*command, resample_command, *options); });
 }
 
 } // namespace tool

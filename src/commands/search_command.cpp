@@ -3,7 +3,7 @@
 
 #include "commands/commands.h"
 
-#include "collections/signature_batch.h"
+#include "collections/signatures.h"
 #include "system/interruption.h"
 #include "system/refusal.h"
 

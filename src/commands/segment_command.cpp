@@ -2,13 +2,13 @@
 // Part of CGAL Spherical Parameterization.
 
 #include "commands/commands.h"
+#include "commands/mesh_command.h"
 
 #include "mapping/mapped_mesh.h"
 #include "options/usage.h"
 #include "output/atomic_file.h"
 #include "output/write_mesh.h"
 #include "system/error_code_names.h"
-#include "system/guarded.h"
 #include "system/interruption.h"
 #include "system/refusal.h"
 
@@ -17,7 +17,6 @@
 #include <CLI/CLI.hpp>
 
 #include <cstdint>
-#include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -28,21 +27,26 @@ namespace {
 
 namespace SP = CGAL::Spherical_parameterization;
 
-struct Segment_options : Mapping_options {
-  std::string output;
+struct Segment_options : Mesh_options {
   std::string labels;
   std::optional<std::int64_t> segments;
 };
 
-void check(const Segment_options& options)
+std::vector<File_option> segment_inputs(const Segment_options& options) { return input_files(options); }
+
+std::vector<File_option> segment_outputs(const Segment_options& options)
+{
+  return {{"--output", options.output}, {"--labels", options.labels}};
+}
+
+void check_segment_options(const Segment_options& options)
 {
   require_extension("--output", options.output, {".ply"});
-  check_files(input_files(options), {{"--output", options.output}, {"--labels", options.labels}});
   require(options.segments.value_or(1) > 0, "--segments", "must be positive");
   check_mapping_options(options);
 }
 
-void segment(const Segment_options& options)
+void segment(const Segment_options& options, Outcome& outcome)
 {
   Mapped_mesh input;
   read_input(options, input);
@@ -64,8 +68,12 @@ void segment(const Segment_options& options)
       labels->stream() << segment << '\n';
   stop_if_interrupted(options.input);
   Atomic_file::commit_all({labels.get(), &ply});
-  std::cout << options.input << ": " << result.number_of_segments << " segments" << std::endl;
+  outcome.line = std::to_string(result.number_of_segments) + " segments";
+  outcome.text = options.input + ": " + outcome.line;
 }
+
+const Mesh_command<Segment_options> segment_command = {
+  {"ply"}, {&Segment_options::labels}, check_segment_options, segment_inputs, segment_outputs, segment};
 
 } // namespace
 
@@ -73,9 +81,12 @@ void add_segment_command(CLI::App& app, int& exit_code)
 {
   CLI::App* command = app.add_subcommand("segment", "Segment a shape into body and limbs");
   const auto options = std::make_shared<Segment_options>();
+  add_mesh_options(*command, segment_command, *options);
   add_mapping_options(*command, *options);
   add_sphere_option(*command, *options);
-  command->add_option("-o,--output", options->output, "Output file: .ply, IN with a colour per segment")
+  command
+    ->add_option("-o,--output", options->output,
+                 "Output file: .ply, IN with a colour per segment. Of several IN: a folder")
     ->required()
     ->type_name("FILE");
   command
@@ -86,10 +97,8 @@ void add_segment_command(CLI::App& app, int& exit_code)
   command->footer("Example: spherical-parameterization segment bunny.ply -o segments.ply --labels labels.txt\n"
                   "Exit code: 0 the files were written, 1 nothing was written (stderr says why), 2 wrong usage,\n"
                   "130 interrupted.");
-  command->callback([options, &exit_code] {
-    check(*options);
-    exit_code = exit_code_of(guarded(options->input, [&] { segment(*options); }));
-  });
+  command->callback(
+    [options, command, &exit_code] { exit_code = run_mesh_command(*command, segment_command, *options); });
 }
 
 } // namespace tool

@@ -3,39 +3,29 @@
 
 #include "commands/commands.h"
 
-#include "collections/mpi_workers.h"
-#include "collections/signature_batch.h"
+#include "collections/signatures.h"
 #include "input/files.h"
+#include "options/collection_options.h"
 #include "options/usage.h"
 #include "system/interruption.h"
-#include "system/refusal.h"
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <iostream>
 #include <memory>
-#include <optional>
 #include <string>
-#include <thread>
-#include <vector>
 
 namespace tool {
 namespace {
 
-struct Signature_options {
-  std::vector<std::string> inputs;
-  std::string list;
+struct Signature_options : Collection_options {
   std::string output;
-  bool uses_mpi = false;
-  std::optional<int> jobs;
 };
 
 /// The index must not take the place of what it is made of.
 void check(const Signature_options& options)
 {
-  if(options.inputs.empty() && options.list.empty())
-    throw CLI::RequiredError("IN or --list");
+  check_collection_options(options);
   require(!is_mesh_file(options.output), "--output",
           "'" + options.output + "' has the extension of a mesh; the index is a database");
   const std::string index = index_of(options.output);
@@ -43,15 +33,10 @@ void check(const Signature_options& options)
               {{"--output", options.output}, {"the index", index == options.output ? "" : index}});
 }
 
-int sign_all(const Signature_options& options, const Batch_workers& work)
+int run(const Signature_options& options)
 {
-  const std::vector<std::string> meshes = list_meshes(options.inputs, options.list);
-  if(meshes.empty())
-    throw Refusal(unreadable_file, options.list.empty() ? options.inputs.front() : options.list, "has no mesh file",
-                  std::string("meshes are read from ") + mesh_extensions + " files");
-  Signature_batch batch(meshes, options.output);
-  work(batch);
-  const Batch_summary summary = batch.finish();
+  watch_for_interruption();
+  const Batch_summary summary = update_index(options.meshes(), options.output, options.number_of_jobs());
   for(const std::string& why : summary.without_signature)
     std::cerr << "spherical-parameterization: " << why << '\n';
   const std::size_t signatures = summary.meshes - summary.without_signature.size();
@@ -64,16 +49,6 @@ int sign_all(const Signature_options& options, const Batch_workers& work)
   return signatures > 0 ? 0 : 1;
 }
 
-int run(const Signature_options& options)
-{
-  watch_for_interruption();
-  const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  const int jobs = options.jobs.value_or(options.uses_mpi ? 1 : cores); // mpirun starts a process for each
-  if(options.uses_mpi)
-    return run_on_all_ranks(jobs, [&](const Batch_workers& work) { return sign_all(options, work); });
-  return sign_all(options, [jobs](Signature_batch& batch) { run_on_threads(jobs, [&batch] { batch.work(); }); });
-}
-
 } // namespace
 
 void add_signature_command(CLI::App& app, int& exit_code)
@@ -81,23 +56,13 @@ void add_signature_command(CLI::App& app, int& exit_code)
   CLI::App* command =
     app.add_subcommand("signature", "Compute a shape descriptor of each mesh, for the command 'search'");
   const auto options = std::make_shared<Signature_options>();
-  command
-    ->add_option("IN", options->inputs,
-                 "Closed triangle meshes of genus 0 (.off, .obj, .ply or .stl), or folders of them")
-    ->type_name("FILE|FOLDER");
-  command->add_option("--list", options->list, "Text file with one more IN per line")->type_name("FILE");
+  add_collection_options(*command, *options);
   command
     ->add_option("-o,--output", options->output,
                  "Output file of the index: a database of SQLite, one row per mesh. If its extension is .csv: this\n"
                  "table of the rows, and next to it the index, .db")
     ->required()
     ->type_name("FILE");
-  command
-    ->add_option("-j,--jobs", options->jobs,
-                 "Number of meshes to process at the same time [all cores; with --mpi: 1 per process]")
-    ->check(CLI::Range(1, 4096));
-  command->add_flag("--mpi", options->uses_mpi,
-                    "Share the work among the processes of mpirun: mpirun -n N spherical-parameterization ... --mpi");
   command->footer("Meshes without a signature have a row that says why. The same command resumes a run that was\n"
                   "stopped, and brings an index up to date: only new and edited meshes are computed, rows of other\n"
                   "meshes are removed.\n"

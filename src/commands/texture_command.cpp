@@ -2,13 +2,13 @@
 // Part of CGAL Spherical Parameterization.
 
 #include "commands/commands.h"
+#include "commands/mesh_command.h"
 
 #include "input/files.h"
 #include "mapping/mapped_mesh.h"
 #include "options/usage.h"
 #include "output/atomic_file.h"
 #include "output/write_mesh.h"
-#include "system/guarded.h"
 #include "system/interruption.h"
 
 #include <CGAL/Spherical_parameterization/texture_coordinates.h>
@@ -18,9 +18,9 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <iostream>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -30,8 +30,7 @@ namespace {
 namespace SP = CGAL::Spherical_parameterization;
 namespace fs = std::filesystem;
 
-struct Texture_command_options : Mapping_options {
-  std::string output;
+struct Texture_command_options : Mesh_options {
   std::string chart = "latitude-longitude";
   std::optional<std::array<double, 3>> north;
   std::string image;
@@ -43,16 +42,23 @@ std::string beside(const std::string& output, const char* extension)
   return fs::path(output).replace_extension(extension).string();
 }
 
-void check(const Texture_command_options& options)
+std::vector<File_option> texture_inputs(const Texture_command_options& options)
+{
+  std::vector<File_option> files = input_files(options);
+  files.emplace_back("--image", options.image);
+  return files;
+}
+
+std::vector<File_option> texture_outputs(const Texture_command_options& options)
+{
+  return {{"--output", options.output},
+          {"the material", beside(options.output, ".mtl")},
+          {"the image", options.image.empty() ? beside(options.output, ".png") : ""}};
+}
+
+void check_texture_options(const Texture_command_options& options)
 {
   require_extension("--output", options.output, {".obj"});
-  std::vector<File_option> inputs = input_files(options),
-                           outputs = {{"--output", options.output}, {"the material", beside(options.output, ".mtl")}};
-  if(options.image.empty())
-    outputs.emplace_back("the image", beside(options.output, ".png"));
-  else
-    inputs.emplace_back("--image", options.image);
-  check_files(inputs, outputs);
   if(options.north) {
     const auto& n = *options.north;
     const double length = std::hypot(n[0], n[1], n[2]);
@@ -80,22 +86,27 @@ SP::Texture_options texture_options(const Texture_command_options& options)
   return result;
 }
 
-void print(const Texture_command_options& options, const SP::Texture_report& report)
+void say(const Texture_command_options& options, const SP::Texture_report& report, Outcome& outcome)
 {
-  std::cout.precision(3);
+  std::ostringstream line, more;
+  line.precision(3);
+  more.precision(3);
   const auto& north = report.axes.north;
-  std::cout << options.output << ": every face has a place in the texture; north pole at " << north[0] << ' '
-            << north[1] << ' ' << north[2] << ", " << report.seam_faces << " faces across the seam";
+  line << "every face has a place in the texture; north pole at " << north[0] << ' ' << north[1] << ' ' << north[2]
+       << ", " << report.seam_faces << " faces across the seam";
   if(report.moved_faces > 0)
-    std::cout << '\n'
-              << report.moved_faces << " faces have a moved corner, at most " << report.largest_move
-              << " away from that of their neighbours: " << report.unresolved_faces
-              << " are smaller than the resolution of floats, " << report.moved_faces - report.unresolved_faces
-              << " are too long and thin for the chart";
-  std::cout << std::endl;
+    more << '\n'
+         << report.moved_faces << " faces have a moved corner, at most " << report.largest_move
+         << " away from that of their neighbours: " << report.unresolved_faces
+         << " are smaller than the resolution of floats, " << report.moved_faces - report.unresolved_faces
+         << " are too long and thin for the chart";
+  outcome.line = line.str();
+  if(report.moved_faces > 0)
+    outcome.line += ", " + std::to_string(report.moved_faces) + " faces with a moved corner";
+  outcome.text = options.output + ": " + line.str() + more.str();
 }
 
-void texture(const Texture_command_options& options)
+void texture(const Texture_command_options& options, Outcome& outcome)
 {
   if(!options.image.empty())
     check_readable(options.image);
@@ -117,8 +128,11 @@ void texture(const Texture_command_options& options)
     write_checker(png->stream(), 32, options.chart == "octahedral" ? 32 : 16);
   stop_if_interrupted(options.input);
   Atomic_file::commit_all({png.get(), &mtl, &obj});
-  print(options, report);
+  say(options, report, outcome);
 }
+
+const Mesh_command<Texture_command_options> texture_command = {
+  {"obj"}, {}, check_texture_options, texture_inputs, texture_outputs, texture};
 
 } // namespace
 
@@ -127,12 +141,14 @@ void add_texture_command(CLI::App& app, int& exit_code)
   CLI::App* command =
     app.add_subcommand("texture", "Give a mesh texture coordinates, without flipped or degenerate faces");
   const auto options = std::make_shared<Texture_command_options>();
+  add_mesh_options(*command, texture_command, *options);
   add_mapping_options(*command, *options);
   add_sphere_option(*command, *options);
   command
     ->add_option(
       "-o,--output", options->output,
-      "Output file of the textured mesh: .obj. The material is written to .mtl and a checker to .png, next to it")
+      "Output file of the textured mesh: .obj. The material is written to .mtl and a checker to .png, next to it. "
+      "Of several IN: a folder")
     ->required()
     ->type_name("FILE");
   command->add_option("--chart", options->chart, "Parameterization of the sphere over the plane")
@@ -144,10 +160,8 @@ void add_texture_command(CLI::App& app, int& exit_code)
   command->footer("Example: spherical-parameterization texture bunny.ply -o textured.obj --chart octahedral\n"
                   "Exit code: 0 the files were written, 1 nothing was written (stderr says why), 2 wrong usage,\n"
                   "130 interrupted.");
-  command->callback([options, &exit_code] {
-    check(*options);
-    exit_code = exit_code_of(guarded(options->input, [&] { texture(*options); }));
-  });
+  command->callback(
+    [options, command, &exit_code] { exit_code = run_mesh_command(*command, texture_command, *options); });
 }
 
 } // namespace tool

@@ -102,6 +102,7 @@ void add_view_command(CLI::App& app, int& exit_code)
 {
   CLI::App* command = app.add_subcommand("view", "Write a page to look at: a mesh and its sphere, in one HTML file");
   const auto options = std::make_shared<View_options>();
+  add_input_option(*command, *options);
   add_mapping_options(*command, *options);
   add_sphere_option(*command, *options);
   command->add_option("-o,--output", options->output, "Output file: .html [IN with that extension, in this folder]")

@@ -74,23 +74,28 @@ bool is_mesh_file(const std::string& file)
   return extension == ".off" || extension == ".obj" || extension == ".ply" || extension == ".stl";
 }
 
-std::vector<std::string> list_meshes(const std::vector<std::string>& inputs, const std::string& list)
+std::vector<std::string> named_inputs(const std::vector<std::string>& inputs, const std::string& list)
 {
   std::vector<std::string> names = inputs;
-  if(!list.empty()) {
-    std::ifstream in(list);
-    if(!in)
-      throw Refusal(unreadable_file, list, "cannot be read", "check the name");
-    for(std::string line; std::getline(in, line);) {
-      if(!line.empty() && line.back() == '\r')
-        line.pop_back();
-      if(!line.empty())
-        names.push_back(line);
-    }
+  if(list.empty())
+    return names;
+  std::ifstream in(list);
+  if(!in)
+    throw Refusal(unreadable_file, list, "cannot be read", "check the name");
+  for(std::string line; std::getline(in, line);) {
+    if(!line.empty() && line.back() == '\r')
+      line.pop_back();
+    if(!line.empty())
+      names.push_back(line);
   }
+  return names;
+}
+
+std::vector<std::string> list_meshes(const std::vector<std::string>& inputs, const std::string& list)
+{
   std::vector<std::string> files;
   std::set<std::string> known;
-  for(const std::string& name : names) {
+  for(const std::string& name : named_inputs(inputs, list)) {
     std::error_code none;
     for(const std::string& file : fs::is_directory(name, none) ? meshes_in(name) : std::vector<std::string>{name}) {
       if(file.find_first_of("\n\r") != std::string::npos)

@@ -5,7 +5,11 @@
 
 #include "options/mapping_options.h"
 
+#include <map>
+#include <mutex>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 namespace tool {
 
@@ -65,7 +69,15 @@ SP::Any_policy make_policy(const Mapping_options& options)
     const Precision precision = options.precision == "double"   ? Precision::DOUBLE
                                 : options.precision == "single" ? Precision::SINGLE
                                                                 : Precision::AUTOMATIC;
-    return SP::opencl_device(SP::find_opencl_device(options.device), precision);
+    // One for all meshes, whose kernels are compiled once. Drivers crash if two threads start them, or after main().
+    static std::mutex mutex;
+    static auto& devices = *new std::map<std::pair<std::string, Precision>, SP::OpenCL_device>;
+    const std::lock_guard<std::mutex> lock(mutex);
+    const std::pair key(options.device, precision);
+    auto device = devices.find(key);
+    if(device == devices.end())
+      device = devices.emplace(key, SP::opencl_device(SP::find_opencl_device(options.device), precision)).first;
+    return device->second;
   }
 #endif
   throw std::invalid_argument("unknown policy '" + options.policy + "'");

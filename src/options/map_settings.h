@@ -43,7 +43,7 @@ struct Map_settings {
 Map_settings map_settings(const Mapping_options& options);
 
 /// The policy. Looks for a device only if it is for the policy, since drivers take their time to start. Throws an
-/// `OpenCL_error` if there is no such device.
+/// `OpenCL_error` if there is no such device. Can be called on any threads.
 CGAL::Spherical_parameterization::Any_policy make_policy(const Mapping_options& options);
 
 } // namespace tool

@@ -94,11 +94,15 @@ const std::string& default_policy_name()
   return name;
 }
 
-void add_mapping_options(CLI::App& command, Mapping_options& options)
+void add_input_option(CLI::App& command, Mapping_options& options)
 {
   command.add_option("IN", options.input, "Closed triangle mesh of genus 0: .off, .obj, .ply or .stl")
     ->required()
     ->type_name("FILE");
+}
+
+void add_mapping_options(CLI::App& command, Mapping_options& options)
+{
   command.add_flag("--triangulate", options.triangulate, "Triangulate the polygons of IN instead of refusing them");
 
   std::string group = "Weights"; // those in groups say how to map

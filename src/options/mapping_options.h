@@ -51,7 +51,10 @@ struct Mapping_options {
   std::optional<double> max_time;
 };
 
-/// IN, and everything that says how to map it.
+/// IN, of a command that takes one mesh. `add_collection_options()` is for those that take many.
+void add_input_option(CLI::App& command, Mapping_options& options);
+
+/// Everything that says how to map it.
 void add_mapping_options(CLI::App& command, Mapping_options& options);
 
 /// --sphere, which excludes everything that says how to map. To be called after `add_mapping_options()`.

@@ -13,8 +13,14 @@
 
 namespace tool {
 
+namespace {
+
+const std::string before_process = ".part";
+
+} // namespace
+
 Atomic_file::Atomic_file(const std::string& file)
-  : file_(file), temporary_(file + ".part" + std::to_string(getpid())) // same folder: renaming must not copy
+  : file_(file), temporary_(file + before_process + std::to_string(getpid())) // same folder: renaming must not copy
 {
   errno = 0;
   out_.open(temporary_, std::ios::binary | std::ios::trunc);
@@ -27,6 +33,27 @@ Atomic_file::~Atomic_file()
   out_.close();
   std::error_code ignored; // after commit() there is nothing left to remove
   std::filesystem::remove(temporary_, ignored);
+}
+
+void Atomic_file::create_folder(const std::string& folder)
+{
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if(error)
+    throw Refusal("UNWRITABLE_FILE", folder, "cannot be created (" + error.message() + ")",
+                  "check the folder above it, and its permissions");
+}
+
+void Atomic_file::remove_leftovers(const std::string& folder, const std::function<bool(const std::string&)>& is_ours)
+{
+  std::error_code none; // what cannot be looked at stays
+  for(std::filesystem::recursive_directory_iterator it(folder, none), end; it != end; it.increment(none)) {
+    const std::string file = it->path().string();
+    const std::size_t process = file.rfind(before_process);
+    if(process != std::string::npos && is_ours(file.substr(0, process)) &&
+       file.find_first_not_of("0123456789", process + before_process.size()) == std::string::npos)
+      std::filesystem::remove(it->path(), none);
+  }
 }
 
 void Atomic_file::commit() { commit_all({this}); }

@@ -5,6 +5,7 @@
 #define SPHERICAL_PARAMETERIZATION_TOOL_ATOMIC_FILE_H
 
 #include <fstream>
+#include <functional>
 #include <initializer_list>
 #include <ostream>
 #include <string>
@@ -24,6 +25,13 @@ public:
   Atomic_file& operator=(const Atomic_file&) = delete;
 
   std::ostream& stream() { return out_; }
+
+  /// Creates a folder for such files, with those above it, if it is not there. Throws a `Refusal`.
+  static void create_folder(const std::string& folder);
+
+  /// Removes what a process that was killed has left in a folder and its subfolders: temporary files of those files
+  /// that `is_ours` says no other process writes.
+  static void remove_leftovers(const std::string& folder, const std::function<bool(const std::string&)>& is_ours);
 
   /// Gives the file its name, or throws a `Refusal` if not all of it could be written.
   void commit();

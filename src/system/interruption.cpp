@@ -25,8 +25,9 @@ namespace tool {
 
 void watch_for_interruption()
 {
-  for(const int signal : {SIGINT, SIGTERM})
-    std::signal(signal, note_interruption);
+  if(!was_interrupted())
+    for(const int signal : {SIGINT, SIGTERM})
+      std::signal(signal, note_interruption);
 }
 
 bool was_interrupted() { return noted_signal != 0; }

@@ -4,6 +4,7 @@
 #include "system/progress_bar.h"
 
 #include <algorithm>
+#include <atomic>
 #include <iostream>
 #include <string>
 
@@ -27,14 +28,24 @@ std::size_t width_of_bar()
   return std::clamp(columns, smallest + other_columns, largest + other_columns) - other_columns;
 }
 
+std::atomic<bool> is_there(false); ///< a bar
+
 } // namespace
 
-Progress_bar::Progress_bar() : width_(width_of_bar()) {}
+Progress_bar::Progress_bar() : is_only_one_(!is_there.exchange(true)), width_(is_only_one_ ? width_of_bar() : 0) {}
 
 Progress_bar::~Progress_bar()
 {
+  hide();
+  if(is_only_one_)
+    is_there = false;
+}
+
+void Progress_bar::hide()
+{
   if(percent_ >= 0)
     std::cerr << "\r\033[K" << std::flush; // leaves the line as it was
+  percent_ = -1;
 }
 
 void Progress_bar::show(double fraction)

@@ -8,7 +8,7 @@
 
 namespace tool {
 
-/// A bar on stderr while it lives, if stderr is a terminal; otherwise nothing.
+/// A bar on stderr while it lives, if stderr is a terminal and there is no other bar; otherwise nothing.
 class Progress_bar {
 public:
   Progress_bar();
@@ -20,7 +20,11 @@ public:
   /// `fraction` of the work, between 0 and 1.
   void show(double fraction);
 
+  /// Until it is shown again: leaves the line to something else.
+  void hide();
+
 private:
+  bool is_only_one_;
   std::size_t width_; ///< of the bar without the brackets and the number; 0: there is no terminal
   int percent_ = -1;
 };

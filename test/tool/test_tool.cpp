@@ -278,7 +278,6 @@ TEST_CASE("map: files that are broken are refused", "[tool]")
     return scratch / name;
   };
   check_refused(scratch, scratch / "not_there.off", "");
-  check_refused(scratch, scratch.folder(), "");
   check_refused(scratch, broken("empty_file.off", ""), "");
   check_refused(scratch, broken("cut.off", good.substr(0, good.size() / 2)), "");
   check_refused(scratch, broken("cut.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2"), "");

@@ -47,8 +47,8 @@ TEST_CASE("usage: an unknown option is named before what is missing", "[tool][us
 
 TEST_CASE("usage: unexpected arguments come in the order in which they were typed", "[tool][usage]")
 {
-  check_usage({"map", "a.off", "-o", "b.off", "one", "two", "three"}, {"unexpected", "one two three"});
-  check_usage({"map", "a.off", "one", "two"}, {"unexpected", "one two"});
+  check_usage({"view", "a.off", "-o", "b.html", "one", "two", "three"}, {"unexpected", "one two three"});
+  check_usage({"view", "a.off", "one", "two"}, {"unexpected", "one two"});
 }
 
 TEST_CASE("usage: what is missing is wrong usage", "[tool][usage]")

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "collections/signature_batch.h"
+#include "collections/signatures.h"
 
+#include "collections/batch.h"
 #include "input/mesh.h"
 #include "mapping/spherical_map.h"
 #include "output/atomic_file.h"
 #include "output/csv.h"
 #include "system/error_code_names.h"
 #include "system/interruption.h"
+#include "system/progress_bar.h"
 #include "system/refusal.h"
 
 #include <algorithm>
@@ -18,8 +20,6 @@
 #include <iterator>
 #include <new>
 #include <ostream>
-#include <system_error>
-#include <thread>
 #include <utility>
 
 namespace tool {
@@ -36,9 +36,7 @@ bool has_map(Error_code code)
 /// Fills `row` but for its name. Throws; leaves the signature out if it is interrupted.
 void sign(const std::string& file, Signature_row& row)
 {
-  row.version = version_of(file); // a change from here on makes it another one
-  if(row.version.bytes >= 0)      // a pipe has no end
-    row.version.hash = content_hash(file);
+  row.version = version_with_hash(file);
   const Mesh mesh = read_mesh(file).mesh;
   row.vertices = mesh.number_of_vertices();
   const auto compute = [&](Sphere& sphere, const auto& weights) {
@@ -123,64 +121,38 @@ std::optional<Signature_row> sign_mesh(const std::string& file)
   return row;
 }
 
-Signature_batch::Signature_batch(const std::vector<std::string>& meshes, const std::string& output)
-  : meshes_(meshes), output_(output), index_(index_of(output), Database::Access::WRITE)
+Batch_summary update_index(const std::vector<std::string>& meshes, const std::string& output, int threads)
 {
-  std::copy_if(meshes.begin(), meshes.end(), std::back_inserter(missing_),
-               [this](const std::string& mesh) { return !index_.is_current(mesh); });
-  bar_.emplace();
-}
-
-std::optional<std::string> Signature_batch::next()
-{
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if(error_ || was_interrupted() || started_ == missing_.size())
-    return std::nullopt;
-  return missing_[started_++];
-}
-
-void Signature_batch::add(const Signature_row& row)
-{
-  const std::lock_guard<std::mutex> lock(mutex_);
-  try {
-    index_.put(row);
-    ++finished_;
-    bar_->show(1 - static_cast<double>(missing_.size() - finished_) / static_cast<double>(meshes_.size()));
-  } catch(...) {
-    error_ = std::current_exception();
-  }
-}
-
-void Signature_batch::work()
-{
-  try {
-    while(const std::optional<std::string> mesh = next())
-      if(const std::optional<Signature_row> row = sign_mesh(*mesh))
-        add(*row);
-  } catch(...) { // whatever is wrong with a mesh is in its row: this is about the program, as when memory runs out
-    const std::lock_guard<std::mutex> lock(mutex_);
-    error_ = std::current_exception();
-  }
-}
-
-Batch_summary Signature_batch::finish()
-{
-  bar_.reset();
-  if(error_)
-    std::rethrow_exception(error_);
+  Shape_index index(index_of(output), Database::Access::WRITE);
+  std::vector<std::string> missing;
+  std::copy_if(meshes.begin(), meshes.end(), std::back_inserter(missing),
+               [&index](const std::string& mesh) { return !index.is_current(mesh); });
   Batch_summary summary;
-  summary.meshes = meshes_.size();
-  summary.resumed = meshes_.size() - missing_.size();
-  if(finished_ < missing_.size())
-    throw Refusal("INTERRUPTED", output_,
-                  "interrupted with " + std::to_string(summary.resumed + finished_) + " rows done",
+  summary.meshes = meshes.size();
+  summary.resumed = meshes.size() - missing.size();
+  std::size_t finished = summary.resumed;
+  {
+    Progress_bar bar;
+    run_batch(missing.size(), threads, [&](std::size_t i) -> Store {
+      const std::optional<Signature_row> row = sign_mesh(missing[i]);
+      if(!row)
+        return nullptr;
+      return [&index, &finished, &bar, &meshes, row] {
+        index.put(*row);
+        bar.show(static_cast<double>(++finished) / static_cast<double>(meshes.size()));
+      };
+    });
+  }
+  if(finished < meshes.size())
+    throw Refusal("INTERRUPTED", output, "interrupted with " + std::to_string(finished) + " rows done",
                   "the same command resumes from there");
-  summary.removed = index_.keep_only(meshes_);
+
+  summary.removed = index.keep_only(meshes);
   std::optional<Atomic_file> table;
-  if(output_ != index_of(output_))
-    write_csv_header(table.emplace(output_).stream());
-  for(const std::string& mesh : meshes_) {
-    const Signature_row row = index_.row(mesh).value();
+  if(output != index_of(output))
+    write_csv_header(table.emplace(output).stream());
+  for(const std::string& mesh : meshes) {
+    const Signature_row row = index.row(mesh).value();
     if(table)
       write_csv(table->stream(), row);
     if(!row.signature)
@@ -189,20 +161,6 @@ Batch_summary Signature_batch::finish()
   if(table)
     table->commit();
   return summary;
-}
-
-void run_on_threads(int threads, const std::function<void()>& work)
-{
-  std::vector<std::thread> others;
-  others.reserve(static_cast<std::size_t>(threads - 1));
-  try {
-    for(int i = 1; i < threads; ++i)
-      others.emplace_back(work);
-  } catch(const std::system_error&) { // there are no more of them
-  }
-  work();
-  for(std::thread& other : others)
-    other.join();
 }
 
 } // namespace tool

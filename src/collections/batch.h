@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef SPHERICAL_PARAMETERIZATION_TOOL_BATCH_H
+#define SPHERICAL_PARAMETERIZATION_TOOL_BATCH_H
+
+#include <cstddef>
+#include <functional>
+
+namespace tool {
+
+/// Stores what was computed; empty if there is nothing, as after an interruption.
+typedef std::function<void()> Store;
+
+/// Calls `compute(i)` for all i below `count`, on this thread and so many more that they are `threads`, or as many as
+/// the system has; and what it returns, once, on one thread at a time.
+///
+/// Begins no more of them after SIGINT or SIGTERM, if they are watched for, and after an exception, the first of which
+/// it throws when all threads have ended.
+void run_batch(std::size_t count, int threads, const std::function<Store(std::size_t)>& compute);
+
+} // namespace tool
+
+#endif // SPHERICAL_PARAMETERIZATION_TOOL_BATCH_H

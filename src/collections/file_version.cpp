@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#include "collections/file_version.h"
+
+#include "collections/database.h"
+#include <boost/algorithm/hex.hpp>
+
+#include <array>
+#include <fstream>
+#include <iterator>
+
+#include <sys/stat.h>
+
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+namespace tool {
+namespace {
+
+/// XXH128 in hexadecimal digits, as `xxhsum -H2` prints it. It is as quick as memory, and guards against edits, not
+/// against forgers.
+std::string content_hash(const std::string& file)
+{
+  XXH3_state_t state;
+  XXH3_128bits_reset(&state);
+  std::array<char, 1 << 16> buffer;
+  std::ifstream in(file, std::ios::binary);
+  while(in.read(buffer.data(), buffer.size()) || in.gcount() > 0)
+    XXH3_128bits_update(&state, buffer.data(), static_cast<std::size_t>(in.gcount()));
+  if(!in.eof())
+    return "";
+  XXH128_canonical_t bytes;
+  XXH128_canonicalFromHash(&bytes, XXH3_128bits_digest(&state));
+  std::string text;
+  boost::algorithm::hex_lower(std::begin(bytes.digest), std::end(bytes.digest), std::back_inserter(text));
+  return text;
+}
+
+} // namespace
+
+File_version version_of(const std::string& file)
+{
+  struct stat status = {};
+  if(stat(file.c_str(), &status) != 0 || !S_ISREG(status.st_mode))
+    return {};
+  constexpr std::int64_t nano = 1000000000;
+  return {status.st_size, status.st_ctim.tv_sec * nano + status.st_ctim.tv_nsec, ""};
+}
+
+File_version version_with_hash(const std::string& file)
+{
+  File_version version = version_of(file); // a change from here on makes it another one
+  if(version.bytes >= 0)                   // a pipe has no end
+    version.hash = content_hash(file);
+  return version;
+}
+
+bool is_current(Database& database, const std::string& name, const std::string& file)
+{
+  auto row = database.query("SELECT bytes, changed, hash FROM mesh "
+                            "WHERE name = ? AND status NOT IN ('OUT_OF_MEMORY', 'INTERRUPTED')",
+                            name);
+  const File_version now = version_of(file);
+  if(!row.next() || row.integer(0) != now.bytes)
+    return false;
+  if(row.integer(1) == now.changed)
+    return true;
+  if(row.text(2) != content_hash(file))
+    return false;
+  database.run("UPDATE mesh SET changed = ? WHERE name = ?", now.changed, name);
+  return true;
+}
+
+} // namespace tool

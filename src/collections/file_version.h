@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef SPHERICAL_PARAMETERIZATION_TOOL_FILE_VERSION_H
+#define SPHERICAL_PARAMETERIZATION_TOOL_FILE_VERSION_H
+
+#include <cstdint>
+#include <string>
+
+namespace tool {
+
+class Database;
+
+/// What an edited file differs in.
+struct File_version {
+  std::int64_t bytes = -1;   ///< -1: it is not there, or no regular file
+  std::int64_t changed = -1; ///< when, in nanoseconds; permissions are a change, too
+  std::string hash;          ///< of the contents; empty if they cannot be read
+};
+
+/// Of the file as it is now, without the hash.
+File_version version_of(const std::string& file);
+
+/// With the hash. The file may change meanwhile: then it has another version afterwards.
+File_version version_with_hash(const std::string& file);
+
+/// Whether the row `name` of the table `mesh` is about the file as it is now: its size and time of change are those of
+/// the columns `bytes` and `changed`; or its contents that of `hash`, and then the time in the row is set. Rows of what
+/// may succeed another time, for want of memory or time, are not current.
+bool is_current(Database& database, const std::string& name, const std::string& file);
+
+} // namespace tool
+
+#endif // SPHERICAL_PARAMETERIZATION_TOOL_FILE_VERSION_H

@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#include "collections/mesh_collection.h"
+
+#include "collections/batch.h"
+#include "collections/database.h"
+#include "collections/file_version.h"
+#include "input/files.h"
+#include "options/usage.h"
+#include "output/atomic_file.h"
+#include "system/guarded.h"
+#include "system/interruption.h"
+#include "system/progress_bar.h"
+#include "system/refusal.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <iostream>
+#include <iterator>
+#include <optional>
+#include <system_error>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+
+namespace tool {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path place_of(const fs::path& path)
+{
+  std::error_code error;
+  const fs::path result = fs::weakly_canonical(path.empty() ? "." : path, error);
+  return error ? fs::absolute(path).lexically_normal() : result;
+}
+
+/// Where files are: without links, but for the file itself. Remembers the last folder.
+class Places {
+public:
+  fs::path operator()(const fs::path& file)
+  {
+    if(file.parent_path() != parent_ || canonical_.empty()) {
+      parent_ = file.parent_path();
+      canonical_ = place_of(parent_);
+    }
+    return canonical_ / file.filename();
+  }
+
+private:
+  fs::path parent_, canonical_;
+};
+
+bool is_in(const fs::path& file, const fs::path& folder)
+{
+  return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first == folder.end();
+}
+
+fs::path common_folder(const fs::path& a, const fs::path& b)
+{
+  fs::path common;
+  const auto end = std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first;
+  for(auto part = a.begin(); part != end; ++part)
+    common /= *part;
+  return common;
+}
+
+/// Names of files in `root` by their places.
+std::vector<Item> named(const std::vector<std::pair<std::string, fs::path>>& files, const fs::path& root)
+{
+  std::unordered_map<std::string, int> count;
+  const auto name = [&root](fs::path place) { return place.replace_extension().lexically_relative(root).string(); };
+  for(const auto& [mesh, place] : files)
+    ++count[name(place)];
+  std::vector<Item> items;
+  for(const auto& [mesh, place] : files)
+    items.push_back({mesh, count[name(place)] == 1 ? name(place) : place.lexically_relative(root).string()});
+  return items;
+}
+
+/// What is known of an item.
+struct Item_row {
+  std::string status;  ///< "OK", or the code of a refusal
+  std::string message; ///< the line of the outcome, or that of the refusal
+  std::string line(const Item& item) const { return status == "OK" ? item.mesh + ": " + message : message; }
+};
+
+/// The file `meshes.db` of an output folder.
+class Results {
+public:
+  explicit Results(const std::string& folder) : database_(folder + "/meshes.db", format, Database::Access::WRITE) {}
+
+  /// None if it has to be computed.
+  std::optional<Item_row> current(const Item& item, const std::string& settings, const Job& job)
+  {
+    if(!is_current(database_, item.name, item.mesh))
+      return std::nullopt;
+    auto row =
+      database_.query("SELECT status, message, output_bytes FROM mesh WHERE name = ? AND mesh = ? AND settings = ?",
+                      item.name, item.mesh, settings);
+    if(!row.next() || row.integer(2) != size_of(job.outputs))
+      return std::nullopt;
+    return Item_row{row.text(0), row.text(1)};
+  }
+
+  /// Whether an earlier run has done it, if for another mesh or with other settings.
+  bool has(const Item& item) const { return database_.query("SELECT 1 FROM mesh WHERE name = ?", item.name).next(); }
+
+  void put(const Item& item, const File_version& version, const std::string& settings, const Job& job,
+           const Item_row& row)
+  {
+    database_.run("INSERT OR REPLACE INTO mesh VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?)", item.name, item.mesh, version.bytes,
+                  version.changed, version.hash, settings, row.status, row.message, size_of(job.outputs));
+  }
+
+private:
+  static constexpr Database::Format format = {0x53504d53, "the results of a folder of meshes", R"(
+    CREATE TABLE mesh(name TEXT PRIMARY KEY, mesh TEXT NOT NULL,
+      bytes INTEGER NOT NULL, changed INTEGER NOT NULL, hash TEXT NOT NULL, settings TEXT NOT NULL,
+      status TEXT NOT NULL, message TEXT NOT NULL, output_bytes INTEGER NOT NULL))"};
+
+  /// Of all files together, with -1 for one that is not there.
+  static std::int64_t size_of(const std::vector<std::string>& files)
+  {
+    std::int64_t sum = 0;
+    for(const std::string& file : files)
+      sum += version_of(file).bytes;
+    return sum;
+  }
+
+  Database database_;
+};
+
+/// Whether the reason is not the mesh, but what all meshes have in common: then there is no use in going on.
+bool concerns_all(const Refusal& refusal)
+{
+  return refusal.code() == "UNWRITABLE_FILE" || refusal.code() == "OPENCL_ERROR";
+}
+
+/// Settings, and versions of the files besides the mesh: another result is to be expected if any of them differs.
+std::string settings_of(const Collection& collection, const Job& job)
+{
+  std::string text = collection.settings;
+  for(const std::string& file : job.inputs) {
+    const File_version version = version_of(file);
+    text += '\n' + file + ' ' + std::to_string(version.bytes) + ' ' + std::to_string(version.changed);
+  }
+  return text;
+}
+
+void check_outputs(const Collection& collection)
+{
+  Places place;
+  std::unordered_map<std::string, std::string> files; // by place: what each is
+  for(const Item& item : collection.items) {
+    files.emplace(place(item.mesh).string(), "the mesh " + item.mesh);
+    for(const std::string& input : collection.job(item).inputs)
+      files.emplace(place(input).string(), input + ", which is read");
+  }
+  for(const Item& item : collection.items)
+    for(const std::string& output : collection.job(item).outputs) {
+      const auto [other, is_new] = files.emplace(place(output).string(), "an output for " + item.mesh);
+      require(is_new, "--output", "'" + output + "' would take the place of " + other->second);
+    }
+}
+
+} // namespace
+
+std::vector<Item> items_of(const Collection_options& options, const std::vector<File_option>& other_folders)
+{
+  fs::path root;
+  std::vector<fs::path> left_out;
+  for(const std::string& input : named_inputs(options.inputs, options.list)) {
+    std::error_code none;
+    const bool is_folder = fs::is_directory(input, none);
+    const fs::path place = place_of(is_folder ? fs::path(input) : fs::path(input).parent_path());
+    root = root.empty() ? place : common_folder(root, place);
+    for(const auto& [option, folder] : other_folders)
+      if(const fs::path other = place_of(folder); is_folder && !folder.empty() && is_in(other, place)) {
+        require(other != place, option, "'" + folder + "' is the folder of the meshes; name another one, or one in it");
+        left_out.push_back(other);
+      }
+  }
+  Places place;
+  std::vector<std::pair<std::string, fs::path>> files;
+  for(const std::string& mesh : options.meshes()) {
+    const fs::path there = place(mesh);
+    if(std::none_of(left_out.begin(), left_out.end(), [&](const fs::path& folder) { return is_in(there, folder); }))
+      files.emplace_back(mesh, there);
+  }
+  if(files.empty())
+    throw Refusal(unreadable_file, root.string(), "has no meshes but those of an earlier run", "name other meshes");
+  return named(files, root);
+}
+
+std::map<std::string, std::string> spheres_in(const std::string& folder)
+{
+  std::map<std::string, std::string> by_name;
+  if(folder.empty())
+    return by_name;
+  if(std::error_code none; !fs::is_directory(folder, none))
+    throw Refusal(unreadable_file, folder, "is no folder, and there are several meshes",
+                  "name the folder of their spheres");
+  std::vector<std::pair<std::string, fs::path>> files;
+  for(const std::string& mesh : list_meshes({folder}, ""))
+    files.emplace_back(mesh, mesh);
+  for(const Item& item : named(files, folder))
+    by_name.emplace(item.name, item.mesh);
+  return by_name;
+}
+
+int run_collection(const Collection& collection)
+{
+  watch_for_interruption();
+  check_outputs(collection);
+  const std::vector<Item>& items = collection.items;
+  std::optional<Results> results;
+  if(!collection.folder.empty()) {
+    Atomic_file::create_folder(collection.folder);
+    results.emplace(collection.folder);
+    std::unordered_set<std::string> ours; // nobody else's: there is one run at a time
+    for(const Item& item : items)
+      for(const std::string& output : collection.job(item).outputs)
+        ours.insert(output);
+    Atomic_file::remove_leftovers(collection.folder, [&ours](const std::string& file) { return ours.count(file) > 0; });
+  }
+
+  std::vector<std::optional<Item_row>> rows(items.size());
+  std::vector<std::size_t> missing;
+  std::vector<bool> is_outdated(items.size(), false);
+  for(std::size_t i = 0; i < items.size(); ++i) {
+    const Job job = collection.job(items[i]);
+    if(results)
+      rows[i] = results->current(items[i], settings_of(collection, job), job);
+    if(!rows[i]) {
+      missing.push_back(i);
+      is_outdated[i] = results && results->has(items[i]);
+    }
+  }
+  const std::size_t earlier = items.size() - missing.size();
+  std::size_t done = earlier;
+  {
+    Progress_bar bar;
+    std::size_t printed = 0;
+    const auto print = [&] { // in the order of the items, whatever the threads do
+      bar.hide();
+      for(; printed < items.size() && rows[printed]; ++printed)
+        std::cout << rows[printed]->line(items[printed]) << '\n';
+      flush_standard_output();
+      bar.show(static_cast<double>(done) / static_cast<double>(items.size()));
+    };
+    print();
+    run_batch(missing.size(), collection.threads, [&](std::size_t k) -> Store {
+      const std::size_t i = missing[k];
+      const Job job = collection.job(items[i]);
+      const std::string settings = settings_of(collection, job);
+      File_version version;
+      Outcome outcome;
+      outcome.refusal = guarded(items[i].mesh, [&] {
+        version = version_with_hash(items[i].mesh);
+        for(const fs::path output : job.outputs) {
+          std::error_code none;
+          if(is_outdated[i]) // if there is no new one, there is none
+            fs::remove(output, none);
+          Atomic_file::create_folder(output.parent_path().string());
+        }
+      });
+      if(!outcome.refusal)
+        outcome = job.run();
+      if(outcome.refusal && was_interrupted())
+        return nullptr;
+      if(outcome.refusal && concerns_all(*outcome.refusal))
+        throw Refusal(*outcome.refusal);
+      const Item_row row =
+        outcome.refusal ? Item_row{outcome.refusal->code(), outcome.refusal->what()} : Item_row{"OK", outcome.line};
+      return [&, i, job, settings, version, row] {
+        if(results)
+          results->put(items[i], version, settings, job, row);
+        rows[i] = row;
+        ++done;
+        print();
+      };
+    });
+  }
+  const std::string prefix = collection.folder.empty() ? "" : collection.folder + ": ";
+  if(done < items.size())
+    throw Refusal("INTERRUPTED", collection.folder.empty() ? items.front().mesh : collection.folder,
+                  "interrupted with " + std::to_string(done) + " of " + std::to_string(items.size()) + " meshes done",
+                  collection.folder.empty() ? "" : "the same command resumes from there");
+  const auto refused =
+    std::count_if(rows.begin(), rows.end(), [](const std::optional<Item_row>& row) { return row->status != "OK"; });
+  std::cout << prefix << items.size() << (items.size() == 1 ? " mesh, " : " meshes, ") << refused << " refused";
+  if(earlier > 0)
+    std::cout << ", " << earlier << " done by an earlier run";
+  std::cout << std::endl;
+  if(refused > 0)
+    std::cerr << "spherical-parameterization: " << prefix << refused << " of " << items.size()
+              << " meshes were refused; their lines on the standard output say why" << std::endl;
+  return refused > 0 ? 1 : 0;
+}
+
+} // namespace tool

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef SPHERICAL_PARAMETERIZATION_TOOL_MESH_COLLECTION_H
+#define SPHERICAL_PARAMETERIZATION_TOOL_MESH_COLLECTION_H
+
+#include "options/collection_options.h"
+#include "options/usage.h"
+#include "system/outcome.h"
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace tool {
+
+/// One mesh among many.
+struct Item {
+  std::string mesh; ///< its file, by the name that the user has for it
+  std::string name; ///< of its outputs: their path in the output folder, without extension
+};
+
+/// The meshes that the user means, but for those in the other folders, which are those of outputs and the like, if
+/// these are in a folder of IN. The name of an item is the path of the mesh below the folder that all of IN have in
+/// common, so that meshes of the same name in several folders do not meet; without the extension, unless two of them
+/// differ in that only.
+///
+/// Throws a `Refusal` if there is none, and `CLI::ValidationError` if one of the other folders is a folder of IN.
+std::vector<Item> items_of(const Collection_options& options, const std::vector<File_option>& other_folders);
+
+/// The mesh files of a folder and its subfolders, by the names of the items that they are the spheres of; none if there
+/// is no folder. Throws a `Refusal`.
+std::map<std::string, std::string> spheres_in(const std::string& folder);
+
+/// The work on an item.
+struct Job {
+  std::vector<std::string> inputs;  ///< files that it reads besides the mesh
+  std::vector<std::string> outputs; ///< files that it writes
+  std::function<Outcome()> run;     ///< called on any thread; does not throw
+};
+
+/// Work on many meshes.
+struct Collection {
+  std::string folder;   ///< of the outputs; empty: there are none, and what is done is not remembered
+  std::string settings; ///< all that the results depend on but for the files
+  std::vector<Item> items;
+  std::function<Job(const Item&)> job; ///< cheap
+  int threads;
+};
+
+/// Does the work that is not done: every item whose mesh, inputs, settings or outputs are not what the file `meshes.db`
+/// in the output folder says of an earlier run. It gets a row of the item, in a transaction, when the outputs have
+/// their names. Prints a line per item on stdout, in the order of the items and only when it is in `meshes.db`, and a
+/// summary.
+///
+/// Returns the exit code: 1 if a mesh was refused. What is not about a mesh, as a full disk, is thrown as a `Refusal`,
+/// and so is an interruption; outputs that would take the place of each other, or of what is read, as
+/// `CLI::ValidationError`, before any work.
+int run_collection(const Collection& collection);
+
+} // namespace tool
+
+#endif // SPHERICAL_PARAMETERIZATION_TOOL_MESH_COLLECTION_H

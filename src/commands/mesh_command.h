@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef SPHERICAL_PARAMETERIZATION_TOOL_MESH_COMMAND_H
+#define SPHERICAL_PARAMETERIZATION_TOOL_MESH_COMMAND_H
+
+#include "collections/mesh_collection.h"
+#include "options/collection_options.h"
+#include "options/mapping_options.h"
+#include "options/usage.h"
+#include "system/guarded.h"
+#include "system/outcome.h"
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace tool {
+
+/// The command line of a command that works on a mesh or on many, each by itself.
+struct Mesh_options : Mapping_options, Collection_options {
+  std::string output;
+  std::string format; ///< of the output, if that is a folder
+};
+
+/// A command that works on a mesh: `Options` is derived from `Mesh_options`.
+template <class Options>
+struct Mesh_command {
+  std::vector<std::string> formats;               ///< of the output, in a folder: the first one, or that of --format
+  std::vector<std::string Options::*> more_files; ///< those of the options that name further outputs
+
+  void (*check)(const Options&);                       ///< throws what is wrong usage
+  std::vector<File_option> (*inputs)(const Options&);  ///< the files that are read, IN first
+  std::vector<File_option> (*outputs)(const Options&); ///< the files that are written
+  void (*run)(const Options&, Outcome&);               ///< does it; throws
+
+  void check_one(const Options& options) const
+  {
+    check(options);
+    check_files(inputs(options), outputs(options));
+  }
+
+  Outcome run_one(const Options& options) const
+  {
+    Outcome outcome;
+    outcome.refusal = guarded(options.input, [&] { run(options, outcome); });
+    return outcome;
+  }
+};
+
+/// Adds IN, --list, --jobs, and --format if there is a choice.
+template <class Options>
+void add_mesh_options(CLI::App& command, const Mesh_command<Options>& mesh_command, Options& options)
+{
+  add_collection_options(command, options);
+  if(mesh_command.formats.size() > 1)
+    command
+      .add_option("--format", options.format,
+                  "Format of the outputs in a folder [" + mesh_command.formats.front() + "]")
+      ->check(CLI::IsMember(mesh_command.formats));
+}
+
+/// What was given on the command line, and the version of the program: all that results depend on besides the files.
+std::string settings_text(const CLI::App& command);
+
+/// Throws what is wrong usage of a folder of outputs.
+void check_output_folder(const std::string& folder);
+
+/// Runs the command on the mesh, or on the meshes: then OUT is a folder, and further outputs get the names that the
+/// options say behind the names of the meshes. Returns the exit code.
+template <class Options>
+int run_mesh_command(const CLI::App& command, const Mesh_command<Options>& mesh_command, Options options)
+{
+  check_collection_options(options);
+  if(!options.are_many(options.output)) {
+    require(options.format.empty(), "--format",
+            "requires a folder as --output; the extension of a file says its format");
+    options.input = options.inputs.front();
+    mesh_command.check_one(options);
+    const Outcome outcome = mesh_command.run_one(options);
+    if(!outcome.text.empty())
+      std::cout << outcome.text << std::endl;
+    return exit_code_of(outcome.refusal);
+  }
+
+  check_output_folder(options.output);
+  while(options.output.size() > 1 && options.output.back() == '/')
+    options.output.pop_back();
+  for(const auto file : mesh_command.more_files) {
+    require((options.*file).empty() || !options.output.empty(), "--output",
+            "is required: a folder for the files '" + options.*file + "' of several meshes");
+    require((options.*file).find('/') == std::string::npos, "--output",
+            "is a folder: '" + options.*file + "' goes behind the names of the meshes, and may not have a '/'");
+  }
+  const int threads = options.number_of_jobs();
+  if(const CLI::Option* policy = command.get_option_no_throw("--policy"); policy && policy->count() == 0 && threads > 1)
+    options.policy = "sequential"; // the other cores have meshes of their own
+  const std::string sphere_folder = options.sphere;
+  const std::map<std::string, std::string> spheres = spheres_in(sphere_folder);
+
+  const auto of_item = [&](const Item& item) {
+    Options one = options;
+    one.input = item.mesh;
+    if(!options.output.empty()) {
+      const std::string name = options.output + '/' + item.name + '.';
+      one.output = name + (options.format.empty() ? mesh_command.formats.front() : options.format);
+      for(const auto file : mesh_command.more_files)
+        if(!(one.*file).empty())
+          one.*file = name + options.*file;
+    }
+    if(const auto sphere = spheres.find(item.name); sphere != spheres.end())
+      one.sphere = sphere->second;
+    else if(!sphere_folder.empty())
+      one.sphere = sphere_folder + '/' + item.name + ".ply"; // which is missing
+    return one;
+  };
+  const auto files = [](const std::vector<File_option>& all) {
+    std::vector<std::string> names;
+    for(const auto& [option, file] : all)
+      if(!file.empty())
+        names.push_back(file);
+    return names;
+  };
+  const Collection collection = {
+    options.output, settings_text(command),
+    items_of(options, {{"--output", options.output}, {"--sphere", options.sphere}}),
+    [&](const Item& item) {
+      const Options one = of_item(item);
+      std::vector<std::string> inputs = files(mesh_command.inputs(one));
+      inputs.erase(inputs.begin());
+      return Job{inputs, files(mesh_command.outputs(one)), [&mesh_command, one] { return mesh_command.run_one(one); }};
+    },
+    threads};
+  mesh_command.check(of_item(collection.items.front()));
+  return run_collection(collection);
+}
+
+} // namespace tool
+
+#endif // SPHERICAL_PARAMETERIZATION_TOOL_MESH_COMMAND_H

@@ -5,6 +5,7 @@
 
 #include "mapping/mapped_mesh.h"
 #include "mapping/report.h"
+#include "options/mesh_output.h"
 #include "options/usage.h"
 #include "output/atomic_file.h"
 #include "output/write_mesh.h"
@@ -13,6 +14,7 @@
 
 #include <CGAL/Spherical_parameterization/distortion_summary.h>
 #include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
+#include <CGAL/Spherical_parameterization/measure_distortion.h>
 
 #include <CLI/CLI.hpp>
 
@@ -20,6 +22,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace tool {
 namespace {
@@ -28,15 +31,14 @@ namespace SP = CGAL::Spherical_parameterization;
 using SP::internal::Stopwatch;
 
 /// The command line of `map`.
-struct Map_options : Mapping_options {
-  std::string output;
+struct Map_options : Mapping_options, Mesh_output {
   std::string report;
   std::string stretch_ply;
 };
 
 void check_map_options(const Map_options& options)
 {
-  require_extension("--output", options.output, {".off", ".obj", ".ply"});
+  output_format(options);
   if(!options.stretch_ply.empty())
     require_extension("--stretch-ply", options.stretch_ply, {".ply"});
   check_files(input_files(options),
@@ -64,8 +66,10 @@ void print_certificate(const Map_options& options, const Mapped_mesh& input, con
   if(!result.fallback_reason.empty())
     std::cout << "earlier attempts failed: " << result.fallback_reason << '\n';
   std::cout << report.seconds_total << " s: read " << input.seconds_read << ", start map " << result.seconds.start_map
-            << ", solve " << result.seconds.solve << ", certify " << result.seconds.certify << ", write "
-            << report.seconds_write << '\n'
+            << ", solve " << result.seconds.solve << ", certify " << result.seconds.certify;
+  if(report.seconds_measure > 0)
+    std::cout << ", measure " << report.seconds_measure;
+  std::cout << ", write " << report.seconds_write << '\n'
             << "written: " << options.output << (options.stretch_ply.empty() ? "" : " and " + options.stretch_ply)
             << std::endl;
 }
@@ -80,16 +84,30 @@ void map(const Map_options& options, Mapped_mesh& input, Report& report)
   if(!options.report.empty())
     Atomic_file(options.report); // it is written at the end, also if there is no map
   map_input(options, input);
+  const Output_format format = output_format(options);
+  if(stores_floats(format.format))
+    certify_as_stored(options.output, format.format, input);
 
   if(!options.report.empty()) {
     const Stopwatch measuring;
-    report.distortion = SP::distortion_summary(input.mesh(), as_map(input.sphere));
+    report.distortion = on_host(
+      input, [&](const auto& policy) { return SP::distortion_summary(policy, input.mesh(), as_map(input.sphere)); });
     report.seconds_measure = measuring.seconds();
   }
+  std::vector<double> stretch;
+  if(stretch_file) {
+    const Stopwatch measuring;
+    stretch.resize(input.mesh().number_of_vertices());
+    on_host(input, [&](const auto& policy) {
+      return SP::vertex_log_area_stretch(policy, input.mesh(), as_map(input.sphere),
+                                         as_map<Mesh::Vertex_index>(stretch));
+    });
+    report.seconds_measure += measuring.seconds();
+  }
   const Stopwatch writing;
-  write_mesh(sphere_file.stream(), options.output, input.mesh(), input.sphere);
+  write_mesh(sphere_file.stream(), format, input.mesh(), input.sphere, Surface::SPHERE, input.file->annotations);
   if(stretch_file)
-    write_stretch_ply(stretch_file->stream(), input.mesh(), input.sphere);
+    write_stretch_ply(stretch_file->stream(), options.ascii, input.mesh(), stretch);
   stop_if_interrupted(options.input);
   Atomic_file::commit_all({stretch_file.get(), &sphere_file});
   report.seconds_write = writing.seconds();
@@ -121,12 +139,8 @@ void add_map_command(CLI::App& app, int& exit_code)
   CLI::App* command = app.add_subcommand("map", "Map a closed genus-0 triangle mesh to the sphere, certified");
   const auto options = std::make_shared<Map_options>();
   add_mapping_options(*command, *options);
-  command
-    ->add_option(
-      "-o,--output", options->output,
-      "Output file of the sphere: .off, .obj or .ply. Its vertices and faces are those of IN, in the same order")
-    ->required()
-    ->type_name("FILE");
+  add_mesh_output(*command, *options,
+                  "Output file of the sphere, whose vertices and faces are those of IN, in the same order");
   command
     ->add_option("--report", options->report,
                  "Write the certificate, distortion, times, memory and settings, or the error, as JSON")

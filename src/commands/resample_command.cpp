@@ -4,6 +4,7 @@
 #include "commands/commands.h"
 
 #include "mapping/mapped_mesh.h"
+#include "options/mesh_output.h"
 #include "options/usage.h"
 #include "output/atomic_file.h"
 #include "output/write_mesh.h"
@@ -24,17 +25,16 @@ namespace {
 
 namespace SP = CGAL::Spherical_parameterization;
 
-struct Resample_options : Mapping_options {
-  std::string output;
+struct Resample_options : Mapping_options, Mesh_output {
   std::string output_sphere;
   int level = 6;
 };
 
 void check(const Resample_options& options)
 {
-  require_extension("--output", options.output, {".off", ".obj", ".ply"});
+  output_format(options);
   if(!options.output_sphere.empty())
-    require_extension("--output-sphere", options.output_sphere, {".off", ".obj", ".ply"});
+    output_format_of_name("--output-sphere", options.output_sphere, options.ascii);
   check_files(input_files(options), {{"--output", options.output}, {"--output-sphere", options.output_sphere}});
   check_mapping_options(options);
 }
@@ -67,9 +67,10 @@ void resample(const Resample_options& options)
   std::vector<Point> points;
   for(const Point& direction : out.points())
     points.push_back(point_at(shape, direction));
-  write_mesh(file.stream(), options.output, out, points);
+  write_mesh(file.stream(), output_format(options), out, points, Surface::SHAPE, input.file->annotations);
   if(sphere_file)
-    write_mesh(sphere_file->stream(), options.output_sphere, out, out.points());
+    write_mesh(sphere_file->stream(), output_format_of_name("--output-sphere", options.output_sphere, options.ascii),
+               out, out.points(), Surface::SPHERE, input.file->annotations);
   stop_if_interrupted(options.input);
   Atomic_file::commit_all({sphere_file.get(), &file});
   std::cout << options.output << ": " << out.number_of_vertices() << " vertices, " << out.number_of_faces() << " faces"
@@ -84,9 +85,7 @@ void add_resample_command(CLI::App& app, int& exit_code)
   const auto options = std::make_shared<Resample_options>();
   add_mapping_options(*command, *options);
   add_sphere_option(*command, *options);
-  command->add_option("-o,--output", options->output, "Output file of the new mesh: .off, .obj or .ply")
-    ->required()
-    ->type_name("FILE");
+  add_mesh_output(*command, *options, "Output file of the new mesh");
   command
     ->add_option("--output-sphere", options->output_sphere,
                  "Write the icosphere as well: it is the map of the new mesh")

@@ -4,6 +4,7 @@
 #include "commands/commands.h"
 
 #include "mapping/mapped_mesh.h"
+#include "options/mesh_output.h"
 #include "options/usage.h"
 #include "output/atomic_file.h"
 #include "output/write_mesh.h"
@@ -31,6 +32,7 @@ namespace SP = CGAL::Spherical_parameterization;
 struct Segment_options : Mapping_options {
   std::string output;
   std::string labels;
+  bool ascii = false;
   std::optional<std::int64_t> segments;
 };
 
@@ -58,7 +60,7 @@ void segment(const Segment_options& options)
   if(!result)
     throw Refusal(name(result.error), options.input, get_error_message(result.error), result.detail);
 
-  write_segments_ply(ply.stream(), input.mesh(), segments, result.number_of_segments);
+  write_segments_ply(ply.stream(), options.ascii, input.mesh(), segments, result.number_of_segments);
   if(labels)
     for(const std::size_t segment : segments)
       labels->stream() << segment << '\n';
@@ -81,6 +83,7 @@ void add_segment_command(CLI::App& app, int& exit_code)
   command
     ->add_option("--labels", options->labels, "Write the segment number of each face, counted from 0, one per line")
     ->type_name("FILE");
+  add_ascii_option(*command, options->ascii);
   command->add_option("--segments", options->segments,
                       "Number of segments; fewer if the shape has fewer [all that the shape has]");
   command->footer("Example: spherical-parameterization segment bunny.ply -o segments.ply --labels labels.txt\n"

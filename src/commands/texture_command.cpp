@@ -4,12 +4,14 @@
 #include "commands/commands.h"
 
 #include "input/files.h"
+#include "input/mesh_format.h"
 #include "mapping/mapped_mesh.h"
 #include "options/usage.h"
 #include "output/atomic_file.h"
 #include "output/write_mesh.h"
 #include "system/guarded.h"
 #include "system/interruption.h"
+#include "system/refusal.h"
 
 #include <CGAL/Spherical_parameterization/texture_coordinates.h>
 
@@ -21,7 +23,9 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tool {
@@ -43,14 +47,18 @@ std::string beside(const std::string& output, const char* extension)
   return fs::path(output).replace_extension(extension).string();
 }
 
+/// Whether material and image are files of their own; glTF has them inside.
+bool is_obj(const Texture_command_options& options) { return format_of_name(options.output) == Mesh_format::OBJ; }
+
 void check(const Texture_command_options& options)
 {
-  require_extension("--output", options.output, {".obj"});
-  std::vector<File_option> inputs = input_files(options),
-                           outputs = {{"--output", options.output}, {"the material", beside(options.output, ".mtl")}};
-  if(options.image.empty())
+  require_extension("--output", options.output, {".obj", ".glb", ".gltf"});
+  std::vector<File_option> inputs = input_files(options), outputs = {{"--output", options.output}};
+  if(is_obj(options))
+    outputs.emplace_back("the material", beside(options.output, ".mtl"));
+  if(is_obj(options) && options.image.empty())
     outputs.emplace_back("the image", beside(options.output, ".png"));
-  else
+  if(!options.image.empty())
     inputs.emplace_back("--image", options.image);
   check_files(inputs, outputs);
   if(options.north) {
@@ -95,29 +103,71 @@ void print(const Texture_command_options& options, const SP::Texture_report& rep
   std::cout << std::endl;
 }
 
+int checker_rows(const Texture_command_options& options) { return options.chart == "octahedral" ? 32 : 16; }
+
+/// The texture coordinates, one per halfedge.
+std::pair<std::vector<Uv>, SP::Texture_report> coordinates(const Texture_command_options& options,
+                                                           const Mapped_mesh& input)
+{
+  std::vector<Uv> uv(3 * input.mesh().number_of_faces());
+  const SP::Texture_report report = SP::texture_coordinates(input.mesh(), as_map(input.sphere),
+                                                            as_map<Mesh::Halfedge_index>(uv), texture_options(options));
+  return {uv, report};
+}
+
+/// Mesh, material and image as three files.
+void texture_obj(const Texture_command_options& options, Mapped_mesh& input)
+{
+  Atomic_file obj(options.output), mtl(beside(options.output, ".mtl"));
+  const std::string image = options.image.empty() ? beside(options.output, ".png") : options.image;
+  const auto png = options.image.empty() ? std::make_unique<Atomic_file>(image) : nullptr;
+  map_input(options, input);
+  const auto [uv, report] = coordinates(options, input);
+
+  const fs::path folder = fs::absolute(options.output).parent_path();
+  write_textured_obj(obj.stream(), input.mesh(), uv, fs::path(beside(options.output, ".mtl")).filename().string());
+  write_material(mtl.stream(), fs::absolute(image).lexically_relative(folder).string());
+  if(png)
+    write_checker(png->stream(), 32, checker_rows(options));
+  stop_if_interrupted(options.input);
+  Atomic_file::commit_all({png.get(), &mtl, &obj});
+  print(options, report);
+}
+
+/// The image for glTF, which has it inside.
+std::string image_of(const Texture_command_options& options)
+{
+  if(options.image.empty()) {
+    std::ostringstream png;
+    write_checker(png, 32, checker_rows(options));
+    return png.str();
+  }
+  std::string image = read_file(options.image);
+  if(type_of_image(image).empty())
+    throw Refusal(unreadable_file, options.image, "is neither PNG nor JPEG, which is what glTF files can hold",
+                  "convert it, or write .obj");
+  return image;
+}
+
+void texture_gltf(const Texture_command_options& options, Mapped_mesh& input)
+{
+  Atomic_file file(options.output);
+  const std::string image = image_of(options);
+  map_input(options, input);
+  const auto [uv, report] = coordinates(options, input);
+  write_textured_gltf(file.stream(), *format_of_name(options.output), input.mesh(), uv, image);
+  stop_if_interrupted(options.input);
+  file.commit();
+  print(options, report);
+}
+
 void texture(const Texture_command_options& options)
 {
   if(!options.image.empty())
     check_readable(options.image);
   Mapped_mesh input;
   read_input(options, input);
-  Atomic_file obj(options.output), mtl(beside(options.output, ".mtl"));
-  const std::string image = options.image.empty() ? beside(options.output, ".png") : options.image;
-  const auto png = options.image.empty() ? std::make_unique<Atomic_file>(image) : nullptr;
-  map_input(options, input);
-
-  std::vector<Uv> uv(3 * input.mesh().number_of_faces());
-  const SP::Texture_report report = SP::texture_coordinates(input.mesh(), as_map(input.sphere),
-                                                            as_map<Mesh::Halfedge_index>(uv), texture_options(options));
-
-  const fs::path folder = fs::absolute(options.output).parent_path();
-  write_textured_obj(obj.stream(), input.mesh(), uv, fs::path(beside(options.output, ".mtl")).filename().string());
-  write_material(mtl.stream(), fs::absolute(image).lexically_relative(folder).string());
-  if(png)
-    write_checker(png->stream(), 32, options.chart == "octahedral" ? 32 : 16);
-  stop_if_interrupted(options.input);
-  Atomic_file::commit_all({png.get(), &mtl, &obj});
-  print(options, report);
+  (is_obj(options) ? texture_obj : texture_gltf)(options, input);
 }
 
 } // namespace
@@ -132,7 +182,8 @@ void add_texture_command(CLI::App& app, int& exit_code)
   command
     ->add_option(
       "-o,--output", options->output,
-      "Output file of the textured mesh: .obj. The material is written to .mtl and a checker to .png, next to it")
+      "Output file of the textured mesh: .glb or .gltf with the image inside, or .obj, with the material and a checker "
+      "next to it as .mtl and .png")
     ->required()
     ->type_name("FILE");
   command->add_option("--chart", options->chart, "Parameterization of the sphere over the plane")
@@ -140,7 +191,10 @@ void add_texture_command(CLI::App& app, int& exit_code)
     ->capture_default_str();
   command->add_option("--north", options->north, "North pole on the sphere [where the texture has least distortion]")
     ->type_name("X Y Z");
-  command->add_option("--image", options->image, "Image of the material, instead of a checker")->type_name("FILE");
+  command
+    ->add_option("--image", options->image,
+                 "Image of the material, instead of a checker; PNG or JPEG for .glb and .gltf")
+    ->type_name("FILE");
   command->footer("Example: spherical-parameterization texture bunny.ply -o textured.obj --chart octahedral\n"
                   "Exit code: 0 the files were written, 1 nothing was written (stderr says why), 2 wrong usage,\n"
                   "130 interrupted.");

@@ -96,7 +96,10 @@ const std::string& default_policy_name()
 
 void add_mapping_options(CLI::App& command, Mapping_options& options)
 {
-  command.add_option("IN", options.input, "Closed triangle mesh of genus 0: .off, .obj, .ply or .stl")
+  command
+    .add_option(
+      "IN", options.input,
+      "Closed triangle mesh of genus 0: OFF, OBJ, PLY, STL, GIFTI, FreeSurfer, GLB or glTF; - is the standard input")
     ->required()
     ->type_name("FILE");
   command.add_flag("--triangulate", options.triangulate, "Triangulate the polygons of IN instead of refusing them");

@@ -3,7 +3,9 @@
 
 #include "options/usage.h"
 
+#include "input/compression.h"
 #include "input/files.h"
+#include "input/mesh_format.h"
 
 #include <CLI/CLI.hpp>
 
@@ -158,7 +160,7 @@ void require(bool condition, const std::string& option, const std::string& rule)
 
 void require_extension(const std::string& option, const std::string& file, const std::vector<std::string>& extensions)
 {
-  const auto found = std::find(extensions.begin(), extensions.end(), lower_case_extension(file));
+  const auto found = std::find(extensions.begin(), extensions.end(), lower_case_extension(without_compression(file)));
   require(found != extensions.end(), option,
           "'" + file + "' must have the extension " + CLI::detail::join(extensions, " or "));
 }
@@ -169,6 +171,11 @@ void check_files(const std::vector<File_option>& inputs, const std::vector<File_
   for(const auto& [option, file] : outputs) {
     if(file.empty())
       continue;
+    if(file == standard_stream) { // which is another one for inputs
+      for(const auto& [other_option, other_file] : outputs)
+        require(other_file != standard_stream || other_option == option, option, "is the same file as " + other_option);
+      continue;
+    }
     require(can_be_replaced(file), option, "'" + file + "' exists and is not a regular file");
     for(const auto& [other_option, other_file] : files)
       require(other_file.empty() || !is_same_file(file, other_file), option, "is the same file as " + other_option);

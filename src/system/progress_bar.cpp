@@ -3,6 +3,8 @@
 
 #include "system/progress_bar.h"
 
+#include "system/standard_output.h"
+
 #include <algorithm>
 #include <iostream>
 #include <string>
@@ -19,7 +21,7 @@ constexpr std::size_t other_columns = 9;
 std::size_t width_of_bar()
 {
   constexpr std::size_t smallest = 10, largest = 60, columns_if_unknown = 80;
-  if(isatty(STDERR_FILENO) != 1)
+  if(is_quiet() || isatty(STDERR_FILENO) != 1)
     return 0;
   winsize size = {};
   const bool is_known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;

@@ -128,7 +128,7 @@ Signature_batch::Signature_batch(const std::vector<std::string>& meshes, const s
 {
   std::copy_if(meshes.begin(), meshes.end(), std::back_inserter(missing_),
                [this](const std::string& mesh) { return !index_.is_current(mesh); });
-  bar_.emplace();
+  bar_.emplace("signatures");
 }
 
 std::optional<std::string> Signature_batch::next()

@@ -11,6 +11,7 @@
 #include "output/write_mesh.h"
 #include "system/guarded.h"
 #include "system/interruption.h"
+#include "system/standard_output.h"
 
 #include <CGAL/Spherical_parameterization/distortion_summary.h>
 #include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
@@ -49,12 +50,12 @@ void check_map_options(const Map_options& options)
 void print_certificate(const Map_options& options, const Mapped_mesh& input, const Report& report)
 {
   const SP::Result& result = input.result;
+  const std::string name = shown(options.input, "standard input");
   std::cout.precision(3);
   if(input.file->triangulated_polygons > 0)
     std::cout << input.file->triangulated_polygons
-              << " polygons were triangulated, so the faces of the sphere are not those of " << options.input << '\n';
-  std::cout << options.input << ": " << result.number_of_vertices << " vertices, " << result.number_of_faces
-            << " faces\n"
+              << " polygons were triangulated, so the faces of the sphere are not those of " << name << '\n';
+  std::cout << name << ": " << result.number_of_vertices << " vertices, " << result.number_of_faces << " faces\n"
             << "valid spherical map: " << result.flipped_faces << " flipped faces, degree " << result.degree
             << ", residual " << result.residual << '\n'
             << (options.method == "automatic" ? "automatic: " : "") << result.method << ", "
@@ -65,13 +66,21 @@ void print_certificate(const Map_options& options, const Mapped_mesh& input, con
   std::cout << '\n';
   if(!result.fallback_reason.empty())
     std::cout << "earlier attempts failed: " << result.fallback_reason << '\n';
+  if(is_verbose()) {
+    for(const SP::Result::Attempt& attempt : result.attempts)
+      std::cout << "tried " << attempt.method << " for " << attempt.seconds.total
+                << " s: " << get_error_message(attempt.error) << (attempt.detail.empty() ? "" : ": " + attempt.detail)
+                << '\n';
+    std::cout << "smallest area " << result.smallest_area << ", smallest edge " << result.smallest_edge
+              << " roundings; peak memory " << double(peak_memory_bytes()) / 1e6 << " MB\n";
+  }
   std::cout << report.seconds_total << " s: read " << input.seconds_read << ", start map " << result.seconds.start_map
             << ", solve " << result.seconds.solve << ", certify " << result.seconds.certify;
   if(report.seconds_measure > 0)
     std::cout << ", measure " << report.seconds_measure;
   std::cout << ", write " << report.seconds_write << '\n'
-            << "written: " << options.output << (options.stretch_ply.empty() ? "" : " and " + options.stretch_ply)
-            << std::endl;
+            << "written: " << shown(options.output, "standard output")
+            << (options.stretch_ply.empty() ? "" : " and " + options.stretch_ply) << std::endl;
 }
 
 /// Either all of the files get their names or none.

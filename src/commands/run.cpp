@@ -27,6 +27,7 @@ int run(int argc, char** argv)
              "Example: spherical-parameterization map bunny.ply -o sphere.off --stretch-ply stretch.ply");
   app.require_subcommand(1);
   app.add_flag_callback("-q,--quiet", be_quiet, "Print nothing but errors");
+  app.add_flag_callback("-v,--verbose", be_verbose, "Print what was tried, with its outcome and time, and the memory");
   app.fallthrough(); // behind the command, too
   add_map_command(app, exit_code);
   add_segment_command(app, exit_code);

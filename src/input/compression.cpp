@@ -30,8 +30,9 @@ struct Kind {
 
 using namespace std::string_view_literals;
 constexpr Kind kinds[] = {{Compression::GZIP, ".gz", "\x1f\x8b"sv},
-                          {Compression::XZ, ".xz", "\xfd"
-                                                   "7zXZ\0"sv},
+                          {Compression::XZ, ".xz",
+                           "\xfd"
+                           "7zXZ\0"sv},
                           {Compression::ZSTD, ".zst", "\x28\xb5\x2f\xfd"sv},
                           {Compression::BZIP2, ".bz2", "BZh"sv}};
 
@@ -93,10 +94,10 @@ std::string decompressed(const std::string& file, const std::string& bytes, Comp
   constexpr std::size_t largest_ratio = 1000;
   io::filtering_istreambuf source;
   switch(compression) {
-  case Compression::NONE:  break;
-  case Compression::GZIP:  source.push(io::gzip_decompressor()); break;
-  case Compression::XZ:    source.push(io::lzma_decompressor()); break;
-  case Compression::ZSTD:  source.push(io::zstd_decompressor()); break;
+  case Compression::NONE: break;
+  case Compression::GZIP: source.push(io::gzip_decompressor()); break;
+  case Compression::XZ: source.push(io::lzma_decompressor()); break;
+  case Compression::ZSTD: source.push(io::zstd_decompressor()); break;
   case Compression::BZIP2: source.push(io::bzip2_decompressor()); break;
   }
   source.push(io::array_source(bytes.data(), bytes.size()));

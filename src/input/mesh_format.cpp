@@ -155,28 +155,31 @@ double radius_of_spheres(Mesh_format format)
 
 std::string list_of_formats()
 {
-  std::string read, written, lacking;
+  std::string read, written, compressions, lacking;
+  const auto append = [](std::string& list, std::string_view word, const char* between = ", ") {
+    list += (list.empty() ? "" : between) + std::string(word);
+  };
   for(const Format& f : formats) {
 #ifndef SPHERICAL_PARAMETERIZATION_WITH_GIFTI
     if(f.format == Mesh_format::GIFTI) {
-      lacking = "gifti needs Expat (libexpat1-dev)";
+      append(lacking, "reading gifti (it needs libexpat1-dev)");
+      append(written, f.name);
       continue;
     }
 #endif
-    read += (read.empty() ? "" : ", ") + std::string(f.name);
+    append(read, f.name);
     if(f.format != Mesh_format::STL)
-      written += (written.empty() ? "" : ", ") + std::string(f.name);
+      append(written, f.name);
   }
-  std::string compressions;
   for(const std::string& extension : compression_extensions())
-    compressions += (compressions.empty() ? "" : ", ") + extension;
+    append(compressions, extension);
 #ifndef SPHERICAL_PARAMETERIZATION_WITH_COMPRESSION
-  lacking += (lacking.empty() ? "" : "; ") + compressions + " need Boost.Iostreams (libboost-iostreams-dev)";
+  append(lacking, compressions + " (they need libboost-iostreams-dev)");
   compressions.clear();
 #endif
-  return "Formats of meshes: read " + read + "; written " + written +
-         (compressions.empty() ? "" : "; each also compressed (" + compressions + ")") +
-         (lacking.empty() ? "" : ". Not in this build: " + lacking) + ".";
+  return "Meshes are read from " + read + ",\n and written to " + written +
+         (compressions.empty() ? "" : ";\n also compressed: " + compressions) +
+         (lacking.empty() ? "" : ".\nNot in this build: " + lacking) + ".";
 }
 
 } // namespace tool

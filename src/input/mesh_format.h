@@ -39,7 +39,8 @@ bool stores_floats(Mesh_format format);
 /// What neuroimaging programs expect of a sphere: radius 100 in GIFTI and FreeSurfer files. Else 1.
 double radius_of_spheres(Mesh_format format);
 
-/// Which formats and compressions this build reads and writes, and which library it lacks for others; for `--help`.
+/// Which formats and compressions this build reads and writes, and which library it lacks for others; lines for
+/// `--help`.
 std::string list_of_formats();
 
 } // namespace tool

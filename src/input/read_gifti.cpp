@@ -224,8 +224,7 @@ private:
       return;
     }
     const std::string bytes = binary(array, encoding == "GZipBase64Binary", count * size);
-    const Byte_order order =
-      attribute(array, "Endian") == "BigEndian" ? Byte_order::BIG : Byte_order::LITTLE;
+    const Byte_order order = attribute(array, "Endian") == "BigEndian" ? Byte_order::BIG : Byte_order::LITTLE;
     const auto convert = [&](auto number) {
       for(std::size_t i = 0; i < count; ++i)
         put(i, static_cast<double>(number_at<decltype(number)>(&bytes[i * size], order)));
@@ -295,9 +294,9 @@ private:
   const std::string damaged_ = "the file is damaged; export it again";
   std::string file_;
   XML_Parser parser_ = nullptr;
-  std::string wrong_;                               ///< why parsing was stopped
-  std::unique_ptr<Data_array> array_;               ///< that is being read
-  std::string* target_ = nullptr;                   ///< of the text that is being read
+  std::string wrong_;                 ///< why parsing was stopped
+  std::unique_ptr<Data_array> array_; ///< that is being read
+  std::string* target_ = nullptr;     ///< of the text that is being read
   std::unique_ptr<Data_array> points_, triangles_;
   Soup soup_;
 };

@@ -45,8 +45,7 @@ std::array<double, 3> transformed(const Matrix& m, const std::array<double, 3>& 
 
 double determinant(const Matrix& m)
 {
-  return m[0] * (m[5] * m[10] - m[6] * m[9]) - m[4] * (m[1] * m[10] - m[2] * m[9]) +
-         m[8] * (m[1] * m[6] - m[2] * m[5]);
+  return m[0] * (m[5] * m[10] - m[6] * m[9]) - m[4] * (m[1] * m[10] - m[2] * m[9]) + m[8] * (m[1] * m[6] - m[2] * m[5]);
 }
 
 /// The triangles of the scene of a glTF 2.0 file ("glTF 2.0 Specification", Khronos Group, 2021), in the space of the
@@ -74,7 +73,8 @@ public:
       const std::string_view kind = std::string_view(bytes).substr(at + 4, 4);
       at += chunk_header;
       if(size > bytes.size() - at)
-        refuse("cut short: a part of " + std::to_string(size) + " bytes ends after " + std::to_string(bytes.size() - at),
+        refuse("cut short: a part of " + std::to_string(size) + " bytes ends after " +
+                 std::to_string(bytes.size() - at),
                "export it again");
       const std::string_view chunk = std::string_view(bytes).substr(at, size);
       if(kind == "JSON" && json.empty())
@@ -149,10 +149,22 @@ private:
     const auto t = numbers<3>(node, "translation", {0, 0, 0});
     const auto [x, y, z, w] = numbers<4>(node, "rotation", {0, 0, 0, 1});
     const auto s = numbers<3>(node, "scale", {1, 1, 1});
-    return {s[0] * (1 - 2 * (y * y + z * z)), s[0] * 2 * (x * y + z * w),       s[0] * 2 * (x * z - y * w),       0,
-            s[1] * 2 * (x * y - z * w),       s[1] * (1 - 2 * (x * x + z * z)), s[1] * 2 * (y * z + x * w),       0,
-            s[2] * 2 * (x * z + y * w),       s[2] * 2 * (y * z - x * w),       s[2] * (1 - 2 * (x * x + y * y)), 0,
-            t[0],                             t[1],                             t[2],                             1};
+    return {s[0] * (1 - 2 * (y * y + z * z)),
+            s[0] * 2 * (x * y + z * w),
+            s[0] * 2 * (x * z - y * w),
+            0,
+            s[1] * 2 * (x * y - z * w),
+            s[1] * (1 - 2 * (x * x + z * z)),
+            s[1] * 2 * (y * z + x * w),
+            0,
+            s[2] * 2 * (x * z + y * w),
+            s[2] * 2 * (y * z - x * w),
+            s[2] * (1 - 2 * (x * x + y * y)),
+            0,
+            t[0],
+            t[1],
+            t[2],
+            1};
   }
 
   void read_mesh(std::size_t number_of_mesh, const Matrix& matrix)
@@ -249,11 +261,11 @@ private:
     View result;
     result.component = number(accessor, "componentType", 0);
     result.count = number(accessor, "count", 0);
-    result.size = size != 0                    ? size
-                  : result.component == 5121   ? 1
-                  : result.component == 5123   ? 2
-                  : result.component == 5125   ? 4
-                                               : 0;
+    result.size = size != 0                  ? size
+                  : result.component == 5121 ? 1
+                  : result.component == 5123 ? 2
+                  : result.component == 5125 ? 4
+                                             : 0;
     if(result.size == 0)
       refuse("accessor " + std::to_string(number_of_accessor) + " has indices of a wrong type", damaged_);
     const Json& view = element("bufferViews", number(accessor, "bufferView", 0));
@@ -262,10 +274,9 @@ private:
     const std::size_t begin = number(accessor, "byteOffset", 0);
     result.stride = number(view, "byteStride", result.size);
     // all numbers are below 2^40, so that products of two and of a stride below 2^8 do not overflow
-    const bool fits =
-      result.stride >= result.size && result.stride < 256 && offset + length <= buffer.size() &&
-      begin <= length &&
-      (result.count == 0 || begin + result.stride * (result.count - 1) + result.size <= length);
+    const bool fits = result.stride >= result.size && result.stride < 256 && offset + length <= buffer.size() &&
+                      begin <= length &&
+                      (result.count == 0 || begin + result.stride * (result.count - 1) + result.size <= length);
     if(!fits)
       refuse("cut short: accessor " + std::to_string(number_of_accessor) + " announces " +
                std::to_string(result.count) + " elements, more than its bytes can hold",

@@ -37,7 +37,7 @@ void compute_map(const Mapping_options& options, Mapped_mesh& input)
   if(!options.fixed.empty())
     input.settings->fixed_vertices = read_fixed_vertices(options.fixed, input.mesh().number_of_vertices());
 
-  Progress_bar bar;
+  Progress_bar bar("mapping");
   input.result = map_to_sphere(input.mesh(), input.sphere, *input.settings, [&bar](double fraction) {
     bar.show(fraction);
     return !was_interrupted();

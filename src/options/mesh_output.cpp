@@ -28,8 +28,9 @@ void add_mesh_output(CLI::App& command, Mesh_output& options, const std::string&
 {
   command
     .add_option("-o,--output", options.output,
-                what + ": .off, .obj, .ply, .gii, .glb, .gltf or lh.NAME (FreeSurfer), also with .gz, .xz, .zst or .bz2 "
-                       "behind; - is the standard output")
+                what +
+                  ": .off, .obj, .ply, .gii, .glb, .gltf or lh.NAME (FreeSurfer), also with .gz, .xz, .zst or .bz2 "
+                  "behind; - is the standard output")
     ->required()
     ->type_name("FILE");
   command.add_option("--format", options.format, "Format of the output file [by its name]")

@@ -21,10 +21,10 @@ std::unique_ptr<std::ostream> compressing_stream(std::ostream& out, Compression 
   namespace io = boost::iostreams;
   auto stream = std::make_unique<io::filtering_ostream>();
   switch(compression) {
-  case Compression::NONE:  break;
-  case Compression::GZIP:  stream->push(io::gzip_compressor()); break;
-  case Compression::XZ:    stream->push(io::lzma_compressor()); break;
-  case Compression::ZSTD:  stream->push(io::zstd_compressor()); break;
+  case Compression::NONE: break;
+  case Compression::GZIP: stream->push(io::gzip_compressor()); break;
+  case Compression::XZ: stream->push(io::lzma_compressor()); break;
+  case Compression::ZSTD: stream->push(io::zstd_compressor()); break;
   case Compression::BZIP2: stream->push(io::bzip2_compressor()); break;
   }
   stream->push(out);

@@ -24,8 +24,8 @@ void write_typed(const Ply_column& column, std::size_t i, Write write)
 {
   const double value = column.value(i);
   switch(column.type) {
-  case Ply_column::Type::UCHAR:  return write(static_cast<std::uint8_t>(value));
-  case Ply_column::Type::INT:    return write(static_cast<std::int32_t>(value));
+  case Ply_column::Type::UCHAR: return write(static_cast<std::uint8_t>(value));
+  case Ply_column::Type::INT: return write(static_cast<std::int32_t>(value));
   case Ply_column::Type::DOUBLE: return write(value);
   }
 }

@@ -20,7 +20,7 @@ std::string escaped(const std::string& text)
     case '&': result += "&amp;"; break;
     case '<': result += "&lt;"; break;
     case '>': result += "&gt;"; break;
-    default:  result += c;
+    default: result += c;
     }
   return result;
 }
@@ -85,7 +85,7 @@ void write_gifti(std::ostream& out, const Mesh& mesh, const std::vector<Point>& 
   std::string bytes;
   for(const Point& p : points)
     for(const double x : p)
-      append_number(bytes, static_cast<float>(x));
+      append_number(bytes, as_float(x));
   begin_array(out, "NIFTI_INTENT_POINTSET", "NIFTI_TYPE_FLOAT32", points.size());
   write_metadata(out, metadata_of_points(annotations.gifti_points, surface));
   auto transforms = annotations.gifti_transforms;

@@ -65,7 +65,7 @@ public:
       std::array<float, 3> low = {infinity, infinity, infinity}, high = {-infinity, -infinity, -infinity};
       for(const int v : vertices)
         for(std::size_t k = 0; k < 3; ++k) {
-          const auto x = static_cast<float>(of_vertices[std::size_t(v)][k]);
+          const float x = as_float(of_vertices[std::size_t(v)][k]);
           append_number(bytes_, x);
           low[k] = std::min(low[k], x);
           high[k] = std::max(high[k], x);
@@ -94,7 +94,8 @@ public:
     bytes_ += image;
     json_["images"][0]["bufferView"] = add_view();
     json_["images"][0]["mimeType"] = type_of_image(image);
-    json_["samplers"] = Json::parse(R"([{"wrapS": 10497, "wrapT": 10497, "magFilter": 9729, "minFilter": 9987}])"); // repeat
+    json_["samplers"] =
+      Json::parse(R"([{"wrapS": 10497, "wrapT": 10497, "magFilter": 9729, "minFilter": 9987}])"); // repeat
     json_["textures"] = Json::parse(R"([{"sampler": 0, "source": 0}])");
     json_["materials"] = Json::parse(R"([{"pbrMetallicRoughness":
       {"baseColorTexture": {"index": 0}, "metallicFactor": 0, "roughnessFactor": 1}}])");

@@ -6,6 +6,7 @@
 #include "output/ply.h"
 #include "output/quantile.h"
 #include "output/text_writer.h"
+#include "system/refusal.h"
 
 #include <algorithm>
 #include <array>
@@ -109,13 +110,22 @@ void write_mesh(std::ostream& out, const Output_format& format, const Mesh& mesh
   }
 }
 
+float as_float(double x)
+{
+  if(!(std::abs(x) <= std::numeric_limits<float>::max()))
+    throw Refusal("NON_FINITE_COORDINATE", "the output",
+                  "the format holds floats, and the coordinate " + std::to_string(x) + " exceeds their range",
+                  "write .ply, .off or .obj");
+  return static_cast<float>(x);
+}
+
 std::vector<Point> as_stored(Mesh_format format, Surface surface, std::vector<Point> points)
 {
   if(stores_floats(format)) {
     const double radius = surface == Surface::SPHERE ? radius_of_spheres(format) : 1;
     for(Point& p : points)
       for(double& x : p)
-        x = static_cast<float>(radius * x);
+        x = as_float(radius * x);
   }
   return points;
 }

@@ -15,10 +15,10 @@
 namespace tool {
 namespace {
 
-/// "[" and "] 100 %", and the last column, at which some terminals begin a new line.
-constexpr std::size_t other_columns = 9;
+/// " [" and "] 100 %", and the last column, at which some terminals begin a new line.
+constexpr std::size_t other_columns = 10;
 
-std::size_t width_of_bar()
+std::size_t width_of_bar(std::size_t phase)
 {
   constexpr std::size_t smallest = 10, largest = 60, columns_if_unknown = 80;
   if(is_quiet() || isatty(STDERR_FILENO) != 1)
@@ -26,12 +26,13 @@ std::size_t width_of_bar()
   winsize size = {};
   const bool is_known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
   const std::size_t columns = is_known ? size.ws_col : columns_if_unknown;
-  return std::clamp(columns, smallest + other_columns, largest + other_columns) - other_columns;
+  const std::size_t others = phase + other_columns;
+  return std::clamp(columns, smallest + others, largest + others) - others;
 }
 
 } // namespace
 
-Progress_bar::Progress_bar() : width_(width_of_bar()) {}
+Progress_bar::Progress_bar(const std::string& phase) : phase_(phase), width_(width_of_bar(phase.size())) {}
 
 Progress_bar::~Progress_bar()
 {
@@ -46,8 +47,8 @@ void Progress_bar::show(double fraction)
     return;
   percent_ = percent;
   const std::size_t filled = static_cast<std::size_t>(percent) * width_ / 100;
-  std::cerr << "\r[" << std::string(filled, '#') << std::string(width_ - filled, ' ') << "] " << percent << " %"
-            << std::flush;
+  std::cerr << '\r' << phase_ << " [" << std::string(filled, '#') << std::string(width_ - filled, ' ') << "] "
+            << percent << " %" << std::flush;
 }
 
 } // namespace tool

@@ -5,13 +5,15 @@
 #define SPHERICAL_PARAMETERIZATION_TOOL_PROGRESS_BAR_H
 
 #include <cstddef>
+#include <string>
 
 namespace tool {
 
-/// A bar on stderr while it lives, if stderr is a terminal; otherwise nothing.
+/// A bar on stderr while it lives, if stderr is a terminal and the tool not quiet; otherwise nothing.
 class Progress_bar {
 public:
-  Progress_bar();
+  /// `phase` is what is being done, in one word; it stands before the bar.
+  explicit Progress_bar(const std::string& phase);
   ~Progress_bar();
 
   Progress_bar(const Progress_bar&) = delete;
@@ -21,7 +23,8 @@ public:
   void show(double fraction);
 
 private:
-  std::size_t width_; ///< of the bar without the brackets and the number; 0: there is no terminal
+  std::string phase_;
+  std::size_t width_; ///< of the bar without the phase, the brackets and the number; 0: there is no terminal
   int percent_ = -1;
 };
 

@@ -17,6 +17,7 @@ class Null_buffer : public std::streambuf {
 };
 
 bool quiet = false;
+bool verbose = false;
 
 std::streambuf* standard_buffer()
 {
@@ -42,6 +43,12 @@ void be_quiet()
 }
 
 bool is_quiet() { return quiet; }
+
+void be_verbose() { verbose = true; }
+
+bool is_verbose() { return verbose; }
+
+std::string shown(const std::string& file, const char* standard_stream) { return file == "-" ? standard_stream : file; }
 
 bool write_to_standard_output(std::streambuf* source)
 {

@@ -5,6 +5,7 @@
 #define SPHERICAL_PARAMETERIZATION_TOOL_STANDARD_OUTPUT_H
 
 #include <ostream>
+#include <string>
 
 namespace tool {
 
@@ -17,6 +18,13 @@ void keep_standard_output_for_data();
 /// From now on it goes nowhere, and there is no progress bar.
 void be_quiet();
 bool is_quiet();
+
+/// From now on commands say more about their work.
+void be_verbose();
+bool is_verbose();
+
+/// How a file is called in messages: "standard input" or "standard output" for "-".
+std::string shown(const std::string& file, const char* standard_stream);
 
 /// Writes to the standard output all that `source` has; `false` if not all could be written.
 bool write_to_standard_output(std::streambuf* source);

@@ -12,7 +12,7 @@
 namespace tool {
 
 /// What neuroimaging files say beside the surface: of which hemisphere and subject it is, and how the volume lies from
-/// which it was made. It is kept when a file of the same format is written.
+/// which it was made. It is kept when a file of the same format is written, and the last, when one of the other is.
 struct Annotations {
   using Metadata = std::vector<std::pair<std::string, std::string>>; ///< names and values
 

@@ -145,7 +145,10 @@ std::string usage_error(const CLI::App& app, const CLI::ParseError& error)
   for(const std::string& word : extras)
     if(word.size() > 1 && word[0] == '-') {
       const std::string option = word.substr(0, word.find('='));
-      return "unknown option '" + option + "'" + suggestion(option, option_names(command));
+      std::vector<std::string> names = option_names(command);
+      for(const std::string& name : option_names(app)) // some are for all commands
+        names.push_back(name);
+      return "unknown option '" + option + "'" + suggestion(option, names);
     }
   if(!extras.empty())
     return "unexpected arguments: " + CLI::detail::join(extras, " ");

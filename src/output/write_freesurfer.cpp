@@ -2,6 +2,7 @@
 // Part of CGAL Spherical Parameterization.
 
 #include "output/byte_writer.h"
+#include "output/volume_geometry.h"
 #include "output/write_mesh.h"
 
 #include <cstdint>
@@ -23,7 +24,7 @@ void write_freesurfer(std::ostream& out, const Mesh& mesh, const std::vector<Poi
     for(std::size_t f = 0; f < mesh.number_of_faces(); ++f)
       write(mesh.triangle(f));
   }
-  out << annotations.freesurfer;
+  out << freesurfer_tags(annotations);
 }
 
 } // namespace tool

@@ -2,6 +2,7 @@
 // Part of CGAL Spherical Parameterization.
 
 #include "input/binary.h"
+#include "output/volume_geometry.h"
 #include "output/write_mesh.h"
 
 #include <zlib.h>
@@ -87,7 +88,7 @@ void write_gifti(std::ostream& out, const Mesh& mesh, const std::vector<Point>& 
     for(const double x : p)
       append_number(bytes, as_float(x));
   begin_array(out, "NIFTI_INTENT_POINTSET", "NIFTI_TYPE_FLOAT32", points.size());
-  write_metadata(out, metadata_of_points(annotations.gifti_points, surface));
+  write_metadata(out, metadata_of_points(gifti_points_with_geometry(annotations), surface));
   auto transforms = annotations.gifti_transforms;
   if(transforms.empty())
     transforms.push_back({"NIFTI_XFORM_UNKNOWN", "NIFTI_XFORM_UNKNOWN", "1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1"});

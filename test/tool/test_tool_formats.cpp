@@ -109,6 +109,23 @@ TEST_CASE("formats: neuroimaging files keep what they say beside the surface", "
   CHECK((tool::read_mesh(scratch / "lh.white").annotations.freesurfer == mesh.annotations.freesurfer));
 }
 
+TEST_CASE("formats: the volume geometry goes from FreeSurfer's files to GIFTI and back", "[tool][formats]")
+{
+  Scratch scratch;
+  const std::string lines = "valid = 1  # volume info valid\nfilename = unknown\nvolume = 256 255 254\n"
+                            "voxelsize = 1.0e+00 1 0.5\nxras = -1 0 0\nyras = 0 0 -1\nzras = 0 1 0\ncras = 5.4 18 0\n";
+  tool::Input_mesh mesh = input_of(icosphere(1));
+  mesh.annotations.freesurfer = std::string("\0\0\0\2\0\0\0\0\0\0\0\x14", 12) + lines;
+  write(scratch / "lh.white", {tool::Mesh_format::FREESURFER}, mesh);
+  write(scratch / "white.gii", {tool::Mesh_format::GIFTI}, tool::read_mesh(scratch / "lh.white"));
+  const tool::Input_mesh gifti = tool::read_mesh(scratch / "white.gii");
+  CHECK(gifti.annotations.gifti_points.size() == 18);
+  CHECK((gifti.annotations.gifti_points[1] == std::pair<std::string, std::string>("VolGeomHeight", "255")));
+  CHECK((gifti.annotations.gifti_points.back() == std::pair<std::string, std::string>("VolGeomC_S", "0")));
+  write(scratch / "rh.white", {tool::Mesh_format::FREESURFER}, gifti);
+  CHECK((tool::read_mesh(scratch / "rh.white").annotations.freesurfer == mesh.annotations.freesurfer));
+}
+
 TEST_CASE("formats: the content decides, whatever the name says", "[tool][formats]")
 {
   Scratch scratch;

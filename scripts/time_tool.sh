@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Usage: time_tool.sh REPETITIONS OPTIONS TOOL[,TOOL...] MESH...
 # How long the tool takes from a file to a certified map in a file of the same format, and how much memory, as a Markdown
-# table: the median run of every program on every mesh, in turn. OPTIONS are those of the command map, in one word. For a
+# table: the median run of every program on every mesh, in turn. Reading includes all checks of the mesh, and its arrays for
+# the solver. OPTIONS are those of the command map, in one word. For a
 # table of before and after, give two builds of the tool:
 #   scripts/time_tool.sh 5 "--policy tbb" old/src/spherical-parameterization,build/src/spherical-parameterization a.ply a.off
 set -euo pipefail
@@ -13,7 +14,7 @@ meshes=("${@:4}")
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
-echo "| mesh | program | read s | start map + solve s | certify s | write s | total s | total / (start map + solve) | read MB/s | bytes per vertex |"
+echo "| mesh | MB | program | read s | start map + solve s | certify s | write s | total s | total / (start map + solve) | bytes per vertex |"
 echo "|---|---|---|---|---|---|---|---|---|---|"
 for mesh in "${meshes[@]}"; do
   for ((i = 0; i < repetitions; ++i)); do
@@ -30,7 +31,7 @@ for mesh in "${meshes[@]}"; do
   for tool in "${!tools[@]}"; do
     sort -g "$folder/$tool" | sed -n "$(((repetitions + 1) / 2))p" |
       awk -v name="$(basename "$mesh")" -v tool="${tools[tool]}" -v MB="$(($(stat -c %s "$mesh") / 1000000))" \
-        '{ printf "| %s | %s | %.2f | %.2f | %.2f | %.2f | %.2f | %.2f | %.0f | %.0f |\n", name, tool, $2, $3, $4, $5, $1, $1 / $3, MB / $2, $6 }'
+        '{ printf "| %s | %d | %s | %.2f | %.2f | %.2f | %.2f | %.2f | %.2f | %.0f |\n", name, MB, tool, $2, $3, $4, $5, $1, $1 / $3, $6 }'
     rm "$folder/$tool"
   done
 done

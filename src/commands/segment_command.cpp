@@ -38,7 +38,8 @@ struct Segment_options : Mapping_options {
 
 void check(const Segment_options& options)
 {
-  require_extension("--output", options.output, {".ply"});
+  if(options.output != standard_stream)
+    require_extension("--output", options.output, {".ply"});
   check_files(input_files(options), {{"--output", options.output}, {"--labels", options.labels}});
   require(options.segments.value_or(1) > 0, "--segments", "must be positive");
   check_mapping_options(options);
@@ -77,7 +78,7 @@ void add_segment_command(CLI::App& app, int& exit_code)
   const auto options = std::make_shared<Segment_options>();
   add_mapping_options(*command, *options);
   add_sphere_option(*command, *options);
-  command->add_option("-o,--output", options->output, "Output file: .ply, IN with a colour per segment")
+  command->add_option("-o,--output", options->output, "Output file: .ply, IN with a colour per segment; - is the standard output")
     ->required()
     ->type_name("FILE");
   command

@@ -78,7 +78,9 @@ void add_segment_command(CLI::App& app, int& exit_code)
   const auto options = std::make_shared<Segment_options>();
   add_mapping_options(*command, *options);
   add_sphere_option(*command, *options);
-  command->add_option("-o,--output", options->output, "Output file: .ply, IN with a colour per segment; - is the standard output")
+  command
+    ->add_option("-o,--output", options->output,
+                 "Output file: .ply, IN with a colour per segment; - is the standard output")
     ->required()
     ->type_name("FILE");
   command

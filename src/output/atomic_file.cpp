@@ -82,9 +82,10 @@ void Atomic_file::complete()
 void Atomic_file::rename()
 {
   if(file_ == standard_stream) {
-    if(!write_to_standard_output(std::ifstream(temporary_, std::ios::binary).rdbuf()))
+    std::ifstream complete(temporary_, std::ios::binary);
+    remove(); // before SIGPIPE can end the program; what is open stays readable
+    if(!write_to_standard_output(complete.rdbuf()))
       refuse("could not be written completely");
-    remove();
     return;
   }
   std::error_code error;

@@ -11,8 +11,8 @@
 namespace tool {
 
 /// \name How the volume lies that a surface was made from
-/// FreeSurfer says it in lines behind the triangles of its own files, and in GIFTI by entries "VolGeom..." of the points.
-/// What a file has in the other form is not lost.
+/// FreeSurfer says it in lines behind the triangles of its own files, and in GIFTI by entries "VolGeom..." of the
+/// points. What a file has in the other form is not lost.
 /// @{
 
 /// The metadata of the points for a GIFTI file.

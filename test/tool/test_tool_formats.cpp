@@ -438,6 +438,11 @@ TEST_CASE("formats: through pipes, data goes to the standard output and messages
     run_process({"/bin/sh", "-c", "\"$0\" map \"$1\" -o - --format ply >/dev/full", TOOL, input});
   CHECK(full.exit_code == 1);
   CHECK(contains(full.err, "standard output: could not be written completely"));
+
+  const std::string large = write_off(scratch / "large.off", bumpy_sphere(5)); // more than a pipe holds
+  run_process(
+    {"/bin/sh", "-c", "TMPDIR=\"$2\" \"$0\" map -q \"$1\" -o - --format ply | true", TOOL, large, scratch.folder()});
+  CHECK(scratch.number_of_files() == 3); // no temporary file stays behind
 }
 
 TEST_CASE("--quiet and --verbose", "[tool]")

@@ -27,6 +27,9 @@ inline void promise(bool is_kept, const std::string& what)
 /// result as a sphere.
 void read_meshes(const std::uint8_t* data, std::size_t size);
 
+/// The same for GIFTI, GLB, glTF and FreeSurfer's format, and for compressed files of all formats.
+void read_formats(const std::uint8_t* data, std::size_t size);
+
 /// A damaged index of signatures, and the nearest neighbours in it.
 void read_indices(const std::uint8_t* data, std::size_t size);
 

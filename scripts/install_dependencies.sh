@@ -11,6 +11,7 @@ packages=(
   libcgal-dev libboost-dev libeigen3-dev libgmp-dev libmpfr-dev     # the library
   libtbb-dev ocl-icd-opencl-dev opencl-clhpp-headers pocl-opencl-icd # its parallel backends
   libcli11-dev nlohmann-json3-dev libpng-dev libsqlite3-dev libxxhash-dev # the tool
+  libexpat1-dev libboost-iostreams-dev                              # its GIFTI files and compressed files
   libcgal-demo                                                      # its first mesh
   f3d xvfb xauth                                                    # pictures
 )
@@ -21,6 +22,7 @@ if [ "${1:-}" = --all ]; then
     python3-dev pybind11-dev python3-numpy python3-pip python3-venv python3-setuptools python3-wheel # the Python package
     python3-pytest mypy python3-numpydoc python3-tqdm python3-nibabel python3-meshio python3-matplotlib # its tests
     python3-distributed python3-nbclient python3-nbformat python3-ipykernel python3-matplotlib-inline
+    assimp-utils                                                    # a test reads GLB files with it
     file                                                            # cpack asks it what needs which libraries
   )
 fi

@@ -70,14 +70,14 @@ finish() { convert "$2" -dither FloydSteinberg -colors 256 -define png:compressi
 map() {
   local mesh=$1 name=$2
   shift 2
-  tool map "$mesh.off" -o "$name.sphere.off" --stretch-ply "$name.stretch.ply" "$@" | sed -n 2,3p
+  tool map "$mesh.off" -o "$name.sphere.off" --stretch-ply "$name.stretch.ply" --ascii "$@" | sed -n 2,3p
   awk -f "$root/doc/figures/faces_of_map.awk" "$name.stretch.ply" "$name.sphere.off" >"$name.sphere.ply"
 }
 
 figure_strip() {
   look_at armadillo
   map armadillo a --weights conformal
-  tool segment armadillo.off --sphere a.sphere.off -o segments.ply
+  tool segment armadillo.off --sphere a.sphere.off -o segments.ply --ascii
   awk 'NR == FNR { if(FNR > 2) position[FNR - 3] = $0; next }
        in_body && i < n { print position[i++]; next }
        { print }

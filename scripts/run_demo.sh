@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Installs the packages, builds the tool in build/ and maps the armadillo of CGAL to the sphere, with both weights.
-# Everything it makes is in demo/ afterwards: spheres, coloured meshes, reports, a page to look
-# at (armadillo.html) and, where f3d runs, pictures.
+# Everything it makes is in demo/ afterwards: spheres, coloured meshes, reports, a textured mesh for any viewer
+# (armadillo.glb), a page to look at (armadillo.html) and, where f3d runs, pictures.
 set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 demo=$root/demo
@@ -38,7 +38,7 @@ for weights in barycentric conformal; do
   out=$demo/armadillo_$weights
   echo
   echo "== armadillo, $weights weights"
-  "$tool" map "$demo/armadillo.off" --weights "$weights" -o "${out}_sphere.off" --stretch-ply "${out}_stretch.ply" \
+  "$tool" map "$demo/armadillo.off" --weights "$weights" -o "${out}_sphere.off" --stretch-ply "${out}_stretch.ply" --ascii \
     --report "$out.json" </dev/null
   coloured_sphere "${out}_sphere.off" "${out}_stretch.ply" >"${out}_sphere_stretch.ply"
   picture "${out}_stretch.png" "${out}_stretch.ply" \
@@ -48,6 +48,7 @@ for weights in barycentric conformal; do
 done
 
 echo
+"$tool" texture "$demo/armadillo.off" --sphere "$demo/armadillo_conformal_sphere.off" -o "$demo/armadillo.glb" </dev/null
 "$tool" view "$demo/armadillo.off" -o "$demo/armadillo.html" </dev/null
 
 echo

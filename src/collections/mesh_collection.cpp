@@ -242,7 +242,7 @@ int run_collection(const Collection& collection)
   const std::size_t earlier = items.size() - missing.size();
   std::size_t done = earlier;
   {
-    Progress_bar bar;
+    Progress_bar bar("meshes");
     std::size_t printed = 0;
     const auto print = [&] { // in the order of the items, whatever the threads do
       bar.hide();

@@ -132,7 +132,7 @@ Batch_summary update_index(const std::vector<std::string>& meshes, const std::st
   summary.resumed = meshes.size() - missing.size();
   std::size_t finished = summary.resumed;
   {
-    Progress_bar bar;
+    Progress_bar bar("signatures");
     run_batch(missing.size(), threads, [&](std::size_t i) -> Store {
       const std::optional<Signature_row> row = sign_mesh(missing[i]);
       if(!row)

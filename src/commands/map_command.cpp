@@ -6,14 +6,17 @@
 
 #include "mapping/mapped_mesh.h"
 #include "mapping/report.h"
+#include "options/mesh_output.h"
 #include "options/usage.h"
 #include "output/atomic_file.h"
 #include "output/write_mesh.h"
 #include "system/guarded.h"
 #include "system/interruption.h"
+#include "system/standard_output.h"
 
 #include <CGAL/Spherical_parameterization/distortion_summary.h>
 #include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
+#include <CGAL/Spherical_parameterization/measure_distortion.h>
 
 #include <CLI/CLI.hpp>
 
@@ -37,7 +40,7 @@ struct Map_options : Mesh_options {
 
 void check_map_options(const Map_options& options)
 {
-  require_extension("--output", options.output, {".off", ".obj", ".ply"});
+  output_format(options);
   if(!options.stretch_ply.empty())
     require_extension("--stretch-ply", options.stretch_ply, {".ply"});
   check_mapping_options(options);
@@ -53,13 +56,14 @@ std::vector<File_option> map_outputs(const Map_options& options)
 void say(const Map_options& options, const Mapped_mesh& input, const Report& report, Outcome& outcome)
 {
   const SP::Result& result = input.result;
+  const std::string name = shown(options.input, "standard input");
   std::ostringstream text, line;
   text.precision(3);
   line << "valid spherical map: " << result.flipped_faces << " flipped faces, degree " << result.degree;
   if(input.file->triangulated_polygons > 0)
     text << input.file->triangulated_polygons
-         << " polygons were triangulated, so the faces of the sphere are not those of " << options.input << '\n';
-  text << options.input << ": " << result.number_of_vertices << " vertices, " << result.number_of_faces << " faces\n"
+         << " polygons were triangulated, so the faces of the sphere are not those of " << name << '\n';
+  text << name << ": " << result.number_of_vertices << " vertices, " << result.number_of_faces << " faces\n"
        << line.str() << ", residual " << result.residual << '\n'
        << (options.method == "automatic" ? "automatic: " : "") << result.method << ", "
        << (result.method == "isometric" ? "" : options.weights + " weights, ") << options.policy << " on "
@@ -69,10 +73,21 @@ void say(const Map_options& options, const Mapped_mesh& input, const Report& rep
   text << '\n';
   if(!result.fallback_reason.empty())
     text << "earlier attempts failed: " << result.fallback_reason << '\n';
+  if(is_verbose()) {
+    for(const SP::Result::Attempt& attempt : result.attempts)
+      text << "tried " << attempt.method << " for " << attempt.seconds.total
+           << " s: " << get_error_message(attempt.error) << (attempt.detail.empty() ? "" : ": " + attempt.detail)
+           << '\n';
+    text << "smallest area " << result.smallest_area << ", smallest edge " << result.smallest_edge
+         << " roundings; peak memory " << double(peak_memory_bytes()) / 1e6 << " MB\n";
+  }
   text << report.seconds_total << " s: read " << input.seconds_read << ", start map " << result.seconds.start_map
-       << ", solve " << result.seconds.solve << ", certify " << result.seconds.certify << ", write "
-       << report.seconds_write << '\n'
-       << "written: " << options.output << (options.stretch_ply.empty() ? "" : " and " + options.stretch_ply);
+       << ", solve " << result.seconds.solve << ", certify " << result.seconds.certify;
+  if(report.seconds_measure > 0)
+    text << ", measure " << report.seconds_measure;
+  text << ", write " << report.seconds_write << '\n'
+       << "written: " << shown(options.output, "standard output")
+       << (options.stretch_ply.empty() ? "" : " and " + options.stretch_ply);
   line << ", " << result.number_of_vertices << " vertices, " << result.method;
   if(input.file->triangulated_polygons > 0)
     line << ", " << input.file->triangulated_polygons << " polygons were triangulated";
@@ -90,16 +105,30 @@ void map(const Map_options& options, Mapped_mesh& input, Report& report, Outcome
   if(!options.report.empty())
     Atomic_file(options.report); // it is written at the end, also if there is no map
   map_input(options, input);
+  const Output_format format = output_format(options);
+  if(stores_floats(format.format))
+    certify_as_stored(options.output, format.format, input);
 
   if(!options.report.empty()) {
     const Stopwatch measuring;
-    report.distortion = SP::distortion_summary(input.mesh(), as_map(input.sphere));
+    report.distortion = on_host(
+      input, [&](const auto& policy) { return SP::distortion_summary(policy, input.mesh(), as_map(input.sphere)); });
     report.seconds_measure = measuring.seconds();
   }
+  std::vector<double> stretch;
+  if(stretch_file) {
+    const Stopwatch measuring;
+    stretch.resize(input.mesh().number_of_vertices());
+    on_host(input, [&](const auto& policy) {
+      return SP::vertex_log_area_stretch(policy, input.mesh(), as_map(input.sphere),
+                                         as_map<Mesh::Vertex_index>(stretch));
+    });
+    report.seconds_measure += measuring.seconds();
+  }
   const Stopwatch writing;
-  write_mesh(sphere_file.stream(), options.output, input.mesh(), input.sphere);
+  write_mesh(sphere_file.stream(), format, input.mesh(), input.sphere, Surface::SPHERE, input.file->annotations);
   if(stretch_file)
-    write_stretch_ply(stretch_file->stream(), input.mesh(), input.sphere);
+    write_stretch_ply(stretch_file->stream(), options.ascii, input.mesh(), stretch);
   stop_if_interrupted(options.input);
   Atomic_file::commit_all({stretch_file.get(), &sphere_file});
   report.seconds_write = writing.seconds();
@@ -125,9 +154,9 @@ void map_and_report(const Map_options& options, Outcome& outcome)
     throw Refusal(*refusal);
 }
 
-const Mesh_command<Map_options> map_command = {{"ply", "off", "obj"}, {&Map_options::report, &Map_options::stretch_ply},
-                                               check_map_options,     map_inputs,
-                                               map_outputs,           map_and_report};
+const Mesh_command<Map_options> map_command = {
+  ".ply",        {&Map_options::report, &Map_options::stretch_ply}, check_map_options, map_inputs, map_outputs,
+  map_and_report};
 
 } // namespace
 
@@ -135,15 +164,10 @@ void add_map_command(CLI::App& app, int& exit_code)
 {
   CLI::App* command = app.add_subcommand("map", "Map a closed genus-0 triangle mesh to the sphere, certified");
   const auto options = std::make_shared<Map_options>();
-  add_mesh_options(*command, map_command, *options);
+  add_collection_options(*command, *options);
   add_mapping_options(*command, *options);
-  command
-    ->add_option(
-      "-o,--output", options->output,
-      "Output file of the sphere: .off, .obj or .ply. Its vertices and faces are those of IN, in the same order. "
-      "Of several IN: a folder")
-    ->required()
-    ->type_name("FILE");
+  add_mesh_output(*command, *options,
+                  "Output file of the sphere, whose vertices and faces are those of IN, in the same order");
   command
     ->add_option("--report", options->report,
                  "Write the certificate, distortion, times, memory and settings, or the error, as JSON")

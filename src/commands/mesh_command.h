@@ -7,6 +7,7 @@
 #include "collections/mesh_collection.h"
 #include "options/collection_options.h"
 #include "options/mapping_options.h"
+#include "options/mesh_output.h"
 #include "options/usage.h"
 #include "system/guarded.h"
 #include "system/outcome.h"
@@ -22,15 +23,12 @@
 namespace tool {
 
 /// The command line of a command that works on a mesh or on many, each by itself.
-struct Mesh_options : Mapping_options, Collection_options {
-  std::string output;
-  std::string format; ///< of the output, if that is a folder
-};
+struct Mesh_options : Mapping_options, Collection_options, Mesh_output {};
 
 /// A command that works on a mesh: `Options` is derived from `Mesh_options`.
 template <class Options>
 struct Mesh_command {
-  std::vector<std::string> formats;               ///< of the output, in a folder: the first one, or that of --format
+  std::string extension;                          ///< of outputs in a folder, without --format
   std::vector<std::string Options::*> more_files; ///< those of the options that name further outputs
 
   void (*check)(const Options&);                       ///< throws what is wrong usage
@@ -52,18 +50,6 @@ struct Mesh_command {
   }
 };
 
-/// Adds IN, --list, --jobs, and --format if there is a choice.
-template <class Options>
-void add_mesh_options(CLI::App& command, const Mesh_command<Options>& mesh_command, Options& options)
-{
-  add_collection_options(command, options);
-  if(mesh_command.formats.size() > 1)
-    command
-      .add_option("--format", options.format,
-                  "Format of the outputs in a folder [" + mesh_command.formats.front() + "]")
-      ->check(CLI::IsMember(mesh_command.formats));
-}
-
 /// What was given on the command line, and the version of the program: all that results depend on besides the files.
 std::string settings_text(const CLI::App& command);
 
@@ -77,8 +63,6 @@ int run_mesh_command(const CLI::App& command, const Mesh_command<Options>& mesh_
 {
   check_collection_options(options);
   if(!options.are_many(options.output)) {
-    require(options.format.empty(), "--format",
-            "requires a folder as --output; the extension of a file says its format");
     options.input = options.inputs.front();
     mesh_command.check_one(options);
     const Outcome outcome = mesh_command.run_one(options);
@@ -106,11 +90,11 @@ int run_mesh_command(const CLI::App& command, const Mesh_command<Options>& mesh_
     Options one = options;
     one.input = item.mesh;
     if(!options.output.empty()) {
-      const std::string name = options.output + '/' + item.name + '.';
-      one.output = name + (options.format.empty() ? mesh_command.formats.front() : options.format);
+      const std::string name = options.output + '/' + item.name;
+      one.output = name + (options.format.empty() ? mesh_command.extension : extension_of_format(options.format));
       for(const auto file : mesh_command.more_files)
         if(!(one.*file).empty())
-          one.*file = name + options.*file;
+          one.*file = name + '.' + options.*file;
     }
     if(const auto sphere = spheres.find(item.name); sphere != spheres.end())
       one.sphere = sphere->second;

@@ -5,6 +5,7 @@
 #include "commands/mesh_command.h"
 
 #include "mapping/mapped_mesh.h"
+#include "options/mesh_output.h"
 #include "options/usage.h"
 #include "output/atomic_file.h"
 #include "output/write_mesh.h"
@@ -37,9 +38,9 @@ std::vector<File_option> resample_outputs(const Resample_options& options)
 
 void check_resample_options(const Resample_options& options)
 {
-  require_extension("--output", options.output, {".off", ".obj", ".ply"});
+  output_format(options);
   if(!options.output_sphere.empty())
-    require_extension("--output-sphere", options.output_sphere, {".off", ".obj", ".ply"});
+    output_format_of_name("--output-sphere", options.output_sphere, options.ascii);
   check_mapping_options(options);
 }
 
@@ -71,19 +72,19 @@ void resample(const Resample_options& options, Outcome& outcome)
   std::vector<Point> points;
   for(const Point& direction : out.points())
     points.push_back(point_at(shape, direction));
-  write_mesh(file.stream(), options.output, out, points);
+  write_mesh(file.stream(), output_format(options), out, points, Surface::SHAPE, input.file->annotations);
   if(sphere_file)
-    write_mesh(sphere_file->stream(), options.output_sphere, out, out.points());
+    write_mesh(sphere_file->stream(), output_format_of_name("--output-sphere", options.output_sphere, options.ascii),
+               out, out.points(), Surface::SPHERE, input.file->annotations);
   stop_if_interrupted(options.input);
   Atomic_file::commit_all({sphere_file.get(), &file});
   outcome.line =
     std::to_string(out.number_of_vertices()) + " vertices, " + std::to_string(out.number_of_faces()) + " faces";
-  outcome.text = options.output + ": " + outcome.line;
+  outcome.text = shown(options.output, "standard output") + ": " + outcome.line;
 }
 
-const Mesh_command<Resample_options> resample_command = {{"ply", "off", "obj"},  {&Resample_options::output_sphere},
-                                                         check_resample_options, resample_inputs,
-                                                         resample_outputs,       resample};
+const Mesh_command<Resample_options> resample_command = {
+  ".ply", {&Resample_options::output_sphere}, check_resample_options, resample_inputs, resample_outputs, resample};
 
 } // namespace
 
@@ -91,14 +92,10 @@ void add_resample_command(CLI::App& app, int& exit_code)
 {
   CLI::App* command = app.add_subcommand("resample", "Sample a shape at the vertices of an icosphere");
   const auto options = std::make_shared<Resample_options>();
-  add_mesh_options(*command, resample_command, *options);
+  add_collection_options(*command, *options);
   add_mapping_options(*command, *options);
   add_sphere_option(*command, *options);
-  command
-    ->add_option("-o,--output", options->output,
-                 "Output file of the new mesh: .off, .obj or .ply. Of several IN: a folder")
-    ->required()
-    ->type_name("FILE");
+  add_mesh_output(*command, *options, "Output file of the new mesh");
   command
     ->add_option("--output-sphere", options->output_sphere,
                  "Write the icosphere as well: it is the map of the new mesh")

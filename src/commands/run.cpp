@@ -3,8 +3,9 @@
 
 #include "commands/commands.h"
 
+#include "input/mesh_format.h"
 #include "options/usage.h"
-#include "system/guarded.h"
+#include "system/standard_output.h"
 
 #include <CGAL/version.h>
 
@@ -21,9 +22,13 @@ int run(int argc, char** argv)
   app.set_version_flag("--version",
                        "spherical-parameterization " SPHERICAL_PARAMETERIZATION_VERSION " (CGAL " CGAL_VERSION_STR ")");
   app.formatter(help_formatter()); // of the commands, too
-  app.footer("'spherical-parameterization COMMAND --help' lists the options of a command.\n"
+  app.footer("'spherical-parameterization COMMAND --help' lists the options of a command.\n" + list_of_formats() +
+             "\n"
              "Example: spherical-parameterization map bunny.ply -o sphere.off --stretch-ply stretch.ply");
   app.require_subcommand(1);
+  app.add_flag_callback("-q,--quiet", be_quiet, "Print nothing but errors");
+  app.add_flag_callback("-v,--verbose", be_verbose, "Print what was tried, with its outcome and time, and the memory");
+  app.fallthrough(); // behind the command, too
   add_map_command(app, exit_code);
   add_segment_command(app, exit_code);
   add_texture_command(app, exit_code);

@@ -5,6 +5,7 @@
 #include "commands/mesh_command.h"
 
 #include "mapping/mapped_mesh.h"
+#include "options/mesh_output.h"
 #include "options/usage.h"
 #include "output/atomic_file.h"
 #include "output/write_mesh.h"
@@ -41,7 +42,8 @@ std::vector<File_option> segment_outputs(const Segment_options& options)
 
 void check_segment_options(const Segment_options& options)
 {
-  require_extension("--output", options.output, {".ply"});
+  if(options.output != standard_stream)
+    require_extension("--output", options.output, {".ply"});
   require(options.segments.value_or(1) > 0, "--segments", "must be positive");
   check_mapping_options(options);
 }
@@ -62,7 +64,7 @@ void segment(const Segment_options& options, Outcome& outcome)
   if(!result)
     throw Refusal(name(result.error), options.input, get_error_message(result.error), result.detail);
 
-  write_segments_ply(ply.stream(), input.mesh(), segments, result.number_of_segments);
+  write_segments_ply(ply.stream(), options.ascii, input.mesh(), segments, result.number_of_segments);
   if(labels)
     for(const std::size_t segment : segments)
       labels->stream() << segment << '\n';
@@ -73,7 +75,7 @@ void segment(const Segment_options& options, Outcome& outcome)
 }
 
 const Mesh_command<Segment_options> segment_command = {
-  {"ply"}, {&Segment_options::labels}, check_segment_options, segment_inputs, segment_outputs, segment};
+  ".ply", {&Segment_options::labels}, check_segment_options, segment_inputs, segment_outputs, segment};
 
 } // namespace
 
@@ -81,17 +83,18 @@ void add_segment_command(CLI::App& app, int& exit_code)
 {
   CLI::App* command = app.add_subcommand("segment", "Segment a shape into body and limbs");
   const auto options = std::make_shared<Segment_options>();
-  add_mesh_options(*command, segment_command, *options);
+  add_collection_options(*command, *options);
   add_mapping_options(*command, *options);
   add_sphere_option(*command, *options);
   command
     ->add_option("-o,--output", options->output,
-                 "Output file: .ply, IN with a colour per segment. Of several IN: a folder")
+                 "Output file: .ply, IN with a colour per segment; - is the standard output. Of several IN: a folder")
     ->required()
     ->type_name("FILE");
   command
     ->add_option("--labels", options->labels, "Write the segment number of each face, counted from 0, one per line")
     ->type_name("FILE");
+  add_ascii_option(*command, options->ascii);
   command->add_option("--segments", options->segments,
                       "Number of segments; fewer if the shape has fewer [all that the shape has]");
   command->footer("Example: spherical-parameterization segment bunny.ply -o segments.ply --labels labels.txt\n"

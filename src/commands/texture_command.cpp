@@ -5,11 +5,13 @@
 #include "commands/mesh_command.h"
 
 #include "input/files.h"
+#include "input/mesh_format.h"
 #include "mapping/mapped_mesh.h"
 #include "options/usage.h"
 #include "output/atomic_file.h"
 #include "output/write_mesh.h"
 #include "system/interruption.h"
+#include "system/refusal.h"
 
 #include <CGAL/Spherical_parameterization/texture_coordinates.h>
 
@@ -22,6 +24,7 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tool {
@@ -42,23 +45,31 @@ std::string beside(const std::string& output, const char* extension)
   return fs::path(output).replace_extension(extension).string();
 }
 
+/// Whether material and image are files of their own; glTF has them inside.
+bool is_obj(const Texture_command_options& options) { return output_format(options).format == Mesh_format::OBJ; }
+
 std::vector<File_option> texture_inputs(const Texture_command_options& options)
 {
   std::vector<File_option> files = input_files(options);
-  files.emplace_back("--image", options.image);
+  if(!options.image.empty())
+    files.emplace_back("--image", options.image);
   return files;
 }
 
 std::vector<File_option> texture_outputs(const Texture_command_options& options)
 {
-  return {{"--output", options.output},
-          {"the material", beside(options.output, ".mtl")},
-          {"the image", options.image.empty() ? beside(options.output, ".png") : ""}};
+  std::vector<File_option> files = {{"--output", options.output}};
+  if(is_obj(options))
+    files.emplace_back("the material", beside(options.output, ".mtl"));
+  if(is_obj(options) && options.image.empty())
+    files.emplace_back("the image", beside(options.output, ".png"));
+  return files;
 }
 
 void check_texture_options(const Texture_command_options& options)
 {
-  require_extension("--output", options.output, {".obj"});
+  if(options.format.empty())
+    require_extension("--output", options.output, {".obj", ".glb", ".gltf"});
   if(options.north) {
     const auto& n = *options.north;
     const double length = std::hypot(n[0], n[1], n[2]);
@@ -106,33 +117,75 @@ void say(const Texture_command_options& options, const SP::Texture_report& repor
   outcome.text = options.output + ": " + line.str() + more.str();
 }
 
+int checker_rows(const Texture_command_options& options) { return options.chart == "octahedral" ? 32 : 16; }
+
+/// The texture coordinates, one per halfedge.
+std::pair<std::vector<Uv>, SP::Texture_report> coordinates(const Texture_command_options& options,
+                                                           const Mapped_mesh& input)
+{
+  std::vector<Uv> uv(3 * input.mesh().number_of_faces());
+  const SP::Texture_report report = SP::texture_coordinates(input.mesh(), as_map(input.sphere),
+                                                            as_map<Mesh::Halfedge_index>(uv), texture_options(options));
+  return {uv, report};
+}
+
+/// Mesh, material and image as three files.
+void texture_obj(const Texture_command_options& options, Mapped_mesh& input, Outcome& outcome)
+{
+  Atomic_file obj(options.output), mtl(beside(options.output, ".mtl"));
+  const std::string image = options.image.empty() ? beside(options.output, ".png") : options.image;
+  const auto png = options.image.empty() ? std::make_unique<Atomic_file>(image) : nullptr;
+  map_input(options, input);
+  const auto [uv, report] = coordinates(options, input);
+
+  const fs::path folder = fs::absolute(options.output).parent_path();
+  write_textured_obj(obj.stream(), input.mesh(), uv, fs::path(beside(options.output, ".mtl")).filename().string());
+  write_material(mtl.stream(), fs::absolute(image).lexically_relative(folder).string());
+  if(png)
+    write_checker(png->stream(), 32, checker_rows(options));
+  stop_if_interrupted(options.input);
+  Atomic_file::commit_all({png.get(), &mtl, &obj});
+  say(options, report, outcome);
+}
+
+/// The image for glTF, which has it inside.
+std::string image_of(const Texture_command_options& options)
+{
+  if(options.image.empty()) {
+    std::ostringstream png;
+    write_checker(png, 32, checker_rows(options));
+    return png.str();
+  }
+  std::string image = read_file(options.image);
+  if(type_of_image(image).empty())
+    throw Refusal(unreadable_file, options.image, "is neither PNG nor JPEG, which is what glTF files can hold",
+                  "convert it, or write .obj");
+  return image;
+}
+
+void texture_gltf(const Texture_command_options& options, Mapped_mesh& input, Outcome& outcome)
+{
+  Atomic_file file(options.output);
+  const std::string image = image_of(options);
+  map_input(options, input);
+  const auto [uv, report] = coordinates(options, input);
+  write_textured_gltf(file.stream(), output_format(options).format, input.mesh(), uv, image);
+  stop_if_interrupted(options.input);
+  file.commit();
+  say(options, report, outcome);
+}
+
 void texture(const Texture_command_options& options, Outcome& outcome)
 {
   if(!options.image.empty())
     check_readable(options.image);
   Mapped_mesh input;
   read_input(options, input);
-  Atomic_file obj(options.output), mtl(beside(options.output, ".mtl"));
-  const std::string image = options.image.empty() ? beside(options.output, ".png") : options.image;
-  const auto png = options.image.empty() ? std::make_unique<Atomic_file>(image) : nullptr;
-  map_input(options, input);
-
-  std::vector<Uv> uv(3 * input.mesh().number_of_faces());
-  const SP::Texture_report report = SP::texture_coordinates(input.mesh(), as_map(input.sphere),
-                                                            as_map<Mesh::Halfedge_index>(uv), texture_options(options));
-
-  const fs::path folder = fs::absolute(options.output).parent_path();
-  write_textured_obj(obj.stream(), input.mesh(), uv, fs::path(beside(options.output, ".mtl")).filename().string());
-  write_material(mtl.stream(), fs::absolute(image).lexically_relative(folder).string());
-  if(png)
-    write_checker(png->stream(), 32, options.chart == "octahedral" ? 32 : 16);
-  stop_if_interrupted(options.input);
-  Atomic_file::commit_all({png.get(), &mtl, &obj});
-  say(options, report, outcome);
+  (is_obj(options) ? texture_obj : texture_gltf)(options, input, outcome);
 }
 
 const Mesh_command<Texture_command_options> texture_command = {
-  {"obj"}, {}, check_texture_options, texture_inputs, texture_outputs, texture};
+  ".obj", {}, check_texture_options, texture_inputs, texture_outputs, texture};
 
 } // namespace
 
@@ -141,22 +194,27 @@ void add_texture_command(CLI::App& app, int& exit_code)
   CLI::App* command =
     app.add_subcommand("texture", "Give a mesh texture coordinates, without flipped or degenerate faces");
   const auto options = std::make_shared<Texture_command_options>();
-  add_mesh_options(*command, texture_command, *options);
+  add_collection_options(*command, *options);
   add_mapping_options(*command, *options);
   add_sphere_option(*command, *options);
   command
     ->add_option(
       "-o,--output", options->output,
-      "Output file of the textured mesh: .obj. The material is written to .mtl and a checker to .png, next to it. "
-      "Of several IN: a folder")
+      "Output file of the textured mesh: .glb or .gltf with the image inside, or .obj, with the material and a checker "
+      "next to it as .mtl and .png. Of several IN: a folder")
     ->required()
     ->type_name("FILE");
+  command->add_option("--format", options->format, "Format of the output [by its name; of several IN: obj]")
+    ->check(CLI::IsMember({"obj", "glb", "gltf"}));
   command->add_option("--chart", options->chart, "Parameterization of the sphere over the plane")
     ->check(CLI::IsMember({"latitude-longitude", "octahedral"}))
     ->capture_default_str();
   command->add_option("--north", options->north, "North pole on the sphere [where the texture has least distortion]")
     ->type_name("X Y Z");
-  command->add_option("--image", options->image, "Image of the material, instead of a checker")->type_name("FILE");
+  command
+    ->add_option("--image", options->image,
+                 "Image of the material, instead of a checker; PNG or JPEG for .glb and .gltf")
+    ->type_name("FILE");
   command->footer("Example: spherical-parameterization texture bunny.ply -o textured.obj --chart octahedral\n"
                   "Exit code: 0 the files were written, 1 nothing was written (stderr says why), 2 wrong usage,\n"
                   "130 interrupted.");

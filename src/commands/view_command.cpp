@@ -73,7 +73,7 @@ void write_page(std::ostream& out, const View_options& options, const Mapped_mes
     for(int v : mesh.triangle(f))
       add(v, 3);
   Report report;
-  report.distortion = SP::distortion_summary(mesh, sphere);
+  report.distortion = on_host(input, [&](const auto& policy) { return SP::distortion_summary(policy, mesh, sphere); });
   header["report"] = report_json(options, input, report);
 
   using namespace boost::archive::iterators;

@@ -48,7 +48,7 @@ _spherical_parameterization()
   if [[ $current = -* || $COMP_CWORD -eq 1 ]]; then
     mapfile -t COMPREPLY < <(compgen -W "${words[*]}" -- "$current")
   else
-    _spherical_parameterization_files "$current" off obj ply stl
+    _spherical_parameterization_files "$current" off obj ply stl gii glb gltf gz xz zst bz2
   fi
 }
 

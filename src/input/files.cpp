@@ -3,12 +3,16 @@
 
 #include "input/files.h"
 
+#include "input/compression.h"
+#include "input/mesh_format.h"
 #include "input/text_lines.h"
 #include "system/refusal.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
+#include <iterator>
 #include <set>
 #include <system_error>
 
@@ -37,6 +41,8 @@ std::vector<std::string> meshes_in(const std::string& folder)
 
 void check_readable(const std::string& file)
 {
+  if(file == standard_stream)
+    return;
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
   const auto refuse = [&file](const std::string& wrong, const std::string& remedy) {
@@ -59,6 +65,12 @@ void check_readable(const std::string& file)
 std::string read_file(const std::string& file)
 {
   check_readable(file);
+  if(file == standard_stream) {
+    std::string bytes(std::istreambuf_iterator<char>(std::cin), {});
+    if(bytes.empty())
+      throw Refusal(unreadable_file, file, "is empty", "pipe a mesh into it");
+    return bytes;
+  }
   std::string bytes(fs::file_size(file), '\0');
   std::ifstream in(file, std::ios::binary);
   if(!in.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
@@ -66,12 +78,34 @@ std::string read_file(const std::string& file)
   return bytes;
 }
 
+std::string read_beginning(const std::string& file, std::size_t size)
+{
+  check_readable(file);
+  std::string bytes(size, '\0');
+  std::ifstream in(file, std::ios::binary);
+  in.read(bytes.data(), static_cast<std::streamsize>(size));
+  bytes.resize(static_cast<std::size_t>(in.gcount()));
+  return bytes;
+}
+
 std::string lower_case_extension(const std::string& file) { return lower_case(fs::path(file).extension().string()); }
 
 bool is_mesh_file(const std::string& file)
 {
-  const std::string extension = lower_case_extension(file);
-  return extension == ".off" || extension == ".obj" || extension == ".ply" || extension == ".stl";
+  const auto format = format_of_name(file);
+  const std::string filename = fs::path(without_compression(file)).filename().string();
+  if(format == Mesh_format::FREESURFER) {
+    const std::string surface = filename.substr(3); // behind "lh." or "rh."
+    const auto begins = [&](const std::string& known) { return surface.compare(0, known.size(), known) == 0; };
+    constexpr const char* surfaces[] = {"white",  "pial",     "orig",         "smoothwm",
+                                        "sphere", "inflated", "midthickness", "graymid"};
+    return std::any_of(std::begin(surfaces), std::end(surfaces), begins);
+  }
+  if(format == Mesh_format::GIFTI) {
+    const std::string kind = lower_case(fs::path(filename).stem().extension().string());
+    return kind != ".func" && kind != ".shape" && kind != ".label" && kind != ".time";
+  }
+  return format.has_value();
 }
 
 std::vector<std::string> named_inputs(const std::vector<std::string>& inputs, const std::string& list)

@@ -4,25 +4,31 @@
 #ifndef SPHERICAL_PARAMETERIZATION_TOOL_FILES_H
 #define SPHERICAL_PARAMETERIZATION_TOOL_FILES_H
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
 namespace tool {
 
-/// Throws a `Refusal` if the file does not exist, is not a regular file, is empty or cannot be opened.
+/// Throws a `Refusal` if the file does not exist, is not a regular file, is empty or cannot be opened. Nothing is known
+/// about the standard input, "-".
 void check_readable(const std::string& file);
 
-/// All bytes of a file. Throws a `Refusal`.
+/// All bytes of a file, or of the standard input. Throws a `Refusal`.
 std::string read_file(const std::string& file);
+
+/// Its first bytes, `size` at most. Throws a `Refusal`.
+std::string read_beginning(const std::string& file, std::size_t size);
 
 /// As in ".off".
 std::string lower_case_extension(const std::string& file);
 
-/// Whether the extension is one of those that `read_mesh()` reads.
+/// Whether a file in a folder is a mesh by its name: one of a format that `read_mesh()` reads, and of GIFTI's and
+/// FreeSurfer's files those that usually hold surfaces.
 bool is_mesh_file(const std::string& file);
 
-/// The extensions, for messages.
-inline const char* const mesh_extensions = ".off, .obj, .ply and .stl";
+/// The formats, for messages.
+inline const char* const mesh_extensions = "OFF, OBJ, PLY, STL, GIFTI, FreeSurfer and glTF";
 
 /// `inputs`, and the lines of the text file `list`, if it is not empty. Throws a `Refusal`.
 std::vector<std::string> named_inputs(const std::vector<std::string>& inputs, const std::string& list);

@@ -4,6 +4,8 @@
 #ifndef SPHERICAL_PARAMETERIZATION_TOOL_MESH_H
 #define SPHERICAL_PARAMETERIZATION_TOOL_MESH_H
 
+#include "input/annotations.h"
+
 #include <CGAL/Spherical_parameterization/Indexed_triangle_mesh.h>
 
 #include <boost/property_map/function_property_map.hpp>
@@ -39,12 +41,14 @@ enum class Polygons { REFUSE, TRIANGULATE };
 struct Input_mesh {
   Mesh mesh;
   std::size_t triangulated_polygons = 0; ///< if there are any, the faces are not those of the file
+  Annotations annotations;
 };
 
-/// Reads a triangulated sphere from an OFF, OBJ, PLY or STL file. Vertex `i` of the file is vertex `i` of the mesh, and
-/// the same for faces (of STL files: in the order in which they appear first). Anything else throws a `Refusal`.
+/// Reads a triangulated sphere from a file of one of the formats of `Mesh_format`, or from the standard input, "-".
+/// Vertex `i` of the file is vertex `i` of the mesh, and the same for faces (of STL and glTF files: in the order in
+/// which they appear first). Anything else throws a `Refusal`.
 ///
-/// The extension has to be one of the four; a PLY or OFF file under one of the other three is read as what it is.
+/// What the file contains decides about its format, and its name only if that leaves it open.
 Input_mesh read_mesh(const std::string& file, Polygons polygons = Polygons::REFUSE);
 
 } // namespace tool

@@ -4,6 +4,8 @@
 #ifndef SPHERICAL_PARAMETERIZATION_TOOL_MESH_READERS_H
 #define SPHERICAL_PARAMETERIZATION_TOOL_MESH_READERS_H
 
+#include "input/annotations.h"
+
 #include <array>
 #include <cstddef>
 #include <string>
@@ -19,6 +21,7 @@ struct Soup {
   std::size_t polygons = 0;                  ///< those of more than three vertices
   std::size_t first_polygon = 0;             ///< its number, counted from 0
   std::size_t size_of_first_polygon = 0;
+  Annotations annotations;
 
   /// \pre there are at least three corners
   void add_face(const std::vector<int>& corners)
@@ -36,11 +39,14 @@ struct Soup {
 /// Above this, 32-bit indices could not number all halfedges.
 constexpr std::size_t largest_count = 700'000'000;
 
-/// Reads the bytes of a mesh file in the format that its first line names, or else its extension.
+/// Reads the bytes of a mesh file, compressed or not, in the format of its content, or else of its name.
 Soup read_soup(const std::string& file, std::string bytes);
 
 /// Throws a `Refusal` of polygons that are no triangles.
 void check_triangles(const std::string& file, const Soup& soup);
+
+/// Throws a `Refusal` if `corner` is not the number of one of so many vertices.
+void check_corner(const std::string& file, std::size_t face, int corner, std::size_t number_of_vertices);
 
 /// \name Readers, one per file format
 /// They read the bytes of a file once. A broken file is refused in one sentence before it costs memory or yields a
@@ -54,6 +60,10 @@ Soup read_off(const std::string& file, std::string text);
 Soup read_obj(const std::string& file, std::string text);
 Soup read_ply(const std::string& file, const std::string& bytes);
 Soup read_stl(const std::string& file, std::string bytes); ///< corners at the same place become one vertex
+Soup read_gifti(const std::string& file, const std::string& text);
+Soup read_freesurfer(const std::string& file, const std::string& bytes);
+Soup read_glb(const std::string& file, const std::string& bytes); ///< vertices at the same place become one
+Soup read_gltf(const std::string& file, const std::string& text); ///< the same; other files are looked for next to it
 /// @}
 
 struct Fixed_vertex {

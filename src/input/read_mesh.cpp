@@ -3,45 +3,58 @@
 
 #include "input/mesh.h"
 
+#include "input/compression.h"
 #include "input/files.h"
+#include "input/mesh_format.h"
 #include "input/mesh_readers.h"
 #include "system/error_code_names.h"
 #include "system/refusal.h"
 
 #include <CGAL/tags.h>
 
+#include <cstdint>
+#include <filesystem>
 #include <string_view>
 #include <utility>
 
 namespace tool {
 namespace {
 
-/// The format that the first line of a file names, as an extension; empty if it names none. STL and OBJ files have no
-/// line of that kind.
-std::string format_of_content(std::string_view bytes)
-{
-  const std::size_t end = bytes.substr(0, 16).find_first_of("\r\n");
-  const std::string_view word = bytes.substr(0, end == std::string_view::npos ? 0 : end);
-  for(const std::string_view off : {"OFF", "COFF", "NOFF", "CNOFF", "STOFF"})
-    if(word == off)
-      return ".off";
-  return word == "ply" ? ".ply" : "";
-}
+namespace fs = std::filesystem;
 
-void check_extension(const std::string& file)
+void refuse_unknown(const std::string& file)
 {
   const std::string extension = lower_case_extension(file);
-  if(!is_mesh_file(file))
-    throw Refusal(unreadable_file, file,
-                  extension.empty() ? "has no extension" : "has the unknown extension '" + extension + "'",
-                  std::string("meshes are read from ") + mesh_extensions + " files");
+  throw Refusal(unreadable_file, file,
+                extension.empty() ? "has no extension, and an unknown content"
+                                  : "has the unknown extension '" + extension + "', and an unknown content",
+                std::string("meshes are read from ") + mesh_extensions + " files");
 }
 
-Soup read_format(const std::string& format, const std::string& file, std::string bytes)
+/// Refuses what neither its name nor its first bytes say to be a mesh, before it costs memory.
+void check_format(const std::string& file)
 {
-  if(format == ".ply")
-    return read_ply(file, bytes);
-  return (format == ".off" ? read_off : format == ".obj" ? read_obj : read_stl)(file, std::move(bytes));
+  constexpr std::size_t beginning = 4096;
+  if(file == standard_stream || format_of_name(file))
+    return;
+  const std::string bytes = read_beginning(file, beginning);
+  if(compression_of_content(bytes) == Compression::NONE && !format_of_content(bytes, fs::file_size(file)))
+    refuse_unknown(file);
+}
+
+Soup read_format(Mesh_format format, const std::string& file, std::string bytes)
+{
+  switch(format) {
+  case Mesh_format::OFF: return read_off(file, std::move(bytes));
+  case Mesh_format::OBJ: return read_obj(file, std::move(bytes));
+  case Mesh_format::PLY: return read_ply(file, bytes);
+  case Mesh_format::STL: return read_stl(file, std::move(bytes));
+  case Mesh_format::GIFTI: return read_gifti(file, bytes);
+  case Mesh_format::FREESURFER: return read_freesurfer(file, bytes);
+  case Mesh_format::GLB: return read_glb(file, bytes);
+  case Mesh_format::GLTF: return read_gltf(file, bytes);
+  }
+  return {};
 }
 
 } // namespace
@@ -57,22 +70,37 @@ void check_triangles(const std::string& file, const Soup& soup)
                   "triangulate the mesh, or use --triangulate");
 }
 
+void check_corner(const std::string& file, std::size_t face, int corner, std::size_t number_of_vertices)
+{
+  if(corner < 0 || std::size_t(corner) >= number_of_vertices)
+    throw Refusal(unreadable_file, file,
+                  "face " + std::to_string(face) + " has the vertex " + std::to_string(corner) +
+                    ", which is not in the range 0.." + std::to_string(std::int64_t(number_of_vertices) - 1),
+                  "the file is damaged; export it again");
+}
+
 Soup read_soup(const std::string& file, std::string bytes)
 {
-  check_extension(file);
-  const std::string content = format_of_content(bytes);
-  return read_format(content.empty() ? lower_case_extension(file) : content, file, std::move(bytes));
+  if(const Compression compression = compression_of_content(bytes); compression != Compression::NONE)
+    bytes = decompressed(file, bytes, compression);
+  auto format = format_of_content(bytes, bytes.size());
+  if(!format)
+    format = format_of_name(file);
+  if(!format)
+    refuse_unknown(file);
+  return read_format(*format, file, std::move(bytes));
 }
 
 Input_mesh read_mesh(const std::string& file, Polygons polygons)
 {
   check_readable(file);
-  check_extension(file); // before the file costs memory
-  const Soup soup = read_soup(file, read_file(file));
+  check_format(file);
+  Soup soup = read_soup(file, read_file(file));
   if(polygons == Polygons::REFUSE)
     check_triangles(file, soup);
   try {
-    return {Mesh(CGAL::Parallel_if_available_tag(), soup.points, soup.triangles), soup.polygons};
+    return {Mesh(CGAL::Parallel_if_available_tag(), soup.points, soup.triangles), soup.polygons,
+            std::move(soup.annotations)};
   } catch(const CGAL::Spherical_parameterization::Error& error) {
     throw Refusal(name(error.code()), file, "has " + error.detail(), "");
   }

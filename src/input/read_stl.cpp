@@ -3,13 +3,11 @@
 
 #include "input/mesh_readers.h"
 #include "input/text_lines.h"
+#include "input/welded_points.h"
 #include "system/refusal.h"
-
-#include <boost/functional/hash.hpp>
 
 #include <cmath>
 #include <cstring>
-#include <unordered_map>
 #include <utility>
 
 namespace tool {
@@ -21,26 +19,25 @@ constexpr std::size_t triangle_size = 50;      // normal, three corners, two byt
 /// The format has no vertices, but the corners of single triangles.
 class Soup_of_corners {
 public:
-  using Point = std::array<double, 3>;
-
-  void add_corner(const Point& p)
+  void add_corner(const std::array<double, 3>& p)
   {
-    const auto [place, is_new] = index_.try_emplace(p, static_cast<int>(soup_.points.size()));
-    if(is_new)
-      soup_.points.push_back(p);
-    corners_.push_back(place->second);
+    corners_.push_back(points_.index_of(p));
     if(corners_.size() == 3) {
       soup_.add_face(corners_);
       corners_.clear();
     }
   }
 
-  Soup soup() && { return std::move(soup_); }
+  Soup soup() &&
+  {
+    soup_.points = points_.points();
+    return std::move(soup_);
+  }
 
 private:
   Soup soup_;
   std::vector<int> corners_; ///< of the triangle that is not complete yet
-  std::unordered_map<Point, int, boost::hash<Point>> index_;
+  Welded_points points_;
 };
 
 /// Solids follow on each other; they may have names, and keywords may be in upper case.

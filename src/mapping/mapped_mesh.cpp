@@ -4,12 +4,14 @@
 #include "mapping/mapped_mesh.h"
 
 #include "mapping/spherical_map.h"
+#include "output/write_mesh.h"
 #include "system/error_code_names.h"
 #include "system/interruption.h"
 #include "system/progress_bar.h"
 #include "system/refusal.h"
 
 #include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
+#include <CGAL/Spherical_parameterization/measure_distortion.h>
 
 #include <algorithm>
 #include <string>
@@ -35,7 +37,7 @@ void compute_map(const Mapping_options& options, Mapped_mesh& input)
   if(!options.fixed.empty())
     input.settings->fixed_vertices = read_fixed_vertices(options.fixed, input.mesh().number_of_vertices());
 
-  Progress_bar bar;
+  Progress_bar bar("mapping");
   input.result = map_to_sphere(input.mesh(), input.sphere, *input.settings, [&bar](double fraction) {
     bar.show(fraction);
     return !was_interrupted();
@@ -79,6 +81,21 @@ void map_input(const Mapping_options& options, Mapped_mesh& input, Map_quality q
     throw Refusal(name(result.error), file, get_error_message(result.error) + (detail.empty() ? "" : ": " + detail),
                   what_to_do);
   }
+}
+
+void certify_as_stored(const std::string& output, Mesh_format format, Mapped_mesh& input)
+{
+  namespace SP = CGAL::Spherical_parameterization;
+  const Sphere stored = as_stored(format, Surface::SPHERE, input.sphere);
+  on_host(input, [&](const auto& policy) {
+    input.result.flipped_faces = SP::number_of_flipped_faces(policy, input.mesh(), as_map(stored));
+    input.result.degree = SP::degree_of_map(policy, input.mesh(), as_map(stored));
+  });
+  if(input.result.flipped_faces > 0 || input.result.degree != 1)
+    throw Refusal(name(Error_code::NOT_BIJECTIVE), output,
+                  std::to_string(input.result.flipped_faces) +
+                    " faces flip when the sphere is rounded to the floats of this format",
+                  "write .ply, .off or .obj, which hold doubles, or try --method isometric");
 }
 
 } // namespace tool

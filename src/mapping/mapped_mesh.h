@@ -5,16 +5,18 @@
 #define SPHERICAL_PARAMETERIZATION_TOOL_MAPPED_MESH_H
 
 #include "input/mesh.h"
+#include "input/mesh_format.h"
+#include "options/map_settings.h"
 #include "options/mapping_options.h"
 
 #include <CGAL/Spherical_parameterization/Result.h>
 
 #include <memory>
 #include <optional>
+#include <string>
+#include <variant>
 
 namespace tool {
-
-struct Map_settings;
 
 /// The mesh that a command works on, and its certified spherical map. A command is
 ///
@@ -46,6 +48,17 @@ enum class Map_quality {
 /// Maps the mesh with a progress bar, or reads the sphere that the user has. Throws a `Refusal` if there is no such
 /// map; then, too, `input.result` says what happened.
 void map_input(const Mapping_options& options, Mapped_mesh& input, Map_quality quality = Map_quality::CERTIFIED);
+
+/// Certifies the sphere as a file of `format`, which holds floats, will have it: the certificate of the result is that
+/// of the file then. Throws a `Refusal` that names `output` if rounding flips faces.
+void certify_as_stored(const std::string& output, Mesh_format format, Mapped_mesh& input);
+
+/// Calls `function` with the policy for functions that run on the host: all cores, but for `--policy sequential`.
+template <class Function>
+auto on_host(const Mapped_mesh& input, Function function)
+{
+  return std::visit(function, input.settings->policy);
+}
 
 } // namespace tool
 

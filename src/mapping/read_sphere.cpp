@@ -42,9 +42,12 @@ void check_same_faces(const std::string& file, const std::string& mesh_file, con
 }
 
 /// A unit vector up to rounding is not changed: where the sphere is dense, every bit counts. Points with fewer digits
-/// are normalized.
-Point on_unit_sphere(const std::string& file, const Point& p, std::size_t index)
+/// are normalized, and those of a sphere of radius 100, as neuroimaging programs have it.
+Point on_unit_sphere(const std::string& file, Point p, std::size_t index)
 {
+  if(const double radius = std::hypot(p[0], p[1], p[2]); radius > 50 && radius < 200)
+    for(double& x : p)
+      x /= 100;
   const double length = std::hypot(p[0], p[1], p[2]);
   if(!(length > 0.5 && length < 2))
     throw Refusal("NOT_THE_SPHERE", file,
@@ -70,12 +73,13 @@ CGAL::Spherical_parameterization::Result read_sphere(const std::string& file, co
   SP::Result result;
   result.number_of_vertices = mesh.number_of_vertices();
   result.number_of_faces = mesh.number_of_faces();
-  result.flipped_faces = SP::number_of_flipped_faces(mesh, as_map(sphere));
-  result.degree = SP::degree_of_map(mesh, as_map(sphere));
+  const CGAL::Parallel_if_available_tag policy;
+  result.flipped_faces = SP::number_of_flipped_faces(policy, mesh, as_map(sphere));
+  result.degree = SP::degree_of_map(policy, mesh, as_map(sphere));
   if(result.flipped_faces > 0 || result.degree != 1) {
     result.error = SP::Error_code::NOT_BIJECTIVE;
     result.detail = std::to_string(result.flipped_faces) + " faces are flipped, the degree is " +
-                    std::to_string(result.degree) + "; map the mesh again, and keep all 17 digits";
+                    std::to_string(result.degree) + "; map the mesh again, and keep all digits";
   }
   return result;
 }

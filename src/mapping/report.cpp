@@ -5,6 +5,7 @@
 
 #include "options/map_settings.h"
 #include "output/atomic_file.h"
+#include "system/error_code_names.h"
 
 #include <nlohmann/json.hpp>
 
@@ -18,17 +19,6 @@ namespace {
 
 namespace SP = CGAL::Spherical_parameterization;
 using Json = nlohmann::ordered_json;
-
-std::size_t peak_memory_bytes()
-{
-  rusage usage = {};
-  getrusage(RUSAGE_SELF, &usage);
-#ifdef __APPLE__
-  return static_cast<std::size_t>(usage.ru_maxrss);
-#else
-  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
-#endif
-}
 
 Json to_json(const SP::Distribution& d)
 {
@@ -82,6 +72,18 @@ Json known(bool is_known, const Value& value)
 
 Json given(const std::string& text) { return known(!text.empty(), text); }
 
+/// Every method that was tried.
+Json attempts_of(const SP::Result& result)
+{
+  Json attempts = Json::array();
+  for(const SP::Result::Attempt& attempt : result.attempts)
+    attempts.push_back({{"method", attempt.method},
+                        {"error_code", name(attempt.error)},
+                        {"detail", given(attempt.detail)},
+                        {"seconds", attempt.seconds.total}});
+  return attempts;
+}
+
 /// Every option on how to map by its name on the command line, given or default, as far as weights and method use it.
 Json settings_of(const Mapping_options& options)
 {
@@ -107,6 +109,17 @@ Json settings_of(const Mapping_options& options)
 
 } // namespace
 
+std::size_t peak_memory_bytes()
+{
+  rusage usage = {};
+  getrusage(RUSAGE_SELF, &usage);
+#ifdef __APPLE__
+  return static_cast<std::size_t>(usage.ru_maxrss);
+#else
+  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+#endif
+}
+
 Json report_json(const Mapping_options& options, const Mapped_mesh& input, const Report& report)
 {
   const SP::Result& result = input.result;
@@ -120,6 +133,7 @@ Json report_json(const Mapping_options& options, const Mapped_mesh& input, const
           {"method", options.method},
           {"method_used", known(has_map, result.method)},
           {"fallback_reason", given(result.fallback_reason)},
+          {"attempts", attempts_of(result)},
           {"policy", options.policy},
           {"device", given(result.device)},
           {"settings", settings_of(options)},

@@ -11,6 +11,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -24,6 +25,9 @@ struct Report {
   double seconds_total = 0;
   std::optional<Refusal> refusal; ///< its log is too long for the JSON file
 };
+
+/// The most memory that the process has had so far.
+std::size_t peak_memory_bytes();
 
 /// The report, for programs to read. What is not known, since there is no map, is null. File names need not be valid
 /// UTF-8, which has to be replaced in text.

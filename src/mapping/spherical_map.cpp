@@ -36,14 +36,24 @@ Weights weights_of(const Mesh& mesh, Mean_value_weights) { return function_of(SP
 SP::Result map_to_sphere(const Mesh& mesh, Sphere& sphere, const Map_settings& settings,
                          const std::function<bool(double)>& go_on)
 {
-  sphere.resize(mesh.number_of_vertices());
-  std::vector<bool> is_fixed(mesh.number_of_vertices(), false);
+  const std::size_t n = mesh.number_of_vertices();
+  std::vector<bool> is_fixed(n, false);
+  sphere.clear();
+  if(!settings.fixed_vertices.empty())
+    sphere.resize(n);
   for(const Fixed_vertex& fixed : settings.fixed_vertices) {
     is_fixed[fixed.index] = true;
     sphere[fixed.index] = fixed.position;
   }
   const auto is_fixed_map = boost::make_function_property_map<Mesh::Vertex_index>(
     [&is_fixed](Mesh::Vertex_index v) -> bool { return is_fixed[static_cast<std::size_t>(v.idx())]; });
+  // Where nothing is read from it, the sphere takes its memory when the solver has given its own back.
+  const auto sphere_map =
+    boost::make_function_property_map<Mesh::Vertex_index>([&sphere, n](Mesh::Vertex_index v) -> Point& {
+      if(sphere.empty())
+        sphere.resize(n);
+      return sphere[static_cast<std::size_t>(v.idx())];
+    });
   const Weights weights =
     std::visit([&mesh](const auto& chosen) { return weights_of(mesh, chosen); }, settings.weights);
   const auto weight_map = boost::make_function_property_map<Mesh::Edge_index>(std::cref(weights));
@@ -58,7 +68,7 @@ SP::Result map_to_sphere(const Mesh& mesh, Sphere& sphere, const Map_settings& s
           .number_of_iterations(settings.iterations.value_or(Method::default_number_of_iterations))
           .maximum_running_time(settings.max_time.value_or(std::numeric_limits<double>::infinity()))
           .callback(go_on);
-      return SP::parameterize(policy, mesh, method, as_map(sphere), parameters);
+      return SP::parameterize(policy, mesh, method, sphere_map, parameters);
     },
     settings.policy, settings.method);
 }

@@ -96,7 +96,10 @@ const std::string& default_policy_name()
 
 void add_input_option(CLI::App& command, Mapping_options& options)
 {
-  command.add_option("IN", options.input, "Closed triangle mesh of genus 0: .off, .obj, .ply or .stl")
+  command
+    .add_option(
+      "IN", options.input,
+      "Closed triangle mesh of genus 0: OFF, OBJ, PLY, STL, GIFTI, FreeSurfer, GLB or glTF; - is the standard input")
     ->required()
     ->type_name("FILE");
 }

@@ -3,7 +3,9 @@
 
 #include "options/usage.h"
 
+#include "input/compression.h"
 #include "input/files.h"
+#include "input/mesh_format.h"
 
 #include <CLI/CLI.hpp>
 
@@ -143,7 +145,10 @@ std::string usage_error(const CLI::App& app, const CLI::ParseError& error)
   for(const std::string& word : extras)
     if(word.size() > 1 && word[0] == '-') {
       const std::string option = word.substr(0, word.find('='));
-      return "unknown option '" + option + "'" + suggestion(option, option_names(command));
+      std::vector<std::string> names = option_names(command);
+      for(const std::string& name : option_names(app)) // some are for all commands
+        names.push_back(name);
+      return "unknown option '" + option + "'" + suggestion(option, names);
     }
   if(!extras.empty())
     return "unexpected arguments: " + CLI::detail::join(extras, " ");
@@ -158,7 +163,7 @@ void require(bool condition, const std::string& option, const std::string& rule)
 
 void require_extension(const std::string& option, const std::string& file, const std::vector<std::string>& extensions)
 {
-  const auto found = std::find(extensions.begin(), extensions.end(), lower_case_extension(file));
+  const auto found = std::find(extensions.begin(), extensions.end(), lower_case_extension(without_compression(file)));
   require(found != extensions.end(), option,
           "'" + file + "' must have the extension " + CLI::detail::join(extensions, " or "));
 }
@@ -169,6 +174,11 @@ void check_files(const std::vector<File_option>& inputs, const std::vector<File_
   for(const auto& [option, file] : outputs) {
     if(file.empty())
       continue;
+    if(file == standard_stream) { // which is another one for inputs
+      for(const auto& [other_option, other_file] : outputs)
+        require(other_file != standard_stream || other_option == option, option, "is the same file as " + other_option);
+      continue;
+    }
     require(can_be_replaced(file), option, "'" + file + "' exists and is not a regular file");
     for(const auto& [other_option, other_file] : files)
       require(other_file.empty() || !is_same_file(file, other_file), option, "is the same file as " + other_option);

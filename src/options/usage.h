@@ -29,7 +29,8 @@ std::string usage_error(const CLI::App& app, const CLI::ParseError& error);
 /// Throws a `CLI::ValidationError`, which is wrong usage, if the rule for an option is broken.
 void require(bool condition, const std::string& option, const std::string& rule);
 
-/// Throws at an option that names a file without one of the extensions, as in ".off, .ply".
+/// Throws at an option that names a file without one of the extensions, as in ".off, .ply". One of a compression may
+/// follow.
 void require_extension(const std::string& option, const std::string& file, const std::vector<std::string>& extensions);
 
 /// An option, and the file it names; empty if it was not given.

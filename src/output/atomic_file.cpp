@@ -3,7 +3,10 @@
 
 #include "output/atomic_file.h"
 
+#include "input/mesh_format.h"
+#include "output/compressing_stream.h"
 #include "system/refusal.h"
+#include "system/standard_output.h"
 
 #include <cerrno>
 #include <filesystem>
@@ -17,18 +20,40 @@ namespace {
 
 const std::string before_process = ".part";
 
+/// In the same folder, since renaming must not copy.
+std::string temporary_of(const std::string& file)
+{
+  const std::string name =
+    file == standard_stream ? (std::filesystem::temp_directory_path() / "spherical-parameterization").string() : file;
+  return name + before_process + std::to_string(getpid());
+}
+
 } // namespace
 
-Atomic_file::Atomic_file(const std::string& file)
-  : file_(file), temporary_(file + before_process + std::to_string(getpid())) // same folder: renaming must not copy
+Atomic_file::Atomic_file(const std::string& file) : file_(file), temporary_(temporary_of(file))
 {
+  if(file == standard_stream)
+    keep_standard_output_for_data();
   errno = 0;
   out_.open(temporary_, std::ios::binary | std::ios::trunc);
   if(!out_)
     refuse("cannot be written (" + std::generic_category().message(errno) + ")");
+  if(const Compression compression = compression_of_name(file); compression != Compression::NONE)
+    try {
+      compressed_ = compressing_stream(out_, compression, file);
+    } catch(...) {
+      remove();
+      throw;
+    }
 }
 
 Atomic_file::~Atomic_file()
+{
+  compressed_ = nullptr;
+  remove();
+}
+
+void Atomic_file::remove()
 {
   out_.close();
   std::error_code ignored; // after commit() there is nothing left to remove
@@ -71,13 +96,21 @@ void Atomic_file::commit_all(std::initializer_list<Atomic_file*> files)
 void Atomic_file::complete()
 {
   errno = 0;
-  out_.close(); // flushes
-  if(!out_)     // the reason of an earlier failure is lost
+  compressed_ = nullptr; // flushes, as the next line does
+  out_.close();
+  if(!out_) // the reason of an earlier failure is lost
     refuse("could not be written completely" + (errno == 0 ? "" : " (" + std::generic_category().message(errno) + ")"));
 }
 
 void Atomic_file::rename()
 {
+  if(file_ == standard_stream) {
+    std::ifstream complete(temporary_, std::ios::binary);
+    remove(); // before SIGPIPE can end the program; what is open stays readable
+    if(!write_to_standard_output(complete.rdbuf()))
+      refuse("could not be written completely");
+    return;
+  }
   std::error_code error;
   std::filesystem::rename(temporary_, file_, error);
   if(error)
@@ -86,7 +119,8 @@ void Atomic_file::rename()
 
 void Atomic_file::refuse(const std::string& wrong) const
 {
-  throw Refusal("UNWRITABLE_FILE", file_, wrong, "check the folder, its permissions and the space on the disk");
+  throw Refusal("UNWRITABLE_FILE", file_ == standard_stream ? "standard output" : file_, wrong,
+                "check the folder, its permissions and the space on the disk");
 }
 
 } // namespace tool

@@ -8,6 +8,8 @@
 #include <functional>
 #include <initializer_list>
 #include <ostream>
+#include <memory>
+#include <ostream>
 #include <string>
 
 namespace tool {
@@ -15,7 +17,8 @@ namespace tool {
 /// An output file that is there complete or not at all: it gets its name only when everything has been written.
 class Atomic_file {
 public:
-  /// Opens a temporary file next to `file`, or throws a `Refusal`.
+  /// Opens a temporary file next to `file`, or throws a `Refusal`. What is written is compressed if the last extension
+  /// of `file` says so. The standard output, "-", is a file, too: it gets all or nothing.
   explicit Atomic_file(const std::string& file);
 
   /// Removes what has not been committed.
@@ -24,7 +27,7 @@ public:
   Atomic_file(const Atomic_file&) = delete;
   Atomic_file& operator=(const Atomic_file&) = delete;
 
-  std::ostream& stream() { return out_; }
+  std::ostream& stream() { return compressed_ ? *compressed_ : out_; }
 
   /// Creates a folder for such files, with those above it, if it is not there. Throws a `Refusal`.
   static void create_folder(const std::string& folder);
@@ -41,6 +44,7 @@ public:
   static void commit_all(std::initializer_list<Atomic_file*> files);
 
 private:
+  void remove();
   void complete();
   void rename();
   [[noreturn]] void refuse(const std::string& wrong) const;
@@ -48,6 +52,7 @@ private:
   std::string file_;
   std::string temporary_;
   std::ofstream out_;
+  std::unique_ptr<std::ostream> compressed_; ///< before `out_`; may be null
 };
 
 } // namespace tool

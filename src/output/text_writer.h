@@ -14,8 +14,8 @@
 
 namespace tool {
 
-/// Writes text to a stream in large pieces. Numbers with a fraction have the 17 digits
-/// that give the same number when read.
+/// Writes text to a stream in large pieces. Numbers with a fraction have the fewest digits from which the same number
+/// is read.
 class Text_writer {
 public:
   explicit Text_writer(std::ostream& out) : out_(out) {}
@@ -41,10 +41,7 @@ private:
     else if constexpr(std::is_arithmetic_v<Part>) {
       std::array<char, 32> digits;
       char* const limit = digits.data() + digits.size();
-      if constexpr(std::is_floating_point_v<Part>)
-        text_.append(digits.data(), std::to_chars(digits.data(), limit, part, std::chars_format::general, 17).ptr);
-      else
-        text_.append(digits.data(), std::to_chars(digits.data(), limit, part).ptr);
+      text_.append(digits.data(), std::to_chars(digits.data(), limit, part).ptr);
     } else
       text_ += std::string_view(part);
   }

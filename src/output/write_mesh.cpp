@@ -3,53 +3,54 @@
 
 #include "output/write_mesh.h"
 
-#include "input/files.h"
+#include "output/ply.h"
 #include "output/quantile.h"
 #include "output/text_writer.h"
-
-#include <CGAL/Spherical_parameterization/measure_distortion.h>
+#include "system/refusal.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
+#include <cstdint>
 #include <limits>
 #include <sstream>
+#include <string>
+#include <utility>
 
 namespace tool {
 namespace {
 
-using Colour = std::array<int, 3>;
+using Colour = std::array<std::uint8_t, 3>;
 
-/// What rows of a PLY file have behind coordinates or vertex indices.
-struct Columns {
-  std::string properties;                 ///< lines of the header
-  std::function<void(std::size_t)> write; ///< of row i, each with a space before it
-};
-
-void write_faces(Text_writer& write, const Mesh& mesh, const Columns& columns = {})
+void write_off(std::ostream& out, const Mesh& mesh, const std::vector<Point>& points)
 {
+  Text_writer write(out);
+  write("OFF\n", points.size(), ' ', mesh.number_of_faces(), " 0\n");
+  for(const Point& p : points)
+    write(p, '\n');
+  for(std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+    write("3 ", mesh.triangle(f), '\n');
+}
+
+void write_obj(std::ostream& out, const Mesh& mesh, const std::vector<Point>& points)
+{
+  Text_writer write(out);
+  for(const Point& p : points)
+    write("v ", p, '\n');
   for(std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-    write("3 ", mesh.triangle(f));
-    if(columns.write)
-      columns.write(f);
-    write('\n');
+    const auto [a, b, c] = mesh.triangle(f);
+    write("f ", a + 1, ' ', b + 1, ' ', c + 1, '\n');
   }
 }
 
-void write_ply(Text_writer& write, const Mesh& mesh, const std::vector<Point>& points, const std::string& comment = "",
-               const Columns& of_vertices = {}, const Columns& of_faces = {})
+/// Red, green and blue of vertices or faces.
+std::vector<Ply_column> columns_of(const std::vector<Colour>& colours)
 {
-  write("ply\nformat ascii 1.0\n", comment, "element vertex ", points.size(),
-        "\nproperty double x\nproperty double y\nproperty double z\n", of_vertices.properties, "element face ",
-        mesh.number_of_faces(), "\nproperty list uchar int vertex_indices\n", of_faces.properties, "end_header\n");
-  for(std::size_t v = 0; v < points.size(); ++v) {
-    write(points[v]);
-    if(of_vertices.write)
-      of_vertices.write(v);
-    write('\n');
-  }
-  write_faces(write, mesh, of_faces);
+  std::vector<Ply_column> columns;
+  for(const auto& [k, name] : {std::pair(0, "red"), std::pair(1, "green"), std::pair(2, "blue")})
+    columns.push_back(
+      {Ply_column::Type::UCHAR, name, [&colours, k = std::size_t(k)](std::size_t i) { return double(colours[i][k]); }});
+  return columns;
 }
 
 /// A diverging scale of even lightness (K. Moreland, "Diverging color maps for scientific visualization", 2009),
@@ -63,7 +64,7 @@ Colour diverging(double t)
   const double share = place - static_cast<double>(below);
   Colour colour;
   for(std::size_t i = 0; i < 3; ++i)
-    colour[i] = static_cast<int>(std::lround((1 - share) * scale[below][i] + share * scale[below + 1][i]));
+    colour[i] = static_cast<std::uint8_t>(std::lround((1 - share) * scale[below][i] + share * scale[below + 1][i]));
   return colour;
 }
 
@@ -78,39 +79,59 @@ Colour colour_of_segment(std::size_t segment)
   for(std::size_t i = 0; i < 3; ++i) {
     const double phase = std::abs(std::remainder(hue - static_cast<double>(i) / 3, 1.)); // 0 to 1/2
     const double pure = std::clamp(2 - 6 * phase, 0., 1.);
-    colour[i] = static_cast<int>(std::lround(255 * light * (1 - saturation * (1 - pure))));
+    colour[i] = static_cast<std::uint8_t>(std::lround(255 * light * (1 - saturation * (1 - pure))));
   }
   return colour;
 }
 
 } // namespace
 
-void write_mesh(std::ostream& out, const std::string& file, const Mesh& mesh, const std::vector<Point>& points)
+void write_mesh(std::ostream& out, const Output_format& format, const Mesh& mesh, const std::vector<Point>& points,
+                Surface surface, const Annotations& annotations)
 {
-  Text_writer write(out);
-  const std::string extension = lower_case_extension(file);
-  if(extension == ".ply")
-    write_ply(write, mesh, points);
-  else if(extension == ".off") {
-    write("OFF\n", points.size(), ' ', mesh.number_of_faces(), " 0\n");
-    for(const Point& p : points)
-      write(p, '\n');
-    write_faces(write, mesh);
-  } else {
-    for(const Point& p : points)
-      write("v ", p, '\n');
-    for(std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-      const auto [a, b, c] = mesh.triangle(f);
-      write("f ", a + 1, ' ', b + 1, ' ', c + 1, '\n');
-    }
+  const double radius = surface == Surface::SPHERE ? radius_of_spheres(format.format) : 1;
+  std::vector<Point> scaled;
+  if(radius != 1) {
+    scaled = points;
+    for(Point& p : scaled)
+      for(double& x : p)
+        x *= radius;
+  }
+  const std::vector<Point>& written = radius == 1 ? points : scaled;
+  switch(format.format) {
+  case Mesh_format::OFF: return write_off(out, mesh, written);
+  case Mesh_format::OBJ: return write_obj(out, mesh, written);
+  case Mesh_format::PLY: return write_ply(out, format.ascii, mesh, written);
+  case Mesh_format::GIFTI: return write_gifti(out, mesh, written, surface, annotations);
+  case Mesh_format::FREESURFER: return write_freesurfer(out, mesh, written, annotations);
+  case Mesh_format::GLB:
+  case Mesh_format::GLTF: return write_gltf(out, format.format, mesh, written);
+  case Mesh_format::STL: break; // no option takes it
   }
 }
 
-void write_stretch_ply(std::ostream& out, const Mesh& mesh, const Sphere& sphere)
+float as_float(double x)
 {
-  std::vector<double> stretch(mesh.number_of_vertices());
-  CGAL::Spherical_parameterization::log_area_stretch(mesh, as_map(sphere), as_map<Mesh::Vertex_index>(stretch));
+  if(!(std::abs(x) <= std::numeric_limits<float>::max()))
+    throw Refusal("NON_FINITE_COORDINATE", "the output",
+                  "the format holds floats, and the coordinate " + std::to_string(x) + " exceeds their range",
+                  "write .ply, .off or .obj");
+  return static_cast<float>(x);
+}
 
+std::vector<Point> as_stored(Mesh_format format, Surface surface, std::vector<Point> points)
+{
+  if(stores_floats(format)) {
+    const double radius = surface == Surface::SPHERE ? radius_of_spheres(format) : 1;
+    for(Point& p : points)
+      for(double& x : p)
+        x = as_float(radius * x);
+  }
+  return points;
+}
+
+void write_stretch_ply(std::ostream& out, bool ascii, const Mesh& mesh, const std::vector<double>& stretch)
+{
   // The scale ends at quantiles, or a few vertices at the tips of limbs would leave everything else white. Either side
   // has its own, since limbs can shrink by many orders of magnitude while nothing grows by more than a few.
   std::vector<double> sorted = stretch;
@@ -118,22 +139,29 @@ void write_stretch_ply(std::ostream& out, const Mesh& mesh, const Sphere& sphere
   const double high = std::max(quantile(sorted, 0.98), std::numeric_limits<double>::min());
   std::ostringstream comment;
   comment.precision(std::numeric_limits<double>::max_digits10);
-  comment << "comment colours by log_area_stretch: blue at " << low << ", white at 0, red at " << high << '\n';
+  comment << "colours by log_area_stretch: blue at " << low << ", white at 0, red at " << high;
 
-  Text_writer write(out);
-  write_ply(
-    write, mesh, mesh.points(), comment.str(),
-    {"property uchar red\nproperty uchar green\nproperty uchar blue\nproperty double log_area_stretch\n",
-     [&](std::size_t v) { write(' ', diverging(stretch[v] / (stretch[v] < 0 ? -low : high)), ' ', stretch[v]); }});
+  std::vector<Colour> colours;
+  colours.reserve(stretch.size());
+  for(const double x : stretch)
+    colours.push_back(diverging(x / (x < 0 ? -low : high)));
+  Ply_extras extras = {comment.str(), columns_of(colours), {}};
+  extras.of_vertices.push_back(
+    {Ply_column::Type::DOUBLE, "log_area_stretch", [&stretch](std::size_t v) { return stretch[v]; }});
+  write_ply(out, ascii, mesh, mesh.points(), extras);
 }
 
-void write_segments_ply(std::ostream& out, const Mesh& mesh, const std::vector<std::size_t>& segments,
+void write_segments_ply(std::ostream& out, bool ascii, const Mesh& mesh, const std::vector<std::size_t>& segments,
                         std::size_t number_of_segments)
 {
-  Text_writer write(out);
-  write_ply(write, mesh, mesh.points(), "comment " + std::to_string(number_of_segments) + " segments\n", {},
-            {"property uchar red\nproperty uchar green\nproperty uchar blue\nproperty int segment\n",
-             [&](std::size_t f) { write(' ', colour_of_segment(segments[f]), ' ', segments[f]); }});
+  std::vector<Colour> colours;
+  colours.reserve(segments.size());
+  for(const std::size_t segment : segments)
+    colours.push_back(colour_of_segment(segment));
+  Ply_extras extras = {std::to_string(number_of_segments) + " segments", {}, columns_of(colours)};
+  extras.of_faces.push_back(
+    {Ply_column::Type::INT, "segment", [&segments](std::size_t f) { return double(segments[f]); }});
+  write_ply(out, ascii, mesh, mesh.points(), extras);
 }
 
 } // namespace tool

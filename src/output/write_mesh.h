@@ -5,6 +5,7 @@
 #define SPHERICAL_PARAMETERIZATION_TOOL_WRITE_MESH_H
 
 #include "input/mesh.h"
+#include "input/mesh_format.h"
 
 #include <cstddef>
 #include <ostream>
@@ -14,16 +15,32 @@
 
 namespace tool {
 
-/// Writes the faces of `mesh` over other points, in the format that the extension of `file` asks for: OFF, OBJ or PLY.
-void write_mesh(std::ostream& out, const std::string& file, const Mesh& mesh, const std::vector<Point>& points);
+/// In which format to write.
+struct Output_format {
+  Mesh_format format = Mesh_format::PLY;
+  bool ascii = false; ///< PLY as text
+};
 
-/// Writes the mesh (not the sphere) as a PLY file with the log area stretch of every vertex, and coloured by it:
-/// white where areas keep their share, red where the map shrinks them, blue where it enlarges them.
-void write_stretch_ply(std::ostream& out, const Mesh& mesh, const Sphere& sphere);
+/// What the points of a mesh are. Spheres are written with the radius that the format's programs expect.
+enum class Surface { SHAPE, SPHERE };
+
+/// Writes the faces of `mesh` over other points. `annotations` are those of the file that the mesh was read from.
+void write_mesh(std::ostream& out, const Output_format& format, const Mesh& mesh, const std::vector<Point>& points,
+                Surface surface, const Annotations& annotations = {});
+
+/// A coordinate for a format that holds floats. Throws a `Refusal` if it exceeds their range.
+float as_float(double x);
+
+/// The coordinates that are read from a file of that format, which may hold floats and other radii.
+std::vector<Point> as_stored(Mesh_format format, Surface surface, std::vector<Point> points);
+
+/// Writes the mesh (not the sphere) as a PLY file with `stretch`, the log area stretch of every vertex, and coloured by
+/// it: white where areas keep their share, red where the map shrinks them, blue where it enlarges them.
+void write_stretch_ply(std::ostream& out, bool ascii, const Mesh& mesh, const std::vector<double>& stretch);
 
 /// Writes the mesh as PLY with the segment of every face, and faces coloured by it. Segment i has the same colour in
 /// every file.
-void write_segments_ply(std::ostream& out, const Mesh& mesh, const std::vector<std::size_t>& segments,
+void write_segments_ply(std::ostream& out, bool ascii, const Mesh& mesh, const std::vector<std::size_t>& segments,
                         std::size_t number_of_segments);
 
 /// A position in the texture.
@@ -34,6 +51,14 @@ using Uv = std::pair<double, double>;
 void write_textured_obj(std::ostream& out, const Mesh& mesh, const std::vector<Uv>& uv,
                         const std::string& material_file);
 
+/// Writes the mesh as glTF 2.0 with a vertex for every position that one has in the texture, and the image, a PNG or
+/// JPEG file, inside.
+void write_textured_gltf(std::ostream& out, Mesh_format format, const Mesh& mesh, const std::vector<Uv>& uv,
+                         const std::string& image);
+
+/// The media type of a PNG or JPEG file by its first bytes, which is all that glTF can hold; empty for others.
+std::string type_of_image(const std::string& image);
+
 /// The material `texture`: white, with the image.
 void write_material(std::ostream& out, const std::string& image_file);
 
@@ -41,6 +66,16 @@ void write_material(std::ostream& out, const std::string& image_file);
 /// is even in both directions, so that it repeats whether shifted or turned by 180 degrees. Throws a
 /// `std::runtime_error`.
 void write_checker(std::ostream& out, int columns, int rows);
+
+/// \name One function per format
+/// The points are scaled already.
+/// @{
+void write_gifti(std::ostream& out, const Mesh& mesh, const std::vector<Point>& points, Surface surface,
+                 const Annotations& annotations);
+void write_freesurfer(std::ostream& out, const Mesh& mesh, const std::vector<Point>& points,
+                      const Annotations& annotations);
+void write_gltf(std::ostream& out, Mesh_format format, const Mesh& mesh, const std::vector<Point>& points);
+/// @}
 
 } // namespace tool
 

@@ -3,6 +3,8 @@
 
 #include "system/progress_bar.h"
 
+#include "system/standard_output.h"
+
 #include <algorithm>
 #include <atomic>
 #include <iostream>
@@ -14,25 +16,28 @@
 namespace tool {
 namespace {
 
-/// "[" and "] 100 %", and the last column, at which some terminals begin a new line.
-constexpr std::size_t other_columns = 9;
+/// " [" and "] 100 %", and the last column, at which some terminals begin a new line.
+constexpr std::size_t other_columns = 10;
 
-std::size_t width_of_bar()
+std::size_t width_of_bar(std::size_t phase)
 {
   constexpr std::size_t smallest = 10, largest = 60, columns_if_unknown = 80;
-  if(isatty(STDERR_FILENO) != 1)
+  if(is_quiet() || isatty(STDERR_FILENO) != 1)
     return 0;
   winsize size = {};
   const bool is_known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
   const std::size_t columns = is_known ? size.ws_col : columns_if_unknown;
-  return std::clamp(columns, smallest + other_columns, largest + other_columns) - other_columns;
+  const std::size_t others = phase + other_columns;
+  return std::clamp(columns, smallest + others, largest + others) - others;
 }
 
 std::atomic<bool> is_there(false); ///< a bar
 
 } // namespace
 
-Progress_bar::Progress_bar() : is_only_one_(!is_there.exchange(true)), width_(is_only_one_ ? width_of_bar() : 0) {}
+Progress_bar::Progress_bar(const std::string& phase)
+  : is_only_one_(!is_there.exchange(true)), phase_(phase), width_(is_only_one_ ? width_of_bar(phase.size()) : 0)
+{}
 
 Progress_bar::~Progress_bar()
 {
@@ -55,8 +60,8 @@ void Progress_bar::show(double fraction)
     return;
   percent_ = percent;
   const std::size_t filled = static_cast<std::size_t>(percent) * width_ / 100;
-  std::cerr << "\r[" << std::string(filled, '#') << std::string(width_ - filled, ' ') << "] " << percent << " %"
-            << std::flush;
+  std::cerr << '\r' << phase_ << " [" << std::string(filled, '#') << std::string(width_ - filled, ' ') << "] "
+            << percent << " %" << std::flush;
 }
 
 } // namespace tool

@@ -5,13 +5,16 @@
 #define SPHERICAL_PARAMETERIZATION_TOOL_PROGRESS_BAR_H
 
 #include <cstddef>
+#include <string>
 
 namespace tool {
 
-/// A bar on stderr while it lives, if stderr is a terminal and there is no other bar; otherwise nothing.
+/// A bar on stderr while it lives, if stderr is a terminal, the tool not quiet, and there is no other bar; otherwise
+/// nothing.
 class Progress_bar {
 public:
-  Progress_bar();
+  /// `phase` is what is being done, in one word; it stands before the bar.
+  explicit Progress_bar(const std::string& phase);
   ~Progress_bar();
 
   Progress_bar(const Progress_bar&) = delete;
@@ -25,7 +28,8 @@ public:
 
 private:
   bool is_only_one_;
-  std::size_t width_; ///< of the bar without the brackets and the number; 0: there is no terminal
+  std::string phase_;
+  std::size_t width_; ///< of the bar without the phase, the brackets and the number; 0: there is no terminal
   int percent_ = -1;
 };
 

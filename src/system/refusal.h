@@ -12,11 +12,13 @@ namespace tool {
 /// Why a command did not do what it should: one line for the user, and a code for programs that read the report.
 class Refusal : public std::runtime_error {
 public:
-  /// `wrong` says what is wrong with `file`, `remedy` what to do about it. `log` follows in lines of its own: the
-  /// build log of OpenCL kernels that do not compile.
+  /// `wrong` says what is wrong with `file` ("-" is the standard input), `remedy` what to do about it. `log` follows in
+  /// lines of its own: the build log of OpenCL kernels that do not compile.
   Refusal(const std::string& code, const std::string& file, const std::string& wrong, const std::string& remedy,
           const std::string& log = "")
-    : std::runtime_error(one_line(file + ": " + wrong + (remedy.empty() ? "" : "; " + remedy))), code_(code), log_(log)
+    : std::runtime_error(
+        one_line((file == "-" ? "standard input" : file) + ": " + wrong + (remedy.empty() ? "" : "; " + remedy))),
+      code_(code), log_(log)
   {}
 
   const std::string& code() const { return code_; }

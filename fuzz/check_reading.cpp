@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "check_reading.h"
+
+#include "Input_file.h"
+#include "targets.h"
+
+#include "input/mesh.h"
+#include "mapping/spherical_map.h"
+#include "output/write_mesh.h"
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace fuzz {
+
+void check_refusal(const tool::Refusal& refusal)
+{
+  const std::string text = refusal.what();
+  promise(text.find_first_of("\n\r") == std::string::npos && text.find('\0') == std::string::npos,
+          "a refusal of several lines: " + text);
+  promise(!refusal.code().empty(), "a refusal without code: " + text);
+}
+
+namespace {
+
+std::optional<tool::Mesh> read(const std::string& file, tool::Polygons polygons)
+{
+  try {
+    return tool::read_mesh(file, polygons).mesh;
+  } catch(const tool::Refusal& refusal) {
+    check_refusal(refusal);
+    return std::nullopt;
+  }
+}
+
+/// What the rest of the tool takes for granted.
+void check_mesh(const tool::Mesh& mesh)
+{
+  for(const auto h : halfedges(mesh)) {
+    const auto twin = opposite(h, mesh);
+    promise(twin != h && opposite(twin, mesh) == h, "a mesh that is not closed");
+    promise(source(twin, mesh) == target(h, mesh) && target(twin, mesh) == source(h, mesh),
+            "halfedges that do not fit");
+  }
+  std::size_t corners = 0;
+  for(const auto v : vertices(mesh))
+    corners += CGAL::halfedges_around_target(v, mesh).size();
+  promise(corners == num_halfedges(mesh), "a vertex whose faces form no disk");
+  promise(mesh.number_of_vertices() == mesh.number_of_faces() / 2 + 2, "a mesh of another genus, or in parts");
+  for(const tool::Point& p : mesh.points())
+    for(const double x : p)
+      promise(std::isfinite(x), "a coordinate that is not finite");
+}
+
+/// What is written is read again, to the last bit that the format holds.
+void check_round_trip(const tool::Mesh& mesh, const tool::Output_format& format, const std::string& name)
+{
+  std::ostringstream out;
+  std::vector<tool::Point> stored;
+  try {
+    stored = tool::as_stored(format.format, tool::Surface::SHAPE, mesh.points());
+    tool::write_mesh(out, format, mesh, mesh.points(), tool::Surface::SHAPE);
+  } catch(const tool::Refusal& refusal) { // beyond the range of floats
+    check_refusal(refusal);
+    return;
+  }
+  const std::string bytes = out.str();
+  const Input_file copy(name, reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+  const std::optional<tool::Mesh> again = read(copy.name(), tool::Polygons::REFUSE);
+  if(format.format == tool::Mesh_format::GLB) { // which does not keep vertices at the same place apart
+    std::sort(stored.begin(), stored.end());
+    if(std::adjacent_find(stored.begin(), stored.end()) != stored.end())
+      return;
+    promise(again && again->number_of_faces() == mesh.number_of_faces(), "a GLB mesh that cannot be read again");
+    return;
+  }
+  promise(again && again->number_of_vertices() == mesh.number_of_vertices() &&
+            again->number_of_faces() == mesh.number_of_faces(),
+          "a mesh that cannot be read again");
+  promise(again->points() == stored, "a point that comes back changed");
+}
+
+} // namespace
+
+void check_file(const std::string& file, bool triangulate)
+{
+  const std::optional<tool::Mesh> mesh = read(file, triangulate ? tool::Polygons::TRIANGULATE : tool::Polygons::REFUSE);
+  if(!mesh)
+    return;
+  check_mesh(*mesh);
+  check_round_trip(*mesh, {tool::Mesh_format::OFF}, ".copy.off");
+  check_round_trip(*mesh, {tool::Mesh_format::PLY}, ".copy.ply");
+  check_round_trip(*mesh, {tool::Mesh_format::FREESURFER}, ".copy.white");
+  check_round_trip(*mesh, {tool::Mesh_format::GLB}, ".copy.glb");
+#ifdef SPHERICAL_PARAMETERIZATION_WITH_GIFTI
+  check_round_trip(*mesh, {tool::Mesh_format::GIFTI}, ".copy.gii");
+#endif
+
+  tool::Sphere sphere;
+  try {
+    tool::read_sphere(file, "the mesh", *mesh, sphere);
+    for(const tool::Point& p : sphere)
+      promise(std::abs(std::hypot(p[0], p[1], p[2]) - 1) < 1e-12, "a sphere that is none");
+  } catch(const tool::Refusal& refusal) {
+    check_refusal(refusal);
+  }
+}
+
+} // namespace fuzz

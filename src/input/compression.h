@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef SPHERICAL_PARAMETERIZATION_TOOL_COMPRESSION_H
+#define SPHERICAL_PARAMETERIZATION_TOOL_COMPRESSION_H
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tool {
+
+enum class Compression { NONE, GZIP, XZ, ZSTD, BZIP2 };
+
+/// The extensions of compressed files, as in ".gz".
+std::vector<std::string> compression_extensions();
+
+/// By the extension of a file: .gz, .xz, .zst, .bz2.
+Compression compression_of_name(const std::string& file);
+
+/// By the first bytes.
+Compression compression_of_content(std::string_view bytes);
+
+/// "mesh.ply" for "mesh.ply.gz".
+std::string without_compression(const std::string& file);
+
+/// The content of compressed bytes. Throws a `Refusal` if they are damaged or cut short, if they unfold to more than a
+/// thousand times their size, as no mesh does, and if this build lacks Boost.Iostreams.
+std::string decompressed(const std::string& file, const std::string& bytes, Compression compression);
+
+} // namespace tool
+
+#endif // SPHERICAL_PARAMETERIZATION_TOOL_COMPRESSION_H

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef SPHERICAL_PARAMETERIZATION_TOOL_MESH_FORMAT_H
+#define SPHERICAL_PARAMETERIZATION_TOOL_MESH_FORMAT_H
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace tool {
+
+enum class Mesh_format { OFF, OBJ, PLY, STL, GIFTI, FREESURFER, GLB, GLTF };
+
+/// How standard input and standard output are called on the command line.
+inline const char* const standard_stream = "-";
+
+/// The name of a format on the command line: "off", "gifti", ...
+std::string name(Mesh_format format);
+
+/// The extension of its files; empty for FreeSurfer's.
+std::string extension_of_format(const std::string& name);
+
+/// The formats that are written, by their names, in the order of `Mesh_format`. STL is not: it has no vertices.
+const std::vector<std::pair<std::string, Mesh_format>>& output_formats();
+
+/// The format that the name of a file stands for: by its extension, in lower or upper case, before which there may be
+/// one of a compression; or FreeSurfer's, whose surfaces are called "lh.white", "rh.sphere", ...
+std::optional<Mesh_format> format_of_name(const std::string& file);
+
+/// The format that the content is in, whatever the file is called. Some formats begin with a word that says so; text
+/// without one is OBJ or STL if its first statement is one of theirs, and bytes are STL if their number is the one that
+/// its header announces. `bytes` may be the beginning of a file of `size` bytes.
+std::optional<Mesh_format> format_of_content(std::string_view bytes, std::size_t size);
+
+/// Whether coordinates are written as floats, which moves the points of a sphere: the certificate has to be that of
+/// what is written.
+bool stores_floats(Mesh_format format);
+
+/// What neuroimaging programs expect of a sphere: radius 100 in GIFTI and FreeSurfer files. Else 1.
+double radius_of_spheres(Mesh_format format);
+
+/// Which formats and compressions this build reads and writes, and which library it lacks for others; lines for
+/// `--help`.
+std::string list_of_formats();
+
+} // namespace tool
+
+#endif // SPHERICAL_PARAMETERIZATION_TOOL_MESH_FORMAT_H

@@ -1,0 +1,410 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#include "input/binary.h"
+#include "input/files.h"
+#include "input/mesh_format.h"
+#include "input/mesh_readers.h"
+#include "input/text_lines.h"
+#include "input/welded_points.h"
+#include "system/refusal.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <utility>
+
+namespace tool {
+namespace {
+
+using Json = nlohmann::json;
+using Matrix = std::array<double, 16>; ///< by columns
+
+constexpr Matrix identity = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+
+Matrix product(const Matrix& a, const Matrix& b)
+{
+  Matrix c = {};
+  for(std::size_t column = 0; column < 4; ++column)
+    for(std::size_t row = 0; row < 4; ++row)
+      for(std::size_t k = 0; k < 4; ++k)
+        c[4 * column + row] += a[4 * k + row] * b[4 * column + k];
+  return c;
+}
+
+std::array<double, 3> transformed(const Matrix& m, const std::array<double, 3>& p)
+{
+  std::array<double, 3> q;
+  for(std::size_t row = 0; row < 3; ++row)
+    q[row] = m[row] * p[0] + m[4 + row] * p[1] + m[8 + row] * p[2] + m[12 + row];
+  return q;
+}
+
+double determinant(const Matrix& m)
+{
+  return m[0] * (m[5] * m[10] - m[6] * m[9]) - m[4] * (m[1] * m[10] - m[2] * m[9]) + m[8] * (m[1] * m[6] - m[2] * m[5]);
+}
+
+/// The triangles of the scene of a glTF 2.0 file ("glTF 2.0 Specification", Khronos Group, 2021), in the space of the
+/// scene. The format splits vertices where texture coordinates or normals differ; those at the same place become one.
+class Gltf_reader {
+public:
+  explicit Gltf_reader(const std::string& file) : file_(file) {}
+
+  Soup read_binary(const std::string& bytes)
+  {
+    constexpr std::size_t header = 12, chunk_header = 8;
+    size_of_file_ = bytes.size();
+    if(bytes.size() < header + chunk_header)
+      refuse("cut short: the header is not complete", "export it again");
+    if(number_at<std::uint32_t>(&bytes[4]) != 2)
+      refuse("is of version " + std::to_string(number_at<std::uint32_t>(&bytes[4])) + " of the format",
+             "save it as glTF 2.0");
+    if(number_at<std::uint32_t>(&bytes[8]) > bytes.size())
+      refuse("cut short: the header announces " + std::to_string(number_at<std::uint32_t>(&bytes[8])) +
+               " bytes, the file has " + std::to_string(bytes.size()),
+             "export it again");
+    std::string_view json;
+    for(std::size_t at = header; at + chunk_header <= bytes.size();) {
+      const std::size_t size = number_at<std::uint32_t>(&bytes[at]);
+      const std::string_view kind = std::string_view(bytes).substr(at + 4, 4);
+      at += chunk_header;
+      if(size > bytes.size() - at)
+        refuse("cut short: a part of " + std::to_string(size) + " bytes ends after " +
+                 std::to_string(bytes.size() - at),
+               "export it again");
+      const std::string_view chunk = std::string_view(bytes).substr(at, size);
+      if(kind == "JSON" && json.empty())
+        json = chunk;
+      else if(kind == std::string_view("BIN\0", 4) && !binary_)
+        binary_ = chunk;
+      at += size;
+    }
+    return read_json(json);
+  }
+
+  Soup read_text(const std::string& text)
+  {
+    size_of_file_ = text.size();
+    return read_json(text);
+  }
+
+private:
+  Soup read_json(std::string_view text)
+  {
+    json_ = Json::parse(text.begin(), text.end(), nullptr, false);
+    if(!json_.is_object())
+      refuse("its description is no JSON", damaged_);
+    if(const Json* required = find(json_, "extensionsRequired"); required && required->is_array())
+      for(const Json& extension : *required)
+        if(extension.is_string() && (extension == "KHR_draco_mesh_compression" ||
+                                     extension == "EXT_meshopt_compression" || extension == "KHR_mesh_quantization"))
+          refuse("is compressed with " + extension.get<std::string>(), "export it without compression");
+    read_scene();
+    if(soup_.triangles.empty())
+      throw Refusal("EMPTY_MESH", file_, "has no triangles", "check that there is a mesh in it");
+    soup_.faces = soup_.triangles.size();
+    soup_.points = welded_.points();
+    return std::move(soup_);
+  }
+
+  void read_scene()
+  {
+    if(const Json* scenes = find(json_, "scenes"); scenes && scenes->is_array() && !scenes->empty()) {
+      const Json& scene = element("scenes", number(json_, "scene", 0));
+      if(const Json* nodes = find(scene, "nodes"); nodes && nodes->is_array())
+        for(const Json& node : *nodes)
+          read_nodes(index(node));
+    } else if(const Json* meshes = find(json_, "meshes"); meshes && meshes->is_array())
+      for(std::size_t mesh = 0; mesh < meshes->size(); ++mesh)
+        read_mesh(mesh, identity);
+  }
+
+  /// The tree below a node. Not by recursion, since it may be as deep as the file is long.
+  void read_nodes(std::size_t root)
+  {
+    std::vector<std::pair<std::size_t, Matrix>> open = {{root, identity}};
+    while(!open.empty()) {
+      const auto [number_of_node, outer] = open.back();
+      open.pop_back();
+      const Json& node = element("nodes", number_of_node);
+      if(!visited_.emplace(number_of_node, true).second)
+        refuse("node " + std::to_string(number_of_node) + " has two parents", damaged_);
+      const Matrix matrix = product(outer, transformation(node));
+      if(find(node, "mesh"))
+        read_mesh(number(node, "mesh", 0), matrix);
+      if(const Json* children = find(node, "children"); children && children->is_array())
+        for(auto child = children->rbegin(); child != children->rend(); ++child)
+          open.emplace_back(index(*child), matrix);
+    }
+  }
+
+  Matrix transformation(const Json& node) const
+  {
+    if(find(node, "matrix"))
+      return numbers<16>(node, "matrix", identity);
+    const auto t = numbers<3>(node, "translation", {0, 0, 0});
+    const auto [x, y, z, w] = numbers<4>(node, "rotation", {0, 0, 0, 1});
+    const auto s = numbers<3>(node, "scale", {1, 1, 1});
+    return {s[0] * (1 - 2 * (y * y + z * z)),
+            s[0] * 2 * (x * y + z * w),
+            s[0] * 2 * (x * z - y * w),
+            0,
+            s[1] * 2 * (x * y - z * w),
+            s[1] * (1 - 2 * (x * x + z * z)),
+            s[1] * 2 * (y * z + x * w),
+            0,
+            s[2] * 2 * (x * z + y * w),
+            s[2] * 2 * (y * z - x * w),
+            s[2] * (1 - 2 * (x * x + y * y)),
+            0,
+            t[0],
+            t[1],
+            t[2],
+            1};
+  }
+
+  void read_mesh(std::size_t number_of_mesh, const Matrix& matrix)
+  {
+    const Json& mesh = element("meshes", number_of_mesh);
+    const Json* primitives = find(mesh, "primitives");
+    if(!primitives || !primitives->is_array())
+      refuse("mesh " + std::to_string(number_of_mesh) + " has no primitives", damaged_);
+    std::map<std::size_t, std::vector<int>> vertices; // by accessor: primitives often share one
+    for(const Json& primitive : *primitives) {
+      constexpr std::size_t triangles = 4, fan = 6;
+      const std::size_t mode = number(primitive, "mode", triangles);
+      if(mode < triangles || mode > fan) // points and lines
+        continue;
+      const Json* attributes = find(primitive, "attributes");
+      if(!attributes || !find(*attributes, "POSITION"))
+        refuse("mesh " + std::to_string(number_of_mesh) + " has triangles without positions", damaged_);
+      const std::size_t accessor = number(*attributes, "POSITION", 0);
+      const auto place = vertices.try_emplace(accessor);
+      if(place.second)
+        place.first->second = read_positions(accessor, matrix);
+      add_triangles(primitive, mode, place.first->second, determinant(matrix) < 0);
+    }
+  }
+
+  std::vector<int> read_positions(std::size_t number_of_accessor, const Matrix& matrix)
+  {
+    const View view = view_of(number_of_accessor, "VEC3", 12);
+    if(view.component != 5126)
+      refuse("its positions are no floats", "export it without quantization");
+    count(view.count * 12);
+    std::vector<int> result;
+    result.reserve(view.count);
+    for(std::size_t i = 0; i < view.count; ++i) {
+      std::array<double, 3> p;
+      for(std::size_t k = 0; k < 3; ++k)
+        p[k] = number_at<float>(&view.bytes[view.stride * i + 4 * k]);
+      p = transformed(matrix, p);
+      for(const double x : p)
+        if(!std::isfinite(x))
+          throw Refusal("NON_FINITE_COORDINATE", file_,
+                        "vertex " + std::to_string(i) + " of accessor " + std::to_string(number_of_accessor) +
+                          " has the coordinate " + std::to_string(x),
+                        "every coordinate must be a finite number");
+      result.push_back(welded_.index_of(p));
+    }
+    return result;
+  }
+
+  void add_triangles(const Json& primitive, std::size_t mode, const std::vector<int>& vertices, bool is_mirrored)
+  {
+    std::vector<int> corners = vertices;
+    if(find(primitive, "indices")) {
+      const View view = view_of(number(primitive, "indices", 0), "SCALAR", 0);
+      count(view.count * view.size);
+      corners.clear();
+      for(std::size_t i = 0; i < view.count; ++i) {
+        const char* const at = &view.bytes[view.stride * i];
+        const std::size_t corner = view.size == 1   ? number_at<std::uint8_t>(at)
+                                   : view.size == 2 ? number_at<std::uint16_t>(at)
+                                                    : number_at<std::uint32_t>(at);
+        if(corner >= vertices.size())
+          refuse("a triangle has the vertex " + std::to_string(corner) + " of " + std::to_string(vertices.size()),
+                 damaged_);
+        corners.push_back(vertices[corner]);
+      }
+    }
+    const std::size_t step = mode == 4 ? 3 : 1;
+    for(std::size_t i = 0; i + 2 < corners.size(); i += step) {
+      std::array<int, 3> triangle = {corners[mode == 6 ? 0 : i], corners[i + 1], corners[i + 2]};
+      if((mode == 5 && i % 2 == 1) != is_mirrored)
+        std::swap(triangle[1], triangle[2]);
+      soup_.triangles.push_back(triangle);
+    }
+  }
+
+  /// The bytes of an accessor, all of which are there.
+  struct View {
+    std::string_view bytes;
+    std::size_t count = 0;     ///< of the elements
+    std::size_t stride = 0;    ///< from one to the next, in bytes
+    std::size_t size = 0;      ///< of one
+    std::size_t component = 0; ///< type of the numbers
+  };
+
+  View view_of(std::size_t number_of_accessor, const char* type, std::size_t size)
+  {
+    const Json& accessor = element("accessors", number_of_accessor);
+    const Json* kind = find(accessor, "type");
+    if(!kind || *kind != type)
+      refuse("accessor " + std::to_string(number_of_accessor) + " is no " + type, damaged_);
+    if(find(accessor, "sparse") || !find(accessor, "bufferView"))
+      refuse("accessor " + std::to_string(number_of_accessor) + " is sparse", "export it without sparse accessors");
+    View result;
+    result.component = number(accessor, "componentType", 0);
+    result.count = number(accessor, "count", 0);
+    result.size = size != 0                  ? size
+                  : result.component == 5121 ? 1
+                  : result.component == 5123 ? 2
+                  : result.component == 5125 ? 4
+                                             : 0;
+    if(result.size == 0)
+      refuse("accessor " + std::to_string(number_of_accessor) + " has indices of a wrong type", damaged_);
+    const Json& view = element("bufferViews", number(accessor, "bufferView", 0));
+    const std::string_view buffer = buffer_of(number(view, "buffer", 0));
+    const std::size_t offset = number(view, "byteOffset", 0), length = number(view, "byteLength", 0);
+    const std::size_t begin = number(accessor, "byteOffset", 0);
+    result.stride = number(view, "byteStride", result.size);
+    // all numbers are below 2^40, so that products of two and of a stride below 2^8 do not overflow
+    const bool fits = result.stride >= result.size && result.stride < 256 && offset + length <= buffer.size() &&
+                      begin <= length &&
+                      (result.count == 0 || begin + result.stride * (result.count - 1) + result.size <= length);
+    if(!fits)
+      refuse("cut short: accessor " + std::to_string(number_of_accessor) + " announces " +
+               std::to_string(result.count) + " elements, more than its bytes can hold",
+             damaged_);
+    result.bytes = buffer.substr(offset + begin);
+    return result;
+  }
+
+  std::string_view buffer_of(std::size_t number_of_buffer)
+  {
+    const Json& buffer = element("buffers", number_of_buffer);
+    const Json* uri = find(buffer, "uri");
+    if(!uri) {
+      if(number_of_buffer == 0 && binary_)
+        return *binary_;
+      refuse("the bytes of its mesh are missing", damaged_);
+    }
+    if(!uri->is_string())
+      refuse("buffer " + std::to_string(number_of_buffer) + " has no name", damaged_);
+    const auto [place, is_new] = buffers_.try_emplace(number_of_buffer);
+    if(is_new)
+      place->second = content_of(uri->get<std::string>());
+    return place->second;
+  }
+
+  /// The bytes in the URI itself, or in a file next to this one.
+  std::string content_of(const std::string& uri)
+  {
+    if(uri.compare(0, 5, "data:") == 0) {
+      const std::size_t comma = uri.find(";base64,");
+      std::optional<std::string> bytes;
+      if(comma != std::string::npos)
+        bytes = from_base64(std::string_view(uri).substr(comma + 8));
+      if(!bytes)
+        refuse("a buffer is no Base64 text", damaged_);
+      return std::move(*bytes);
+    }
+    const std::filesystem::path name = uri;
+    const bool is_here = name.is_relative() && name.begin() != name.end() && *name.begin() != "..";
+    if(!is_here || uri.find(':') != std::string::npos || file_ == standard_stream)
+      refuse("has its mesh in " + in_quotes(uri) + ", which is no file next to it", "save it as .glb");
+    std::string bytes = read_file((std::filesystem::path(file_).parent_path() / name).string());
+    size_of_file_ += bytes.size();
+    return bytes;
+  }
+
+  /// Refuses what uses the same bytes so often that a small file would fill the memory.
+  void count(std::size_t bytes)
+  {
+    used_ += bytes;
+    if(used_ > 2 * size_of_file_ + 1000)
+      refuse("uses the same vertices or triangles several times, as no sphere does", "save the mesh alone");
+    if(used_ > 4 * largest_count)
+      refuse("is larger than this program can index", "simplify the mesh");
+  }
+
+  /// \name Access to JSON, of which nothing is certain
+  /// @{
+  static const Json* find(const Json& object, const char* key)
+  {
+    if(!object.is_object())
+      return nullptr;
+    const auto found = object.find(key);
+    return found == object.end() ? nullptr : &*found;
+  }
+
+  std::size_t index(const Json& value) const
+  {
+    if(!value.is_number_unsigned() || value.get<std::uint64_t>() >= std::uint64_t(1) << 40)
+      refuse(std::string("its description has a ") + (value.is_number() ? "wrong number" : value.type_name()) +
+               " where a number from 0 on is expected",
+             damaged_);
+    return value.get<std::size_t>();
+  }
+
+  std::size_t number(const Json& object, const char* key, std::size_t default_value) const
+  {
+    const Json* const value = find(object, key);
+    return value ? index(*value) : default_value;
+  }
+
+  template <std::size_t n>
+  std::array<double, n> numbers(const Json& object, const char* key, const std::array<double, n>& default_value) const
+  {
+    const Json* const values = find(object, key);
+    if(!values)
+      return default_value;
+    std::array<double, n> result;
+    bool is_good = values->is_array() && values->size() == n;
+    for(std::size_t i = 0; is_good && i < n; ++i) {
+      is_good = (*values)[i].is_number();
+      if(is_good)
+        result[i] = (*values)[i].template get<double>();
+    }
+    if(!is_good)
+      refuse(std::string("the ") + key + " of a node is wrong", damaged_);
+    return result;
+  }
+
+  const Json& element(const char* key, std::size_t i) const
+  {
+    const Json* const list = find(json_, key);
+    if(!list || !list->is_array() || i >= list->size())
+      refuse("number " + std::to_string(i) + " of its " + key + " is missing", damaged_);
+    return (*list)[i];
+  }
+  /// @}
+
+  [[noreturn]] void refuse(const std::string& wrong, const std::string& remedy) const
+  {
+    throw Refusal(unreadable_file, file_, wrong, remedy);
+  }
+
+  const std::string damaged_ = "the file is damaged; export it again";
+  std::string file_;
+  std::size_t size_of_file_ = 0;
+  std::size_t used_ = 0; ///< bytes that have become vertices and triangles
+  Json json_;
+  std::optional<std::string_view> binary_;
+  std::map<std::size_t, std::string> buffers_;
+  std::map<std::size_t, bool> visited_;
+  Welded_points welded_;
+  Soup soup_;
+};
+
+} // namespace
+
+Soup read_glb(const std::string& file, const std::string& bytes) { return Gltf_reader(file).read_binary(bytes); }
+Soup read_gltf(const std::string& file, const std::string& text) { return Gltf_reader(file).read_text(text); }
+
+} // namespace tool

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef SPHERICAL_PARAMETERIZATION_TOOL_WELDED_POINTS_H
+#define SPHERICAL_PARAMETERIZATION_TOOL_WELDED_POINTS_H
+
+#include <boost/functional/hash.hpp>
+
+#include <array>
+#include <unordered_map>
+#include <vector>
+
+namespace tool {
+
+/// Different points, numbered in the order in which they appear first.
+class Welded_points {
+public:
+  using Point = std::array<double, 3>;
+
+  int index_of(const Point& p)
+  {
+    const auto [place, is_new] = index_.try_emplace(p, static_cast<int>(points_.size()));
+    if(is_new)
+      points_.push_back(p);
+    return place->second;
+  }
+
+  const std::vector<Point>& points() const { return points_; }
+
+private:
+  std::vector<Point> points_;
+  std::unordered_map<Point, int, boost::hash<Point>> index_;
+};
+
+} // namespace tool
+
+#endif // SPHERICAL_PARAMETERIZATION_TOOL_WELDED_POINTS_H

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#include "output/ply.h"
+
+#include "output/byte_writer.h"
+#include "output/text_writer.h"
+
+#include <cstdint>
+
+namespace tool {
+namespace {
+
+using Columns = std::vector<Ply_column>;
+
+const char* name(Ply_column::Type type)
+{
+  return type == Ply_column::Type::UCHAR ? "uchar" : type == Ply_column::Type::INT ? "int" : "double";
+}
+
+/// Calls `write` with the value as a number of the type of the column.
+template <class Write>
+void write_typed(const Ply_column& column, std::size_t i, Write write)
+{
+  const double value = column.value(i);
+  switch(column.type) {
+  case Ply_column::Type::UCHAR: return write(static_cast<std::uint8_t>(value));
+  case Ply_column::Type::INT: return write(static_cast<std::int32_t>(value));
+  case Ply_column::Type::DOUBLE: return write(value);
+  }
+}
+
+void write_header(std::ostream& out, bool is_text, const Mesh& mesh, const Ply_extras& extras)
+{
+  const auto write_columns = [&out](const Columns& columns) {
+    for(const Ply_column& column : columns)
+      out << "property " << name(column.type) << ' ' << column.name << '\n';
+  };
+  out << "ply\nformat " << (is_text ? "ascii" : "binary_little_endian") << " 1.0\n";
+  if(!extras.comment.empty())
+    out << "comment " << extras.comment << '\n';
+  out << "element vertex " << mesh.number_of_vertices()
+      << "\nproperty double x\nproperty double y\nproperty double z\n";
+  write_columns(extras.of_vertices);
+  out << "element face " << mesh.number_of_faces() << "\nproperty list uchar int vertex_indices\n";
+  write_columns(extras.of_faces);
+  out << "end_header\n";
+}
+
+void write_text(std::ostream& out, const Mesh& mesh, const std::vector<Point>& points, const Ply_extras& extras)
+{
+  Text_writer write(out);
+  const auto write_columns = [&write](const Columns& columns, std::size_t i) {
+    for(const Ply_column& column : columns)
+      write_typed(column, i, [&write](auto value) { write(' ', +value); }); // + makes a number of a character
+    write('\n');
+  };
+  for(std::size_t v = 0; v < points.size(); ++v) {
+    write(points[v]);
+    write_columns(extras.of_vertices, v);
+  }
+  for(std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    write("3 ", mesh.triangle(f));
+    write_columns(extras.of_faces, f);
+  }
+}
+
+void write_bytes(std::ostream& out, const Mesh& mesh, const std::vector<Point>& points, const Ply_extras& extras)
+{
+  Byte_writer write(out);
+  const auto write_columns = [&write](const Columns& columns, std::size_t i) {
+    for(const Ply_column& column : columns)
+      write_typed(column, i, [&write](auto value) { write(value); });
+  };
+  for(std::size_t v = 0; v < points.size(); ++v) {
+    write(points[v]);
+    write_columns(extras.of_vertices, v);
+  }
+  for(std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    write(std::uint8_t(3));
+    write(mesh.triangle(f));
+    write_columns(extras.of_faces, f);
+  }
+}
+
+} // namespace
+
+void write_ply(std::ostream& out, bool is_text, const Mesh& mesh, const std::vector<Point>& points,
+               const Ply_extras& extras)
+{
+  write_header(out, is_text, mesh, extras);
+  (is_text ? write_text : write_bytes)(out, mesh, points, extras);
+}
+
+} // namespace tool

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef SPHERICAL_PARAMETERIZATION_TOOL_PLY_H
+#define SPHERICAL_PARAMETERIZATION_TOOL_PLY_H
+
+#include "input/mesh.h"
+
+#include <cstddef>
+#include <functional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace tool {
+
+/// A property of vertices or faces.
+struct Ply_column {
+  enum class Type { UCHAR, INT, DOUBLE };
+  Type type;
+  std::string name;
+  std::function<double(std::size_t)> value; ///< of vertex or face i; in the range of the type
+};
+
+/// What a PLY file has beside points and triangles.
+struct Ply_extras {
+  std::string comment; ///< one line, or empty
+  std::vector<Ply_column> of_vertices;
+  std::vector<Ply_column> of_faces;
+};
+
+/// Writes a PLY file: little-endian binary, or text with the fewest digits from which the same numbers are read.
+void write_ply(std::ostream& out, bool is_text, const Mesh& mesh, const std::vector<Point>& points,
+               const Ply_extras& extras = {});
+
+} // namespace tool
+
+#endif // SPHERICAL_PARAMETERIZATION_TOOL_PLY_H

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#include "output/byte_writer.h"
+#include "output/volume_geometry.h"
+#include "output/write_mesh.h"
+
+#include <cstdint>
+
+namespace tool {
+
+void write_freesurfer(std::ostream& out, const Mesh& mesh, const std::vector<Point>& points,
+                      const Annotations& annotations)
+{
+  out << "\xff\xff\xfe"
+         "created by spherical-parameterization\n\n";
+  {
+    Byte_writer write(out, Byte_order::BIG);
+    write(static_cast<std::int32_t>(points.size()));
+    write(static_cast<std::int32_t>(mesh.number_of_faces()));
+    for(const Point& p : points)
+      for(const double x : p)
+        write(as_float(x));
+    for(std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+      write(mesh.triangle(f));
+  }
+  out << freesurfer_tags(annotations);
+}
+
+} // namespace tool

@@ -1,0 +1,472 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The formats of meshes: what is written is read back equal, here and by other programs; what is broken is refused.
+
+#include "helpers/meshes.h"
+#include "helpers/tool.h"
+
+#include "input/binary.h"
+#include "input/mesh.h"
+#include "input/mesh_format.h"
+#include "output/atomic_file.h"
+#include "output/write_mesh.h"
+#include "system/refusal.h"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <iostream>
+#include <limits>
+#include <string>
+#include <vector>
+
+using namespace test;
+namespace fs = std::filesystem;
+
+namespace {
+
+tool::Input_mesh input_of(const Soup& soup)
+{
+  std::vector<tool::Point> points;
+  for(const Point& p : soup.points)
+    points.push_back({p.x(), p.y(), p.z()});
+  return {tool::Mesh(points, soup.faces), 0, {}};
+}
+
+void write(const std::string& file, const tool::Output_format& format, const tool::Input_mesh& mesh,
+           tool::Surface surface = tool::Surface::SHAPE)
+{
+  tool::Atomic_file out(file);
+  tool::write_mesh(out.stream(), format, mesh.mesh, mesh.mesh.points(), surface, mesh.annotations);
+  out.commit();
+}
+
+bool have_same_triangles(const tool::Mesh& a, const tool::Mesh& b)
+{
+  bool same = a.number_of_faces() == b.number_of_faces();
+  for(std::size_t f = 0; same && f < a.number_of_faces(); ++f)
+    same = a.triangle(f) == b.triangle(f);
+  return same;
+}
+
+/// What a reader says of a file that it refuses.
+std::string refusal(const std::string& file)
+{
+  try {
+    tool::read_mesh(file);
+  } catch(const tool::Refusal& refusal) {
+    return refusal.what();
+  }
+  return "not refused";
+}
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+bool runs(const std::vector<std::string>& command) { return run_process(command).exit_code == 0; }
+
+} // namespace
+
+TEST_CASE("formats: what is written is read back equal", "[tool][formats]")
+{
+  Scratch scratch;
+  tool::Input_mesh mesh = input_of(bumpy_sphere(3));
+  const auto surface = GENERATE(tool::Surface::SHAPE, tool::Surface::SPHERE);
+  for(const auto& [name, format] : tool::output_formats())
+    for(const bool ascii : {false, true})
+      for(const std::string compression : {"", ".gz", ".xz", ".zst", ".bz2"}) {
+        const std::string file = scratch / ("copy." + name + compression);
+        CAPTURE(file, ascii);
+        write(file, {format, ascii}, mesh, surface);
+        const tool::Mesh copy = tool::read_mesh(file).mesh;
+        CHECK((copy.points() == tool::as_stored(format, surface, mesh.mesh.points())));
+        CHECK(have_same_triangles(copy, mesh.mesh));
+        CHECK((tool::stores_floats(format) || copy.points() == mesh.mesh.points()));
+        fs::remove(file);
+      }
+}
+
+TEST_CASE("formats: neuroimaging files keep what they say beside the surface", "[tool][formats]")
+{
+  Scratch scratch;
+  tool::Input_mesh mesh = input_of(icosphere(1));
+  mesh.annotations.gifti = {{"Subject", "a < b & c"}};
+  mesh.annotations.gifti_points = {{"AnatomicalStructurePrimary", "CortexLeft"}, {"GeometricType", "Anatomical"}};
+  mesh.annotations.gifti_transforms = {
+    {"NIFTI_XFORM_UNKNOWN", "NIFTI_XFORM_TALAIRACH", "1 0 0 5 0 1 0 0 0 0 1 0 0 0 0 1"}};
+  mesh.annotations.freesurfer = std::string("\0\0\0\x14valid = 1  # volume info valid\n", 36);
+
+  write(scratch / "in.gii", {tool::Mesh_format::GIFTI}, mesh);
+  write(scratch / "in.sphere.gii", {tool::Mesh_format::GIFTI}, mesh, tool::Surface::SPHERE);
+  write(scratch / "lh.white", {tool::Mesh_format::FREESURFER}, mesh);
+  const tool::Annotations gifti = tool::read_mesh(scratch / "in.gii").annotations;
+  CHECK((gifti.gifti == mesh.annotations.gifti));
+  CHECK((gifti.gifti_points == mesh.annotations.gifti_points));
+  CHECK((gifti.gifti_transforms == mesh.annotations.gifti_transforms));
+  CHECK((tool::read_mesh(scratch / "in.sphere.gii").annotations.gifti_points ==
+         tool::Annotations::Metadata{{"AnatomicalStructurePrimary", "CortexLeft"}, {"GeometricType", "Spherical"}}));
+  CHECK((tool::read_mesh(scratch / "lh.white").annotations.freesurfer == mesh.annotations.freesurfer));
+}
+
+TEST_CASE("formats: the volume geometry goes from FreeSurfer's files to GIFTI and back", "[tool][formats]")
+{
+  Scratch scratch;
+  const std::string lines = "valid = 1  # volume info valid\nfilename = unknown\nvolume = 256 255 254\n"
+                            "voxelsize = 1.0e+00 1 0.5\nxras = -1 0 0\nyras = 0 0 -1\nzras = 0 1 0\ncras = 5.4 18 0\n";
+  tool::Input_mesh mesh = input_of(icosphere(1));
+  mesh.annotations.freesurfer = std::string("\0\0\0\2\0\0\0\0\0\0\0\x14", 12) + lines;
+  write(scratch / "lh.white", {tool::Mesh_format::FREESURFER}, mesh);
+  write(scratch / "white.gii", {tool::Mesh_format::GIFTI}, tool::read_mesh(scratch / "lh.white"));
+  const tool::Input_mesh gifti = tool::read_mesh(scratch / "white.gii");
+  CHECK(gifti.annotations.gifti_points.size() == 18);
+  CHECK((gifti.annotations.gifti_points[1] == std::pair<std::string, std::string>("VolGeomHeight", "255")));
+  CHECK((gifti.annotations.gifti_points.back() == std::pair<std::string, std::string>("VolGeomC_S", "0")));
+  write(scratch / "rh.white", {tool::Mesh_format::FREESURFER}, gifti);
+  CHECK((tool::read_mesh(scratch / "rh.white").annotations.freesurfer == mesh.annotations.freesurfer));
+}
+
+TEST_CASE("formats: the content decides, whatever the name says", "[tool][formats]")
+{
+  Scratch scratch;
+  const tool::Input_mesh mesh = input_of(bumpy_sphere(1));
+  for(const auto& [name, format] : tool::output_formats())
+    for(const char* other :
+        {"file", "file.off", "file.PLY", "file.obj", "file.stl", "file.gii", "file.glb.gz", "a.b"}) {
+      CAPTURE(name, other);
+      write(scratch / "good", {format}, mesh);
+      fs::rename(scratch / "good", scratch / other);
+      CHECK((tool::read_mesh(scratch / other).mesh.points() ==
+             tool::as_stored(format, tool::Surface::SHAPE, mesh.mesh.points())));
+      fs::remove(scratch / other);
+    }
+  write_text(scratch / "unknown.xyz", "1 2 3\n4 5 6\n");
+  CHECK(contains(refusal(scratch / "unknown.xyz"), "unknown extension '.xyz'"));
+}
+
+TEST_CASE("formats: map writes spheres as the programs of the field expect them", "[tool][formats]")
+{
+  Scratch scratch;
+  const std::string input = write_off(scratch / "in.off", bumpy_sphere(3));
+  REQUIRE(run_tool({"map", input, "-o", scratch / "sphere.off"}).exit_code == 0);
+  for(const char* name : {"lh.sphere", "sphere.gii", "sphere.surf.gii.gz", "sphere.glb", "sphere.gltf", "sphere.ply"}) {
+    const Process_result run = run_tool({"map", input, "-o", scratch / name});
+    CAPTURE(name, run.err);
+    REQUIRE(run.exit_code == 0);
+    CHECK(contains(run.out, "valid spherical map: 0 flipped faces, degree 1"));
+    const double radius = tool::radius_of_spheres(*tool::format_of_name(name));
+    CHECK(radius == (contains(name, "gii") || contains(name, "lh.") ? 100 : 1));
+    const tool::Point p = tool::read_mesh(scratch / name).mesh.points().front();
+    CHECK(std::hypot(p[0], p[1], p[2]) == Approx(radius));
+    CHECK(run_tool({"segment", input, "--sphere", scratch / name, "-o", scratch / "out.ply"}).exit_code == 0);
+  }
+  CHECK(run_tool({"map", input, "-o", scratch / "any name", "--format", "freesurfer"}).exit_code == 0);
+  CHECK((text_of(scratch / "any name") == text_of(scratch / "lh.sphere")));
+
+  const std::string program = R"(
+import sys
+try:
+  import nibabel, numpy
+except ImportError:
+  sys.exit(77)
+folder = sys.argv[1]
+lines = open(folder + '/sphere.off').read().splitlines()
+vertices, faces = map(int, lines[1].split()[:2])
+sphere = numpy.array([list(map(float, l.split())) for l in lines[2:2 + vertices]])
+triangles = numpy.array([list(map(int, l.split()))[1:] for l in lines[2 + vertices:]])
+expected = (100 * sphere).astype(numpy.float32)
+points, cells = nibabel.freesurfer.read_geometry(folder + '/lh.sphere')
+assert (points == expected).all() and (cells == triangles).all()
+for name in 'sphere.gii', 'sphere.surf.gii.gz':
+  image = nibabel.load(folder + '/' + name)
+  assert (image.agg_data('pointset') == expected).all() and (image.agg_data('triangle') == triangles).all()
+)";
+  const Process_result judge = run_process({"/usr/bin/python3", "-W", "ignore", "-c", program, scratch.folder()});
+  if(judge.exit_code == 77 || judge.exit_code == 127)
+    std::cout << "SKIPPED: no nibabel to read the files with (Debian: python3-nibabel)" << std::endl;
+  else {
+    CAPTURE(judge.err);
+    CHECK(judge.exit_code == 0);
+  }
+}
+
+TEST_CASE("formats: a sphere that floats cannot hold is refused, not written", "[tool][formats]")
+{
+  Scratch scratch;
+  const std::string input = write_off(scratch / "in.off", capsule(9, 12));
+  CHECK(run_tool({"map", input, "-o", scratch / "out.ply"}).exit_code == 0);
+  for(const char* name : {"out.gii", "out.glb", "lh.out"}) {
+    const Process_result run = run_tool({"map", input, "-o", scratch / name});
+    CAPTURE(name, run.out, run.err);
+    CHECK(run.exit_code == 1);
+    CHECK(is_one_line(run.err));
+    CHECK(contains(run.err, "faces flip when the sphere is rounded to the floats"));
+    CHECK_FALSE(fs::exists(scratch / name));
+  }
+}
+
+TEST_CASE("formats: textured glTF has the image inside", "[tool][formats]")
+{
+  Scratch scratch;
+  const Soup soup = bumpy_sphere(3);
+  const std::string input = write_off(scratch / "in.off", soup);
+  const std::string chart = GENERATE("latitude-longitude", "octahedral");
+  for(const char* name : {"out.glb", "out.gltf"}) {
+    const Process_result run = run_tool({"texture", input, "-o", scratch / name, "--chart", chart});
+    CAPTURE(name, run.err);
+    REQUIRE(run.exit_code == 0);
+    const tool::Mesh mesh = tool::read_mesh(scratch / name).mesh; // whose copies of vertices are one again
+    CHECK(mesh.number_of_vertices() == soup.points.size());
+    CHECK(mesh.number_of_faces() == soup.faces.size());
+    if(!runs({"/usr/bin/assimp", "version"})) {
+      std::cout << "SKIPPED: no assimp to read the file with (Debian: assimp-utils)" << std::endl;
+      continue;
+    }
+    const Process_result info = run_process({"/usr/bin/assimp", "info", scratch / name});
+    CAPTURE(info.out, info.err);
+    CHECK(info.exit_code == 0);
+    CHECK(contains(info.out, "Faces:              " + std::to_string(soup.faces.size())));
+    CHECK(contains(info.out, "Textures (embed.):  1"));
+  }
+  CHECK(scratch.number_of_files() == 3);
+  write_text(scratch / "image.gif", "GIF89a");
+  const Process_result run = run_tool({"texture", input, "-o", scratch / "x.glb", "--image", scratch / "image.gif"});
+  CHECK(run.exit_code == 1);
+  CHECK(contains(run.err, "neither PNG nor JPEG"));
+}
+
+TEST_CASE("formats: the texture coordinates of glTF are those of OBJ, counted from above", "[tool][formats]")
+{
+  Scratch scratch;
+  const std::string input = write_off(scratch / "in.off", bumpy_sphere(2));
+  REQUIRE(run_tool({"texture", input, "-o", scratch / "out.obj"}).exit_code == 0);
+  REQUIRE(run_tool({"texture", input, "-o", scratch / "out.gltf"}).exit_code == 0);
+  const auto json = nlohmann::json::parse(text_of(scratch / "out.gltf"));
+  const auto& primitive = json["meshes"][0]["primitives"][0];
+  const auto& accessor = json["accessors"][primitive["attributes"]["TEXCOORD_0"].get<int>()];
+  const std::string uri = json["buffers"][0]["uri"];
+  const std::string bytes = *tool::from_base64(std::string_view(uri).substr(uri.find(',') + 1));
+  std::size_t at = json["bufferViews"][accessor["bufferView"].get<int>()]["byteOffset"];
+  std::size_t count = 0;
+  for(const std::string& line : lines_of(text_of(scratch / "out.obj")))
+    if(line.compare(0, 3, "vt ") == 0) {
+      std::istringstream in(line.substr(3));
+      double u = 0, v = 0;
+      in >> u >> v;
+      CHECK(tool::number_at<float>(&bytes[at]) == u);
+      CHECK(1 - double(tool::number_at<float>(&bytes[at + 4])) == v);
+      at += 8;
+      ++count;
+    }
+  CHECK(count == accessor["count"]);
+}
+
+TEST_CASE("formats: glTF is read in the space of its scene", "[tool][formats]")
+{
+  Scratch scratch;
+  const tool::Input_mesh mesh = input_of(bumpy_sphere(1));
+  write(scratch / "in.gltf", {tool::Mesh_format::GLTF}, mesh);
+  const auto good = nlohmann::json::parse(text_of(scratch / "in.gltf"));
+  const auto with = [&](const std::function<void(nlohmann::json&)>& change) {
+    nlohmann::json json = good;
+    change(json);
+    write_text(scratch / "in.gltf", json.dump());
+    return scratch / "in.gltf";
+  };
+
+  SECTION("nodes move their meshes; a mirror does not turn the mesh inside out")
+  {
+    const tool::Mesh moved =
+      tool::read_mesh(with([](auto& json) {
+        json["nodes"] = {{{"children", {1}}, {"scale", {-2, 2, 2}}}, {{"mesh", 0}, {"translation", {1, 0, 0}}}};
+      }))
+        .mesh;
+    const auto stored = tool::as_stored(tool::Mesh_format::GLTF, tool::Surface::SHAPE, mesh.mesh.points());
+    for(std::size_t v = 0; v < stored.size(); ++v)
+      CHECK((moved.points()[v] == tool::Point{-2 * (stored[v][0] + 1), 2 * stored[v][1], 2 * stored[v][2]}));
+    const auto [a, b, c] = mesh.mesh.triangle(0);
+    CHECK((moved.triangle(0) == std::array<int, 3>{a, c, b}));
+  }
+  SECTION("the bytes may be in a file next to it, and nowhere else")
+  {
+    const std::string uri = good["buffers"][0]["uri"];
+    write_text(scratch / "in.bin", *tool::from_base64(std::string_view(uri).substr(uri.find(',') + 1)));
+    CHECK(tool::read_mesh(with([](auto& json) { json["buffers"][0]["uri"] = "in.bin"; })).mesh.number_of_faces() ==
+          mesh.mesh.number_of_faces());
+    for(const char* outside : {"../in.bin", "/etc/passwd", "https://example.org/in.bin"})
+      CHECK(contains(refusal(with([&](auto& json) { json["buffers"][0]["uri"] = outside; })), "no file next to it"));
+  }
+  SECTION("what is wrong is said")
+  {
+    CHECK(contains(refusal(with([](auto& json) { json["extensionsRequired"] = {"KHR_draco_mesh_compression"}; })),
+                   "without compression"));
+    CHECK(contains(refusal(with([](auto& json) { json["accessors"][0]["count"] = 1000000000; })), "cut short"));
+    CHECK(contains(refusal(with([](auto& json) { json["accessors"][0]["count"] = -1; })), "number"));
+    CHECK(contains(refusal(with([](auto& json) { json["nodes"][0]["children"] = {0}; })), "two parents"));
+    CHECK(contains(refusal(with([](auto& json) { json["bufferViews"][0]["byteOffset"] = 1e300; })), "number"));
+    CHECK(contains(refusal(with([](auto& json) { json["nodes"][0]["mesh"] = 7; })), "missing"));
+    CHECK(contains(refusal(with([](auto& json) { json["buffers"][0]["uri"] = "data:;base64,????"; })), "Base64"));
+    CHECK(contains(refusal(with([](auto& json) { json.erase("scenes"), json.erase("meshes"); })), "no triangles"));
+    write_text(scratch / "deep.gltf", "{\"asset\":" + std::string(100000, '['));
+    CHECK(contains(refusal(scratch / "deep.gltf"), "no JSON"));
+  }
+}
+
+TEST_CASE("formats: broken files are refused before they cost memory", "[tool][formats]")
+{
+  Scratch scratch;
+  const tool::Input_mesh mesh = input_of(bumpy_sphere(2));
+  const auto check = [&](const std::string& name, const std::string& content, const std::string& word) {
+    write_text(scratch / name, content);
+    CAPTURE(name, word);
+    check_refused(scratch, scratch / name, word);
+    CHECK(run_tool({"map", scratch / name, "-o", scratch / "out.off"}).peak_memory < 300 * 1000 * 1000);
+    fs::remove(scratch / name);
+  };
+  const auto content = [&](const std::string& name, tool::Mesh_format format) {
+    write(scratch / name, {format}, mesh);
+    const std::string bytes = text_of(scratch / name);
+    fs::remove(scratch / name);
+    return bytes;
+  };
+  const auto changed = [](std::string text, const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    REQUIRE(at != std::string::npos);
+    return text.replace(at, from.size(), to);
+  };
+
+  SECTION("compressed files")
+  {
+    for(const std::string extension : {".gz", ".xz", ".zst", ".bz2"}) {
+      const std::string bytes = content("in.off" + extension, tool::Mesh_format::OFF);
+      check("in.off" + extension, bytes.substr(0, bytes.size() / 2), "cut short");
+      check("noise" + extension, bytes.substr(0, 6) + std::string(300, 'x'), "");
+      // 200 million zeros: gzip folds them to their thousandth part, and the others to less
+      const std::string bomb = scratch / ("bomb.ply" + extension);
+      {
+        tool::Atomic_file out(bomb);
+        const std::string zeros(1000000, '\0');
+        for(int i = 0; i < 200; ++i)
+          out.stream() << zeros;
+        out.commit();
+      }
+      check_refused(scratch, bomb, "");
+      fs::remove(bomb);
+    }
+  }
+  SECTION("FreeSurfer")
+  {
+    const std::string good = content("lh.white", tool::Mesh_format::FREESURFER);
+    const std::size_t counts = good.find("\n\n") + 2;
+    const auto with_number = [&](std::size_t at, auto number) {
+      std::string bytes;
+      tool::append_number(bytes, number, tool::Byte_order::BIG);
+      return std::string(good).replace(at, 4, bytes);
+    };
+    check("lh.white", good.substr(0, good.size() - 10), "cut short");
+    check("lh.white", good.substr(0, 20), "cut short");
+    check("lh.white", with_number(counts, std::int32_t(700000000)), "cut short");
+    check("lh.white", with_number(counts, std::int32_t(-1)), "damaged");
+    check("lh.white", with_number(counts + 8, std::numeric_limits<float>::quiet_NaN()), "finite");
+    check("lh.white", with_number(good.size() - 4, std::int32_t(100000)), "100000");
+    check("lh.white", with_number(counts + 4, std::int32_t(0)), "no faces");
+    check("lh.quads", changed(good, "\xff\xff\xfe", "\xff\xff\xfd"), "mris_convert");
+  }
+  SECTION("GIFTI")
+  {
+    const std::string good = content("in.gii", tool::Mesh_format::GIFTI);
+    check("in.gii", good.substr(0, good.size() - 30), "line ");
+    check("in.gii", changed(good, "Dim0=\"", "Dim0=\"9999"), "cut short");
+    check("in.gii", changed(good, "Dim0=\"", "Dim0=\"-"), "Dim0");
+    check("in.gii", changed(good, "Dim1=\"3", "Dim1=\"4"), "rows of three");
+    check("in.gii", changed(good, "NIFTI_INTENT_POINTSET", "NIFTI_INTENT_SHAPE"), ".surf.gii");
+    check("in.gii", changed(good, "NIFTI_INTENT_TRIANGLE", "NIFTI_INTENT_POINTSET"), "several");
+    check("in.gii", changed(good, "GZipBase64Binary", "ExternalFileBinary"), "another file");
+    check("in.gii", changed(good, "GZipBase64Binary", "Base64Binary"), "announces");
+    check("in.gii", changed(good, "<Data>", "<Data>####"), "Base64");
+    check("in.gii", changed(good, "NIFTI_TYPE_FLOAT32", "NIFTI_TYPE_COMPLEX64"), "type");
+    check("in.gii",
+          "<?xml version=\"1.0\"?>\n<!DOCTYPE GIFTI [<!ENTITY a \"aaaaaaaaaa\"><!ENTITY b \"&a;&a;&a;\">]>\n"
+          "<GIFTI>&b;</GIFTI>\n",
+          "no points");
+  }
+  SECTION("GLB")
+  {
+    const std::string good = content("in.glb", tool::Mesh_format::GLB);
+    check("in.glb", good.substr(0, good.size() - 10), "cut short");
+    check("in.glb", good.substr(0, 15), "cut short");
+    check("in.glb", changed(good, std::string("\2\0\0\0", 4), std::string("\1\0\0\0", 4)), "version");
+    check("in.glb", changed(good, "POSITION", "POSITIOM"), "without positions");
+  }
+}
+
+TEST_CASE("formats: text has the fewest digits from which the same number is read", "[tool][formats]")
+{
+  Scratch scratch;
+  tool::Input_mesh mesh = input_of(icosphere(1));
+  std::vector<tool::Point> points = mesh.mesh.points();
+  points[0] = {0.1, 1e-300, -0.30000000000000004};
+  points[1] = {1e22, 5e-324, 123456789};
+  for(const tool::Output_format format :
+      {tool::Output_format{tool::Mesh_format::OFF}, {tool::Mesh_format::OBJ}, {tool::Mesh_format::PLY, true}}) {
+    std::ostringstream out;
+    tool::write_mesh(out, format, mesh.mesh, points, tool::Surface::SHAPE);
+    CHECK(contains(out.str(), "0.1 1e-300 -0.30000000000000004\n"));
+    CHECK(contains(out.str(), "1e+22 5e-324 123456789\n"));
+  }
+}
+
+TEST_CASE("formats: through pipes, data goes to the standard output and messages do not", "[tool][formats]")
+{
+  Scratch scratch;
+  const std::string input = write_off(scratch / "in.off", bumpy_sphere(2));
+  REQUIRE(run_tool({"map", input, "-o", scratch / "out.off"}).exit_code == 0);
+  const std::string line = "cat \"$1\" | \"$0\" map - -o - --format off";
+  const Process_result run = run_process({"/bin/sh", "-c", line, TOOL, input});
+  CAPTURE(run.err);
+  CHECK(run.exit_code == 0);
+  CHECK((run.out == text_of(scratch / "out.off")));
+  CHECK(contains(run.err, "standard input: "));
+  CHECK(contains(run.err, "written: standard output"));
+  CHECK(run_process({"/bin/sh", "-c", line + " --quiet", TOOL, input}).err.empty());
+
+  const Process_result empty = run_tool({"map", "-", "-o", scratch / "x.off"});
+  CHECK(empty.exit_code == 1);
+  CHECK(contains(empty.err, "standard input: is empty"));
+  CHECK(run_tool({"map", input, "-o", "-"}).exit_code == 2);
+  const Process_result full =
+    run_process({"/bin/sh", "-c", "\"$0\" map \"$1\" -o - --format ply >/dev/full", TOOL, input});
+  CHECK(full.exit_code == 1);
+  CHECK(contains(full.err, "standard output: could not be written completely"));
+
+  const std::string large = write_off(scratch / "large.off", bumpy_sphere(5)); // more than a pipe holds
+  run_process(
+    {"/bin/sh", "-c", "TMPDIR=\"$2\" \"$0\" map -q \"$1\" -o - --format ply | true", TOOL, large, scratch.folder()});
+  CHECK(scratch.number_of_files() == 3); // no temporary file stays behind
+}
+
+TEST_CASE("--quiet and --verbose", "[tool]")
+{
+  Scratch scratch;
+  const std::string input = write_off(scratch / "in.off", capsule(20, 12));
+  const std::vector<std::string> map = {"map",      input,       "-o",       scratch / "out.off",
+                                        "--method", "automatic", "--report", scratch / "report.json"};
+  const auto run = [&](const std::string& flag) {
+    std::vector<std::string> arguments = map;
+    arguments.push_back(flag);
+    return run_tool(arguments);
+  };
+  const Process_result quiet = run("--quiet"), verbose = run("-v");
+  CHECK(quiet.exit_code == 0);
+  CHECK(quiet.out.empty());
+  CHECK(quiet.err.empty());
+  CHECK(contains(verbose.out, "\ntried balanced for "));
+  CHECK(contains(verbose.out, "\ntried isometric for "));
+
+  const auto attempts = nlohmann::json::parse(text_of(scratch / "report.json")).at("attempts");
+  REQUIRE(attempts.size() >= 2);
+  CHECK(attempts.front().at("method") == "balanced");
+  CHECK(attempts.front().at("error_code") == "NOT_BIJECTIVE");
+  CHECK(attempts.front().at("seconds") > 0);
+  CHECK(attempts.back().at("error_code") == "OK");
+}

@@ -12,6 +12,7 @@
 #include "system/guarded.h"
 #include "system/interruption.h"
 #include "system/progress_bar.h"
+#include "system/standard_output.h"
 #include "system/refusal.h"
 
 #include <algorithm>

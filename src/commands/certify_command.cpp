@@ -97,9 +97,9 @@ void certify(const Certify_options& options, Mapped_mesh& input, Report& report)
   if(is_mirrored) {
     const std::size_t left = tool::certify(input.mesh(), mirror_image(sphere.points)).flipped_faces;
     throw Refusal("MIRRORED", options.sphere,
-                  std::string("is a mirror image, ") + (left == 0 ? std::string("otherwise a valid spherical map")
-                                                     : "and its mirror image has " + std::to_string(left) +
-                                                         " flipped faces"),
+                  std::string("is a mirror image, ") +
+                    (left == 0 ? std::string("otherwise a valid spherical map")
+                               : "and its mirror image has " + std::to_string(left) + " flipped faces"),
                   "negate one coordinate of the sphere, or turn the faces of the mesh round");
   }
   if(!result)

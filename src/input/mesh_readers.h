@@ -39,6 +39,9 @@ constexpr std::size_t largest_count = 700'000'000;
 /// Reads the bytes of a mesh file in the format that its first line names, or else its extension.
 Soup read_soup(const std::string& file, std::string bytes);
 
+/// Reads any triangles, and polygons as triangles, from a mesh file. Throws a `Refusal` as the readers do.
+Soup read_triangles(const std::string& file);
+
 /// Throws a `Refusal` of polygons that are no triangles.
 void check_triangles(const std::string& file, const Soup& soup);
 

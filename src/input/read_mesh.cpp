@@ -64,6 +64,12 @@ Soup read_soup(const std::string& file, std::string bytes)
   return read_format(content.empty() ? lower_case_extension(file) : content, file, std::move(bytes));
 }
 
+Soup read_triangles(const std::string& file)
+{
+  check_readable(file);
+  return read_soup(file, read_file(file));
+}
+
 Input_mesh read_mesh(const std::string& file, Polygons polygons)
 {
   check_readable(file);

@@ -48,6 +48,7 @@ from .methods import (
     RegionGrowing,
     SaddlePoint,
 )
+from .prepare import Prepared, prepare
 
 __all__ = [
     "Attempt",
@@ -66,6 +67,7 @@ __all__ = [
     "MapWarning",
     "MeshError",
     "OpenCLDevice",
+    "Prepared",
     "RegionGrowing",
     "Result",
     "SaddlePoint",
@@ -81,6 +83,7 @@ __all__ = [
     "opencl_device",
     "opencl_devices",
     "parameterize",
+    "prepare",
     "read_mesh",
     "search",
     "segment",

@@ -51,6 +51,10 @@ void print_certificate(const Map_options& options, const Mapped_mesh& input, con
   if(input.file->triangulated_polygons > 0)
     std::cout << input.file->triangulated_polygons
               << " polygons were triangulated, so the faces of the sphere are not those of " << options.input << '\n';
+  const std::string preparation = preparation_text(options.input, input.prepared);
+  if(!preparation.empty())
+    std::cout << preparation
+              << "the sphere has the vertices and faces of the prepared mesh, which 'prepare --harmless' writes\n";
   std::cout << options.input << ": " << result.number_of_vertices << " vertices, " << result.number_of_faces
             << " faces\n"
             << "valid spherical map: " << result.flipped_faces << " flipped faces, degree " << result.degree
@@ -121,6 +125,7 @@ void add_map_command(CLI::App& app, int& exit_code)
   CLI::App* command = app.add_subcommand("map", "Map a closed genus-0 triangle mesh to the sphere, certified");
   const auto options = std::make_shared<Map_options>();
   add_mapping_options(*command, *options);
+  add_prepare_option(*command, *options, Prepare::HARMLESS);
   command
     ->add_option(
       "-o,--output", options->output,

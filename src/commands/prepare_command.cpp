@@ -324,9 +324,8 @@ void prepare(const Prepare_options& options, Prepared& prepared)
   prepared.preparation = tool::prepare(options.input, *prepared.soup, settings_of(options));
   prepared.seconds_prepare = preparing.seconds();
   const Stopwatch measuring;
-  prepared.distance =
-    hausdorff_distance(*prepared.soup, prepared.preparation->parts, tolerance * prepared.diagonal,
-                       [&options] { stop_if_interrupted(options.input); });
+  prepared.distance = hausdorff_distance(*prepared.soup, prepared.preparation->parts, tolerance * prepared.diagonal,
+                                         [&options] { stop_if_interrupted(options.input); });
   prepared.seconds_measure = measuring.seconds();
   const Stopwatch writing;
   write(options, prepared);
@@ -374,9 +373,10 @@ void add_prepare_command(CLI::App& app, int& exit_code)
     ->add_option("--report", options->report,
                  "Write all that was found and done, distances and times, or the error, as JSON")
     ->type_name("FILE");
-  command->add_flag("--harmless", options->harmless,
-                    "Only what does not change the shape, as 'map --prepare': merge vertices at the same place, orient, "
-                    "cut non-manifold parts from each other, remove what is repeated or isolated");
+  command->add_flag(
+    "--harmless", options->harmless,
+    "Only what does not change the shape, as 'map --prepare': merge vertices at the same place, orient, "
+    "cut non-manifold parts from each other, remove what is repeated or isolated");
   command
     ->add_option("--components", options->components,
                  "What to keep: the one of largest area, all in one file, or split: a file for each, OUT_1, OUT_2, ...")

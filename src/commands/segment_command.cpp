@@ -58,13 +58,18 @@ void segment(const Segment_options& options)
   if(!result)
     throw Refusal(name(result.error), options.input, get_error_message(result.error), result.detail);
 
-  write_segments_ply(ply.stream(), input.mesh(), segments, result.number_of_segments);
+  std::size_t number_of_segments = result.number_of_segments;
+  if(input.prepared)
+    segments = labels_of_file(*input.prepared, segments, number_of_segments);
+  write_segments_ply(ply.stream(), input.prepared ? input.prepared->of_file() : input.mesh(), segments,
+                     number_of_segments);
   if(labels)
     for(const std::size_t segment : segments)
       labels->stream() << segment << '\n';
   stop_if_interrupted(options.input);
   Atomic_file::commit_all({labels.get(), &ply});
-  std::cout << options.input << ": " << result.number_of_segments << " segments" << std::endl;
+  std::cout << preparation_text(options.input, input.prepared) << options.input << ": " << number_of_segments
+            << " segments" << std::endl;
 }
 
 } // namespace
@@ -75,6 +80,7 @@ void add_segment_command(CLI::App& app, int& exit_code)
   const auto options = std::make_shared<Segment_options>();
   add_mapping_options(*command, *options);
   add_sphere_option(*command, *options);
+  add_prepare_option(*command, *options, Prepare::ALL);
   command->add_option("-o,--output", options->output, "Output file: .ply, IN with a colour per segment")
     ->required()
     ->type_name("FILE");

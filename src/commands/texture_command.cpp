@@ -110,13 +110,17 @@ void texture(const Texture_command_options& options)
   const SP::Texture_report report = SP::texture_coordinates(input.mesh(), as_map(input.sphere),
                                                             as_map<Mesh::Halfedge_index>(uv), texture_options(options));
 
+  if(input.prepared)
+    uv = coordinates_of_file(*input.prepared, uv);
   const fs::path folder = fs::absolute(options.output).parent_path();
-  write_textured_obj(obj.stream(), input.mesh(), uv, fs::path(beside(options.output, ".mtl")).filename().string());
+  write_textured_obj(obj.stream(), input.prepared ? input.prepared->of_file() : input.mesh(), uv,
+                     fs::path(beside(options.output, ".mtl")).filename().string());
   write_material(mtl.stream(), fs::absolute(image).lexically_relative(folder).string());
   if(png)
     write_checker(png->stream(), 32, options.chart == "octahedral" ? 32 : 16);
   stop_if_interrupted(options.input);
   Atomic_file::commit_all({png.get(), &mtl, &obj});
+  std::cout << preparation_text(options.input, input.prepared);
   print(options, report);
 }
 
@@ -129,6 +133,7 @@ void add_texture_command(CLI::App& app, int& exit_code)
   const auto options = std::make_shared<Texture_command_options>();
   add_mapping_options(*command, *options);
   add_sphere_option(*command, *options);
+  add_prepare_option(*command, *options, Prepare::ALL);
   command
     ->add_option(
       "-o,--output", options->output,

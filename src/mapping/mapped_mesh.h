@@ -5,6 +5,7 @@
 #define SPHERICAL_PARAMETERIZATION_TOOL_MAPPED_MESH_H
 
 #include "input/mesh.h"
+#include "mapping/prepared_mesh.h"
 #include "options/mapping_options.h"
 
 #include <CGAL/Spherical_parameterization/Result.h>
@@ -27,7 +28,8 @@ struct Map_settings;
 struct Mapped_mesh {
   const Mesh& mesh() const { return file->mesh; }
 
-  std::optional<Input_mesh> file;                  ///< what has been read
+  std::optional<Input_mesh> file;                  ///< what has been read, and prepared if that is asked for
+  std::optional<Prepared_mesh> prepared;           ///< with --prepare: what it was before
   Sphere sphere;                                   ///< unit vectors
   CGAL::Spherical_parameterization::Result result; ///< of mapping; with --sphere nothing but sizes and certificate
   std::shared_ptr<Map_settings> settings;

@@ -13,8 +13,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <map>
+#include <numeric>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 namespace tool {
 namespace {
@@ -40,19 +42,22 @@ void write_textured_obj(std::ostream& out, const Mesh& mesh, const std::vector<U
   for(const Point& p : mesh.points())
     write("v ", p, '\n');
 
+  // by vertices; triangles of any kind have no order round these
+  std::vector<std::size_t> order(uv.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  const auto key = [&](std::size_t h) {
+    return std::pair(target(Mesh::Halfedge_index(static_cast<int>(h)), mesh), uv[h]);
+  };
+  std::sort(order.begin(), order.end(),
+            [&key](std::size_t g, std::size_t h) { return std::pair(key(g), g) < std::pair(key(h), h); });
   std::vector<std::size_t> number(uv.size()); // of the position at a halfedge, from 1 on
   std::size_t count = 0;
-  for(const Mesh::Vertex_index v : vertices(mesh)) {
-    std::map<Uv, std::size_t> number_at;
-    for(const Mesh::Halfedge_index h : CGAL::halfedges_around_target(v, mesh)) {
-      const auto& [u, w] = uv[h.idx()];
-      const auto [place, is_new] = number_at.try_emplace({u, w}, count + 1);
-      if(is_new) {
-        ++count;
-        write("vt ", u, ' ', w, '\n');
-      }
-      number[h.idx()] = place->second;
+  for(std::size_t i = 0; i < order.size(); ++i) {
+    if(i == 0 || key(order[i]) != key(order[i - 1])) {
+      ++count;
+      write("vt ", uv[order[i]].first, ' ', uv[order[i]].second, '\n');
     }
+    number[order[i]] = count;
   }
   for(const Mesh::Face_index f : faces(mesh)) {
     write('f');

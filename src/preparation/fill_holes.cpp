@@ -37,9 +37,8 @@ std::vector<Triangle> triangulated(const std::vector<Kernel::Point_3>& polygon)
   constexpr std::size_t most_for_cubic_time = 1000;
   std::vector<CGAL::Triple<int, int, int>> found;
   try {
-    PMP::triangulate_hole_polyline(
-      polygon, std::back_inserter(found),
-      CGAL::parameters::do_not_use_cubic_algorithm(polygon.size() > most_for_cubic_time));
+    PMP::triangulate_hole_polyline(polygon, std::back_inserter(found),
+                                   CGAL::parameters::do_not_use_cubic_algorithm(polygon.size() > most_for_cubic_time));
   } catch(const std::exception&) { // a precondition of CGAL that a polygon through itself breaks
     found.clear();
   }

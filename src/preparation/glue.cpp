@@ -157,10 +157,7 @@ public:
     twin_[place(other)] = side;
   }
 
-  int corner(int side, int step = 0) const
-  {
-    return faces_.triangles[place(side / 3)][place((side + step) % 3)];
-  }
+  int corner(int side, int step = 0) const { return faces_.triangles[place(side / 3)][place((side + step) % 3)]; }
 
   /// Glues sides that meet at an edge in pairs, the flattest first.
   template <class Key>
@@ -326,8 +323,9 @@ Glued_surface glue(const Soup& soup, double merge_distance, Gluing_defects& defe
     const auto is_left_out = [&](std::size_t f) {
       const Triangle& t = faces.triangles[f];
       return has_repeated_corner(keys[f]) ||
-             (is_repeated[f] && (gluing.twin()[3 * f] == Glued_surface::none || gluing.twin()[3 * f + 1] == Glued_surface::none ||
-                                 gluing.twin()[3 * f + 2] == Glued_surface::none) &&
+             (is_repeated[f] &&
+              (gluing.twin()[3 * f] == Glued_surface::none || gluing.twin()[3 * f + 1] == Glued_surface::none ||
+               gluing.twin()[3 * f + 2] == Glued_surface::none) &&
               is_open[place(t[0])] && is_open[place(t[1])] && is_open[place(t[2])]);
     };
     std::vector<bool> kept(faces.triangles.size(), true);

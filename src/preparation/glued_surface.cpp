@@ -37,9 +37,8 @@ private:
   std::vector<int> parent_;
 };
 
-/// Cuts the face of a side in two, from the middle of the side to the opposite corner. The side keeps its first half, the
-/// second is returned.
-/// \pre the side is glued to nothing
+/// Cuts the face of a side in two, from the middle of the side to the opposite corner. The side keeps its first half,
+/// the second is returned. \pre the side is glued to nothing
 int split_face(Glued_surface& surface, int side, int middle)
 {
   const int face = side / 3, next = Glued_surface::next(side), before = surface.twin_of(next);

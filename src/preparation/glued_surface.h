@@ -11,9 +11,9 @@
 
 namespace tool {
 
-/// Triangles glued along their sides, with or without boundary. Side `3 f + k` of face `f` runs from its corner `k` to the
-/// next one. The gluing decides what a vertex is: the corners that meet when one turns round it through glued sides.
-/// So every surface here is manifold, whatever the file was; to cut it is to unglue sides.
+/// Triangles glued along their sides, with or without boundary. Side `3 f + k` of face `f` runs from its corner `k` to
+/// the next one. The gluing decides what a vertex is: the corners that meet when one turns round it through glued
+/// sides. So every surface here is manifold, whatever the file was; to cut it is to unglue sides.
 ///
 /// Glued sides run in opposite directions: the faces are oriented consistently.
 struct Glued_surface {
@@ -40,8 +40,8 @@ struct Glued_surface {
 
   void glue(int side, int other);
   void unglue(int side);
-  int add_vertex(const Point& point);                                     ///< new, of no face yet
-  int add_face(const std::array<int, 3>& corners, int old_face = none);   ///< glued to nothing yet
+  int add_vertex(const Point& point);                                   ///< new, of no face yet
+  int add_face(const std::array<int, 3>& corners, int old_face = none); ///< glued to nothing yet
 };
 
 /// Gives every corner the vertex that the gluing says. A vertex that has come apart is copied, vertices that have been

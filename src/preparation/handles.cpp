@@ -144,12 +144,12 @@ private:
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
 };
 
-/// A spanning tree of the faces that crosses no edge of the tree of paths: for every face the side that leads to the root.
+/// A spanning tree of the faces that crosses no edge of the tree of paths: for every face the side that leads to the
+/// root.
 std::vector<int> dual_tree(const Glued_surface& surface, const Search& paths)
 {
   const auto is_in_tree = [&](int side) {
-    return paths.arrival(surface.target(side)) == side ||
-           paths.arrival(surface.origin(side)) == surface.twin_of(side);
+    return paths.arrival(surface.target(side)) == side || paths.arrival(surface.origin(side)) == surface.twin_of(side);
   };
   std::vector<int> to_root(surface.faces.size(), Glued_surface::none), order = {0};
   std::vector<bool> is_reached(surface.faces.size(), false);

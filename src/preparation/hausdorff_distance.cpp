@@ -148,7 +148,8 @@ std::vector<int> nearest_faces(const Soup& old, const Glued_surface& surface)
 {
   std::vector<int> result(old.triangles.size(), Glued_surface::none);
   for(std::size_t f = 0; f < surface.faces.size(); ++f)
-    if(const int number = surface.old_face[f]; number != Glued_surface::none && result[place(number)] == Glued_surface::none)
+    if(const int number = surface.old_face[f];
+       number != Glued_surface::none && result[place(number)] == Glued_surface::none)
       result[place(number)] = static_cast<int>(f);
   if(std::find(result.begin(), result.end(), Glued_surface::none) == result.end())
     return result;

@@ -109,7 +109,7 @@ std::vector<Piece> pieces_of(const Glued_surface& surface, std::vector<int>& pie
 }
 
 std::vector<Glued_surface> separated(const Glued_surface& surface, const std::vector<Piece>& pieces,
-                               const std::vector<int>& piece_of)
+                                     const std::vector<int>& piece_of)
 {
   std::vector<Glued_surface> parts;
   for(std::size_t i = 0; i < pieces.size() && pieces[i].is_kept; ++i) {

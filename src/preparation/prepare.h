@@ -18,7 +18,8 @@ namespace tool {
 /// How far a mesh is mended. The default is all that stands between it and a closed sphere.
 struct Preparation_settings {
   double merge_distance = 0; ///< up to which vertices at boundaries are merged
-  bool only_harmless = false; ///< what does not change the shape: gluing and turning; components, holes and handles stay
+  bool only_harmless =
+    false; ///< what does not change the shape: gluing and turning; components, holes and handles stay
   bool keeps_all_components = false; ///< or only the one of largest area
   bool fills_holes = true;
   bool cuts_handles = true; ///< of components without holes
@@ -43,16 +44,17 @@ struct Piece {
 
 /// What was wrong with a mesh, what was done, and what has come out.
 struct Preparation {
-  std::vector<Glued_surface> parts; ///< one, unless all components are kept and mended: then one for each, the largest first
+  std::vector<Glued_surface>
+    parts; ///< one, unless all components are kept and mended: then one for each, the largest first
   Gluing_defects defects;
-  std::vector<Piece> pieces; ///< the components of the mesh, the largest first
+  std::vector<Piece> pieces;      ///< the components of the mesh, the largest first
   std::vector<int> piece_of_face; ///< by face of the file, its number in `pieces`; -1 if it was removed, or all wrapped
-  std::vector<Loop> holes;   ///< of what is kept, the longest first
-  std::vector<Loop> handles; ///< of what is kept, each of them the shortest on what the ones before have left
-  bool is_filled = false;    ///< the holes are closed
-  bool is_cut = false;       ///< the handles are cut
-  bool is_turned_outwards = false; ///< all faces were turned round
-  std::size_t split_edges = 0;     ///< those that had the same ends as others
+  std::vector<Loop> holes;        ///< of what is kept, the longest first
+  std::vector<Loop> handles;      ///< of what is kept, each of them the shortest on what the ones before have left
+  bool is_filled = false;         ///< the holes are closed
+  bool is_cut = false;            ///< the handles are cut
+  bool is_turned_outwards = false;                ///< all faces were turned round
+  std::size_t split_edges = 0;                    ///< those that had the same ends as others
   std::optional<Preparation_settings::Wrap> wrap; ///< what was used
 
   /// Whether the mesh is as it was, its vertices and faces in their order.
@@ -63,8 +65,8 @@ struct Preparation {
 /// interruption.
 Preparation prepare(const std::string& file, const Soup& soup, const Preparation_settings& settings);
 
-/// What was wrong and what was done about it, one sentence each: "filled 3 holes (longest: 80 edges, length 0.5, at vertex
-/// 17)". Empty if nothing was wrong.
+/// What was wrong and what was done about it, one sentence each: "filled 3 holes (longest: 80 edges, length 0.5, at
+/// vertex 17)". Empty if nothing was wrong.
 std::vector<std::string> sentences(const Preparation& preparation);
 
 } // namespace tool

@@ -8,8 +8,8 @@
 
 namespace tool {
 
-/// A closed surface around triangles of any kind, at a distance of `offset`; what a ball of radius `alpha` cannot enter is
-/// filled (C. Portaneri, M. Rouxel-Labbe, M. Hemmer, D. Cohen-Steiner, P. Alliez, "Alpha wrapping with an offset",
+/// A closed surface around triangles of any kind, at a distance of `offset`; what a ball of radius `alpha` cannot enter
+/// is filled (C. Portaneri, M. Rouxel-Labbe, M. Hemmer, D. Cohen-Steiner, P. Alliez, "Alpha wrapping with an offset",
 /// 2022; CGAL's alpha_wrap_3).
 Soup wrap(const Soup& soup, double alpha, double offset);
 

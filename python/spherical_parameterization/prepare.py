@@ -87,12 +87,6 @@ def prepare(
         If the tool is not there.
     RuntimeError
         If it failed: with what it said.
-
-    >>> import numpy as np, spherical_parameterization as sp
-    >>> points, triangles = sp.icosphere(3)
-    >>> prepared = sp.prepare(points, triangles[5:])  # doctest: +SKIP
-    >>> sp.parameterize(prepared.points, prepared.triangles).is_valid  # doctest: +SKIP
-    True
     """
     points, triangles = vectors("points", points), index_triples(triangles)
     if components not in ("largest", "all"):

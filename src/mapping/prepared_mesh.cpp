@@ -16,8 +16,8 @@
 namespace tool {
 namespace {
 
-/// The weights of the corners at the point of a triangle that is near to `p`: its foot in the plane, and for those outside
-/// of the triangle what is left when negative weights are 0.
+/// The weights of the corners at the point of a triangle that is near to `p`: its foot in the plane, and for those
+/// outside of the triangle what is left when negative weights are 0.
 std::array<double, 3> weights_of_place(const std::array<Vector, 3>& corners, const Vector& p)
 {
   for(std::size_t k = 0; k < 3; ++k)

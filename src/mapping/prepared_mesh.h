@@ -32,14 +32,14 @@ Input_mesh read_prepared_mesh(const std::string& file, Prepare how, std::optiona
 /// Lines on what was done, each with its end; empty if the mesh was not mended, or there was nothing to mend.
 std::string preparation_text(const std::string& file, const std::optional<Prepared_mesh>& prepared);
 
-/// Labels of the faces of the file, from those of the mended faces: a face that was left out has that of the nearest one,
-/// and a component that was left out has a label of its own. They are numbered from 0 on without gaps, and
+/// Labels of the faces of the file, from those of the mended faces: a face that was left out has that of the nearest
+/// one, and a component that was left out has a label of its own. They are numbered from 0 on without gaps, and
 /// `number_of_labels` is set to how many there are.
 std::vector<std::size_t> labels_of_file(const Prepared_mesh& prepared, const std::vector<std::size_t>& labels,
                                         std::size_t& number_of_labels);
 
-/// Texture coordinates of the corners of the file, by the halfedges that end there, from those of the mended mesh: those
-/// of the same corner, or for what was left out those of the nearest place of the nearest face.
+/// Texture coordinates of the corners of the file, by the halfedges that end there, from those of the mended mesh:
+/// those of the same corner, or for what was left out those of the nearest place of the nearest face.
 std::vector<std::pair<double, double>> coordinates_of_file(const Prepared_mesh& prepared,
                                                            const std::vector<std::pair<double, double>>& coordinates);
 

@@ -62,16 +62,24 @@ struct Candidate {
 /// The largest distance of points of the triangles from those of the tree.
 Bounds farthest(const Triangles& triangles, const Tree& tree, double tolerance, const std::function<void()>& go_on)
 {
+  constexpr double relative_tolerance = 0.05;
   Bounds result;
   std::priority_queue<Candidate> queue;
+  const auto is_close = [&](double bound) {
+    return bound <= result.low + std::max(tolerance, relative_tolerance * result.low);
+  };
   const auto look_at = [&](const Triangle_3& t) {
     const Point_3 centre = CGAL::centroid(t);
-    const double distance = std::sqrt(tree.squared_distance(centre));
-    double radius = 0;
-    for(int k = 0; k < 3; ++k)
+    const auto [nearest, face] = tree.closest_point_and_primitive(centre);
+    const double distance = std::sqrt(CGAL::squared_distance(centre, nearest));
+    double radius = 0, from_face = 0;
+    for(int k = 0; k < 3; ++k) {
       radius = std::max(radius, CGAL::squared_distance(centre, t[k]));
+      from_face = std::max(from_face, CGAL::squared_distance(t[k], *face));
+    }
     result.low = std::max(result.low, distance);
-    if(const double bound = distance + std::sqrt(radius); bound > result.low + tolerance)
+    // no point is farther than by the radius; nor, since a face is convex, farther from that face than the corners are
+    if(const double bound = std::min(distance + std::sqrt(radius), std::sqrt(from_face)); !is_close(bound))
       queue.push({bound, t});
     else
       result.high = std::max(result.high, bound);
@@ -86,7 +94,7 @@ Bounds farthest(const Triangles& triangles, const Tree& tree, double tolerance, 
   }
   while(!queue.empty()) {
     const Candidate top = queue.top();
-    if(top.bound <= result.low + tolerance) {
+    if(is_close(top.bound)) {
       result.high = std::max(result.high, top.bound);
       break;
     }

@@ -23,8 +23,9 @@ struct Hausdorff_distance {
   Bounds from_old; ///< from points of the mesh as it was
 };
 
-/// Triangles are halved until bounds are `tolerance` apart: the distance from a surface grows by no more than the way
-/// (M. Tang, M. Lee, Y. J. Kim, "Interactive Hausdorff distance computation for general polygonal models", 2009). Faces
+/// Triangles are halved until bounds are `tolerance` apart, or 5 % of the distance where that is more: the distance
+/// from a surface grows by no more than the way, and that from a face is largest at a corner (M. Tang, M. Lee, Y. J.
+/// Kim, "Interactive Hausdorff distance computation for general polygonal models", 2009). The upper bound holds. Faces
 /// that are the same in both are at distance 0, and are not looked at. `go_on` is called now and then, and may throw.
 Hausdorff_distance hausdorff_distance(const Soup& old, const std::vector<Glued_surface>& parts, double tolerance,
                                       const std::function<void()>& go_on);

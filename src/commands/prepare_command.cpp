@@ -363,11 +363,11 @@ void add_prepare_command(CLI::App& app, int& exit_code)
     ->type_name("FILE");
   command
     ->add_option("--vertex-map", options->vertex_map,
-                 "Write for each vertex of the output its number in IN, counted from 0, or -1 if it is new")
+                 "Write for each vertex of the output its number in IN, counted from 0; minus one: it is new")
     ->type_name("FILE");
   command
     ->add_option("--face-map", options->face_map,
-                 "Write for each face of the output its number in IN, counted from 0, or -1 if it is new")
+                 "Write for each face of the output its number in IN, counted from 0; minus one: it is new")
     ->type_name("FILE");
   command
     ->add_option("--report", options->report,

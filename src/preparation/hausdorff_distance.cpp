@@ -132,7 +132,8 @@ Hausdorff_distance hausdorff_distance(const Soup& old, const std::vector<Glued_s
         only_new.push_back(all_new.back());
     }
   for(std::size_t f = 0; f < old.triangles.size(); ++f)
-    if(has_finite_corners(old, old.triangles[f])) {
+    if(const auto& [a, b, c] = old.triangles[f];
+       a != b && b != c && c != a && has_finite_corners(old, old.triangles[f])) { // the others are no faces
       all_old.push_back(triangle(old.points, old.triangles[f]));
       if(!is_there[f])
         only_old.push_back(all_old.back());

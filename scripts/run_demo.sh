@@ -15,7 +15,7 @@ tool=$root/build/src/spherical-parameterization
 mkdir -p "$demo"
 meshes=/usr/share/doc/libcgal-dev/data.tar.gz
 [ -e "$meshes" ] || meshes=/usr/share/doc/libcgal-demo/data.tar.gz
-tar -xzf "$meshes" -C "$demo" --strip-components=2 data/meshes/armadillo.off
+tar -xzf "$meshes" -C "$demo" --strip-components=2 data/meshes/{armadillo,elephant-with-holes,eight}.off
 
 # picture PNG PLY options...: of the colours of a PLY file; no picture where there is no f3d or no display for it
 picture() {
@@ -45,6 +45,17 @@ for weights in barycentric conformal; do
     --camera-azimuth-angle=155 --camera-elevation-angle=8 --camera-view-angle=22
   picture "${out}_sphere.png" "${out}_sphere_stretch.ply" --edges --line-width=1 \
     --camera-azimuth-angle=35 --camera-elevation-angle=15 --camera-view-angle=18
+done
+
+# What map does not take: holes, and two handles. prepare says what and where, and mends it.
+for broken in elephant-with-holes eight; do
+  out=$demo/$broken
+  echo
+  echo "== $broken: prepared, mapped, certified"
+  "$tool" prepare "$out.off" -o "${out}_prepared.off" --vertex-map "${out}_vertices.txt" --report "$out.json" </dev/null
+  "$tool" map "${out}_prepared.off" -o "${out}_sphere.off" --stretch-ply "${out}_stretch.ply" --method automatic </dev/null
+  "$tool" certify "${out}_prepared.off" "${out}_sphere.off" </dev/null
+  picture "${out}_stretch.png" "${out}_stretch.ply" --camera-view-angle=22
 done
 
 echo

@@ -50,6 +50,7 @@ from .methods import (
     RegionGrowing,
     SaddlePoint,
 )
+from .prepare import Prepared, prepare
 
 __all__ = [
     "Attempt",
@@ -68,6 +69,7 @@ __all__ = [
     "MapWarning",
     "MeshError",
     "OpenCLDevice",
+    "Prepared",
     "RegionGrowing",
     "Result",
     "SaddlePoint",
@@ -84,6 +86,7 @@ __all__ = [
     "opencl_device",
     "opencl_devices",
     "parameterize",
+    "prepare",
     "read_mesh",
     "search",
     "segment",

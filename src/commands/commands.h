@@ -19,6 +19,8 @@ void add_texture_command(CLI::App& app, int& exit_code);   ///< the mesh with te
 void add_resample_command(CLI::App& app, int& exit_code);  ///< the mesh sampled at an icosphere
 void add_signature_command(CLI::App& app, int& exit_code); ///< mesh files in, an index of their signatures out
 void add_search_command(CLI::App& app, int& exit_code);    ///< the meshes of an index that are most similar to one
+void add_prepare_command(CLI::App& app, int& exit_code);   ///< a mesh with any defects in, one that can be mapped out
+void add_certify_command(CLI::App& app, int& exit_code);   ///< exact certificate and distortion of any program's sphere
 void add_view_command(CLI::App& app, int& exit_code);      ///< the mesh and its sphere as a page to look at
 void add_devices_command(CLI::App& app, int& exit_code);   ///< the execution policies, and their devices
 /// @}

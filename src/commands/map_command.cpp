@@ -63,6 +63,10 @@ void say(const Map_options& options, const Mapped_mesh& input, const Report& rep
   if(input.file->triangulated_polygons > 0)
     text << input.file->triangulated_polygons
          << " polygons were triangulated, so the faces of the sphere are not those of " << name << '\n';
+  const std::string preparation = preparation_text(name, input.prepared);
+  if(!preparation.empty())
+    text << preparation
+         << "the sphere has the vertices and faces of the prepared mesh, which 'prepare --harmless' writes\n";
   text << name << ": " << result.number_of_vertices << " vertices, " << result.number_of_faces << " faces\n"
        << line.str() << ", residual " << result.residual << '\n'
        << (options.method == "automatic" ? "automatic: " : "") << result.method << ", "
@@ -91,6 +95,8 @@ void say(const Map_options& options, const Mapped_mesh& input, const Report& rep
   line << ", " << result.number_of_vertices << " vertices, " << result.method;
   if(input.file->triangulated_polygons > 0)
     line << ", " << input.file->triangulated_polygons << " polygons were triangulated";
+  if(!preparation.empty())
+    line << ", prepared";
   outcome.text = text.str();
   outcome.line = line.str();
 }
@@ -166,8 +172,11 @@ void add_map_command(CLI::App& app, int& exit_code)
   const auto options = std::make_shared<Map_options>();
   add_collection_options(*command, *options);
   add_mapping_options(*command, *options);
-  add_mesh_output(*command, *options,
-                  "Output file of the sphere, whose vertices and faces are those of IN, in the same order");
+  add_prepare_option(*command, *options, Prepare::HARMLESS);
+  add_mesh_output(
+    *command, *options,
+    "Output file of the sphere, whose vertices and faces are those of IN, in the same order; of several IN a "
+    "folder");
   command
     ->add_option("--report", options->report,
                  "Write the certificate, distortion, times, memory and settings, or the error, as JSON")

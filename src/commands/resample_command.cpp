@@ -95,7 +95,7 @@ void add_resample_command(CLI::App& app, int& exit_code)
   add_collection_options(*command, *options);
   add_mapping_options(*command, *options);
   add_sphere_option(*command, *options);
-  add_mesh_output(*command, *options, "Output file of the new mesh");
+  add_mesh_output(*command, *options, "Output file of the new mesh; of several IN a folder");
   command
     ->add_option("--output-sphere", options->output_sphere,
                  "Write the icosphere as well: it is the map of the new mesh")

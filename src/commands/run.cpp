@@ -35,6 +35,8 @@ int run(int argc, char** argv)
   add_resample_command(app, exit_code);
   add_signature_command(app, exit_code);
   add_search_command(app, exit_code);
+  add_prepare_command(app, exit_code);
+  add_certify_command(app, exit_code);
   add_view_command(app, exit_code);
   add_devices_command(app, exit_code);
   try {

@@ -64,14 +64,19 @@ void segment(const Segment_options& options, Outcome& outcome)
   if(!result)
     throw Refusal(name(result.error), options.input, get_error_message(result.error), result.detail);
 
-  write_segments_ply(ply.stream(), options.ascii, input.mesh(), segments, result.number_of_segments);
+  std::size_t number_of_segments = result.number_of_segments;
+  if(input.prepared)
+    segments = labels_of_file(*input.prepared, segments, number_of_segments);
+  write_segments_ply(ply.stream(), options.ascii, input.prepared ? input.prepared->of_file() : input.mesh(), segments,
+                     number_of_segments);
   if(labels)
     for(const std::size_t segment : segments)
       labels->stream() << segment << '\n';
   stop_if_interrupted(options.input);
   Atomic_file::commit_all({labels.get(), &ply});
-  outcome.line = std::to_string(result.number_of_segments) + " segments";
-  outcome.text = options.input + ": " + outcome.line;
+  const std::string name_of_input = shown(options.input, "standard input");
+  outcome.line = std::to_string(number_of_segments) + " segments";
+  outcome.text = preparation_text(name_of_input, input.prepared) + name_of_input + ": " + outcome.line;
 }
 
 const Mesh_command<Segment_options> segment_command = {
@@ -86,6 +91,7 @@ void add_segment_command(CLI::App& app, int& exit_code)
   add_collection_options(*command, *options);
   add_mapping_options(*command, *options);
   add_sphere_option(*command, *options);
+  add_prepare_option(*command, *options, Prepare::ALL);
   command
     ->add_option("-o,--output", options->output,
                  "Output file: .ply, IN with a colour per segment; - is the standard output. Of several IN: a folder")

@@ -97,7 +97,8 @@ SP::Texture_options texture_options(const Texture_command_options& options)
   return result;
 }
 
-void say(const Texture_command_options& options, const SP::Texture_report& report, Outcome& outcome)
+void say(const Texture_command_options& options, const Mapped_mesh& input, const SP::Texture_report& report,
+         Outcome& outcome)
 {
   std::ostringstream line, more;
   line.precision(3);
@@ -114,20 +115,24 @@ void say(const Texture_command_options& options, const SP::Texture_report& repor
   outcome.line = line.str();
   if(report.moved_faces > 0)
     outcome.line += ", " + std::to_string(report.moved_faces) + " faces with a moved corner";
-  outcome.text = options.output + ": " + line.str() + more.str();
+  outcome.text = preparation_text(options.input, input.prepared) + options.output + ": " + line.str() + more.str();
 }
 
 int checker_rows(const Texture_command_options& options) { return options.chart == "octahedral" ? 32 : 16; }
 
-/// The texture coordinates, one per halfedge.
+/// The texture coordinates, one per halfedge, of the mesh of the file.
 std::pair<std::vector<Uv>, SP::Texture_report> coordinates(const Texture_command_options& options,
                                                            const Mapped_mesh& input)
 {
   std::vector<Uv> uv(3 * input.mesh().number_of_faces());
   const SP::Texture_report report = SP::texture_coordinates(input.mesh(), as_map(input.sphere),
                                                             as_map<Mesh::Halfedge_index>(uv), texture_options(options));
+  if(input.prepared)
+    uv = coordinates_of_file(*input.prepared, uv);
   return {uv, report};
 }
+
+Mesh mesh_of_file(const Mapped_mesh& input) { return input.prepared ? input.prepared->of_file() : input.mesh(); }
 
 /// Mesh, material and image as three files.
 void texture_obj(const Texture_command_options& options, Mapped_mesh& input, Outcome& outcome)
@@ -139,13 +144,14 @@ void texture_obj(const Texture_command_options& options, Mapped_mesh& input, Out
   const auto [uv, report] = coordinates(options, input);
 
   const fs::path folder = fs::absolute(options.output).parent_path();
-  write_textured_obj(obj.stream(), input.mesh(), uv, fs::path(beside(options.output, ".mtl")).filename().string());
+  write_textured_obj(obj.stream(), mesh_of_file(input), uv,
+                     fs::path(beside(options.output, ".mtl")).filename().string());
   write_material(mtl.stream(), fs::absolute(image).lexically_relative(folder).string());
   if(png)
     write_checker(png->stream(), 32, checker_rows(options));
   stop_if_interrupted(options.input);
   Atomic_file::commit_all({png.get(), &mtl, &obj});
-  say(options, report, outcome);
+  say(options, input, report, outcome);
 }
 
 /// The image for glTF, which has it inside.
@@ -169,10 +175,10 @@ void texture_gltf(const Texture_command_options& options, Mapped_mesh& input, Ou
   const std::string image = image_of(options);
   map_input(options, input);
   const auto [uv, report] = coordinates(options, input);
-  write_textured_gltf(file.stream(), output_format(options).format, input.mesh(), uv, image);
+  write_textured_gltf(file.stream(), output_format(options).format, mesh_of_file(input), uv, image);
   stop_if_interrupted(options.input);
   file.commit();
-  say(options, report, outcome);
+  say(options, input, report, outcome);
 }
 
 void texture(const Texture_command_options& options, Outcome& outcome)
@@ -197,6 +203,7 @@ void add_texture_command(CLI::App& app, int& exit_code)
   add_collection_options(*command, *options);
   add_mapping_options(*command, *options);
   add_sphere_option(*command, *options);
+  add_prepare_option(*command, *options, Prepare::ALL);
   command
     ->add_option(
       "-o,--output", options->output,

@@ -42,6 +42,9 @@ constexpr std::size_t largest_count = 700'000'000;
 /// Reads the bytes of a mesh file, compressed or not, in the format of its content, or else of its name.
 Soup read_soup(const std::string& file, std::string bytes);
 
+/// Reads any triangles, and polygons as triangles, from a mesh file. Throws a `Refusal` as the readers do.
+Soup read_triangles(const std::string& file);
+
 /// Throws a `Refusal` of polygons that are no triangles.
 void check_triangles(const std::string& file, const Soup& soup);
 

@@ -91,11 +91,16 @@ Soup read_soup(const std::string& file, std::string bytes)
   return read_format(*format, file, std::move(bytes));
 }
 
-Input_mesh read_mesh(const std::string& file, Polygons polygons)
+Soup read_triangles(const std::string& file)
 {
   check_readable(file);
   check_format(file);
-  Soup soup = read_soup(file, read_file(file));
+  return read_soup(file, read_file(file));
+}
+
+Input_mesh read_mesh(const std::string& file, Polygons polygons)
+{
+  Soup soup = read_triangles(file);
   if(polygons == Polygons::REFUSE)
     check_triangles(file, soup);
   try {

@@ -6,6 +6,7 @@
 
 #include "input/mesh.h"
 #include "input/mesh_format.h"
+#include "mapping/prepared_mesh.h"
 #include "options/map_settings.h"
 #include "options/mapping_options.h"
 
@@ -29,7 +30,8 @@ namespace tool {
 struct Mapped_mesh {
   const Mesh& mesh() const { return file->mesh; }
 
-  std::optional<Input_mesh> file;                  ///< what has been read
+  std::optional<Input_mesh> file;                  ///< what has been read, and prepared if that is asked for
+  std::optional<Prepared_mesh> prepared;           ///< with --prepare: what it was before
   Sphere sphere;                                   ///< unit vectors
   CGAL::Spherical_parameterization::Result result; ///< of mapping; with --sphere nothing but sizes and certificate
   std::shared_ptr<Map_settings> settings;

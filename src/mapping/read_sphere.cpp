@@ -13,6 +13,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace tool {
 namespace {
@@ -41,18 +42,16 @@ void check_same_faces(const std::string& file, const std::string& mesh_file, con
       refuse("face " + std::to_string(f) + " (counted from 0) has other vertices than in " + mesh_file);
 }
 
+bool has_radius_100(double radius) { return radius > 50 && radius < 200; }
+
 /// A unit vector up to rounding is not changed: where the sphere is dense, every bit counts. Points with fewer digits
 /// are normalized, and those of a sphere of radius 100, as neuroimaging programs have it.
-Point on_unit_sphere(const std::string& file, Point p, std::size_t index)
+Point normalized(Point p)
 {
-  if(const double radius = std::hypot(p[0], p[1], p[2]); radius > 50 && radius < 200)
+  if(has_radius_100(std::hypot(p[0], p[1], p[2])))
     for(double& x : p)
       x /= 100;
   const double length = std::hypot(p[0], p[1], p[2]);
-  if(!(length > 0.5 && length < 2))
-    throw Refusal("NOT_THE_SPHERE", file,
-                  "vertex " + std::to_string(index) + " (counted from 0) is not on the unit sphere",
-                  "give a sphere that 'map' has written");
   if(std::abs(length - 1) <= 4 * std::numeric_limits<double>::epsilon())
     return p;
   return {p[0] / length, p[1] / length, p[2] / length};
@@ -60,27 +59,60 @@ Point on_unit_sphere(const std::string& file, Point p, std::size_t index)
 
 } // namespace
 
-CGAL::Spherical_parameterization::Result read_sphere(const std::string& file, const std::string& mesh_file,
-                                                     const Mesh& mesh, Sphere& sphere)
+CGAL::Spherical_parameterization::Result certify(const Mesh& mesh, const std::vector<Point>& points)
 {
   namespace SP = CGAL::Spherical_parameterization;
-  const Mesh read = read_mesh(file).mesh;
-  check_same_faces(file, mesh_file, read, mesh);
-  sphere.clear();
-  for(const Point& p : read.points())
-    sphere.push_back(on_unit_sphere(file, p, sphere.size()));
-
   SP::Result result;
   result.number_of_vertices = mesh.number_of_vertices();
   result.number_of_faces = mesh.number_of_faces();
   const CGAL::Parallel_if_available_tag policy;
-  result.flipped_faces = SP::number_of_flipped_faces(policy, mesh, as_map(sphere));
-  result.degree = SP::degree_of_map(policy, mesh, as_map(sphere));
+  result.flipped_faces = SP::number_of_flipped_faces(policy, mesh, as_map(points));
+  result.degree = SP::degree_of_map(policy, mesh, as_map(points));
   if(result.flipped_faces > 0 || result.degree != 1) {
     result.error = SP::Error_code::NOT_BIJECTIVE;
-    result.detail = std::to_string(result.flipped_faces) + " faces are flipped, the degree is " +
-                    std::to_string(result.degree) + "; map the mesh again, and keep all digits";
+    result.detail =
+      std::to_string(result.flipped_faces) + " faces are flipped, the degree is " + std::to_string(result.degree);
   }
+  return result;
+}
+
+Given_sphere read_given_sphere(const std::string& file, const std::string& mesh_file, const Mesh& mesh)
+{
+  const Mesh read = read_mesh(file).mesh;
+  check_same_faces(file, mesh_file, read, mesh);
+  Given_sphere sphere;
+  sphere.points = read.points();
+  for(const Point& p : sphere.points) {
+    const double radius = std::hypot(p[0], p[1], p[2]);
+    if(!(radius > std::numeric_limits<double>::min() && radius < std::numeric_limits<double>::infinity()))
+      throw Refusal("NOT_THE_SPHERE", file,
+                    "vertex " + std::to_string(&p - sphere.points.data()) +
+                      " (counted from 0) is at the origin, or farther away than numbers reach",
+                    "the centre of the sphere has to be the origin");
+    sphere.smallest_radius = std::min(sphere.smallest_radius, radius);
+    sphere.largest_radius = std::max(sphere.largest_radius, radius);
+    sphere.on_unit_sphere.push_back(normalized(p));
+  }
+  return sphere;
+}
+
+CGAL::Spherical_parameterization::Result read_sphere(const std::string& file, const std::string& mesh_file,
+                                                     const Mesh& mesh, Sphere& sphere)
+{
+  const Given_sphere given = read_given_sphere(file, mesh_file, mesh);
+  for(std::size_t v = 0; v < given.points.size(); ++v) {
+    const Point& p = given.points[v];
+    const double radius = std::hypot(p[0], p[1], p[2]);
+    if(!(radius > 0.5 && radius < 2) && !has_radius_100(radius))
+      throw Refusal("NOT_THE_SPHERE", file,
+                    "vertex " + std::to_string(v) +
+                      " (counted from 0) is not on the unit sphere, nor on that of radius 100",
+                    "give a sphere that 'map' has written");
+  }
+  sphere = given.on_unit_sphere;
+  auto result = certify(mesh, sphere);
+  if(!result)
+    result.detail += "; map the mesh again, and keep all digits";
   return result;
 }
 

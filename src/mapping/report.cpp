@@ -124,26 +124,29 @@ Json report_json(const Mapping_options& options, const Mapped_mesh& input, const
 {
   const SP::Result& result = input.result;
   const bool has_mesh = result.number_of_vertices > 0;
-  const bool has_map = result.degree != 0 || result.residual != 0;
+  const bool is_given = !options.sphere.empty();
+  const bool has_map = !is_given && (result.degree != 0 || result.residual != 0);
+  const bool has_certificate = has_map || (is_given && report.distortion);
   return {{"version", SPHERICAL_PARAMETERIZATION_VERSION},
           {"input", options.input},
           {"vertices", known(has_mesh, result.number_of_vertices)},
           {"faces", known(has_mesh, result.number_of_faces)},
-          {"weights", options.weights},
-          {"method", options.method},
+          {"preparation", input.prepared ? Json(sentences(input.prepared->preparation)) : Json(nullptr)},
+          {"weights", known(!is_given, options.weights)},
+          {"method", known(!is_given, options.method)},
           {"method_used", known(has_map, result.method)},
           {"fallback_reason", given(result.fallback_reason)},
           {"attempts", attempts_of(result)},
-          {"policy", options.policy},
+          {"policy", known(!is_given, options.policy)},
           {"device", given(result.device)},
-          {"settings", settings_of(options)},
+          {"settings", is_given ? Json(nullptr) : settings_of(options)},
           {"start_iterations", known(has_map, result.start_iterations)},
           {"iterations", known(has_map, result.iterations)},
           {"sweeps", known(has_map, result.sweeps)},
           {"residual", known(has_map, result.residual)},
           {"energy", known(has_map, result.energy)},
-          {"flipped_faces", known(has_map, result.flipped_faces)},
-          {"degree", known(has_map, result.degree)},
+          {"flipped_faces", known(has_certificate, result.flipped_faces)},
+          {"degree", known(has_certificate, result.degree)},
           {"smallest_area", known(has_map, result.smallest_area)},
           {"smallest_edge", known(has_map, result.smallest_edge)},
           {"distortion", report.distortion ? to_json(*report.distortion) : Json(nullptr)},

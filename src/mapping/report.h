@@ -17,9 +17,9 @@
 
 namespace tool {
 
-/// What one run of `map` did besides mapping.
+/// What one run of `map` or `certify` did besides mapping.
 struct Report {
-  std::optional<CGAL::Spherical_parameterization::Distortion_summary> distortion; ///< of a certified map
+  std::optional<CGAL::Spherical_parameterization::Distortion_summary> distortion; ///< of a map, if it was measured
   double seconds_measure = 0;                                                     ///< the distortion
   double seconds_write = 0;
   double seconds_total = 0;
@@ -29,7 +29,8 @@ struct Report {
 /// The most memory that the process has had so far.
 std::size_t peak_memory_bytes();
 
-/// The report, for programs to read. What is not known, since there is no map, is null. File names need not be valid
+/// The report, for programs to read. What is not known is null: all of the map if there is none, and how it was made if
+/// it was given (--sphere, `certify`). File names need not be valid
 /// UTF-8, which has to be replaced in text.
 nlohmann::ordered_json report_json(const Mapping_options& options, const Mapped_mesh& input, const Report& report);
 

@@ -10,7 +10,9 @@
 #include <CGAL/Spherical_parameterization/Result.h>
 
 #include <functional>
+#include <limits>
 #include <string>
+#include <vector>
 
 namespace tool {
 
@@ -19,6 +21,22 @@ namespace tool {
 /// `sphere` gets the size that it needs.
 CGAL::Spherical_parameterization::Result map_to_sphere(const Mesh& mesh, Sphere& sphere, const Map_settings& settings,
                                                        const std::function<bool(double)>& go_on);
+
+/// Sizes and certificate of a map, by exact predicates on the points as they are: these need not be unit vectors, the
+/// map is their projection from the origin. Flipped faces are an error of the result.
+CGAL::Spherical_parameterization::Result certify(const Mesh& mesh, const std::vector<Point>& points);
+
+/// A sphere about the origin, of any radius.
+struct Given_sphere {
+  std::vector<Point> points; ///< as they are in the file
+  Sphere on_unit_sphere;
+  double smallest_radius = std::numeric_limits<double>::infinity(); ///< of a point
+  double largest_radius = 0;
+};
+
+/// Reads a sphere of `mesh`, which was read from `mesh_file`. Throws a `Refusal` if the file has not the same vertices
+/// and faces in the same order, or a point without direction.
+Given_sphere read_given_sphere(const std::string& file, const std::string& mesh_file, const Mesh& mesh);
 
 /// Reads the map of `mesh`, which was read from `mesh_file`, from a file as `map` writes it, and certifies it again.
 /// Returns sizes and certificate: flipped faces are an error of the result. Throws a `Refusal` if the file has not the

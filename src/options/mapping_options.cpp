@@ -175,6 +175,17 @@ void add_sphere_option(CLI::App& command, Mapping_options& options)
     sphere->excludes(option);
 }
 
+void add_prepare_option(CLI::App& command, Mapping_options& options, Prepare how)
+{
+  command.add_flag_function(
+    "--prepare", [&options, how](std::int64_t) { options.prepare = how; },
+    how == Prepare::ALL
+      ? "Mend IN first as the command 'prepare' does: holes, handles, components, ...; the result is for all faces of "
+        "IN"
+      : "Mend IN first where that does not change its shape: merge vertices at the same place, orient, remove what is "
+        "repeated or isolated. The sphere is then that of the mended mesh ('prepare --harmless' writes it)");
+}
+
 void check_mapping_options(const Mapping_options& options)
 {
   check_weights(options);

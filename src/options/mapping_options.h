@@ -23,11 +23,19 @@ const std::vector<std::string>& policy_names();
 /// The fastest one that every machine can run: results do not depend on it.
 const std::string& default_policy_name();
 
+/// What is done to a mesh before it is mapped.
+enum class Prepare {
+  NO,
+  HARMLESS, ///< what does not change its shape
+  ALL       ///< all that stands between it and one closed sphere
+};
+
 /// Which mesh a command works on, and how it comes by its spherical map. What is not given has no value, so that the
 /// library's defaults apply.
 struct Mapping_options {
   std::string input;
   bool triangulate = false;
+  Prepare prepare = Prepare::NO;
   std::string sphere; ///< a map computed before; then nothing below is given
 
   std::string weights = "conformal";
@@ -59,6 +67,9 @@ void add_mapping_options(CLI::App& command, Mapping_options& options);
 
 /// --sphere, which excludes everything that says how to map. To be called after `add_mapping_options()`.
 void add_sphere_option(CLI::App& command, Mapping_options& options);
+
+/// --prepare, which does so much. Results are then for the faces of IN if `how` is `ALL`.
+void add_prepare_option(CLI::App& command, Mapping_options& options, Prepare how);
 
 /// Throws a `CLI::ValidationError` at values and combinations that make no sense.
 void check_mapping_options(const Mapping_options& options);

@@ -30,10 +30,10 @@ void add_mesh_output(CLI::App& command, Mesh_output& options, const std::string&
     .add_option("-o,--output", options.output,
                 what +
                   ": .off, .obj, .ply, .gii, .glb, .gltf or lh.NAME (FreeSurfer), also with .gz, .xz, .zst or .bz2 "
-                  "behind; - is the standard output. Of several IN: a folder")
+                  "behind; - is the standard output")
     ->required()
     ->type_name("FILE");
-  command.add_option("--format", options.format, "Format of the output [by its name; of several IN: ply]")
+  command.add_option("--format", options.format, "Format of the output [by its name; in a folder: ply]")
     ->check(CLI::IsMember(names_of_formats()));
   add_ascii_option(command, options.ascii);
 }

@@ -4,6 +4,7 @@
 #include "output/write_mesh.h"
 
 #include "output/text_writer.h"
+#include "output/texture_places.h"
 
 #include <CGAL/boost/graph/iterator.h>
 
@@ -13,8 +14,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <map>
 #include <stdexcept>
+#include <vector>
 
 namespace tool {
 namespace {
@@ -40,24 +41,13 @@ void write_textured_obj(std::ostream& out, const Mesh& mesh, const std::vector<U
   for(const Point& p : mesh.points())
     write("v ", p, '\n');
 
-  std::vector<std::size_t> number(uv.size()); // of the position at a halfedge, from 1 on
-  std::size_t count = 0;
-  for(const Mesh::Vertex_index v : vertices(mesh)) {
-    std::map<Uv, std::size_t> number_at;
-    for(const Mesh::Halfedge_index h : CGAL::halfedges_around_target(v, mesh)) {
-      const auto& [u, w] = uv[h.idx()];
-      const auto [place, is_new] = number_at.try_emplace({u, w}, count + 1);
-      if(is_new) {
-        ++count;
-        write("vt ", u, ' ', w, '\n');
-      }
-      number[h.idx()] = place->second;
-    }
-  }
+  const Texture_places places(mesh, uv);
+  for(const auto& [u, v] : places.place)
+    write("vt ", u, ' ', v, '\n');
   for(const Mesh::Face_index f : faces(mesh)) {
     write('f');
     for(const Mesh::Halfedge_index h : CGAL::halfedges_around_face(halfedge(f, mesh), mesh))
-      write(' ', target(h, mesh).idx() + 1, '/', number[h.idx()]);
+      write(' ', target(h, mesh).idx() + 1, '/', places.number[h.idx()] + 1);
     write('\n');
   }
 }

@@ -2,6 +2,7 @@
 // Part of CGAL Spherical Parameterization.
 
 #include "input/binary.h"
+#include "output/texture_places.h"
 #include "output/write_mesh.h"
 
 #include <CGAL/boost/graph/iterator.h>
@@ -13,7 +14,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <map>
 #include <stdexcept>
 
 namespace tool {
@@ -189,28 +189,14 @@ void write_gltf(std::ostream& out, Mesh_format format, const Mesh& mesh, const s
 void write_textured_gltf(std::ostream& out, Mesh_format format, const Mesh& mesh, const std::vector<Uv>& uv,
                          const std::string& image)
 {
-  std::vector<int> copies; // vertices, one for each of their places
-  std::vector<Uv> places;
-  std::vector<std::uint32_t> number(uv.size()); // of the copy, by halfedge
-  for(const Mesh::Vertex_index v : vertices(mesh)) {
-    std::map<Uv, std::uint32_t> number_at;
-    for(const Mesh::Halfedge_index h : CGAL::halfedges_around_target(v, mesh)) {
-      const auto& place = uv[std::size_t(h.idx())];
-      const auto [known, is_new] = number_at.try_emplace(place, static_cast<std::uint32_t>(copies.size()));
-      if(is_new) {
-        copies.push_back(v.idx());
-        places.push_back(place);
-      }
-      number[std::size_t(h.idx())] = known->second;
-    }
-  }
+  const Texture_places places(mesh, uv);
   std::vector<std::uint32_t> corners;
   for(const Mesh::Face_index f : faces(mesh))
     for(const Mesh::Halfedge_index h : CGAL::halfedges_around_face(halfedge(f, mesh), mesh))
-      corners.push_back(number[std::size_t(h.idx())]);
+      corners.push_back(places.number[std::size_t(h.idx())]);
   Gltf_writer writer(mesh, mesh.points());
-  writer.add_surface(copies, corners);
-  writer.add_texture(places, image);
+  writer.add_surface(places.vertex, corners);
+  writer.add_texture(places.place, image);
   writer.write(out, format);
 }
 

@@ -361,3 +361,106 @@ TEST_CASE("commands that use a map: wrong usage", "[tool]")
     CHECK(scratch.number_of_files() == 2);
   }
 }
+
+namespace {
+
+/// Runs `certify`, and reads its report.
+struct Certified {
+  Process_result run;
+  nlohmann::json report;
+
+  Certified(const Scratch& scratch, const Soup& mesh, const Soup& sphere)
+  {
+    run = run_tool({"certify", write_off(scratch / "mesh.off", mesh), write_off(scratch / "sphere.off", sphere),
+                    "--report", scratch / "report.json"});
+    report = nlohmann::json::parse(text_of(scratch / "report.json"));
+  }
+};
+
+} // namespace
+
+TEST_CASE("certify: spheres of any radius, with the line and the keys of map", "[tool]")
+{
+  Scratch scratch;
+  const Soup mesh = bumpy_sphere(3);
+  const Process_result mapped =
+    run_tool({"map", write_off(scratch / "in.off", mesh), "-o", scratch / "out.off", "--report", scratch / "map.json"});
+  REQUIRE(mapped.exit_code == 0);
+  const nlohmann::json of_map = nlohmann::json::parse(text_of(scratch / "map.json"));
+  const double radius = GENERATE(1., 100., 1e-3);
+  const Soup sphere = transformed(read(scratch / "out.off"), [radius](const Point& p) {
+    return Point(radius * p.x(), radius * p.y(), radius * p.z());
+  });
+  const Certified certified(scratch, mesh, sphere);
+  CAPTURE(certified.run.err);
+  REQUIRE(certified.run.exit_code == 0);
+  const std::string line = "valid spherical map: 0 flipped faces, degree 1";
+  CHECK(mapped.out.find(line) != std::string::npos);
+  CHECK(certified.run.out.find('\n' + line + '\n') != std::string::npos);
+  CHECK(certified.run.out.find("sphere.off: radius ") != std::string::npos);
+  for(const auto& entry : of_map.items())
+    CHECK(certified.report.contains(entry.key()));
+  CHECK(certified.report.size() == of_map.size());
+  CHECK(certified.report["degree"] == 1);
+  CHECK(certified.report["weights"].is_null());
+  const auto angle = [](const nlohmann::json& report) {
+    return report["distortion"]["angle_distortion"]["mean"].get<double>();
+  };
+  CHECK(angle(certified.report) == Approx(angle(of_map)).epsilon(1e-9));
+}
+
+TEST_CASE("certify: what is no valid map is named", "[tool]")
+{
+  Scratch scratch;
+  const Soup mesh = bumpy_sphere(3);
+  Soup sphere = icosphere(3);
+  std::string verdict, word;
+  std::size_t flipped = 0;
+  int degree = 1;
+  SECTION("a mirror image")
+  {
+    for(Point& p : sphere.points)
+      p = Point(p.x(), -p.y(), p.z());
+    verdict = "mirrored spherical map";
+    word = "mirror image, otherwise a valid";
+    flipped = mesh.faces.size();
+    degree = -1;
+  }
+  SECTION("a flipped face")
+  {
+    const auto& face = sphere.faces[17];
+    sphere.points[face[0]] =
+      CGAL::midpoint(sphere.points[face[1]], sphere.points[face[2]]) +
+      0.1 * (CGAL::midpoint(sphere.points[face[1]], sphere.points[face[2]]) - sphere.points[face[0]]);
+    verdict = "no valid spherical map";
+    word = "flipped";
+    flipped = count_flipped_faces(sphere, sphere.points);
+    REQUIRE(flipped > 0);
+  }
+  SECTION("everything on one side")
+  {
+    for(Point& p : sphere.points)
+      p = p + Vector(5, 0, 0);
+    verdict = "distances from 4 to 6 of the origin";
+    word = "the degree is 0";
+    flipped = count_flipped_faces(sphere, sphere.points);
+    degree = 0;
+  }
+  const Certified certified(scratch, mesh, sphere);
+  CAPTURE(certified.run.out);
+  check_exit(certified.run, word);
+  CHECK(certified.run.out.find(verdict) != std::string::npos);
+  CHECK(certified.report["flipped_faces"] == flipped);
+  CHECK(certified.report["degree"] == degree);
+  CHECK(certified.report["error_code"] == (degree == -1 ? "MIRRORED" : "NOT_BIJECTIVE"));
+}
+
+TEST_CASE("certify: a point without direction is refused", "[tool]")
+{
+  Scratch scratch;
+  Soup sphere = icosphere(1);
+  sphere.points[7] = CGAL::ORIGIN;
+  const Certified certified(scratch, bumpy_sphere(1), sphere);
+  check_exit(certified.run, "vertex 7");
+  CHECK(certified.report["degree"].is_null());
+}

@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 
 TEST_CASE("the rooms of the tool: includes go one way", "[tool][rooms]")
 {
-  const std::vector<std::string> order = {"system", "input", "output", "options", "mapping", "collections", "commands"};
+  const std::vector<std::string> order = {"system",      "input",   "output",      "options",
+                                          "preparation", "mapping", "collections", "commands"};
   const auto place = [&order](const std::string& room) { return std::find(order.begin(), order.end(), room); };
   const fs::path source = fs::path(BASH_COMPLETION).parent_path().parent_path();
   const std::regex include("#include \"([a-z]+)/.*");

@@ -118,6 +118,18 @@ public:
       throw internal::Input_error(trouble.code, trouble.wrong + "; " + trouble.remedy);
   }
 
+  /// \cond SKIP_IN_MANUAL
+  /// Any triangles, checked for nothing but the range of their indices: to be written to a file, or looked at face by
+  /// face. There are no opposite halfedges, and no halfedges of vertices.
+  struct Unchecked {};
+  template <class TriangleRange>
+  Indexed_triangle_mesh(Unchecked, std::vector<Point> points, const TriangleRange& triangles)
+    : point_(std::move(points))
+  {
+    read_triangles(triangles);
+  }
+  /// \endcond
+
   /// \return how many vertices there are
   std::size_t number_of_vertices() const { return point_.size(); }
   /// \return how many faces there are
@@ -213,6 +225,14 @@ private:
       point_.push_back({c.x, c.y, c.z});
     }
     table_.face.reserve(number_of_triangles);
+    read_triangles(triangles);
+  }
+
+  template <class TriangleRange>
+  void read_triangles(const TriangleRange& triangles)
+  {
+    using internal::Input_error;
+    const std::size_t number_of_points = point_.size();
     for(const auto& t : triangles) {
       std::array<int, 3> face = {0, 0, 0};
       std::size_t corner = 0;

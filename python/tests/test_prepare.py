@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Meshes mended by the tool."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from conftest import Tool, bumpy
+
+import spherical_parameterization as sp
+
+
+@pytest.fixture(autouse=True)
+def needs_tool(tool: Tool) -> None:
+    if not tool.program:
+        pytest.skip("SPHERICAL_PARAMETERIZATION_TOOL is not set")
+
+
+def torus(n: int = 16, m: int = 8) -> tuple[np.ndarray, np.ndarray]:
+    i, j = np.divmod(np.arange(n * m), m)
+    u, v = 2 * np.pi * i / n, 2 * np.pi * j / m
+    points = np.column_stack([(2 + np.cos(v)) * np.cos(u), (2 + np.cos(v)) * np.sin(u), np.sin(v)])
+    a, b = i * m + j, (i + 1) % n * m + j
+    c, d = (i + 1) % n * m + (j + 1) % m, i * m + (j + 1) % m
+    return points, np.concatenate([np.column_stack([a, b, c]), np.column_stack([a, c, d])])
+
+
+def test_a_good_mesh_is_not_changed() -> None:
+    points, triangles = bumpy(3)
+    prepared = sp.prepare(points, triangles)
+    assert np.array_equal(prepared.points, points)
+    assert np.array_equal(prepared.triangles, triangles)
+    assert np.array_equal(prepared.vertex_map, np.arange(len(points)))
+    assert prepared.report["preparation"]["done"] == []
+
+
+@pytest.mark.parametrize("kind", ["hole", "handle", "soup", "two"])
+def test_what_comes_out_is_mapped(kind: str) -> None:
+    points, triangles = torus() if kind == "handle" else bumpy(3)
+    if kind == "hole":
+        triangles = triangles[5:]
+    elif kind == "soup":
+        points, triangles = points[triangles].reshape(-1, 3), np.arange(triangles.size).reshape(-1, 3)
+    elif kind == "two":
+        points, triangles = np.concatenate([points, points + 9]), np.concatenate([triangles, triangles + len(points)])
+    prepared = sp.prepare(points, triangles)
+    assert prepared.report["preparation"]["done"]
+    old = prepared.vertex_map >= 0
+    assert np.array_equal(prepared.points[old], points[prepared.vertex_map[old]])
+    assert sp.parameterize(prepared.points, prepared.triangles, sp.Automatic()).is_valid
+
+
+def test_options() -> None:
+    points, triangles = bumpy(3)
+    assert np.array_equal(sp.prepare(points, triangles[5:], fill_holes=False).triangles, triangles[5:])
+    assert len(sp.prepare(*torus(), cut_handles=False).triangles) == len(torus()[1])
+    assert (sp.prepare(points, triangles[5:], wrap=(1.0, 0.1)).vertex_map == -1).all()
+    with pytest.raises(ValueError, match="components"):
+        sp.prepare(points, triangles, components="split")
+
+
+def test_errors(monkeypatch: pytest.MonkeyPatch) -> None:
+    points, triangles = bumpy(2)
+    with pytest.raises(sp.MeshError) as error:
+        sp.prepare(points, triangles[:0])
+    assert error.value.code == "EMPTY_MESH"
+    with pytest.raises(sp.MeshError) as error:
+        sp.prepare(points * [1, np.nan, 1], triangles)
+    assert error.value.code == "NON_FINITE_COORDINATE"
+    monkeypatch.setenv("SPHERICAL_PARAMETERIZATION_TOOL", "/no/such/program")
+    with pytest.raises(FileNotFoundError, match="/no/such/program"):
+        sp.prepare(points, triangles)

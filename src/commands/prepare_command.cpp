@@ -1,0 +1,406 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#include "commands/commands.h"
+
+#include "input/mesh.h"
+#include "input/mesh_readers.h"
+#include "options/mesh_output.h"
+#include "options/usage.h"
+#include "output/atomic_file.h"
+#include "output/write_mesh.h"
+#include "preparation/hausdorff_distance.h"
+#include "preparation/points.h"
+#include "preparation/prepare.h"
+#include "system/guarded.h"
+#include "system/interruption.h"
+#include "system/refusal.h"
+
+#include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tool {
+namespace {
+
+namespace fs = std::filesystem;
+using CGAL::Spherical_parameterization::internal::Stopwatch;
+using Json = nlohmann::ordered_json;
+
+/// The command line of `prepare`.
+struct Prepare_options : Mesh_output {
+  std::string input;
+  std::string vertex_map;
+  std::string face_map;
+  std::string report;
+  bool harmless = false;
+  std::string components = "largest";
+  bool keep_holes = false;
+  bool keep_handles = false;
+  double merge_distance = 0;
+  bool wrap = false;
+  Preparation_settings::Wrap wrap_settings;
+};
+
+/// What has come of the command, for the report.
+struct Prepared {
+  std::optional<Soup> soup;
+  std::optional<Preparation> preparation;
+  std::vector<std::string> files; ///< with the mesh, or its parts
+  std::optional<Hausdorff_distance> distance;
+  double diagonal = 0; ///< of the bounding box of IN
+  double seconds_read = 0, seconds_prepare = 0, seconds_measure = 0, seconds_write = 0, seconds_total = 0;
+  std::optional<Refusal> refusal;
+};
+
+void check(const Prepare_options& options)
+{
+  if(!options.output.empty())
+    output_format(options);
+  check_files({{"IN", options.input}}, {{"--output", options.output},
+                                        {"--vertex-map", options.vertex_map},
+                                        {"--face-map", options.face_map},
+                                        {"--report", options.report}});
+  require(options.merge_distance >= 0 && std::isfinite(options.merge_distance), "--merge-distance",
+          "must be 0 or positive");
+  const auto& [alpha, offset] = options.wrap_settings;
+  require(options.wrap || !alpha, "--alpha", "requires --wrap");
+  require(options.wrap || !offset, "--offset", "requires --wrap");
+  require(!alpha || (*alpha > 0 && std::isfinite(*alpha)), "--alpha", "must be positive");
+  require(!offset || (*offset > 0 && std::isfinite(*offset)), "--offset", "must be positive");
+  require(options.components != "split" || (options.vertex_map.empty() && options.face_map.empty()), "--components",
+          "with split there is no one output for --vertex-map and --face-map");
+  require(options.components != "split" || !options.output.empty(), "--components", "split requires --output");
+}
+
+Preparation_settings settings_of(const Prepare_options& options)
+{
+  Preparation_settings settings;
+  settings.merge_distance = options.merge_distance;
+  settings.only_harmless = options.harmless;
+  settings.keeps_all_components = options.components != "largest";
+  settings.fills_holes = !options.keep_holes;
+  settings.cuts_handles = !options.keep_handles;
+  if(options.wrap)
+    settings.wrap = options.wrap_settings;
+  return settings;
+}
+
+/// One part after the other.
+Glued_surface joined(const std::vector<Glued_surface>& parts)
+{
+  Glued_surface all;
+  for(const Glued_surface& part : parts) {
+    const int vertices = all.number_of_vertices(), sides = all.number_of_sides();
+    all.points.insert(all.points.end(), part.points.begin(), part.points.end());
+    all.old_vertex.insert(all.old_vertex.end(), part.old_vertex.begin(), part.old_vertex.end());
+    all.old_face.insert(all.old_face.end(), part.old_face.begin(), part.old_face.end());
+    for(const auto& [a, b, c] : part.faces)
+      all.faces.push_back({a + vertices, b + vertices, c + vertices});
+    for(const int twin : part.twin)
+      all.twin.push_back(twin == Glued_surface::none ? twin : twin + sides);
+  }
+  return all;
+}
+
+/// The name of part i of a mesh that is split: out.ply becomes out_1.ply
+std::string name_of_part(const std::string& file, std::size_t i)
+{
+  const fs::path path(file);
+  return path.parent_path() / (path.stem().string() + '_' + std::to_string(i + 1) + path.extension().string());
+}
+
+void write_numbers(Atomic_file* file, const std::vector<int>& numbers)
+{
+  if(file == nullptr)
+    return;
+  for(const int i : numbers)
+    file->stream() << i << '\n';
+}
+
+/// "closed, of one component, without handles", or what is left.
+std::string shape_of(const std::vector<Glued_surface>& parts)
+{
+  std::size_t pieces = 0;
+  int holes = 0, handles = 0;
+  for(const Glued_surface& part : parts) {
+    std::vector<int> unused;
+    for(const Component& component : components(part, unused)) {
+      ++pieces;
+      holes += component.holes;
+      handles += component.genus();
+    }
+  }
+  const auto left = [](std::size_t n, const std::string& what) {
+    return std::to_string(n) + ' ' + what + (n == 1 ? "" : "s");
+  };
+  if(pieces == 1 && holes == 0 && handles == 0)
+    return "a closed surface of genus 0, as 'map' takes it";
+  return left(pieces, "component") + ", " + left(static_cast<std::size_t>(holes), "hole") + ", " +
+         left(static_cast<std::size_t>(handles), "handle");
+}
+
+Json to_json(const Defect& defect)
+{
+  return {{"count", defect.count}, {"first", defect.count > 0 ? Json(defect.first) : Json(nullptr)}};
+}
+
+Json to_json(const std::vector<Loop>& loops)
+{
+  Json json = Json::array();
+  for(const Loop& loop : loops)
+    json.push_back({{"edges", loop.edges},
+                    {"length", loop.length},
+                    {"vertex", loop.vertex >= 0 ? Json(loop.vertex) : Json(nullptr)}});
+  return json;
+}
+
+Json to_json(const std::vector<Piece>& pieces)
+{
+  Json json = Json::array();
+  for(const Piece& piece : pieces)
+    json.push_back({{"faces", piece.size.faces},
+                    {"area", piece.size.area},
+                    {"holes", piece.size.holes},
+                    {"handles", piece.size.genus()},
+                    {"vertex", piece.vertex >= 0 ? Json(piece.vertex) : Json(nullptr)},
+                    {"kept", piece.is_kept}});
+  return json;
+}
+
+Json to_json(const Bounds& bounds) { return {bounds.low, bounds.high}; }
+
+Json to_json(const Preparation& preparation)
+{
+  const Gluing_defects& d = preparation.defects;
+  Json json = {{"done", sentences(preparation)},
+               {"non_finite_vertices", to_json(d.non_finite_vertices)},
+               {"isolated_vertices", to_json(d.isolated_vertices)},
+               {"faces_with_repeated_corners", to_json(d.repeated_corners)},
+               {"repeated_faces", to_json(d.repeated_faces)},
+               {"merged_vertices", to_json(d.merged_vertices)},
+               {"non_manifold_edges", to_json(d.non_manifold_edges)},
+               {"copies_of_non_manifold_vertices", to_json(d.non_manifold_vertices)},
+               {"reversed_faces", to_json(d.reversed_faces)},
+               {"cut_edges", to_json(d.cut_edges)},
+               {"components", to_json(preparation.pieces)},
+               {"holes", to_json(preparation.holes)},
+               {"holes_filled", preparation.is_filled},
+               {"handle_loops", to_json(preparation.handles)},
+               {"split_edges", preparation.split_edges},
+               {"turned_outwards", preparation.is_turned_outwards},
+               {"wrap", nullptr}};
+  if(preparation.wrap)
+    json["wrap"] = {{"alpha", *preparation.wrap->alpha}, {"offset", *preparation.wrap->offset}};
+  return json;
+}
+
+void write_report(const Prepare_options& options, const Prepared& prepared)
+{
+  Json outputs = Json::array();
+  if(prepared.preparation)
+    for(std::size_t i = 0; i < prepared.preparation->parts.size(); ++i) {
+      const Glued_surface& part = prepared.preparation->parts[i];
+      outputs.push_back({{"vertices", part.number_of_vertices()}, {"faces", part.number_of_faces()}});
+    }
+  const auto known = [](bool is_known, const Json& value) { return is_known ? value : Json(nullptr); };
+  const Json json = {
+    {"version", SPHERICAL_PARAMETERIZATION_VERSION},
+    {"input", options.input},
+    {"vertices", prepared.soup ? Json(prepared.soup->points.size()) : Json(nullptr)},
+    {"faces", prepared.soup ? Json(prepared.soup->faces) : Json(nullptr)},
+    {"preparation", prepared.preparation ? to_json(*prepared.preparation) : Json(nullptr)},
+    {"parts", outputs},
+    {"files", prepared.files},
+    {"diagonal", known(prepared.soup.has_value(), prepared.diagonal)},
+    {"distance_from_output_to_input", prepared.distance ? to_json(prepared.distance->from_new) : Json(nullptr)},
+    {"distance_from_input_to_output", prepared.distance ? to_json(prepared.distance->from_old) : Json(nullptr)},
+    {"seconds",
+     {{"read", prepared.seconds_read},
+      {"prepare", prepared.seconds_prepare},
+      {"measure", prepared.seconds_measure},
+      {"write", prepared.seconds_write},
+      {"total", prepared.seconds_total}}},
+    {"error", prepared.refusal ? Json(prepared.refusal->what()) : Json(nullptr)},
+    {"error_code", prepared.refusal ? prepared.refusal->code() : "OK"}};
+  Atomic_file out(options.report);
+  out.stream() << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+  out.commit();
+}
+
+void print(const Prepare_options& options, const Prepared& prepared)
+{
+  const Soup& soup = *prepared.soup;
+  const Preparation& preparation = *prepared.preparation;
+  std::cout.precision(3);
+  std::cout << options.input << ": " << soup.points.size() << " vertices, " << soup.faces << " faces\n";
+  if(soup.polygons > 0)
+    std::cout << "triangulated " << soup.polygons << " polygons: faces are triangles from here on\n";
+  const std::vector<std::string> lines = sentences(preparation);
+  for(const std::string& line : lines)
+    std::cout << line << '\n';
+  if(lines.empty())
+    std::cout << "nothing to mend\n";
+
+  std::size_t vertices = 0, faces = 0;
+  for(const Glued_surface& part : preparation.parts) {
+    vertices += part.points.size();
+    faces += part.faces.size();
+  }
+  std::cout << (prepared.files.empty() ? "it would be: " : "it is now: ") << vertices << " vertices, " << faces
+            << " faces, " << shape_of(preparation.parts) << '\n';
+  const auto& [from_new, from_old] = *prepared.distance;
+  const double hausdorff = std::max(from_new.high, from_old.high);
+  std::cout << "Hausdorff distance to IN: " << hausdorff;
+  if(hausdorff > 0)
+    std::cout << ", " << 100 * hausdorff / prepared.diagonal << " % of its diagonal (from OUT to IN " << from_new.high
+              << ", from IN to OUT " << from_old.high << ')';
+  std::cout << '\n';
+  for(const std::string& file : prepared.files)
+    std::cout << "written: " << file << '\n';
+  if(prepared.files.empty())
+    std::cout << "nothing was written, since there is no --output\n";
+  std::cout << std::flush;
+}
+
+/// Either all of the files get their names or none.
+void write(const Prepare_options& options, Prepared& prepared)
+{
+  const std::vector<Glued_surface>& parts = prepared.preparation->parts;
+  const auto write_to = [&](Atomic_file& file, const Glued_surface& surface) {
+    write_mesh(file.stream(), output_format(options), Mesh(Mesh::Unchecked(), surface.points, surface.faces),
+               surface.points, Surface::SHAPE, prepared.soup->annotations);
+  };
+  if(options.components == "split") {
+    std::vector<std::unique_ptr<Atomic_file>> files;
+    for(std::size_t i = 0; i < parts.size(); ++i) {
+      prepared.files.push_back(name_of_part(options.output, i));
+      files.push_back(std::make_unique<Atomic_file>(prepared.files.back()));
+      write_to(*files.back(), parts[i]);
+    }
+    stop_if_interrupted(options.input);
+    for(const auto& file : files)
+      file->commit();
+    return;
+  }
+  const auto if_given = [](const std::string& file) {
+    return file.empty() ? nullptr : std::make_unique<Atomic_file>(file);
+  };
+  const auto mesh = if_given(options.output), vertex_map = if_given(options.vertex_map),
+             face_map = if_given(options.face_map);
+  const Glued_surface all = joined(parts);
+  if(mesh) {
+    write_to(*mesh, all);
+    prepared.files.push_back(options.output);
+  }
+  write_numbers(vertex_map.get(), all.old_vertex);
+  write_numbers(face_map.get(), all.old_face);
+  stop_if_interrupted(options.input);
+  Atomic_file::commit_all({vertex_map.get(), face_map.get(), mesh.get()});
+}
+
+void prepare(const Prepare_options& options, Prepared& prepared)
+{
+  constexpr double tolerance = 1e-4; // of the distance, as a part of the diagonal
+  const Stopwatch total;
+  watch_for_interruption();
+  for(const std::string& file : {options.output, options.vertex_map, options.face_map, options.report})
+    if(!file.empty() && (options.components != "split" || file != options.output))
+      Atomic_file(std::string(file)); // before the work
+  prepared.soup = read_triangles(options.input);
+  prepared.diagonal = diagonal(*prepared.soup);
+  prepared.seconds_read = total.seconds();
+
+  const Stopwatch preparing;
+  prepared.preparation = tool::prepare(options.input, *prepared.soup, settings_of(options));
+  prepared.seconds_prepare = preparing.seconds();
+  const Stopwatch measuring;
+  prepared.distance = hausdorff_distance(*prepared.soup, prepared.preparation->parts, tolerance * prepared.diagonal,
+                                         [&options] { stop_if_interrupted(options.input); });
+  prepared.seconds_measure = measuring.seconds();
+  const Stopwatch writing;
+  write(options, prepared);
+  prepared.seconds_write = writing.seconds();
+  prepared.seconds_total = total.seconds();
+  print(options, prepared);
+}
+
+int run(const Prepare_options& options)
+{
+  Prepared prepared;
+  prepared.refusal = guarded(options.input, [&] { prepare(options, prepared); });
+  std::optional<Refusal> refusal = prepared.refusal;
+  if(!options.report.empty()) {
+    const auto of_report = guarded(options.input, [&] { write_report(options, prepared); });
+    if(!refusal)
+      refusal = of_report;
+  }
+  return exit_code_of(refusal);
+}
+
+} // namespace
+
+void add_prepare_command(CLI::App& app, int& exit_code)
+{
+  CLI::App* command = app.add_subcommand("prepare", "Mend a mesh until it is one closed surface that 'map' takes");
+  const auto options = std::make_shared<Prepare_options>();
+  command->add_option("IN", options->input, "Triangles of any kind: .off, .obj, .ply or .stl")
+    ->required()
+    ->type_name("FILE");
+  add_mesh_output(*command, *options,
+                  "Output file, in which vertices and faces of IN that are left keep their order (without it the "
+                  "command only says what it would do)");
+  command->get_option("--output")->required(false);
+  command
+    ->add_option("--vertex-map", options->vertex_map,
+                 "Write for each vertex of the output its number in IN, counted from 0; minus one: it is new")
+    ->type_name("FILE");
+  command
+    ->add_option("--face-map", options->face_map,
+                 "Write for each face of the output its number in IN, counted from 0; minus one: it is new")
+    ->type_name("FILE");
+  command
+    ->add_option("--report", options->report,
+                 "Write all that was found and done, distances and times, or the error, as JSON")
+    ->type_name("FILE");
+  command->add_flag(
+    "--harmless", options->harmless,
+    "Only what does not change the shape, as 'map --prepare': merge vertices at the same place, orient, "
+    "cut non-manifold parts from each other, remove what is repeated or isolated");
+  command
+    ->add_option("--components", options->components,
+                 "What to keep: the one of largest area, all in one file, or split: a file for each, OUT_1, OUT_2, ...")
+    ->check(CLI::IsMember({"largest", "all", "split"}))
+    ->capture_default_str();
+  command->add_flag("--keep-holes", options->keep_holes, "Do not fill holes, nor cut handles of what has holes");
+  command->add_flag("--keep-handles", options->keep_handles, "Do not cut handles");
+  command
+    ->add_option("--merge-distance", options->merge_distance,
+                 "Merge vertices at boundaries up to this distance, not only those at the same place")
+    ->capture_default_str();
+  command->add_flag("--wrap", options->wrap,
+                    "Replace the mesh by a surface around it, however broken it is, before all else");
+  command->add_option("--alpha", options->wrap_settings.alpha,
+                      "Wrap: what a ball of this radius cannot enter is filled [diagonal / 50]");
+  command->add_option("--offset", options->wrap_settings.offset,
+                      "Wrap: distance of the surface from the mesh [diagonal / 1500]");
+  command->footer("Example: spherical-parameterization prepare scan.ply -o closed.ply --vertex-map vertices.txt\n"
+                  "Exit code: 0 the files were written, 1 nothing was written (stderr says why), 2 wrong usage,\n"
+                  "130 interrupted.");
+  command->callback([options, &exit_code] {
+    check(*options);
+    exit_code = run(*options);
+  });
+}
+
+} // namespace tool

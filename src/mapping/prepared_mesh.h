@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef SPHERICAL_PARAMETERIZATION_TOOL_PREPARED_MESH_H
+#define SPHERICAL_PARAMETERIZATION_TOOL_PREPARED_MESH_H
+
+#include "input/mesh.h"
+#include "input/mesh_readers.h"
+#include "options/mapping_options.h"
+#include "preparation/prepare.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tool {
+
+/// A mesh that was mended before it was mapped: how it was in its file, and what was done.
+struct Prepared_mesh {
+  Soup soup;
+  Preparation preparation;
+
+  /// The mesh of the file, to be written: nothing but its points and triangles.
+  Mesh of_file() const { return Mesh(Mesh::Unchecked(), soup.points, soup.triangles); }
+};
+
+/// Reads a mesh file, and mends it as far as `how` says. Throws a `Refusal` if it is then no triangulated sphere.
+Input_mesh read_prepared_mesh(const std::string& file, Prepare how, std::optional<Prepared_mesh>& prepared);
+
+/// Lines on what was done, each with its end; empty if the mesh was not mended, or there was nothing to mend.
+std::string preparation_text(const std::string& file, const std::optional<Prepared_mesh>& prepared);
+
+/// Labels of the faces of the file, from those of the mended faces: a face that was left out has that of the nearest
+/// one, and a component that was left out has a label of its own. They are numbered from 0 on without gaps, and
+/// `number_of_labels` is set to how many there are.
+std::vector<std::size_t> labels_of_file(const Prepared_mesh& prepared, const std::vector<std::size_t>& labels,
+                                        std::size_t& number_of_labels);
+
+/// Texture coordinates of the corners of the file, by the halfedges that end there, from those of the mended mesh:
+/// those of the same corner, or for what was left out those of the nearest place of the nearest face.
+std::vector<std::pair<double, double>> coordinates_of_file(const Prepared_mesh& prepared,
+                                                           const std::vector<std::pair<double, double>>& coordinates);
+
+} // namespace tool
+
+#endif // SPHERICAL_PARAMETERIZATION_TOOL_PREPARED_MESH_H

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef SPHERICAL_PARAMETERIZATION_TOOL_TEXTURE_PLACES_H
+#define SPHERICAL_PARAMETERIZATION_TOOL_TEXTURE_PLACES_H
+
+#include "output/write_mesh.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace tool {
+
+/// The places of the vertices of a mesh in a texture, each once: a vertex has several at seams.
+struct Texture_places {
+  std::vector<int> vertex;
+  std::vector<Uv> place;
+  std::vector<std::uint32_t> number; ///< by halfedge, of the place at its target
+
+  /// Triangles of any kind will do: there need be no order round a vertex.
+  Texture_places(const Mesh& mesh, const std::vector<Uv>& uv) : number(uv.size())
+  {
+    std::vector<std::size_t> order(uv.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    const auto key = [&](std::size_t h) {
+      return std::pair(target(Mesh::Halfedge_index(static_cast<int>(h)), mesh).idx(), uv[h]);
+    };
+    std::sort(order.begin(), order.end(),
+              [&key](std::size_t g, std::size_t h) { return std::pair(key(g), g) < std::pair(key(h), h); });
+    for(std::size_t i = 0; i < order.size(); ++i) {
+      if(i == 0 || key(order[i]) != key(order[i - 1])) {
+        vertex.push_back(static_cast<int>(key(order[i]).first));
+        place.push_back(uv[order[i]]);
+      }
+      number[order[i]] = static_cast<std::uint32_t>(place.size() - 1);
+    }
+  }
+};
+
+} // namespace tool
+
+#endif // SPHERICAL_PARAMETERIZATION_TOOL_TEXTURE_PLACES_H

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#include "preparation/fill_holes.h"
+
+#include "preparation/points.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <exception>
+#include <iterator>
+#include <map>
+#include <utility>
+
+namespace tool {
+namespace {
+
+namespace PMP = CGAL::Polygon_mesh_processing;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Patch_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Triangle = std::array<int, 3>;
+
+/// A disk over a polygon: vertices 0 to m - 1 are those of the polygon, others are new.
+struct Disk {
+  std::vector<Glued_surface::Point> new_points;
+  std::vector<Triangle> triangles;
+};
+
+/// Of a polygon without new points; empty if CGAL finds none.
+std::vector<Triangle> triangulated(const std::vector<Kernel::Point_3>& polygon)
+{
+  constexpr std::size_t most_for_cubic_time = 1000;
+  std::vector<CGAL::Triple<int, int, int>> found;
+  try {
+    PMP::triangulate_hole_polyline(polygon, std::back_inserter(found),
+                                   CGAL::parameters::do_not_use_cubic_algorithm(polygon.size() > most_for_cubic_time));
+  } catch(const std::exception&) { // a precondition of CGAL that a polygon through itself breaks
+    found.clear();
+  }
+  std::vector<Triangle> triangles;
+  for(const auto& t : found) {
+    triangles.push_back({t.first, t.second, t.third});
+    std::sort(triangles.back().begin(), triangles.back().end()); // in the direction of the polygon
+  }
+  if(triangles.size() + 2 != polygon.size())
+    triangles.clear();
+  return triangles;
+}
+
+Disk cone(const std::vector<Kernel::Point_3>& polygon)
+{
+  Disk disk;
+  const int m = static_cast<int>(polygon.size());
+  disk.new_points.push_back({0, 0, 0});
+  for(const Kernel::Point_3& p : polygon)
+    for(int k = 0; k < 3; ++k)
+      disk.new_points[0][place(k)] += p[k] / m;
+  for(int i = 0; i < m; ++i)
+    disk.triangles.push_back({i, (i + 1) % m, m});
+  return disk;
+}
+
+/// The disk in CGAL's data structure, with the faces around it, whose edges say how fine the disk should be.
+/// `outer[i]` is the third corner of the face at edge i of the polygon.
+Disk refined(const std::vector<Kernel::Point_3>& polygon, const std::vector<Kernel::Point_3>& outer,
+             const std::vector<Triangle>& triangles)
+{
+  Disk disk = {{}, triangles};
+  Patch_mesh mesh;
+  for(const Kernel::Point_3& p : polygon)
+    mesh.add_vertex(p);
+  const auto vertex = [](int i) { return Patch_mesh::Vertex_index(static_cast<Patch_mesh::size_type>(i)); };
+  std::vector<Patch_mesh::Face_index> inner;
+  for(const Triangle& t : triangles)
+    inner.push_back(mesh.add_face(vertex(t[0]), vertex(t[1]), vertex(t[2])));
+  for(std::size_t i = 0; i < polygon.size(); ++i) {
+    const auto a = vertex(static_cast<int>(i)), b = vertex(static_cast<int>((i + 1) % polygon.size()));
+    mesh.add_face(b, a, mesh.add_vertex(outer[i]));
+  }
+  std::vector<Patch_mesh::Face_index> new_faces;
+  std::vector<Patch_mesh::Vertex_index> new_vertices;
+  try {
+    PMP::refine(mesh, inner, std::back_inserter(new_faces), std::back_inserter(new_vertices));
+  } catch(const std::exception&) { // as above: then it is left coarse
+    return disk;
+  }
+  std::map<Patch_mesh::Vertex_index, int> number;
+  for(const auto v : new_vertices) {
+    number[v] = static_cast<int>(polygon.size() + disk.new_points.size());
+    const Kernel::Point_3& p = mesh.point(v);
+    disk.new_points.push_back({p.x(), p.y(), p.z()});
+  }
+  inner.insert(inner.end(), new_faces.begin(), new_faces.end());
+  std::sort(inner.begin(), inner.end());
+  inner.erase(std::unique(inner.begin(), inner.end()), inner.end());
+  disk.triangles.clear();
+  for(const auto f : inner) {
+    Triangle corners;
+    int k = 0;
+    for(const auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh)) {
+      const auto found = number.find(v);
+      corners[place(k++)] = found == number.end() ? static_cast<int>(v.idx()) : found->second;
+    }
+    disk.triangles.push_back(corners);
+  }
+  return disk;
+}
+
+/// \pre boundary[m - 1 - i] is the side that runs from vertex i + 1 of the polygon to vertex i
+void add_disk(Glued_surface& surface, const std::vector<int>& boundary, const Disk& disk)
+{
+  const int m = static_cast<int>(boundary.size());
+  std::vector<int> vertices;
+  for(int i = 0; i < m; ++i)
+    vertices.push_back(surface.target(boundary[place(m - 1 - i)]));
+  for(const Glued_surface::Point& p : disk.new_points)
+    vertices.push_back(surface.add_vertex(p));
+  std::map<std::pair<int, int>, int> open; // sides of the disk by their ends
+  for(const Triangle& t : disk.triangles) {
+    const int face = surface.add_face({vertices[place(t[0])], vertices[place(t[1])], vertices[place(t[2])]});
+    for(int k = 0; k < 3; ++k) {
+      const std::pair<int, int> ends(t[place(k)], t[place((k + 1) % 3)]);
+      const auto other = open.find({ends.second, ends.first});
+      if(other == open.end())
+        open[ends] = 3 * face + k;
+      else {
+        surface.glue(3 * face + k, other->second);
+        open.erase(other);
+      }
+    }
+  }
+  for(const auto& [ends, side] : open)
+    surface.glue(side, boundary[place(m - 1 - ends.first)]);
+}
+
+/// Whether the triangles are a disk over a polygon of m edges: what add_disk() takes for granted.
+bool is_disk(const Disk& disk, int m)
+{
+  std::map<std::pair<int, int>, int> sides;
+  for(const Triangle& t : disk.triangles)
+    for(int k = 0; k < 3; ++k)
+      if(++sides[{t[place(k)], t[place((k + 1) % 3)]}] > 1)
+        return false;
+  int at_boundary = 0;
+  for(const auto& entry : sides) {
+    const auto [a, b] = entry.first;
+    if(sides.count({b, a}) > 0)
+      continue;
+    if(a >= m || b != (a + 1) % m)
+      return false;
+    ++at_boundary;
+  }
+  return at_boundary == m;
+}
+
+} // namespace
+
+void fill_hole(Glued_surface& surface, const std::vector<int>& boundary)
+{
+  if(boundary.size() == 1) { // a side with one end vertex: halved
+    const int side = boundary[0];
+    const Glued_surface::Point a = surface.point(surface.origin(side));
+    const Glued_surface::Point c = surface.point(surface.target(Glued_surface::next(side)));
+    const int middle = surface.add_vertex({(a[0] + c[0]) / 2, (a[1] + c[1]) / 2, (a[2] + c[2]) / 2});
+    const int face = surface.add_face({surface.target(side), surface.origin(side), middle});
+    surface.glue(3 * face, side);
+    surface.glue(3 * face + 1, 3 * face + 2);
+    return;
+  }
+  if(boundary.size() == 2) {
+    surface.glue(boundary[0], boundary[1]);
+    return;
+  }
+  std::vector<Kernel::Point_3> polygon, outer;
+  const auto point = [&surface](int v) {
+    const Glued_surface::Point& p = surface.point(v);
+    return Kernel::Point_3(p[0], p[1], p[2]);
+  };
+  for(auto side = boundary.rbegin(); side != boundary.rend(); ++side) {
+    polygon.push_back(point(surface.target(*side)));
+    outer.push_back(point(surface.target(Glued_surface::next(*side))));
+  }
+  const int m = static_cast<int>(polygon.size());
+  const std::vector<Triangle> triangles = triangulated(polygon);
+  Disk disk;
+  if(!triangles.empty())
+    disk = refined(polygon, outer, triangles);
+  if(!is_disk(disk, m))
+    disk = {{}, triangles};
+  if(!is_disk(disk, m))
+    disk = cone(polygon);
+  add_disk(surface, boundary, disk);
+}
+
+} // namespace tool

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#include "preparation/glued_surface.h"
+
+#include "preparation/points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+namespace tool {
+namespace {
+
+/// The corners that are one vertex: the smallest of them stands for all.
+class Corner_classes {
+public:
+  explicit Corner_classes(int corners) : parent_(place(corners)) { std::iota(parent_.begin(), parent_.end(), 0); }
+
+  int find(int c)
+  {
+    while(parent_[place(c)] != c)
+      c = parent_[place(c)] = parent_[place(parent_[place(c)])];
+    return c;
+  }
+
+  void unite(int a, int b)
+  {
+    a = find(a);
+    b = find(b);
+    parent_[place(std::max(a, b))] = std::min(a, b);
+  }
+
+private:
+  std::vector<int> parent_;
+};
+
+/// Cuts the face of a side in two, from the middle of the side to the opposite corner. The side keeps its first half,
+/// the second is returned. \pre the side is glued to nothing
+int split_face(Glued_surface& surface, int side, int middle)
+{
+  const int face = side / 3, next = Glued_surface::next(side), before = surface.twin_of(next);
+  const int b = surface.target(side), c = surface.target(next);
+  const int added = surface.add_face({middle, b, c}, surface.old_face[place(face)]);
+  surface.faces[place(face)][place(next % 3)] = middle;
+  surface.twin[place(next)] = Glued_surface::none;
+  if(before != Glued_surface::none)
+    surface.glue(3 * added + 1, before);
+  surface.glue(3 * added + 2, next);
+  return 3 * added;
+}
+
+/// Not where a face is glued to itself: that face has a side with one end vertex, and comes apart when this is split.
+void split_edge(Glued_surface& surface, int side)
+{
+  if(surface.twin_of(side) / 3 == side / 3 && surface.twin_of(side) != Glued_surface::none)
+    return;
+  const Glued_surface::Point a = surface.point(surface.origin(side)), b = surface.point(surface.target(side));
+  const int middle = surface.add_vertex({(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2});
+  const int twin = surface.twin_of(side);
+  if(twin == Glued_surface::none) {
+    split_face(surface, side, middle);
+    return;
+  }
+  surface.unglue(side);
+  const int second = split_face(surface, side, middle);
+  const int second_of_twin = split_face(surface, twin, middle);
+  surface.glue(side, second_of_twin);
+  surface.glue(second, twin);
+}
+
+} // namespace
+
+double Glued_surface::length(int side) const
+{
+  const Point d = minus(point(target(side)), point(origin(side)));
+  return std::hypot(d[0], d[1], d[2]);
+}
+
+double Glued_surface::area(int face) const
+{
+  const auto& [a, b, c] = faces[place(face)];
+  const Point n = cross(minus(point(b), point(a)), minus(point(c), point(a)));
+  return std::hypot(n[0], n[1], n[2]) / 2;
+}
+
+void Glued_surface::glue(int side, int other)
+{
+  twin[place(side)] = other;
+  twin[place(other)] = side;
+}
+
+void Glued_surface::unglue(int side)
+{
+  twin[place(twin_of(side))] = none;
+  twin[place(side)] = none;
+}
+
+int Glued_surface::add_vertex(const Point& point)
+{
+  points.push_back(point);
+  old_vertex.push_back(none);
+  return number_of_vertices() - 1;
+}
+
+int Glued_surface::add_face(const std::array<int, 3>& corners, int its_old_face)
+{
+  faces.push_back(corners);
+  twin.insert(twin.end(), 3, none);
+  old_face.push_back(its_old_face);
+  return number_of_faces() - 1;
+}
+
+void derive_vertices(Glued_surface& surface)
+{
+  Corner_classes classes(surface.number_of_sides());
+  for(int side = 0; side < surface.number_of_sides(); ++side)
+    if(surface.twin_of(side) != Glued_surface::none) // the corner at its end is that where its twin begins
+      classes.unite(Glued_surface::next(side), surface.twin_of(side));
+
+  // every class takes the first of its vertices; the first class that does so keeps it, others get copies
+  std::vector<int> vertex_of_class(surface.twin.size(), Glued_surface::none);
+  for(int c = 0; c < surface.number_of_sides(); ++c) {
+    int& vertex = vertex_of_class[place(classes.find(c))];
+    vertex = vertex == Glued_surface::none ? surface.origin(c) : std::min(vertex, surface.origin(c));
+  }
+  std::vector<bool> is_taken(surface.points.size(), false);
+  for(int c = 0; c < surface.number_of_sides(); ++c) {
+    if(classes.find(c) != c)
+      continue;
+    const int vertex = vertex_of_class[place(c)];
+    if(is_taken[place(vertex)]) {
+      vertex_of_class[place(c)] = surface.add_vertex(Glued_surface::Point(surface.point(vertex)));
+      surface.old_vertex.back() = surface.old_vertex[place(vertex)];
+    } else
+      is_taken[place(vertex)] = true;
+  }
+  is_taken.resize(surface.points.size(), true);
+
+  std::vector<int> number(surface.points.size(), Glued_surface::none);
+  int count = 0;
+  for(int v = 0; v < surface.number_of_vertices(); ++v)
+    if(is_taken[place(v)]) {
+      surface.points[place(count)] = Glued_surface::Point(surface.point(v));
+      surface.old_vertex[place(count)] = surface.old_vertex[place(v)];
+      number[place(v)] = count++;
+    }
+  surface.points.resize(place(count));
+  surface.old_vertex.resize(place(count));
+  for(int c = 0; c < surface.number_of_sides(); ++c)
+    surface.faces[place(c / 3)][place(c % 3)] = number[place(vertex_of_class[place(classes.find(c))])];
+}
+
+void keep_faces(Glued_surface& surface, const std::function<bool(int)>& is_kept)
+{
+  std::vector<int> number(surface.faces.size(), Glued_surface::none);
+  int count = 0;
+  for(int f = 0; f < surface.number_of_faces(); ++f)
+    if(is_kept(f))
+      number[place(f)] = count++;
+  for(int f = 0; f < surface.number_of_faces(); ++f) {
+    const int to = number[place(f)];
+    if(to == Glued_surface::none)
+      continue;
+    surface.faces[place(to)] = std::array<int, 3>(surface.faces[place(f)]);
+    surface.old_face[place(to)] = surface.old_face[place(f)];
+    for(int k = 0; k < 3; ++k) {
+      const int twin = surface.twin_of(3 * f + k);
+      const int face = twin == Glued_surface::none ? Glued_surface::none : number[place(twin / 3)];
+      surface.twin[place(3 * to + k)] = face == Glued_surface::none ? Glued_surface::none : 3 * face + twin % 3;
+    }
+  }
+  surface.faces.resize(place(count));
+  surface.old_face.resize(place(count));
+  surface.twin.resize(place(3 * count));
+  derive_vertices(surface);
+}
+
+std::vector<std::vector<int>> boundary_cycles(const Glued_surface& surface)
+{
+  std::vector<std::vector<int>> cycles;
+  std::vector<bool> is_done(surface.twin.size(), false);
+  for(int first = 0; first < surface.number_of_sides(); ++first) {
+    if(surface.twin_of(first) != Glued_surface::none || is_done[place(first)])
+      continue;
+    cycles.emplace_back();
+    int side = first;
+    do {
+      is_done[place(side)] = true;
+      cycles.back().push_back(side);
+      side = Glued_surface::next(side);
+      while(surface.twin_of(side) != Glued_surface::none)
+        side = Glued_surface::next(surface.twin_of(side));
+    } while(side != first);
+  }
+  return cycles;
+}
+
+std::vector<Component> components(const Glued_surface& surface, std::vector<int>& component_of)
+{
+  std::vector<Component> result;
+  component_of.assign(surface.faces.size(), Glued_surface::none);
+  std::vector<int> stack;
+  for(int first = 0; first < surface.number_of_faces(); ++first) {
+    if(component_of[place(first)] != Glued_surface::none)
+      continue;
+    const int number = static_cast<int>(result.size());
+    Component component;
+    component.first_face = first;
+    const Glued_surface::Point centre = surface.point(surface.faces[place(first)][0]); // so that digits do not cancel
+    stack.assign(1, first);
+    component_of[place(first)] = number;
+    while(!stack.empty()) {
+      const int f = stack.back();
+      stack.pop_back();
+      ++component.faces;
+      component.area += surface.area(f);
+      const auto& [a, b, c] = surface.faces[place(f)];
+      const Glued_surface::Point n = cross(minus(surface.point(a), centre), minus(surface.point(b), centre));
+      const Glued_surface::Point p = minus(surface.point(c), centre);
+      component.volume += (n[0] * p[0] + n[1] * p[1] + n[2] * p[2]) / 6;
+      for(int side = 3 * f; side < 3 * f + 3; ++side) {
+        const int twin = surface.twin_of(side);
+        if(twin == Glued_surface::none || twin > side)
+          --component.euler_characteristic; // an edge
+        if(twin != Glued_surface::none && component_of[place(twin / 3)] == Glued_surface::none) {
+          component_of[place(twin / 3)] = number;
+          stack.push_back(twin / 3);
+        }
+      }
+    }
+    component.euler_characteristic += component.faces;
+    result.push_back(component);
+  }
+  std::vector<int> component_of_vertex(surface.points.size(), Glued_surface::none);
+  for(int f = 0; f < surface.number_of_faces(); ++f)
+    for(const int v : surface.faces[place(f)])
+      component_of_vertex[place(v)] = component_of[place(f)];
+  for(const int c : component_of_vertex)
+    if(c != Glued_surface::none)
+      ++result[place(c)].euler_characteristic;
+  for(const std::vector<int>& cycle : boundary_cycles(surface))
+    ++result[place(component_of[place(cycle.front() / 3)])].holes;
+  return result;
+}
+
+std::size_t split_parallel_edges(Glued_surface& surface)
+{
+  std::size_t split = 0;
+  for(;;) {
+    std::vector<std::tuple<int, int, int>> edges; // end vertices, and a side
+    for(int side = 0; side < surface.number_of_sides(); ++side)
+      if(surface.twin_of(side) < side)
+        edges.emplace_back(std::min(surface.origin(side), surface.target(side)),
+                           std::max(surface.origin(side), surface.target(side)), side);
+    std::sort(edges.begin(), edges.end());
+    std::vector<int> to_split;
+    for(std::size_t i = 0; i < edges.size(); ++i) {
+      const auto& [a, b, side] = edges[i];
+      const bool is_parallel = i > 0 && std::get<0>(edges[i - 1]) == a && std::get<1>(edges[i - 1]) == b;
+      if(a == b || is_parallel)
+        to_split.push_back(side);
+    }
+    // two triangles back to back are no surface that can be told from its vertices
+    if(to_split.empty() && surface.number_of_faces() == 2 && boundary_cycles(surface).empty())
+      to_split = {0};
+    if(to_split.empty())
+      return split;
+    for(const int side : to_split)
+      split_edge(surface, side);
+    split += to_split.size();
+  }
+}
+
+} // namespace tool

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef SPHERICAL_PARAMETERIZATION_TOOL_GLUED_SURFACE_H
+#define SPHERICAL_PARAMETERIZATION_TOOL_GLUED_SURFACE_H
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace tool {
+
+/// Triangles glued along their sides, with or without boundary. Side `3 f + k` of face `f` runs from its corner `k` to
+/// the next one. The gluing decides what a vertex is: the corners that meet when one turns round it through glued
+/// sides. So every surface here is manifold, whatever the file was; to cut it is to unglue sides.
+///
+/// Glued sides run in opposite directions: the faces are oriented consistently.
+struct Glued_surface {
+  using Point = std::array<double, 3>;
+
+  std::vector<Point> points;             ///< by vertex
+  std::vector<std::array<int, 3>> faces; ///< the vertices of the corners
+  std::vector<int> twin;                 ///< by side; `none` at a boundary
+  std::vector<int> old_vertex;           ///< by vertex: its number in the file, `none` if it is new
+  std::vector<int> old_face;             ///< by face: its number in the file, `none` if it is new
+
+  static constexpr int none = -1;
+  static int next(int side) { return side % 3 == 2 ? side - 2 : side + 1; }
+  static int previous(int side) { return side % 3 == 0 ? side + 2 : side - 1; }
+  int origin(int side) const { return faces[static_cast<std::size_t>(side / 3)][static_cast<std::size_t>(side % 3)]; }
+  int target(int side) const { return origin(next(side)); }
+  int twin_of(int side) const { return twin[static_cast<std::size_t>(side)]; }
+  int number_of_faces() const { return static_cast<int>(faces.size()); }
+  int number_of_sides() const { return static_cast<int>(twin.size()); }
+  int number_of_vertices() const { return static_cast<int>(points.size()); }
+  const Point& point(int vertex) const { return points[static_cast<std::size_t>(vertex)]; }
+  double length(int side) const;
+  double area(int face) const;
+
+  void glue(int side, int other);
+  void unglue(int side);
+  int add_vertex(const Point& point);                                   ///< new, of no face yet
+  int add_face(const std::array<int, 3>& corners, int old_face = none); ///< glued to nothing yet
+};
+
+/// Gives every corner the vertex that the gluing says. A vertex that has come apart is copied, vertices that have been
+/// glued together become the first of them, and those without faces are left out; the others keep their order.
+void derive_vertices(Glued_surface& surface);
+
+/// Leaves out faces, and derives the vertices.
+void keep_faces(Glued_surface& surface, const std::function<bool(int)>& is_kept);
+
+/// The sides at the boundary, in the direction of their faces, one cycle after the other.
+std::vector<std::vector<int>> boundary_cycles(const Glued_surface& surface);
+
+struct Component {
+  int faces = 0;
+  int first_face = 0;
+  int holes = 0;
+  int euler_characteristic = 0;
+  double area = 0;
+  double volume = 0; ///< signed; of no meaning with holes
+
+  /// Of the surface whose holes are closed.
+  int genus() const { return (2 - euler_characteristic - holes) / 2; }
+};
+
+/// The connected components. `component_of[f]` is the number of that of face `f`.
+std::vector<Component> components(const Glued_surface& surface, std::vector<int>& component_of);
+
+/// Splits edges in the middle until no two have the same end vertices and none has but one: so that faces are sets of
+/// three vertices, and edges sets of two, as files need it. Returns how many edges were split.
+/// \pre the vertices are derived
+std::size_t split_parallel_edges(Glued_surface& surface);
+
+} // namespace tool
+
+#endif // SPHERICAL_PARAMETERIZATION_TOOL_GLUED_SURFACE_H

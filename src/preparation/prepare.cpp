@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#include "preparation/prepare.h"
+
+#include "preparation/fill_holes.h"
+#include "preparation/handles.h"
+#include "preparation/points.h"
+#include "preparation/wrap.h"
+#include "system/error_code_names.h"
+#include "system/interruption.h"
+#include "system/refusal.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <utility>
+
+namespace tool {
+namespace {
+
+Loop loop_of(const Glued_surface& surface, const std::vector<int>& sides)
+{
+  Loop loop;
+  loop.edges = sides.size();
+  for(const int side : sides) {
+    loop.length += surface.length(side);
+    if(loop.vertex == Glued_surface::none)
+      loop.vertex = surface.old_vertex[place(surface.origin(side))];
+  }
+  return loop;
+}
+
+void fill_holes(Glued_surface& surface, Preparation& preparation, const std::string& file)
+{
+  for(const std::vector<int>& boundary : boundary_cycles(surface)) {
+    stop_if_interrupted(file);
+    preparation.holes.push_back(loop_of(surface, boundary));
+    fill_hole(surface, boundary);
+  }
+  derive_vertices(surface);
+}
+
+/// Every cut takes a handle away.
+void cut_handles(Glued_surface& surface, Preparation& preparation, const std::string& file)
+{
+  for(;;) {
+    const std::vector<int> loop = shortest_handle_loop(surface, [&file] { stop_if_interrupted(file); });
+    if(loop.empty())
+      return;
+    preparation.handles.push_back(loop_of(surface, loop));
+    cut_along(surface, loop);
+    for(const std::vector<int>& boundary : boundary_cycles(surface))
+      fill_hole(surface, boundary);
+    derive_vertices(surface);
+  }
+}
+
+void turn_round(Glued_surface& surface)
+{
+  const auto turned = [](int side) { return side == Glued_surface::none ? side : side - side % 3 + 2 - side % 3; };
+  std::vector<int> twin(surface.twin.size());
+  for(int side = 0; side < surface.number_of_sides(); ++side)
+    twin[place(turned(side))] = turned(surface.twin_of(side));
+  surface.twin = std::move(twin);
+  for(auto& face : surface.faces)
+    std::swap(face[1], face[2]);
+}
+
+Glued_surface wrapped(const std::string& file, const Soup& soup, Preparation& preparation)
+{
+  const double size = diagonal(soup);
+  auto& used = *preparation.wrap;
+  used.alpha = used.alpha.value_or(size / 50);
+  used.offset = used.offset.value_or(size / 1500);
+  if(!(*used.offset > 0 && *used.alpha > 0)) // the defaults, of points that are all at the same place
+    throw Refusal(name(Error_code::EMPTY_MESH), file, "is a single point", "there is nothing to wrap");
+  Gluing_defects none;
+  Glued_surface surface = glue(wrap(soup, *used.alpha, *used.offset), 0, none);
+  std::fill(surface.old_vertex.begin(), surface.old_vertex.end(), Glued_surface::none);
+  std::fill(surface.old_face.begin(), surface.old_face.end(), Glued_surface::none);
+  return surface;
+}
+
+/// The components, the largest first.
+std::vector<Piece> pieces_of(const Glued_surface& surface, std::vector<int>& piece_of)
+{
+  std::vector<int> component_of;
+  const std::vector<Component> found = components(surface, component_of);
+  std::vector<std::size_t> order(found.size()), rank(found.size());
+  for(std::size_t i = 0; i < order.size(); ++i)
+    order[i] = i;
+  std::stable_sort(order.begin(), order.end(),
+                   [&found](std::size_t a, std::size_t b) { return found[a].area > found[b].area; });
+  std::vector<Piece> pieces;
+  for(const std::size_t i : order) {
+    rank[i] = pieces.size();
+    Piece piece;
+    piece.size = found[i];
+    piece.vertex = surface.old_vertex[place(surface.faces[place(found[i].first_face)][0])];
+    pieces.push_back(piece);
+  }
+  piece_of.clear();
+  for(const int c : component_of)
+    piece_of.push_back(static_cast<int>(rank[place(c)]));
+  return pieces;
+}
+
+std::vector<Glued_surface> separated(const Glued_surface& surface, const std::vector<Piece>& pieces,
+                                     const std::vector<int>& piece_of)
+{
+  std::vector<Glued_surface> parts;
+  for(std::size_t i = 0; i < pieces.size() && pieces[i].is_kept; ++i) {
+    parts.push_back(surface);
+    keep_faces(parts.back(), [&](int f) { return piece_of[place(f)] == static_cast<int>(i); });
+  }
+  return parts;
+}
+
+bool is_closed(const Glued_surface& surface)
+{
+  return std::none_of(surface.twin.begin(), surface.twin.end(), [](int side) { return side == Glued_surface::none; });
+}
+
+std::string number(double x)
+{
+  std::ostringstream text;
+  text.precision(3);
+  text << x;
+  return text.str();
+}
+
+/// "1 hole", "3 holes"
+std::string count(std::size_t n, const std::string& one, const std::string& many)
+{
+  return std::to_string(n) + ' ' + (n == 1 ? one : many);
+}
+
+std::string count(std::size_t n, const std::string& what) { return count(n, what, what + 's'); }
+
+std::string at(int vertex) { return vertex == Glued_surface::none ? "" : ", at vertex " + std::to_string(vertex); }
+
+std::string largest(const std::vector<Loop>& loops, const std::string& superlative)
+{
+  const Loop& loop = loops.front();
+  return (loops.size() == 1 ? " (" : " (" + superlative + ": ") + count(loop.edges, "edge") + ", length " +
+         number(loop.length) + at(loop.vertex) + ')';
+}
+
+/// "removed 3 isolated vertices (first: vertex 17)"
+void add(std::vector<std::string>& lines, const Defect& defect, const std::string& before, const std::string& one,
+         const std::string& many, const std::string& after, const std::string& where)
+{
+  if(defect.count > 0)
+    lines.push_back(before + count(defect.count, one, many) + after + " (" + (defect.count == 1 ? "" : "first: ") +
+                    where + ' ' + std::to_string(defect.first) + ')');
+}
+
+} // namespace
+
+bool Preparation::is_unchanged() const { return sentences(*this).empty(); }
+
+Preparation prepare(const std::string& file, const Soup& soup, const Preparation_settings& settings)
+{
+  Preparation result;
+  Glued_surface surface = glue(soup, settings.merge_distance, result.defects);
+  if(surface.faces.empty())
+    throw Refusal(name(Error_code::EMPTY_MESH), file, "has no face that can be used",
+                  soup.triangles.empty() ? "reconstruct a surface from its points first" : "");
+  stop_if_interrupted(file);
+
+  if(settings.wrap) {
+    result.wrap = settings.wrap;
+    surface = wrapped(file, soup, result);
+  }
+  std::vector<int> piece_of;
+  result.pieces = pieces_of(surface, piece_of);
+  result.piece_of_face.assign(soup.triangles.size(), -1);
+  for(std::size_t f = 0; f < piece_of.size(); ++f)
+    if(surface.old_face[f] != Glued_surface::none)
+      result.piece_of_face[place(surface.old_face[f])] = piece_of[f];
+  if(!settings.only_harmless && !settings.keeps_all_components)
+    for(std::size_t i = 1; i < result.pieces.size(); ++i)
+      result.pieces[i].is_kept = false;
+  if(settings.only_harmless || result.pieces.size() == 1)
+    result.parts.push_back(std::move(surface));
+  else
+    result.parts = separated(surface, result.pieces, piece_of);
+
+  for(Glued_surface& part : result.parts) {
+    if(settings.fills_holes && !settings.only_harmless) {
+      fill_holes(part, result, file);
+      result.is_filled = true;
+    } else
+      for(const std::vector<int>& boundary : boundary_cycles(part))
+        result.holes.push_back(loop_of(part, boundary));
+    if(settings.cuts_handles && !settings.only_harmless && is_closed(part)) {
+      cut_handles(part, result, file);
+      result.is_cut = true;
+    }
+    result.split_edges += split_parallel_edges(part);
+    std::vector<int> unused;
+    const std::vector<Component> left = components(part, unused);
+    if(left.size() == 1 && left[0].holes == 0 && left[0].volume < 0) {
+      turn_round(part);
+      result.is_turned_outwards = true;
+    }
+  }
+  std::stable_sort(result.holes.begin(), result.holes.end(),
+                   [](const Loop& a, const Loop& b) { return a.length > b.length; });
+  return result;
+}
+
+std::vector<std::string> sentences(const Preparation& preparation)
+{
+  const Gluing_defects& defects = preparation.defects;
+  std::vector<std::string> lines;
+  add(lines, defects.non_finite_vertices, "removed ", "vertex", "vertices",
+      " whose coordinates are not finite, and all faces there", "vertex");
+  add(lines, defects.isolated_vertices, "removed ", "isolated vertex", "isolated vertices", "", "vertex");
+  add(lines, defects.repeated_corners, "removed ", "face", "faces", " with two corners at one vertex", "face");
+  add(lines, defects.repeated_faces, "removed ", "repeated face", "repeated faces", "", "face");
+  add(lines, defects.merged_vertices, "merged ", "vertex", "vertices", " at boundaries with others at the same place",
+      "vertex");
+  add(lines, defects.non_manifold_edges, "glued the faces in pairs at ", "non-manifold edge", "non-manifold edges", "",
+      "vertex");
+  add(lines, defects.non_manifold_vertices, "made ", "copy", "copies", " of non-manifold vertices", "vertex");
+  add(lines, defects.reversed_faces, "reversed ", "face", "faces", " that did not agree with their neighbours", "face");
+  add(lines, defects.cut_edges, "cut a surface that has one side only, at ", "edge", "edges", "", "vertex");
+  if(preparation.wrap)
+    lines.push_back("wrapped everything, alpha " + number(*preparation.wrap->alpha) + ", offset " +
+                    number(*preparation.wrap->offset));
+
+  const auto& pieces = preparation.pieces;
+  if(pieces.size() > 1) {
+    double all = 0, kept = 0;
+    for(const Piece& piece : pieces) {
+      all += piece.size.area;
+      kept += piece.is_kept ? piece.size.area : 0;
+    }
+    if(pieces.back().is_kept)
+      lines.push_back("has " + count(pieces.size(), "component"));
+    else
+      lines.push_back("kept the largest of " + count(pieces.size(), "component") + ", " + number(100 * kept / all) +
+                      " % of the area" + at(pieces.front().vertex));
+  }
+  if(!preparation.holes.empty())
+    lines.push_back((preparation.is_filled ? "filled " : "has ") + count(preparation.holes.size(), "hole") +
+                    largest(preparation.holes, "longest"));
+  if(preparation.is_cut) {
+    if(!preparation.handles.empty())
+      lines.push_back("cut " + count(preparation.handles.size(), "handle") + " along shortest loops" +
+                      largest(preparation.handles, "first"));
+  } else {
+    int handles = 0;
+    for(const Piece& piece : pieces)
+      handles += piece.is_kept ? piece.size.genus() : 0;
+    if(handles > 0)
+      lines.push_back("has " + count(static_cast<std::size_t>(handles), "handle"));
+  }
+  if(preparation.split_edges > 0)
+    lines.push_back("split " + count(preparation.split_edges, "edge") + " that had the same ends as others");
+  if(preparation.is_turned_outwards)
+    lines.push_back("turned all faces to the outside");
+  return lines;
+}
+
+} // namespace tool

@@ -1,0 +1,466 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The command prepare, and the option --prepare: every defect by itself, generated, is found, mended and mapped.
+
+#include "helpers/certificate.h"
+#include "helpers/meshes.h"
+#include "helpers/tool.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iterator>
+#include <map>
+#include <set>
+#include <sstream>
+
+using namespace test;
+namespace fs = std::filesystem;
+
+namespace {
+
+typedef std::vector<int> Numbers;
+
+Numbers numbers_in(const std::string& file)
+{
+  std::istringstream in(text_of(file));
+  return Numbers((std::istream_iterator<int>(in)), std::istream_iterator<int>());
+}
+
+std::vector<std::string> with(std::vector<std::string> arguments, const std::vector<std::string>& more)
+{
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+/// Runs `prepare` with all that it writes.
+struct Prepared {
+  Process_result run;
+  Soup out;
+  Numbers vertex_map, face_map;
+  nlohmann::json report;
+
+  Prepared(const Scratch& scratch, const Soup& in, const std::vector<std::string>& options = {})
+  {
+    run = run_tool(
+      with({"prepare", write_off(scratch / "in.off", in), "-o", scratch / "out.off", "--vertex-map",
+            scratch / "vertices.txt", "--face-map", scratch / "faces.txt", "--report", scratch / "report.json"},
+           options));
+    CAPTURE(run.err);
+    REQUIRE(run.exit_code == 0);
+    out = read(scratch / "out.off");
+    vertex_map = numbers_in(scratch / "vertices.txt");
+    face_map = numbers_in(scratch / "faces.txt");
+    report = nlohmann::json::parse(text_of(scratch / "report.json"));
+    CHECK(report["error_code"] == "OK");
+  }
+
+  double distance() const
+  {
+    return std::max(report["distance_from_output_to_input"][1].get<double>(),
+                    report["distance_from_input_to_output"][1].get<double>());
+  }
+};
+
+std::set<Point> corners(const Soup& soup, std::size_t face)
+{
+  std::set<Point> result;
+  for(const std::size_t v : soup.faces[face])
+    result.insert(soup.points[v]);
+  return result;
+}
+
+/// Old vertices and faces are where the maps say, and in their order.
+void check_maps(const Soup& in, const Prepared& prepared)
+{
+  REQUIRE(prepared.vertex_map.size() == prepared.out.points.size());
+  REQUIRE(prepared.face_map.size() == prepared.out.faces.size());
+  for(std::size_t v = 0; v < prepared.vertex_map.size(); ++v)
+    if(prepared.vertex_map[v] >= 0)
+      CHECK(prepared.out.points[v] == in.points.at(std::size_t(prepared.vertex_map[v])));
+  const bool has_triangles =
+    std::all_of(in.faces.begin(), in.faces.end(), [](const auto& face) { return face.size() == 3; });
+  if(!has_triangles || prepared.report["preparation"]["split_edges"] != 0)
+    return;
+  for(std::size_t f = 0; f < prepared.face_map.size(); ++f)
+    if(prepared.face_map[f] >= 0)
+      CHECK(corners(prepared.out, f) == corners(in, std::size_t(prepared.face_map[f])));
+}
+
+void check_mapped(const Scratch& scratch)
+{
+  const Process_result run =
+    run_tool({"map", scratch / "out.off", "-o", scratch / "sphere.off", "--method", "automatic"});
+  CAPTURE(run.err);
+  CHECK(run.exit_code == 0);
+}
+
+Soup joined(Soup soup, const Soup& other, const Vector& shift)
+{
+  const std::size_t n = soup.points.size();
+  for(const Point& p : other.points)
+    soup.points.push_back(p + shift);
+  for(auto face : other.faces) {
+    for(std::size_t& i : face)
+      i += n;
+    soup.faces.push_back(face);
+  }
+  return soup;
+}
+
+/// Every face with vertices of its own.
+Soup exploded(const Soup& soup)
+{
+  Soup result;
+  for(const auto& face : soup.faces) {
+    result.faces.emplace_back();
+    for(const std::size_t i : face) {
+      result.faces.back().push_back(result.points.size());
+      result.points.push_back(soup.points[i]);
+    }
+  }
+  return result;
+}
+
+/// Vertices at the same place become one.
+Soup welded(const Soup& soup)
+{
+  Soup result;
+  std::map<Point, std::size_t> number;
+  for(const auto& face : soup.faces) {
+    result.faces.emplace_back();
+    for(const std::size_t i : face) {
+      const auto [place, is_new] = number.emplace(soup.points[i], number.size());
+      if(is_new)
+        result.points.push_back(soup.points[i]);
+      result.faces.back().push_back(place->second);
+    }
+  }
+  return result;
+}
+
+/// Two cubes of which an edge is the same.
+Soup cubes_at_an_edge()
+{
+  double low = 0, high = 0;
+  for(const Point& p : cube().points) {
+    low = std::min(low, p.x());
+    high = std::max(high, p.x());
+  }
+  return welded(joined(cube(), cube(), Vector(high - low, high - low, 0)));
+}
+
+/// A strip of `n` quadrangles, turned over once.
+Soup moebius(int n)
+{
+  Soup soup;
+  const double pi = std::acos(-1.);
+  for(int i = 0; i < n; ++i)
+    for(int side : {-1, 1}) {
+      const double u = 2 * pi * i / n, r = 3 + side * std::cos(u / 2);
+      soup.points.emplace_back(r * std::cos(u), r * std::sin(u), side * std::sin(u / 2));
+    }
+  for(std::size_t i = 0; i < std::size_t(n); ++i) {
+    const bool is_last = i + 1 == std::size_t(n);
+    const std::size_t a = 2 * i, b = 2 * i + 1, c = is_last ? 0 : 2 * i + 3, d = is_last ? 1 : 2 * i + 2;
+    soup.faces.insert(soup.faces.end(), {{a, b, c}, {a, c, d}});
+  }
+  return soup;
+}
+
+struct Broken {
+  std::string name;
+  Soup soup;
+  std::string sentence; ///< what `prepare` has to say of it
+  bool keeps_shape;     ///< nothing is cut, filled or left out
+};
+
+std::vector<Broken> broken_meshes()
+{
+  std::vector<Broken> all;
+  const Soup ball = bumpy_sphere(2);
+  const auto add = [&all](const std::string& name, const Soup& soup, const std::string& sentence, bool keeps_shape) {
+    all.push_back({name, soup, sentence, keeps_shape});
+  };
+  Soup soup = ball;
+  soup.points.insert(soup.points.begin(), Point(7, 7, 7));
+  for(auto& face : soup.faces)
+    for(std::size_t& i : face)
+      ++i;
+  add("isolated vertex", soup, "removed 1 isolated vertex (vertex 0)", true);
+  soup = ball;
+  soup.faces.push_back(soup.faces[5]);
+  soup.faces.push_back({soup.faces[9][1], soup.faces[9][0], soup.faces[9][2]});
+  add("repeated faces", soup, "removed 2 repeated faces (first: face 320)", true);
+  soup = ball;
+  soup.faces.insert(soup.faces.begin(), {3, 8, 3});
+  add("repeated corner", soup, "removed 1 face with two corners at one vertex (face 0)", true);
+  soup = ball;
+  for(std::size_t f = 0; f < soup.faces.size(); f += 3)
+    std::swap(soup.faces[f][0], soup.faces[f][1]);
+  add("reversed faces", soup, "reversed 107 faces that did not agree", true);
+  soup = ball;
+  for(auto& face : soup.faces)
+    std::swap(face[0], face[1]);
+  add("inside out", soup, "turned all faces to the outside", true);
+  add("vertices of every face by themselves", exploded(ball), "merged 798 vertices at boundaries", true);
+  add("two balls that share a vertex", make_soup(hourglass()), "kept the largest of 2 components", false);
+  add("a vertex glued to another", make_soup(pinched_sphere()), "made 1 copy of non-manifold vertices", true);
+  add("two cubes at an edge", cubes_at_an_edge(), "glued the faces in pairs at 1 non-manifold edge", false);
+  add("hole", open_sphere(2), "filled 1 hole (", false);
+  soup = ball;
+  soup.faces.erase(soup.faces.begin() + 100, soup.faces.begin() + 103);
+  soup.faces.erase(soup.faces.begin());
+  add("holes", soup, "filled ", false);
+  add("one triangle", {{Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0)}, {{0, 1, 2}}}, "filled 1 hole (3 edges", false);
+  add("two components", two_spheres(), "kept the largest of 2 components", false);
+  add("handle", torus(16, 8), "cut 1 handle along shortest loops (8 edges, length 6.12", false);
+  add("two handles", double_torus(), "cut 2 handles along shortest loops (first: ", false);
+  add("quadrangles", quad_cube(), "triangulated 6 polygons", true);
+  add("one side only", moebius(20), "cut a surface that has one side only, at ", false);
+  soup = cubes_at_an_edge();
+  soup = welded(
+    joined(joined(exploded(torus(9, 6)), exploded(open_sphere(1)), Vector(9, 0, 0)), exploded(soup), Vector(0, 9, 0)));
+  std::swap(soup.faces[3][0], soup.faces[3][1]);
+  soup.points.emplace_back(0, 0, 0);
+  add("much at once", soup, "cut 1 handle", false);
+  return all;
+}
+
+} // namespace
+
+TEST_CASE("prepare: a mesh without defects is not changed", "[tool]")
+{
+  Scratch scratch;
+  std::vector<std::size_t> order;
+  const Soup soup = renumbered(bumpy_sphere(2), 1, order);
+  const Prepared prepared(scratch, soup);
+  CHECK(prepared.run.out.find("nothing to mend") != std::string::npos);
+  CHECK(prepared.out.points == soup.points);
+  CHECK(prepared.out.faces == soup.faces);
+  CHECK(prepared.distance() == 0);
+  for(std::size_t v = 0; v < soup.points.size(); ++v)
+    CHECK(prepared.vertex_map[v] == int(v));
+}
+
+TEST_CASE("prepare: every defect is named and mended, and what comes out is mapped", "[tool]")
+{
+  for(const Broken& broken : broken_meshes())
+    DYNAMIC_SECTION(broken.name)
+    {
+      Scratch scratch;
+      const Prepared prepared(scratch, broken.soup);
+      CAPTURE(prepared.run.out);
+      CHECK(prepared.run.out.find(broken.sentence) != std::string::npos);
+      CHECK(prepared.run.out.find("a closed surface of genus 0") != std::string::npos);
+      check_maps(broken.soup, prepared);
+      check_mapped(scratch);
+      const bool is_at_0 = prepared.distance() <= 2e-4 * prepared.report["diagonal"].get<double>();
+      CHECK((is_at_0 || !broken.keeps_shape));
+
+      // and again there is nothing to do
+      const Process_result again = run_tool({"prepare", scratch / "out.off"});
+      CHECK(again.exit_code == 0);
+      CHECK(again.out.find("nothing to mend") != std::string::npos);
+    }
+}
+
+TEST_CASE("prepare --harmless and map --prepare change no shape", "[tool]")
+{
+  for(const Broken& broken : broken_meshes())
+    DYNAMIC_SECTION(broken.name)
+    {
+      Scratch scratch;
+      const Prepared prepared(scratch, broken.soup, {"--harmless"});
+      CHECK(prepared.distance() <= 2e-4 * prepared.report["diagonal"].get<double>());
+      const std::string in = scratch / "in.off";
+      const Process_result mapped = run_tool({"map", in, "-o", scratch / "sphere.off", "--prepare"});
+      CAPTURE(mapped.out, mapped.err);
+      CHECK(mapped.exit_code == (broken.keeps_shape ? 0 : 1));
+      if(broken.keeps_shape) {
+        CHECK((mapped.out.find("prepare --harmless") != std::string::npos || broken.name == "quadrangles"));
+        const Soup sphere = read(scratch / "sphere.off");
+        CHECK(sphere.faces == prepared.out.faces);
+        CHECK(count_flipped_faces(sphere, sphere.points) == 0);
+        CHECK(run_tool({"certify", scratch / "out.off", scratch / "sphere.off"}).exit_code == 0);
+      } else {
+        CHECK(is_one_line(mapped.err));
+        CHECK(mapped.err.find("the command 'prepare' does that") != std::string::npos);
+      }
+    }
+}
+
+TEST_CASE("prepare: a shortest loop of every handle", "[tool]")
+{
+  Scratch scratch;
+  const double pi = std::acos(-1.);
+  const Prepared prepared(scratch, torus(24, 6));
+  const auto& loops = prepared.report["preparation"]["handle_loops"];
+  REQUIRE(loops.size() == 1);
+  CHECK(loops[0]["length"].get<double>() == Approx(12 * std::sin(pi / 6)));
+  CHECK(loops[0]["edges"] == 6);
+
+  const Prepared two(scratch, joined(double_torus(), double_torus(), Vector(0, 0, 0)));
+  CHECK(two.report["preparation"]["components"][0]["handles"] == 2);
+}
+
+TEST_CASE("prepare: options restrict what is done", "[tool]")
+{
+  Scratch scratch;
+  SECTION("holes")
+  {
+    const Soup soup = open_sphere(2);
+    const Prepared prepared(scratch, soup, {"--keep-holes"});
+    CHECK(prepared.out.faces == soup.faces);
+    CHECK(prepared.run.out.find("has 1 hole (") != std::string::npos);
+    const auto& holes = prepared.report["preparation"]["holes"];
+    REQUIRE(holes.size() == 1);
+    CHECK(holes[0]["edges"] == 5);
+  }
+  SECTION("handles")
+  {
+    const Soup soup = torus(9, 6);
+    const Prepared prepared(scratch, soup, {"--keep-handles"});
+    CHECK(prepared.out.faces == soup.faces);
+    CHECK(prepared.run.out.find("has 1 handle") != std::string::npos);
+  }
+  SECTION("components in one file")
+  {
+    const Prepared prepared(scratch, two_spheres(), {"--components", "all"});
+    CHECK(prepared.out.faces.size() == two_spheres().faces.size());
+    check_maps(two_spheres(), prepared);
+    CHECK(prepared.distance() == 0);
+  }
+  SECTION("components in a file each")
+  {
+    const Process_result run = run_tool(
+      {"prepare", write_off(scratch / "in.off", two_spheres()), "-o", scratch / "out.ply", "--components", "split"});
+    REQUIRE(run.exit_code == 0);
+    CHECK(read(scratch / "out_1.ply").faces.size() == icosphere(2).faces.size());
+    CHECK(read(scratch / "out_2.ply").faces.size() == icosphere(1).faces.size());
+    CHECK(scratch.number_of_files() == 3);
+  }
+  SECTION("vertices that are nearly at the same place")
+  {
+    Soup soup = exploded(icosphere(2));
+    for(std::size_t i = 0; i < soup.points.size(); ++i)
+      soup.points[i] = soup.points[i] + 1e-6 * Vector(double(i % 3), double(i % 5), double(i % 7));
+    const Prepared prepared(scratch, soup, {"--merge-distance", "1e-4"});
+    CHECK(prepared.out.points.size() == icosphere(2).points.size());
+    check_mapped(scratch);
+    CHECK(prepared.distance() < 1e-3);
+  }
+  SECTION("a surface around everything")
+  {
+    const Soup soup = joined(open_sphere(2), torus(9, 6), Vector(0.5, 0, 0));
+    const Prepared prepared(scratch, soup, {"--wrap", "--alpha", "1", "--offset", "0.1"});
+    CHECK(prepared.run.out.find("wrapped everything, alpha 1, offset 0.1") != std::string::npos);
+    check_mapped(scratch);
+    CHECK(*std::max_element(prepared.vertex_map.begin(), prepared.vertex_map.end()) == -1);
+    CHECK(prepared.report["distance_from_output_to_input"][1].get<double>() > 0.05);
+  }
+  SECTION("nothing written without an output")
+  {
+    const Process_result run = run_tool({"prepare", write_off(scratch / "in.off", torus(9, 6))});
+    CHECK(run.exit_code == 0);
+    CHECK(run.out.find("cut 1 handle") != std::string::npos);
+    CHECK(scratch.number_of_files() == 1);
+  }
+}
+
+TEST_CASE("segment --prepare: a label for every face of the file", "[tool]")
+{
+  Scratch scratch;
+  const Soup soups[] = {torus(24, 8), open_sphere(3), joined(dumbbell(3), icosphere(2), Vector(9, 0, 0)),
+                        double_torus()};
+  for(const Soup& soup : soups) {
+    const Process_result run = run_tool({"segment", write_off(scratch / "in.off", soup), "-o", scratch / "out.ply",
+                                         "--labels", scratch / "labels.txt", "--prepare", "--method", "automatic"});
+    CAPTURE(run.out, run.err);
+    REQUIRE(run.exit_code == 0);
+    const Numbers labels = numbers_in(scratch / "labels.txt");
+    REQUIRE(labels.size() == soup.faces.size());
+    const std::set<int> different(labels.begin(), labels.end());
+    CHECK(*different.begin() == 0);
+    CHECK(*different.rbegin() == int(different.size()) - 1);
+    CHECK(read(scratch / "out.ply").faces == soup.faces);
+  }
+  // the component that was left out is a segment by itself
+  REQUIRE(run_tool({"segment", write_off(scratch / "in.off", soups[2]), "-o", scratch / "out.ply", "--labels",
+                    scratch / "labels.txt", "--prepare"})
+            .exit_code == 0);
+  const Numbers labels = numbers_in(scratch / "labels.txt");
+  const std::size_t n = dumbbell(3).faces.size();
+  const std::set<int> first(labels.begin(), labels.begin() + std::ptrdiff_t(n));
+  const std::set<int> second(labels.begin() + std::ptrdiff_t(n), labels.end());
+  CHECK(second.size() == 1);
+  CHECK(first.count(*second.begin()) == 0);
+}
+
+TEST_CASE("texture --prepare: coordinates for every face of the file", "[tool]")
+{
+  Scratch scratch;
+  const Soup soup = joined(torus(24, 8), icosphere(1), Vector(9, 0, 0));
+  const Process_result run = run_tool(
+    {"texture", write_off(scratch / "in.off", soup), "-o", scratch / "out.obj", "--prepare", "--method", "automatic"});
+  CAPTURE(run.err);
+  REQUIRE(run.exit_code == 0);
+  std::size_t vertices = 0, faces = 0, coordinates = 0;
+  for(const std::string& line : lines_of(text_of(scratch / "out.obj"))) {
+    std::istringstream words(line);
+    std::string word;
+    words >> word;
+    vertices += word == "v";
+    faces += word == "f";
+    coordinates += word == "vt";
+    if(word == "vt") {
+      double u = 9, v = 9;
+      words >> u >> v;
+      CHECK((u > -1e-6 && u < 2 && v > -1e-6 && v < 1 + 1e-6));
+    } else if(word == "f") {
+      std::size_t i = 0, j = 0;
+      char slash = 0;
+      while(words >> i >> slash >> j)
+        CHECK((slash == '/' && i >= 1 && i <= soup.points.size() && j >= 1 && j <= coordinates));
+    }
+  }
+  CHECK(vertices == soup.points.size());
+  CHECK(faces == soup.faces.size());
+}
+
+TEST_CASE("prepare: what has no surface is refused", "[tool]")
+{
+  Scratch scratch;
+  const Soup nothing[] = {{{Point(0, 0, 0), Point(1, 0, 0)}, {}},
+                          {{Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0)}, {{0, 1, 0}}}};
+  for(const Soup& soup : nothing) {
+    const std::string in = write_off(scratch / "in.off", soup);
+    const Process_result run =
+      run_tool({"prepare", in, "-o", scratch / "out.off", "--report", scratch / "report.json"});
+    CHECK(run.exit_code == 1);
+    CHECK(is_one_line(run.err));
+    CHECK_FALSE(fs::exists(scratch / "out.off"));
+    CHECK(nlohmann::json::parse(text_of(scratch / "report.json"))["error_code"] != "OK");
+  }
+}
+
+TEST_CASE("prepare: wrong usage", "[tool]")
+{
+  Scratch scratch;
+  const std::string in = write_off(scratch / "in.off", icosphere(1)), out = scratch / "out.off";
+  const std::vector<std::vector<std::string>> wrong = {{"-o", in},
+                                                       {"-o", scratch / "out.stl"},
+                                                       {"-o", out, "--alpha", "1"},
+                                                       {"-o", out, "--wrap", "--offset", "0"},
+                                                       {"-o", out, "--merge-distance", "-1"},
+                                                       {"-o", out, "--components", "some"},
+                                                       {"--components", "split"},
+                                                       {"-o", out, "--components", "split", "--face-map", "f.txt"}};
+  for(const auto& options : wrong) {
+    const Process_result run = run_tool(with({"prepare", in}, options));
+    CAPTURE(run.err, options.back());
+    CHECK(run.exit_code == 2);
+  }
+  CHECK(scratch.number_of_files() == 1);
+}

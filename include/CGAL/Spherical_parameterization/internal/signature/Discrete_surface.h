@@ -10,7 +10,7 @@
 #include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
 #include <CGAL/Spherical_parameterization/internal/multigrid/Multigrid.h>
 #include <CGAL/Spherical_parameterization/internal/multigrid/conjugate_gradients.h>
-#include <CGAL/Spherical_parameterization/internal/signature/Intrinsic_triangulation.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/Intrinsic_triangulation.h>
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>

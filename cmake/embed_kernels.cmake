@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+include(${CMAKE_CURRENT_LIST_DIR}/write_if_different.cmake)
 
 # embed_kernels(output file...): writes the header `output` with the function kernel_source(), which returns the text of
 # the files one after the other. A change of one of them makes the build configure again, and only then compile what
@@ -40,11 +41,5 @@ ${statements}  return source;
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_OPENCL_KERNEL_SOURCES_H
 ")
-  set(old "")
-  if(EXISTS ${output})
-    file(READ ${output} old)
-  endif()
-  if(NOT old STREQUAL header) # what includes it is compiled again only if it has changed
-    file(WRITE ${output} "${header}")
-  endif()
+  write_if_different(${output} "${header}")
 endfunction()

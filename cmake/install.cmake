@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# `cmake --install`: headers, tool, what find_package() and pkg-config need; `cpack`: a .deb and a .tar.gz of them.
+# `cmake --install`: headers, tool, what find_package() and pkg-config need; `cpack`: a .deb and a .tar.gz of them, and a .deb
+# of the Python package.
 # Nothing of it knows the prefix, so that the installed tree can be moved.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME main) # the Python package is the other one
 
 set(config_folder ${CMAKE_INSTALL_LIBDIR}/cmake/CGAL_Spherical_parameterization)
 install(TARGETS CGAL_Spherical_parameterization EXPORT CGAL_Spherical_parameterization)
@@ -60,4 +62,19 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ${CGAL_SP_WITH_TOOL})
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "libcgal-dev (>= ${CGAL_SP_OLDEST_CGAL}), libboost-dev, libeigen3-dev")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libtbb-dev, ocl-icd-opencl-dev, opencl-clhpp-headers")
 set(CPACK_DEBIAN_PACKAGE_SECTION math)
+
+# A .deb for each component
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_ALL main)
+set(CPACK_DEBIAN_MAIN_PACKAGE_NAME ${CPACK_PACKAGE_NAME})
+if(CGAL_SP_WITH_PYTHON)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  set(CPACK_COMPONENT_PYTHON_DESCRIPTION "${PROJECT_DESCRIPTION}: the Python package spherical_parameterization")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-spherical-parameterization)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+    "python3 (>= ${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}), python3-numpy")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-meshio, python3-nibabel, python3-distributed")
+endif()
 include(CPack)

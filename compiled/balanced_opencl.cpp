@@ -6,7 +6,7 @@
 namespace CGAL::Spherical_parameterization::internal {
 
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
-CGAL_SP_SOLVER(template, Balanced, OpenCL_device)
+CGAL_SP_BALANCED(template, OpenCL_backend<Host_loop>)
 #endif
 
 } // namespace CGAL::Spherical_parameterization::internal

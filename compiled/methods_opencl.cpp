@@ -6,8 +6,6 @@
 namespace CGAL::Spherical_parameterization::internal {
 
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
-CGAL_SP_SOLVER(template, Saddle_point, OpenCL_device)
-CGAL_SP_SOLVER(template, Isometric, OpenCL_device)
 CGAL_SP_FOR_EACH_METHOD(template, OpenCL_device)
 #endif
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-// The solvers of one policy, method by method: each is compiled in a file of its own, and only there.
+// What takes the compiler long is compiled in a file of its own, and only there.
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_COMPILED_SOLVERS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_COMPILED_SOLVERS_H
 
@@ -11,23 +11,16 @@
 #include <CGAL/Spherical_parameterization/OpenCL_device.h>
 #endif
 
-#define CGAL_SP_SOLVER(PREFIX, METHOD, POLICY)                                                                         \
-  PREFIX Solution Method_solver<METHOD>::solve(const Backend<POLICY>&, const Problem&, const Effort&, Monitor&) const;
-#define CGAL_SP_SOLVERS(PREFIX, POLICY)                                                                                \
-  CGAL_SP_SOLVER(PREFIX, Balanced, POLICY)                                                                             \
-  CGAL_SP_SOLVER(PREFIX, Saddle_point, POLICY)                                                                         \
-  CGAL_SP_SOLVER(PREFIX, Isometric, POLICY)
+/// The balanced method, and the start map that other methods take of it.
+#define CGAL_SP_BALANCED(PREFIX, BACKEND)                                                                              \
+  PREFIX Solution Method_solver<Balanced>::solve(const BACKEND&, const Problem&, const Effort&, Monitor&) const;       \
+  PREFIX Host_array<vec3> start_positions(const BACKEND&, const Problem&, Monitor&, std::size_t&);
 
 namespace CGAL::Spherical_parameterization::internal {
 
-extern template class Coarse_to_fine_map<Sequential_loop>;
-CGAL_SP_SOLVERS(extern template, CGAL::Sequential_tag)
-#ifdef CGAL_LINKED_WITH_TBB
-extern template class Coarse_to_fine_map<Parallel_loop>;
-CGAL_SP_SOLVERS(extern template, CGAL::Parallel_tag)
-#endif
+CGAL_SP_BALANCED(extern template, Host_backend<Host_loop>)
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
-CGAL_SP_SOLVERS(extern template, OpenCL_device)
+CGAL_SP_BALANCED(extern template, OpenCL_backend<Host_loop>)
 #endif
 
 } // namespace CGAL::Spherical_parameterization::internal

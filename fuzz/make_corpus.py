@@ -77,15 +77,15 @@ MESHES = {
     "txt": {"fixed": "0 1 0 0\n3 0 1 0\n7 0 0 2.5 # a comment\n", "twice": "0 1 0 0\n0 0 1 0\n"},
 }
 
-VALUES = 96
+# Bytes of a good index that are other ones: offset in two bytes, value.
 INDICES = {
-    "two": "a.off,4,OK,conformal," + ",0.5" * VALUES + "\nb.off,12,OK,barycentric," + ",1e-3" * VALUES + "\n",
-    "refused": "c.off,,BOUNDARY,,\"c.off: 3 holes, \"\"large\"\"\"" + "," * VALUES + "\n",
-    "quoted": "\"a,b.off\",4,OK,conformal," + ",0" * VALUES + "\r\n",
-    "few": "a.off,4,OK,conformal," + ",0.5" * (VALUES - 1) + "\n",
-    "nan": "a.off,4,OK,conformal," + ",nan" * VALUES + "\n",
-    "open_quote": "\"a.off,4,OK,conformal," + ",1" * VALUES + "\n",
-    "empty": "",
+    "empty": b"",
+    "no_magic": bytes([0, 0, 0]),
+    "format": bytes([71, 0, 1]),
+    "page_size": bytes([16, 0, 2]),
+    "pages": bytes([31, 0, 200, 100, 0, 5]),
+    "cells": b"".join(bytes([k, page * 16, 255]) for page in range(1, 5) for k in (0, 3, 4, 8)),
+    "records": b"".join(bytes([255, page * 16 + 15, 250]) for page in range(5)),
 }
 
 
@@ -99,7 +99,7 @@ def main():
             first = k + 130 if what.startswith("triangulated") else k  # from 128 on: triangulate; 130 = 0 mod 5
             (folder / "read_meshes" / f"{name}_{what}").write_bytes(bytes([first]) + data)
     for what, content in INDICES.items():
-        (folder / "read_indices" / what).write_text(content, newline="")
+        (folder / "read_indices" / what).write_bytes(content)
 
 
 if __name__ == "__main__":

@@ -3,13 +3,13 @@
 #include "Input_file.h"
 #include "targets.h"
 
-#include "input/fixed_vertices.h"
-#include "input/read_mesh.h"
-#include "mapping/read_sphere.h"
+#include "input/mesh_readers.h"
+#include "input/mesh.h"
+#include "mapping/spherical_map.h"
 #include "output/write_mesh.h"
 #include "system/refusal.h"
 
-#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
 
 #include <cmath>
 #include <cstring>
@@ -41,30 +41,34 @@ std::optional<tool::Mesh> read(const std::string& file, tool::Polygons polygons)
 /// What the rest of the tool takes for granted.
 void check_mesh(const tool::Mesh& mesh)
 {
-  promise(CGAL::is_valid_polygon_mesh(mesh), "a mesh that is broken");
-  promise(CGAL::is_triangle_mesh(mesh) && CGAL::is_closed(mesh), "a mesh that is not closed, or has polygons");
+  for(const auto h : halfedges(mesh)) {
+    const auto twin = opposite(h, mesh);
+    promise(twin != h && opposite(twin, mesh) == h, "a mesh that is not closed");
+    promise(source(twin, mesh) == target(h, mesh) && target(twin, mesh) == source(h, mesh),
+            "halfedges that do not fit");
+  }
+  std::size_t corners = 0;
+  for(const auto v : vertices(mesh))
+    corners += CGAL::halfedges_around_target(v, mesh).size();
+  promise(corners == num_halfedges(mesh), "a vertex whose faces form no disk");
   promise(mesh.number_of_vertices() == mesh.number_of_faces() / 2 + 2, "a mesh of another genus, or in parts");
-  for(const auto v : mesh.vertices())
-    for(int i = 0; i < 3; ++i)
-      promise(std::isfinite(mesh.point(v)[i]), "a coordinate that is not finite");
+  for(const tool::Point& p : mesh.points())
+    for(const double x : p)
+      promise(std::isfinite(x), "a coordinate that is not finite");
 }
 
 /// What is written is read again, to the last bit.
-void check_round_trip(tool::Mesh& mesh)
+void check_round_trip(const tool::Mesh& mesh)
 {
-  const auto points = mesh.add_property_map<tool::Mesh::Vertex_index, tool::Point>("v:copy").first;
-  for(const auto v : mesh.vertices())
-    points[v] = mesh.point(v);
   std::ostringstream out;
-  tool::write_mesh(out, tool::Mesh_format::OFF, mesh, points);
+  tool::write_mesh(out, "copy.off", mesh, mesh.points());
   const std::string text = out.str();
   const Input_file copy(".copy.off", reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
   const std::optional<tool::Mesh> again = read(copy.name(), tool::Polygons::REFUSE);
   promise(again && again->number_of_vertices() == mesh.number_of_vertices() &&
             again->number_of_faces() == mesh.number_of_faces(),
           "a mesh that cannot be read again");
-  for(const auto v : mesh.vertices())
-    promise(again->point(v) == mesh.point(v), "a point that comes back changed");
+  promise(again->points() == mesh.points(), "a point that comes back changed");
 }
 
 } // namespace
@@ -85,20 +89,18 @@ void read_meshes(const std::uint8_t* data, std::size_t size)
     }
     return;
   }
-  std::optional<tool::Mesh> mesh =
+  const std::optional<tool::Mesh> mesh =
     read(file.name(), triangulate ? tool::Polygons::TRIANGULATE : tool::Polygons::REFUSE);
   if(!mesh)
     return;
   check_mesh(*mesh);
   check_round_trip(*mesh);
 
-  const auto sphere = mesh->add_property_map<tool::Mesh::Vertex_index, tool::Point>("v:sphere").first;
+  tool::Sphere sphere;
   try {
     tool::read_sphere(file.name(), "the mesh", *mesh, sphere);
-    for(const auto v : mesh->vertices()) {
-      const tool::Point p = sphere[v];
-      promise(std::abs(std::hypot(p.x(), p.y(), p.z()) - 1) < 1e-12, "a sphere that is none");
-    }
+    for(const tool::Point& p : sphere)
+      promise(std::abs(std::hypot(p[0], p[1], p[2]) - 1) < 1e-12, "a sphere that is none");
   } catch(const tool::Refusal& refusal) {
     check_refusal(refusal);
   }

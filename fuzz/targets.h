@@ -27,7 +27,7 @@ inline void promise(bool is_kept, const std::string& what)
 /// result as a sphere.
 void read_meshes(const std::uint8_t* data, std::size_t size);
 
-/// An index of signatures, and the nearest neighbours in it.
+/// A damaged index of signatures, and the nearest neighbours in it.
 void read_indices(const std::uint8_t* data, std::size_t size);
 
 /// `parameterize()` on any mesh, with any coordinates, weights, fixed vertices, method and options.

@@ -41,7 +41,7 @@ case ${1:-} in
 esac
 [ $# -eq 0 ] || rows=("$@")
 
-"$root/scripts/install_dependencies.sh" clang
+"$root/scripts/install_dependencies.sh" --all clang
 
 # cgal_of RELEASE: unpacks libcgal-dev of that release of Debian, from where this machine gets its packages, with lists
 # of apt of its own; prints the folder of its CGALConfig.cmake

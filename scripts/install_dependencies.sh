@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# install_dependencies.sh [PACKAGE...]
-# Installs the Debian packages that are missing, those named included: as root, or through sudo. Does nothing where all
-# are there.
+# install_dependencies.sh [--all] [PACKAGE...]
+# Installs the Debian packages that are missing: those of the library and the tool; with --all also those of the Python
+# package and of the tests; and those named. As root, or through sudo. Does nothing where all are there.
 set -euo pipefail
 export DEBIAN_FRONTEND=noninteractive
 
@@ -10,13 +10,22 @@ packages=(
   build-essential cmake
   libcgal-dev libboost-dev libeigen3-dev libgmp-dev libmpfr-dev     # the library
   libtbb-dev ocl-icd-opencl-dev opencl-clhpp-headers pocl-opencl-icd # its parallel backends
-  libcli11-dev nlohmann-json3-dev libpng-dev                        # the tool
+  libcli11-dev nlohmann-json3-dev libpng-dev libsqlite3-dev         # the tool
   libboost-mpi-dev libopenmpi-dev openmpi-bin                       # its batches on a cluster
-  catch2 libopenmesh-dev libcgal-demo doxygen                       # the tests, of which the manual is one
-  file                                                              # cpack asks it what needs which libraries
+  libcgal-demo                                                      # its first mesh
   f3d xvfb xauth                                                    # pictures
-  "$@"
 )
+if [ "${1:-}" = --all ]; then
+  shift
+  packages+=(
+    catch2 libopenmesh-dev doxygen                                  # the tests, of which the manual is one
+    python3-dev pybind11-dev python3-numpy python3-pip python3-venv python3-setuptools python3-wheel # the Python package
+    python3-pytest mypy python3-numpydoc python3-tqdm python3-nibabel python3-meshio python3-matplotlib # its tests
+    python3-distributed python3-nbclient python3-nbformat python3-ipykernel python3-matplotlib-inline
+    file                                                            # cpack asks it what needs which libraries
+  )
+fi
+packages+=("$@")
 
 is_installed() { [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]; }
 

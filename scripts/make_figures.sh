@@ -176,10 +176,10 @@ figure_search() {
   mkdir shapes
   cp armadillo.off bear.off bear_bis.off bull.off bunny00.off cactus.off camel.off cow.off dino.off diplodocus.off \
     hand.off homer.off man.off triceratops.off shapes/
-  tool signature shapes -o index.csv
+  tool signature shapes -o index.db
   local rows=()
   for query in cow bear_bis; do
-    tool search $query.off --index index.csv -k 5 | sed 1d >found.txt
+    tool search $query.off --index index.db -k 5 | sed 1d >found.txt
     local panels=()
     while read -r distance name; do
       mesh=$(basename "$name" .off)

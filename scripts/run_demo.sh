@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Installs the packages, builds the tool in build/ and maps the armadillo of CGAL to the sphere, with both weights.
-# Everything it makes is in demo/ afterwards: spheres, coloured meshes, reports and, where f3d runs, pictures.
+# Everything it makes is in demo/ afterwards: spheres, coloured meshes, reports, a page to look
+# at (armadillo.html) and, where f3d runs, pictures.
 set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 demo=$root/demo
@@ -45,6 +46,9 @@ for weights in barycentric conformal; do
   picture "${out}_sphere.png" "${out}_sphere_stretch.ply" --edges --line-width=1 \
     --camera-azimuth-angle=35 --camera-elevation-angle=15 --camera-view-angle=18
 done
+
+echo
+"$tool" view "$demo/armadillo.off" -o "$demo/armadillo.html" </dev/null
 
 echo
 echo "Written to $demo:"

@@ -4,7 +4,7 @@
 set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 
-"$root/scripts/install_dependencies.sh"
+"$root/scripts/install_dependencies.sh" --all
 cmake -S "$root" -B "$root/build" -DCMAKE_BUILD_TYPE=Release
 cmake --build "$root/build" --parallel "$(nproc)"
 cd "$root/build"

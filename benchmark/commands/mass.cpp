@@ -1,180 +1,276 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "output/quantile.h"
 #include "commands/commands.h"
-#include "measure/mass_row.h"
-#include "commands/options.h"
 #include "tables/table.h"
 
+#include "collections/database.h"
+#include "input/files.h"
+#include "mapping/mapped_mesh.h"
+#include "mapping/spherical_map.h"
 #include "output/atomic_file.h"
+#include "output/csv.h"
+#include "output/quantile.h"
+#include "system/error_code_names.h"
 #include "system/interruption.h"
-#include "collections/journal.h"
-#include "input/mesh_list.h"
+#include "system/refusal.h"
 
-#include <CLI/CLI.hpp>
+#include <CGAL/Spherical_parameterization/distortion_summary.h>
+#include <CGAL/Spherical_parameterization/measure_distortion.h>
+
+#include <boost/algorithm/string/join.hpp>
+#include <boost/format.hpp>
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
+#include <ctime>
 #include <exception>
 #include <filesystem>
+#include <functional>
+#include <future>
 #include <iostream>
-#include <limits>
+#include <iterator>
 #include <map>
-#include <memory>
 #include <mutex>
 #include <optional>
 #include <stdexcept>
-#include <thread>
 
 namespace benchmark {
 namespace {
 
-struct Mass_options {
-  Options common;
-  std::string list;
-  std::vector<std::string> methods, weights;
-  std::optional<double> time_limit;
-  int jobs = static_cast<int>((std::max)(1u, std::thread::hardware_concurrency()));
-};
+namespace SP = CGAL::Spherical_parameterization;
 
-std::optional<std::string> name_of_line(const std::string& line)
+/// Of mass_rows.csv. An outcome is OK if the map is certified, and by an independent count of the flipped faces; else
+/// it says why not. The method used is what the automatic one chose. What stands between CPU s and message is known of
+/// certified maps only.
+const char* const header = "mesh,method,weights,outcome,method used,vertices,flipped faces,CPU s,smallest area,"
+                           "smallest edge,symmetric Dirichlet,spherical symmetric Dirichlet,log area deviation,"
+                           "mean angle distortion,message";
+const std::vector<std::string> columns = csv_fields(header);
+
+/// What is known of one map, by column: of a mesh file, with a method and weights.
+typedef std::map<std::string, std::string> Row;
+
+/// Unlike that of any other row.
+std::string name(const Row& row) { return row.at("method") + ' ' + row.at("weights") + ' ' + row.at("mesh"); }
+
+bool is_certified(const Row& row) { return row.at("outcome") == "OK"; }
+
+std::string to_line(const Row& row)
 {
-  const std::optional<Mass_row> row = mass_row(line);
-  return row ? std::optional(row->job.name()) : std::nullopt;
+  std::vector<std::string> fields;
+  for(const std::string& column : columns)
+    fields.push_back(tool::csv_quoted(row.at(column)));
+  return boost::algorithm::join(fields, ",");
 }
 
-/// Computes what the journal does not have, each job on one core. Throws what is wrong with the journal.
-void compute_missing(const std::vector<Mass_job>& jobs, const Mass_options& options, tool::Journal& journal)
+/// None if the line is not complete.
+std::optional<Row> to_row(const std::string& line)
 {
-  std::vector<Mass_job> missing;
-  for(const Mass_job& job : jobs)
-    if(journal.lines().count(job.name()) == 0)
-      missing.push_back(job);
+  const std::vector<std::string> fields = csv_fields(line);
+  if(fields.size() != columns.size())
+    return std::nullopt;
+  Row row;
+  for(std::size_t i = 0; i < columns.size(); ++i)
+    row[columns[i]] = fields[i];
+  return row;
+}
+
+/// Rows of which nothing but the job is known, mesh by mesh. The isometric method, which has no weights, gets one.
+std::vector<Row> jobs_of(const Options& options)
+{
+  std::vector<Row> jobs;
+  for(const std::string& mesh : tool::list_meshes(options.meshes, options.list))
+    for(const std::string& method : options.methods)
+      for(const std::string& weights : method == "isometric" ? std::vector<std::string>{"none"} : options.weights) {
+        Row job = {{"mesh", mesh}, {"method", method}, {"weights", weights}, {"method used", ""}, {"message", ""}};
+        for(const std::string& column : columns)
+          job.emplace(column, "0");
+        jobs.push_back(job);
+      }
+  return jobs;
+}
+
+double cpu_seconds_of_thread()
+{
+  timespec time = {};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+std::string digits(double number) { return (boost::format("%.6g") % number).str(); }
+
+/// Fills the row on this thread. Throws.
+void compute(const Options& options, const std::function<bool()>& go_on, Row& row)
+{
+  tool::Mapping_options mapping;
+  mapping.input = row["mesh"];
+  mapping.weights = row["weights"];
+  mapping.method = row["method"];
+  mapping.policy = "sequential"; // the other cores have meshes of their own
+  if(std::isfinite(options.time_limit))
+    mapping.max_time = options.time_limit;
+  if(row["method"] == "balanced-3") {
+    mapping.method = "balanced";
+    mapping.spring_exponent = 3;
+  }
+  tool::Mapped_mesh map;
+  tool::read_input(mapping, map);
+  row["vertices"] = std::to_string(map.result.number_of_vertices);
+  const double start = cpu_seconds_of_thread();
+  const SP::Result result = tool::map_to_sphere(map.mesh(), map.sphere, *map.settings, [&](double) { return go_on(); });
+  row["CPU s"] = digits(cpu_seconds_of_thread() - start);
+  row["outcome"] = tool::name(result.error);
+  row["method used"] = result.method;
+  row["message"] = result.detail;
+  row["flipped faces"] = std::to_string(result.flipped_faces);
+  if(!result)
+    return;
+  const std::size_t flipped_faces = SP::number_of_flipped_faces(map.mesh(), tool::as_map(map.sphere));
+  row["flipped faces"] = std::to_string(flipped_faces);
+  if(flipped_faces > 0 || SP::degree_of_map(map.mesh(), tool::as_map(map.sphere)) != 1) {
+    row["outcome"] = "WRONG_CERTIFICATE";
+    return;
+  }
+  const SP::Distortion_summary distortion = SP::distortion_summary(map.mesh(), tool::as_map(map.sphere));
+  row["smallest area"] = digits(result.smallest_area);
+  row["smallest edge"] = digits(result.smallest_edge);
+  row["symmetric Dirichlet"] = digits(distortion.symmetric_dirichlet.mean);
+  row["spherical symmetric Dirichlet"] = digits(distortion.spherical_symmetric_dirichlet.mean);
+  row["log area deviation"] = digits(distortion.log_area_stretch.deviation);
+  row["mean angle distortion"] = digits(distortion.angle_distortion.mean);
+}
+
+/// None if it was interrupted: `go_on` is asked again and again.
+std::optional<Row> computed(Row row, const Options& options, const std::function<bool()>& go_on)
+{
+  try {
+    compute(options, go_on, row);
+  } catch(const tool::Refusal& refusal) {
+    row["outcome"] = refusal.code();
+    row["message"] = refusal.what();
+  } catch(const std::exception& exception) {
+    row["outcome"] = "EXCEPTION";
+    row["message"] = exception.what();
+  }
+  std::replace_if(
+    row["message"].begin(), row["message"].end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  return go_on() ? std::optional(row) : std::nullopt;
+}
+
+constexpr tool::Database::Format format = {0x4d415353, "the rows of a mass run",
+                                           "CREATE TABLE row(name TEXT PRIMARY KEY, line TEXT NOT NULL)"};
+
+/// The finished row of a job.
+std::optional<Row> row_of(const Row& job, const tool::Database& done)
+{
+  auto row = done.query("SELECT line FROM row WHERE name = ?", name(job));
+  return row.next() ? to_row(row.text(0)) : std::nullopt;
+}
+
+/// Computes what is not done, each map on one core. Throws what is wrong with the database.
+void compute_missing(const std::vector<Row>& jobs, const Options& options, tool::Database& done)
+{
+  std::vector<Row> missing;
+  std::copy_if(jobs.begin(), jobs.end(), std::back_inserter(missing),
+               [&](const Row& job) { return !row_of(job, done); });
+  std::size_t count = jobs.size() - missing.size();
   std::atomic<std::size_t> next{0};
   std::atomic<bool> has_failed{false};
-  std::mutex mutex; // of the journal and the failure
-  std::exception_ptr failure;
+  std::mutex mutex; // of the database and the count
   const auto go_on = [&] { return !tool::was_interrupted() && !has_failed; };
   const auto work = [&] {
     for(std::size_t i; go_on() && (i = next++) < missing.size();)
-      if(const std::optional<Mass_row> row = compute_mass_row(missing[i], options.time_limit, go_on)) {
+      if(const std::optional<Row> row = computed(missing[i], options, go_on)) {
         const std::lock_guard<std::mutex> lock(mutex);
         try {
-          journal.add(row->job.name(), to_line(*row));
-          std::cerr << journal.lines().size() << " of " << jobs.size() << ": " << row->job.name() << ": "
-                    << row->outcome << std::endl;
+          done.run("INSERT OR REPLACE INTO row VALUES(?, ?)", name(*row), to_line(*row));
         } catch(...) {
-          failure = std::current_exception();
           has_failed = true;
+          throw;
         }
+        std::cerr << ++count << " of " << jobs.size() << ": " << name(*row) << ": " << row->at("outcome") << std::endl;
       }
   };
-  std::vector<std::thread> threads;
+  std::vector<std::future<void>> threads;
   for(int i = 0; i < options.jobs; ++i)
-    threads.emplace_back(work);
-  for(std::thread& thread : threads)
-    thread.join();
-  if(failure)
-    std::rethrow_exception(failure);
+    threads.push_back(std::async(std::launch::async, work));
+  for(std::future<void>& thread : threads)
+    thread.get();
   if(tool::was_interrupted())
-    throw std::runtime_error("interrupted with " + std::to_string(journal.lines().size()) +
+    throw std::runtime_error("interrupted with " + std::to_string(count) +
                              " rows done; the same command goes on from there");
 }
 
-void summarize(const std::vector<Mass_row>& rows, const Mass_options& options)
+void summarize(const std::vector<Row>& rows, const Options& options)
 {
-  const std::string limit =
-    options.time_limit ? "time limit of every map: " + Cell(*options.time_limit).markdown() + " s" : "no time limit";
-  Table table(options.common.output, "mass", "Mass run",
-              {"every map on one core; CPU seconds of parameterize(); " + limit,
-               "certified: by the result and by a second count of flipped faces and degree",
-               "distortion of the certified maps: area-weighted mean symmetric Dirichlet energy after scaling to equal "
-               "area, 4 = isometric; spherical: with det(a, b, c) / 2 as area of a triangle; deviation: that of log "
-               "area; smallest edge: in units of 2^-52",
-               "every map: mass_rows.csv; every failure: mass_failures.md"},
-              {"method", "weights", "maps", "certified", "CPU s: sum", "median", "largest", "distortion: median",
-               "95 %", "spherical: median", "95 %", "deviation: median", "smallest edge"});
-  typedef std::pair<std::string, std::string> Key;
-  std::map<Key, std::vector<const Mass_row*>> groups;
-  for(const Mass_row& row : rows)
-    groups[{row.job.method, row.job.weights}].push_back(&row);
+  Table table(
+    options.output, "mass", "Mass run",
+    {"every map on one core; CPU seconds of parameterize(); " +
+       (std::isfinite(options.time_limit) ? "time limit of every map: " + Cell(options.time_limit).text() + " s"
+                                          : "no time limit"),
+     "certified: by the result and by a second count of flipped faces and degree",
+     "distortion of the certified maps: area-weighted mean symmetric Dirichlet energy after scaling to equal "
+     "area, 4 = isometric; spherical: with det(a, b, c) / 2 as area of a triangle; deviation: that of log "
+     "area; smallest edge: in units of 2^-52",
+     "every map: mass_rows.csv; every failure: mass_failures.md"},
+    {"method", "weights", "maps", "certified", "CPU s: sum", "median", "largest", "distortion: median", "95 %",
+     "spherical: median", "95 %", "deviation: median", "smallest edge"});
+  std::map<std::pair<std::string, std::string>, std::vector<Row>> groups;
+  for(const Row& row : rows)
+    groups[{row.at("method"), row.at("weights")}].push_back(row);
   for(const auto& [key, group] : groups) {
-    std::vector<double> seconds, flat, spherical, deviation, edge;
+    std::vector<Row> certified;
+    std::copy_if(group.begin(), group.end(), std::back_inserter(certified), is_certified);
+    const auto quantile = [](const std::vector<Row>& of, const std::string& column, double share) {
+      std::vector<double> values;
+      for(const Row& row : of)
+        values.push_back(std::stod(row.at(column)));
+      return tool::quantile(values, share);
+    };
     double sum = 0;
-    for(const Mass_row* row : group) {
-      seconds.push_back(row->cpu_seconds);
-      sum += row->cpu_seconds;
-      if(!row->is_certified())
-        continue;
-      flat.push_back(row->symmetric_dirichlet);
-      spherical.push_back(row->spherical_symmetric_dirichlet);
-      deviation.push_back(row->log_area_deviation);
-      edge.push_back(row->smallest_edge);
-    }
-    table.add_row({key.first, key.second, group.size(), flat.size(), sum, tool::quantile(seconds, 0.5),
-                   tool::quantile(seconds, 1), tool::quantile(flat, 0.5), tool::quantile(flat, 0.95),
-                   tool::quantile(spherical, 0.5), tool::quantile(spherical, 0.95), tool::quantile(deviation, 0.5),
-                   tool::quantile(edge, 0)});
+    for(const Row& row : group)
+      sum += std::stod(row.at("CPU s"));
+    table.add_row({key.first, key.second, group.size(), certified.size(), sum, quantile(group, "CPU s", 0.5),
+                   quantile(group, "CPU s", 1), quantile(certified, "symmetric Dirichlet", 0.5),
+                   quantile(certified, "symmetric Dirichlet", 0.95),
+                   quantile(certified, "spherical symmetric Dirichlet", 0.5),
+                   quantile(certified, "spherical symmetric Dirichlet", 0.95),
+                   quantile(certified, "log area deviation", 0.5), quantile(certified, "smallest edge", 0)});
   }
 
-  Table failures(options.common.output, "mass_failures", "Mass run: maps that are not certified", {},
+  Table failures(options.output, "mass_failures", "Mass run: maps that are not certified", {},
                  {"mesh", "method", "weights", "outcome", "flipped faces", "message"});
-  for(const Mass_row& row : rows)
-    if(!row.is_certified())
-      failures.add_row({row.job.mesh, row.job.method, row.job.weights, row.outcome, row.flipped_faces, row.message});
-}
-
-void measure(const Mass_options& options)
-{
-  tool::watch_for_interruption();
-  const std::vector<Mass_job> jobs =
-    mass_jobs(tool::list_meshes(options.common.meshes, options.list), options.methods, options.weights);
-  std::filesystem::create_directories(options.common.output);
-  const std::string output = (std::filesystem::path(options.common.output) / "mass_rows.csv").string();
-  tool::Journal journal(output + ".journal", mass_header(), name_of_line);
-  compute_missing(jobs, options, journal);
-
-  std::vector<Mass_row> rows;
-  tool::Atomic_file file(output);
-  file.stream() << mass_header() << '\n';
-  for(const Mass_job& job : jobs) {
-    rows.push_back(mass_row(journal.lines().at(job.name())).value());
-    file.stream() << to_line(rows.back()) << '\n';
-  }
-  file.commit();
-  summarize(rows, options);
-  journal.remove();
+  for(const Row& row : rows)
+    if(!is_certified(row))
+      failures.add_row({row.at("mesh"), row.at("method"), row.at("weights"), row.at("outcome"), row.at("flipped faces"),
+                        row.at("message")});
 }
 
 } // namespace
 
-void add_mass_command(CLI::App& app)
+void tabulate_mass(const Options& options)
 {
-  const auto options = std::make_shared<Mass_options>();
-  options->methods = mass_methods();
-  options->weights = mass_weights();
-  CLI::App* command = app.add_subcommand(
-    "mass", "Maps every mesh with every method and weight, meshes in parallel; goes on where it was stopped");
-  add_output_option(*command, options->common);
-  command->add_option("--method", options->methods, "Which methods")
-    ->delimiter(',')
-    ->allow_extra_args(false)
-    ->check(CLI::IsMember(mass_methods()))
-    ->capture_default_str();
-  command->add_option("--weights", options->weights, "Which weights")
-    ->delimiter(',')
-    ->allow_extra_args(false)
-    ->check(CLI::IsMember(mass_weights()))
-    ->capture_default_str();
-  command->add_option("--time-limit", options->time_limit, "Seconds for every map [none]")->check(CLI::PositiveNumber);
-  command->add_option("-j,--jobs", options->jobs, "So many maps at the same time [all cores]")
-    ->check(CLI::Range(1, 4096));
-  command->add_option("--list", options->list, "Text file with one more mesh or folder per line")
-    ->check(CLI::ExistingFile);
-  command->add_option("meshes", options->common.meshes, "Meshes, or folders whose meshes are meant, at any depth")
-    ->check(CLI::ExistingPath);
-  command->callback([options] { measure(*options); });
+  tool::watch_for_interruption();
+  const std::vector<Row> jobs = jobs_of(options);
+  std::filesystem::create_directories(options.output);
+  const std::string output = (std::filesystem::path(options.output) / "mass_rows.csv").string();
+  const std::string database = output + ".db";
+  {
+    tool::Database done(database, format, tool::Database::Access::WRITE);
+    compute_missing(jobs, options, done);
+    std::vector<Row> rows;
+    tool::Atomic_file file(output);
+    file.stream() << header << '\n';
+    for(const Row& job : jobs) {
+      rows.push_back(row_of(job, done).value());
+      file.stream() << to_line(rows.back()) << '\n';
+    }
+    file.commit();
+    summarize(rows, options);
+  }
+  std::filesystem::remove(database);
 }
 
 } // namespace benchmark

@@ -2,46 +2,39 @@
 // Part of CGAL Spherical Parameterization.
 
 #include "commands/commands.h"
+#include "measure/backend.h"
+#include "measure/measure.h"
 #include "shapes/descriptors.h"
-#include "meshes/mesh_variants.h"
-#include "commands/options.h"
-#include "shapes/retrieval_measures.h"
 #include "tables/table.h"
-#include "measure/timing.h"
 
-#include <CLI/CLI.hpp>
+#include <Eigen/Core>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <map>
-#include <memory>
+#include <set>
 #include <stdexcept>
+#include <utility>
 
 namespace benchmark {
 namespace {
 
 namespace fs = std::filesystem;
 
-struct Model {
-  fs::path file;
-  std::string group, label;
-};
-
-/// FOLDER/GROUP/CLASS/FILE, in the order of the names. Throws std::runtime_error if there is none.
-std::vector<Model> find_models(const fs::path& folder)
+/// The map that the descriptors are given: the conformal one, certified or not; where it does not converge, the
+/// barycentric one if that is certified. Throws std::runtime_error where there is nothing to map.
+void map_for_descriptors(Mesh& mesh, Sphere_map sphere)
 {
-  std::vector<Model> models;
-  for(const fs::directory_entry& group : fs::directory_iterator(folder))
-    if(group.is_directory())
-      for(const fs::directory_entry& label : fs::directory_iterator(group))
-        if(label.is_directory())
-          for(const fs::directory_entry& file : fs::directory_iterator(label))
-            models.push_back({file.path(), group.path().filename(), label.path().filename()});
-  if(models.empty())
-    throw std::runtime_error(folder.string() + ": no files GROUP/CLASS/FILE in this folder");
-  std::sort(models.begin(), models.end(), [](const Model& a, const Model& b) { return a.file < b.file; });
-  return models;
+  const Result result = compute_map(Backend(), mesh, Weights::CONFORMAL, Balanced(), sphere);
+  if(result.error != CGAL::Spherical_parameterization::Error_code::NOT_CONVERGED)
+    return;
+  const auto other = mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:barycentric").first;
+  if(compute_map(Backend(), mesh, Weights::BARYCENTRIC, Balanced(), other))
+    for(auto v : mesh.vertices())
+      sphere[v] = other[v];
 }
 
 /// What every descriptor says of a mesh, and how long it took.
@@ -50,99 +43,162 @@ struct Described {
   std::vector<double> seconds; ///< the map included where it is needed
 };
 
-Described describe(Mesh mesh, const std::vector<Descriptor>& descriptors)
+/// Slow descriptors may say nothing.
+Described describe(Mesh& mesh, Sphere_map sphere, const std::vector<Descriptor>& descriptors, bool with_slow = true)
 {
   Described result;
-  const Sphere_map sphere = sphere_map(mesh);
   const Stopwatch map_watch;
   map_for_descriptors(mesh, sphere);
   const double map_seconds = map_watch.seconds();
   for(const Descriptor& descriptor : descriptors) {
     const Stopwatch watch;
-    result.values.push_back(descriptor.compute(mesh, sphere));
+    result.values.push_back(descriptor.is_slow && !with_slow ? Descriptor_values() : descriptor.compute(mesh, sphere));
     result.seconds.push_back(watch.seconds() + (descriptor.needs_map ? map_seconds : 0));
   }
   return result;
 }
 
-/// Everything that is searched, or searched for.
-struct Collection {
-  std::vector<Descriptor> descriptors;
-  std::vector<Model> models;
-  std::vector<Described> described;
+/// L1
+double distance(const Descriptor_values& a, const Descriptor_values& b)
+{
+  typedef Eigen::Map<const Eigen::ArrayXd> Array;
+  return (Array(a.data(), a.size()) - Array(b.data(), b.size())).abs().sum();
+}
 
-  /// The models of a group ("" for all) as descriptor d sees them.
-  std::vector<Labelled> labelled(const std::string& group, std::size_t d) const
-  {
-    std::vector<Labelled> result;
-    for(std::size_t i = 0; i < models.size(); ++i)
-      if(group.empty() || models[i].group == group)
-        result.push_back({models[i].label, described[i].values[d]});
-    return result;
-  }
+/// Something that is searched, or searched for.
+struct Model {
+  fs::path file;
+  std::string group, label;
+  Described described;
+};
+typedef std::vector<Model> Models;
 
-  double mean_seconds(const std::string& group, std::size_t d) const
-  {
-    double sum = 0, count = 0;
-    for(std::size_t i = 0; i < models.size(); ++i)
-      if(group.empty() || models[i].group == group) {
-        sum += described[i].seconds[d];
-        ++count;
-      }
-    return sum / count;
-  }
+/// FOLDER/GROUP/CLASS/FILE, in the order of the names. Throws std::runtime_error if there is none.
+Models read_models(const fs::path& folder, const std::vector<Descriptor>& descriptors)
+{
+  std::set<fs::path> files;
+  for(auto it = fs::recursive_directory_iterator(folder); it != fs::recursive_directory_iterator(); ++it)
+    if(it.depth() == 2)
+      files.insert(it->path());
+  if(files.empty())
+    throw std::runtime_error(folder.string() + ": no files GROUP/CLASS/FILE in this folder");
+  Models models;
+  for(const fs::path& file : files)
+    try {
+      with_mesh(file, [&](Mesh& mesh, Sphere_map sphere) {
+        models.push_back({file, file.parent_path().parent_path().filename(), file.parent_path().filename(),
+                          describe(mesh, sphere, descriptors)});
+      });
+    } catch(const std::exception& error) {
+      std::cerr << "left out: " << error.what() << std::endl;
+    }
+  return models;
+}
 
-  /// Number of classes by group.
-  std::map<std::string, std::size_t> groups() const
-  {
-    std::map<std::string, std::map<std::string, int>> classes;
-    for(const Model& model : models)
-      ++classes[model.group][model.label];
-    std::map<std::string, std::size_t> result;
-    for(const auto& [group, labels] : classes)
-      result[group] = labels.size();
-    return result;
-  }
+/// With one class only, everything is a hit.
+bool has_several_classes(const Models& models)
+{
+  return std::any_of(models.begin(), models.end(), [&](const Model& m) { return m.label != models.front().label; });
+}
+
+/// How well a search finds the other members of the query's class, means over all queries whose class has any:
+/// P. Shilane, P. Min, M. Kazhdan, T. Funkhouser, "The Princeton Shape Benchmark", SMI 2004. In percent:
+/// 0. nearest neighbour: the first result is of the class
+/// 1. first tier: share of the class among the first k results, k being its size
+/// 2. second tier: among the first 2k
+/// 3. E-measure: harmonic mean of precision and recall of the first 32
+/// 4. DCG: hits weighted with 1 / log2 of their rank, relative to the best possible
+struct Retrieval_measures {
+  std::size_t queries = 0;
+  std::array<double, 5> percent = {};
 };
 
-void tabulate_groups(const Options& options, const Collection& collection)
+/// `is_hit` says by rank, from 0 on, whether the result is of the query's class, which has so many other members.
+std::array<double, 5> measures_of_query(const std::vector<bool>& is_hit, std::size_t members)
+{
+  constexpr std::size_t page = 32;
+  const auto hits_among = [&](std::size_t n) {
+    return static_cast<double>(std::count(is_hit.begin(), is_hit.begin() + std::min(n, is_hit.size()), true));
+  };
+  double gain = 0, best_gain = 0;
+  for(std::size_t rank = 1; rank <= is_hit.size(); ++rank) {
+    const double discount = rank <= 2 ? 1 : 1 / std::log2(static_cast<double>(rank));
+    gain += is_hit[rank - 1] ? discount : 0;
+    best_gain += rank <= members ? discount : 0;
+  }
+  return {is_hit[0] ? 1. : 0., hits_among(members) / members, hits_among(2 * members) / members,
+          2 * hits_among(page) / (std::min(page, is_hit.size()) + members), gain / best_gain};
+}
+
+/// How well descriptor `d` of the queries finds models other than themselves.
+Retrieval_measures search(const Models& queries, const Models& models, std::size_t d)
+{
+  Retrieval_measures result;
+  for(const Model& query : queries) {
+    std::vector<std::pair<double, const Model*>> ranked;
+    for(const Model& model : models)
+      if(model.file != query.file)
+        ranked.emplace_back(distance(query.described.values[d], model.described.values[d]), &model);
+    std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<bool> is_hit;
+    for(const auto& [distance, model] : ranked)
+      is_hit.push_back(model->label == query.label);
+    const std::size_t members = std::count(is_hit.begin(), is_hit.end(), true);
+    if(members == 0)
+      continue;
+    ++result.queries;
+    const std::array<double, 5> measures = measures_of_query(is_hit, members);
+    for(std::size_t i = 0; i < measures.size(); ++i)
+      result.percent[i] += 100 * measures[i];
+  }
+  for(double& percent : result.percent)
+    percent /= std::max<std::size_t>(result.queries, 1);
+  return result;
+}
+
+void tabulate_groups(const Options& options, const std::map<std::string, Models>& groups, const Models& all,
+                     const std::vector<Descriptor>& descriptors)
 {
   Table table(
     options.output, "retrieval", "Retrieval",
     {"every model is a query among the others of its group; means over the queries, in percent",
      "seconds: per mesh on one core, the map included where it is needed"},
     {"group", "models", "descriptor", "nearest neighbour", "first tier", "second tier", "E-measure", "DCG", "seconds"});
-  std::vector<std::string> groups;
-  for(const auto& [group, classes] : collection.groups())
-    if(classes > 1) // otherwise everything is a hit
-      groups.push_back(group);
-  groups.emplace_back(); // all together
-  for(const std::string& group : groups)
-    for(std::size_t d = 0; d < collection.descriptors.size(); ++d) {
-      const std::vector<Labelled> models = collection.labelled(group, d);
-      const Retrieval_measures m = measure_retrieval(models);
-      table.add_row({group.empty() ? "all" : group, models.size(), collection.descriptors[d].name, m.nearest_neighbour,
-                     m.first_tier, m.second_tier, m.e_measure, m.discounted_gain, collection.mean_seconds(group, d)});
+  const auto add_rows = [&](const std::string& group, const Models& models) {
+    for(std::size_t d = 0; d < descriptors.size(); ++d) {
+      const Retrieval_measures m = search(models, models, d);
+      double seconds = 0;
+      for(const Model& model : models)
+        seconds += model.described.seconds[d] / models.size();
+      table.add_row({group, models.size(), descriptors[d].name, m.percent[0], m.percent[1], m.percent[2], m.percent[3],
+                     m.percent[4], seconds});
     }
+  };
+  for(const auto& [group, models] : groups)
+    if(has_several_classes(models))
+      add_rows(group, models);
+  add_rows("all", all);
 }
 
-void tabulate_pairs_of_groups(const Options& options, const Collection& collection)
+void tabulate_pairs_of_groups(const Options& options, const std::map<std::string, Models>& groups,
+                              const std::vector<Descriptor>& descriptors)
 {
   Table table(
     options.output, "retrieval_across_groups", "Retrieval across groups",
     {"models of the first group are searched for among those of the second one; classes that both have count"},
     {"queries from", "searched", "descriptor", "queries", "nearest neighbour", "first tier"});
-  for(const auto& [from, from_classes] : collection.groups())
-    for(const auto& [to, to_classes] : collection.groups())
-      for(std::size_t d = 0; from != to && to_classes > 1 && d < collection.descriptors.size(); ++d) {
-        const Retrieval_measures m = measure_retrieval(collection.labelled(from, d), collection.labelled(to, d));
+  for(const auto& [from, queries] : groups)
+    for(const auto& [to, models] : groups)
+      for(std::size_t d = 0; from != to && has_several_classes(models) && d < descriptors.size(); ++d) {
+        const Retrieval_measures m = search(queries, models, d);
         if(m.queries > 0)
-          table.add_row({from, to, collection.descriptors[d].name, m.queries, m.nearest_neighbour, m.first_tier});
+          table.add_row({from, to, descriptors[d].name, m.queries, m.percent[0], m.percent[1]});
       }
 }
 
-/// How far variants of a mesh are from it, compared with how far other classes are.
-void tabulate_variants(const Options& options, const Collection& collection, const std::string& group)
+/// How far variants of a mesh are from it, compared with how far other classes are; without slow descriptors.
+void tabulate_variants(const Options& options, const std::string& group, const Models& models,
+                       const std::vector<Descriptor>& descriptors)
 {
   Table table(options.output, "retrieval_variants_" + group, "Retrieval of variants: " + group,
               {"within: mean distance of a variant from its own original; between: mean distance of originals of "
@@ -150,101 +206,57 @@ void tabulate_variants(const Options& options, const Collection& collection, con
                "own original first: in percent of the variants, of all originals of the group",
                "noise: of every vertex along its normal, relative to the mean length of edges"},
               {"variant", "vertices", "descriptor", "within / between", "own original first"});
-  std::vector<std::size_t> members;
-  for(std::size_t i = 0; i < collection.models.size(); ++i)
-    if(collection.models[i].group == group)
-      members.push_back(i);
-
-  std::vector<double> between(collection.descriptors.size(), 0);
-  double pairs = 0;
-  for(std::size_t i : members)
-    for(std::size_t j : members)
-      if(collection.models[i].label != collection.models[j].label) {
-        ++pairs;
-        for(std::size_t d = 0; d < between.size(); ++d)
-          between[d] += distance(collection.described[i].values[d], collection.described[j].values[d]);
-      }
-
   for(const Mesh_variant& variant : mesh_variants()) {
-    std::vector<double> within(between.size(), 0), first(between.size(), 0);
-    double vertices = 0;
-    for(std::size_t i : members)
-      with_mesh(collection.models[i].file, [&](Mesh& mesh) {
-        const Mesh changed = variant.make(mesh);
+    std::vector<Described> described;
+    std::size_t vertices = 0;
+    for(const Model& model : models)
+      with_mesh(model.file, [&](const Mesh& mesh, Sphere_map) {
+        Mesh changed = variant.make(mesh);
         vertices += changed.number_of_vertices();
-        const Described described = describe(changed, collection.descriptors);
-        for(std::size_t d = 0; d < between.size(); ++d) {
-          const auto distance_to = [&](std::size_t j) {
-            return distance(described.values[d], collection.described[j].values[d]);
-          };
-          within[d] += distance_to(i);
-          first[d] += std::all_of(members.begin(), members.end(),
-                                  [&](std::size_t j) { return j == i || distance_to(j) > distance_to(i); });
-        }
+        described.push_back(describe(changed, sphere_map(changed), descriptors, false));
       });
-    for(std::size_t d = 0; d < between.size(); ++d)
-      table.add_row({variant.name, static_cast<std::size_t>(vertices / members.size()), collection.descriptors[d].name,
-                     within[d] / members.size() / (between[d] / pairs), 100 * first[d] / members.size()});
-  }
-}
-
-/// Without those descriptors that are slow.
-Collection fast_part(const Collection& collection)
-{
-  Collection result;
-  result.models = collection.models;
-  result.described.resize(collection.described.size());
-  for(std::size_t d = 0; d < collection.descriptors.size(); ++d)
-    if(!collection.descriptors[d].is_slow) {
-      result.descriptors.push_back(collection.descriptors[d]);
-      for(std::size_t i = 0; i < result.described.size(); ++i)
-        result.described[i].values.push_back(collection.described[i].values[d]);
+    for(std::size_t d = 0; d < descriptors.size(); ++d) {
+      if(descriptors[d].is_slow)
+        continue;
+      double within = 0, between = 0, pairs = 0, first = 0;
+      for(std::size_t i = 0; i < models.size(); ++i) {
+        const auto distance_to = [&](const Model& other) {
+          return distance(described[i].values[d], other.described.values[d]);
+        };
+        within += distance_to(models[i]) / models.size();
+        first += std::all_of(models.begin(), models.end(), [&](const Model& other) {
+          return &other == &models[i] || distance_to(other) > distance_to(models[i]);
+        });
+        for(const Model& other : models)
+          if(other.label != models[i].label) {
+            between += distance(models[i].described.values[d], other.described.values[d]);
+            ++pairs;
+          }
+      }
+      table.add_row({variant.name, vertices / models.size(), descriptors[d].name, within / (between / pairs),
+                     100 * first / models.size()});
     }
-  return result;
-}
-
-void measure(const Options& options, const std::string& folder, const std::vector<std::string>& variants_of)
-{
-  Collection collection;
-  collection.descriptors = own_descriptors();
-  const std::vector<Descriptor> others = other_descriptors();
-  collection.descriptors.insert(collection.descriptors.end(), others.begin(), others.end());
-  for(const Model& model : find_models(folder))
-    try {
-      with_mesh(model.file, [&](Mesh& mesh) {
-        collection.described.push_back(describe(mesh, collection.descriptors));
-        collection.models.push_back(model);
-      });
-    } catch(const std::exception& error) {
-      std::cerr << "left out: " << error.what() << std::endl;
-    }
-  tabulate_groups(options, collection);
-  tabulate_pairs_of_groups(options, collection);
-  for(const std::string& group : variants_of) {
-    if(collection.groups().count(group) == 0)
-      throw std::runtime_error("no group '" + group + "' in " + folder);
-    tabulate_variants(options, fast_part(collection), group);
   }
 }
 
 } // namespace
 
-void add_retrieval_command(CLI::App& app)
+void tabulate_retrieval(const Options& options)
 {
-  const auto options = std::make_shared<Options>();
-  const auto folder = std::make_shared<std::string>();
-  const auto variants_of = std::make_shared<std::vector<std::string>>();
-  CLI::App* command = app.add_subcommand("retrieval", "How well signatures and other descriptors find other poses");
-  add_output_option(*command, *options);
-  command->add_option("folder", *folder, "Of files GROUP/CLASS/FILE: closed triangle meshes of genus 0")
-    ->required()
-    ->check(CLI::ExistingDirectory);
-  command
-    ->add_option("--variants", *variants_of,
-                 "Groups of which remeshed, decimated, subdivided and noisy variants are searched for, too")
-    ->delimiter(',')
-    ->allow_extra_args(false);
-  command->callback([=] { measure(*options, *folder, *variants_of); });
+  std::vector<Descriptor> descriptors = own_descriptors();
+  for(const Descriptor& descriptor : other_descriptors())
+    descriptors.push_back(descriptor);
+  const Models models = read_models(options.folder, descriptors);
+  std::map<std::string, Models> groups;
+  for(const Model& model : models)
+    groups[model.group].push_back(model);
+  tabulate_groups(options, groups, models, descriptors);
+  tabulate_pairs_of_groups(options, groups, descriptors);
+  for(const std::string& group : options.variants_of) {
+    if(groups.count(group) == 0)
+      throw std::runtime_error("no group '" + group + "' in " + options.folder);
+    tabulate_variants(options, group, groups.at(group), descriptors);
+  }
 }
 
 } // namespace benchmark

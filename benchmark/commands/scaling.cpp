@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "measure/Counting_policy.h"
 #include "commands/commands.h"
-#include "commands/options.h"
-#include "measure/peak_memory.h"
+#include "measure/Counting_policy.h"
+#include "measure/measure.h"
 #include "measure/sweep_graph.h"
 #include "tables/table.h"
-#include "measure/timing.h"
-
-#include <CLI/CLI.hpp>
-
-#include <memory>
 
 namespace benchmark {
 namespace {
@@ -20,17 +14,19 @@ struct Run {
   Result result;
   double sweep;  ///< seconds for one application of the Laplacian, measured right before and right after
   double memory; ///< bytes
+
+  double cost() const { return (result.seconds.start_map + result.seconds.solve) / sweep; }
 };
 
-Run run(const Backend& backend, const Mesh& mesh, Weights weights, Sphere_map sphere,
-        const std::function<void(int)>& sweeps)
+Run run(const Backend& backend, const Mesh& mesh, Weights weights, Sphere_map sphere, const Sweep_graph& graph)
 {
+  const std::vector<std::function<void(int)>> sweeps = {graph.sweeps(backend, Sweep::LAPLACIAN)};
   Run r;
-  const double sweep_before = seconds_per_sweep({sweeps})[0];
+  const double sweep_before = seconds_per_sweep(sweeps)[0];
   const Peak_memory memory;
   r.result = compute_map(backend, mesh, weights, Balanced(), sphere);
   r.memory = memory.growth();
-  r.sweep = (sweep_before + seconds_per_sweep({sweeps})[0]) / 2;
+  r.sweep = (sweep_before + seconds_per_sweep(sweeps)[0]) / 2;
   return r;
 }
 
@@ -44,34 +40,11 @@ double counted_sweeps(const Mesh& mesh, Weights weights, Sphere_map sphere)
   return static_cast<double>(entries) / mesh.number_of_halfedges();
 }
 
-double cost(const Run& r) { return (r.result.seconds.start_map + r.result.seconds.solve) / r.sweep; }
+} // namespace
 
-void measure_level(Table& table, const Options& options, const std::vector<Backend>& backends, const std::string& model,
-                   Mesh& mesh)
+void tabulate_scaling(const Options& options)
 {
-  const Sphere_map sphere = sphere_map(mesh);
-  for(Weights weights : both_weights) {
-    const Sweep_graph graph(mesh, weights);
-    const double counted = counted_sweeps(mesh, weights, sphere);
-    std::vector<std::function<Run()>> measurements;
-    for(const Backend& b : backends)
-      measurements.emplace_back(
-        [&, weights, sweeps = graph.sweeps(b, Sweep::LAPLACIAN)] { return run(b, mesh, weights, sphere, sweeps); });
-    const std::vector<Run> runs = interleaved_medians(options.repetitions, measurements,
-                                                      [](const Run& a, const Run& b) { return cost(a) < cost(b); });
-    for(std::size_t i = 0; i < runs.size(); ++i) {
-      const Result& r = runs[i].result;
-      table.add_row({model, r.number_of_vertices, name(weights), backends[i].name, r.start_iterations, r.iterations,
-                     r.seconds.start_map, r.seconds.solve, r.seconds.total, 1e3 * runs[i].sweep, counted, cost(runs[i]),
-                     runs[i].memory / r.number_of_vertices, r.residual, r.flipped_faces, r.degree, verdict(r),
-                     r.device});
-    }
-  }
-}
-
-void measure(const Options& options, std::size_t maximum_vertices)
-{
-  const std::vector<Backend> backends = options.backends();
+  const std::vector<Backend> devices = backends(options.backends);
   Table table(options.output, "scaling", "Scaling with the number of vertices",
               {"models: subdivided, every triangle into four; method: Balanced; the run of median cost out of " +
                  std::to_string(options.repetitions) + ", backends in turn",
@@ -84,29 +57,26 @@ void measure(const Options& options, std::size_t maximum_vertices)
               {"model", "vertices", "weights", "backend", "start iterations", "iterations", "start map s", "solve s",
                "total s", "sweep ms", "counted sweeps", "cost in sweeps", "bytes per vertex", "residual", "flips",
                "degree", "verdict", "device"});
-  for(const auto& file : options.mesh_files())
-    with_mesh(file, [&](Mesh& mesh) {
-      for(int level = 0;; ++level) {
-        measure_level(table, options, backends, model_name(file, level), mesh);
-        if(4 * mesh.number_of_vertices() > maximum_vertices) // a subdivided mesh has 4 V - 6 vertices
-          break;
+  for_each_mesh(options.meshes, [&](const std::string& model, Mesh& mesh, Sphere_map sphere) {
+    for(int level = 0; level == 0 || 4 * mesh.number_of_vertices() - 6 <= options.maximum_vertices; ++level) {
+      if(level > 0)
         subdivide(mesh);
+      for(Weights weights : both_weights) {
+        const Sweep_graph graph(mesh, weights);
+        const double counted = counted_sweeps(mesh, weights, sphere);
+        const std::vector<Run> runs = interleaved_medians(
+          options.repetitions, devices, [&](const Backend& b) { return run(b, mesh, weights, sphere, graph); },
+          [](const Run& r) { return r.cost(); });
+        for(std::size_t i = 0; i < runs.size(); ++i) {
+          const Result& r = runs[i].result;
+          table.add_row({level_name(model, level), r.number_of_vertices, name(weights), devices[i].name,
+                         r.start_iterations, r.iterations, r.seconds.start_map, r.seconds.solve, r.seconds.total,
+                         1e3 * runs[i].sweep, counted, runs[i].cost(), runs[i].memory / r.number_of_vertices,
+                         r.residual, r.flipped_faces, r.degree, verdict(r), r.device});
+        }
       }
-    });
-}
-
-} // namespace
-
-void add_scaling_command(CLI::App& app)
-{
-  const auto options = std::make_shared<Options>();
-  const auto maximum_vertices = std::make_shared<std::size_t>(500000);
-  CLI::App* command = app.add_subcommand("scaling", "Cost in sweeps, time and memory of ever larger meshes");
-  add_all_options(*command, *options);
-  command->add_option("--maximum-vertices", *maximum_vertices, "Subdivide as long as there are no more")
-    ->check(CLI::PositiveNumber)
-    ->capture_default_str();
-  command->callback([options, maximum_vertices] { measure(*options, *maximum_vertices); });
+    }
+  });
 }
 
 } // namespace benchmark

@@ -2,58 +2,51 @@
 // Part of CGAL Spherical Parameterization.
 
 #include "commands/commands.h"
-#include "commands/options.h"
+#include "measure/backend.h"
+#include "measure/measure.h"
 #include "tables/table.h"
-#include "measure/timing.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Spherical_parameterization/texture_coordinates.h>
 
-#include <CLI/CLI.hpp>
-
-#include <memory>
+#include <algorithm>
 
 namespace benchmark {
 namespace {
 
 namespace SP = CGAL::Spherical_parameterization;
-using Point_2 = CGAL::Simple_cartesian<double>::Point_2;
+using Point_2 = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
 using Uv_map = Mesh::Property_map<Mesh::Halfedge_index, Point_2>;
 
 /// Faces that are not counter-clockwise, by exact predicates.
 std::size_t count_flipped(const Mesh& mesh, Uv_map uv)
 {
-  using Exact = CGAL::Exact_predicates_inexact_constructions_kernel;
-  std::size_t flipped = 0;
-  for(const Mesh::Face_index f : mesh.faces()) {
+  return std::count_if(mesh.faces_begin(), mesh.faces_end(), [&](Mesh::Face_index f) {
     const auto h = mesh.halfedge(f);
-    const auto point = [&](Mesh::Halfedge_index k) { return Exact::Point_2(uv[k].x(), uv[k].y()); };
-    flipped += CGAL::orientation(point(h), point(mesh.next(h)), point(mesh.prev(h))) != CGAL::LEFT_TURN;
-  }
-  return flipped;
+    return CGAL::orientation(uv[h], uv[mesh.next(h)], uv[mesh.prev(h)]) != CGAL::LEFT_TURN;
+  });
 }
 
-void measure(const Options& options)
+} // namespace
+
+void tabulate_texture(const Options& options)
 {
-  const Backend backend = options.backends().front();
+  const Backend backend = backends(options.backends).front();
   Table table(
     options.output, "texture", "Texture coordinates",
     {"flipped: uv triangles that are not counter-clockwise, by exact predicates; moved: faces with a corner of "
      "their own; unresolved: of these the ones smaller than the grid"},
     {"model", "weights", "faces", "map", "chart", "bits", "flipped", "seam", "moved", "unresolved", "largest move",
      "s"});
-  for(const auto& file : options.mesh_files())
-    with_mesh(file, [&](Mesh& mesh) {
-      const Sphere_map sphere = sphere_map(mesh);
-      const Uv_map uv = mesh.add_property_map<Mesh::Halfedge_index, Point_2>("h:uv").first;
-      for(Weights weights : both_weights) {
-        const Result map = compute_map(backend, mesh, weights, SP::Balanced(), sphere);
-        if(!map) {
-          table.add_row(
-            {model_name(file), name(weights), mesh.number_of_faces(), verdict(map), "", "", "", "", "", "", "", ""});
-          continue;
-        }
-        for(const auto chart : {SP::Texture_chart::LATITUDE_LONGITUDE, SP::Texture_chart::OCTAHEDRAL})
+  for_each_mesh(options.meshes, [&](const std::string& model, Mesh& mesh, Sphere_map sphere) {
+    const Uv_map uv = mesh.add_property_map<Mesh::Halfedge_index, Point_2>("h:uv").first;
+    for(Weights weights : both_weights) {
+      const Result map = compute_map(backend, mesh, weights, Balanced(), sphere);
+      if(!map)
+        table.add_row({model, name(weights), mesh.number_of_faces(), verdict(map)});
+      else
+        for(const auto& [chart, chart_name] : {std::pair(SP::Texture_chart::LATITUDE_LONGITUDE, "latitude-longitude"),
+                                               std::pair(SP::Texture_chart::OCTAHEDRAL, "octahedral")})
           for(const int bits : {52, 23}) {
             SP::Texture_options texture;
             texture.chart = chart;
@@ -61,23 +54,12 @@ void measure(const Options& options)
             const Stopwatch watch;
             const SP::Texture_report r = SP::texture_coordinates(mesh, sphere, uv, texture);
             const double seconds = watch.seconds();
-            table.add_row({model_name(file), name(weights), mesh.number_of_faces(), verdict(map),
-                           chart == SP::Texture_chart::OCTAHEDRAL ? "octahedral" : "latitude-longitude", bits,
+            table.add_row({model, name(weights), mesh.number_of_faces(), verdict(map), chart_name, bits,
                            count_flipped(mesh, uv), r.seam_faces, r.moved_faces, r.unresolved_faces, r.largest_move,
                            seconds});
           }
-      }
-    });
-}
-
-} // namespace
-
-void add_texture_command(CLI::App& app)
-{
-  const auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("texture", "Texture coordinates: flipped faces, faces that had to be moved");
-  add_all_options(*command, *options);
-  command->callback([options] { measure(*options); });
+    }
+  });
 }
 
 } // namespace benchmark

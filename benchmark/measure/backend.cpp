@@ -3,8 +3,6 @@
 
 #include "measure/backend.h"
 
-#include "measure/timing.h"
-
 #include <CGAL/spherical_parameterization.h>
 
 #include <algorithm>
@@ -18,7 +16,7 @@ namespace SP = CGAL::Spherical_parameterization;
 
 std::vector<Backend> find_backends()
 {
-  std::vector<Backend> found = {{"sequential", CGAL::Sequential_tag()}};
+  std::vector<Backend> found = {Backend()};
 #ifdef CGAL_LINKED_WITH_TBB
   const int threads = tbb::this_task_arena::max_concurrency();
   found.push_back({"tbb", CGAL::Parallel_tag(), threads});
@@ -35,43 +33,26 @@ std::vector<Backend> find_backends()
   return found;
 }
 
-/// Whether there was a mesh to map at all.
-bool has_map(SP::Error_code code)
-{
-  return code == SP::Error_code::OK || code == SP::Error_code::NOT_CONVERGED || code == SP::Error_code::INTERRUPTED ||
-         code == SP::Error_code::NOT_BIJECTIVE;
-}
-
 } // namespace
 
-const std::vector<Backend>& available_backends()
+std::vector<Backend> backends(const std::vector<std::string>& names)
 {
-  static const std::vector<Backend> backends = find_backends();
-  return backends;
-}
-
-std::vector<Backend> backends_by_name(const std::vector<std::string>& names)
-{
-  const std::vector<Backend>& available = available_backends();
+  const std::vector<Backend> available = find_backends();
   if(names.empty())
     return available;
   std::vector<Backend> chosen;
   for(const std::string& name : names) {
     const auto found =
       std::find_if(available.begin(), available.end(), [&](const Backend& b) { return b.name == name; });
-    if(found == available.end()) {
-      std::string all;
-      for(const Backend& b : available)
-        all += (all.empty() ? "" : ", ") + b.name;
-      throw std::runtime_error("no backend \"" + name + "\" here; there is " + all);
-    }
+    if(found == available.end())
+      throw std::runtime_error("no backend \"" + name + "\" here: this build or this machine does not have it");
     chosen.push_back(*found);
   }
   return chosen;
 }
 
-Result compute_map(const Backend& backend, const Mesh& mesh, Weights weights, const Method& method, Sphere_map sphere,
-                   double maximum_running_time)
+Result compute_map(const Backend& backend, const Mesh& mesh, Weights weights,
+                   const std::variant<Balanced, Saddle_point>& method, Sphere_map sphere, double maximum_running_time)
 {
   Result result;
   within(backend, [&] {
@@ -82,15 +63,11 @@ Result compute_map(const Backend& backend, const Mesh& mesh, Weights weights, co
         backend.policy, method);
     });
   });
-  if(!has_map(result.error))
+  using SP::Error_code;
+  if(!result && result.error != Error_code::NOT_CONVERGED && result.error != Error_code::INTERRUPTED &&
+     result.error != Error_code::NOT_BIJECTIVE)
     throw std::runtime_error(std::string(get_error_message(result.error)) + ": " + result.detail);
   return result;
-}
-
-std::vector<Result> median_maps(int repetitions, const std::vector<std::function<Result()>>& maps)
-{
-  return interleaved_medians(repetitions, maps,
-                             [](const Result& a, const Result& b) { return a.seconds.total < b.seconds.total; });
 }
 
 std::string verdict(const Result& result) { return result ? "valid" : get_error_message(result.error); }

@@ -8,12 +8,13 @@
 
 #include <CGAL/Spherical_parameterization/Result.h>
 #include <CGAL/Spherical_parameterization/Any_policy.h>
+#include <CGAL/Spherical_parameterization/edge_weights.h>
 #include <CGAL/Spherical_parameterization/methods.h>
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/task_arena.h>
 #endif
 
-#include <functional>
+#include <array>
 #include <limits>
 #include <string>
 #include <variant>
@@ -25,13 +26,23 @@ using CGAL::Spherical_parameterization::Balanced;
 using CGAL::Spherical_parameterization::Result;
 using CGAL::Spherical_parameterization::Saddle_point;
 
-/// Every execution policy of this build.
-using Policy = CGAL::Spherical_parameterization::Any_policy;
+/// The two weights of the paper.
+enum class Weights { BARYCENTRIC, CONFORMAL };
+constexpr std::array<Weights, 2> both_weights = {Weights::BARYCENTRIC, Weights::CONFORMAL};
+inline const char* name(Weights weights) { return weights == Weights::BARYCENTRIC ? "barycentric" : "conformal"; }
+
+/// Calls `f` with the weight map, and returns what it does.
+template <class F>
+auto visit_weights(Weights weights, const Mesh& mesh, F f)
+{
+  return weights == Weights::BARYCENTRIC ? f(CGAL::Spherical_parameterization::barycentric_weights(mesh))
+                                         : f(CGAL::Spherical_parameterization::conformal_weights(mesh));
+}
 
 /// A policy, and on how many cores it may run.
 struct Backend {
-  std::string name; ///< "sequential", "tbb" or "opencl"
-  Policy policy;
+  std::string name = "sequential"; ///< or "tbb" or "opencl"
+  CGAL::Spherical_parameterization::Any_policy policy = CGAL::Sequential_tag();
   int threads = 1; ///< of TBB; for opencl, of its set-up on the host
 
   std::string label() const
@@ -40,11 +51,9 @@ struct Backend {
   }
 };
 
-/// All backends that this build has and this machine can run, in the order sequential, tbb, opencl; TBB on all cores.
-const std::vector<Backend>& available_backends();
-
-/// Those of the given names, or all if there are none. Throws std::runtime_error if one is not available.
-std::vector<Backend> backends_by_name(const std::vector<std::string>& names);
+/// Those of the given names. Without names: all that this build has and this machine can run, in the order sequential,
+/// tbb, opencl; TBB on all cores. Throws std::runtime_error if one is not available.
+std::vector<Backend> backends(const std::vector<std::string>& names);
 
 /// Calls `f` where TBB uses the backend's number of threads.
 template <class F>
@@ -58,14 +67,10 @@ void within(const Backend& backend, F f)
 #endif
 }
 
-using Method = std::variant<Balanced, Saddle_point>;
-
 /// One map. A mesh that has none throws std::runtime_error; a map that is not valid is a result like any other.
-Result compute_map(const Backend& backend, const Mesh& mesh, Weights weights, const Method& method, Sphere_map sphere,
+Result compute_map(const Backend& backend, const Mesh& mesh, Weights weights,
+                   const std::variant<Balanced, Saddle_point>& method, Sphere_map sphere,
                    double maximum_running_time = std::numeric_limits<double>::infinity());
-
-/// Computes every map so many times, in turn; returns for each the result whose total time is the median.
-std::vector<Result> median_maps(int repetitions, const std::vector<std::function<Result()>>& maps);
 
 /// "valid", or why it is not
 std::string verdict(const Result& result);

@@ -11,6 +11,8 @@
 
 #include <array>
 #include <functional>
+#include <map>
+#include <string>
 #include <vector>
 
 namespace benchmark {
@@ -22,47 +24,41 @@ enum class Sweep {
   COPY       ///< y = x, for as many bytes as a Jacobi sweep moves at least
 };
 
-/// The weighted graph of a mesh as the solvers see it. This class, and its source file, are all of the benchmark that
-/// uses the library's internals.
-class Sweep_graph {
-public:
-  template <class T>
-  using Array = CGAL::Spherical_parameterization::internal::Host_array<T>;
+/// The weighted graph of a mesh as the solvers see it.
+struct Sweep_graph {
+  CGAL::Spherical_parameterization::internal::Weighted_graph graph;
+  std::vector<Point_3> point;
+  std::vector<std::array<int, 3>> face;
+  std::vector<int> position; ///< the vertices of the mesh, in the order of the graph
 
+  Sweep_graph() = default;
   /// In the library's order. Throws std::runtime_error.
   Sweep_graph(const Mesh& mesh, Weights weights);
 
   /// New vertex k is old vertex order[k].
   Sweep_graph renumbered(const std::vector<int>& order) const;
 
-  int size() const { return graph_.size(); }
-  /// The vertices of the mesh, as numbers into mesh.vertices(), in the order of the graph.
-  const Array<int>& position() const { return position_; }
-  std::vector<int> neighbours(int vertex) const;
-  std::vector<Point_3> points() const;
-  const Array<std::array<int, 3>>& faces() const { return faces_; }
+  int size() const { return graph.size(); }
 
-  /// The bytes that a sweep moves between memory and processor at least, every array read or written once.
-  double bytes(Sweep sweep) const;
+  /// The bytes that a Jacobi sweep moves between memory and processor at least, every array read or written once.
+  double bytes_of_jacobi_sweep() const;
 
   /// The L2 norm of the residual of eq. (2): sqrt(sum_i |v_i - m_i / |m_i||^2), m_i the weighted mean of the
-  /// neighbours. In the library's order only.
-  double residual(const Mesh& mesh, Sphere_map sphere) const;
+  /// neighbours.
+  double residual(Sphere_map sphere) const;
 
   /// A function that does so many sweeps and returns when they are done.
   std::function<void(int)> sweeps(const Backend& backend, Sweep sweep) const;
-
-private:
-  Sweep_graph() = default;
-
-  CGAL::Spherical_parameterization::internal::Weighted_graph graph_;
-  Array<CGAL::Spherical_parameterization::internal::vec3> points_;
-  Array<std::array<int, 3>> faces_;
-  Array<int> position_;
 };
 
 /// Seconds for one sweep of each kind, measured in turn: medians of 11 batches of 10 ms or more.
 std::vector<double> seconds_per_sweep(const std::vector<std::function<void(int)>>& sweeps);
+
+/// A way to number vertices: entry k is the vertex of the graph, which has the library's order, that becomes vertex k.
+typedef std::vector<int> (*Vertex_order)(const Sweep_graph&);
+
+/// All that this build knows; "breadth-first" is that of the library.
+extern const std::map<std::string, Vertex_order> vertex_orders;
 
 } // namespace benchmark
 

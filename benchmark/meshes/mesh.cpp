@@ -4,6 +4,7 @@
 #include "meshes/mesh.h"
 
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 #include <CGAL/subdivision_method_3.h>
 
 #include <stdexcept>
@@ -39,15 +40,23 @@ Mesh read_mesh(const std::filesystem::path& file)
   return mesh;
 }
 
-void subdivide(Mesh& mesh)
+void subdivide(Mesh& mesh, int times)
 {
-  Midpoint_mask mask = {&mesh, mesh.points()};
-  CGAL::Subdivision_method_3::PTQ(mesh, mask);
+  for(int k = 0; k < times; ++k) {
+    Midpoint_mask mask = {&mesh, mesh.points()};
+    CGAL::Subdivision_method_3::PTQ(mesh, mask);
+  }
 }
 
-std::string model_name(const std::filesystem::path& file, int subdivisions)
+Mesh decimated(Mesh mesh, double share_of_edges)
 {
-  return file.stem().string() + (subdivisions > 0 ? "/" + std::to_string(subdivisions) : "");
+  namespace SMS = CGAL::Surface_mesh_simplification;
+  // CGAL's predicate has another name from 5.6 on.
+  SMS::edge_collapse(mesh, [&](const auto&, const auto&, std::size_t initial, std::size_t current) {
+    return double(current) < share_of_edges * double(initial);
+  });
+  mesh.collect_garbage();
+  return mesh;
 }
 
 } // namespace benchmark

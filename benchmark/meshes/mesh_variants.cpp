@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "meshes/mesh_variants.h"
+#include "meshes/mesh.h"
 
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/Random.h>
-#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 
 namespace benchmark {
 namespace {
@@ -27,23 +26,6 @@ Mesh remeshed(Mesh mesh, double relative_edge_length)
   PMP::isotropic_remeshing(mesh.faces(), relative_edge_length * mean_edge_length(mesh), mesh,
                            CGAL::parameters::number_of_iterations(5));
   mesh.collect_garbage();
-  return mesh;
-}
-
-Mesh decimated(Mesh mesh, double share_of_edges)
-{
-  namespace SMS = CGAL::Surface_mesh_simplification;
-  // CGAL's predicate has another name from 5.6 on.
-  SMS::edge_collapse(mesh, [&](const auto&, const auto&, std::size_t initial, std::size_t current) {
-    return double(current) < share_of_edges * double(initial);
-  });
-  mesh.collect_garbage();
-  return mesh;
-}
-
-Mesh subdivided(Mesh mesh)
-{
-  subdivide(mesh);
   return mesh;
 }
 
@@ -69,7 +51,11 @@ std::vector<Mesh_variant> mesh_variants()
           {"decimated to 50 %", [](const Mesh& mesh) { return decimated(mesh, .5); }},
           {"decimated to 20 %", [](const Mesh& mesh) { return decimated(mesh, .2); }},
           {"decimated to 5 %", [](const Mesh& mesh) { return decimated(mesh, .05); }},
-          {"subdivided", subdivided},
+          {"subdivided",
+           [](Mesh mesh) {
+             subdivide(mesh);
+             return mesh;
+           }},
           {"noise 5 %", [](const Mesh& mesh) { return noisy(mesh, .05); }},
           {"noise 20 %", [](const Mesh& mesh) { return noisy(mesh, .2); }}};
 }

@@ -5,13 +5,14 @@
 #define BENCHMARK_DESCRIPTORS_H
 
 #include "meshes/mesh.h"
-#include "shapes/retrieval_measures.h"
 
 #include <functional>
 #include <string>
 #include <vector>
 
 namespace benchmark {
+
+typedef std::vector<double> Descriptor_values;
 
 /// A way to describe a shape by numbers, to be compared by L1.
 struct Descriptor {
@@ -22,16 +23,17 @@ struct Descriptor {
   bool is_slow = false; ///< seconds per mesh: left out where many meshes are made
 };
 
-/// The package's signature, its parts and its variants.
+/// The package's signature, its parts and its variants, and the paper's recipe.
 std::vector<Descriptor> own_descriptors();
 
-/// What else there is: the paper's recipe, D2, SDF, and ShapeDNA where there is Spectra.
+/// What else there is: D2, SDF, and ShapeDNA where there is Spectra.
 std::vector<Descriptor> other_descriptors();
 
-/// The map that the descriptors are given: the conformal one, certified or not; where it does not converge, the
-/// barycentric one if that is certified. Throws std::runtime_error where there is nothing to map. Returns "conformal",
-/// "barycentric" or "uncertified".
-const char* map_for_descriptors(Mesh& mesh, Sphere_map sphere);
+/// The smallest 30 eigenvalues of the Laplacian that are not 0, scaled to area 4 pi and over their number, to which
+/// they are proportional by Weyl's law: M. Reuter, F.-E. Wolter, N. Peinecke, "Laplace-Beltrami spectra as 'Shape-DNA'
+/// of surfaces and solids", CAD 38 (2006). On the intrinsic Delaunay triangulation, like the package's signature.
+/// Where there is Spectra.
+Descriptor_values shape_dna(const Mesh& mesh, Sphere_map);
 
 } // namespace benchmark
 

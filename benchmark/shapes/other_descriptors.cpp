@@ -3,37 +3,19 @@
 
 #include "shapes/descriptors.h"
 
-#include <CGAL/Spherical_parameterization/internal/signature/Discrete_surface.h>
-#include <CGAL/Spherical_parameterization/internal/signature/conformal_factor.h>
 #include <CGAL/Spherical_parameterization/internal/base/histogram.h>
-#include <CGAL/Spherical_parameterization/stretch_histogram.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/mesh_segmentation.h>
 #include <CGAL/point_generators_3.h>
 
-#ifdef BENCHMARK_WITH_SPECTRA
-#include <Spectra/MatOp/SparseSymShiftSolve.h>
-#include <Spectra/SymEigsShiftSolver.h>
-#endif
-
-#include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace benchmark {
 namespace {
 
-namespace SP = CGAL::Spherical_parameterization;
 namespace PMP = CGAL::Polygon_mesh_processing;
-using SP::Stretch_histogram;
-using SP::internal::Histogram;
-
-Descriptor stretch_descriptor(const std::string& name, const Stretch_histogram& options)
-{
-  return {name, true,
-          [options](const Mesh& mesh, Sphere_map sphere) { return SP::stretch_histogram(mesh, sphere, options); }};
-}
+using CGAL::Spherical_parameterization::internal::Histogram;
 
 /// The distances of random points of the surface, over their mean: R. Osada, T. Funkhouser, B. Chazelle, D. Dobkin,
 /// "Shape distributions", ACM Transactions on Graphics 21 (2002).
@@ -76,44 +58,11 @@ Descriptor_values sdf(const Mesh& mesh, bool is_normalised)
   return histogram.shares();
 }
 
-#ifdef BENCHMARK_WITH_SPECTRA
-/// The smallest 30 eigenvalues of the Laplacian that are not 0, scaled to area 4 pi and over their number, to which
-/// they are proportional by Weyl's law: M. Reuter, F.-E. Wolter, N. Peinecke, "Laplace-Beltrami spectra as 'Shape-DNA'
-/// of surfaces and solids", CAD 38 (2006). On the intrinsic Delaunay triangulation, like the package's signature.
-Descriptor_values shape_dna(const Mesh& mesh, Sphere_map)
-{
-  constexpr int count = 30;
-  constexpr double shift = -0.05; // next to the eigenvalue 0
-  const SP::internal::Mapped_surface map =
-    SP::internal::read_mapped_surface(mesh, mesh.points(), mesh.points(), SP::internal::Sequential_loop());
-  const SP::internal::Discrete_surface surface(SP::internal::Intrinsic_triangulation(map, map.point));
-  const Eigen::VectorXd scale = surface.mass().array().rsqrt();
-  const Eigen::SparseMatrix<double> a = scale.asDiagonal() * surface.laplacian() * scale.asDiagonal();
-  Spectra::SparseSymShiftSolve<double> operation(a);
-  Spectra::SymEigsShiftSolver<Spectra::SparseSymShiftSolve<double>> solver(operation, count + 1, 2 * count + 10, shift);
-  solver.init();
-  solver.compute(Spectra::SortRule::LargestMagn, 1000, 1e-8, Spectra::SortRule::SmallestAlge);
-  if(solver.info() != Spectra::CompInfo::Successful)
-    throw std::runtime_error("no eigenvalues");
-  Descriptor_values values;
-  for(int i = 1; i <= count; ++i)
-    values.push_back(solver.eigenvalues()[i] / i);
-  return values;
-}
-#endif
-
 } // namespace
 
 std::vector<Descriptor> other_descriptors()
 {
-  Stretch_histogram paper;
-  paper.sampling = Stretch_histogram::Sampling::RANDOM;
-  paper.scale = Stretch_histogram::Scale::LINEAR;
-  paper.low = 0;
-  paper.high = 8;
-  return {stretch_descriptor("paper: stretch histogram", paper),
-          stretch_descriptor("log stretch, exact areas", Stretch_histogram()),
-          {"D2", false, d2},
+  return {{"D2", false, d2},
           {"SDF", false, [](const Mesh& mesh, Sphere_map) { return sdf(mesh, true); }, true},
           {"log SDF", false, [](const Mesh& mesh, Sphere_map) { return sdf(mesh, false); }, true},
 #ifdef BENCHMARK_WITH_SPECTRA

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "measure/backend.h"
 #include "shapes/descriptors.h"
 
 #include <CGAL/Spherical_parameterization/internal/signature/signature_values_impl.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 #include <CGAL/Spherical_parameterization/shape_signature.h>
+#include <CGAL/Spherical_parameterization/stretch_histogram.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,15 +16,12 @@ namespace {
 
 namespace SP = CGAL::Spherical_parameterization;
 using SP::Shape_signature;
+using SP::Stretch_histogram;
 using SP::internal::Conformal_factor;
 using SP::internal::Discrete_surface;
+using SP::internal::Histogram;
 using SP::internal::Mapped_surface;
-const SP::internal::Sequential_loop one_core;
-
-Descriptor_values part(const Shape_signature& s, std::size_t begin, std::size_t end)
-{
-  return Descriptor_values(s.values.begin() + begin, s.values.begin() + end);
-}
+const SP::internal::Host_loop one_core;
 
 constexpr std::size_t girths = Shape_signature::coarse_bins + Shape_signature::fine_bins;
 
@@ -43,7 +40,7 @@ Descriptor_values without_poisson(const Mesh& mesh, Sphere_map sphere)
   Shape_signature signature;
   SP::internal::add_girths(factor.surface, u, signature.values);
   SP::internal::add_limbs(factor.surface, u, signature.values);
-  return part(signature, 0, Shape_signature::size);
+  return {signature.values.begin(), signature.values.end()};
 }
 
 /// The signature before it was improved: one histogram of 32 bins, 12 limbs, and bumps count as limbs.
@@ -55,7 +52,7 @@ Descriptor_values first_version(const Mesh& mesh, Sphere_map sphere)
   const Discrete_surface& surface = factor.surface;
   const Discrete_surface::Vector u = SP::internal::smoothed(one_core, surface, factor.u, 0.003);
   const Discrete_surface::Vector gradient = surface.gradient_norm(u);
-  SP::internal::Histogram histogram(32, -1, 5);
+  Histogram histogram(32, -1, 5);
   for(int i = 0; i < surface.size(); ++i)
     histogram.add_interpolated(std::log(std::max(gradient[i], 1e-9)), surface.mass()[i]);
   Descriptor_values values;
@@ -82,30 +79,26 @@ Descriptor_values first_version(const Mesh& mesh, Sphere_map sphere)
 std::vector<Descriptor> own_descriptors()
 {
   const auto signature_part = [](std::size_t begin, std::size_t end) {
-    return [=](const Mesh& mesh, Sphere_map sphere) { return part(SP::shape_signature(mesh, sphere), begin, end); };
+    return [=](const Mesh& mesh, Sphere_map sphere) {
+      const auto values = SP::shape_signature(mesh, sphere).values;
+      return Descriptor_values(values.begin() + begin, values.begin() + end);
+    };
+  };
+  Stretch_histogram paper;
+  paper.sampling = Stretch_histogram::Sampling::RANDOM;
+  paper.scale = Stretch_histogram::Scale::LINEAR;
+  paper.low = 0;
+  paper.high = 8;
+  const auto stretch = [](const Stretch_histogram& histogram) {
+    return [=](const Mesh& mesh, Sphere_map sphere) { return SP::stretch_histogram(mesh, sphere, histogram); };
   };
   return {{"signature", true, signature_part(0, Shape_signature::size)},
           {"its girths alone", true, signature_part(0, girths)},
           {"its limbs alone", true, signature_part(girths, Shape_signature::size)},
           {"one histogram, 12 limbs", true, first_version},
-          {"without Poisson solve", true, without_poisson}};
-}
-
-const char* map_for_descriptors(Mesh& mesh, Sphere_map sphere)
-{
-  const Backend backend = backends_by_name({"sequential"}).front();
-  const Result result = compute_map(backend, mesh, Weights::CONFORMAL, Balanced(), sphere);
-  if(result)
-    return "conformal";
-  if(result.error == SP::Error_code::NOT_CONVERGED) {
-    const auto other = mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:barycentric").first;
-    if(compute_map(backend, mesh, Weights::BARYCENTRIC, Balanced(), other)) {
-      for(auto v : mesh.vertices())
-        sphere[v] = other[v];
-      return "barycentric";
-    }
-  }
-  return "uncertified";
+          {"without Poisson solve", true, without_poisson},
+          {"paper: stretch histogram", true, stretch(paper)},
+          {"log stretch, exact areas", true, stretch(Stretch_histogram())}};
 }
 
 } // namespace benchmark

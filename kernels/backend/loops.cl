@@ -16,22 +16,14 @@
 #endif
 #define KERNEL __kernel __attribute__((reqd_work_group_size(WORK_ITEMS, 1, 1))) void
 
-#define VECTORS __global vec3*
-#define CONST_VECTORS __global const vec3*
-#define SCALARS __global real*
-#define CONST_SCALARS __global const real*
-#define INDICES __global const int*
-
 /* Structures of pointers cannot be arguments: their members are, and VIEW puts them together again. */
 #define MATRIX(a)                                                                                                      \
-  INDICES a##_offset, INDICES a##_target, CONST_SCALARS a##_weight, CONST_SCALARS a##_excess,                          \
-    CONST_SCALARS a##_inverse_diagonal
+  int_in a##_offset, int_in a##_target, real_in a##_weight, real_in a##_excess, real_in a##_inverse_diagonal
 #define VIEW(a) make_graph_view(a##_offset, a##_target, a##_weight, a##_excess, a##_inverse_diagonal)
-#define TRANSFER(t) INDICES t##_offset, INDICES t##_column, CONST_SCALARS t##_value
+#define TRANSFER(t) int_in t##_offset, int_in t##_column, real_in t##_value
 #define TRANSFER_VIEW(t) make_sparse_view(t##_offset, t##_column, t##_value)
 
-graph_view make_graph_view(INDICES offset, INDICES target, CONST_SCALARS weight, CONST_SCALARS excess,
-                           CONST_SCALARS inverse_diagonal)
+graph_view make_graph_view(int_in offset, int_in target, real_in weight, real_in excess, real_in inverse_diagonal)
 {
   graph_view a;
   a.offset = offset;
@@ -42,7 +34,7 @@ graph_view make_graph_view(INDICES offset, INDICES target, CONST_SCALARS weight,
   return a;
 }
 
-sparse_view make_sparse_view(INDICES offset, INDICES column, CONST_SCALARS value)
+sparse_view make_sparse_view(int_in offset, int_in column, real_in value)
 {
   sparse_view t;
   t.offset = offset;
@@ -55,7 +47,7 @@ sparse_view make_sparse_view(INDICES offset, INDICES column, CONST_SCALARS value
  *
  * SUMS(K) makes room for K sums; the statement after FOR_EACH_OF_BLOCK adds the share of i to s[0] ... s[K-1];
  * ADD_UP(K) hands over the sums of the block. Lane l adds up the elements with i % LANES == l, then the lanes are added
- * pairwise: the order of Host_backend, to the last bit. */
+ * pairwise: the order of Host_machine, to the last bit. */
 #ifdef CGAL_SP_CPU
 
 #define FOR_EACH(i, n) for(int i = (int)get_group_id(0) * BLOCK, i##_end = min(i + BLOCK, n); i < i##_end; ++i)
@@ -70,7 +62,7 @@ sparse_view make_sparse_view(INDICES offset, INDICES column, CONST_SCALARS value
 
 #define ADD_UP(K) add_lanes(K, lanes, partial)
 
-void add_lanes(int count, real* lanes, SCALARS partial)
+void add_lanes(int count, real* lanes, real_out partial)
 {
   for(int half_size = LANES / 2 * count; half_size >= count; half_size /= 2)
     for(int k = 0; k < half_size; ++k)
@@ -95,7 +87,7 @@ void add_lanes(int count, real* lanes, SCALARS partial)
 
 #define ADD_UP(K) add_lanes(K, s, lanes, partial)
 
-void add_lanes(int count, const real* s, __local real* lanes, SCALARS partial)
+void add_lanes(int count, const real* s, __local real* lanes, real_out partial)
 {
   const int lane = (int)get_local_id(0);
   for(int k = 0; k < count; ++k)

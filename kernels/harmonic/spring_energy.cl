@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: LGPL-3.0-or-later
  * Part of CGAL Spherical Parameterization.
  *
- * The verbs of the descent on the sphere: see Host_backend.h for what they compute, formulas/spring_energy.h for how.
+ * The verbs of the descent on the sphere: see formulas/spring_energy.h for what they compute.
  */
 
 /* Gradient and curvature are kernels twice, for exponent 2 and for all others: the mere presence of pow() makes the
  * code of a CPU driver three times slower, even where it is not called. */
 
-KERNEL sp_energy(int n, MATRIX(a), CONST_VECTORS v, SCALARS partial)
+KERNEL sp_energy(int n, MATRIX(a), vec3_in v, real_out partial)
 {
   SUMS(1);
   FOR_EACH_OF_BLOCK(i, n)
@@ -15,48 +15,47 @@ KERNEL sp_energy(int n, MATRIX(a), CONST_VECTORS v, SCALARS partial)
   ADD_UP(1);
 }
 
-KERNEL sp_gradient(int n, MATRIX(a), CONST_VECTORS v, VECTORS g, SCALARS density, SCALARS partial)
+KERNEL sp_gradient(int n, MATRIX(a), vec3_in v, vec3_out g, real_out density, real_out partial)
 {
   SUMS(4);
   FOR_EACH_OF_BLOCK(i, n)
-  gradient_at(i, VIEW(a), 2, v, g, density, s);
+  gradient_at(i, VIEW(a), v, g, density, s);
   ADD_UP(4);
 }
 
-KERNEL sp_stiffening_gradient(int n, MATRIX(a), real p, CONST_VECTORS v, VECTORS g, SCALARS density, SCALARS partial)
+KERNEL sp_stiffening_gradient(int n, MATRIX(a), real p, vec3_in v, vec3_out g, real_out density, real_out partial)
 {
   SUMS(4);
   FOR_EACH_OF_BLOCK(i, n)
-  gradient_at(i, VIEW(a), p, v, g, density, s);
+  stiffening_gradient_at(i, VIEW(a), p, v, g, density, s);
   ADD_UP(4);
 }
 
-KERNEL sp_spring_masses(int n, MATRIX(a), CONST_VECTORS v, SCALARS m)
+KERNEL sp_spring_masses(int n, MATRIX(a), vec3_in v, real_out m)
 {
   FOR_EACH(i, n)
   spring_masses_at(i, VIEW(a), v, m);
 }
 
-KERNEL sp_curvature(int n, MATRIX(a), CONST_SCALARS mass, vec3 mu, CONST_VECTORS v, CONST_VECTORS d,
-                    CONST_SCALARS density, SCALARS partial)
+KERNEL sp_curvature(int n, MATRIX(a), real_in mass, vec3 mu, vec3_in v, vec3_in d, real_in density, real_out partial)
 {
   SUMS(5);
   FOR_EACH_OF_BLOCK(i, n)
-  curvature_at(i, VIEW(a), 2, mass, mu, v, d, density, s);
+  curvature_at(i, VIEW(a), mass, mu, v, d, density, s);
   ADD_UP(5);
 }
 
-KERNEL sp_stiffening_curvature(int n, MATRIX(a), real p, CONST_SCALARS mass, vec3 mu, CONST_VECTORS v, CONST_VECTORS d,
-                               CONST_SCALARS density, SCALARS partial)
+KERNEL sp_stiffening_curvature(int n, MATRIX(a), real p, real_in mass, vec3 mu, vec3_in v, vec3_in d, real_in density,
+                               real_out partial)
 {
   SUMS(5);
   FOR_EACH_OF_BLOCK(i, n)
-  curvature_at(i, VIEW(a), p, mass, mu, v, d, density, s);
+  stiffening_curvature_at(i, VIEW(a), p, mass, mu, v, d, density, s);
   ADD_UP(5);
 }
 
-KERNEL sp_balance_gradient(int n, CONST_SCALARS inverse_diagonal, CONST_SCALARS mass, vec3 mu, CONST_VECTORS v,
-                           VECTORS g, SCALARS partial)
+KERNEL sp_balance_gradient(int n, real_in inverse_diagonal, real_in mass, vec3 mu, vec3_in v, vec3_out g,
+                           real_out partial)
 {
   SUMS(1);
   FOR_EACH_OF_BLOCK(i, n)
@@ -64,8 +63,8 @@ KERNEL sp_balance_gradient(int n, CONST_SCALARS inverse_diagonal, CONST_SCALARS 
   ADD_UP(1);
 }
 
-KERNEL sp_direction_products(int n, CONST_SCALARS mass, CONST_VECTORS v, CONST_VECTORS g, CONST_VECTORS old_g,
-                             CONST_VECTORS step, CONST_VECTORS d, SCALARS partial)
+KERNEL sp_direction_products(int n, real_in mass, vec3_in v, vec3_in g, vec3_in old_g, vec3_in step, vec3_in d,
+                             real_out partial)
 {
   SUMS(15);
   FOR_EACH_OF_BLOCK(i, n)
@@ -73,14 +72,13 @@ KERNEL sp_direction_products(int n, CONST_SCALARS mass, CONST_VECTORS v, CONST_V
   ADD_UP(15);
 }
 
-KERNEL sp_next_direction(int n, real beta, vec3 y, vec3 omega, CONST_VECTORS v, CONST_VECTORS step, VECTORS d)
+KERNEL sp_next_direction(int n, real beta, vec3 y, vec3 omega, vec3_in v, vec3_in step, vec3_out d)
 {
   FOR_EACH(i, n)
   next_direction_at(i, beta, y, omega, v, step, d);
 }
 
-KERNEL sp_retract(int n, CONST_SCALARS mass, real alpha, vec3 c, CONST_VECTORS v, CONST_VECTORS d, VECTORS w,
-                  SCALARS partial)
+KERNEL sp_retract(int n, real_in mass, real alpha, vec3 c, vec3_in v, vec3_in d, vec3_out w, real_out partial)
 {
   SUMS(9);
   FOR_EACH_OF_BLOCK(i, n)
@@ -88,7 +86,7 @@ KERNEL sp_retract(int n, CONST_SCALARS mass, real alpha, vec3 c, CONST_VECTORS v
   ADD_UP(9);
 }
 
-KERNEL sp_moments(int n, CONST_SCALARS mass, CONST_VECTORS v, SCALARS partial)
+KERNEL sp_moments(int n, real_in mass, vec3_in v, real_out partial)
 {
   SUMS(9);
   FOR_EACH_OF_BLOCK(i, n)
@@ -96,7 +94,7 @@ KERNEL sp_moments(int n, CONST_SCALARS mass, CONST_VECTORS v, SCALARS partial)
   ADD_UP(9);
 }
 
-KERNEL sp_transform(int n, CONST_SCALARS mass, vec3 c, CONST_VECTORS v, VECTORS w, SCALARS partial)
+KERNEL sp_transform(int n, real_in mass, vec3 c, vec3_in v, vec3_out w, real_out partial)
 {
   SUMS(9);
   FOR_EACH_OF_BLOCK(i, n)

@@ -3,20 +3,36 @@
 
 #include "collections/mpi_workers.h"
 
-#include "collections/signature_pool.h"
-#include "system/interruption.h"
 #include "system/refusal.h"
 
 #ifdef SPHERICAL_PARAMETERIZATION_WITH_MPI
-#include <boost/mpi/collectives.hpp>
 #include <boost/mpi/communicator.hpp>
 #include <boost/mpi/environment.hpp>
+#include <boost/serialization/array.hpp>
 #include <boost/serialization/string.hpp>
-#include <boost/serialization/utility.hpp>
 
 #include <chrono>
-#include <utility>
-#include <vector>
+#include <exception>
+#include <future>
+#include <iostream>
+#include <mutex>
+#include <thread>
+
+namespace boost::serialization {
+
+template <class Archive>
+void serialize(Archive& archive, tool::Signature_row& row, unsigned)
+{
+  bool has_signature = row.signature.has_value();
+  archive& row.name& row.version.bytes& row.version.changed& row.version.hash& row.vertices& row.status& row.map& row
+    .message& has_signature;
+  if(has_signature && !row.signature)
+    row.signature.emplace();
+  if(has_signature)
+    archive& row.signature->values;
+}
+
+} // namespace boost::serialization
 #endif
 
 namespace tool {
@@ -26,113 +42,77 @@ namespace {
 
 namespace mpi = boost::mpi;
 
-/// mesh name and line of the index; a mesh to sign comes without a line, and without a name there is no more to come
-typedef std::pair<std::string, std::string> Message;
-enum Tag { WORK, RESULT };
+/// A thread sends a row, without a name if it has none, and gets the name of a mesh, which is empty if there are no
+/// more. A rank whose threads have ended says so.
+enum Tag { ROW, MESH, END };
 
-/// How long threads are waited for before messages are looked at again, and the other way round. Signatures take tens
-/// of milliseconds.
-constexpr std::chrono::milliseconds poll_interval(2);
-
-/// Rank 0: the threads of all ranks.
-class All_ranks : public Signature_workers {
-public:
-  All_ranks(const mpi::communicator& world, int threads)
-    : world_(world), local_(threads), idle_(static_cast<std::size_t>(world.size()), threads)
-  {
-    idle_[0] = 0; // those of this rank are counted by the pool
-  }
-
-  /// The others may end.
-  ~All_ranks() override
-  {
-    for(int rank = 1; rank < world_.size(); ++rank)
-      world_.send(rank, WORK, Message());
-    for(int rank = 1; rank < world_.size();) { // what is under way must arrive; the last message of each is empty
-      Message message;
-      world_.recv(mpi::any_source, RESULT, message);
-      rank += message.first.empty();
+/// Rank 0: hands out meshes until the other ranks have ended.
+void serve(const mpi::communicator& world, Signature_batch& batch)
+{
+  constexpr std::chrono::microseconds pause(500); // signatures take tens of milliseconds
+  for(int others = world.size() - 1; others > 0;) {
+    const auto status = world.iprobe();
+    if(!status) {
+      std::this_thread::sleep_for(pause);
+      continue;
     }
-  }
-
-  int idle() const override
-  {
-    int sum = local_.idle();
-    for(int threads : idle_)
-      sum += threads;
-    return sum;
-  }
-
-  void start(const std::string& mesh) override
-  {
-    for(int rank = 1; rank < world_.size(); ++rank)
-      if(idle_[static_cast<std::size_t>(rank)] > 0) {
-        --idle_[static_cast<std::size_t>(rank)];
-        world_.send(rank, WORK, Message(mesh, ""));
-        return;
-      }
-    local_.start(mesh);
-  }
-
-  std::optional<Finished_line> wait() override
-  {
-    if(const auto status = world_.iprobe(mpi::any_source, RESULT)) {
-      Message message;
-      world_.recv(status->source(), RESULT, message);
-      ++idle_[static_cast<std::size_t>(status->source())];
-      return Finished_line{message.first, message.second};
+    Signature_row row;
+    world.recv(status->source(), status->tag(), row);
+    if(status->tag() == END) {
+      --others;
+      continue;
     }
-    return local_.wait_for(poll_interval);
+    if(!row.name.empty())
+      batch.add(row);
+    world.send(status->source(), MESH, batch.next().value_or(""));
   }
-
-private:
-  mpi::communicator world_;
-  Signature_pool local_;
-  std::vector<int> idle_; ///< by rank
-};
+}
 
 /// Any other rank.
 void work_for_rank_0(const mpi::communicator& world, int threads)
 {
-  constexpr std::chrono::seconds patience(2);
-  Signature_pool pool(threads);
-  std::optional<std::chrono::steady_clock::time_point> interrupted;
-  for(;;) {
-    if(was_interrupted()) {
-      const auto now = std::chrono::steady_clock::now();
-      if(now - interrupted.value_or(now) > patience) // rank 0 does not know, and would wait for ever
-        mpi::environment::abort(1);
-      interrupted = interrupted.value_or(now);
-    }
-    while(world.iprobe(0, WORK)) {
-      Message message;
-      world.recv(0, WORK, message);
-      if(message.first.empty()) {
-        world.send(0, RESULT, Message());
-        return;
+  std::mutex mutex; // of MPI
+  run_on_threads(threads, [&] {
+    Signature_row row;
+    for(;;) {
+      std::string mesh;
+      {
+        const std::lock_guard<std::mutex> lock(mutex);
+        world.send(0, ROW, row);
+        world.recv(0, MESH, mesh);
       }
-      pool.start(message.first);
+      if(mesh.empty())
+        return;
+      row = sign_mesh(mesh).value_or(Signature_row()); // none if it was interrupted, which rank 0 will miss
     }
-    if(const auto result = pool.wait_for(poll_interval))
-      world.send(0, RESULT, Message(result->name, result->line));
-  }
+  });
+  world.send(0, END, Signature_row());
 }
 
 } // namespace
 
-int run_on_all_ranks(int threads_per_rank, const std::function<int(Signature_workers&)>& batch)
+int run_on_all_ranks(int threads_per_rank, const std::function<int(const Batch_workers&)>& action)
 {
-  const mpi::environment environment(mpi::threading::funneled); // threads compute; one of them talks
+  const mpi::environment environment(mpi::threading::serialized); // one thread at a time talks
   const mpi::communicator world;
   if(world.rank() > 0) {
     work_for_rank_0(world, threads_per_rank);
     return 0;
   }
-  All_ranks workers(world, threads_per_rank);
-  return batch(workers);
+  try {
+    return action([&](Signature_batch& batch) {
+      const auto local =
+        std::async(std::launch::async, [&] { run_on_threads(threads_per_rank, [&] { batch.work(); }); });
+      serve(world, batch);
+    }); // when local is gone, so are its threads
+  } catch(const std::exception& exception) {
+    std::cerr << "spherical-parameterization: " << exception.what() << std::endl;
+    mpi::environment::abort(1); // the other ranks may be waiting
+    return 1;
+  }
 }
 #else
-int run_on_all_ranks(int, const std::function<int(Signature_workers&)>&)
+int run_on_all_ranks(int, const std::function<int(const Batch_workers&)>&)
 {
   throw Refusal("NO_MPI", "--mpi", "this build has no MPI support",
                 "configure it with CGAL_SP_WITH_MPI=ON, or use --jobs in one process");

@@ -4,18 +4,17 @@
 #ifndef SPHERICAL_PARAMETERIZATION_TOOL_MPI_WORKERS_H
 #define SPHERICAL_PARAMETERIZATION_TOOL_MPI_WORKERS_H
 
-#include "collections/signature_workers.h"
+#include "collections/signature_batch.h"
 
 #include <functional>
 
 namespace tool {
 
-/// Starts MPI. Rank 0 calls `batch` with the threads of all ranks as its workers, so many on each; the others work for
-/// it until it is done. If one rank ends otherwise, all do. Returns what `batch` returns on rank 0, and 0 on the
-/// others.
+/// Starts MPI, and runs `action` on rank 0, with the threads of all ranks as workers, so many on each. Returns what it
+/// returns; 0 on the others, when all is done.
 ///
 /// Throws a `Refusal` in builds without MPI.
-int run_on_all_ranks(int threads_per_rank, const std::function<int(Signature_workers&)>& batch);
+int run_on_all_ranks(int threads_per_rank, const std::function<int(const Batch_workers&)>& action);
 
 } // namespace tool
 

@@ -3,110 +3,206 @@
 
 #include "collections/signature_batch.h"
 
-#include "collections/journal.h"
-#include "collections/signature_index.h"
+#include "input/mesh.h"
+#include "mapping/spherical_map.h"
 #include "output/atomic_file.h"
+#include "output/csv.h"
+#include "system/error_code_names.h"
 #include "system/interruption.h"
-#include "system/progress_bar.h"
 #include "system/refusal.h"
 
-#include <filesystem>
-#include <map>
-#include <optional>
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <initializer_list>
+#include <iterator>
+#include <new>
+#include <ostream>
+#include <system_error>
+#include <thread>
+#include <utility>
 
 namespace tool {
 namespace {
 
-/// A line of the journal: size and time of the mesh file when its work was started, and the line of the index.
-struct Journal_line {
-  std::string version; ///< of the file: "bytes,modified"
-  std::string index_line;
-};
+using CGAL::Spherical_parameterization::Result;
 
-const std::string version_header = "bytes,modified";
-
-/// Two versions of a file are the same if their size and the time of their last change are. Both are empty for a file
-/// that is not there.
-std::string version_of(const std::string& file)
+/// Whether there is a map to work with, good or bad.
+bool has_map(Error_code code)
 {
-  std::error_code error;
-  const auto bytes = std::filesystem::file_size(file, error);
-  if(error)
-    return ",";
-  const auto modified = std::filesystem::last_write_time(file, error);
-  return error ? "," : std::to_string(bytes) + ',' + std::to_string(modified.time_since_epoch().count());
+  return code == Error_code::OK || code == Error_code::NOT_CONVERGED || code == Error_code::NOT_BIJECTIVE;
 }
 
-Journal_line split(const std::string& line)
+/// Fills `row` but for its name. Throws; leaves the signature out if it is interrupted.
+void sign(const std::string& file, Signature_row& row)
 {
-  const std::size_t comma = line.find(',', line.find(',') + 1); // the second one
-  return comma == std::string::npos ? Journal_line() : Journal_line{line.substr(0, comma), line.substr(comma + 1)};
-}
-
-std::optional<std::string> name_of_line(const std::string& line)
-{
-  const std::optional<Signature_row> row = from_index_line(split(line).index_line);
-  return row ? std::optional(row->name) : std::nullopt;
-}
-
-/// Whether the journal has the row of a mesh file as it is now.
-bool is_done(const Journal& journal, const std::string& mesh)
-{
-  const auto found = journal.lines().find(mesh);
-  return found != journal.lines().end() && split(found->second).version == version_of(mesh);
-}
-
-void compute(const std::vector<std::string>& missing, std::size_t resumed, Signature_workers& workers, Journal& journal)
-{
-  const double all = static_cast<double>(resumed + missing.size());
-  std::map<std::string, std::string> versions; // of the files that are worked on
-  Progress_bar bar;
-  for(std::size_t started = 0, finished = 0; finished < missing.size();) {
-    if(was_interrupted())
-      throw Refusal("INTERRUPTED", journal.file(),
-                    "interrupted with " + std::to_string(resumed + finished) + " rows done",
-                    "the same command resumes from there");
-    for(; started < missing.size() && workers.idle() > 0; ++started) {
-      versions[missing[started]] = version_of(missing[started]); // a change from here on makes it another version
-      workers.start(missing[started]);
+  row.version = version_of(file); // a change from here on makes it another one
+  if(row.version.bytes >= 0)      // a pipe has no end
+    row.version.hash = content_hash(file);
+  const Mesh mesh = read_mesh(file).mesh;
+  row.vertices = mesh.number_of_vertices();
+  const auto compute = [&](Sphere& sphere, const auto& weights) {
+    Map_settings settings;
+    settings.weights = weights;
+    settings.policy = CGAL::Sequential_tag(); // the other cores have meshes of their own
+    return map_to_sphere(mesh, sphere, settings, [](double) { return !was_interrupted(); });
+  };
+  Sphere sphere;
+  const Result result = compute(sphere, Conformal_weights());
+  if(result.error == Error_code::INTERRUPTED)
+    return;
+  if(!has_map(result.error))
+    throw Refusal(name(result.error), file,
+                  get_error_message(result.error) + (result.detail.empty() ? "" : ": " + result.detail), "");
+  row.map = result ? "conformal" : "uncertified";
+  if(result.error == Error_code::NOT_CONVERGED) {
+    Sphere barycentric;
+    const Result other = compute(barycentric, Barycentric_weights());
+    if(other.error == Error_code::INTERRUPTED)
+      return;
+    if(other) {
+      row.map = "barycentric";
+      sphere = std::move(barycentric);
     }
-    if(const std::optional<Finished_line> result = workers.wait()) {
-      journal.add(result->name, versions.at(result->name) + ',' + result->line);
-      versions.erase(result->name);
-      ++finished;
-    }
-    bar.show(static_cast<double>(resumed + finished) / all);
   }
+  row.signature = CGAL::Spherical_parameterization::shape_signature(mesh, as_map(sphere));
+}
+
+void write_csv_header(std::ostream& out)
+{
+  const std::initializer_list<std::pair<const char*, std::size_t>> numbers = {
+    {"girth_coarse", Shape_signature::coarse_bins},
+    {"girth_fine", Shape_signature::fine_bins},
+    {"limb_length", Shape_signature::limbs},
+    {"limb_area", Shape_signature::limbs}};
+  out << "name,vertices,status,map,message";
+  for(const auto& [name, count] : numbers)
+    for(std::size_t i = 0; i < count; ++i)
+      out << ',' << name << '_' << i;
+  out << '\n';
+}
+
+/// Numbers have the fewest digits from which the same double is read again.
+void write_csv(std::ostream& out, const Signature_row& row)
+{
+  out << csv_quoted(row.name) << ',' << (row.vertices > 0 ? std::to_string(row.vertices) : "") << ','
+      << csv_quoted(row.status) << ',' << csv_quoted(row.map) << ',' << csv_quoted(row.message);
+  std::array<char, 32> digits;
+  for(std::size_t i = 0; i < Shape_signature::size; ++i) {
+    out << ',';
+    if(row.signature)
+      out.write(digits.data(),
+                std::to_chars(digits.begin(), digits.end(), row.signature->values[i]).ptr - digits.begin());
+  }
+  out << '\n';
 }
 
 } // namespace
 
-std::string journal_of(const std::string& output) { return output + ".journal"; }
-
-Batch_summary run_batch(const std::vector<std::string>& meshes, const std::string& output, Signature_workers& workers)
+std::optional<Signature_row> sign_mesh(const std::string& file)
 {
-  Journal journal(journal_of(output), version_header + ',' + index_header(), name_of_line);
-  std::vector<std::string> missing;
-  for(const std::string& mesh : meshes)
-    if(!is_done(journal, mesh))
-      missing.push_back(mesh);
-  Batch_summary summary;
-  summary.meshes = meshes.size();
-  summary.resumed = meshes.size() - missing.size();
-  compute(missing, summary.resumed, workers, journal);
-
-  Atomic_file index(output);
-  index.stream() << index_header() << '\n';
-  for(const std::string& mesh : meshes) {
-    const std::string line = split(journal.lines().at(mesh)).index_line;
-    index.stream() << line << '\n';
-    const std::optional<Signature_row> row = from_index_line(line);
-    if(row && !row->signature)
-      summary.without_signature.push_back(row->message);
+  Signature_row row;
+  row.name = file;
+  const auto fail = [&row](const Refusal& refusal) {
+    row.status = refusal.code();
+    row.message = refusal.what();
+    row.map.clear();
+  };
+  try {
+    sign(file, row);
+    row.status = "OK";
+    if(!row.signature)
+      return std::nullopt;
+  } catch(const Refusal& refusal) {
+    fail(refusal);
+  } catch(const std::bad_alloc&) {
+    fail({"OUT_OF_MEMORY", file, "not enough memory", "simplify the mesh, or use fewer --jobs"});
+  } catch(const std::exception& exception) {
+    fail({"NO_SIGNATURE", file, exception.what(), ""});
   }
-  index.commit();
-  journal.remove();
+  return row;
+}
+
+Signature_batch::Signature_batch(const std::vector<std::string>& meshes, const std::string& output)
+  : meshes_(meshes), output_(output), index_(index_of(output), Database::Access::WRITE)
+{
+  std::copy_if(meshes.begin(), meshes.end(), std::back_inserter(missing_),
+               [this](const std::string& mesh) { return !index_.is_current(mesh); });
+  bar_.emplace();
+}
+
+std::optional<std::string> Signature_batch::next()
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if(error_ || was_interrupted() || started_ == missing_.size())
+    return std::nullopt;
+  return missing_[started_++];
+}
+
+void Signature_batch::add(const Signature_row& row)
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  try {
+    index_.put(row);
+    ++finished_;
+    bar_->show(1 - static_cast<double>(missing_.size() - finished_) / static_cast<double>(meshes_.size()));
+  } catch(...) {
+    error_ = std::current_exception();
+  }
+}
+
+void Signature_batch::work()
+{
+  try {
+    while(const std::optional<std::string> mesh = next())
+      if(const std::optional<Signature_row> row = sign_mesh(*mesh))
+        add(*row);
+  } catch(...) { // whatever is wrong with a mesh is in its row: this is about the program, as when memory runs out
+    const std::lock_guard<std::mutex> lock(mutex_);
+    error_ = std::current_exception();
+  }
+}
+
+Batch_summary Signature_batch::finish()
+{
+  bar_.reset();
+  if(error_)
+    std::rethrow_exception(error_);
+  Batch_summary summary;
+  summary.meshes = meshes_.size();
+  summary.resumed = meshes_.size() - missing_.size();
+  if(finished_ < missing_.size())
+    throw Refusal("INTERRUPTED", output_,
+                  "interrupted with " + std::to_string(summary.resumed + finished_) + " rows done",
+                  "the same command resumes from there");
+  summary.removed = index_.keep_only(meshes_);
+  std::optional<Atomic_file> table;
+  if(output_ != index_of(output_))
+    write_csv_header(table.emplace(output_).stream());
+  for(const std::string& mesh : meshes_) {
+    const Signature_row row = index_.row(mesh).value();
+    if(table)
+      write_csv(table->stream(), row);
+    if(!row.signature)
+      summary.without_signature.push_back(row.message);
+  }
+  if(table)
+    table->commit();
   return summary;
+}
+
+void run_on_threads(int threads, const std::function<void()>& work)
+{
+  std::vector<std::thread> others;
+  others.reserve(static_cast<std::size_t>(threads - 1));
+  try {
+    for(int i = 1; i < threads; ++i)
+      others.emplace_back(work);
+  } catch(const std::system_error&) { // there are no more of them
+  }
+  work();
+  for(std::thread& other : others)
+    other.join();
 }
 
 } // namespace tool

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "commands/devices_command.h"
+#include "commands/commands.h"
 
-#include "options/policies.h"
+#include "options/mapping_options.h"
+
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
+#include <CGAL/Spherical_parameterization/OpenCL_device.h>
+#endif
 
 #include <CLI/CLI.hpp>
 
@@ -24,15 +28,15 @@ void print_policy(const std::string& name, const std::string& runs_on)
   std::cout << name << (name == default_policy_name() ? " (default): " : ": ") << runs_on << '\n';
 }
 
-#ifdef CGAL_LINKED_WITH_TBB
 std::string tbb_threads()
 {
+#ifdef CGAL_LINKED_WITH_TBB
   const int threads = tbb::this_task_arena::max_concurrency();
   return std::to_string(threads) + (threads == 1 ? " thread" : " threads");
-}
 #else
-std::string tbb_threads() { return "not available, this build has no TBB support"; }
+  return "not available, this build has no TBB support";
 #endif
+}
 
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
 void print_opencl_devices()

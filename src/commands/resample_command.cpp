@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "commands/resample_command.h"
+#include "commands/commands.h"
 
 #include "mapping/mapped_mesh.h"
 #include "options/usage.h"
@@ -17,6 +17,7 @@
 #include <iostream>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace tool {
 namespace {
@@ -38,6 +39,19 @@ void check(const Resample_options& options)
   check_mapping_options(options);
 }
 
+/// The point of the shape that is mapped to the direction.
+Point point_at(const SP::Spherical_locator<Mesh>& shape, const Point& direction)
+{
+  const auto place = shape.locate(direction);
+  Point point;
+  for(std::size_t k = 0; k < 3; ++k)
+    point[k] = SP::interpolate(shape.mesh(), place,
+                               boost::make_function_property_map<Mesh::Vertex_index>([&](Mesh::Vertex_index v) {
+                                 return shape.mesh().points()[static_cast<std::size_t>(v.idx())][k];
+                               }));
+  return point;
+}
+
 void resample(const Resample_options& options)
 {
   Mapped_mesh input;
@@ -47,13 +61,15 @@ void resample(const Resample_options& options)
     options.output_sphere.empty() ? nullptr : std::make_unique<Atomic_file>(options.output_sphere);
   map_input(options, input);
 
-  Mesh out;
-  const Sphere_map directions = out.add_property_map<Mesh::Vertex_index, Point>("v:sphere").first;
-  SP::resample(SP::Spherical_locator<Mesh>(input.mesh, input.sphere), input.mesh.points(), options.level, out,
-               out.points(), directions);
-  write_mesh(file.stream(), output_format(options.output), out, out.points());
+  const SP::internal::Icosphere icosphere(options.level);
+  const Mesh out(icosphere.points, icosphere.triangles);
+  const SP::Spherical_locator<Mesh> shape(input.mesh(), as_map(input.sphere));
+  std::vector<Point> points;
+  for(const Point& direction : out.points())
+    points.push_back(point_at(shape, direction));
+  write_mesh(file.stream(), options.output, out, points);
   if(sphere_file)
-    write_mesh(sphere_file->stream(), output_format(options.output_sphere), out, directions);
+    write_mesh(sphere_file->stream(), options.output_sphere, out, out.points());
   stop_if_interrupted(options.input);
   Atomic_file::commit_all({sphere_file.get(), &file});
   std::cout << options.output << ": " << out.number_of_vertices() << " vertices, " << out.number_of_faces() << " faces"

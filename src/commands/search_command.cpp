@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "commands/search_command.h"
+#include "commands/commands.h"
 
-#include "collections/nearest_signatures.h"
-#include "collections/sign_mesh.h"
-#include "collections/signature_index.h"
+#include "collections/signature_batch.h"
 #include "system/interruption.h"
 #include "system/refusal.h"
 
 #include <CLI/CLI.hpp>
 
+#include <filesystem>
 #include <iomanip>
 #include <iostream>
 #include <memory>
+#include <optional>
+#include <stdexcept>
 #include <string>
+#include <system_error>
 
 namespace tool {
 namespace {
@@ -28,18 +30,22 @@ struct Search_options {
 void search(const Search_options& options)
 {
   watch_for_interruption();
-  const std::vector<Signature_row> rows = read_index(options.index); // before the work
-  const std::optional<Signature_row> query = sign_mesh(options.query, [] { return !was_interrupted(); });
+  const std::string file = index_of(options.index);
+  if(std::error_code none; file != options.index && !std::filesystem::exists(file, none))
+    throw Refusal(unreadable_file, options.index, "is not an index, and " + file + " does not exist",
+                  "write it with the command 'signature'");
+  const Shape_index index(file, Database::Access::READ); // before the work
+  const std::optional<Signature_row> query = sign_mesh(options.query);
   if(!query)
     throw Refusal("INTERRUPTED", options.query, "interrupted", "");
   if(!query->signature)
     throw std::runtime_error(query->message);
-  const auto neighbours = nearest_signatures(rows, *query->signature, static_cast<std::size_t>(options.count));
+  const auto neighbours = index.nearest(*query->signature, static_cast<std::size_t>(options.count));
   if(neighbours.empty())
-    throw Refusal(unreadable_file, options.index, "has no signature", "see its column 'message'");
+    throw Refusal(unreadable_file, file, "has no signature", "the command 'signature' says why");
   std::cout << "distance  name\n" << std::fixed << std::setprecision(4);
-  for(const Neighbour& neighbour : neighbours)
-    std::cout << std::setw(8) << neighbour.distance << "  " << rows[neighbour.row].name << '\n';
+  for(const auto& [distance, name] : neighbours)
+    std::cout << std::setw(8) << distance << "  " << name << '\n';
   std::cout << std::flush;
 }
 
@@ -60,17 +66,12 @@ void add_search_command(CLI::App& app, int& exit_code)
     ->capture_default_str();
   command->footer("Prints a line per mesh: the distance of its signature, and its name. Typical distances are 0.2\n"
                   "between poses of the same shape and 2 between different shapes.\n"
-                  "Example: spherical-parameterization search bunny.ply --index index.csv -k 5\n"
+                  "Example: spherical-parameterization search bunny.ply --index index.db -k 5\n"
                   "Exit code: 0 found, 1 the mesh or the index was refused (stderr says why), 2 wrong usage,\n"
                   "130 interrupted.");
   command->callback([options, &exit_code] {
-    try {
-      search(*options);
-      exit_code = 0;
-    } catch(const std::runtime_error& error) {
-      std::cerr << "spherical-parameterization: " << error.what() << std::endl;
-      exit_code = 1;
-    }
+    search(*options);
+    exit_code = 0;
   });
 }
 

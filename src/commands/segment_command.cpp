@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "commands/segment_command.h"
+#include "commands/commands.h"
 
 #include "mapping/mapped_mesh.h"
 #include "options/usage.h"
 #include "output/atomic_file.h"
-#include "output/segments_ply.h"
+#include "output/write_mesh.h"
 #include "system/error_code_names.h"
 #include "system/guarded.h"
 #include "system/interruption.h"
@@ -21,6 +21,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace tool {
 namespace {
@@ -49,17 +50,18 @@ void segment(const Segment_options& options)
   const auto labels = options.labels.empty() ? nullptr : std::make_unique<Atomic_file>(options.labels);
   map_input(options, input, Map_quality::CONVERGED);
 
-  const Segment_map segments = input.mesh.add_property_map<Mesh::Face_index, std::size_t>("f:segment").first;
+  std::vector<std::size_t> segments(input.mesh().number_of_faces());
   SP::Majority_vote method;
   method.number_of_segments = static_cast<std::size_t>(options.segments.value_or(0));
-  const SP::Segmentation_result result = SP::segmentation_via_area_stretch(input.mesh, input.sphere, segments, method);
+  const SP::Segmentation_result result =
+    SP::segmentation_via_area_stretch(input.mesh(), as_map(input.sphere), as_map<Mesh::Face_index>(segments), method);
   if(!result)
     throw Refusal(name(result.error), options.input, get_error_message(result.error), result.detail);
 
-  write_segments_ply(ply.stream(), input.mesh, segments, result.number_of_segments);
+  write_segments_ply(ply.stream(), input.mesh(), segments, result.number_of_segments);
   if(labels)
-    for(const Mesh::Face_index f : input.mesh.faces())
-      labels->stream() << segments[f] << '\n';
+    for(const std::size_t segment : segments)
+      labels->stream() << segment << '\n';
   stop_if_interrupted(options.input);
   Atomic_file::commit_all({labels.get(), &ply});
   std::cout << options.input << ": " << result.number_of_segments << " segments" << std::endl;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "commands/texture_command.h"
+#include "commands/commands.h"
 
-#include "input/readable_file.h"
+#include "input/files.h"
 #include "mapping/mapped_mesh.h"
 #include "options/usage.h"
 #include "output/atomic_file.h"
-#include "output/textured_obj.h"
+#include "output/write_mesh.h"
 #include "system/guarded.h"
 #include "system/interruption.h"
 
@@ -22,6 +22,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace tool {
 namespace {
@@ -105,11 +106,12 @@ void texture(const Texture_command_options& options)
   const auto png = options.image.empty() ? std::make_unique<Atomic_file>(image) : nullptr;
   map_input(options, input);
 
-  const Uv_map uv = input.mesh.add_property_map<Mesh::Halfedge_index, Point_2>("h:uv").first;
-  const SP::Texture_report report = SP::texture_coordinates(input.mesh, input.sphere, uv, texture_options(options));
+  std::vector<Uv> uv(3 * input.mesh().number_of_faces());
+  const SP::Texture_report report = SP::texture_coordinates(input.mesh(), as_map(input.sphere),
+                                                            as_map<Mesh::Halfedge_index>(uv), texture_options(options));
 
   const fs::path folder = fs::absolute(options.output).parent_path();
-  write_textured_obj(obj.stream(), input.mesh, uv, fs::path(beside(options.output, ".mtl")).filename().string());
+  write_textured_obj(obj.stream(), input.mesh(), uv, fs::path(beside(options.output, ".mtl")).filename().string());
   write_material(mtl.stream(), fs::absolute(image).lexically_relative(folder).string());
   if(png)
     write_checker(png->stream(), 32, options.chart == "octahedral" ? 32 : 16);

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "input/fixed_vertices.h"
+#include "input/mesh_readers.h"
 
-#include "input/readable_file.h"
+#include "input/files.h"
 #include "input/text_lines.h"
 #include "system/refusal.h"
 
-#include <array>
 #include <cmath>
 #include <set>
 
@@ -15,14 +14,12 @@ namespace tool {
 
 std::vector<Fixed_vertex> read_fixed_vertices(const std::string& file, std::size_t number_of_vertices)
 {
-  check_readable(file);
   const std::string remedy = "a line must be 'index x y z'";
   std::vector<Fixed_vertex> fixed;
   std::set<std::size_t> seen;
-  Text_lines lines(file);
+  Text_lines lines(file, read_file(file));
   while(lines.next()) {
-    Tokens tokens(lines.text());
-    const std::string_view token = tokens.next();
+    const std::string_view token = lines.token();
     const std::optional<std::int64_t> number = to_integer(token);
     if(!number)
       lines.refuse(in_quotes(token) + " is not a vertex index", remedy);
@@ -35,18 +32,18 @@ std::vector<Fixed_vertex> read_fixed_vertices(const std::string& file, std::size
 
     std::array<double, 3> direction;
     for(double& x : direction) {
-      const std::string coordinate(tokens.next());
+      const std::string_view coordinate = lines.token();
       if(to_number(coordinate, x) != Number::FINITE)
         lines.refuse(coordinate.empty() ? "fewer than three coordinates"
                                         : in_quotes(coordinate) + " is not a finite number",
                      remedy);
     }
-    if(!tokens.next().empty())
+    if(!lines.token().empty())
       lines.refuse("more than four values", remedy);
     const double length = std::hypot(direction[0], direction[1], direction[2]);
     if(length == 0 || !std::isfinite(length))
       lines.refuse("the coordinates are too small or too large for a direction", "give a point near the unit sphere");
-    fixed.push_back({index, Point(direction[0] / length, direction[1] / length, direction[2] / length)});
+    fixed.push_back({index, {direction[0] / length, direction[1] / length, direction[2] / length}});
   }
   if(fixed.empty())
     throw Refusal(unreadable_file, file, "has no fixed vertex", remedy);

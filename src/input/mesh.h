@@ -4,16 +4,48 @@
 #ifndef SPHERICAL_PARAMETERIZATION_TOOL_MESH_H
 #define SPHERICAL_PARAMETERIZATION_TOOL_MESH_H
 
-#include "input/polygon_soup.h"
+#include <CGAL/Spherical_parameterization/Indexed_triangle_mesh.h>
 
-#include <CGAL/Surface_mesh.h>
+#include <boost/property_map/function_property_map.hpp>
+
+#include <cstddef>
+#include <string>
+#include <vector>
 
 namespace tool {
 
-using Mesh = CGAL::Surface_mesh<Point>;
+using Mesh = CGAL::Spherical_parameterization::Indexed_triangle_mesh;
+using Point = Mesh::Point;
 
 /// The place of every vertex on the unit sphere.
-using Sphere_map = Mesh::Property_map<Mesh::Vertex_index, Point>;
+using Sphere = std::vector<Point>;
+
+/// A vector of values as a property map. `Key` is the index of vertices, faces or halfedges.
+template <class Key, class Values>
+auto as_map(Values& values)
+{
+  return boost::make_function_property_map<Key>([&values](Key key) -> auto& {
+    return values[static_cast<std::size_t>(key.idx())];
+  });
+}
+
+/// The places as a property map of the vertices.
+inline auto as_map(Sphere& sphere) { return as_map<Mesh::Vertex_index>(sphere); }
+inline auto as_map(const Sphere& sphere) { return as_map<Mesh::Vertex_index>(sphere); }
+
+/// What to do with faces of more than three vertices.
+enum class Polygons { REFUSE, TRIANGULATE };
+
+struct Input_mesh {
+  Mesh mesh;
+  std::size_t triangulated_polygons = 0; ///< if there are any, the faces are not those of the file
+};
+
+/// Reads a triangulated sphere from an OFF, OBJ, PLY or STL file. Vertex `i` of the file is vertex `i` of the mesh, and
+/// the same for faces (of STL files: in the order in which they appear first). Anything else throws a `Refusal`.
+///
+/// The extension has to be one of the four; a PLY or OFF file under one of the other three is read as what it is.
+Input_mesh read_mesh(const std::string& file, Polygons polygons = Polygons::REFUSE);
 
 } // namespace tool
 

@@ -1,102 +1,81 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "input/read_mesh.h"
+#include "input/mesh.h"
 
-#include "input/mesh_extensions.h"
+#include "input/files.h"
 #include "input/mesh_readers.h"
-#include "input/readable_file.h"
-#include "input/soup_checks.h"
+#include "system/error_code_names.h"
 #include "system/refusal.h"
 
-#include <algorithm>
-#include <cstdint>
-#include <fstream>
-#include <iterator>
+#include <CGAL/tags.h>
+
+#include <string_view>
+#include <utility>
 
 namespace tool {
 namespace {
 
 /// The format that the first line of a file names, as an extension; empty if it names none. STL and OBJ files have no
 /// line of that kind.
-std::string format_of_content(const std::string& file)
+std::string format_of_content(std::string_view bytes)
 {
-  std::ifstream in(file, std::ios::binary);
-  std::string start(16, '\0'); // more than the longest of the words
-  in.read(start.data(), static_cast<std::streamsize>(start.size()));
-  start.resize(static_cast<std::size_t>(in.gcount()));
-  const std::size_t end = start.find_first_of("\r\n");
-  const std::string word = start.substr(0, end == std::string::npos ? 0 : end);
-  for(const char* off : {"OFF", "COFF", "NOFF", "CNOFF", "STOFF"})
+  const std::size_t end = bytes.substr(0, 16).find_first_of("\r\n");
+  const std::string_view word = bytes.substr(0, end == std::string_view::npos ? 0 : end);
+  for(const std::string_view off : {"OFF", "COFF", "NOFF", "CNOFF", "STOFF"})
     if(word == off)
       return ".off";
   return word == "ply" ? ".ply" : "";
 }
 
-Polygon_soup read_soup(const std::string& file)
+void check_extension(const std::string& file)
 {
   const std::string extension = lower_case_extension(file);
   if(!is_mesh_file(file))
     throw Refusal(unreadable_file, file,
                   extension.empty() ? "has no extension" : "has the unknown extension '" + extension + "'",
                   std::string("meshes are read from ") + mesh_extensions + " files");
-  const std::string content = format_of_content(file);
-  const std::string& format = content.empty() ? extension : content;
-  if(format == ".off")
-    return read_off(file);
-  if(format == ".obj")
-    return read_obj(file);
+}
+
+Soup read_format(const std::string& format, const std::string& file, std::string bytes)
+{
   if(format == ".ply")
-    return read_ply(file);
-  return read_stl(file);
-}
-
-/// Cuts polygons into fans, which is right for convex ones. Returns how many there were.
-std::size_t triangulate(Polygon_soup& soup)
-{
-  const auto is_polygon = [](const Polygon& p) { return p.size() > 3; };
-  const auto polygons = std::count_if(soup.polygons.begin(), soup.polygons.end(), is_polygon);
-  if(polygons > 0) {
-    std::vector<Polygon> triangles;
-    triangles.reserve(soup.polygons.size() + 2 * static_cast<std::size_t>(polygons));
-    for(const Polygon& p : soup.polygons)
-      for(std::size_t i = 2; i < p.size(); ++i) {
-        const std::uint32_t corners[] = {p[0], p[i - 1], p[i]};
-        triangles.emplace_back(std::begin(corners), std::end(corners));
-      }
-    soup.polygons.swap(triangles);
-  }
-  return static_cast<std::size_t>(polygons);
-}
-
-/// \pre `check_triangulated_sphere()` has passed
-Mesh build_mesh(const std::string& file, const Polygon_soup& soup)
-{
-  using Size = Mesh::size_type;
-  const auto vertices = static_cast<Size>(soup.points.size());
-  const auto faces = static_cast<Size>(soup.polygons.size());
-  Mesh mesh;
-  mesh.reserve(vertices, faces / 2 * 3, faces);
-  for(const Point& p : soup.points)
-    mesh.add_vertex(p);
-  for(const Polygon& p : soup.polygons)
-    if(mesh.add_face(Mesh::Vertex_index(p[0]), Mesh::Vertex_index(p[1]), Mesh::Vertex_index(p[2])) == Mesh::null_face())
-      throw Refusal("NON_MANIFOLD", file, "is not a 2-manifold", "repair the mesh");
-  return mesh;
+    return read_ply(file, bytes);
+  return (format == ".off" ? read_off : format == ".obj" ? read_obj : read_stl)(file, std::move(bytes));
 }
 
 } // namespace
 
+void check_triangles(const std::string& file, const Soup& soup)
+{
+  if(soup.polygons > 0)
+    throw Refusal(name(Error_code::NOT_TRIANGULAR), file,
+                  "has " + std::to_string(soup.polygons) +
+                    (soup.polygons == 1 ? " face that is no triangle" : " faces that are no triangles") +
+                    " (first: face " + std::to_string(soup.first_polygon) + " with " +
+                    std::to_string(soup.size_of_first_polygon) + " vertices)",
+                  "triangulate the mesh, or use --triangulate");
+}
+
+Soup read_soup(const std::string& file, std::string bytes)
+{
+  check_extension(file);
+  const std::string content = format_of_content(bytes);
+  return read_format(content.empty() ? lower_case_extension(file) : content, file, std::move(bytes));
+}
+
 Input_mesh read_mesh(const std::string& file, Polygons polygons)
 {
   check_readable(file);
-  Polygon_soup soup = read_soup(file);
-  Input_mesh input;
-  if(polygons == Polygons::TRIANGULATE)
-    input.triangulated_polygons = triangulate(soup);
-  check_triangulated_sphere(file, soup);
-  input.mesh = build_mesh(file, soup);
-  return input;
+  check_extension(file); // before the file costs memory
+  const Soup soup = read_soup(file, read_file(file));
+  if(polygons == Polygons::REFUSE)
+    check_triangles(file, soup);
+  try {
+    return {Mesh(CGAL::Parallel_if_available_tag(), soup.points, soup.triangles), soup.polygons};
+  } catch(const CGAL::Spherical_parameterization::Error& error) {
+    throw Refusal(name(error.code()), file, "has " + error.detail(), "");
+  }
 }
 
 } // namespace tool

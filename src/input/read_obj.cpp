@@ -1,131 +1,107 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "input/checked_lines.h"
 #include "input/mesh_readers.h"
 #include "input/text_lines.h"
 #include "system/refusal.h"
 
-#include <CGAL/IO/OBJ.h>
-
 #include <algorithm>
-#include <istream>
 #include <iterator>
+#include <utility>
 
 namespace tool {
 namespace {
 
 /// The statements of the format that carry no vertex and no face.
-constexpr const char* other_statements[] = {
+constexpr std::string_view other_statements[] = {
   "vt",  "vn",   "vp",    "g",        "o",        "s",    "mg",         "usemtl",    "mtllib", "usemap", "maplib",
   "p",   "l",    "bevel", "c_interp", "d_interp", "lod",  "shadow_obj", "trace_obj", "ctech",  "stech",  "cstype",
   "deg", "bmat", "step",  "curv",     "curv2",    "surf", "parm",       "trim",      "hole",   "scrv",   "sp",
   "end", "con",  "call",  "csh",      "bsp",      "bzp",  "cdc",        "cdp",       "res"};
 
-/// The `v` and `f` lines of an OBJ file with nothing but coordinates and vertex indices.
-/// (CGAL 5.5 stops, or loses corners, at polylines, at tabs between corners and at continued lines.)
-class Obj_lines {
+class Obj_reader {
 public:
-  explicit Obj_lines(const std::string& file) : file_(file), lines_(file) {}
+  Obj_reader(const std::string& file, std::string text) : file_(file), lines_(file, std::move(text)) {}
 
-  bool operator()(std::string& out)
+  Soup read()
   {
-    while(out.empty()) {
-      if(!lines_.next()) {
-        check_largest_index();
-        return false;
-      }
+    while(lines_.next()) {
       lines_.join_continued();
-      Tokens tokens(lines_.text());
-      const std::string_view keyword = tokens.next();
+      const std::string_view keyword = lines_.token();
       if(keyword == "v")
-        read_vertex(tokens, out);
+        read_vertex();
       else if(keyword == "f")
-        read_face(tokens, out);
+        read_face();
       else if(std::find(std::begin(other_statements), std::end(other_statements), keyword) ==
               std::end(other_statements))
         lines_.refuse("begins with " + in_quotes(keyword) + ", which is not a statement of the OBJ format",
                       "the file is damaged or is not an OBJ file; export it again");
     }
-    return true;
+    check_counts();
+    return std::move(soup_);
   }
 
 private:
-  void read_vertex(Tokens& tokens, std::string& out)
+  void read_vertex()
   {
-    out = "v ";
-    lines_.append_point(tokens, "vertex", vertices_, out);
-    ++vertices_;
-    if(vertices_ > largest_count)
+    soup_.points.push_back(lines_.point("vertex", soup_.points.size()));
+    if(soup_.points.size() > largest_count)
       lines_.refuse("more vertices than this program can index", "simplify the mesh");
   }
 
-  void read_face(Tokens& tokens, std::string& out)
+  void read_face()
   {
-    out = "f";
-    int corners = 0;
-    for(std::string_view token = tokens.next(); !token.empty(); token = tokens.next()) {
+    const auto refuse = [this](const std::string& wrong, const std::string& remedy) {
+      lines_.refuse("face " + std::to_string(soup_.faces) + " has " + wrong, remedy);
+    };
+    corners_.clear();
+    for(std::string_view token = lines_.token(); !token.empty(); token = lines_.token()) {
       const std::optional<std::int64_t> index = to_integer(token.substr(0, token.find('/')));
       if(!index || *index == 0)
-        lines_.refuse("face " + std::to_string(faces_) + " has the vertex " + in_quotes(token) +
-                        ", which is not an index (the first is 1)",
-                      "the file is damaged; export it again");
-      const std::int64_t absolute = *index > 0 ? *index : std::int64_t(vertices_) + 1 + *index;
-      if(absolute < 1 || absolute > std::int64_t(largest_count))
-        lines_.refuse("face " + std::to_string(faces_) + " has the vertex " + in_quotes(token) +
-                        ", which does not exist",
-                      "the file is damaged or cut short; export it again");
-      if(std::size_t(absolute) > largest_index_) {
-        largest_index_ = std::size_t(absolute);
-        largest_index_face_ = faces_;
+        refuse("the vertex " + in_quotes(token) + ", which is not an index (the first is 1)",
+               "the file is damaged; export it again");
+      const std::int64_t number = *index > 0 ? *index : std::int64_t(soup_.points.size()) + 1 + *index;
+      if(number < 1 || number > std::int64_t(largest_count))
+        refuse("the vertex " + in_quotes(token) + ", which does not exist",
+               "the file is damaged or cut short; export it again");
+      if(std::size_t(number) > largest_number_) {
+        largest_number_ = std::size_t(number);
+        face_of_largest_number_ = soup_.faces;
       }
-      out += ' ' + std::to_string(absolute);
-      ++corners;
+      corners_.push_back(static_cast<int>(number - 1));
     }
-    if(corners < 3)
-      lines_.refuse("face " + std::to_string(faces_) + " has only " + std::to_string(corners) + " vertices",
-                    "the file is damaged or cut short; export it again");
-    out += '\n';
-    ++faces_;
+    if(corners_.size() < 3)
+      refuse("only " + std::to_string(corners_.size()) + " vertices",
+             "the file is damaged or cut short; export it again");
+    soup_.add_face(corners_);
   }
 
   /// Faces may come before their vertices, so this is known at the end only.
-  void check_largest_index() const
+  void check_counts() const
   {
-    if(vertices_ == 0)
+    const std::string vertices = std::to_string(soup_.points.size()) + " vertices";
+    if(soup_.points.empty())
       throw Refusal("EMPTY_MESH", file_, "has no vertices", "check that this is an OBJ file with a mesh");
-    if(faces_ == 0)
-      throw Refusal("EMPTY_MESH", file_, "has " + std::to_string(vertices_) + " vertices, but no faces",
+    if(soup_.faces == 0)
+      throw Refusal("EMPTY_MESH", file_, "has " + vertices + ", but no faces",
                     "a point cloud cannot be mapped; reconstruct a surface first");
-    if(largest_index_ > vertices_)
+    if(largest_number_ > soup_.points.size())
       throw Refusal(unreadable_file, file_,
-                    "face " + std::to_string(largest_index_face_) + " has the vertex number " +
-                      std::to_string(largest_index_) + ", but there are only " + std::to_string(vertices_) +
-                      " vertices",
+                    "face " + std::to_string(face_of_largest_number_) + " has the vertex number " +
+                      std::to_string(largest_number_) + ", but there are only " + vertices,
                     "the file is damaged or cut short; export it again");
   }
 
   std::string file_;
   Text_lines lines_;
-  std::size_t vertices_ = 0;
-  std::size_t faces_ = 0;
-  std::size_t largest_index_ = 0;
-  std::size_t largest_index_face_ = 0;
+  std::size_t largest_number_ = 0; ///< of a vertex in a face, counted from 1
+  std::size_t face_of_largest_number_ = 0;
+  std::vector<int> corners_; ///< of a face
+  Soup soup_;
 };
 
 } // namespace
 
-Polygon_soup read_obj(const std::string& file)
-{
-  Obj_lines obj_lines(file);
-  Checked_lines lines([&obj_lines](std::string& out) { return obj_lines(out); });
-  std::istream in(&lines);
-  Polygon_soup soup;
-  const bool complete = CGAL::IO::read_OBJ(in, soup.points, soup.polygons, CGAL::parameters::verbose(false));
-  lines.rethrow();
-  if(!complete)
-    throw Refusal(unreadable_file, file, "cannot be read by CGAL's OBJ reader", "export it again");
-  return soup;
-}
+Soup read_obj(const std::string& file, std::string text) { return Obj_reader(file, std::move(text)).read(); }
 
 } // namespace tool

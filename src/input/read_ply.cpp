@@ -2,26 +2,365 @@
 // Part of CGAL Spherical Parameterization.
 
 #include "input/mesh_readers.h"
-#include "input/ply_structure.h"
+#include "input/text_lines.h"
 #include "system/refusal.h"
 
-#include <CGAL/IO/PLY.h>
-
-#include <fstream>
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
+#include <cstring>
+#include <utility>
 
 namespace tool {
+namespace {
 
-Polygon_soup read_ply(const std::string& file)
-{
-  const Ply_counts counts = check_ply_structure(file);
-  Polygon_soup soup;
-  soup.points.reserve(counts.vertices);
-  soup.polygons.reserve(counts.faces);
-  std::ifstream in(file, std::ios::binary);
-  const bool complete = CGAL::IO::read_PLY(in, soup.points, soup.polygons, CGAL::parameters::verbose(false));
-  if(!complete || soup.points.size() != counts.vertices || soup.polygons.size() != counts.faces)
-    throw Refusal(unreadable_file, file, "cannot be read by CGAL's PLY reader", "export it again");
-  return soup;
-}
+/// A number type of the format; `smallest` and `largest` bound what a text file may say.
+struct Type {
+  std::string_view name;
+  std::string_view other_name;
+  std::size_t size;
+  bool is_integer;
+  double smallest;
+  double largest;
+};
+
+constexpr Type types[] = {
+  {"char", "int8", 1, true, INT8_MIN, INT8_MAX},     {"uchar", "uint8", 1, true, 0, UINT8_MAX},
+  {"short", "int16", 2, true, INT16_MIN, INT16_MAX}, {"ushort", "uint16", 2, true, 0, UINT16_MAX},
+  {"int", "int32", 4, true, INT32_MIN, INT32_MAX},   {"uint", "uint32", 4, true, 0, UINT32_MAX},
+  {"float", "float32", 4, false, -FLT_MAX, FLT_MAX}, {"double", "float64", 8, false, -DBL_MAX, DBL_MAX}};
+
+struct Property {
+  std::string name;
+  const Type* type = nullptr;       ///< of the value, or of each value of a list
+  const Type* count_type = nullptr; ///< of the length of a list; null if this is no list
+};
+
+struct Element {
+  std::string name;
+  std::size_t count = 0;
+  std::vector<Property> properties;
+
+  bool is_vertex() const { return name == "vertex" || name == "vertices"; }
+  bool is_face() const { return name == "face" || name == "faces"; }
+
+  const Property* find(std::string_view property) const
+  {
+    const auto found =
+      std::find_if(properties.begin(), properties.end(), [=](const Property& p) { return p.name == property; });
+    return found == properties.end() ? nullptr : &*found;
+  }
+};
+
+class Ply_reader {
+public:
+  Ply_reader(const std::string& file, std::string_view bytes) : file_(file), rest_(bytes) {}
+
+  Soup read()
+  {
+    read_header();
+    check_elements();
+    check_faces();
+    for(const Element& element : elements_)
+      if(element.count > (rest_.size() + 1) / smallest_size(element))
+        throw Refusal(unreadable_file, file_,
+                      "cut short: the header announces " + std::to_string(element.count) + " elements " +
+                        in_quotes(element.name) + ", more than " + std::to_string(rest_.size()) + " bytes can hold",
+                      damaged_);
+    soup_.points.reserve(vertices_->count);
+    soup_.triangles.reserve(faces_->count);
+    for(const Element& element : elements_)
+      for(std::size_t row = 0; row < element.count; ++row)
+        read_row(element, row);
+    if(is_text() ? !next_token(rest_).empty() : rest_.size() >= smallest_size(elements_.back()))
+      throw Refusal(unreadable_file, file_, "has more data than the header announces",
+                    "the counts in the header are wrong; export it again");
+    return std::move(soup_);
+  }
+
+private:
+  enum class Format { ASCII, LITTLE_ENDIAN_BINARY, BIG_ENDIAN_BINARY };
+
+  bool is_text() const { return format_ == Format::ASCII; }
+
+  void read_header()
+  {
+    next_line();
+    if(next_token(line_) != "ply")
+      refuse("does not begin with 'ply'", "check that this is a PLY file");
+    next_line();
+    read_format();
+    while(true) {
+      next_line();
+      const std::string_view keyword = next_token(line_);
+      if(keyword == "end_header")
+        return;
+      if(keyword == "element")
+        read_element();
+      else if(keyword == "property")
+        read_property();
+      else if(keyword != "comment" && keyword != "obj_info")
+        refuse("begins with " + in_quotes(keyword) + ", which is not a keyword of a PLY header");
+    }
+  }
+
+  void next_line()
+  {
+    if(rest_.empty())
+      throw Refusal(unreadable_file, file_, "cut short: the header has no 'end_header'", "export it again");
+    ++number_;
+    line_ = rest_.substr(0, rest_.find('\n'));
+    rest_.remove_prefix(std::min(line_.size() + 1, rest_.size()));
+  }
+
+  [[noreturn]] void refuse(const std::string& wrong,
+                           const std::string& remedy = "the header is damaged; export it again") const
+  {
+    throw Refusal(unreadable_file, file_, "line " + std::to_string(number_) + ": " + wrong, remedy);
+  }
+
+  void read_format()
+  {
+    const std::string_view line = line_, keyword = next_token(line_), format = next_token(line_);
+    if(keyword != "format" || next_token(line_).empty())
+      refuse("expected 'format', found " + in_quotes(line));
+    if(format == "binary_little_endian")
+      format_ = Format::LITTLE_ENDIAN_BINARY;
+    else if(format == "binary_big_endian")
+      format_ = Format::BIG_ENDIAN_BINARY;
+    else if(format != "ascii")
+      refuse("the format " + in_quotes(format) + " is unknown");
+  }
+
+  void read_element()
+  {
+    Element element;
+    element.name = next_token(line_);
+    const std::string_view token = next_token(line_);
+    const std::optional<std::int64_t> count = to_integer(token);
+    if(!count || *count < 0)
+      refuse("element " + in_quotes(element.name) + " has the count " + in_quotes(token));
+    if(*count > std::int64_t(largest_count))
+      refuse("the header announces " + std::to_string(*count) + " elements " + in_quotes(element.name) +
+             ", more than this program can index");
+    element.count = static_cast<std::size_t>(*count);
+    elements_.push_back(element);
+  }
+
+  void read_property()
+  {
+    if(elements_.empty())
+      refuse("a property before any element");
+    Property property;
+    std::string_view type_name = next_token(line_);
+    if(type_name == "list") {
+      property.count_type = type(next_token(line_));
+      if(!property.count_type->is_integer)
+        refuse("the length of a list is not an integer");
+      type_name = next_token(line_);
+    }
+    property.type = type(type_name);
+    property.name = next_token(line_);
+    if(property.name.empty())
+      refuse("a property without a name");
+    elements_.back().properties.push_back(property);
+  }
+
+  const Type* type(std::string_view name) const
+  {
+    for(const Type& t : types)
+      if(name == t.name || name == t.other_name)
+        return &t;
+    refuse("the number type " + in_quotes(name) + " is unknown");
+  }
+
+  /// Finds vertices and faces, and what is needed of them.
+  void check_elements()
+  {
+    for(const Element& element : elements_) {
+      if(element.properties.empty() && element.count > 0)
+        refuse("element " + in_quotes(element.name) + " has no properties");
+      if(element.is_vertex() && std::exchange(vertices_, &element))
+        refuse("the element 'vertex' occurs twice");
+      if(element.is_face() && std::exchange(faces_, &element))
+        refuse("the element 'face' occurs twice");
+    }
+    if(!vertices_)
+      refuse("there is no element 'vertex'");
+    for(std::size_t k = 0; k < 3; ++k) {
+      const std::string name(1, "xyz"[k]);
+      coordinate_[k] = vertices_->find(name);
+      if(!coordinate_[k] || coordinate_[k]->count_type || coordinate_[k]->type->is_integer)
+        refuse("the vertices have no 'float' or 'double' property " + in_quotes(name), "export it again");
+    }
+  }
+
+  void check_faces()
+  {
+    const std::string points = std::to_string(vertices_->count) + " vertices";
+    if(!faces_ || faces_->count == 0) {
+      for(const Element& element : elements_)
+        if(element.name == "tristrips")
+          throw Refusal(unreadable_file, file_, "has " + points + " and its faces as triangle strips ('tristrips')",
+                        "save it with one element 'face' per triangle");
+      throw Refusal("EMPTY_MESH", file_, "has " + points + ", but no faces",
+                    "a point cloud cannot be mapped; reconstruct a surface first");
+    }
+    corners_ = faces_->find("vertex_indices");
+    if(!corners_)
+      corners_ = faces_->find("vertex_index");
+    if(!corners_ || !corners_->count_type)
+      refuse("the faces have no list 'vertex_indices'", "export it again");
+    if(!corners_->type->is_integer)
+      refuse("the vertex indices of the faces are of type " + in_quotes(corners_->type->name) +
+               ", which has no integers",
+             "export it again");
+  }
+
+  /// How many bytes a number of this type takes at least: in text, a digit and a space.
+  std::size_t smallest_size(const Type& type) const { return is_text() ? 2 : type.size; }
+
+  std::size_t smallest_size(const Element& element) const
+  {
+    std::size_t size = 0;
+    for(const Property& p : element.properties)
+      size += smallest_size(p.count_type ? *p.count_type : *p.type);
+    if(&element == faces_)
+      size += 3 * smallest_size(*corners_->type);
+    return std::max<std::size_t>(size, 1);
+  }
+
+  void read_row(const Element& element, std::size_t row)
+  {
+    std::array<double, 3> point = {0, 0, 0};
+    for(const Property& property : element.properties) {
+      if(property.count_type) {
+        read_list(element, row, property);
+        continue;
+      }
+      const double value = next(*property.type, element, row);
+      for(std::size_t k = 0; k < 3; ++k)
+        if(&property == coordinate_[k])
+          point[k] = finite(value, row, property.name);
+    }
+    if(&element == vertices_)
+      soup_.points.push_back(point);
+  }
+
+  double finite(double coordinate, std::size_t vertex, const std::string& name) const
+  {
+    if(!std::isfinite(coordinate))
+      throw Refusal("NON_FINITE_COORDINATE", file_,
+                    "vertex " + std::to_string(vertex) + " has the coordinate " + name + " = " +
+                      std::to_string(coordinate),
+                    "every coordinate must be a finite number");
+    return coordinate;
+  }
+
+  void read_list(const Element& element, std::size_t row, const Property& property)
+  {
+    const double length = next(*property.count_type, element, row);
+    if(length < 0 || length * double(smallest_size(*property.type)) > double(rest_.size() + 1))
+      refuse_cut_short(element, row);
+    const bool is_face = &property == corners_;
+    const auto refuse_face = [&](const std::string& wrong) {
+      throw Refusal(unreadable_file, file_, "face " + std::to_string(row) + " has " + wrong, damaged_);
+    };
+    if(is_face && length < 3)
+      refuse_face("only " + std::to_string(int(length)) + " vertices");
+    face_.clear();
+    for(double i = 0; i < length; ++i) {
+      const double value = next(*property.type, element, row);
+      if(!is_face)
+        continue;
+      const std::size_t vertices = vertices_->count;
+      if(value < 0 || value >= double(vertices))
+        refuse_face("the vertex " + std::to_string(std::int64_t(value)) + ", which is not in the range 0.." +
+                    std::to_string(std::int64_t(vertices) - 1));
+      face_.push_back(static_cast<int>(value));
+    }
+    if(is_face)
+      soup_.add_face(face_);
+  }
+
+  /// The next number, which is part of `element` number `row`.
+  double next(const Type& type, const Element& element, std::size_t row)
+  {
+    if(is_text())
+      return next_in_text(type, element, row);
+    if(rest_.size() < type.size)
+      refuse_cut_short(element, row);
+    std::array<char, 8> bytes;
+    std::memcpy(bytes.data(), rest_.data(), type.size);
+    rest_.remove_prefix(type.size);
+    if(format_ == Format::BIG_ENDIAN_BINARY) // the machine is taken to be little-endian
+      std::reverse(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(type.size));
+    if(!type.is_integer)
+      return type.size == 4 ? as<float>(bytes) : as<double>(bytes);
+    switch(type.size) {
+    case 1: return type.smallest < 0 ? as<std::int8_t>(bytes) : as<std::uint8_t>(bytes);
+    case 2: return type.smallest < 0 ? as<std::int16_t>(bytes) : as<std::uint16_t>(bytes);
+    default: return type.smallest < 0 ? as<std::int32_t>(bytes) : as<std::uint32_t>(bytes);
+    }
+  }
+
+  double next_in_text(const Type& type, const Element& element, std::size_t row)
+  {
+    const std::string_view token = next_token(rest_);
+    if(token.empty())
+      refuse_cut_short(element, row);
+    const auto refuse = [&](const std::string& code, const std::string& wrong, const std::string& remedy) {
+      throw Refusal(code, file_, element.name + " " + std::to_string(row) + " has " + wrong + std::string(type.name),
+                    remedy);
+    };
+    double value = 0;
+    const Number number = to_number(token, value);
+    if(number == Number::NONE || (type.is_integer && !to_integer(token)))
+      refuse(unreadable_file, in_quotes(token) + " for a value of type ", damaged_);
+    if(number == Number::NOT_FINITE || value < type.smallest || value > type.largest)
+      refuse(type.is_integer ? unreadable_file : "NON_FINITE_COORDINATE",
+             "the value " + in_quotes(token) + ", which is not finite or too large for type ",
+             "every value must be a finite number");
+    if(type.is_integer || type.size == 8)
+      return value;
+    float rounded = 0; // once, and not by way of a double
+    to_number(token, rounded);
+    return rounded;
+  }
+
+  template <class T>
+  static double as(const std::array<char, 8>& bytes)
+  {
+    T value;
+    std::memcpy(&value, bytes.data(), sizeof(value));
+    return static_cast<double>(value);
+  }
+
+  [[noreturn]] void refuse_cut_short(const Element& element, std::size_t row) const
+  {
+    throw Refusal(unreadable_file, file_,
+                  "cut short: the header announces " + std::to_string(element.count) + " elements " +
+                    in_quotes(element.name) + ", the file ends in number " + std::to_string(row),
+                  damaged_);
+  }
+
+  const std::string damaged_ = "the file is damaged, or the counts in its header are wrong; export it again";
+  std::string file_;
+  std::string_view rest_;  ///< of the bytes
+  std::string_view line_;  ///< of the header, as far as it has not been read
+  std::size_t number_ = 0; ///< of the line
+  Format format_ = Format::ASCII;
+  std::vector<Element> elements_;
+  const Element* vertices_ = nullptr;
+  const Element* faces_ = nullptr;
+  std::array<const Property*, 3> coordinate_ = {};
+  const Property* corners_ = nullptr; ///< the list of the vertices of a face
+  std::vector<int> face_;
+  Soup soup_;
+};
+
+} // namespace
+
+Soup read_ply(const std::string& file, const std::string& bytes) { return Ply_reader(file, bytes).read(); }
 
 } // namespace tool

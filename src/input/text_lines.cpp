@@ -10,35 +10,48 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 namespace tool {
 namespace {
 
-constexpr const char* white_space = " \t\r\n\v\f";
+bool is_white(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
-bool spells_non_finite(std::string token)
+bool spells_non_finite(std::string_view token)
 {
-  for(char& c : token)
-    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   for(const char* word : {"nan", "inf", "1.#"}) // the last one: what old Windows programs print
-    if(token.find(word) != std::string::npos)
+    if(lower_case(token).find(word) != std::string::npos)
       return true;
   return false;
 }
 
-} // namespace
-
-Number to_number(const std::string& token, double& value)
+template <class Real>
+Number read_number(std::string_view token, Real& value)
 {
-  // strtod() would also take hexadecimal numbers, which CGAL's readers do not
-  if(token.empty() || token.find_first_not_of("0123456789+-.eE") != std::string::npos)
+  std::string_view digits = token; // without a plus, which from_chars() does not take
+  if(digits.size() > 1 && digits[0] == '+' && digits[1] != '-')
+    digits.remove_prefix(1);
+  const char* const end = digits.data() + digits.size();
+  const auto [stop, error] = std::from_chars(digits.data(), end, value);
+  if(stop != end || error == std::errc::invalid_argument)
     return spells_non_finite(token) ? Number::NOT_FINITE : Number::NONE;
-  char* end = nullptr;
-  value = std::strtod(token.c_str(), &end);
-  if(end != token.c_str() + token.size())
-    return Number::NONE;
+  if(error == std::errc::result_out_of_range) // too large or too small, and only this tells
+    value = static_cast<Real>(std::strtod(std::string(digits).c_str(), nullptr));
   return std::isfinite(value) ? Number::FINITE : Number::NOT_FINITE;
 }
+
+} // namespace
+
+std::string lower_case(std::string_view text)
+{
+  std::string result(text);
+  std::transform(result.begin(), result.end(), result.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return result;
+}
+
+Number to_number(std::string_view token, double& value) { return read_number(token, value); }
+Number to_number(std::string_view token, float& value) { return read_number(token, value); }
 
 std::optional<std::int64_t> to_integer(std::string_view token)
 {
@@ -61,88 +74,84 @@ std::string in_quotes(std::string_view token)
   return text + (token.size() > longest ? "...'" : "'");
 }
 
-std::string_view Tokens::next()
+std::string_view next_token(std::string_view& text)
 {
-  rest_.remove_prefix(std::min(rest_.find_first_not_of(white_space), rest_.size()));
-  const std::string_view token = rest_.substr(0, rest_.find_first_of(white_space));
-  rest_.remove_prefix(token.size());
+  const auto begin = std::find_if_not(text.begin(), text.end(), is_white);
+  const auto end = std::find_if(begin, text.end(), is_white);
+  const auto skipped = static_cast<std::size_t>(begin - text.begin());
+  const std::string_view token = text.substr(skipped, static_cast<std::size_t>(end - begin));
+  text.remove_prefix(skipped + token.size());
   return token;
 }
 
-Text_lines::Text_lines(const std::string& file) : file_(file), in_(file, std::ios::binary)
+Text_lines::Text_lines(const std::string& file, std::string text) : file_(file), text_(std::move(text))
 {
-  if(!in_)
-    throw Refusal(unreadable_file, file, "cannot be opened", "check that it may be read");
-  char mark[3] = {}; // that Windows editors put before UTF-8
-  if(!in_.read(mark, 3) || std::string_view(mark, 3) != "\xEF\xBB\xBF") {
-    in_.clear();
-    in_.seekg(0);
-  }
+  if(text_.compare(0, 3, "\xEF\xBB\xBF") == 0) // a mark that Windows editors put before UTF-8
+    end_ = 3;
 }
 
-bool Text_lines::read_line()
+/// The next line, comment and all; empty at the end of the file.
+std::string_view Text_lines::next_line()
 {
-  if(in_.peek() == std::char_traits<char>::eof())
-    return false;
+  if(end_ == text_.size())
+    return {};
   ++number_;
-  std::streambuf& buffer = *in_.rdbuf();
-  for(int c = buffer.sbumpc(); c != std::char_traits<char>::eof() && c != '\n'; c = buffer.sbumpc()) {
-    if(c == '\0')
-      refuse("a zero byte: this is not a text file", "export it again");
-    if(c == '\r') {
-      if(buffer.sgetc() == '\n')
-        buffer.sbumpc();
-      break;
-    }
-    text_ += static_cast<char>(c);
-  }
-  return true;
+  const std::size_t begin = end_;
+  const auto is_end = [](char c) { return c == '\n' || c == '\r' || c == '\0'; };
+  end_ = static_cast<std::size_t>(
+    std::find_if(text_.begin() + static_cast<std::ptrdiff_t>(begin), text_.end(), is_end) - text_.begin());
+  const std::string_view line = std::string_view(text_).substr(begin, end_ - begin);
+  if(end_ < text_.size() && text_[end_] == '\0')
+    refuse("a zero byte: this is not a text file", "export it again");
+  if(text_.compare(end_, 2, "\r\n") == 0)
+    ++end_;
+  end_ = std::min(end_ + 1, text_.size());
+  return line;
 }
 
 bool Text_lines::next()
 {
-  while(true) {
-    text_.clear();
-    if(!read_line())
-      return false;
-    text_.resize(std::min(text_.find('#'), text_.size()));
-    if(text_.find_first_not_of(white_space) != std::string::npos)
+  while(end_ < text_.size()) {
+    line_ = next_line();
+    line_ = line_.substr(0, line_.find('#'));
+    tokens_ = line_;
+    if(!std::all_of(line_.begin(), line_.end(), is_white))
       return true;
   }
+  return false;
 }
 
 void Text_lines::join_continued()
 {
-  while(!text_.empty() && text_.back() == '\\') {
-    text_.back() = ' ';
-    read_line();
+  while(!line_.empty() && line_.back() == '\\') {
+    const auto begin = static_cast<std::size_t>(line_.data() - text_.data());
+    const std::size_t backslash = begin + line_.size() - 1, next = end_;
+    const std::size_t end = next + next_line().size();
+    std::fill(&text_[backslash], &text_[next], ' '); // over its end and its comment, too
+    line_ = std::string_view(text_).substr(begin, end - begin);
   }
+  tokens_ = line_;
 }
 
-void Text_lines::append_point(Tokens& tokens, const char* what, std::size_t index, std::string& out)
+std::array<double, 3> Text_lines::point(const char* what, std::size_t index)
 {
-  for(int i = 0; i < 3; ++i) {
-    token_ = tokens.next();
-    if(token_.empty())
-      refuse(what + (" " + std::to_string(index)) + " has fewer than three coordinates",
-             "the file is damaged or cut short; export it again");
-    double value = 0;
-    switch(to_number(token_, value)) {
-    case Number::FINITE:
-      out += token_;
-      out += i < 2 ? ' ' : '\n';
-      break;
-    case Number::NOT_FINITE:
+  std::array<double, 3> point;
+  for(double& x : point) {
+    const std::string_view coordinate = token();
+    const Number number = to_number(coordinate, x);
+    if(number == Number::FINITE)
+      continue;
+    const std::string name = what + (" " + std::to_string(index));
+    if(coordinate.empty())
+      refuse(name + " has fewer than three coordinates", "the file is damaged or cut short; export it again");
+    if(number == Number::NOT_FINITE)
       throw Refusal("NON_FINITE_COORDINATE", file_,
-                    "line " + std::to_string(number_) + ": " + what + " " + std::to_string(index) +
-                      " has the coordinate " + in_quotes(token_),
+                    "line " + std::to_string(number_) + ": " + name + " has the coordinate " + in_quotes(coordinate),
                     "every coordinate must be a finite number");
-    case Number::NONE:
-      refuse(what + (" " + std::to_string(index)) + " has the coordinate " + in_quotes(token_) +
-               ", which is not a number",
-             "the file is damaged; export it again");
-    }
+    refuse(name + " has the coordinate " + in_quotes(coordinate) + ", which is not a number",
+           "the file is damaged; export it again");
   }
+  return point;
 }
 
 void Text_lines::refuse(const std::string& wrong, const std::string& remedy) const

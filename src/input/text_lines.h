@@ -4,18 +4,21 @@
 #ifndef SPHERICAL_PARAMETERIZATION_TOOL_TEXT_LINES_H
 #define SPHERICAL_PARAMETERIZATION_TOOL_TEXT_LINES_H
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <fstream>
 #include <optional>
 #include <string>
 #include <string_view>
 
 namespace tool {
 
+std::string lower_case(std::string_view text);
+
 /// What a token says as a number. `NOT_FINITE` covers every spelling of NaN and infinity, and overflow.
 enum class Number { FINITE, NOT_FINITE, NONE };
-Number to_number(const std::string& token, double& value);
+Number to_number(std::string_view token, double& value);
+Number to_number(std::string_view token, float& value);
 
 /// The integer a token spells, if it spells one.
 std::optional<std::int64_t> to_integer(std::string_view token);
@@ -23,22 +26,16 @@ std::optional<std::int64_t> to_integer(std::string_view token);
 /// `token` in quotes, short and printable whatever bytes a broken file has there.
 std::string in_quotes(std::string_view token);
 
-/// Takes a line apart at white space.
-class Tokens {
-public:
-  explicit Tokens(std::string_view line) : rest_(line) {}
-
-  /// The next token; empty at the end.
-  std::string_view next();
-
-private:
-  std::string_view rest_;
-};
+/// Takes the next token, which ends at white space, off the text; empty at the end.
+std::string_view next_token(std::string_view& text);
 
 /// The lines of a text file, whatever they end with (LF, CR LF or CR).
 class Text_lines {
 public:
-  explicit Text_lines(const std::string& file);
+  /// `file` is the name, for refusals.
+  Text_lines(const std::string& file, std::string text);
+  Text_lines(const Text_lines&) = delete;
+  Text_lines& operator=(const Text_lines&) = delete;
 
   /// Moves to the next line that is neither blank nor a comment (from '#' on); `false` at the end of the file.
   bool next();
@@ -46,11 +43,14 @@ public:
   /// Appends the lines that follow as long as there is a backslash at the end.
   void join_continued();
 
-  const std::string& text() const { return text_; }
+  std::string_view line() const { return line_; }
+  std::size_t number_of_bytes() const { return text_.size(); }
 
-  /// Appends the next three tokens, checked to be finite numbers, to `out`.
-  /// `what` and `index` name their vertex in a refusal.
-  void append_point(Tokens& tokens, const char* what, std::size_t index, std::string& out);
+  /// The next token of the line; empty at its end.
+  std::string_view token() { return next_token(tokens_); }
+
+  /// The next three tokens, checked to be finite numbers. `what` and `index` name their vertex in a refusal.
+  std::array<double, 3> point(const char* what, std::size_t index);
 
   /// Throws a `Refusal` that names this line.
   [[noreturn]] void refuse(const std::string& wrong, const std::string& remedy) const;
@@ -59,12 +59,13 @@ public:
   [[noreturn]] void refuse_cut_short(const std::string& wrong) const;
 
 private:
-  bool read_line();
+  std::string_view next_line();
 
   std::string file_;
-  std::ifstream in_;
   std::string text_;
-  std::string token_;
+  std::size_t end_ = 0;     ///< of what has been read
+  std::string_view line_;   ///< without its end and its comment
+  std::string_view tokens_; ///< of the line, as far as they have not been read
   std::size_t number_ = 0;
 };
 

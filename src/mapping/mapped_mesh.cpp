@@ -3,19 +3,16 @@
 
 #include "mapping/mapped_mesh.h"
 
-#include "input/read_mesh.h"
-#include "mapping/read_sphere.h"
 #include "mapping/spherical_map.h"
 #include "system/error_code_names.h"
 #include "system/interruption.h"
 #include "system/progress_bar.h"
 #include "system/refusal.h"
 
-#include <CGAL/Real_timer.h>
+#include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
 
 #include <algorithm>
 #include <string>
-#include <utility>
 
 namespace tool {
 namespace {
@@ -36,10 +33,10 @@ std::string remedy(const Mapping_options& options, Error_code code)
 void compute_map(const Mapping_options& options, Mapped_mesh& input)
 {
   if(!options.fixed.empty())
-    input.settings.fixed_vertices = read_fixed_vertices(options.fixed, input.mesh.number_of_vertices());
+    input.settings->fixed_vertices = read_fixed_vertices(options.fixed, input.mesh().number_of_vertices());
 
   Progress_bar bar;
-  input.result = map_to_sphere(input.mesh, input.sphere, input.settings, [&bar](double fraction) {
+  input.result = map_to_sphere(input.mesh(), input.sphere, *input.settings, [&bar](double fraction) {
     bar.show(fraction);
     return !was_interrupted();
   });
@@ -51,24 +48,20 @@ void compute_map(const Mapping_options& options, Mapped_mesh& input)
 void read_input(const Mapping_options& options, Mapped_mesh& input)
 {
   watch_for_interruption();
-  input.settings = map_settings(options);
-  input.settings.policy = make_policy(options);
-  CGAL::Real_timer reading;
-  reading.start();
-  Input_mesh file = read_mesh(options.input, options.triangulate ? Polygons::TRIANGULATE : Polygons::REFUSE);
-  input.mesh = std::move(file.mesh);
-  input.triangulated_polygons = file.triangulated_polygons;
-  input.seconds_read = reading.time();
-  input.result.number_of_vertices = input.mesh.number_of_vertices();
-  input.result.number_of_faces = input.mesh.number_of_faces();
-  input.sphere = input.mesh.add_property_map<Mesh::Vertex_index, Point>("v:sphere").first;
+  input.settings = std::make_shared<Map_settings>(map_settings(options));
+  input.settings->policy = make_policy(options);
+  const CGAL::Spherical_parameterization::internal::Stopwatch reading;
+  input.file = read_mesh(options.input, options.triangulate ? Polygons::TRIANGULATE : Polygons::REFUSE);
+  input.seconds_read = reading.seconds();
+  input.result.number_of_vertices = input.mesh().number_of_vertices();
+  input.result.number_of_faces = input.mesh().number_of_faces();
   stop_if_interrupted(options.input);
 }
 
 void map_input(const Mapping_options& options, Mapped_mesh& input, Map_quality quality)
 {
   if(!options.sphere.empty())
-    input.result = read_sphere(options.sphere, options.input, input.mesh, input.sphere);
+    input.result = read_sphere(options.sphere, options.input, input.mesh(), input.sphere);
   else
     compute_map(options, input);
   stop_if_interrupted(options.input);

@@ -9,9 +9,12 @@
 
 #include <CGAL/Spherical_parameterization/Result.h>
 
-#include <cstddef>
+#include <memory>
+#include <optional>
 
 namespace tool {
+
+struct Map_settings;
 
 /// The mesh that a command works on, and its certified spherical map. A command is
 ///
@@ -22,12 +25,13 @@ namespace tool {
 ///
 /// inside `guarded()`.
 struct Mapped_mesh {
-  Mesh mesh;
-  Sphere_map sphere;                               ///< unit vectors
+  const Mesh& mesh() const { return file->mesh; }
+
+  std::optional<Input_mesh> file;                  ///< what has been read
+  Sphere sphere;                                   ///< unit vectors
   CGAL::Spherical_parameterization::Result result; ///< of mapping; with --sphere nothing but sizes and certificate
-  Map_settings settings;
-  std::size_t triangulated_polygons = 0; ///< if there are any, the faces are not those of the file
-  double seconds_read = 0;               ///< reading and checking
+  std::shared_ptr<Map_settings> settings;
+  double seconds_read = 0; ///< reading and checking
 };
 
 /// Reads the mesh, and from here on watches for interruption. Throws a `Refusal`, and what `make_policy()` throws.

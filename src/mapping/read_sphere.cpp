@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "mapping/read_sphere.h"
+#include "mapping/spherical_map.h"
 
-#include "input/read_mesh.h"
+#include "input/mesh.h"
 #include "system/refusal.h"
 
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
@@ -18,12 +18,9 @@ namespace tool {
 namespace {
 
 /// The vertices of a face, beginning with the smallest: files may begin with any corner.
-std::array<Mesh::Vertex_index, 3> corners(const Mesh& mesh, Mesh::Face_index f)
+std::array<int, 3> corners(const Mesh& mesh, std::size_t f)
 {
-  std::array<Mesh::Vertex_index, 3> corners;
-  std::size_t k = 0;
-  for(const Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
-    corners[k++] = v;
+  std::array<int, 3> corners = mesh.triangle(f);
   std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
   return corners;
 }
@@ -39,41 +36,42 @@ void check_same_faces(const std::string& file, const std::string& mesh_file, con
   };
   compare(sphere.number_of_vertices(), mesh.number_of_vertices(), "vertices");
   compare(sphere.number_of_faces(), mesh.number_of_faces(), "faces");
-  for(const Mesh::Face_index f : mesh.faces())
+  for(std::size_t f = 0; f < mesh.number_of_faces(); ++f)
     if(corners(sphere, f) != corners(mesh, f))
-      refuse("face " + std::to_string(f.idx()) + " (counted from 0) has other vertices than in " + mesh_file);
+      refuse("face " + std::to_string(f) + " (counted from 0) has other vertices than in " + mesh_file);
 }
 
 /// A unit vector up to rounding is not changed: where the sphere is dense, every bit counts. Points with fewer digits
 /// are normalized.
 Point on_unit_sphere(const std::string& file, const Point& p, std::size_t index)
 {
-  const double length = std::hypot(p.x(), p.y(), p.z());
+  const double length = std::hypot(p[0], p[1], p[2]);
   if(!(length > 0.5 && length < 2))
     throw Refusal("NOT_THE_SPHERE", file,
                   "vertex " + std::to_string(index) + " (counted from 0) is not on the unit sphere",
                   "give a sphere that 'map' has written");
   if(std::abs(length - 1) <= 4 * std::numeric_limits<double>::epsilon())
     return p;
-  return Point(p.x() / length, p.y() / length, p.z() / length);
+  return {p[0] / length, p[1] / length, p[2] / length};
 }
 
 } // namespace
 
 CGAL::Spherical_parameterization::Result read_sphere(const std::string& file, const std::string& mesh_file,
-                                                     const Mesh& mesh, Sphere_map sphere)
+                                                     const Mesh& mesh, Sphere& sphere)
 {
   namespace SP = CGAL::Spherical_parameterization;
   const Mesh read = read_mesh(file).mesh;
   check_same_faces(file, mesh_file, read, mesh);
-  for(const Mesh::Vertex_index v : mesh.vertices())
-    sphere[v] = on_unit_sphere(file, read.point(v), v.idx());
+  sphere.clear();
+  for(const Point& p : read.points())
+    sphere.push_back(on_unit_sphere(file, p, sphere.size()));
 
   SP::Result result;
   result.number_of_vertices = mesh.number_of_vertices();
   result.number_of_faces = mesh.number_of_faces();
-  result.flipped_faces = SP::number_of_flipped_faces(mesh, sphere);
-  result.degree = SP::degree_of_map(mesh, sphere);
+  result.flipped_faces = SP::number_of_flipped_faces(mesh, as_map(sphere));
+  result.degree = SP::degree_of_map(mesh, as_map(sphere));
   if(result.flipped_faces > 0 || result.degree != 1) {
     result.error = SP::Error_code::NOT_BIJECTIVE;
     result.detail = std::to_string(result.flipped_faces) + " faces are flipped, the degree is " +

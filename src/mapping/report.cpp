@@ -3,6 +3,7 @@
 
 #include "mapping/report.h"
 
+#include "options/map_settings.h"
 #include "output/atomic_file.h"
 
 #include <nlohmann/json.hpp>
@@ -15,6 +16,9 @@
 namespace tool {
 namespace {
 
+namespace SP = CGAL::Spherical_parameterization;
+using Json = nlohmann::ordered_json;
+
 std::size_t peak_memory_bytes()
 {
   rusage usage = {};
@@ -26,9 +30,7 @@ std::size_t peak_memory_bytes()
 #endif
 }
 
-using Json = nlohmann::ordered_json;
-
-Json to_json(const CGAL::Spherical_parameterization::Distribution& d)
+Json to_json(const SP::Distribution& d)
 {
   return {{"mean", d.mean},
           {"standard_deviation", d.deviation},
@@ -41,7 +43,7 @@ Json to_json(const CGAL::Spherical_parameterization::Distribution& d)
           {"max", d.max}};
 }
 
-Json to_json(const CGAL::Spherical_parameterization::Distortion_summary& d)
+Json to_json(const SP::Distortion_summary& d)
 {
   return {{"log_area_stretch", to_json(d.log_area_stretch)},
           {"angle_distortion", to_json(d.angle_distortion)},
@@ -51,19 +53,20 @@ Json to_json(const CGAL::Spherical_parameterization::Distortion_summary& d)
           {"degenerate_faces", d.degenerate_faces}};
 }
 
-Json to_json(Barycentric_weights) { return Json::object(); }
-Json to_json(const Conformal_weights& w) { return {{"min_angle", w.min_degrees}, {"max_angle", w.max_degrees}}; }
-Json to_json(Mean_value_weights) { return Json::object(); }
-
-namespace SP = CGAL::Spherical_parameterization;
-
-Json to_json(const SP::Balanced& m) { return {{"spring_exponent", m.spring_exponent}}; }
-Json to_json(const SP::Isometric& m) { return {{"area_exponent", m.area_exponent}}; }
-Json to_json(const SP::Automatic& m)
+/// The options of weights and methods, by their names on the command line.
+template <class Weights>
+Json own_options(const Weights&)
+{
+  return Json::object();
+}
+Json own_options(const Conformal_weights& w) { return {{"min_angle", w.min_degrees}, {"max_angle", w.max_degrees}}; }
+Json own_options(const SP::Balanced& m) { return {{"spring_exponent", m.spring_exponent}}; }
+Json own_options(const SP::Isometric& m) { return {{"area_exponent", m.area_exponent}}; }
+Json own_options(const SP::Automatic& m)
 {
   return {{"spring_exponent", m.spring_exponent}, {"area_exponent", m.area_exponent}};
 }
-Json to_json(const SP::Saddle_point& m)
+Json own_options(const SP::Saddle_point& m)
 {
   return {{"splitting", m.splitting == SP::Saddle_point::Splitting::GAUSS_SEIDEL ? "gauss-seidel" : "jacobi"},
           {"relaxation", m.relaxation},
@@ -71,17 +74,22 @@ Json to_json(const SP::Saddle_point& m)
           {"start", m.start == SP::Saddle_point::Start::HARMONIC ? "harmonic" : "centroid"}};
 }
 
+template <class Value>
+Json known(bool is_known, const Value& value)
+{
+  return is_known ? Json(value) : Json(nullptr);
+}
+
+Json given(const std::string& text) { return known(!text.empty(), text); }
+
 /// Every option on how to map by its name on the command line, given or default, as far as weights and method use it.
 Json settings_of(const Mapping_options& options)
 {
   const Map_settings settings = map_settings(options);
-  const auto given = [](const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); };
-  Json json;
-  json["triangulate"] = options.triangulate;
-  json["weights"] = options.weights;
-  json.update(std::visit([](const auto& weights) { return to_json(weights); }, settings.weights));
+  Json json = {{"triangulate", options.triangulate}, {"weights", options.weights}};
+  json.update(std::visit([](const auto& weights) { return own_options(weights); }, settings.weights));
   json["method"] = options.method;
-  json.update(std::visit([](const auto& method) { return to_json(method); }, settings.method));
+  json.update(std::visit([](const auto& method) { return own_options(method); }, settings.method));
   json["fixed"] = given(options.fixed);
   json["policy"] = options.policy;
   json["device"] = given(options.device);
@@ -93,52 +101,56 @@ Json settings_of(const Mapping_options& options)
       json["iterations"] = settings.iterations.value_or(Method::default_number_of_iterations);
     },
     settings.method);
-  json["max_time"] = settings.max_time ? Json(*settings.max_time) : Json(nullptr);
+  json["max_time"] = known(settings.max_time.has_value(), settings.max_time.value_or(0));
   return json;
 }
 
 } // namespace
 
-void write_report(const std::string& file, const Report& report)
+Json report_json(const Mapping_options& options, const Mapped_mesh& input, const Report& report)
 {
-  const CGAL::Spherical_parameterization::Result& result = report.result;
+  const SP::Result& result = input.result;
   const bool has_mesh = result.number_of_vertices > 0;
   const bool has_map = result.degree != 0 || result.residual != 0;
-  const auto known = [](bool is_known, auto value) { return is_known ? Json(value) : Json(nullptr); };
+  return {{"version", SPHERICAL_PARAMETERIZATION_VERSION},
+          {"input", options.input},
+          {"vertices", known(has_mesh, result.number_of_vertices)},
+          {"faces", known(has_mesh, result.number_of_faces)},
+          {"weights", options.weights},
+          {"method", options.method},
+          {"method_used", known(has_map, result.method)},
+          {"fallback_reason", given(result.fallback_reason)},
+          {"policy", options.policy},
+          {"device", given(result.device)},
+          {"settings", settings_of(options)},
+          {"start_iterations", known(has_map, result.start_iterations)},
+          {"iterations", known(has_map, result.iterations)},
+          {"sweeps", known(has_map, result.sweeps)},
+          {"residual", known(has_map, result.residual)},
+          {"energy", known(has_map, result.energy)},
+          {"flipped_faces", known(has_map, result.flipped_faces)},
+          {"degree", known(has_map, result.degree)},
+          {"smallest_area", known(has_map, result.smallest_area)},
+          {"smallest_edge", known(has_map, result.smallest_edge)},
+          {"distortion", report.distortion ? to_json(*report.distortion) : Json(nullptr)},
+          {"seconds",
+           {{"read", input.seconds_read},
+            {"start_map", result.seconds.start_map},
+            {"solve", result.seconds.solve},
+            {"certify", result.seconds.certify},
+            {"measure", report.seconds_measure},
+            {"write", report.seconds_write},
+            {"total", report.seconds_total}}},
+          {"peak_memory_bytes", peak_memory_bytes()},
+          {"error", report.refusal ? Json(report.refusal->what()) : Json(nullptr)},
+          {"error_code", report.refusal ? report.refusal->code() : "OK"}};
+}
 
-  Json json;
-  json["version"] = SPHERICAL_PARAMETERIZATION_VERSION;
-  json["input"] = report.options.input;
-  json["vertices"] = known(has_mesh, result.number_of_vertices);
-  json["faces"] = known(has_mesh, result.number_of_faces);
-  json["weights"] = report.options.weights;
-  json["method"] = report.options.method;
-  json["method_used"] = known(has_map, result.method);
-  json["fallback_reason"] = known(!result.fallback_reason.empty(), result.fallback_reason);
-  json["policy"] = report.options.policy;
-  json["device"] = known(!result.device.empty(), result.device);
-  json["settings"] = settings_of(report.options);
-  json["start_iterations"] = known(has_map, result.start_iterations);
-  json["iterations"] = known(has_map, result.iterations);
-  json["sweeps"] = known(has_map, result.sweeps);
-  json["residual"] = known(has_map, result.residual);
-  json["energy"] = known(has_map, result.energy);
-  json["flipped_faces"] = known(has_map, result.flipped_faces);
-  json["degree"] = known(has_map, result.degree);
-  json["smallest_area"] = known(has_map, result.smallest_area);
-  json["smallest_edge"] = known(has_map, result.smallest_edge);
-  json["distortion"] = report.distortion ? to_json(*report.distortion) : Json(nullptr);
-  json["seconds"] = {{"read", report.seconds_read},       {"start_map", result.seconds.start_map},
-                     {"solve", result.seconds.solve},     {"certify", result.seconds.certify},
-                     {"measure", report.seconds_measure}, {"write", report.seconds_write},
-                     {"total", report.seconds_total}};
-  json["peak_memory_bytes"] = peak_memory_bytes();
-  json["error"] = report.refusal ? Json(report.refusal->what()) : Json(nullptr);
-  json["error_code"] = report.refusal ? report.refusal->code() : "OK";
-
+void write_report(const std::string& file, const Mapping_options& options, const Mapped_mesh& input,
+                  const Report& report)
+{
   Atomic_file out(file);
-  // file names need not be valid UTF-8, JSON must be
-  out.stream() << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+  out.stream() << report_json(options, input, report).dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
   out.commit();
 }
 

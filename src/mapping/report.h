@@ -4,22 +4,20 @@
 #ifndef SPHERICAL_PARAMETERIZATION_TOOL_REPORT_H
 #define SPHERICAL_PARAMETERIZATION_TOOL_REPORT_H
 
-#include "options/mapping_options.h"
+#include "mapping/mapped_mesh.h"
 #include "system/refusal.h"
 
-#include <CGAL/Spherical_parameterization/Result.h>
 #include <CGAL/Spherical_parameterization/distortion_summary.h>
+
+#include <nlohmann/json_fwd.hpp>
 
 #include <optional>
 #include <string>
 
 namespace tool {
 
-/// What one run of `map` did, for programs to read.
+/// What one run of `map` did besides mapping.
 struct Report {
-  Mapping_options options;
-  CGAL::Spherical_parameterization::Result result;
-  double seconds_read = 0;                                                        ///< reading and checking the file
   std::optional<CGAL::Spherical_parameterization::Distortion_summary> distortion; ///< of a certified map
   double seconds_measure = 0;                                                     ///< the distortion
   double seconds_write = 0;
@@ -27,8 +25,13 @@ struct Report {
   std::optional<Refusal> refusal; ///< its log is too long for the JSON file
 };
 
-/// Writes the report as JSON. What is not known, since there is no map, is null. Throws a `Refusal`.
-void write_report(const std::string& file, const Report& report);
+/// The report, for programs to read. What is not known, since there is no map, is null. File names need not be valid
+/// UTF-8, which has to be replaced in text.
+nlohmann::ordered_json report_json(const Mapping_options& options, const Mapped_mesh& input, const Report& report);
+
+/// Writes it to a file. Throws a `Refusal`.
+void write_report(const std::string& file, const Mapping_options& options, const Mapped_mesh& input,
+                  const Report& report);
 
 } // namespace tool
 

@@ -8,61 +8,57 @@
 
 #include <limits>
 #include <type_traits>
+#include <vector>
 
 namespace tool {
 namespace {
 
 namespace SP = CGAL::Spherical_parameterization;
 
-/// Any of the weights as one edge map, so that the solvers are compiled once per policy and method only.
-struct Weight_map {
-  using key_type = Mesh::Edge_index;
-  using value_type = double;
-  using reference = double;
-  using category = boost::readable_property_map_tag;
+/// Any of the weights, so that the solvers are compiled once per policy and method only.
+using Weights = std::function<double(Mesh::Edge_index)>;
 
-  std::variant<decltype(SP::barycentric_weights(std::declval<const Mesh&>())),
-               decltype(SP::conformal_weights(std::declval<const Mesh&>())),
-               decltype(SP::mean_value_weights(std::declval<const Mesh&>()))>
-    weights;
-
-  friend double get(const Weight_map& map, Mesh::Edge_index e)
-  {
-    return std::visit([e](const auto& chosen) { return get(chosen, e); }, map.weights);
-  }
-};
-
-Weight_map weight_map(const Mesh& mesh, Barycentric_weights) { return {SP::barycentric_weights(mesh)}; }
-Weight_map weight_map(const Mesh& mesh, Conformal_weights w)
+template <class Weight_map>
+Weights function_of(const Weight_map& weights)
 {
-  return {SP::conformal_weights(mesh, w.min_degrees, w.max_degrees)};
+  return [weights](Mesh::Edge_index e) { return get(weights, e); };
 }
-Weight_map weight_map(const Mesh& mesh, Mean_value_weights) { return {SP::mean_value_weights(mesh)}; }
+
+Weights weights_of(const Mesh& mesh, Barycentric_weights) { return function_of(SP::barycentric_weights(mesh)); }
+Weights weights_of(const Mesh& mesh, Conformal_weights w)
+{
+  return function_of(SP::conformal_weights(mesh, w.min_degrees, w.max_degrees));
+}
+Weights weights_of(const Mesh& mesh, Mean_value_weights) { return function_of(SP::mean_value_weights(mesh)); }
 
 } // namespace
 
-SP::Result map_to_sphere(Mesh& mesh, Sphere_map sphere, const Map_settings& settings,
+SP::Result map_to_sphere(const Mesh& mesh, Sphere& sphere, const Map_settings& settings,
                          const std::function<bool(double)>& go_on)
 {
-  const auto is_fixed = mesh.add_property_map<Mesh::Vertex_index, bool>("v:is_fixed", false).first;
+  sphere.resize(mesh.number_of_vertices());
+  std::vector<bool> is_fixed(mesh.number_of_vertices(), false);
   for(const Fixed_vertex& fixed : settings.fixed_vertices) {
-    is_fixed[Mesh::Vertex_index(static_cast<Mesh::size_type>(fixed.index))] = true;
-    sphere[Mesh::Vertex_index(static_cast<Mesh::size_type>(fixed.index))] = fixed.position;
+    is_fixed[fixed.index] = true;
+    sphere[fixed.index] = fixed.position;
   }
-  const Weight_map weights =
-    std::visit([&mesh](const auto& chosen) { return weight_map(mesh, chosen); }, settings.weights);
+  const auto is_fixed_map = boost::make_function_property_map<Mesh::Vertex_index>(
+    [&is_fixed](Mesh::Vertex_index v) -> bool { return is_fixed[static_cast<std::size_t>(v.idx())]; });
+  const Weights weights =
+    std::visit([&mesh](const auto& chosen) { return weights_of(mesh, chosen); }, settings.weights);
+  const auto weight_map = boost::make_function_property_map<Mesh::Edge_index>(std::cref(weights));
 
   return std::visit(
     [&](const auto& policy, const auto& method) {
       using Method = std::decay_t<decltype(method)>;
       const auto parameters =
-        CGAL::parameters::edge_weight_map(weights)
-          .vertex_is_constrained_map(is_fixed)
+        CGAL::parameters::edge_weight_map(weight_map)
+          .vertex_is_constrained_map(is_fixed_map)
           .accuracy(settings.accuracy.value_or(Method::default_accuracy))
           .number_of_iterations(settings.iterations.value_or(Method::default_number_of_iterations))
           .maximum_running_time(settings.max_time.value_or(std::numeric_limits<double>::infinity()))
           .callback(go_on);
-      return SP::parameterize(policy, mesh, method, sphere, parameters);
+      return SP::parameterize(policy, mesh, method, as_map(sphere), parameters);
     },
     settings.policy, settings.method);
 }

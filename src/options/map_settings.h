@@ -4,9 +4,9 @@
 #ifndef SPHERICAL_PARAMETERIZATION_TOOL_MAP_SETTINGS_H
 #define SPHERICAL_PARAMETERIZATION_TOOL_MAP_SETTINGS_H
 
-#include "input/fixed_vertices.h"
-#include "options/policies.h"
+#include "input/mesh_readers.h"
 
+#include <CGAL/Spherical_parameterization/Any_policy.h>
 #include <CGAL/Spherical_parameterization/methods.h>
 
 #include <cstddef>
@@ -15,6 +15,8 @@
 #include <vector>
 
 namespace tool {
+
+struct Mapping_options;
 
 struct Barycentric_weights {};
 struct Mean_value_weights {};
@@ -29,12 +31,20 @@ struct Map_settings {
   std::variant<CGAL::Spherical_parameterization::Balanced, CGAL::Spherical_parameterization::Saddle_point,
                CGAL::Spherical_parameterization::Isometric, CGAL::Spherical_parameterization::Automatic>
     method;
-  Policy policy;
+  CGAL::Spherical_parameterization::Any_policy policy;
   std::optional<double> accuracy;        ///< default: that of the method
   std::optional<std::size_t> iterations; ///< default: that of the method
   std::optional<double> max_time;        ///< seconds; default: no limit
   std::vector<Fixed_vertex> fixed_vertices;
 };
+
+/// The settings for the library without the fixed vertices, which are read when the size of the mesh is known, and
+/// without the policy.
+Map_settings map_settings(const Mapping_options& options);
+
+/// The policy. Looks for a device only if it is for the policy, since drivers take their time to start. Throws an
+/// `OpenCL_error` if there is no such device.
+CGAL::Spherical_parameterization::Any_policy make_policy(const Mapping_options& options);
 
 } // namespace tool
 

@@ -3,26 +3,18 @@
 
 #include "options/mapping_options.h"
 
+#include "options/map_settings.h"
+
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
-#include <iterator>
 #include <sstream>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace tool {
 namespace {
 
-const std::string weights_group = "Weights", method_group = "Method", place_group = "Where to run",
-                  effort_group = "Effort";
-const std::string mapping_groups[] = {weights_group, method_group, place_group, effort_group};
-
-using CGAL::Spherical_parameterization::Automatic;
-using CGAL::Spherical_parameterization::Balanced;
-using CGAL::Spherical_parameterization::Isometric;
-using CGAL::Spherical_parameterization::Saddle_point;
+namespace SP = CGAL::Spherical_parameterization;
 
 /// " [balanced 5e-09, saddle-point 1e-07, isometric 0.0005]"
 template <class Number>
@@ -78,6 +70,30 @@ void check_device(const Mapping_options& options)
 
 } // namespace
 
+const std::vector<std::string>& policy_names()
+{
+  static const std::vector<std::string> names = {
+    "sequential",
+#ifdef CGAL_LINKED_WITH_TBB
+    "tbb",
+#endif
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
+    "opencl",
+#endif
+  };
+  return names;
+}
+
+const std::string& default_policy_name()
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  static const std::string name = "tbb";
+#else
+  static const std::string name = "sequential";
+#endif
+  return name;
+}
+
 void add_mapping_options(CLI::App& command, Mapping_options& options)
 {
   command.add_option("IN", options.input, "Closed triangle mesh of genus 0: .off, .obj, .ply or .stl")
@@ -85,99 +101,65 @@ void add_mapping_options(CLI::App& command, Mapping_options& options)
     ->type_name("FILE");
   command.add_flag("--triangulate", options.triangulate, "Triangulate the polygons of IN instead of refusing them");
 
-  std::string group = weights_group;
-  command
-    .add_option("--weights", options.weights,
-                "Edge weights: barycentric (all 1), conformal (cotangent, preserves angles), mean-value")
+  std::string group = "Weights"; // those in groups say how to map
+  const auto add = [&](const char* name, auto& value, const std::string& description) {
+    return command.add_option(name, value, description)->group(group);
+  };
+  add("--weights", options.weights,
+      "Edge weights: barycentric (all 1), conformal (cotangent, preserves angles), mean-value")
     ->check(CLI::IsMember({"barycentric", "conformal", "mean-value"}))
-    ->capture_default_str()
-    ->group(group);
-  command
-    .add_option("--min-angle", options.min_angle, "Conformal: lower bound to which angles are clamped, in degrees [5]")
-    ->group(group);
-  command
-    .add_option("--max-angle", options.max_angle, "Conformal: upper bound to which angles are clamped, in degrees [85]")
-    ->group(group);
+    ->capture_default_str();
+  add("--min-angle", options.min_angle, "Conformal: lower bound to which angles are clamped, in degrees [5]");
+  add("--max-angle", options.max_angle, "Conformal: upper bound to which angles are clamped, in degrees [85]");
 
-  group = method_group;
-  command
-    .add_option("--method", options.method,
-                "balanced (fast), saddle-point (as published), isometric (low length distortion, for every mesh), "
-                "automatic (the first valid map of balanced and isometric)")
+  group = "Method";
+  add("--method", options.method,
+      "balanced (fast), saddle-point (as published), isometric (low length distortion, for every mesh), "
+      "automatic (the first valid map of balanced and isometric)")
     ->check(CLI::IsMember({"balanced", "saddle-point", "isometric", "automatic"}))
-    ->capture_default_str()
-    ->group(group);
-  command
-    .add_option("--spring-exponent", options.spring_exponent,
-                "Balanced, automatic: exponent of the spring energy, >= 2; larger values equalize areas [2]")
-    ->group(group);
-  command
-    .add_option("--area-exponent", options.area_exponent,
-                "Isometric, automatic: 0 preserves angles, 1 lengths, 30 or more areas [1]")
-    ->group(group);
-  command
-    .add_option("--splitting", options.splitting, "Saddle-point: splitting of the Laplacian for the sweeps [jacobi]")
-    ->check(CLI::IsMember({"jacobi", "gauss-seidel"}))
-    ->group(group);
-  command
-    .add_option("--relaxation", options.relaxation,
-                "Saddle-point: relaxation factor in (0,1), with gauss-seidel in (0,2) [0.95]")
-    ->group(group);
-  command
-    .add_option("--check-interval", options.check_interval,
-                "Saddle-point: number of sweeps between two convergence tests [1000]")
-    ->group(group);
-  command
-    .add_option("--start", options.start,
-                "Saddle-point: start map, a projection from the centroid or harmonic [centroid]")
-    ->check(CLI::IsMember({"centroid", "harmonic"}))
-    ->group(group);
-  command
-    .add_option(
-      "--fixed", options.fixed,
+    ->capture_default_str();
+  add("--spring-exponent", options.spring_exponent,
+      "Balanced, automatic: exponent of the spring energy, >= 2; larger values equalize areas [2]");
+  add("--area-exponent", options.area_exponent,
+      "Isometric, automatic: 0 preserves angles, 1 lengths, 30 or more areas [1]");
+  add("--splitting", options.splitting, "Saddle-point: splitting of the Laplacian for the sweeps [jacobi]")
+    ->check(CLI::IsMember({"jacobi", "gauss-seidel"}));
+  add("--relaxation", options.relaxation,
+      "Saddle-point: relaxation factor in (0,1), with gauss-seidel in (0,2) [0.95]");
+  add("--check-interval", options.check_interval,
+      "Saddle-point: number of sweeps between two convergence tests [1000]");
+  add("--start", options.start, "Saddle-point: start map, a projection from the centroid or harmonic [centroid]")
+    ->check(CLI::IsMember({"centroid", "harmonic"}));
+  add("--fixed", options.fixed,
       "Text file of fixed vertices: three or more lines 'index x y z', indices from 0, positions on the sphere")
-    ->type_name("FILE")
-    ->group(group);
+    ->type_name("FILE");
 
-  group = place_group;
-  command
-    .add_option("--policy", options.policy,
-                "sequential (one core), tbb (all cores), opencl (a device). The map is the same")
+  group = "Where to run";
+  add("--policy", options.policy, "sequential (one core), tbb (all cores), opencl (a device). The map is the same")
     ->check(CLI::IsMember(policy_names()))
-    ->capture_default_str()
-    ->group(group);
-  command
-    .add_option("--device", options.device,
-                "OpenCL: number of the device in the list of the command 'devices', or part of its name "
-                "[$CGAL_SPHERICAL_PARAMETERIZATION_DEVICE, else the first GPU]")
-    ->type_name("NUMBER|NAME")
-    ->group(group);
-  command
-    .add_option("--precision", options.precision, "OpenCL: floating-point precision [double if the device supports it]")
-    ->check(CLI::IsMember({"double", "single"}))
-    ->group(group);
+    ->capture_default_str();
+  add("--device", options.device,
+      "OpenCL: number of the device in the list of the command 'devices', or part of its name "
+      "[$CGAL_SPHERICAL_PARAMETERIZATION_DEVICE, else the first GPU]")
+    ->type_name("NUMBER|NAME");
+  add("--precision", options.precision, "OpenCL: floating-point precision [double if the device supports it]")
+    ->check(CLI::IsMember({"double", "single"}));
 
-  group = effort_group;
-  command
-    .add_option("--accuracy", options.accuracy,
-                "Residual to reach; isometric: relative energy decrease at which to stop" +
-                  defaults(Balanced::default_accuracy, Saddle_point::default_accuracy, Isometric::default_accuracy))
-    ->group(group);
-  command
-    .add_option("--iterations", options.iterations,
-                "Maximum number of iterations" + defaults(Balanced::default_number_of_iterations,
-                                                          Saddle_point::default_number_of_iterations,
-                                                          Isometric::default_number_of_iterations))
-    ->group(group);
-  command.add_option("--max-time", options.max_time, "Time limit in seconds [no limit]")->group(group);
+  group = "Effort";
+  add("--accuracy", options.accuracy,
+      "Residual to reach; isometric: relative energy decrease at which to stop" +
+        defaults(SP::Balanced::default_accuracy, SP::Saddle_point::default_accuracy, SP::Isometric::default_accuracy));
+  add("--iterations", options.iterations,
+      "Maximum number of iterations" + defaults(SP::Balanced::default_number_of_iterations,
+                                                SP::Saddle_point::default_number_of_iterations,
+                                                SP::Isometric::default_number_of_iterations));
+  add("--max-time", options.max_time, "Time limit in seconds [no limit]");
 }
 
 void add_sphere_option(CLI::App& command, Mapping_options& options)
 {
-  const std::vector<CLI::Option*> how_to_map = command.get_options([](const CLI::Option* option) {
-    return std::find(std::begin(mapping_groups), std::end(mapping_groups), option->get_group()) !=
-           std::end(mapping_groups);
-  });
+  const auto how_to_map =
+    command.get_options([](const CLI::Option* option) { return option->get_group() != "Options"; });
   CLI::Option* sphere = command.add_option(
     "--sphere", options.sphere,
     "Sphere of IN that 'map' has written; it is used instead of a new map, and excludes all mapping options");
@@ -199,57 +181,6 @@ void check_mapping_options(const Mapping_options& options)
 std::vector<File_option> input_files(const Mapping_options& options)
 {
   return {{"IN", options.input}, {"--sphere", options.sphere}, {"--fixed", options.fixed}};
-}
-
-Map_settings map_settings(const Mapping_options& options)
-{
-  Map_settings settings;
-  if(options.weights == "barycentric")
-    settings.weights = Barycentric_weights();
-  else if(options.weights == "mean-value")
-    settings.weights = Mean_value_weights();
-  else {
-    Conformal_weights weights;
-    weights.min_degrees = options.min_angle.value_or(weights.min_degrees);
-    weights.max_degrees = options.max_angle.value_or(weights.max_degrees);
-    settings.weights = weights;
-  }
-
-  if(options.method == "balanced") {
-    Balanced method;
-    method.spring_exponent = options.spring_exponent.value_or(method.spring_exponent);
-    settings.method = method;
-  } else if(options.method == "isometric") {
-    Isometric method;
-    method.area_exponent = options.area_exponent.value_or(method.area_exponent);
-    settings.method = method;
-  } else if(options.method == "automatic") {
-    Automatic method;
-    method.spring_exponent = options.spring_exponent.value_or(method.spring_exponent);
-    method.area_exponent = options.area_exponent.value_or(method.area_exponent);
-    settings.method = method;
-  } else {
-    Saddle_point method;
-    if(options.splitting == "gauss-seidel")
-      method.splitting = Saddle_point::Splitting::GAUSS_SEIDEL;
-    if(options.start == "harmonic")
-      method.start = Saddle_point::Start::HARMONIC;
-    method.relaxation = options.relaxation.value_or(method.relaxation);
-    if(options.check_interval)
-      method.check_interval = static_cast<std::size_t>(*options.check_interval);
-    settings.method = method;
-  }
-
-  settings.accuracy = options.accuracy;
-  if(options.iterations)
-    settings.iterations = static_cast<std::size_t>(*options.iterations);
-  settings.max_time = options.max_time;
-  return settings;
-}
-
-Policy make_policy(const Mapping_options& options)
-{
-  return make_policy(options.policy, {options.device, options.precision});
 }
 
 } // namespace tool

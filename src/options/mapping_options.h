@@ -4,7 +4,6 @@
 #ifndef SPHERICAL_PARAMETERIZATION_TOOL_MAPPING_OPTIONS_H
 #define SPHERICAL_PARAMETERIZATION_TOOL_MAPPING_OPTIONS_H
 
-#include "options/map_settings.h"
 #include "options/usage.h"
 
 #include <cstdint>
@@ -17,6 +16,12 @@ class App;
 }
 
 namespace tool {
+
+/// "sequential", "tbb", "opencl": those of this build.
+const std::vector<std::string>& policy_names();
+
+/// The fastest one that every machine can run: results do not depend on it.
+const std::string& default_policy_name();
 
 /// Which mesh a command works on, and how it comes by its spherical map. What is not given has no value, so that the
 /// library's defaults apply.
@@ -57,13 +62,6 @@ void check_mapping_options(const Mapping_options& options);
 
 /// The files that are read, for `check_files()`.
 std::vector<File_option> input_files(const Mapping_options& options);
-
-/// The settings for the library without the fixed vertices, which are read when the size of the mesh is known, and
-/// without the policy.
-Map_settings map_settings(const Mapping_options& options);
-
-/// The policy, with the device. Throws an `OpenCL_error` if there is no such device.
-Policy make_policy(const Mapping_options& options);
 
 } // namespace tool
 

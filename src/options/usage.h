@@ -4,11 +4,27 @@
 #ifndef SPHERICAL_PARAMETERIZATION_TOOL_USAGE_H
 #define SPHERICAL_PARAMETERIZATION_TOOL_USAGE_H
 
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
+namespace CLI {
+class App;
+class FormatterBase;
+class ParseError;
+} // namespace CLI
+
 namespace tool {
+
+/// What `--help` prints, in lines that fit a terminal: per option the kind of its value, its description and its
+/// default. What excludes what, which CLI11 would say at every option, is for the descriptions.
+std::shared_ptr<CLI::FormatterBase> help_formatter();
+
+/// What is wrong with the command line that `app` has refused. An unknown command or option is named first, with the
+/// known one that is most similar, since what is missing may only be misspelled; then arguments that nothing takes, in
+/// the order in which they were typed; then what CLI11 says.
+std::string usage_error(const CLI::App& app, const CLI::ParseError& error);
 
 /// Throws a `CLI::ValidationError`, which is wrong usage, if the rule for an option is broken.
 void require(bool condition, const std::string& option, const std::string& rule);

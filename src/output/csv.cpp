@@ -15,21 +15,4 @@ std::string csv_quoted(const std::string& text)
   return result + '"';
 }
 
-std::vector<std::string> csv_fields(const std::string& line)
-{
-  std::vector<std::string> result(1);
-  bool is_quoted = false;
-  for(std::size_t i = 0; i < line.size(); ++i) {
-    if(line[i] == '"' && is_quoted && i + 1 < line.size() && line[i + 1] == '"')
-      result.back() += line[i++];
-    else if(line[i] == '"')
-      is_quoted = !is_quoted;
-    else if(line[i] == ',' && !is_quoted)
-      result.emplace_back();
-    else
-      result.back() += line[i];
-  }
-  return is_quoted ? std::vector<std::string>() : result;
-}
-
 } // namespace tool

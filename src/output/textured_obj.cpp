@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "output/textured_obj.h"
+#include "output/write_mesh.h"
+
+#include "output/text_writer.h"
+
+#include <CGAL/boost/graph/iterator.h>
 
 #include <png.h>
 
@@ -9,11 +13,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <map>
 #include <stdexcept>
-#include <utility>
-#include <vector>
 
 namespace tool {
 namespace {
@@ -31,31 +32,33 @@ std::array<png_byte, 3> colour_of_hue(double hue)
 
 } // namespace
 
-void write_textured_obj(std::ostream& out, const Mesh& mesh, Uv_map uv, const std::string& material_file)
+void write_textured_obj(std::ostream& out, const Mesh& mesh, const std::vector<Uv>& uv,
+                        const std::string& material_file)
 {
-  out.precision(std::numeric_limits<double>::max_digits10);
-  out << "mtllib " << material_file << "\nusemtl texture\n";
-  for(const Mesh::Vertex_index v : mesh.vertices())
-    out << "v " << mesh.point(v) << '\n';
+  Text_writer write(out);
+  write("mtllib ", material_file, "\nusemtl texture\n");
+  for(const Point& p : mesh.points())
+    write("v ", p, '\n');
 
-  std::vector<std::size_t> index_of(mesh.number_of_halfedges()); // from 1 on
+  std::vector<std::size_t> number(uv.size()); // of the position at a halfedge, from 1 on
   std::size_t count = 0;
-  for(const Mesh::Vertex_index v : mesh.vertices()) {
-    std::map<std::pair<double, double>, std::size_t> index_at;
-    for(const Mesh::Halfedge_index h : mesh.halfedges_around_target(mesh.halfedge(v))) {
-      const auto [place, is_new] = index_at.try_emplace({uv[h].x(), uv[h].y()}, count + 1);
+  for(const Mesh::Vertex_index v : vertices(mesh)) {
+    std::map<Uv, std::size_t> number_at;
+    for(const Mesh::Halfedge_index h : CGAL::halfedges_around_target(v, mesh)) {
+      const auto& [u, w] = uv[h.idx()];
+      const auto [place, is_new] = number_at.try_emplace({u, w}, count + 1);
       if(is_new) {
         ++count;
-        out << "vt " << uv[h] << '\n';
+        write("vt ", u, ' ', w, '\n');
       }
-      index_of[h] = place->second;
+      number[h.idx()] = place->second;
     }
   }
-  for(const Mesh::Face_index f : mesh.faces()) {
-    out << 'f';
-    for(const Mesh::Halfedge_index h : mesh.halfedges_around_face(mesh.halfedge(f)))
-      out << ' ' << mesh.target(h).idx() + 1 << '/' << index_of[h];
-    out << '\n';
+  for(const Mesh::Face_index f : faces(mesh)) {
+    write('f');
+    for(const Mesh::Halfedge_index h : CGAL::halfedges_around_face(halfedge(f, mesh), mesh))
+      write(' ', target(h, mesh).idx() + 1, '/', number[h.idx()]);
+    write('\n');
   }
 }
 

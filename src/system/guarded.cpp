@@ -51,4 +51,11 @@ int exit_code_of(const std::optional<Refusal>& refusal)
   return 1;
 }
 
+void flush_standard_output()
+{
+  if(!std::cout.flush())
+    throw Refusal("UNWRITABLE_FILE", "standard output", "could not be written",
+                  "check the space on the disk, or where the output goes");
+}
+
 } // namespace tool

@@ -178,8 +178,8 @@ TEST_CASE("an array that does not fit is reported with its size", "[opencl]")
   if(!there_is_a_device())
     return;
   const OpenCL_device device = SP::opencl_device();
-  const internal::OpenCL_runtime runtime(device);
-  const OpenCL_error error = error_of([&] { runtime.zeros<internal::vec3>(device.info().largest_allocation / 4); });
+  const internal::Backend<OpenCL_device> backend(device);
+  const OpenCL_error error = error_of([&] { backend.zeros<internal::vec3>(device.info().largest_allocation / 4); });
   CHECK(error.call() == "clCreateBuffer");
   CHECK(contains(error.what(), " GB does not fit on " + device.info().name));
 }
@@ -191,11 +191,11 @@ TEST_CASE("a shared array outlives its owner's other users, and no longer than i
   OpenCL_device device = SP::opencl_device();
   SECTION("as it is") {}
   SECTION("as on a GPU") { device.treat_as_gpu(); }
-  const internal::OpenCL_runtime runtime(device);
+  const internal::Backend<OpenCL_device> backend(device);
   auto host = std::make_shared<const internal::Host_array<int>>(internal::Host_array<int>{3, 1, 2});
   const std::weak_ptr<const internal::Host_array<int>> watch = host;
   {
-    const internal::OpenCL_array<int> array = runtime.share(*host, host);
+    const internal::OpenCL_array<int> array = backend.share(*host, host);
     host.reset();
     CHECK(array.size() == 3);
     CHECK(watch.expired() == !device.info().is_cpu);

@@ -4,7 +4,7 @@
 #include "helpers/policies.h"
 
 #include <CGAL/Spherical_parameterization/internal/backend/Host_backend.h>
-#include <CGAL/Spherical_parameterization/internal/saddle_point/saddle_point_solver.h>
+#include <CGAL/Spherical_parameterization/internal/saddle_point/solve_saddle_point_impl.h>
 
 #include <catch2/catch.hpp>
 
@@ -161,11 +161,6 @@ public:
 
     void wrote(const typename B::Vectors& v) { outcome.vectors.push_back(backend.download(v)); }
     void returned(double s) { outcome.numbers.push_back(s); }
-    void returned(const Moments& m)
-    {
-      returned(m.first);
-      returned(m.second);
-    }
     template <std::size_t K>
     void returned(const std::array<double, K>& s)
     {

@@ -134,7 +134,7 @@ TEST_CASE("a map that winds twice round the axis has degree 2", "[distortion]")
 
 TEST_CASE("the degree is right where the directions in which faces are counted are on a border", "[distortion]")
 {
-  const double t = 773. / 1024; // degree.h: (1, t, t^2), t = 773/1024 + 0, 1, ...
+  const double t = 773. / 1024; // certificate.h: (1, t, t^2), t = 773/1024 + 0, 1, ...
   const Point q(1, t, t * t), next(1, t + 1, (t + 1) * (t + 1));
   const auto mean = [&](double s, double r) { // on the great circle through both
     return Point(s * q.x() + r * next.x(), s * q.y() + r * next.y(), s * q.z() + r * next.z());

@@ -22,7 +22,7 @@ using SP::Stretch_histogram;
 
 namespace {
 
-const Sequential_loop one_core;
+const Host_loop one_core;
 
 /// With its own points as images.
 Mapped_surface surface_of(const Mesh& mesh)
@@ -63,9 +63,9 @@ TEST_CASE("intrinsic triangulation: Delaunay, and the same surface", "[signature
   const Intrinsic_triangulation t = triangulation_of(soup);
   REQUIRE(t.number_of_halfedges() == static_cast<int>(3 * soup.faces.size()));
   for(int h = 0; h < t.number_of_halfedges(); ++h) {
-    REQUIRE(t.twin(t.twin(h)) == h);
-    CHECK(t.origin(t.twin(h)) == t.target(h));
-    CHECK(t.cotangent(h) + t.cotangent(t.twin(h)) > -1e-9);
+    REQUIRE(t.twin[t.twin[h]] == h);
+    CHECK(t.origin(t.twin[h]) == t.target(h));
+    CHECK(t.cotangent(h) + t.cotangent(t.twin[h]) > -1e-9);
   }
   const Source_mesh<Mesh> source(make_mesh(soup), make_mesh(soup).points());
   const double area = std::accumulate(source.area.begin(), source.area.end(), 0.);
@@ -104,7 +104,7 @@ TEST_CASE("discrete surface: harmonics of the sphere", "[signature]")
   }
   // z is an eigenfunction, of the eigenvalue 2
   CHECK((surface.laplacian() * z - 2 * surface.mass().cwiseProduct(z)).norm() < 0.01 * surface.mass().norm());
-  Discrete_surface::Vector x = Surface_solver<Sequential_loop>(one_core, surface)(2 * surface.mass().cwiseProduct(z));
+  Discrete_surface::Vector x = Surface_solver<Host_loop>(one_core, surface)(2 * surface.mass().cwiseProduct(z));
   x.array() -= x.mean();
   CHECK((x - z).cwiseAbs().maxCoeff() < 0.01);
   CHECK((smoothed(one_core, surface, z, 0.5) - z / 2).cwiseAbs().maxCoeff() < 0.01); // 1 / (1 + 2 t)
@@ -116,7 +116,7 @@ TEST_CASE("discrete surface: large ones are solved as accurately as small ones",
   const Discrete_surface surface(triangulation_of(bumpy_sphere(7)));
   REQUIRE(surface.size() > 100000); // by multigrid
   const Discrete_surface::Vector b = surface.mass() - surface.defect();
-  CHECK((surface.laplacian() * Surface_solver<Sequential_loop>(one_core, surface)(b) - b).norm() < 1e-6 * b.norm());
+  CHECK((surface.laplacian() * Surface_solver<Host_loop>(one_core, surface)(b) - b).norm() < 1e-6 * b.norm());
 }
 
 TEST_CASE("discrete surface: a singular system is refused, and not solved with what is in the memory", "[signature]")
@@ -124,7 +124,7 @@ TEST_CASE("discrete surface: a singular system is refused, and not solved with w
   Mapped_surface source = surface_of(make_mesh(icosphere(1)));
   source.point.push_back({1, 1, 1}); // a vertex without triangles: its row is zero
   const Discrete_surface surface(Intrinsic_triangulation(source, source.point));
-  CHECK_THROWS_AS(Surface_solver<Sequential_loop>(one_core, surface), SP::Error);
+  CHECK_THROWS_AS(Surface_solver<Host_loop>(one_core, surface), SP::Error);
 }
 
 TEST_CASE("midpoint refinement: the same surface in four times as many faces", "[signature]")

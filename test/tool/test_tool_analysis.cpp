@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The sub-commands of the tool that use a map: texture, resample, segment; and --sphere, which they share.
+// The sub-commands of the tool that use a map: texture, resample, segment, view; and --sphere, which they share.
 
 #include "helpers/certificate.h"
 #include "helpers/meshes.h"
 #include "helpers/tool.h"
 
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
@@ -65,7 +66,10 @@ Textured read_textured(const std::string& file)
 /// Arguments that make every command write what it writes.
 std::vector<std::string> command_line(const std::string& command, const std::string& input, const Scratch& scratch)
 {
-  const std::string output = command == "texture" ? "out.obj" : command == "segment" ? "out.ply" : "out.off";
+  const std::string output = command == "texture"   ? "out.obj"
+                             : command == "segment" ? "out.ply"
+                             : command == "view"    ? "out.html"
+                                                    : "out.off";
   return {command, input, "-o", scratch / output};
 }
 
@@ -211,6 +215,34 @@ TEST_CASE("segment: one label per face, and colours for them", "[tool]")
   CHECK(text_of(scratch / "two.txt").find('1') == std::string::npos);
 }
 
+TEST_CASE("view: a page with everything in it", "[tool]")
+{
+  Scratch scratch;
+  const Soup soup = dumbbell(2);
+  const std::string input = write_off(scratch / "<in>.off", soup);
+  const Process_result run = run_tool(command_line("view", input, scratch));
+  CAPTURE(run.err);
+  REQUIRE(run.exit_code == 0);
+  const std::string page = text_of(scratch / "out.html");
+  for(const char* elsewhere : {"{HEADER}", "{DATA}", "src=\"", "<link rel=\"stylesheet"})
+    CHECK(page.find(elsewhere) == std::string::npos);
+  const auto content = [&page](const std::string& start) {
+    const std::size_t begin = page.find(start) + start.size();
+    return page.substr(begin, page.find("</script>", begin) - begin);
+  };
+  const nlohmann::json header = nlohmann::json::parse(content("id=\"header\">"));
+  CHECK(header["report"]["input"] == input);
+  CHECK(header["report"]["flipped_faces"] == 0);
+  CHECK(header["coordinates"].size() == 6);
+  const std::size_t bytes = 12 * soup.points.size() + 15 * soup.faces.size();
+  CHECK(content("id=\"data\">").size() == (bytes + 2) / 3 * 4);
+
+  Process_options in_scratch;
+  in_scratch.directory = scratch.folder();
+  REQUIRE(run_process({TOOL, "view", input}, in_scratch).exit_code == 0);
+  CHECK(fs::exists(scratch / "<in>.html"));
+}
+
 TEST_CASE("option --sphere: the map of 'map' gives the same as mapping again", "[tool]")
 {
   Scratch scratch;
@@ -292,7 +324,7 @@ TEST_CASE("commands that use a map refuse what 'map' refuses, and write nothing"
   Scratch scratch;
   const std::string torus_file = write_off(scratch / "torus.off", torus(12, 8));
   const std::string tube = write_off(scratch / "tube.off", capsule(20, 12));
-  for(const std::string command : {"texture", "resample", "segment"}) {
+  for(const std::string command : {"texture", "resample", "segment", "view"}) {
     check_exit(run_tool(command_line(command, torus_file, scratch)), "genus");
     check_exit(run_tool(with(command_line(command, tube, scratch), {"--max-time", "1e-9"})), "time");
     if(command != "segment") // which needs no certified map
@@ -320,6 +352,8 @@ TEST_CASE("commands that use a map: wrong usage", "[tool]")
        {"segment", input, "-o", scratch / "out.ply", "--segments", "0"},
        {"segment", input, "-o", scratch / "out.ply", "--labels", input},
        {"segment", input, "-o", scratch / "out.ply", "--sphere", input, "--weights", "conformal"},
+       {"view", input, "-o", scratch / "out.htm"},
+       {"view", input, "-o", input},
        {"resample", input, "-o", scratch / "out.off", "--sphere", input, "--max-time", "3"}}) {
     const Process_result run = run_tool(arguments);
     CAPTURE(arguments, run.out, run.err);

@@ -6,8 +6,15 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <numeric>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace test;
@@ -39,12 +46,50 @@ std::string make_index(const Scratch& scratch)
               transformed(dumbbell(4), [i](const Point& p) { return Point(p.x(), p.y(), (1 + 0.03 * i) * p.z()); }));
   }
   write_off(scratch / "torus.off", torus(8, 8)); // has no signature
-  std::string index = scratch / "index.csv";
+  std::string index = scratch / "index.csv";     // and index.db
   REQUIRE(run_tool({"signature", scratch.folder(), "-o", index}).exit_code == 0);
   return index;
 }
 
+/// Name and numbers of the rows of a table that have a signature.
+std::map<std::string, std::vector<double>> signatures(const std::string& table)
+{
+  std::map<std::string, std::vector<double>> result;
+  for(const std::string& line : lines_of(text_of(table))) {
+    std::istringstream in(line);
+    std::vector<std::string> fields;
+    for(std::string field; std::getline(in, field, ',');)
+      fields.push_back(field);
+    if(fields.at(2) == "OK")
+      std::transform(fields.begin() + 5, fields.end(), std::back_inserter(result[fields[0]]),
+                     [](const std::string& field) { return std::stod(field); });
+  }
+  return result;
+}
+
 } // namespace
+
+TEST_CASE("search: exactly the nearest ones, by the numbers of the table", "[tool][search]")
+{
+  Scratch scratch;
+  const std::string index = make_index(scratch);
+  const auto all = signatures(index);
+  REQUIRE(all.size() == 8);
+  for(const auto& [query, numbers] : all) {
+    std::vector<std::pair<double, std::string>> expected;
+    for(const auto& [name, other] : all)
+      expected.emplace_back(std::inner_product(numbers.begin(), numbers.end(), other.begin(), 0., std::plus<>(),
+                                               [](double x, double y) { return std::abs(x - y); }),
+                            name);
+    std::sort(expected.begin(), expected.end());
+    const std::vector<Hit> found = hits(run_tool({"search", query, "--index", index, "-k", "5"}).out);
+    REQUIRE(found.size() == 5);
+    for(std::size_t i = 0; i < found.size(); ++i) {
+      CHECK(found[i].name == expected[i].second);
+      CHECK(std::abs(found[i].distance - expected[i].first) < 1e-4);
+    }
+  }
+}
 
 TEST_CASE("search: the class of the query comes first", "[tool][search]")
 {
@@ -73,7 +118,7 @@ TEST_CASE("search: what is wrong is said in one line", "[tool][search]")
   Scratch scratch;
   const std::string good = write_off(scratch / "good.off", icosphere(2));
   const std::string bad = write_off(scratch / "bad.off", open_sphere(2));
-  const std::string index = scratch / "index.csv", broken = scratch / "broken.csv";
+  const std::string index = scratch / "index.db", broken = scratch / "broken.db";
   REQUIRE(run_tool({"signature", good, "-o", index}).exit_code == 0);
   const auto check = [&](const std::string& query, const std::string& file, const std::string& word) {
     const Process_result run = run_tool({"search", query, "--index", file});
@@ -86,13 +131,15 @@ TEST_CASE("search: what is wrong is said in one line", "[tool][search]")
   check(scratch / "none.off", index, "does not exist");
   check(good, scratch / "none.csv", "does not exist");
   check(good, scratch.folder(), "directory");
-  const std::string text = text_of(index);
+  const std::string bytes = text_of(index);
   write_text(broken, "a,b\n1,2\n");
-  check(good, broken, "line 1");
-  write_text(broken, text + "x,12,OK\n");
-  check(good, broken, "line 3");
-  write_text(broken, text.substr(0, text.size() - 30));
-  check(good, broken, "line 2");
+  check(good, broken, "no database");
+  write_text(broken, bytes.substr(0, bytes.size() / 2));
+  check(good, broken, "damaged");
+  write_text(broken, bytes.substr(0, 100) + std::string(bytes.size() - 100, '\xaa'));
+  check(good, broken, "damaged");
+  write_text(scratch / "old.csv", "name,vertices\n"); // an index of older versions
+  check(good, scratch / "old.csv", "'signature'");
   write_text(broken, "");
   check(good, broken, "is empty");
   CHECK(run_tool({"search", good}).exit_code == 2);

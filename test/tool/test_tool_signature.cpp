@@ -15,9 +15,7 @@
 #include <thread>
 #include <vector>
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
+#include <sqlite3.h>
 
 using namespace test;
 namespace fs = std::filesystem;
@@ -40,18 +38,32 @@ std::string make_folder(const Scratch& scratch)
   return folder;
 }
 
-std::size_t lines_in(const std::string& file)
+/// How many rows the index has at this moment; it may be in use.
+int rows_in(const std::string& index)
 {
-  std::ifstream in(file, std::ios::binary);
-  const std::string text(std::istreambuf_iterator<char>(in), {});
-  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+  sqlite3* database = nullptr;
+  sqlite3_stmt* statement = nullptr;
+  int rows = 0;
+  if(sqlite3_open_v2(index.c_str(), &database, SQLITE_OPEN_READONLY, nullptr) == SQLITE_OK &&
+     sqlite3_prepare_v2(database, "SELECT count(*) FROM mesh", -1, &statement, nullptr) == SQLITE_OK &&
+     sqlite3_step(statement) == SQLITE_ROW)
+    rows = sqlite3_column_int(statement, 0);
+  sqlite3_finalize(statement);
+  sqlite3_close(database);
+  return rows;
 }
 
-/// Waits until the journal has so many lines, the header included.
-void wait_for_lines(const std::string& journal, std::size_t lines)
+void wait_for_rows(const std::string& index, int rows)
 {
-  for(int i = 0; i < 60000 && lines_in(journal) < lines; ++i)
+  for(int i = 0; i < 60000 && rows_in(index) < rows; ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
+}
+
+void check_is_one_file(const std::string& index)
+{
+  CHECK(fs::exists(index));
+  for(const char* other : {"-wal", "-shm", "-journal"})
+    CHECK_FALSE(fs::exists(index + other));
 }
 
 std::string undisturbed(const Scratch& scratch, const std::string& folder)
@@ -60,20 +72,30 @@ std::string undisturbed(const Scratch& scratch, const std::string& folder)
   const Process_result run = run_tool({"signature", folder, "-o", output});
   CAPTURE(run.err);
   REQUIRE(run.exit_code == 0);
-  CHECK_FALSE(fs::exists(output + ".journal"));
+  check_is_one_file(scratch / "undisturbed.db");
   return text_of(output);
 }
 
-/// The same command again, which ends with the same file and says that it had something to start from.
-void check_resumed(const std::vector<std::string>& command, const std::string& output, const std::string& expected)
+/// Starts the batch and kills it when its index has so many rows.
+void run_and_kill(const std::vector<std::string>& command, const std::string& index, int rows)
 {
-  CHECK_FALSE(fs::exists(output));
+  Process_options options;
+  options.meanwhile = [&](int pid) {
+    wait_for_rows(index, rows);
+    kill(pid, SIGKILL);
+  };
+  REQUIRE(run_process(command, options).exit_code == 128 + SIGKILL);
+}
+
+/// The same command again, which says that it had so many rows to start from, and ends with the same file.
+void check_resumed(const std::vector<std::string>& command, int rows, const std::string& expected)
+{
   const Process_result run = run_process(command);
-  CAPTURE(run.out, run.err);
+  CAPTURE(run.out, run.err, rows);
   CHECK(run.exit_code == 0);
-  CHECK(run.out.find("from an earlier run") != std::string::npos);
-  CHECK(text_of(output) == expected);
-  CHECK_FALSE(fs::exists(output + ".journal"));
+  CHECK((run.out.find(", " + std::to_string(rows) + " rows from an earlier run") != std::string::npos) == (rows > 0));
+  CHECK(text_of(command.at(4)) == expected);
+  check_is_one_file(fs::path(command.at(4)).replace_extension(".db").string());
 }
 
 } // namespace
@@ -107,6 +129,7 @@ TEST_CASE("signature: neither threads nor runs make a difference", "[tool][signa
   const std::string folder = make_folder(scratch), output = scratch / "out.csv";
   const std::string expected = undisturbed(scratch, folder);
   for(const char* jobs : {"1", "3"}) {
+    fs::remove(scratch / "out.db");
     REQUIRE(run_tool({"signature", folder, "-o", output, "--jobs", jobs}).exit_code == 0);
     CHECK(text_of(output) == expected);
   }
@@ -172,133 +195,143 @@ TEST_CASE("signature: a shape too thin for doubles gets one from another map", "
 TEST_CASE("signature: a batch that was killed goes on where it was", "[tool][signature]")
 {
   Scratch scratch;
-  const std::string folder = make_folder(scratch), output = scratch / "out.csv";
+  const std::string folder = make_folder(scratch), output = scratch / "out.csv", index = scratch / "out.db";
   const std::string expected = undisturbed(scratch, folder);
   const std::vector<std::string> command = {TOOL, "signature", folder, "-o", output, "--jobs", "2"};
-  const std::size_t lines = GENERATE(2, 7, 15);
-  Process_options options;
-  SECTION("SIGKILL")
-  {
-    options.meanwhile = [&](int pid) {
-      wait_for_lines(output + ".journal", lines);
-      kill(pid, SIGKILL);
-    };
-    CHECK(run_process(command, options).exit_code == 128 + SIGKILL);
-  }
+  const int rows = GENERATE(1, 6, 14);
+  SECTION("SIGKILL") { run_and_kill(command, index, rows); }
   SECTION("SIGINT or SIGTERM")
   {
     const int signal = GENERATE(SIGINT, SIGTERM);
+    Process_options options;
     options.meanwhile = [&](int pid) {
-      wait_for_lines(output + ".journal", lines);
+      wait_for_rows(index, rows);
       kill(pid, signal);
     };
     const Process_result run = run_process(command, options);
     CHECK(run.exit_code == 128 + signal);
     CHECK(is_one_line(run.err));
     CHECK(run.err.find("the same command") != std::string::npos);
-  }
-  CHECK(lines_in(output + ".journal") >= lines);
-  check_resumed(command, output, expected);
-}
-
-namespace {
-
-/// Starts the batch and kills it when its journal has so many lines, the header included.
-void run_and_kill(const std::vector<std::string>& command, const std::string& journal, std::size_t lines)
-{
-  Process_options options;
-  options.meanwhile = [&](int pid) {
-    wait_for_lines(journal, lines);
-    kill(pid, SIGKILL);
-  };
-  REQUIRE(run_process(command, options).exit_code == 128 + SIGKILL);
-}
-
-} // namespace
-
-TEST_CASE("signature: a line of the journal that is torn is computed again", "[tool][signature]")
-{
-  Scratch scratch;
-  const std::string folder = make_folder(scratch), output = scratch / "out.csv", journal = output + ".journal";
-  const std::string expected = undisturbed(scratch, folder);
-  const std::vector<std::string> command = {TOOL, "signature", folder, "-o", output, "--jobs", "1"};
-  run_and_kill(command, journal, 11);
-  const std::string text = text_of(journal);
-  std::size_t begin = 0; // of the eleventh line
-  for(int i = 0; i < 10; ++i)
-    begin = text.find('\n', begin) + 1;
-  for(const std::size_t torn : {0, 1, 80, 600}) {
-    write_text(journal, text.substr(0, begin + torn));
-    check_resumed(command, output, expected);
-    fs::remove(output);
-  }
-}
-
-TEST_CASE("signature: a mesh that has changed since the run before is computed again", "[tool][signature]")
-{
-  Scratch scratch;
-  const std::string folder = make_folder(scratch), output = scratch / "out.csv", journal = output + ".journal";
-  const std::vector<std::string> command = {TOOL, "signature", folder, "-o", output, "--jobs", "1"};
-  run_and_kill(command, journal, 11);
-  const std::string line = lines_of(text_of(journal)).at(1);
-  const std::size_t name = line.find(folder);
-  const std::string mesh = line.substr(name, line.find(".off", name) + 4 - name);
-  CAPTURE(mesh);
-  std::string changed = text_of(write_off(scratch / "other.off", ellipsoid(1, 5, 2, 4)));
-  SECTION("another size") {}
-  SECTION("the same size") { changed.resize(fs::file_size(mesh), ' '); }
-  SECTION("removed") { changed.clear(); }
-  if(changed.empty())
-    fs::remove(mesh);
-  else
-    write_text(mesh, changed);
-  check_resumed(command, output, undisturbed(scratch, folder));
-}
-
-TEST_CASE("signature: a mesh in the journal that has not changed is not computed again", "[tool][signature]")
-{
-  Scratch scratch;
-  const std::string folder = make_folder(scratch), output = scratch / "out.csv", journal = output + ".journal";
-  const std::vector<std::string> command = {TOOL, "signature", folder, "-o", output, "--jobs", "1"};
-  run_and_kill(command, journal, 11);
-  const std::size_t done = lines_in(journal) - 1;
-  CHECK(run_process(command).out.find(", " + std::to_string(done) + " rows from an earlier run") != std::string::npos);
-}
-
-TEST_CASE("signature: journals that are not ours are left alone", "[tool][signature]")
-{
-  Scratch scratch;
-  const std::string input = write_off(scratch / "in.off", icosphere(1)), output = scratch / "out.csv";
-  const std::string journal = output + ".journal";
-  SECTION("another file of that name")
-  {
-    write_text(journal, "my diary\n");
-    const Process_result run = run_tool({"signature", input, "-o", output});
-    CHECK(run.exit_code == 1);
-    CHECK(is_one_line(run.err));
-    CHECK(text_of(journal) == "my diary\n");
-  }
-  SECTION("the journal of an older version, which does not say how old the meshes were")
-  {
-    const std::string old = undisturbed(scratch, input);
-    write_text(journal, old);
-    const Process_result run = run_tool({"signature", input, "-o", output});
-    CHECK(run.exit_code == 1);
-    CHECK(is_one_line(run.err));
-    CHECK(run.err.find("version") != std::string::npos);
-    CHECK(text_of(journal) == old);
-  }
-  SECTION("another program works on it")
-  {
-    const int descriptor = open(journal.c_str(), O_RDWR | O_CREAT, 0666);
-    REQUIRE(flock(descriptor, LOCK_EX) == 0);
-    const Process_result run = run_tool({"signature", input, "-o", output});
-    close(descriptor);
-    CHECK(run.exit_code == 1);
-    CHECK(is_one_line(run.err));
-    CHECK(run.err.find("in use") != std::string::npos);
+    check_is_one_file(index);
   }
   CHECK_FALSE(fs::exists(output));
+  CHECK(rows_in(index) >= rows);
+  check_resumed(command, rows_in(index), expected);
+}
+
+TEST_CASE("signature: what was being written when the machine stopped is computed again", "[tool][signature]")
+{
+  Scratch scratch;
+  const std::string folder = make_folder(scratch), output = scratch / "out.csv", index = scratch / "out.db";
+  const std::string expected = undisturbed(scratch, folder);
+  const std::vector<std::string> command = {TOOL, "signature", folder, "-o", output, "--jobs", "1"};
+  run_and_kill(command, index, 10);
+  const std::string database = text_of(index), log = text_of(index + "-wal");
+  int before = 0;
+  for(const double share : {0.05, 0.5, 0.9, 1.}) {
+    write_text(index, database);
+    write_text(index + "-wal", log.substr(0, static_cast<std::size_t>(share * static_cast<double>(log.size()))));
+    fs::remove(index + "-shm");
+    const int rows = rows_in(index);
+    CHECK(rows >= before);
+    check_resumed(command, rows, expected);
+    before = rows;
+  }
+  CHECK(before >= 10);
+}
+
+TEST_CASE("signature: an index is brought up to date", "[tool][signature]")
+{
+  Scratch scratch;
+  const std::string folder = make_folder(scratch), output = scratch / "out.csv", mesh = folder + "/0.off";
+  const std::vector<std::string> command = {TOOL, "signature", folder, "-o", output, "--jobs", "2"};
+  check_resumed(command, 0, undisturbed(scratch, folder));
+  const std::string text = text_of(mesh);
+  const auto time = fs::last_write_time(mesh);
+  std::string edited = text_of(write_off(scratch / "other.off", ellipsoid(1, 5, 2, 4)));
+  int rows = 24;
+  SECTION("nothing has changed") {}
+  SECTION("a mesh was written again as it was") { write_text(mesh, text); }
+  SECTION("a mesh was edited")
+  {
+    write_text(mesh, edited);
+    --rows;
+  }
+  SECTION("a mesh was edited, and has its size and time as before")
+  {
+    edited.resize(text.size(), ' ');
+    write_text(mesh, edited);
+    fs::last_write_time(mesh, time);
+    --rows;
+  }
+  SECTION("a mesh was removed")
+  {
+    fs::remove(mesh);
+    --rows;
+  }
+  SECTION("a mesh is new") { write_text(folder + "/new.off", edited); }
+  fs::remove(scratch / "undisturbed.db");
+  check_resumed(command, rows, undisturbed(scratch, folder));
+  const int meshes = static_cast<int>(lines_of(text_of(output)).size()) - 1;
+  CHECK(rows_in(scratch / "out.db") == meshes);
+  check_resumed(command, meshes, text_of(output));
+}
+
+TEST_CASE("signature: a mesh that could not be read is looked at again", "[tool][signature]")
+{
+  Scratch scratch;
+  const std::string mesh = scratch / "in.off", index = scratch / "out.db";
+  CHECK(run_tool({"signature", mesh, "-o", index}).exit_code == 1);
+  write_off(mesh, icosphere(1));
+  CHECK(run_tool({"signature", mesh, "-o", index}).exit_code == 0);
+}
+
+TEST_CASE("signature: files that are no index, or damaged, are left alone", "[tool][signature]")
+{
+  Scratch scratch;
+  const std::string input = write_off(scratch / "in.off", icosphere(1)), index = scratch / "out.db";
+  SECTION("another file of that name") { write_text(index, "my diary\n" + std::string(2000, '.')); }
+  SECTION("the database of another program")
+  {
+    sqlite3* database = nullptr;
+    REQUIRE(sqlite3_open(index.c_str(), &database) == SQLITE_OK);
+    REQUIRE(sqlite3_exec(database, "CREATE TABLE diary(text)", nullptr, nullptr, nullptr) == SQLITE_OK);
+    sqlite3_close(database);
+  }
+  SECTION("a damaged index")
+  {
+    REQUIRE(run_tool({"signature", input, "-o", index}).exit_code == 0);
+    std::string bytes = text_of(index);
+    std::fill(bytes.begin() + 200, bytes.end(), 'x');
+    write_text(index, bytes);
+  }
+  const std::string before = text_of(index);
+  const Process_result run = run_tool({"signature", input, "-o", index});
+  CAPTURE(run.err);
+  CHECK(run.exit_code == 1);
+  CHECK(is_one_line(run.err));
+  CHECK(text_of(index) == before);
+}
+
+TEST_CASE("signature: one run at a time writes an index, and others may read it", "[tool][signature]")
+{
+  Scratch scratch;
+  const std::string folder = make_folder(scratch), output = scratch / "out.csv", index = scratch / "out.db";
+  const std::string expected = undisturbed(scratch, folder);
+  const std::vector<std::string> command = {TOOL, "signature", folder, "-o", output, "--jobs", "1"};
+  Process_options options;
+  options.meanwhile = [&](int pid) {
+    wait_for_rows(index, 4);
+    kill(pid, SIGSTOP);
+    const Process_result second = run_process(command);
+    CHECK(second.exit_code == 1);
+    CHECK(is_one_line(second.err));
+    CHECK(second.err.find("in use") != std::string::npos);
+    CHECK(run_tool({"search", folder + "/0.off", "--index", index}).exit_code == 0);
+    kill(pid, SIGCONT);
+  };
+  CHECK(run_process(command, options).exit_code == 0);
+  CHECK(text_of(output) == expected);
 }
 
 TEST_CASE("signature: wrong usage, and outputs that cannot be written", "[tool][signature]")
@@ -369,16 +402,16 @@ TEST_CASE("signature: three ranks of MPI write the same file", "[tool][signature
     const std::size_t rank = GENERATE(0u, 1u, 2u);
     Process_options options;
     options.meanwhile = [&](int pid) {
-      wait_for_lines(output + ".journal", 4);
+      wait_for_rows(scratch / "out.db", 3);
       const std::vector<int> ranks = children_of(pid);
       REQUIRE(ranks.size() == 3);
       kill(ranks[rank], SIGKILL);
     };
     const Process_result run = run_process(command, options);
     CHECK(run.exit_code != 0); // all of them end
-    const std::size_t done = lines_in(output + ".journal");
-    CHECK(done >= 4);
-    const std::string said = std::to_string(done - 1) + " rows from an earlier run";
+    const int done = rows_in(scratch / "out.db");
+    CHECK(done >= 3);
+    const std::string said = std::to_string(done) + " rows from an earlier run";
     const Process_result again = run_process(command);
     CAPTURE(again.out, again.err);
     CHECK(again.out.find(said) != std::string::npos);
@@ -397,13 +430,13 @@ TEST_CASE("signature: a program that a rank of MPI starts is none itself", "[too
   if(command.empty())
     return;
   Scratch scratch;
-  const std::string input = write_off(scratch / "in.off", icosphere(2)), output = scratch / "out.csv";
-  const std::string script = "\"$0\" signature \"$1\" -o \"$2$OMPI_COMM_WORLD_RANK\"; exit $?";
+  const std::string input = write_off(scratch / "in.off", icosphere(2)), output = scratch / "out";
+  const std::string script = "\"$0\" signature \"$1\" -o \"$2$OMPI_COMM_WORLD_RANK.csv\"; exit $?";
   command.insert(command.end(), {"/bin/sh", "-c", script, TOOL, input, output});
   const Process_result run = run_process(command);
   CAPTURE(run.out, run.err);
   CHECK(run.exit_code == 0);
   const std::string expected = undisturbed(scratch, input);
   for(const char* rank : {"0", "1", "2"})
-    CHECK((fs::exists(output + rank) && text_of(output + rank) == expected));
+    CHECK(text_of(output + rank + ".csv") == expected);
 }

@@ -15,8 +15,9 @@
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/tags.h>
 
+#include <boost/functional/hash.hpp>
 #include <boost/graph/graph_traits.hpp>
-#include <boost/iterator/iterator_facade.hpp>
+#include <boost/iterator/iterator_adaptor.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
@@ -26,7 +27,6 @@
 #include <iterator>
 #include <limits>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -65,26 +65,19 @@ public:
   typedef Index<3> Face_index;
 
   template <class I>
-  class Iterator : public boost::iterator_facade<Iterator<I>, I, std::random_access_iterator_tag, I> {
+  class Iterator
+    : public boost::iterator_adaptor<Iterator<I>, int, I, std::random_access_iterator_tag, I, std::ptrdiff_t> {
   public:
-    Iterator() = default;
-    explicit Iterator(int i) : i_(i) {}
+    explicit Iterator(int i = 0) : Iterator::iterator_adaptor_(i) {}
 
   private:
     friend class boost::iterator_core_access;
-    I dereference() const { return I(i_); }
-    bool equal(const Iterator& other) const { return i_ == other.i_; }
-    void increment() { ++i_; }
-    void decrement() { --i_; }
-    void advance(std::ptrdiff_t n) { i_ += static_cast<int>(n); }
-    std::ptrdiff_t distance_to(const Iterator& other) const { return other.i_ - i_; }
-
-    int i_ = 0;
+    I dereference() const { return I(this->base()); }
   };
   template <class I>
-  static CGAL::Iterator_range<Iterator<I>> range(int size)
+  static CGAL::Iterator_range<Iterator<I>> range(std::size_t size)
   {
-    return {Iterator<I>(0), Iterator<I>(size)};
+    return {Iterator<I>(0), Iterator<I>(static_cast<int>(size))};
   }
   /// \endcond
 
@@ -111,7 +104,7 @@ public:
   {
     static_assert(internal::is_supported_policy<ExecutionPolicy>(), "not an execution policy of this package");
     read(points, triangles);
-    const typename internal::Loop_of<ExecutionPolicy>::type loop;
+    const internal::Host_loop loop = internal::loop_of<ExecutionPolicy>();
     const internal::Soup_trouble trouble = internal::check_soup(
       loop, table_, static_cast<int>(point_.size()), last_corner_, [&] { return number_of_different_points(); });
     if(trouble.code != Error_code::OK)
@@ -132,9 +125,9 @@ public:
   const internal::Corner_table& corner_table() const { return table_; }
 
   typedef Indexed_triangle_mesh Self;
-  friend auto vertices(const Self& m) { return range<Vertex_index>(static_cast<int>(m.point_.size())); }
-  friend auto faces(const Self& m) { return range<Face_index>(static_cast<int>(m.table_.face.size())); }
-  friend auto halfedges(const Self& m) { return range<Halfedge_index>(m.table_.number_of_halfedges()); }
+  friend auto vertices(const Self& m) { return range<Vertex_index>(m.point_.size()); }
+  friend auto faces(const Self& m) { return range<Face_index>(m.table_.face.size()); }
+  friend auto halfedges(const Self& m) { return range<Halfedge_index>(m.table_.twin.size()); }
   friend std::size_t num_vertices(const Self& m) { return m.point_.size(); }
   friend std::size_t num_faces(const Self& m) { return m.table_.face.size(); }
   friend std::size_t num_halfedges(const Self& m) { return m.table_.twin.size(); }
@@ -144,14 +137,8 @@ public:
   friend Vertex_index target(Halfedge_index h, const Self& m) { return Vertex_index(m.table_.target(h.idx())); }
   friend Vertex_index source(Edge_index e, const Self& m) { return Vertex_index(m.table_.origin(e.idx())); }
   friend Vertex_index target(Edge_index e, const Self& m) { return Vertex_index(m.table_.target(e.idx())); }
-  friend Halfedge_index next(Halfedge_index h, const Self&)
-  {
-    return Halfedge_index(internal::Corner_table::next(h.idx()));
-  }
-  friend Halfedge_index prev(Halfedge_index h, const Self&)
-  {
-    return Halfedge_index(internal::Corner_table::previous(h.idx()));
-  }
+  friend Halfedge_index next(Halfedge_index h, const Self& m) { return Halfedge_index(m.table_.next(h.idx())); }
+  friend Halfedge_index prev(Halfedge_index h, const Self& m) { return Halfedge_index(m.table_.previous(h.idx())); }
   friend Halfedge_index opposite(Halfedge_index h, const Self& m) { return Halfedge_index(m.table_.twin[h.idx()]); }
   friend Face_index face(Halfedge_index h, const Self&) { return Face_index(h.idx() / 3); }
   friend Edge_index edge(Halfedge_index h, const Self& m)
@@ -163,7 +150,7 @@ public:
   /// and the one to the first corner of the face.
   friend Halfedge_index halfedge(Vertex_index v, const Self& m)
   {
-    return Halfedge_index(internal::Corner_table::previous(m.last_corner_[v.idx()]));
+    return Halfedge_index(m.table_.previous(m.last_corner_[v.idx()]));
   }
   friend Halfedge_index halfedge(Face_index f, const Self&) { return Halfedge_index(3 * f.idx() + 2); }
   friend std::pair<Halfedge_index, bool> halfedge(Vertex_index u, Vertex_index v, const Self& m)
@@ -196,19 +183,21 @@ private:
   template <class PointRange, class TriangleRange>
   void read(const PointRange& points, const TriangleRange& triangles)
   {
-    const auto number_of_points = static_cast<std::size_t>(std::distance(std::begin(points), std::end(points)));
-    const auto number_of_triangles =
-      static_cast<std::size_t>(std::distance(std::begin(triangles), std::end(triangles)));
-    constexpr std::size_t limit = static_cast<std::size_t>((std::numeric_limits<int>::max)());
-    if(number_of_points > limit / 3 || number_of_triangles > limit / 3)
-      throw internal::Input_error(Error_code::TOO_LARGE, std::to_string(number_of_points) + " points and " +
-                                                           std::to_string(number_of_triangles) +
-                                                           " triangles; at most 715,827,882 of each are supported");
+    using internal::Input_error;
+    const auto size = [](const auto& range) {
+      return static_cast<std::size_t>(std::distance(std::begin(range), std::end(range)));
+    };
+    const std::size_t number_of_points = size(points), number_of_triangles = size(triangles);
+    constexpr std::size_t most = (std::numeric_limits<int>::max)() / 3;
+    if(number_of_points > most || number_of_triangles > most)
+      throw Input_error(Error_code::TOO_LARGE, std::to_string(number_of_points) + " points and " +
+                                                 std::to_string(number_of_triangles) +
+                                                 " triangles; at most 715,827,882 of each are supported");
     point_.reserve(number_of_points);
     for(const auto& p : points) {
       const internal::vec3 c = internal::coordinates(p);
       if(!internal::is_finite(c))
-        throw internal::Input_error(Error_code::NON_FINITE_COORDINATE, "vertex " + std::to_string(point_.size()));
+        throw Input_error(Error_code::NON_FINITE_COORDINATE, "vertex " + std::to_string(point_.size()));
       point_.push_back({c.x, c.y, c.z});
     }
     table_.face.reserve(number_of_triangles);
@@ -218,18 +207,17 @@ private:
       for(const auto& i : t) {
         const auto index = static_cast<std::size_t>(i);
         if(index >= number_of_points)
-          throw internal::Input_error(Error_code::BAD_INDEX, "triangle " + std::to_string(table_.face.size()) +
-                                                               " names point " + std::to_string(i) + " of " +
-                                                               std::to_string(number_of_points) +
-                                                               "; points are numbered from 0 on");
+          throw Input_error(Error_code::BAD_INDEX, "triangle " + std::to_string(table_.face.size()) + " names point " +
+                                                     std::to_string(i) + " of " + std::to_string(number_of_points) +
+                                                     "; points are numbered from 0 on");
         if(corner < 3)
           face[corner] = static_cast<int>(index);
         ++corner;
       }
       if(corner != 3)
-        throw internal::Input_error(Error_code::NOT_TRIANGULAR, "face " + std::to_string(table_.face.size()) + " has " +
-                                                                  std::to_string(corner) +
-                                                                  " corners; triangulate the mesh first");
+        throw Input_error(Error_code::NOT_TRIANGULAR, "face " + std::to_string(table_.face.size()) + " has " +
+                                                        std::to_string(corner) +
+                                                        " corners; triangulate the mesh first");
       table_.face.push_back(face);
     }
   }
@@ -293,24 +281,13 @@ struct property_map<CGAL::Spherical_parameterization::Indexed_triangle_mesh, CGA
 
 } // namespace boost
 
-namespace CGAL {
 template <>
-struct graph_has_property<CGAL::Spherical_parameterization::Indexed_triangle_mesh, CGAL::vertex_point_t>
+struct CGAL::graph_has_property<CGAL::Spherical_parameterization::Indexed_triangle_mesh, CGAL::vertex_point_t>
   : CGAL::Tag_true {};
 
-} // namespace CGAL
-
-namespace std {
-
 template <int Kind>
-struct hash<CGAL::Spherical_parameterization::Indexed_triangle_mesh::Index<Kind>> {
-  std::size_t operator()(CGAL::Spherical_parameterization::Indexed_triangle_mesh::Index<Kind> i) const
-  {
-    return hash_value(i);
-  }
-};
-
-} // namespace std
+struct std::hash<CGAL::Spherical_parameterization::Indexed_triangle_mesh::Index<Kind>>
+  : boost::hash<CGAL::Spherical_parameterization::Indexed_triangle_mesh::Index<Kind>> {};
 /// \endcond
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INDEXED_TRIANGLE_MESH_H

@@ -15,8 +15,6 @@
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
 #include <CGAL/Spherical_parameterization/internal/backend/opencl/OpenCL_backend.h>
 #include <CGAL/Spherical_parameterization/internal/backend/opencl/OpenCL_queue.h>
-#include <CGAL/Spherical_parameterization/internal/backend/opencl/device_queries.h>
-#include <CGAL/Spherical_parameterization/internal/driver/solve.h>
 
 #include <CGAL/tags.h>
 
@@ -142,12 +140,12 @@ inline OpenCL_device opencl_device(std::size_t k,
 /// \throws OpenCL_error if there is no such device
 inline std::size_t find_opencl_device(std::string wanted = std::string())
 {
-  const char* const variable = "CGAL_SPHERICAL_PARAMETERIZATION_DEVICE";
-  const char* const value = std::getenv(variable);
-  const bool is_from_variable = wanted.empty() && value;
-  if(is_from_variable)
+  const std::string variable = "CGAL_SPHERICAL_PARAMETERIZATION_DEVICE";
+  std::string asked;
+  if(const char* value = std::getenv(variable.c_str()); value && wanted.empty()) {
     wanted = value;
-  const std::string asked = is_from_variable ? std::string(", as ") + variable + " asks for" : "";
+    asked = ", as " + variable + " asks for";
+  }
   const auto fail = [](const std::string& explanation) {
     throw OpenCL_error("find_opencl_device", CL_DEVICE_NOT_FOUND, explanation);
   };
@@ -217,15 +215,11 @@ struct Choice_of_backend<OpenCL_device, Loop> {
       const OpenCL_backend<Loop> backend(device);
       f(backend, backend.device_name());
     } else {
-      const Sequential_backend backend{CGAL::Sequential_tag()};
+      const Host_backend<Loop> backend{CGAL::Sequential_tag()};
       f(backend, backend.device_name() + " (the mesh has fewer than " + std::to_string(smallest) + " vertices)");
     }
   }
 };
-
-#ifdef CGAL_SPHERICAL_PARAMETERIZATION_COMPILED
-CGAL_SP_FOR_EACH_METHOD(extern template, OpenCL_device)
-#endif
 
 } // namespace internal
 } // namespace CGAL::Spherical_parameterization

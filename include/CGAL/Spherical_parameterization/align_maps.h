@@ -4,10 +4,10 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_ALIGN_MAPS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_ALIGN_MAPS_H
 
-#include <CGAL/Spherical_parameterization/internal/backend/host_policy.h>
+#include <CGAL/Spherical_parameterization/internal/backend/execution.h>
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/base/rotations.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/icosphere.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/midpoint_refinement.h>
 #include <CGAL/Spherical_parameterization/transfer_properties.h>
 
 #include <CGAL/tags.h>
@@ -98,26 +98,23 @@ Rotation aligning_rotation(const ExecutionPolicy& policy, const Spherical_locato
                            const Spherical_locator<MeshB>& b, PointMapB points_b)
 {
   using internal::vec3;
-  typedef internal::Host_array<vec3> Vectors;
   const auto loop = internal::host_loop(policy);
-  const std::vector<vec3> points = internal::Icosphere(3).points;
-  const Vectors samples(points.begin(), points.end());
-  const auto values_at = [&](const auto& locator, const auto& map, const Vectors& directions) {
-    std::vector<vec3> values;
+  const internal::Icosphere samples(3);
+  const auto values = [&](const auto& locator, const auto& map, const Rotation& r) {
+    internal::Host_array<vec3> directions;
+    for(vec3 p : samples.points)
+      directions.push_back(internal::rotated(r, p));
+    std::vector<vec3> result;
     for(const auto& place : internal::locate_all(loop, locator, directions))
-      values.push_back(internal::coordinates(interpolate(locator.mesh(), place, map)));
-    internal::normalize(values);
-    return values;
+      result.push_back(internal::coordinates(interpolate(locator.mesh(), place, map)));
+    internal::normalize(result);
+    return result;
   };
-  const std::vector<vec3> of_a = values_at(a, points_a, samples);
-  Vectors directions(samples.size());
-
+  const std::vector<vec3> of_a = values(a, points_a, internal::rotation_about({0, 0, 0}));
   const auto correlation = [&](const Rotation& r) {
-    for(std::size_t i = 0; i < samples.size(); ++i)
-      directions[i] = internal::rotated(r, samples[i]);
-    const std::vector<vec3> of_b = values_at(b, points_b, directions);
+    const std::vector<vec3> of_b = values(b, points_b, r);
     double sum = 0;
-    for(std::size_t i = 0; i < samples.size(); ++i)
+    for(std::size_t i = 0; i < of_a.size(); ++i)
       sum += internal::inner(of_a[i], of_b[i]);
     return sum;
   };
@@ -131,18 +128,16 @@ Rotation aligning_rotation(const ExecutionPolicy& policy, const Spherical_locato
   for(std::size_t k = 0; k < refined; ++k) {
     auto [value, r] = starts[k];
     for(double step = 0.4; step > 1e-3;) {
-      bool is_better = false;
+      const double before = value;
       for(int axis = 0; axis < 3; ++axis)
         for(const double angle : {step, -step}) {
           const Rotation trial = internal::product(internal::turn(axis, angle), r);
-          const double trial_value = correlation(trial);
-          if(trial_value > value) {
+          if(const double trial_value = correlation(trial); trial_value > value) {
             value = trial_value;
             r = trial;
-            is_better = true;
           }
         }
-      if(!is_better)
+      if(!(value > before))
         step /= 2;
     }
     if(value > best.first)
@@ -152,12 +147,7 @@ Rotation aligning_rotation(const ExecutionPolicy& policy, const Spherical_locato
 }
 
 /// \overload
-/// On one core.
-/// \param a         the inverse of the first map
-/// \param points_a  readable, key vertex_descriptor of the mesh of `a`, value with x(), y(), z()
-/// \param b         the inverse of the second map
-/// \param points_b  readable, key vertex_descriptor of the mesh of `b`, value with x(), y(), z()
-/// \return R such that R x under `b` is what x is under `a`; see `rotated_map()`
+/// \param a,points_a,b,points_b as above; on one core \return as above
 template <class MeshA, class PointMapA, class MeshB, class PointMapB>
 Rotation aligning_rotation(const Spherical_locator<MeshA>& a, PointMapA points_a, const Spherical_locator<MeshB>& b,
                            PointMapB points_b)

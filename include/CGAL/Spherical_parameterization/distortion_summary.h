@@ -4,7 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_DISTORTION_SUMMARY_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_DISTORTION_SUMMARY_H
 
-#include <CGAL/Spherical_parameterization/internal/backend/host_policy.h>
+#include <CGAL/Spherical_parameterization/internal/backend/execution.h>
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/distortion/Face_measures.h>
@@ -86,8 +86,7 @@ inline Distribution distribution(std::vector<std::pair<double, double>>& values)
 template <class Loop>
 Distortion_summary summarize(const Loop& loop, const Face_measures& measures)
 {
-  typedef double (Face_measures::*Measure)(int) const;
-  const std::array<std::pair<Measure, Distribution Distortion_summary::*>, 5> jobs = {
+  const std::array<std::pair<double (Face_measures::*)(int) const, Distribution Distortion_summary::*>, 5> jobs = {
     {{&Face_measures::log_area_stretch, &Distortion_summary::log_area_stretch},
      {&Face_measures::angle_distortion, &Distortion_summary::angle_distortion},
      {&Face_measures::dilatation, &Distortion_summary::dilatation},
@@ -95,14 +94,13 @@ Distortion_summary summarize(const Loop& loop, const Face_measures& measures)
      {&Face_measures::spherical_symmetric_dirichlet, &Distortion_summary::spherical_symmetric_dirichlet}}};
   Distortion_summary summary;
   loop.for_each(static_cast<int>(jobs.size()), [&](int job) {
-    const Measure measure = jobs[job].first;
-    const Host_array<double> value =
-      measures.values(loop, [&](const Face_measures& m, int f) { return (m.*measure)(f); });
+    const auto [measure, distribution_of_measure] = jobs[job];
+    const Host_array<double> value = measures.values(loop, measure);
     std::vector<std::pair<double, double>> values;
     for(int f = 0; f < measures.number_of_faces(); ++f)
       if(measures.source_area(f) > 0)
         values.emplace_back(value[f], measures.source_area(f));
-    summary.*jobs[job].second = distribution(values);
+    summary.*distribution_of_measure = distribution(values);
   });
   for(int f = 0; f < measures.number_of_faces(); ++f)
     summary.degenerate_faces += !(measures.source_area(f) > 0);
@@ -119,35 +117,20 @@ Distortion_summary summarize(const Loop& loop, const Face_measures& measures)
 /// \return how each measure is distributed over the source area
 ///
 /// Complexity: O(n log n).
-template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap,
-          class NamedParameters = parameters::Default_named_parameters
-#ifndef DOXYGEN_RUNNING
-          ,
-          internal::If_policy<ExecutionPolicy> = 0
-#endif
-          >
+template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class CGAL_NP_TEMPLATE_PARAMETERS>
 Distortion_summary distortion_summary(const ExecutionPolicy& policy, const TriangleMesh& mesh,
                                       VertexSphereMap sphere_map,
-                                      const NamedParameters& np = parameters::default_values())
+                                      const CGAL_NP_CLASS& np = parameters::default_values())
 {
   const auto loop = internal::host_loop(policy);
   return internal::summarize(loop, internal::make_face_measures(mesh, sphere_map, np, loop));
 }
 
 /// \overload
-/// On one core.
-/// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
-/// \param sphere_map  readable, key vertex_descriptor, value unit vectors
-/// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
-/// \return how each measure is distributed over the source area
-template <class TriangleMesh, class VertexSphereMap, class NamedParameters = parameters::Default_named_parameters
-#ifndef DOXYGEN_RUNNING
-          ,
-          internal::If_no_policy<TriangleMesh> = 0
-#endif
-          >
+/// \param mesh,sphere_map,np as above; on one core \return as above
+template <class TriangleMesh, class VertexSphereMap, class CGAL_NP_TEMPLATE_PARAMETERS>
 Distortion_summary distortion_summary(const TriangleMesh& mesh, VertexSphereMap sphere_map,
-                                      const NamedParameters& np = parameters::default_values())
+                                      const CGAL_NP_CLASS& np = parameters::default_values())
 {
   return distortion_summary(CGAL::Sequential_tag(), mesh, sphere_map, np);
 }

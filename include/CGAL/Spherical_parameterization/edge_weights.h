@@ -28,16 +28,9 @@ namespace CGAL::Spherical_parameterization {
 /// Uniform (Tutte) weights, w = 1 for every edge: each vertex is at the projected mean of its neighbours. The map
 /// depends on the connectivity alone. \cgalModels{SphericalParameterizationWeightMap}
 template <class TriangleMesh>
-class Barycentric_weight_map {
-public:
-  /// \cond SKIP_IN_MANUAL
-  typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor key_type;
-  typedef double value_type;
-  typedef double reference;
-  typedef boost::readable_property_map_tag category;
-  /// \endcond
-
-  friend double get(const Barycentric_weight_map&, const key_type&) { return 1; }
+struct Barycentric_weight_map
+  : boost::static_property_map<double, typename boost::graph_traits<TriangleMesh>::edge_descriptor> {
+  Barycentric_weight_map() : Barycentric_weight_map::static_property_map(1) {}
 };
 
 /// Cotangent weights, w = (cot alpha + cot beta) / 2, with alpha and beta the angles opposite to the edge, each clamped
@@ -82,13 +75,11 @@ private:
   double opposite_cotangent(typename Graph_traits::halfedge_descriptor h) const
   {
     const internal::vec3 apex = internal::coordinates(get(points_, target(next(h, *mesh_), *mesh_)));
-    internal::vec3 a = internal::sub(internal::coordinates(get(points_, source(h, *mesh_))), apex);
-    internal::vec3 b = internal::sub(internal::coordinates(get(points_, target(h, *mesh_))), apex);
-    a = internal::scaled_to_unit_box(a);
-    b = internal::scaled_to_unit_box(b);
-    const internal::vec3 normal = internal::outer(a, b);
-    const double sine = std::sqrt(internal::inner(normal, normal));
-    const double cosine = internal::inner(a, b);
+    const auto side_to = [&](auto v) {
+      return internal::scaled_to_unit_box(internal::sub(internal::coordinates(get(points_, v)), apex));
+    };
+    const internal::vec3 a = side_to(source(h, *mesh_)), b = side_to(target(h, *mesh_));
+    const double sine = internal::norm(internal::outer(a, b)), cosine = internal::inner(a, b);
     if(sine == 0)
       return cosine < 0 ? smallest_ : largest_;
     return (std::min)(largest_, (std::max)(smallest_, cosine / sine));
@@ -124,7 +115,9 @@ public:
   {
     const halfedge_descriptor h = halfedge(e, *m.mesh_);
     const internal::vec3 d = internal::sub(m.point(target(h, *m.mesh_)), m.point(source(h, *m.mesh_)));
-    const double length = std::hypot(d.x, d.y, d.z);
+    const internal::vec3 unit = internal::scaled_to_unit_box(d);
+    const double size = (std::max)({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+    const double length = size * std::sqrt(internal::inner(unit, unit)); // std::hypot() differs between libraries
     return (m.half_tangents(h) + m.half_tangents(opposite(h, *m.mesh_))) / (2 * length);
   }
 
@@ -148,10 +141,8 @@ private:
   {
     const internal::vec3 a = internal::scaled_to_unit_box(internal::sub(point(p), point(origin)));
     const internal::vec3 b = internal::scaled_to_unit_box(internal::sub(point(q), point(origin)));
-    const internal::vec3 normal = internal::outer(a, b);
-    const double sine = std::sqrt(internal::inner(normal, normal));
     const double lengths = std::sqrt(internal::inner(a, a) * internal::inner(b, b));
-    return sine / (lengths + internal::inner(a, b)); // tan x/2 = sin x / (1 + cos x)
+    return internal::norm(internal::outer(a, b)) / (lengths + internal::inner(a, b)); // tan x/2 = sin x / (1 + cos x)
   }
 
   const TriangleMesh* mesh_;

@@ -5,14 +5,14 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_LOCATE_H
 
 #include <CGAL/Spherical_parameterization/Error.h>
-#include <CGAL/Spherical_parameterization/internal/backend/host_policy.h>
+#include <CGAL/Spherical_parameterization/internal/backend/execution.h>
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/base/text.h>
 #include <CGAL/Spherical_parameterization/internal/distortion/Mapped_faces.h>
 #include <CGAL/Spherical_parameterization/internal/inverse/Kd_tree.h>
-#include <CGAL/Spherical_parameterization/internal/inverse/barycentric_coordinates.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Corner_table.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/corner_table_of.h>
+#include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 
 #include <CGAL/tags.h>
@@ -34,6 +34,32 @@ namespace CGAL::Spherical_parameterization {
 
 /// \addtogroup PkgSphericalParameterizationInverse
 /// @{
+
+namespace internal {
+
+/// Weights (non-negative, sum 1) for which the weighted mean of the corners v has the direction q, each exact to 1e-12.
+/// \pre q is in the cone of v, which is positively oriented
+inline std::array<double, 3> barycentric_coordinates(const std::array<vec3, 3>& v, vec3 q)
+{
+  for(int k = 0; k < 3; ++k)
+    if(is_equal(q, v[k]))
+      return {k == 0 ? 1. : 0., k == 1 ? 1. : 0., k == 2 ? 1. : 0.};
+  std::array<double, 3> w;
+  double sum = 0, error = 0;
+  for(int k = 0; k < 3; ++k) {
+    const Determinant determinant(v[(k + 1) % 3], v[(k + 2) % 3], q);
+    w[k] = (std::max)(determinant.value, 0.);
+    sum += w[k];
+    error += determinant.error;
+  }
+  if(error > 1e-13 * sum) { // slivers
+    w = exact_barycentric_coordinates(v, q);
+    sum = w[0] + w[1] + w[2];
+  }
+  return {w[0] / sum, w[1] / sum, w[2] / sum};
+}
+
+} // namespace internal
 
 /// A point of a mesh: a face, and weights (non-negative, sum 1) of its corners source(h), target(h), target(next(h))
 /// with h = halfedge(f). The same as `CGAL::Polygon_mesh_processing::Face_location`.
@@ -96,10 +122,9 @@ public:
     const internal::vec3 q = scaled(given, -exponent);
     // Where one coordinate is 1e300 times smaller than another, scaling takes digits off; the tests do with any length.
     const bool is_same = internal::is_equal(scaled(q, exponent), given);
-    const int f = walk(is_same ? q : given, start(q));
-    const std::array<int, 3>& corner = table_.face[f];
-    return {descriptor_[f],
-            internal::barycentric_coordinates({point_[corner[0]], point_[corner[1]], point_[corner[2]]}, q)};
+    const int f = walk(is_same ? q : given, some_face_[tree_.near(internal::unit(q), point_)]);
+    const auto [a, b, c] = table_.face[f];
+    return {descriptor_[f], internal::barycentric_coordinates({point_[a], point_[b], point_[c]}, q)};
   }
 
   /// \return the mesh whose map this is the inverse of
@@ -127,13 +152,11 @@ private:
   template <class Loop>
   static const internal::Host_array<internal::vec3>& checked(const Loop& loop, const internal::Mapped_faces& map)
   {
-    const std::size_t flipped = internal::number_of_flipped_faces(loop, map);
-    if(flipped > 0)
-      throw internal::Input_error(Error_code::NOT_BIJECTIVE,
-                                  internal::counted(flipped, "flipped face", "flipped faces"));
-    const int degree = internal::degree_of_map(loop, map);
-    if(degree != 1)
-      throw internal::Input_error(Error_code::NOT_BIJECTIVE, "its degree is " + std::to_string(degree));
+    using internal::Input_error;
+    if(const std::size_t flipped = internal::number_of_flipped_faces(loop, map); flipped > 0)
+      throw Input_error(Error_code::NOT_BIJECTIVE, internal::counted(flipped, "flipped face", "flipped faces"));
+    if(const int degree = internal::degree_of_map(loop, map); degree != 1)
+      throw Input_error(Error_code::NOT_BIJECTIVE, "its degree is " + std::to_string(degree));
     internal::check_no_isolated_vertex(map.face, static_cast<int>(map.image.size()));
     return map.image;
   }
@@ -168,9 +191,6 @@ private:
       }
   }
 
-  /// Some face near q.
-  int start(internal::vec3 q) const { return some_face_[tree_.near(internal::unit(q), point_)]; }
-
   /// The power of two of which the length of q is about; 0 for unit vectors.
   static int binary_exponent(internal::vec3 q)
   {
@@ -182,9 +202,7 @@ private:
 
   static internal::vec3 scaled(internal::vec3 q, int exponent)
   {
-    return exponent == 0
-             ? q
-             : internal::vec3{std::ldexp(q.x, exponent), std::ldexp(q.y, exponent), std::ldexp(q.z, exponent)};
+    return {std::ldexp(q.x, exponent), std::ldexp(q.y, exponent), std::ldexp(q.z, exponent)};
   }
 
   int walk(internal::vec3 q, int f) const

@@ -4,7 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_MEASURE_DISTORTION_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_MEASURE_DISTORTION_H
 
-#include <CGAL/Spherical_parameterization/internal/backend/host_policy.h>
+#include <CGAL/Spherical_parameterization/internal/backend/execution.h>
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
@@ -18,7 +18,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -35,12 +34,11 @@ std::pair<double, double> put_values(const Range& range, const Values& values, M
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::pair<double, double> result(infinity, -infinity);
-  std::size_t i = 0;
+  auto value = values.begin();
   for(auto k : range) {
-    const double x = values[i++];
-    put(map, k, x);
-    result.first = (std::min)(result.first, x);
-    result.second = (std::max)(result.second, x);
+    put(map, k, *value);
+    result = {(std::min)(result.first, *value), (std::max)(result.second, *value)};
+    ++value;
   }
   return result;
 }
@@ -58,16 +56,10 @@ std::pair<double, double> measure_faces(const ExecutionPolicy& policy, const Tri
 template <class Loop>
 std::size_t number_of_flipped_faces(const Loop& loop, const Mapped_faces& faces)
 {
-  const auto parts = results_of_parts(loop, faces.number_of_faces(), [&](int begin, int end) {
-    std::size_t flipped = 0;
-    for(int f = begin; f < end; ++f) {
-      const auto c = faces.on_sphere(f);
-      if(!is_finite(c[0], c[1], c[2]) || !is_positively_oriented(c[0], c[1], c[2]))
-        ++flipped;
-    }
-    return flipped;
-  });
-  return std::accumulate(parts.begin(), parts.end(), std::size_t(0));
+  return static_cast<std::size_t>(sum_by_parts(loop, faces.number_of_faces(), [&](int f) {
+    const auto [a, b, c] = faces.on_sphere(f);
+    return is_finite(a, b, c) && is_positively_oriented(a, b, c) ? 0 : 1;
+  }));
 }
 
 template <class Loop>
@@ -75,8 +67,8 @@ int degree_of_map(const Loop& loop, const Mapped_faces& faces)
 {
   return degree([&](vec3 q) {
     return sum_by_parts(loop, faces.number_of_faces(), [&](int f) {
-      const auto c = faces.on_sphere(f);
-      return is_finite(c[0], c[1], c[2]) ? covering(c[0], c[1], c[2], q) : 0;
+      const auto [a, b, c] = faces.on_sphere(f);
+      return is_finite(a, b, c) ? covering(a, b, c, q) : 0;
     });
   });
 }
@@ -103,28 +95,20 @@ Host_array<double> means_over_faces(const Loop& loop, const Vertex_stars& stars,
 template <class TriangleMesh, class Loop>
 Host_array<double> vertex_stretch(const TriangleMesh& mesh, const Face_measures& measures, const Loop& loop)
 {
-  return means_over_faces(loop, vertex_stars(mesh),
-                          measures.values(loop, [](const Face_measures& m, int f) { return m.log_area_stretch(f); }));
+  return means_over_faces(loop, vertex_stars(mesh), measures.values(loop, &Face_measures::log_area_stretch));
 }
 
 } // namespace internal
 
 /// Number of flipped faces: faces (a, b, c) with orientation(O, a, b, c) <= 0, by exact predicates on the coordinates
 /// as doubles. A map without such faces and of degree 1 is bijective.
-/// \param policy      `CGAL::Sequential_tag` or
-/// `CGAL::Parallel_tag`; the result does not depend on it
-/// \param mesh        a closed triangle mesh, a model of
-/// `FaceListGraph` and `HalfedgeListGraph`
+/// \param policy      `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result does not depend on it
+/// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param sphere_map  readable, key vertex_descriptor; need not be normalized
 /// \return the number of faces that are flipped, degenerate, or not finite
 ///
 /// Complexity: linear.
-template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap
-#ifndef DOXYGEN_RUNNING
-          ,
-          internal::If_policy<ExecutionPolicy> = 0
-#endif
-          >
+template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap>
 std::size_t number_of_flipped_faces(const ExecutionPolicy& policy, const TriangleMesh& mesh, VertexSphereMap sphere_map)
 {
   const auto loop = internal::host_loop(policy);
@@ -132,11 +116,7 @@ std::size_t number_of_flipped_faces(const ExecutionPolicy& policy, const Triangl
 }
 
 /// \overload
-/// On one core.
-/// \param mesh        a closed triangle mesh, a model of
-/// `FaceListGraph` and `HalfedgeListGraph`
-/// \param sphere_map  readable, key vertex_descriptor; need not be normalized
-/// \return the number of faces that are flipped, degenerate, or not finite
+/// \param mesh,sphere_map as above; on one core \return as above
 template <class TriangleMesh, class VertexSphereMap>
 std::size_t number_of_flipped_faces(const TriangleMesh& mesh, VertexSphereMap sphere_map)
 {
@@ -151,12 +131,7 @@ std::size_t number_of_flipped_faces(const TriangleMesh& mesh, VertexSphereMap sp
 /// \return the degree: 1 for a valid map, -1 for a mirrored one
 ///
 /// Complexity: linear.
-template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap
-#ifndef DOXYGEN_RUNNING
-          ,
-          internal::If_policy<ExecutionPolicy> = 0
-#endif
-          >
+template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap>
 int degree_of_map(const ExecutionPolicy& policy, const TriangleMesh& mesh, VertexSphereMap sphere_map)
 {
   const auto loop = internal::host_loop(policy);
@@ -164,10 +139,7 @@ int degree_of_map(const ExecutionPolicy& policy, const TriangleMesh& mesh, Verte
 }
 
 /// \overload
-/// On one core.
-/// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
-/// \param sphere_map  readable, key vertex_descriptor, value unit vectors
-/// \return the degree: 1 for a valid map, -1 for a mirrored one
+/// \param mesh,sphere_map as above; on one core \return as above
 template <class TriangleMesh, class VertexSphereMap>
 int degree_of_map(const TriangleMesh& mesh, VertexSphereMap sphere_map)
 {
@@ -189,134 +161,63 @@ int degree_of_map(const TriangleMesh& mesh, VertexSphereMap sphere_map)
 /// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
 /// \return the smallest and the largest value
 template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class FaceMap,
-          class NamedParameters = parameters::Default_named_parameters
-#ifndef DOXYGEN_RUNNING
-          ,
-          internal::If_policy<ExecutionPolicy> = 0
-#endif
-          >
+          class CGAL_NP_TEMPLATE_PARAMETERS>
 std::pair<double, double> face_log_area_stretch(const ExecutionPolicy& policy, const TriangleMesh& mesh,
                                                 VertexSphereMap sphere_map, FaceMap face_map,
-                                                const NamedParameters& np = parameters::default_values())
+                                                const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return internal::measure_faces(
-    policy, mesh, sphere_map, face_map, np,
-    [](const internal::Face_measures& measures, int f) { return measures.log_area_stretch(f); });
+  return internal::measure_faces(policy, mesh, sphere_map, face_map, np, &internal::Face_measures::log_area_stretch);
 }
 
 /// \overload
-/// On one core.
-/// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
-/// \param sphere_map  readable, key vertex_descriptor, value unit vectors; a valid map
-/// \param face_map    writable, key face_descriptor, value double
-/// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
-/// \return the smallest and the largest value
-template <class TriangleMesh, class VertexSphereMap, class FaceMap,
-          class NamedParameters = parameters::Default_named_parameters
-#ifndef DOXYGEN_RUNNING
-          ,
-          internal::If_no_policy<TriangleMesh> = 0
-#endif
-          >
+/// \param mesh,sphere_map,face_map,np as above; on one core \return as above
+template <class TriangleMesh, class VertexSphereMap, class FaceMap, class CGAL_NP_TEMPLATE_PARAMETERS>
 std::pair<double, double> face_log_area_stretch(const TriangleMesh& mesh, VertexSphereMap sphere_map, FaceMap face_map,
-                                                const NamedParameters& np = parameters::default_values())
+                                                const CGAL_NP_CLASS& np = parameters::default_values())
 {
   return face_log_area_stretch(CGAL::Sequential_tag(), mesh, sphere_map, face_map, np);
 }
 
 /// The angle distortion of faces, 0 for a conformal map: mean over the three corners of |angle between the great
 /// circles - angle in the source|, in radians, in [0, pi).
-/// \param policy      `CGAL::Sequential_tag` or
-/// `CGAL::Parallel_tag`; the result does not depend on it
-/// \param mesh        a closed triangle mesh, a model of
-/// `FaceListGraph` and `HalfedgeListGraph`
-/// \param sphere_map  readable, key vertex_descriptor, value unit vectors; a
-/// valid map \param face_map    writable, key face_descriptor, value double
-/// \param np          optional named
-/// parameters: `vertex_point_map`, by default the mesh's own
+/// \param policy,mesh,sphere_map,face_map,np  as for `face_log_area_stretch()`
 /// \return the smallest and the largest value
 template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class FaceMap,
-          class NamedParameters = parameters::Default_named_parameters
-#ifndef DOXYGEN_RUNNING
-          ,
-          internal::If_policy<ExecutionPolicy> = 0
-#endif
-          >
+          class CGAL_NP_TEMPLATE_PARAMETERS>
 std::pair<double, double> face_angle_distortion(const ExecutionPolicy& policy, const TriangleMesh& mesh,
                                                 VertexSphereMap sphere_map, FaceMap face_map,
-                                                const NamedParameters& np = parameters::default_values())
+                                                const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return internal::measure_faces(
-    policy, mesh, sphere_map, face_map, np,
-    [](const internal::Face_measures& measures, int f) { return measures.angle_distortion(f); });
+  return internal::measure_faces(policy, mesh, sphere_map, face_map, np, &internal::Face_measures::angle_distortion);
 }
 
 /// \overload
-/// On one core.
-/// \param mesh        a closed triangle mesh, a model of
-/// `FaceListGraph` and `HalfedgeListGraph`
-/// \param sphere_map  readable, key vertex_descriptor, value unit vectors; a
-/// valid map \param face_map    writable, key face_descriptor, value double
-/// \param np          optional named
-/// parameters: `vertex_point_map`, by default the mesh's own
-/// \return the smallest and the largest value
-template <class TriangleMesh, class VertexSphereMap, class FaceMap,
-          class NamedParameters = parameters::Default_named_parameters
-#ifndef DOXYGEN_RUNNING
-          ,
-          internal::If_no_policy<TriangleMesh> = 0
-#endif
-          >
+/// \param mesh,sphere_map,face_map,np as above; on one core \return as above
+template <class TriangleMesh, class VertexSphereMap, class FaceMap, class CGAL_NP_TEMPLATE_PARAMETERS>
 std::pair<double, double> face_angle_distortion(const TriangleMesh& mesh, VertexSphereMap sphere_map, FaceMap face_map,
-                                                const NamedParameters& np = parameters::default_values())
+                                                const CGAL_NP_CLASS& np = parameters::default_values())
 {
   return face_angle_distortion(CGAL::Sequential_tag(), mesh, sphere_map, face_map, np);
 }
 
 /// The quasi-conformal distortion (dilatation, shear) of faces, sigma_1 / sigma_2 >= 1 of the affine map between the
 /// flat triangles; 1 where it is conformal, infinite for faces without area.
-/// \param policy      `CGAL::Sequential_tag`
-/// or `CGAL::Parallel_tag`; the result does not depend on it
-/// \param mesh        a closed triangle mesh, a model of
-/// `FaceListGraph` and `HalfedgeListGraph`
-/// \param sphere_map  readable, key vertex_descriptor, value unit vectors; a
-/// valid map \param face_map    writable, key face_descriptor, value double
-/// \param np          optional named
-/// parameters: `vertex_point_map`, by default the mesh's own
+/// \param policy,mesh,sphere_map,face_map,np  as for `face_log_area_stretch()`
 /// \return the smallest and the largest value
 template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class FaceMap,
-          class NamedParameters = parameters::Default_named_parameters
-#ifndef DOXYGEN_RUNNING
-          ,
-          internal::If_policy<ExecutionPolicy> = 0
-#endif
-          >
+          class CGAL_NP_TEMPLATE_PARAMETERS>
 std::pair<double, double> face_dilatation(const ExecutionPolicy& policy, const TriangleMesh& mesh,
                                           VertexSphereMap sphere_map, FaceMap face_map,
-                                          const NamedParameters& np = parameters::default_values())
+                                          const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return internal::measure_faces(policy, mesh, sphere_map, face_map, np,
-                                 [](const internal::Face_measures& measures, int f) { return measures.dilatation(f); });
+  return internal::measure_faces(policy, mesh, sphere_map, face_map, np, &internal::Face_measures::dilatation);
 }
 
 /// \overload
-/// On one core.
-/// \param mesh        a closed triangle mesh, a model of
-/// `FaceListGraph` and `HalfedgeListGraph`
-/// \param sphere_map  readable, key vertex_descriptor, value unit vectors; a
-/// valid map \param face_map    writable, key face_descriptor, value double
-/// \param np          optional named
-/// parameters: `vertex_point_map`, by default the mesh's own
-/// \return the smallest and the largest value
-template <class TriangleMesh, class VertexSphereMap, class FaceMap,
-          class NamedParameters = parameters::Default_named_parameters
-#ifndef DOXYGEN_RUNNING
-          ,
-          internal::If_no_policy<TriangleMesh> = 0
-#endif
-          >
+/// \param mesh,sphere_map,face_map,np as above; on one core \return as above
+template <class TriangleMesh, class VertexSphereMap, class FaceMap, class CGAL_NP_TEMPLATE_PARAMETERS>
 std::pair<double, double> face_dilatation(const TriangleMesh& mesh, VertexSphereMap sphere_map, FaceMap face_map,
-                                          const NamedParameters& np = parameters::default_values())
+                                          const CGAL_NP_CLASS& np = parameters::default_values())
 {
   return face_dilatation(CGAL::Sequential_tag(), mesh, sphere_map, face_map, np);
 }
@@ -324,45 +225,24 @@ std::pair<double, double> face_dilatation(const TriangleMesh& mesh, VertexSphere
 /// The symmetric Dirichlet energy sigma_1^2 + sigma_2^2 + 1/sigma_1^2 + 1/sigma_2^2 >= 4 of the affine map between the
 /// flat triangles, both surfaces scaled to the same area; 4 where it is isometric, infinite for faces without area.
 /// J. Smith and S. Schaefer, "Bijective parameterization with free boundaries", SIGGRAPH 2015.
-/// \param policy      `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result does not depend on it
-/// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
-/// \param sphere_map  readable, key vertex_descriptor, value unit vectors; a valid map
-/// \param face_map    writable, key face_descriptor, value double
-/// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
+/// \param policy,mesh,sphere_map,face_map,np  as for `face_log_area_stretch()`
 /// \return the smallest and the largest value
 template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class FaceMap,
-          class NamedParameters = parameters::Default_named_parameters
-#ifndef DOXYGEN_RUNNING
-          ,
-          internal::If_policy<ExecutionPolicy> = 0
-#endif
-          >
+          class CGAL_NP_TEMPLATE_PARAMETERS>
 std::pair<double, double> face_symmetric_dirichlet(const ExecutionPolicy& policy, const TriangleMesh& mesh,
                                                    VertexSphereMap sphere_map, FaceMap face_map,
-                                                   const NamedParameters& np = parameters::default_values())
+                                                   const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return internal::measure_faces(
-    policy, mesh, sphere_map, face_map, np,
-    [](const internal::Face_measures& measures, int f) { return measures.flat_symmetric_dirichlet(f); });
+  return internal::measure_faces(policy, mesh, sphere_map, face_map, np,
+                                 &internal::Face_measures::flat_symmetric_dirichlet);
 }
 
 /// \overload
-/// On one core.
-/// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
-/// \param sphere_map  readable, key vertex_descriptor, value unit vectors; a valid map
-/// \param face_map    writable, key face_descriptor, value double
-/// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
-/// \return the smallest and the largest value
-template <class TriangleMesh, class VertexSphereMap, class FaceMap,
-          class NamedParameters = parameters::Default_named_parameters
-#ifndef DOXYGEN_RUNNING
-          ,
-          internal::If_no_policy<TriangleMesh> = 0
-#endif
-          >
+/// \param mesh,sphere_map,face_map,np as above; on one core \return as above
+template <class TriangleMesh, class VertexSphereMap, class FaceMap, class CGAL_NP_TEMPLATE_PARAMETERS>
 std::pair<double, double> face_symmetric_dirichlet(const TriangleMesh& mesh, VertexSphereMap sphere_map,
                                                    FaceMap face_map,
-                                                   const NamedParameters& np = parameters::default_values())
+                                                   const CGAL_NP_CLASS& np = parameters::default_values())
 {
   return face_symmetric_dirichlet(CGAL::Sequential_tag(), mesh, sphere_map, face_map, np);
 }
@@ -383,68 +263,44 @@ std::pair<double, double> mean_over_faces(const TriangleMesh& mesh, FaceMap face
   std::vector<double> values;
   for(auto f : faces(mesh))
     values.push_back(get(face_map, f));
-  return internal::put_values(
-    vertices(mesh), internal::means_over_faces(internal::Sequential_loop(), internal::vertex_stars(mesh), values),
-    vertex_map);
+  return internal::put_values(vertices(mesh),
+                              internal::means_over_faces(internal::Host_loop(), internal::vertex_stars(mesh), values),
+                              vertex_map);
 }
 
 /// The area distortion of Definition 1 of the paper, the logarithmic area stretch of vertices: for every vertex the
 /// mean of `face_log_area_stretch()`.
-/// \param policy      `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result
-/// does not depend on it
-/// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
-/// \param sphere_map  readable, key vertex_descriptor, value unit vectors; a valid map
+/// \param policy,mesh,sphere_map,np  as for `face_log_area_stretch()`
 /// \param stretch_map writable, key vertex_descriptor, value double
-/// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
 /// \return the smallest and the largest value
 /// \throws Error  `ISOLATED_VERTEX` or `BOUNDARY` where there is a vertex without faces, or a boundary
 template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class VertexStretchMap,
-          class NamedParameters = parameters::Default_named_parameters
-#ifndef DOXYGEN_RUNNING
-          ,
-          internal::If_policy<ExecutionPolicy> = 0
-#endif
-          >
+          class CGAL_NP_TEMPLATE_PARAMETERS>
 std::pair<double, double> vertex_log_area_stretch(const ExecutionPolicy& policy, const TriangleMesh& mesh,
                                                   VertexSphereMap sphere_map, VertexStretchMap stretch_map,
-                                                  const NamedParameters& np = parameters::default_values())
+                                                  const CGAL_NP_CLASS& np = parameters::default_values())
 {
   const auto loop = internal::host_loop(policy);
-  return internal::put_values(
-    vertices(mesh), internal::vertex_stretch(mesh, internal::make_face_measures(mesh, sphere_map, np, loop), loop),
-    stretch_map);
+  const internal::Face_measures measures = internal::make_face_measures(mesh, sphere_map, np, loop);
+  return internal::put_values(vertices(mesh), internal::vertex_stretch(mesh, measures, loop), stretch_map);
 }
 
 /// \overload
-/// On one core.
-/// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
-/// \param sphere_map  readable, key vertex_descriptor, value unit vectors; a valid map
-/// \param stretch_map writable, key vertex_descriptor, value double
-/// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
-/// \return the smallest and the largest value
-template <class TriangleMesh, class VertexSphereMap, class VertexStretchMap,
-          class NamedParameters = parameters::Default_named_parameters
-#ifndef DOXYGEN_RUNNING
-          ,
-          internal::If_no_policy<TriangleMesh> = 0
-#endif
-          >
+/// \param mesh,sphere_map,stretch_map,np as above; on one core \return as above
+template <class TriangleMesh, class VertexSphereMap, class VertexStretchMap, class CGAL_NP_TEMPLATE_PARAMETERS>
 std::pair<double, double> vertex_log_area_stretch(const TriangleMesh& mesh, VertexSphereMap sphere_map,
                                                   VertexStretchMap stretch_map,
-                                                  const NamedParameters& np = parameters::default_values())
+                                                  const CGAL_NP_CLASS& np = parameters::default_values())
 {
   return vertex_log_area_stretch(CGAL::Sequential_tag(), mesh, sphere_map, stretch_map, np);
 }
 
 /// \cond SKIP_IN_MANUAL
-/// The former name of `vertex_log_area_stretch()`.
-template <class TriangleMesh, class VertexSphereMap, class VertexStretchMap,
-          class NamedParameters = parameters::Default_named_parameters>
-std::pair<double, double> log_area_stretch(const TriangleMesh& mesh, VertexSphereMap sphere_map,
-                                           VertexStretchMap stretch_map,
-                                           const NamedParameters& np = parameters::default_values())
+/// The former name of `vertex_log_area_stretch()` on one core.
+template <class TriangleMesh, class... Arguments>
+std::pair<double, double> log_area_stretch(const TriangleMesh& mesh, const Arguments&... arguments)
 {
-  return vertex_log_area_stretch(CGAL::Sequential_tag(), mesh, sphere_map, stretch_map, np);
+  return vertex_log_area_stretch(CGAL::Sequential_tag(), mesh, arguments...);
 }
 /// \endcond
 

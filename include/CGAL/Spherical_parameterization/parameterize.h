@@ -11,14 +11,11 @@
 #include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
 #include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/base/precondition.h>
-#include <CGAL/Spherical_parameterization/internal/driver/check_arguments.h>
-#include <CGAL/Spherical_parameterization/internal/driver/inputs.h>
+#include <CGAL/Spherical_parameterization/internal/driver/arguments.h>
 #include <CGAL/Spherical_parameterization/internal/driver/read_problem.h>
 #include <CGAL/Spherical_parameterization/internal/driver/solve.h>
-#include <CGAL/Spherical_parameterization/internal/driver/write_solution.h>
 #include <CGAL/Spherical_parameterization/methods.h>
 
-#include <CGAL/property_map.h>
 #include <CGAL/tags.h>
 
 #include <cstddef>
@@ -64,21 +61,33 @@ Effort make_effort(const NamedParameters& np)
   return effort;
 }
 
-/// Both front doors lead here: read, solve, write. `read(result)` returns an Input.
-template <class ExecutionPolicy, class Method, class VertexSphereMap, class Read>
-Result run(const ExecutionPolicy& policy, const Method& method, VertexSphereMap sphere_map, Monitor& monitor, Read read)
+/// What tells the overloads of parameterize() apart.
+template <class TriangleMesh, class Method>
+using If_method_for = std::enable_if_t<Is_mesh<TriangleMesh>::value && Is_method<Method>::value, int>;
+template <class TriangleMesh, class VertexSphereMap>
+using If_map_for = std::enable_if_t<Is_mesh<TriangleMesh>::value && !Is_method<VertexSphereMap>::value, int>;
+
+/// Both front doors lead here: read, solve, write. `with_input(read)` returns `read(mesh, inputs)`.
+template <class ExecutionPolicy, class Method, class NamedParameters, class VertexSphereMap, class With_input>
+Result run(const ExecutionPolicy& policy, const Method& method, const NamedParameters& np, VertexSphereMap sphere_map,
+           With_input with_input)
 {
+  const Method_solver<Method> solver(method); // checks the options
+  const Effort effort = make_effort(np);
+  Monitor monitor = make_monitor(np);
   const Stopwatch total;
   Result result;
   if constexpr(is_supported_policy<ExecutionPolicy>())
     try {
-      const auto input = read(result);
+      const auto input = with_input([&](const auto& mesh, const auto& inputs) {
+        return read_problem<ExecutionPolicy>(mesh, solver, sphere_map, effort, inputs, result);
+      });
       result.seconds.read = total.seconds();
-      const Solution solution = solve<Default_loop>(policy, method, input.problem, monitor);
+      const Solution solution = solve<Host_loop>(policy, method, input.problem, monitor);
       write_solution(solution, input.vertex, sphere_map, result);
       monitor.begin_stage(1, 1);
       monitor.advance(1);
-    } catch(const internal::Input_error& error) { // of reading
+    } catch(const Input_error& error) { // of reading
       result.error = error.code();
       result.detail = error.detail();
       result.seconds.read = total.seconds();
@@ -166,85 +175,44 @@ Result run(const ExecutionPolicy& policy, const Method& method, VertexSphereMap 
 /// Complexity: linear in memory, about 500 bytes per vertex; `Balanced` takes as long as a few hundred applications
 /// of the Laplacian for any number of vertices.
 template <class ExecutionPolicy, class TriangleMesh, class Method, class VertexSphereMap,
-          class NamedParameters = parameters::Default_named_parameters
-#ifndef DOXYGEN_RUNNING
-          ,
-          std::enable_if_t<internal::Is_mesh<TriangleMesh>::value && internal::Is_method<Method>::value, int> = 0
-#endif
-          >
+          class CGAL_NP_TEMPLATE_PARAMETERS, internal::If_method_for<TriangleMesh, Method> = 0>
 Result parameterize(const ExecutionPolicy& policy, const TriangleMesh& mesh, const Method& method,
-                    VertexSphereMap sphere_map, const NamedParameters& np = parameters::default_values())
+                    VertexSphereMap sphere_map, const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  if constexpr(internal::check_arguments<TriangleMesh, VertexSphereMap, NamedParameters>()) {
-    const internal::Method_solver<Method> solver(method); // checks the options
-    const internal::Effort effort = internal::make_effort(np);
-    internal::Monitor monitor = internal::make_monitor(np);
-    return internal::run(policy, method, sphere_map, monitor, [&](Result& result) {
-      return internal::read_problem<ExecutionPolicy>(
-        mesh, solver, sphere_map, effort, internal::Mesh_inputs<TriangleMesh, NamedParameters>{mesh, np}, result);
+  if constexpr(internal::check_arguments<TriangleMesh, VertexSphereMap, CGAL_NP_CLASS>())
+    return internal::run(policy, method, np, sphere_map, [&](const auto& read) {
+      return read(mesh, internal::Mesh_inputs<TriangleMesh, CGAL_NP_CLASS>{mesh, np});
     });
-  } else
+  else
     return Result();
 }
 
 /// \overload
-/// On one core.
-/// \param mesh    a closed triangle mesh of genus 0
-/// \param method  `Balanced`, `Saddle_point`, `Isometric` or `Automatic`
-/// \param sphere_map  where the unit vectors go
-/// \param np  an optional sequence of named parameters, as above
-/// \return the verdict, the certificate, and what the work was; see `Result`
-template <class TriangleMesh, class Method, class VertexSphereMap,
-          class NamedParameters = parameters::Default_named_parameters
-#ifndef DOXYGEN_RUNNING
-          ,
-          std::enable_if_t<internal::Is_mesh<TriangleMesh>::value && internal::Is_method<Method>::value, int> = 0
-#endif
-          >
+/// \param mesh,method,sphere_map,np as above; on one core \return as above
+template <class TriangleMesh, class Method, class VertexSphereMap, class CGAL_NP_TEMPLATE_PARAMETERS,
+          internal::If_method_for<TriangleMesh, Method> = 0>
 Result parameterize(const TriangleMesh& mesh, const Method& method, VertexSphereMap sphere_map,
-                    const NamedParameters& np = parameters::default_values())
+                    const CGAL_NP_CLASS& np = parameters::default_values())
 {
   return parameterize(CGAL::Sequential_tag(), mesh, method, sphere_map, np);
 }
 
 /// \overload
-/// By `Balanced`.
-/// \param policy  where to run
-/// \param mesh    a closed triangle mesh of genus 0
-/// \param sphere_map  where the unit vectors go
-/// \param np  an optional sequence of named parameters, as above
-/// \return the verdict, the certificate, and what the work was; see `Result`
-template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap,
-          class NamedParameters = parameters::Default_named_parameters
-#ifndef DOXYGEN_RUNNING
-          ,
-          std::enable_if_t<internal::Is_mesh<TriangleMesh>::value && !internal::Is_mesh<ExecutionPolicy>::value &&
-                             !internal::Is_method<VertexSphereMap>::value,
-                           int> = 0
-#endif
-          >
+/// \param policy,mesh,sphere_map,np as above; by `Balanced` \return as above
+template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class CGAL_NP_TEMPLATE_PARAMETERS,
+          internal::If_map_for<TriangleMesh, VertexSphereMap> = 0>
 Result parameterize(const ExecutionPolicy& policy, const TriangleMesh& mesh, VertexSphereMap sphere_map,
-                    const NamedParameters& np = parameters::default_values())
+                    const CGAL_NP_CLASS& np = parameters::default_values())
 {
   return parameterize(policy, mesh, Balanced(), sphere_map, np);
 }
 
 /// \overload
-/// By `Balanced`, on one core.
-/// \param mesh    a closed triangle mesh of genus 0
-/// \param sphere_map  where the unit vectors go
-/// \param np  an optional sequence of named parameters, as above
-/// \return the verdict, the certificate, and what the work was; see `Result`
-template <class TriangleMesh, class VertexSphereMap, class NamedParameters = parameters::Default_named_parameters
-#ifndef DOXYGEN_RUNNING
-          ,
-          std::enable_if_t<internal::Is_mesh<TriangleMesh>::value && !internal::Is_method<VertexSphereMap>::value &&
-                             internal::Are_named_parameters<NamedParameters>::value,
-                           int> = 0
-#endif
-          >
+/// \param mesh,sphere_map,np as above; by `Balanced`, on one core \return as above
+template <class TriangleMesh, class VertexSphereMap, class CGAL_NP_TEMPLATE_PARAMETERS,
+          internal::If_map_for<TriangleMesh, VertexSphereMap> = 0>
 Result parameterize(const TriangleMesh& mesh, VertexSphereMap sphere_map,
-                    const NamedParameters& np = parameters::default_values())
+                    const CGAL_NP_CLASS& np = parameters::default_values())
 {
   return parameterize(CGAL::Sequential_tag(), mesh, Balanced(), sphere_map, np);
 }
@@ -285,37 +253,28 @@ Result parameterize(const Arguments&...)
 ///
 /// Complexity: as `parameterize()`; checking takes O(n).
 template <class ExecutionPolicy, class PointRange, class TriangleRange, class Method, class SpherePoints,
-          class NamedParameters = parameters::Default_named_parameters>
+          class CGAL_NP_TEMPLATE_PARAMETERS>
 Result parameterize_triangle_soup(const ExecutionPolicy& policy, const PointRange& points,
                                   const TriangleRange& triangles, const Method& method, SpherePoints& sphere_points,
-                                  const NamedParameters& np = parameters::default_values())
+                                  const CGAL_NP_CLASS& np = parameters::default_values())
 {
   typedef std::pair<std::size_t, std::size_t> Edge;
   static_assert(internal::Is_method<Method>::value,
                 "parameterize_triangle_soup() takes (policy, points, triangles, method, sphere points [, named "
                 "parameters]): the method is Balanced, Isometric, Automatic or Saddle_point");
   if constexpr(internal::Is_method<Method>::value &&
-               internal::check_named_parameters<Edge, std::size_t, NamedParameters>()) {
-    const internal::Method_solver<Method> solver(method); // checks the options
-    const internal::Effort effort = internal::make_effort(np);
-    internal::Monitor monitor = internal::make_monitor(np);
-    const internal::Range_map<SpherePoints> sphere_map{&sphere_points};
-    return internal::run(policy, method, sphere_map, monitor, [&](Result& result) {
+               internal::check_named_parameters<Edge, std::size_t, CGAL_NP_CLASS>())
+    return internal::run(policy, method, np, internal::Range_map<SpherePoints>{&sphere_points}, [&](const auto& read) {
       const Indexed_triangle_mesh mesh(policy, points, triangles);
       internal::make_room(sphere_points, mesh.number_of_vertices());
-      return internal::read_problem<ExecutionPolicy>(mesh, solver, sphere_map, effort,
-                                                     internal::Soup_inputs<NamedParameters>{mesh, np}, result);
+      return read(mesh, internal::Soup_inputs<CGAL_NP_CLASS>{mesh, np});
     });
-  } else
+  else
     return Result();
 }
 
 /// \overload
-/// By `Balanced`, on one core.
-/// \param points     in any unit
-/// \param triangles  the numbers of their points, counterclockwise as seen from outside
-/// \param sphere_points  where the unit vectors go, in the order of `points`
-/// \return the verdict, the certificate, and what the work was
+/// \param points,triangles,sphere_points as above; by `Balanced`, on one core \return as above
 template <class PointRange, class TriangleRange, class SpherePoints>
 Result parameterize_triangle_soup(const PointRange& points, const TriangleRange& triangles, SpherePoints& sphere_points)
 {

@@ -5,7 +5,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_RESAMPLE_H
 
 #include <CGAL/Spherical_parameterization/internal/base/precondition.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/icosphere.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/midpoint_refinement.h>
 #include <CGAL/Spherical_parameterization/transfer_properties.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -74,13 +74,7 @@ void resample(const ExecutionPolicy& policy, const Spherical_locator<TriangleMes
 }
 
 /// \overload
-/// On one core.
-/// \param shape       the inverse of the map of the shape
-/// \param points      readable, key vertex_descriptor of the shape; see `interpolate()`
-/// \param level       of the icosphere
-/// \param out         a model of `MutableFaceGraph`, empty
-/// \param out_points  writable, key vertex_descriptor of `out`
-/// \param out_sphere  writable, likewise: the directions
+/// \param shape,points,level,out,out_points,out_sphere as above; on one core
 template <class TriangleMesh, class VertexPointMap, class Graph, class OutPointMap, class OutSphereMap>
 void resample(const Spherical_locator<TriangleMesh>& shape, VertexPointMap points, int level, Graph& out,
               OutPointMap out_points, OutSphereMap out_sphere)

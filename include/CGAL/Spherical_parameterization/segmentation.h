@@ -2,20 +2,15 @@
 // Part of CGAL Spherical Parameterization.
 //
 // Segmentation of a mesh into body and limbs by its spherical parameterization. As with CGAL's SDF values, the measure
-// and the cut are separate calls:
-//
-//   face_log_area_stretch(mesh, sphere, stretch);                              // like sdf_values()
-//   segmentation_from_area_stretch(mesh, sphere, stretch, segments);           // like segmentation_from_sdf_values()
-//   segmentation_via_area_stretch(mesh, sphere, segments);                     // both
-//
-// The sphere should be conformal (the default of parameterize()): its stretch knows how long and how thin a limb is.
-// It need not be valid: tips too thin for doubles, where faces are flipped, do no harm.
+// and the cut can be separate calls: face_log_area_stretch() and segmentation_from_area_stretch(). The sphere should be
+// conformal (the default of parameterize()): its stretch knows how long and how thin a limb is. It need not be valid:
+// tips too thin for doubles, where faces are flipped, do no harm.
 
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_SEGMENTATION_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_SEGMENTATION_H
 
 #include <CGAL/Spherical_parameterization/Error.h>
-#include <CGAL/Spherical_parameterization/internal/backend/host_policy.h>
+#include <CGAL/Spherical_parameterization/internal/backend/execution.h>
 #include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/base/precondition.h>
 #include <CGAL/Spherical_parameterization/internal/distortion/Face_measures.h>
@@ -31,6 +26,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -51,18 +47,6 @@ struct Segmentation_result {
 
 namespace internal {
 
-inline void check_options(const Segment_limits& limits)
-{
-  CGAL_SP_PRECONDITION(limits.minimum_area >= 0 && limits.minimum_area <= 1,
-                       "the minimum area of segments is a share: 0 to 1");
-}
-
-inline void check_options(const Region_growing& method)
-{
-  check_options(static_cast<const Segment_limits&>(method));
-  CGAL_SP_PRECONDITION(method.threshold >= 0, "the threshold of region growing must not be negative");
-}
-
 /// \param read_stretch  returns the stretch of the faces, in their order
 template <class Loop, class TriangleMesh, class VertexSphereMap, class ReadStretch, class FaceSegmentMap, class Method,
           class NamedParameters>
@@ -71,7 +55,10 @@ Segmentation_result segment(const Loop& loop, const TriangleMesh& mesh, VertexSp
                             const NamedParameters& np)
 {
   typedef typename boost::property_traits<FaceSegmentMap>::value_type Segment_id;
-  check_options(method);
+  CGAL_SP_PRECONDITION(method.minimum_area >= 0 && method.minimum_area <= 1,
+                       "the minimum area of segments is a share: 0 to 1");
+  if constexpr(std::is_same_v<Method, Region_growing>)
+    CGAL_SP_PRECONDITION(method.threshold >= 0, "the threshold of region growing must not be negative");
   Segmentation_result result;
   try {
     Mapped_surface surface = read_mapped_surface(mesh, vertex_points(mesh, np), sphere_map, loop);
@@ -82,7 +69,7 @@ Segmentation_result segment(const Loop& loop, const TriangleMesh& mesh, VertexSp
       put(segment_map, f, static_cast<Segment_id>(id));
       result.number_of_segments = (std::max)(result.number_of_segments, id + 1);
     }
-  } catch(const internal::Input_error& error) {
+  } catch(const Input_error& error) {
     result.error = error.code();
     result.detail = error.detail();
   }
@@ -108,16 +95,11 @@ Segmentation_result segment(const Loop& loop, const TriangleMesh& mesh, VertexSp
 /// \return the number of segments, or what is wrong with the mesh or the maps
 /// \pre the options of the method are in their ranges
 template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class FaceStretchMap, class FaceSegmentMap,
-          class Method = Majority_vote, class NamedParameters = parameters::Default_named_parameters
-#ifndef DOXYGEN_RUNNING
-          ,
-          internal::If_policy<ExecutionPolicy> = 0
-#endif
-          >
+          class Method = Majority_vote, class CGAL_NP_TEMPLATE_PARAMETERS, internal::If_policy<ExecutionPolicy> = 0>
 Segmentation_result segmentation_from_area_stretch(const ExecutionPolicy& policy, const TriangleMesh& mesh,
                                                    VertexSphereMap sphere_map, FaceStretchMap stretch_map,
                                                    FaceSegmentMap segment_map, const Method& method = Method(),
-                                                   const NamedParameters& np = parameters::default_values())
+                                                   const CGAL_NP_CLASS& np = parameters::default_values())
 {
   const auto read_stretch = [&] {
     std::vector<double> stretch;
@@ -129,81 +111,45 @@ Segmentation_result segmentation_from_area_stretch(const ExecutionPolicy& policy
 }
 
 /// \overload
-/// On one core.
-/// \param mesh        a closed triangle mesh of genus 0, a model of `FaceListGraph` and `HalfedgeListGraph`
-/// \param sphere_map  readable, key vertex_descriptor, value of any length but 0
-/// \param stretch_map readable, key face_descriptor, value double: what `face_log_area_stretch()` has written. Faces
-///                    with less than 1e-36 of the sphere, and flipped ones, count as if they had 1e-36: doubles resolve
-///                    nothing smaller near length 1, so that limbs that are too thin end in a plateau.
-/// \param segment_map writable, key face_descriptor, value constructible from std::size_t
-/// \param method      `Majority_vote`, `Girth_profiles` or `Region_growing`
-/// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
-/// \return the number of segments, or what is wrong with the mesh or the maps
+/// \param mesh,sphere_map,stretch_map,segment_map,method,np as above; on one core \return as above
 template <class TriangleMesh, class VertexSphereMap, class FaceStretchMap, class FaceSegmentMap,
-          class Method = Majority_vote, class NamedParameters = parameters::Default_named_parameters
-#ifndef DOXYGEN_RUNNING
-          ,
-          internal::If_no_policy<TriangleMesh> = 0
-#endif
-          >
+          class Method = Majority_vote, class CGAL_NP_TEMPLATE_PARAMETERS, internal::If_no_policy<TriangleMesh> = 0>
 Segmentation_result segmentation_from_area_stretch(const TriangleMesh& mesh, VertexSphereMap sphere_map,
                                                    FaceStretchMap stretch_map, FaceSegmentMap segment_map,
                                                    const Method& method = Method(),
-                                                   const NamedParameters& np = parameters::default_values())
+                                                   const CGAL_NP_CLASS& np = parameters::default_values())
 {
   return segmentation_from_area_stretch(CGAL::Sequential_tag(), mesh, sphere_map, stretch_map, segment_map, method, np);
 }
 
 /// Segmentation (part decomposition) of a mesh by its map: measures the stretch and cuts, in one call.
-/// \param policy      `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result does not depend on it
-/// \param mesh        a closed triangle mesh of genus 0, a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \param policy,mesh,segment_map,method,np  as for `segmentation_from_area_stretch()`
 /// \param sphere_map  readable, key vertex_descriptor, value unit vectors; the map need not be valid
-/// \param segment_map writable, key face_descriptor, value constructible from std::size_t
-/// \param method      `Majority_vote`, `Girth_profiles` or `Region_growing`
-/// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
 /// \return the number of segments, or what is wrong with the mesh or the map
 /// \pre the options of the method are in their ranges
 template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class FaceSegmentMap,
-          class Method = Majority_vote, class NamedParameters = parameters::Default_named_parameters
-#ifndef DOXYGEN_RUNNING
-          ,
-          internal::If_policy<ExecutionPolicy> = 0
-#endif
-          >
+          class Method = Majority_vote, class CGAL_NP_TEMPLATE_PARAMETERS, internal::If_policy<ExecutionPolicy> = 0>
 Segmentation_result segmentation_via_area_stretch(const ExecutionPolicy& policy, const TriangleMesh& mesh,
                                                   VertexSphereMap sphere_map, FaceSegmentMap segment_map,
                                                   const Method& method = Method(),
-                                                  const NamedParameters& np = parameters::default_values())
+                                                  const CGAL_NP_CLASS& np = parameters::default_values())
 {
   const auto loop = internal::host_loop(policy);
   const auto measure_stretch = [&] {
-    const auto stretch =
-      internal::make_face_measures(mesh, sphere_map, np, loop).values(loop, [](const auto& measures, int f) {
-        return measures.log_area_stretch(f);
-      });
+    const internal::Face_measures measures = internal::make_face_measures(mesh, sphere_map, np, loop);
+    const auto stretch = measures.values(loop, &internal::Face_measures::log_area_stretch);
     return std::vector<double>(stretch.begin(), stretch.end());
   };
   return internal::segment(loop, mesh, sphere_map, measure_stretch, segment_map, method, np);
 }
 
 /// \overload
-/// On one core.
-/// \param mesh        a closed triangle mesh of genus 0, a model of `FaceListGraph` and `HalfedgeListGraph`
-/// \param sphere_map  readable, key vertex_descriptor, value unit vectors; the map need not be valid
-/// \param segment_map writable, key face_descriptor, value constructible from std::size_t
-/// \param method      `Majority_vote`, `Girth_profiles` or `Region_growing`
-/// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
-/// \return the number of segments, or what is wrong with the mesh or the map
+/// \param mesh,sphere_map,segment_map,method,np as above; on one core \return as above
 template <class TriangleMesh, class VertexSphereMap, class FaceSegmentMap, class Method = Majority_vote,
-          class NamedParameters = parameters::Default_named_parameters
-#ifndef DOXYGEN_RUNNING
-          ,
-          internal::If_no_policy<TriangleMesh> = 0
-#endif
-          >
+          class CGAL_NP_TEMPLATE_PARAMETERS, internal::If_no_policy<TriangleMesh> = 0>
 Segmentation_result segmentation_via_area_stretch(const TriangleMesh& mesh, VertexSphereMap sphere_map,
                                                   FaceSegmentMap segment_map, const Method& method = Method(),
-                                                  const NamedParameters& np = parameters::default_values())
+                                                  const CGAL_NP_CLASS& np = parameters::default_values())
 {
   return segmentation_via_area_stretch(CGAL::Sequential_tag(), mesh, sphere_map, segment_map, method, np);
 }

@@ -4,7 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_SHAPE_SIGNATURE_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_SHAPE_SIGNATURE_H
 
-#include <CGAL/Spherical_parameterization/internal/backend/host_policy.h>
+#include <CGAL/Spherical_parameterization/internal/backend/execution.h>
 #include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Mapped_surface.h>
 #include <CGAL/Spherical_parameterization/internal/signature/signature_values.h>
@@ -69,15 +69,9 @@ inline double distance(const Shape_signature& a, const Shape_signature& b)
 ///
 /// Complexity: up to 100,000 vertices that of two sparse Cholesky factorizations (10 ms for 5,000 vertices), on one
 /// core whatever the policy; beyond that linear (multigrid).
-template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap,
-          class NamedParameters = parameters::Default_named_parameters
-#ifndef DOXYGEN_RUNNING
-          ,
-          internal::If_policy<ExecutionPolicy> = 0
-#endif
-          >
+template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class CGAL_NP_TEMPLATE_PARAMETERS>
 Shape_signature shape_signature(const ExecutionPolicy& policy, const TriangleMesh& mesh, VertexSphereMap sphere_map,
-                                const NamedParameters& np = parameters::default_values())
+                                const CGAL_NP_CLASS& np = parameters::default_values())
 {
   const auto loop = internal::host_loop(policy);
   return Shape_signature{internal::signature_values(
@@ -85,21 +79,10 @@ Shape_signature shape_signature(const ExecutionPolicy& policy, const TriangleMes
 }
 
 /// \overload
-/// On one core.
-/// \param mesh  closed triangle mesh of genus 0, a model of `FaceListGraph` and `HalfedgeListGraph`
-/// \param sphere_map  readable, key vertex_descriptor, value unit vectors; a conformal map to the sphere whose centroid
-///        of the source area is at the centre, as `parameterize()` computes it. Only where the sphere is large does it
-///        have to be right: a map that fails to be bijective in thin limbs will do, and so will a barycentric one.
-/// \param np  optional named parameters: `vertex_point_map`, by default the mesh's own
-/// \return the signature
-template <class TriangleMesh, class VertexSphereMap, class NamedParameters = parameters::Default_named_parameters
-#ifndef DOXYGEN_RUNNING
-          ,
-          internal::If_no_policy<TriangleMesh> = 0
-#endif
-          >
+/// \param mesh,sphere_map,np as above; on one core \return as above
+template <class TriangleMesh, class VertexSphereMap, class CGAL_NP_TEMPLATE_PARAMETERS>
 Shape_signature shape_signature(const TriangleMesh& mesh, VertexSphereMap sphere_map,
-                                const NamedParameters& np = parameters::default_values())
+                                const CGAL_NP_CLASS& np = parameters::default_values())
 {
   return shape_signature(CGAL::Sequential_tag(), mesh, sphere_map, np);
 }

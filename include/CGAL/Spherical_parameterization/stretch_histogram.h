@@ -5,7 +5,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_STRETCH_HISTOGRAM_H
 
 #include <CGAL/Spherical_parameterization/Error.h>
-#include <CGAL/Spherical_parameterization/internal/backend/host_policy.h>
+#include <CGAL/Spherical_parameterization/internal/backend/execution.h>
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/base/precondition.h>
@@ -53,50 +53,37 @@ struct Stretch_histogram {
 
 namespace internal {
 
-/// Area-uniform points of a triangle mesh, as the numbers of the barycentric cells in which they are.
-class Cell_sampler {
-public:
-  /// \param accumulated  of the areas of the faces, ends with their sum
-  Cell_sampler(const std::vector<double>& accumulated, const Host_array<std::array<int, 3>>& corners)
-    : accumulated_(accumulated), corners_(corners)
-  {}
-
-  /// The cell at `position` in [0, 1) of all area, with (s, t) in the unit square choosing a point of the face there.
-  int operator()(double position, double s, double t) const
-  {
-    const auto it = std::upper_bound(accumulated_.begin(), accumulated_.end(), position * accumulated_.back());
-    const auto f = (std::min)(static_cast<std::size_t>(it - accumulated_.begin()), corners_.size() - 1);
+/// How many area-uniform points lie in the barycentric cell of each vertex. `accumulated` has the areas of the faces,
+/// added up in their order.
+inline std::vector<double> sample_cells(const Stretch_histogram& options, const std::vector<double>& accumulated,
+                                        const Host_array<std::array<int, 3>>& corners, std::size_t cells)
+{
+  std::vector<double> count(cells, 0);
+  // At `position` in [0, 1) of all area; (s, t) in the unit square chooses a point of the face there.
+  const auto add_point = [&](double position, double s, double t) {
+    const auto it = std::upper_bound(accumulated.begin(), accumulated.end(), position * accumulated.back());
+    const auto f = (std::min)(static_cast<std::size_t>(it - accumulated.begin()), corners.size() - 1);
     if(s + t > 1) { // folds the square on the triangle
       s = 1 - s;
       t = 1 - t;
     }
     const std::array<double, 3> barycentric = {s, t, 1 - s - t};
-    return corners_[f][std::max_element(barycentric.begin(), barycentric.end()) - barycentric.begin()];
-  }
-
-private:
-  const std::vector<double>& accumulated_;
-  const Host_array<std::array<int, 3>>& corners_;
-};
-
-/// Number of samples by cell.
-inline std::vector<double> sample_cells(const Stretch_histogram& options, const Cell_sampler& cell, std::size_t cells)
-{
-  std::vector<double> count(cells, 0);
+    ++count[corners[f][std::max_element(barycentric.begin(), barycentric.end()) - barycentric.begin()]];
+  };
   const std::size_t n = options.number_of_samples;
   if(options.sampling == Stretch_histogram::Sampling::RANDOM) {
     std::mt19937 generator(options.random_seed);
     const auto uniform = [&] { return generator() * 0x1p-32; }; // the same numbers with every standard library
     for(std::size_t k = 0; k < n; ++k) {
       const double position = uniform(), s = uniform(), t = uniform();
-      ++count[cell(position, s, t)];
+      add_point(position, s, t);
     }
   } else {
     // M. Roberts' sequence: multiples of the inverse powers of the plastic number fill the unit square evenly.
     constexpr double plastic = 1.32471795724474602596;
     for(std::size_t k = 0; k < n; ++k) {
       const double s = std::fmod(0.5 + k / plastic, 1.), t = std::fmod(0.5 + k / (plastic * plastic), 1.);
-      ++count[cell((k + 0.5) / n, s, t)];
+      add_point((k + 0.5) / n, s, t);
     }
   }
   return count;
@@ -116,11 +103,10 @@ inline std::vector<double> stretch_histogram(const Face_measures& measures, cons
   }
   if(!(total > 0))
     throw Input_error(Error_code::DEGENERATE_FACE, "the mesh has no area");
-  const std::vector<double> weight =
-    options.sampling == Stretch_histogram::Sampling::EXACT_AREAS ? cell_area
-    : options.sampling == Stretch_histogram::Sampling::VERTICES
-      ? std::vector<double>(stretch.size(), 1)
-      : sample_cells(options, Cell_sampler(accumulated, measures.faces().face), stretch.size());
+  const std::vector<double> weight = options.sampling == Stretch_histogram::Sampling::EXACT_AREAS ? cell_area
+                                     : options.sampling == Stretch_histogram::Sampling::VERTICES
+                                       ? std::vector<double>(stretch.size(), 1)
+                                       : sample_cells(options, accumulated, measures.faces().face, stretch.size());
 
   Histogram histogram(options.bins, options.low, options.high);
   for(std::size_t i = 0; i < stretch.size(); ++i)
@@ -144,16 +130,11 @@ inline std::vector<double> stretch_histogram(const Face_measures& measures, cons
 /// \throws Error  `DEGENERATE_FACE` for a mesh without area, and what `vertex_log_area_stretch()` throws
 ///
 /// Complexity: linear in the size of the mesh and the number of samples.
-template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap,
-          class NamedParameters = parameters::Default_named_parameters
-#ifndef DOXYGEN_RUNNING
-          ,
-          internal::If_policy<ExecutionPolicy> = 0
-#endif
-          >
+template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class CGAL_NP_TEMPLATE_PARAMETERS,
+          internal::If_policy<ExecutionPolicy> = 0>
 std::vector<double> stretch_histogram(const ExecutionPolicy& policy, const TriangleMesh& mesh,
                                       VertexSphereMap sphere_map, const Stretch_histogram& options = {},
-                                      const NamedParameters& np = parameters::default_values())
+                                      const CGAL_NP_CLASS& np = parameters::default_values())
 {
   CGAL_SP_PRECONDITION(options.bins >= 2, "a histogram has two bins or more");
   CGAL_SP_PRECONDITION(options.low < options.high, "the first bin of a histogram begins below the end of the last one");
@@ -164,21 +145,11 @@ std::vector<double> stretch_histogram(const ExecutionPolicy& policy, const Trian
 }
 
 /// \overload
-/// On one core.
-/// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
-/// \param sphere_map  readable, key vertex_descriptor, value unit vectors
-/// \param options     which histogram
-/// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
-/// \return one share for each bin
-template <class TriangleMesh, class VertexSphereMap, class NamedParameters = parameters::Default_named_parameters
-#ifndef DOXYGEN_RUNNING
-          ,
-          internal::If_no_policy<TriangleMesh> = 0
-#endif
-          >
+/// \param mesh,sphere_map,options,np as above; on one core \return as above
+template <class TriangleMesh, class VertexSphereMap, class CGAL_NP_TEMPLATE_PARAMETERS>
 std::vector<double> stretch_histogram(const TriangleMesh& mesh, VertexSphereMap sphere_map,
                                       const Stretch_histogram& options = {},
-                                      const NamedParameters& np = parameters::default_values())
+                                      const CGAL_NP_CLASS& np = parameters::default_values())
 {
   return stretch_histogram(CGAL::Sequential_tag(), mesh, sphere_map, options, np);
 }

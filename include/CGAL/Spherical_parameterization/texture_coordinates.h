@@ -5,7 +5,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_TEXTURE_COORDINATES_H
 
 #include <CGAL/Spherical_parameterization/Error.h>
-#include <CGAL/Spherical_parameterization/internal/backend/host_policy.h>
+#include <CGAL/Spherical_parameterization/internal/backend/execution.h>
 #include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/base/plane.h>
 #include <CGAL/Spherical_parameterization/internal/base/precondition.h>
@@ -52,15 +52,10 @@ namespace CGAL::Spherical_parameterization {
 ///
 /// Complexity: O(n log n); the logarithm is for the choice of the poles.
 template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class HalfedgeUVMap,
-          class NamedParameters = parameters::Default_named_parameters
-#ifndef DOXYGEN_RUNNING
-          ,
-          internal::If_policy<ExecutionPolicy> = 0
-#endif
-          >
+          class CGAL_NP_TEMPLATE_PARAMETERS, internal::If_policy<ExecutionPolicy> = 0>
 Texture_report texture_coordinates(const ExecutionPolicy& policy, const TriangleMesh& mesh, VertexSphereMap sphere_map,
                                    HalfedgeUVMap uv_map, const Texture_options& options = Texture_options(),
-                                   const NamedParameters& np = parameters::default_values())
+                                   const CGAL_NP_CLASS& np = parameters::default_values())
 {
   typedef typename boost::property_traits<HalfedgeUVMap>::value_type UV;
   CGAL_SP_PRECONDITION(options.bits >= 1 && options.bits <= 52, "texture coordinates have 1 to 52 bits");
@@ -88,24 +83,11 @@ Texture_report texture_coordinates(const ExecutionPolicy& policy, const Triangle
 }
 
 /// \overload
-/// On one core.
-/// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
-/// \param sphere_map  readable, key vertex_descriptor, value unit vectors; a valid map
-/// \param uv_map      writable, key halfedge_descriptor, value constructible from two doubles: the corner of face(h) at
-///                    target(h)
-/// \param options     the chart, where it is on the sphere, and the grid of the coordinates
-/// \param np          optional named parameters: `vertex_point_map`, for the choice of the poles
-/// \return what had to be done
-template <class TriangleMesh, class VertexSphereMap, class HalfedgeUVMap,
-          class NamedParameters = parameters::Default_named_parameters
-#ifndef DOXYGEN_RUNNING
-          ,
-          internal::If_no_policy<TriangleMesh> = 0
-#endif
-          >
+/// \param mesh,sphere_map,uv_map,options,np as above; on one core \return as above
+template <class TriangleMesh, class VertexSphereMap, class HalfedgeUVMap, class CGAL_NP_TEMPLATE_PARAMETERS>
 Texture_report texture_coordinates(const TriangleMesh& mesh, VertexSphereMap sphere_map, HalfedgeUVMap uv_map,
                                    const Texture_options& options = Texture_options(),
-                                   const NamedParameters& np = parameters::default_values())
+                                   const CGAL_NP_CLASS& np = parameters::default_values())
 {
   return texture_coordinates(CGAL::Sequential_tag(), mesh, sphere_map, uv_map, options, np);
 }

@@ -4,7 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_TRANSFER_PROPERTIES_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_TRANSFER_PROPERTIES_H
 
-#include <CGAL/Spherical_parameterization/internal/backend/host_policy.h>
+#include <CGAL/Spherical_parameterization/internal/backend/execution.h>
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/distortion/Mapped_faces.h>
@@ -12,7 +12,6 @@
 
 #include <CGAL/tags.h>
 
-#include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
@@ -113,13 +112,7 @@ void transfer_vertex_property(const ExecutionPolicy& policy, const Spherical_loc
 }
 
 /// \overload
-/// On one core.
-/// \param from        the inverse of the map of the mesh that has the data
-/// \param from_map    readable, key vertex_descriptor of that mesh; see `interpolate()`
-/// \param to          the mesh that gets the data, a model of `VertexListGraph`
-/// \param to_sphere   readable, key vertex_descriptor of `to`; a map in the same position as that of `from` (see
-///                    `align_maps.h`)
-/// \param to_map      writable, key vertex_descriptor of `to`
+/// \param from,from_map,to,to_sphere,to_map as above; on one core
 template <class FromMesh, class FromMap, class ToMesh, class ToSphereMap, class ToMap>
 void transfer_vertex_property(const Spherical_locator<FromMesh>& from, FromMap from_map, const ToMesh& to,
                               ToSphereMap to_sphere, ToMap to_map)
@@ -155,12 +148,7 @@ void transfer_face_property(const ExecutionPolicy& policy, const Spherical_locat
 }
 
 /// \overload
-/// On one core.
-/// \param from        the inverse of the map of the mesh that has the data
-/// \param from_map    readable, key face_descriptor of the mesh that has the data
-/// \param to          the mesh that gets the data, a triangle mesh and a model of `FaceListGraph`
-/// \param to_sphere   readable, key vertex_descriptor of `to`; a map in the same position as that of `from`
-/// \param to_map      writable, key face_descriptor of `to`
+/// \param from,from_map,to,to_sphere,to_map as above; on one core
 template <class FromMesh, class FromMap, class ToMesh, class ToSphereMap, class ToMap>
 void transfer_face_property(const Spherical_locator<FromMesh>& from, FromMap from_map, const ToMesh& to,
                             ToSphereMap to_sphere, ToMap to_map)

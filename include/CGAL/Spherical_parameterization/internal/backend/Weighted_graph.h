@@ -31,17 +31,15 @@ struct Weighted_graph {
   }
 
   /// Recomputes the inverse diagonal from weights and excess; `is_fixed` is empty or has one entry per vertex.
-  template <class Loop = Sequential_loop>
+  template <class Loop = Host_loop>
   void update_diagonal(const std::vector<char>& is_fixed, const Loop& loop = Loop())
   {
     inverse_diagonal.resize(size());
-    for_each_part(loop, size(), [&](int begin, int end) {
-      for(int i = begin; i < end; ++i) {
-        double sum = excess.empty() ? 0 : excess[i];
-        for(int k = offset[i]; k < offset[i + 1]; ++k)
-          sum += weight[k];
-        inverse_diagonal[i] = (!is_fixed.empty() && is_fixed[i]) || !(sum > 0) ? 0 : 1 / sum;
-      }
+    loop.for_each(size(), [&](int i) {
+      double sum = excess.empty() ? 0 : excess[i];
+      for(int k = offset[i]; k < offset[i + 1]; ++k)
+        sum += weight[k];
+      inverse_diagonal[i] = (!is_fixed.empty() && is_fixed[i]) || !(sum > 0) ? 0 : 1 / sum;
     });
   }
 };

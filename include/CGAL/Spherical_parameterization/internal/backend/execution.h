@@ -21,13 +21,13 @@ namespace CGAL::Spherical_parameterization::internal {
 /// - `CGAL::Parallel_tag`: the threads of the caller's TBB arena (the same file), if linked with TBB;
 /// - `OpenCL_device`: an OpenCL command queue, if OpenCL_device.h is included.
 ///
-/// `Loop` is how set-up on the host is run, where the policy leaves that open. It is part of the names of types, so
-/// that no class is defined in two ways in a program of which only a part is compiled with TBB.
+/// `Loop` is `Host_loop`, how set-up on the host is run. As a parameter it is part of the names of types, so that no
+/// class is defined in two ways in a program of which only a part is compiled with TBB.
 template <class ExecutionPolicy, class Loop>
 struct Backend_for;
 
 template <class ExecutionPolicy>
-using Backend = typename Backend_for<ExecutionPolicy, Default_loop>::type;
+using Backend = typename Backend_for<ExecutionPolicy, Host_loop>::type;
 
 /// Whether there is a backend for it.
 template <class ExecutionPolicy>
@@ -46,6 +46,25 @@ constexpr bool is_supported_policy()
   static_assert(Is_policy<ExecutionPolicy>::value || std::is_same_v<ExecutionPolicy, CGAL::Parallel_tag>,
                 "the execution policy has to be CGAL::Sequential_tag, CGAL::Parallel_tag or an OpenCL_device");
   return Is_policy<ExecutionPolicy>::value;
+}
+
+/// Tells `f(policy, mesh, ...)` from `f(mesh, ...)`. `CGAL::Parallel_tag` is a policy without TBB, too: one for which
+/// `host_loop()` says what is missing.
+template <class T>
+constexpr bool is_policy = Is_policy<T>::value || std::is_same_v<T, CGAL::Parallel_tag>;
+
+/// The parameters of function templates that are there for one of them.
+template <class T>
+using If_policy = std::enable_if_t<is_policy<T>, int>;
+template <class T>
+using If_no_policy = std::enable_if_t<!is_policy<T>, int>;
+
+/// What functions that run on the host run their loops with.
+template <class ExecutionPolicy>
+Host_loop host_loop(const ExecutionPolicy&)
+{
+  static_cast<void>(is_supported_policy<ExecutionPolicy>());
+  return loop_of<ExecutionPolicy>();
 }
 
 /// Calls `f(backend, name)` with the backend on which `policy` maps a mesh of n vertices, and what to call it.

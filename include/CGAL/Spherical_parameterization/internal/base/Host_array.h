@@ -4,37 +4,17 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BASE_HOST_ARRAY_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BASE_HOST_ARRAY_H
 
+#include <boost/core/noinit_adaptor.hpp>
+
 #include <memory>
-#include <new>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 
-/// Leaves what is not given a value uninitialized.
+/// An array as long as the mesh, of numbers or vectors. What is not given a value is uninitialized: the first to touch
+/// the memory, which is when the system maps it, are the threads that fill it.
 template <class T>
-struct Uninitialized_allocator : std::allocator<T> {
-  template <class U>
-  struct rebind {
-    typedef Uninitialized_allocator<U> other;
-  };
-
-  template <class U>
-  void construct(U* at)
-  {
-    ::new(static_cast<void*>(at)) U;
-  }
-  template <class U, class... Arguments>
-  void construct(U* at, Arguments&&... arguments)
-  {
-    ::new(static_cast<void*>(at)) U(std::forward<Arguments>(arguments)...);
-  }
-};
-
-/// An array as long as the mesh, of numbers or vectors. The first to touch its memory, which is when the system maps
-/// it, are the threads that fill it.
-template <class T>
-using Host_array = std::vector<T, Uninitialized_allocator<T>>;
+using Host_array = std::vector<T, boost::noinit_adaptor<std::allocator<T>>>;
 
 } // namespace CGAL::Spherical_parameterization::internal
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -35,9 +36,7 @@ public:
   /// The weights of the bins over their sum.
   std::vector<double> shares() const
   {
-    double total = 0;
-    for(double weight : bins_)
-      total += weight;
+    const double total = std::accumulate(bins_.begin(), bins_.end(), 0.);
     std::vector<double> result = bins_;
     for(double& weight : result)
       weight /= total;

@@ -8,13 +8,14 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <tuple>
+#include <utility>
 
 namespace CGAL::Spherical_parameterization::internal {
 
 /// By rows.
 typedef std::array<std::array<double, 3>, 3> Matrix_3;
-
-constexpr Matrix_3 identity_matrix = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
 inline vec3 rotated(const Matrix_3& r, vec3 p)
 {
@@ -46,9 +47,7 @@ inline Matrix_3 rotation_of_quaternion(const std::array<double, 4>& q)
 inline Matrix_3 rotation_about(vec3 r)
 {
   const double angle = std::sqrt(inner(r, r));
-  if(!(angle > 0))
-    return identity_matrix;
-  const double s = std::sin(angle / 2) / angle;
+  const double s = angle > 0 ? std::sin(angle / 2) / angle : 0;
   return rotation_of_quaternion({std::cos(angle / 2), s * r.x, s * r.y, s * r.z});
 }
 
@@ -67,18 +66,12 @@ inline std::array<double, 4> leading_eigenvector(std::array<std::array<double, 4
         const double theta = (a[q][q] - a[p][p]) / (2 * a[p][q]);
         const double t = (theta < 0 ? -1 : 1) / (std::abs(theta) + std::sqrt(theta * theta + 1));
         const double c = 1 / std::sqrt(t * t + 1), s = t * c;
+        const auto rotate = [&](double& x, double& y) { std::tie(x, y) = std::pair(c * x - s * y, s * x + c * y); };
+        for(int k = 0; k < 4; ++k)
+          rotate(a[k][p], a[k][q]);
         for(int k = 0; k < 4; ++k) {
-          const double kp = a[k][p], kq = a[k][q];
-          a[k][p] = c * kp - s * kq;
-          a[k][q] = s * kp + c * kq;
-        }
-        for(int k = 0; k < 4; ++k) {
-          const double pk = a[p][k], qk = a[q][k];
-          a[p][k] = c * pk - s * qk;
-          a[q][k] = s * pk + c * qk;
-          const double kp = v[k][p], kq = v[k][q];
-          v[k][p] = c * kp - s * kq;
-          v[k][q] = s * kp + c * kq;
+          rotate(a[p][k], a[q][k]);
+          rotate(v[k][p], v[k][q]);
         }
       }
   int largest = 0;

@@ -9,8 +9,7 @@
 #include <sstream>
 #include <string>
 
-namespace CGAL::Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// "1 face is", "2 faces are"
 inline std::string counted(std::size_t n, const char* one, const char* many)
@@ -28,8 +27,6 @@ inline std::string to_string(double x)
   return out.str();
 }
 
-} // namespace internal
-
-} // namespace CGAL::Spherical_parameterization
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BASE_TEXT_H

@@ -8,10 +8,15 @@
 
 #ifdef __OPENCL_C_VERSION__
 #define CGAL_SP_FUNCTION
+#define CGAL_SP_GLOBAL __global
 #else
 #include <cmath>
+#include <cstddef>
 #define CGAL_SP_FUNCTION inline
+#define CGAL_SP_GLOBAL
 namespace CGAL::Spherical_parameterization::internal {
+using std::pow;
+using std::size_t;
 using std::sqrt;
 typedef double real; /* a device may take float: kernels/backend/precision.cl */
 #endif
@@ -22,10 +27,7 @@ typedef struct {
 
 CGAL_SP_FUNCTION vec3 make_vec3(real x, real y, real z)
 {
-  vec3 r;
-  r.x = x;
-  r.y = y;
-  r.z = z;
+  const vec3 r = {x, y, z};
   return r;
 }
 CGAL_SP_FUNCTION vec3 add(vec3 a, vec3 b) { return make_vec3(a.x + b.x, a.y + b.y, a.z + b.z); }
@@ -41,6 +43,7 @@ CGAL_SP_FUNCTION vec3 outer(vec3 a, vec3 b)
 {
   return make_vec3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
 }
+CGAL_SP_FUNCTION real norm(vec3 a) { return sqrt(inner(a, a)); }
 CGAL_SP_FUNCTION vec3 unit(vec3 a) { return scale(1 / sqrt(inner(a, a)), a); }
 /* P_v a, the part of a that is tangent to the sphere at the unit vector v */
 CGAL_SP_FUNCTION vec3 tangent(vec3 a, vec3 v) { return add_scaled(a, -inner(a, v), v); }

@@ -5,14 +5,24 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_FACE_HESSIAN_H
 
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Distortion.h>
-#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Planar.h>
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Star.h>
-#include <CGAL/Spherical_parameterization/internal/backend/vertex_formulas.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace CGAL::Spherical_parameterization::internal {
+
+/// 2x2, by rows
+struct Block {
+  double ss, st, ts, tt;
+};
+
+inline Block transposed(const Block& b) { return {b.ss, b.ts, b.st, b.tt}; }
+
+inline Block product(const Block& a, const Block& b)
+{
+  return {a.ss * b.ss + a.st * b.ts, a.ss * b.st + a.st * b.tt, a.ts * b.ss + a.tt * b.ts, a.ts * b.st + a.tt * b.tt};
+}
 
 /// The second derivative of the distortion of a face by the positions of its corners, d = det and L as in `Distortion`
 /// and `Star_face`:  psi L'' + psi' (L' d' + d' L') + L psi'' d' d' + L psi' d''.
@@ -26,7 +36,7 @@ class Face_hessian {
 public:
   /// Tangents at a corner, and what they are to the face.
   struct Frame {
-    vec3 s, t;
+    Tangents tangents;
     Block axes;        ///< principal directions of the image times tangents
     Planar pull, turn; ///< L' and d'
   };
@@ -52,14 +62,12 @@ public:
   /// The gradient at the first corner
   vec3 gradient() const { return add_scaled(scale(psi_, pull_[0]), twist_force_, turn_[0]); }
 
-  Frame frame(int corner, vec3 s, vec3 t) const
+  Frame frame(int corner, const Tangents& at) const
   {
-    return {s,
-            t,
-            is_lifted_ ? Block{inner(axis_[0], s), inner(axis_[0], t), inner(axis_[1], s), inner(axis_[1], t)}
-                       : Block(),
-            {inner(pull_[corner], s), inner(pull_[corner], t)},
-            {inner(turn_[corner], s), inner(turn_[corner], t)}};
+    Block axes = {};
+    if(is_lifted_)
+      axes = {inner(axis_[0], at.s), inner(axis_[0], at.t), inner(axis_[1], at.s), inner(axis_[1], at.t)};
+    return {at, axes, at.products(pull_[corner]), at.products(turn_[corner])};
   }
 
   /// The block of the corners m and n, but for what the bending of the sphere adds to diagonal ones.
@@ -79,10 +87,12 @@ public:
       return slope_ * (pull_u * turn_v + turn_u * pull_v) + bend_ * turn_u * turn_v + stiffness * inner(u, v) +
              force * inner(u, outer(v, apex));
     };
-    result.ss += exact(a.s, a.pull.s, a.turn.s, b.s, b.pull.s, b.turn.s);
-    result.st += exact(a.s, a.pull.s, a.turn.s, b.t, b.pull.t, b.turn.t);
-    result.ts += exact(a.t, a.pull.t, a.turn.t, b.s, b.pull.s, b.turn.s);
-    result.tt += exact(a.t, a.pull.t, a.turn.t, b.t, b.pull.t, b.turn.t);
+    const auto [as, at] = a.tangents;
+    const auto [bs, bt] = b.tangents;
+    result.ss += exact(as, a.pull.s, a.turn.s, bs, b.pull.s, b.turn.s);
+    result.st += exact(as, a.pull.s, a.turn.s, bt, b.pull.t, b.turn.t);
+    result.ts += exact(at, a.pull.t, a.turn.t, bs, b.pull.s, b.turn.s);
+    result.tt += exact(at, a.pull.t, a.turn.t, bt, b.pull.t, b.turn.t);
     return result;
   }
 
@@ -138,18 +148,13 @@ private:
     // Its singular vectors.
     const double xx = a * a, xy = a * b, yy = b * b + d * d;
     const double h = (xx - yy) / 2, split = std::sqrt(h * h + xy * xy);
-    double v1 = h >= 0 ? split + h : xy, v2 = h >= 0 ? xy : split - h;
-    const double norm = std::sqrt(v1 * v1 + v2 * v2);
-    v1 = norm > 0 ? v1 / norm : 1;
-    v2 = norm > 0 ? v2 / norm : 0;
+    const auto [v1, v2] = principal_axis(h, xy, split);
     const double large = std::sqrt((xx + yy) / 2 + split);
     const double u1 = (a * v1 + b * v2) / large, u2 = d * v2 / large;
     axis_[0] = add_scaled(scale(u1, p), u2, q);
     axis_[1] = add_scaled(scale(-u2, p), u1, q);
-    for(int k = 0; k < 3; ++k) {
-      gradient_[k].s = gradient[k][0] * v1 + gradient[k][1] * v2;
-      gradient_[k].t = -gradient[k][0] * v2 + gradient[k][1] * v1;
-    }
+    for(int k = 0; k < 3; ++k)
+      gradient_[k] = {gradient[k][0] * v1 + gradient[k][1] * v2, -gradient[k][0] * v2 + gradient[k][1] * v1};
   }
 
   vec3 x_[3];

@@ -4,18 +4,14 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_MAP_LEVEL_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_MAP_LEVEL_H
 
-#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Distortion.h>
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Progressive_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Star.h>
-#include <CGAL/Spherical_parameterization/internal/predicates/degree.h>
-#include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
-#include <CGAL/Spherical_parameterization/internal/backend/vertex_formulas.h>
+#include <CGAL/Spherical_parameterization/internal/predicates/certificate.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -32,28 +28,14 @@ constexpr int few_steps = 32, many_steps = 512;
 constexpr int least_tasks = 4; ///< for fewer, no other thread is worth waking
 
 /// Runs f(begin) ... f(end-1), in parallel if there are enough.
-template <int Enough = few_steps, class Loop, class F>
-void for_each_of_level(const Loop& loop, int begin, int end, F f)
+template <int Enough = few_steps, class F>
+void for_each_of_level(const Host_loop& loop, int begin, int end, F f)
 {
   if(end - begin < least_tasks * Enough)
-    Sequential_loop().for_each(end - begin, [&](int i) { f(begin + i); });
+    for(int i = begin; i < end; ++i)
+      f(i);
   else
-    for_each_part<Enough>(loop, end - begin, [&](int first, int last) {
-      for(int i = first; i < last; ++i)
-        f(begin + i);
-    });
-}
-
-/// The sum of f(begin) ... f(end-1), the same for any number of threads.
-template <int Enough = few_steps, class Loop, class F>
-double sum_over_level(const Loop& loop, int begin, int end, F f)
-{
-  if(end - begin >= least_tasks * Enough)
-    return sum_by_parts<Enough>(loop, end - begin, [&](int i) { return f(begin + i); });
-  double sum = 0;
-  for(int i = begin; i < end; ++i)
-    sum += f(i);
-  return sum;
+    for_each_index<Enough>(loop, end - begin, [&](int i) { f(begin + i); });
 }
 
 /// The current mesh of a progressive mesh as compact arrays, with a map to the sphere: what is relaxed.
@@ -70,7 +52,7 @@ public:
 
   /// Takes the memory for the whole mesh at once: levels grow, and new memory for each would cost more than what they
   /// do.
-  explicit Map_level(int number_of_vertices) : index_(number_of_vertices)
+  Map_level(const Host_loop& loop, int number_of_vertices) : loop_(loop), index_(number_of_vertices)
   {
     vertex_.reserve(number_of_vertices);
     offset_.reserve(number_of_vertices + 1);
@@ -80,11 +62,10 @@ public:
 
   /// The areas of source faces are bounded relative to their mean, as if the whole surface had so many faces as the
   /// level.
-  template <class Loop>
-  void assign(const Loop& loop, const Progressive_mesh& mesh, const Host_array<vec3>& points, double source_area,
+  void assign(const Progressive_mesh& mesh, const Host_array<vec3>& points, double source_area,
               const Metric_bounds& bounds, const Partial_map& map)
   {
-    sort_by_colour(loop, mesh, map);
+    sort_by_colour(mesh, map);
     const int n = size();
     offset_.resize(n + 1);
     offset_[0] = 0;
@@ -94,29 +75,26 @@ public:
     position_.resize(n);
     const Metric_bounds absolute = {bounds.aspect, bounds.area * source_area / (2. * n - 4)};
     // Two loops, since what another core has written has to be fetched: the first waits for all of it at once.
-    for_each_vertex(loop, [&](int i) {
+    for_each_vertex([&](int i) {
       int at = offset_[i];
       position_[i] = map.position[vertex_[i]];
       mesh.for_each_corner(vertex_[i], [&](int c) {
         Corner& corner = corner_[at++];
-        corner.j = index_[mesh.vertex(Progressive_mesh::next(c))];
-        corner.k = index_[mesh.vertex(Progressive_mesh::previous(c))];
+        corner.j = index_[mesh.target(c)];
+        corner.k = index_[mesh.apex(c)];
       });
     });
-    for_each_vertex(loop, [&](int i) {
+    for_each_vertex([&](int i) {
       const vec3 p = points[vertex_[i]];
       for(int c = offset_[i]; c < offset_[i + 1]; ++c) {
         Corner& corner = corner_[c];
         corner.metric = face_metric(sub(points[vertex_[corner.j]], p), sub(points[vertex_[corner.k]], p), absolute);
       }
     });
-    fit_scale(loop);
+    fit_scale();
   }
 
   int size() const { return static_cast<int>(vertex_.size()); }
-  int number_of_colours() const { return static_cast<int>(colour_begin_.size()) - 1; }
-  /// The first vertex of a colour; the end of the vertices of the one before.
-  int colour_begin(int colour) const { return colour_begin_[colour]; }
   int offset(int i) const { return offset_[i]; }
   const Corner& corner(int k) const { return corner_[k]; }
   const Host_array<vec3>& position() const { return position_; }
@@ -129,83 +107,90 @@ public:
 
   /// Runs f(i) for all vertices, colour by colour; those of a colour in parallel. Loops that need no order use it, too,
   /// so that a thread finds in its cache what it wrote in the loop before.
-  template <int Enough = few_steps, class Loop, class F>
-  void for_each_vertex(const Loop& loop, F f) const
+  template <int Enough = few_steps, class F>
+  void for_each_vertex(F f) const
   {
-    for(int colour = 0; colour < number_of_colours(); ++colour)
-      for_each_of_level<Enough>(loop, colour_begin_[colour], colour_begin_[colour + 1], f);
+    for(std::size_t end = 1; end < colour_begin_.size(); ++end)
+      for_each_of_level<Enough>(loop_, colour_begin_[end - 1], colour_begin_[end], f);
   }
 
   /// The same, last colour first.
-  template <int Enough = few_steps, class Loop, class F>
-  void for_each_vertex_backwards(const Loop& loop, F f) const
+  template <int Enough = few_steps, class F>
+  void for_each_vertex_backwards(F f) const
   {
-    for(int colour = number_of_colours() - 1; colour >= 0; --colour)
-      for_each_of_level<Enough>(loop, colour_begin_[colour], colour_begin_[colour + 1], f);
+    for(std::size_t end = colour_begin_.size() - 1; end > 0; --end)
+      for_each_of_level<Enough>(loop_, colour_begin_[end - 1], colour_begin_[end], f);
   }
 
   /// Runs for_each_vertex(), and returns the sum of the f(i), which is the same for any number of threads.
-  template <int Enough = few_steps, class Loop, class F>
-  double sum_over_vertices(const Loop& loop, F f) const
+  template <int Enough = few_steps, class F>
+  double sum_over_vertices(F f) const
   {
     double sum = 0;
-    for(int colour = 0; colour < number_of_colours(); ++colour)
-      sum += sum_over_level<Enough>(loop, colour_begin_[colour], colour_begin_[colour + 1], f);
+    for(std::size_t c = 1; c < colour_begin_.size(); ++c) {
+      const int begin = colour_begin_[c - 1], end = colour_begin_[c];
+      double of_colour = 0;
+      if(end - begin < least_tasks * Enough)
+        for(int i = begin; i < end; ++i)
+          of_colour += f(i);
+      else
+        of_colour = sum_by_parts<Enough>(loop_, end - begin, [&](int i) { return f(begin + i); });
+      sum += of_colour;
+    }
     return sum;
   }
 
-  Star_face star_face(const Corner& c) const
-  {
-    const Face_metric& m = c.metric;
-    return {position_[c.j], position_[c.k], m.cotangent[0], m.cotangent[1], m.cotangent[2], area_scale_ * m.twice_area};
-  }
-
-  void gather(int i, Star& star) const
-  {
-    star.clear();
-    for(int c = offset_[i]; c < offset_[i + 1]; ++c)
-      star.push_back(star_face(corner_[c]));
-  }
+  Star_face star_face(const Corner& c) const { return {position_[c.j], position_[c.k], c.metric, area_scale_}; }
 
   /// The mean distortion of the map, over the source area. Infinite unless all faces are positive.
-  template <class Loop>
-  double energy(const Loop& loop, const Distortion& distortion) const
+  double energy(const Distortion& distortion) const
   {
-    return sum_over_faces(loop,
-                          [&](vec3 x, const Star_face& f) {
-                            const double determinant = f.determinant(x);
-                            return determinant > 0 ? f.dirichlet(x) * distortion.value(determinant / f.twice_area)
-                                                   : std::numeric_limits<double>::infinity();
-                          }) /
-           area_;
+    return sum_over_faces([&](vec3 x, const Star_face& f) { return f.energy(distortion, x); }) / area_;
   }
 
   /// Whether the map is a bijection, exactly: all faces are positively oriented, and cover the sphere once.
-  template <class Loop>
-  bool is_bijective(const Loop& loop) const
+  bool is_bijective() const
   {
-    const double flipped =
-      sum_over_faces(loop, [](vec3 x, const Star_face& f) { return is_positively_oriented(x, f.j, f.k) ? 0. : 1.; });
-    return flipped == 0 &&
-           degree([&](vec3 q) {
-             return sum_over_faces(loop, [q](vec3 x, const Star_face& f) { return covering(x, f.j, f.k, q); });
-           }) == 1;
+    const auto is_flipped = [](vec3 x, const Star_face& f) { return is_positively_oriented(x, f.j, f.k) ? 0. : 1.; };
+    const auto coverings = [&](vec3 q) {
+      return sum_over_faces([q](vec3 x, const Star_face& f) { return covering(x, f.j, f.k, q); });
+    };
+    return sum_over_faces(is_flipped) == 0 && degree(coverings) == 1;
   }
 
-  template <class Loop>
-  void store(const Loop& loop, Partial_map& map) const
+  /// One Newton step for every vertex alone: a Gauss-Seidel sweep. Keeps a valid map valid.
+  void relax(const Distortion& distortion)
   {
-    for_each_vertex(loop, [&](int i) { map.position[vertex_[i]] = position_[i]; });
+    for_each_vertex([&](int i) { relax_vertex(distortion, i); });
+  }
+
+  /// So many such steps for the vertices whose stars are distorted more than `factor` times as much as the map in the
+  /// mean, and for those up to `rings` edges away.
+  void relax_distorted(const Distortion& distortion, double factor, int rings, int sweeps)
+  {
+    const std::vector<int> region = distorted_region(distortion, factor, rings);
+    for(int s = 0; s < sweeps && !region.empty(); ++s) {
+      auto begin = region.begin();
+      for(int end_of_colour : colour_begin_) {
+        const auto end = std::lower_bound(begin, region.end(), end_of_colour);
+        for_each_of_level(loop_, 0, static_cast<int>(end - begin), [&](int k) { relax_vertex(distortion, begin[k]); });
+        begin = end;
+      }
+    }
+  }
+
+  void store(Partial_map& map) const
+  {
+    for_each_vertex([&](int i) { map.position[vertex_[i]] = position_[i]; });
   }
 
 private:
   /// Counting sort, every part of the vertices for itself.
-  template <class Loop>
-  void sort_by_colour(const Loop& loop, const Progressive_mesh& mesh, const Partial_map& map)
+  void sort_by_colour(const Progressive_mesh& mesh, const Partial_map& map)
   {
     typedef std::vector<int> Of_colours;
     const int n = mesh.capacity();
-    std::vector<Of_colours> begin_of_part = results_of_parts(loop, n, [&](int begin, int end) {
+    std::vector<Of_colours> begin_of_part = results_of_parts(loop_, n, [&](int begin, int end) {
       Of_colours count;
       for(int v = begin; v < end; ++v)
         if(!mesh.is_removed(v)) {
@@ -227,21 +212,62 @@ private:
       colour_begin_.push_back(total);
     }
     vertex_.resize(colour_begin_.back());
-    for_each_part(loop, n, [&](int begin, int end) {
-      Of_colours& next = begin_of_part[begin / part_size];
-      for(int v = begin; v < end; ++v)
-        if(!mesh.is_removed(v)) {
-          index_[v] = next[map.colour[v]]++;
-          vertex_[index_[v]] = v;
-        }
+    for_each_index(loop_, n, [&](int v) {
+      if(!mesh.is_removed(v)) {
+        index_[v] = begin_of_part[v / part_size][map.colour[v]]++;
+        vertex_[index_[v]] = v;
+      }
     });
   }
 
-  /// f(x, face) summed over all faces, each from its smallest vertex.
-  template <class Loop, class F>
-  double sum_over_faces(const Loop& loop, F f) const
+  Star star(int i) const
   {
-    return sum_over_vertices(loop, [&](int i) {
+    Star result;
+    for(int c = offset_[i]; c < offset_[i + 1]; ++c)
+      result.push_back(star_face(corner_[c]));
+    return result;
+  }
+
+  void relax_vertex(const Distortion& distortion, int i)
+  {
+    const Star faces = star(i);
+    vec3 x = position_[i];
+    double energy = star_energy(distortion, faces, x);
+    if(relax_centre(distortion, faces, x, energy) > 0)
+      position_[i] = x;
+  }
+
+  /// In ascending order, hence by colour.
+  std::vector<int> distorted_region(const Distortion& distortion, double factor, int rings) const
+  {
+    const double bound = factor * energy(distortion);
+    std::vector<char> is_in_region(size());
+    for_each_vertex([&](int i) {
+      const Star faces = star(i);
+      double area = 0;
+      for(const Star_face& f : faces)
+        area += f.twice_area / 2;
+      is_in_region[i] = star_energy(distortion, faces, position_[i]) > bound * area;
+    });
+    std::vector<int> region;
+    for(int i = 0; i < size(); ++i)
+      if(is_in_region[i])
+        region.push_back(i);
+    std::size_t begin = 0;
+    for(int ring = 0; ring < rings; ++ring)
+      for(const std::size_t end = region.size(); begin < end; ++begin)
+        for(int c = offset_[region[begin]]; c < offset_[region[begin] + 1]; ++c)
+          if(!std::exchange(is_in_region[corner_[c].j], true))
+            region.push_back(corner_[c].j);
+    std::sort(region.begin(), region.end());
+    return region;
+  }
+
+  /// f(x, face) summed over all faces, each from its smallest vertex.
+  template <class F>
+  double sum_over_faces(F f) const
+  {
+    return sum_over_vertices([&](int i) {
       double sum = 0;
       for(int c = offset_[i]; c < offset_[i + 1]; ++c)
         if(i < corner_[c].j && i < corner_[c].k)
@@ -252,16 +278,16 @@ private:
 
   /// Scales the source to the area of the polyhedron that the map is, its faces weighted with their distances from the
   /// centre: what the determinants add up to.
-  template <class Loop>
-  void fit_scale(const Loop& loop)
+  void fit_scale()
   {
     area_scale_ = 1;
-    const double source = sum_over_faces(loop, [](vec3, const Star_face& f) { return f.twice_area; });
-    const double image = sum_over_faces(loop, [](vec3 x, const Star_face& f) { return f.determinant(x); });
+    const double source = sum_over_faces([](vec3, const Star_face& f) { return f.twice_area; });
+    const double image = sum_over_faces([](vec3 x, const Star_face& f) { return f.determinant(x); });
     area_scale_ = image / source;
     area_ = image / 2;
   }
 
+  const Host_loop& loop_;
   Host_array<int> vertex_; ///< number of vertex i in the whole mesh
   Host_array<int> index_;  ///< the inverse
   std::vector<int> colour_begin_;

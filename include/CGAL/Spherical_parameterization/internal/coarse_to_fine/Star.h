@@ -4,17 +4,52 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_STAR_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_STAR_H
 
+#include <CGAL/Spherical_parameterization/internal/base/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Distortion.h>
-#include <CGAL/Spherical_parameterization/internal/predicates/certificate.h>
-#include <CGAL/Spherical_parameterization/internal/backend/vertex_formulas.h>
+#include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 
 #include <boost/container/small_vector.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 namespace CGAL::Spherical_parameterization::internal {
+
+/// A vector in a tangent plane, or its product with tangents.
+struct Planar {
+  double s, t;
+};
+
+inline double inner(Planar a, Planar b) { return a.s * b.s + a.t * b.t; }
+inline Planar add_scaled(Planar a, double r, Planar b) { return {a.s + r * b.s, a.t + r * b.t}; }
+
+/// The unit eigenvector of the matrix (half, off; off, -half) to its positive eigenvalue `split`.
+inline Planar principal_axis(double half, double off, double split)
+{
+  const Planar axis = half >= 0 ? Planar{split + half, off} : Planar{off, split - half};
+  const double norm = std::sqrt(inner(axis, axis));
+  return norm > 0 ? Planar{axis.s / norm, axis.t / norm} : Planar{1, 0};
+}
+
+/// Tangents at a point of the sphere.
+struct Tangents {
+  vec3 s, t;
+
+  Planar products(vec3 a) const { return {inner(a, s), inner(a, t)}; }
+  vec3 combined(Planar a) const { return add_scaled(scale(a.s, s), a.t, t); }
+};
+
+/// Orthonormal ones at the unit vector x.
+inline Tangents tangents_at(vec3 x)
+{
+  const vec3 s = unit(outer(x, std::abs(x.x) < 0.6 ? make_vec3(1, 0, 0) : make_vec3(0, 1, 0)));
+  return {s, outer(x, s)};
+}
+
+/// det(x, y, z), from differences: exact relative to the size of the triangle.
+inline double determinant(vec3 x, vec3 y, vec3 z) { return inner(x, outer(sub(y, x), sub(z, x))); }
 
 /// A face (x, j, k) at a vertex x on the sphere: where its other corners are, and what it is in the source.
 struct Star_face {
@@ -22,8 +57,12 @@ struct Star_face {
   double cot_x, cot_j, cot_k;
   double twice_area;
 
-  /// det(x, j, k), from differences: exact relative to the size of the triangle.
-  double determinant(vec3 x) const { return inner(x, outer(sub(j, x), sub(k, x))); }
+  Star_face(vec3 at_j, vec3 at_k, const Face_metric& metric, double area_scale)
+    : j(at_j), k(at_k), cot_x(metric.cotangent[0]), cot_j(metric.cotangent[1]), cot_k(metric.cotangent[2]),
+      twice_area(area_scale * metric.twice_area)
+  {}
+
+  double determinant(vec3 x) const { return internal::determinant(x, j, k); }
 
   /// The Dirichlet energy of the chordal triangle: half the sum over the sides of cotangent times squared length.
   double dirichlet(vec3 x) const
@@ -31,31 +70,26 @@ struct Star_face {
     const vec3 a = sub(j, x), b = sub(k, x), c = sub(k, j);
     return (cot_x * inner(c, c) + cot_j * inner(b, b) + cot_k * inner(a, a)) / 2;
   }
+
+  /// The distortion, integrated over the source; infinite unless the face is positive.
+  double energy(const Distortion& distortion, vec3 x) const
+  {
+    const double det = determinant(x);
+    return det > 0 ? dirichlet(x) * distortion.value(det / twice_area) : std::numeric_limits<double>::infinity();
+  }
 };
 
 /// The faces round a vertex.
 typedef boost::container::small_vector<Star_face, 12> Star;
-
-/// Orthonormal tangents at the unit vector x.
-struct Tangents {
-  vec3 s, t;
-
-  explicit Tangents(vec3 x)
-  {
-    s = unit(outer(x, std::abs(x.x) < 0.6 ? make_vec3(1, 0, 0) : make_vec3(0, 1, 0)));
-    t = outer(x, s);
-  }
-};
 
 /// The distortion of the star with centre x, integrated over the source; infinite unless all faces are positive.
 inline double star_energy(const Distortion& distortion, const Star& star, vec3 x)
 {
   double energy = 0;
   for(const Star_face& f : star) {
-    const double determinant = f.determinant(x);
-    if(!(determinant > 0))
-      return std::numeric_limits<double>::infinity();
-    energy += f.dirichlet(x) * distortion.value(determinant / f.twice_area);
+    energy += f.energy(distortion, x);
+    if(energy == std::numeric_limits<double>::infinity())
+      break;
   }
   return energy;
 }
@@ -66,9 +100,9 @@ inline bool is_valid_centre(const Star& star, vec3 x)
   return std::all_of(star.begin(), star.end(), [x](const Star_face& f) { return is_positively_oriented(x, f.j, f.k); });
 }
 
-/// The solution s of |H| s = -g, |H| the symmetric matrix with the absolute eigenvalues of H (and none much smaller
-/// than the other): a descent direction, and Newton's if H is positive definite.
-inline void solve_positive(double h11, double h12, double h22, double g1, double g2, double& s1, double& s2)
+/// The solution of |H| s = -g, |H| the symmetric matrix with the absolute eigenvalues of H (and none much smaller than
+/// the other): a descent direction, and Newton's if H is positive definite.
+inline Planar solve_positive(double h11, double h12, double h22, Planar g)
 {
   constexpr double smallest_share = 1e-3;
   const double mean = (h11 + h22) / 2, half = (h11 - h22) / 2;
@@ -76,19 +110,12 @@ inline void solve_positive(double h11, double h12, double h22, double g1, double
   const double largest = std::abs(mean) + split;
   if(mean - split > 1e-6 * largest) {
     const double determinant = h11 * h22 - h12 * h12;
-    s1 = (h12 * g2 - h22 * g1) / determinant;
-    s2 = (h12 * g1 - h11 * g2) / determinant;
-    return;
+    return {(h12 * g.t - h22 * g.s) / determinant, (h12 * g.s - h11 * g.t) / determinant};
   }
-  // (c, d): unit eigenvector of mean + split
-  double c = half >= 0 ? split + half : h12, d = half >= 0 ? h12 : split - half;
-  const double norm = std::sqrt(c * c + d * d);
-  c = norm > 0 ? c / norm : 1;
-  d = norm > 0 ? d / norm : 0;
-  const double a = -(c * g1 + d * g2) / (std::max)(std::abs(mean + split), smallest_share * largest);
-  const double b = -(c * g2 - d * g1) / (std::max)(std::abs(mean - split), smallest_share * largest);
-  s1 = c * a - d * b;
-  s2 = d * a + c * b;
+  const auto [c, d] = principal_axis(half, h12, split);
+  const double a = -(c * g.s + d * g.t) / (std::max)(std::abs(mean + split), smallest_share * largest);
+  const double b = -(c * g.t - d * g.s) / (std::max)(std::abs(mean - split), smallest_share * largest);
+  return {c * a - d * b, d * a + c * b};
 }
 
 /// One step of Newton's method for the centre x of a star, along a geodesic tangent and back to the sphere. It is
@@ -99,32 +126,29 @@ inline double relax_centre(const Distortion& distortion, const Star& star, vec3&
 {
   constexpr double share_of_the_way_to_a_flip = 0.8, armijo = 1e-4;
   constexpr int maximum_halvings = 12;
-  const Tangents tangents(x);
-  double g1 = 0, g2 = 0, h11 = 0, h12 = 0, h22 = 0, radial = 0;
+  const Tangents tangents = tangents_at(x);
+  Planar gradient = {0, 0};
+  double h11 = 0, h12 = 0, h22 = 0, radial = 0;
   for(const Star_face& f : star) {
-    const vec3 a = sub(f.j, x), b = sub(f.k, x), c = sub(f.k, f.j);
-    const double determinant = inner(x, outer(a, b));
-    const double dirichlet = (f.cot_x * inner(c, c) + f.cot_j * inner(b, b) + f.cot_k * inner(a, a)) / 2;
+    const double determinant = f.determinant(x), dirichlet = f.dirichlet(x);
     const Distortion::Psi psi = distortion.psi(determinant / f.twice_area);
     const double slope = psi.first / f.twice_area, bend = dirichlet * psi.second / (f.twice_area * f.twice_area);
     // gradients of the two factors: L' and d'
-    const vec3 pull = add_scaled(scale(-f.cot_j, b), -f.cot_k, a), turn = outer(f.j, f.k);
-    const double l1 = inner(pull, tangents.s), l2 = inner(pull, tangents.t);
-    const double d1 = inner(turn, tangents.s), d2 = inner(turn, tangents.t);
+    const vec3 pull = add_scaled(scale(-f.cot_j, sub(f.k, x)), -f.cot_k, sub(f.j, x));
+    const Planar l = tangents.products(pull), d = tangents.products(outer(f.j, f.k));
     const double stiffness = (f.cot_j + f.cot_k) * psi.value;
-    g1 += psi.value * l1 + dirichlet * slope * d1;
-    g2 += psi.value * l2 + dirichlet * slope * d2;
+    gradient.s += psi.value * l.s + dirichlet * slope * d.s;
+    gradient.t += psi.value * l.t + dirichlet * slope * d.t;
     radial += psi.value * inner(pull, x) + dirichlet * slope * determinant;
-    h11 += stiffness + 2 * slope * l1 * d1 + bend * d1 * d1;
-    h22 += stiffness + 2 * slope * l2 * d2 + bend * d2 * d2;
-    h12 += slope * (l1 * d2 + l2 * d1) + bend * d1 * d2;
+    h11 += stiffness + 2 * slope * l.s * d.s + bend * d.s * d.s;
+    h22 += stiffness + 2 * slope * l.t * d.t + bend * d.t * d.t;
+    h12 += slope * (l.s * d.t + l.t * d.s) + bend * d.s * d.t;
   }
-  double s1, s2;
-  solve_positive(h11 - radial, h12, h22 - radial, g1, g2, s1, s2);
-  const double descent = g1 * s1 + g2 * s2;
+  const Planar newton = solve_positive(h11 - radial, h12, h22 - radial, gradient);
+  const double descent = inner(gradient, newton);
   if(!(descent < 0))
     return 0;
-  const vec3 step = add_scaled(scale(s1, tangents.s), s2, tangents.t);
+  const vec3 step = tangents.combined(newton);
   double t = 1;
   for(const Star_face& f : star) { // the determinants are linear along the step
     const double slope = inner(step, outer(f.j, f.k));
@@ -142,6 +166,87 @@ inline double relax_centre(const Distortion& distortion, const Star& star, vec3&
     }
   }
   return 0;
+}
+
+/// A point well inside the kernel of the star round v, on whose boundary v may lie: the mean of the corners of the
+/// kernel polygon in the tangent plane at v (by the gnomonic projection great circles are lines), clipped to a square a
+/// few times as large as the star. Found with rounding errors: to be checked.
+inline vec3 kernel_point(const Star& star, vec3 v)
+{
+  typedef boost::container::small_vector<Planar, 24> Polygon;
+  const Tangents tangents = tangents_at(v);
+  double size = 0;
+  for(const Star_face& f : star)
+    size = (std::max)(size, inner(sub(f.j, v), sub(f.j, v)));
+  size = (std::min)(1., 2 * std::sqrt(size));
+  Polygon kernel = {{-size, -size}, {size, -size}, {size, size}, {-size, size}}, clipped;
+  for(const Star_face& f : star) {
+    const double constant = f.determinant(v);
+    const Planar slope = tangents.products(outer(f.j, f.k));
+    const auto side = [&](Planar p) { return constant + slope.s * p.s + slope.t * p.t; };
+    clipped.clear();
+    for(std::size_t i = 0; i < kernel.size(); ++i) {
+      const Planar a = kernel[i], b = kernel[(i + 1) % kernel.size()];
+      const double at_a = side(a), at_b = side(b);
+      if(at_a >= 0)
+        clipped.push_back(a);
+      if((at_a > 0 && at_b < 0) || (at_a < 0 && at_b > 0)) {
+        const double r = at_a / (at_a - at_b);
+        clipped.push_back({a.s + r * (b.s - a.s), a.t + r * (b.t - a.t)});
+      }
+    }
+    kernel.swap(clipped);
+  }
+  if(kernel.empty())
+    return v;
+  Planar mean = {0, 0};
+  for(Planar p : kernel)
+    mean = {mean.s + p.s / double(kernel.size()), mean.t + p.t / double(kernel.size())};
+  return unit(add_scaled(add_scaled(v, mean.s, tangents.s), mean.t, tangents.t));
+}
+
+/// Places a vertex that was collapsed into the one at v, given the star it will have: in the kernel of that, which is
+/// not empty, since v sees its whole ring, but which doubles may not resolve. Returns whether there is a position x
+/// such that all faces of the star are positively oriented, exactly.
+///
+/// The best of some candidates is improved by Newton's method.
+inline bool insert_vertex(const Distortion& distortion, const Star& star, vec3 v, vec3& x)
+{
+  constexpr int maximum_steps = 6;
+  constexpr double sufficient_gain = 1e-2;
+  double best = std::numeric_limits<double>::infinity();
+  const auto consider = [&](vec3 candidate) {
+    const double energy = star_energy(distortion, star, candidate);
+    if(energy < best && is_valid_centre(star, candidate)) {
+      best = energy;
+      x = candidate;
+    }
+  };
+
+  vec3 centroid = {0, 0, 0}, harmonic = {0, 0, 0};
+  for(const Star_face& f : star) {
+    constexpr double least = 0.05;
+    centroid = add(centroid, f.j);
+    harmonic = add_scaled(harmonic, (std::max)(least, f.cot_j), f.k);
+    harmonic = add_scaled(harmonic, (std::max)(least, f.cot_k), f.j);
+  }
+  const vec3 in_kernel = kernel_point(star, v);
+  for(vec3 candidate : {centroid, harmonic})
+    if(inner(candidate, candidate) > 0)
+      consider(unit(candidate));
+  consider(in_kernel);
+  // Towards v the kernel never ends.
+  constexpr int least_approach = 6, longest_approach = 52;
+  double t = 0.5;
+  for(int i = 0; i < longest_approach && (i < least_approach || !std::isfinite(best)); ++i, t /= 2)
+    for(vec3 far : {unit(centroid), in_kernel})
+      consider(unit(add_scaled(v, t, sub(far, v))));
+  if(!std::isfinite(best))
+    return false;
+  for(int step = 0; step < maximum_steps; ++step)
+    if(relax_centre(distortion, star, x, best) < sufficient_gain * best)
+      break;
+  return true;
 }
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -7,7 +7,6 @@
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Progressive_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
-#include <CGAL/Spherical_parameterization/internal/backend/vertex_formulas.h>
 
 #include <boost/container/small_vector.hpp>
 
@@ -61,10 +60,9 @@ private:
 /// meshes, and its distortion there has to be that of the fine one. A round takes the cheapest collapses that do not
 /// touch each other, one after the other: first those within broad bands of the surface, all bands at once, then those
 /// across their borders. The result is the same for any number of threads.
-template <class Loop>
 class Decimation {
 public:
-  Decimation(const Loop& loop, const Host_array<vec3>& points, Progressive_mesh& mesh)
+  Decimation(const Host_loop& loop, const Host_array<vec3>& points, Progressive_mesh& mesh)
     : loop_(loop), point_(points), mesh_(mesh), quadric_(points.size()), best_(points.size()),
       role_(points.size(), FREE), remaining_(points.size()), is_outdated_(points.size(), true),
       band_size_(size_of_bands(mesh.capacity()))
@@ -85,12 +83,14 @@ public:
       const double bound = cost_bound();
       std::vector<Band> bands(mesh_.capacity() / band_size_ + 1);
       loop_.for_each(static_cast<int>(bands.size()), [&](int b) { select_within(b, bound, bands[b]); });
-      std::vector<int> across = select_across(bands);
-      loop_.for_each(static_cast<int>(bands.size()), [&](int b) { apply(bands[b].collapsed); });
-      apply(across);
+      std::vector<Candidate> across;
+      for(const Band& b : bands)
+        across.insert(across.end(), b.across.begin(), b.across.end());
+      bands.push_back({select(std::move(across)), {}});
+      loop_.for_each(static_cast<int>(bands.size()) - 1, [&](int b) { apply(bands[b].collapsed); });
+      apply(bands.back().collapsed);
       for(const Band& b : bands)
         collapsed.insert(collapsed.end(), b.collapsed.begin(), b.collapsed.end());
-      collapsed.insert(collapsed.end(), across.begin(), across.end());
       mesh_.count_collapses(static_cast<int>(collapsed.size()));
       if(collapsed.empty() && !has_candidates()) { // all that is left has a high degree
         maximum_degree_ *= 2;
@@ -114,7 +114,6 @@ private:
     std::vector<Candidate> across; ///< the cheap candidates whose stars reach beyond it
   };
 
-  static constexpr int steps_of_a_task = 256;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr double length_weight = 1e-3; ///< of the squared length of the edge, times the area of the star
   static constexpr double aspect_scale2 = 25;   ///< an aspect ratio of 5 doubles the cost
@@ -133,12 +132,8 @@ private:
     return (std::max)(size, shortest);
   }
 
-  vec3 face_normal(int c) const
-  {
-    const vec3 p = point_[mesh_.vertex(c)];
-    return outer(sub(point_[mesh_.vertex(Progressive_mesh::next(c))], p),
-                 sub(point_[mesh_.vertex(Progressive_mesh::previous(c))], p));
-  }
+  /// Of the face at a corner
+  vec3 face_normal(int c) const { return normal(point_, {mesh_.vertex(c), mesh_.target(c), mesh_.apex(c)}); }
 
   /// Returns twice the area of the faces at v.
   double initialise_quadric(int v)
@@ -166,11 +161,8 @@ private:
     boost::container::small_vector<Ring_face, 24> ring;
     double area = 0;
     mesh_.for_each_corner(u, [&](int c) {
-      const vec3 a = point_[mesh_.vertex(Progressive_mesh::next(c))];
-      const vec3 b = point_[mesh_.vertex(Progressive_mesh::previous(c))];
-      const vec3 normal = outer(sub(a, point_[u]), sub(b, point_[u]));
-      ring.push_back({c, a, b, normal});
-      area += std::sqrt(inner(normal, normal)) / 2;
+      ring.push_back({c, point_[mesh_.target(c)], point_[mesh_.apex(c)], face_normal(c)});
+      area += std::sqrt(inner(ring.back().normal, ring.back().normal)) / 2;
     });
     boost::container::small_vector<Collapse, 24> collapses;
     for(std::size_t i = 0; i < ring.size(); ++i)
@@ -188,7 +180,7 @@ private:
   template <class Ring>
   double cost(int u, const Ring& ring, std::size_t i, double area) const
   {
-    const int v = mesh_.vertex(Progressive_mesh::next(ring[i].corner));
+    const int v = mesh_.target(ring[i].corner);
     const vec3 p = ring[i].a, edge = sub(p, point_[u]);
     const int degree = mesh_.degree(u) + mesh_.degree(v) - 4;
     const double degree_factor = degree > good_degree ? std::ldexp(1, (std::min)(degree - good_degree, 200))
@@ -225,13 +217,12 @@ private:
   {
     remaining_.erase(std::remove_if(remaining_.begin(), remaining_.end(), [&](int v) { return mesh_.is_removed(v); }),
                      remaining_.end());
-    for_each_part<steps_of_a_task>(loop_, static_cast<int>(remaining_.size()), [&](int begin, int end) {
-      for(int i = begin; i < end; ++i) {
-        const int v = remaining_[i];
-        if(is_outdated_[v])
-          best_[v] = best_collapse(v);
-        is_outdated_[v] = false;
-      }
+    constexpr int steps_of_a_task = 256;
+    for_each_index<steps_of_a_task>(loop_, static_cast<int>(remaining_.size()), [&](int i) {
+      const int v = remaining_[i];
+      if(is_outdated_[v])
+        best_[v] = best_collapse(v);
+      is_outdated_[v] = false;
     });
   }
 
@@ -266,22 +257,10 @@ private:
       const Collapse& best = best_[*it];
       if(best.half_edge < 0 || best.cost > bound)
         continue;
-      bool is_within = true;
-      mesh_.for_each_corner(*it, [&](int c) {
-        const int w = mesh_.vertex(Progressive_mesh::next(c));
-        is_within = is_within && begin <= w && w < end;
-      });
-      (is_within ? within : band.across).emplace_back(best.cost, *it);
+      const bool is_across = mesh_.any_neighbour(*it, [&](int w) { return w < begin || w >= end; });
+      (is_across ? band.across : within).emplace_back(best.cost, *it);
     }
     band.collapsed = select(std::move(within));
-  }
-
-  std::vector<int> select_across(const std::vector<Band>& bands)
-  {
-    std::vector<Candidate> candidates;
-    for(const Band& b : bands)
-      candidates.insert(candidates.end(), b.across.begin(), b.across.end());
-    return select(std::move(candidates));
   }
 
   /// Takes the collapses of independent candidates, the cheapest ones first. At least four vertices remain: each
@@ -305,19 +284,15 @@ private:
   /// nor the other way round: u and its target take no part in others, and its other neighbours are only neighbours.
   bool is_independent(int u) const
   {
-    const int target = mesh_.vertex(Progressive_mesh::next(best_[u].half_edge));
-    bool result = role_[u] == FREE && role_[target] == FREE;
-    if(result)
-      mesh_.for_each_corner(u,
-                            [&](int c) { result = result && role_[mesh_.vertex(Progressive_mesh::next(c))] != BUSY; });
-    return result;
+    return role_[u] == FREE && role_[mesh_.target(best_[u].half_edge)] == FREE &&
+           !mesh_.any_neighbour(u, [&](int w) { return role_[w] == BUSY; });
   }
 
   void occupy(int u)
   {
-    mesh_.for_each_corner(u, [&](int c) { role_[mesh_.vertex(Progressive_mesh::next(c))] = RING; });
+    mesh_.for_each_corner(u, [&](int c) { role_[mesh_.target(c)] = RING; });
     role_[u] = BUSY;
-    role_[mesh_.vertex(Progressive_mesh::next(best_[u].half_edge))] = BUSY;
+    role_[mesh_.target(best_[u].half_edge)] = BUSY;
   }
 
   void apply(std::vector<int>& half_edges)
@@ -325,20 +300,20 @@ private:
     // in the order of the memory, now and when they are undone
     std::sort(half_edges.begin(), half_edges.end(), [&](int g, int h) { return mesh_.vertex(g) < mesh_.vertex(h); });
     for(int h : half_edges) {
-      const int u = mesh_.vertex(h), v = mesh_.vertex(Progressive_mesh::next(h));
+      const int u = mesh_.vertex(h), v = mesh_.target(h);
       mesh_.for_each_corner(u, [&](int c) {
-        const int w = mesh_.vertex(Progressive_mesh::next(c));
+        const int w = mesh_.target(c);
         is_outdated_[w] = true;
         role_[w] = FREE;
       });
       role_[u] = FREE;
       best_[u] = Collapse();
       quadric_[v].add(quadric_[u]);
-      mesh_.collapse_uncounted(h);
+      mesh_.collapse(h);
     }
   }
 
-  const Loop& loop_;
+  const Host_loop& loop_;
   const Host_array<vec3>& point_;
   Progressive_mesh& mesh_;
   std::vector<Quadric> quadric_;

@@ -4,12 +4,9 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_NEWTON_RELAXATION_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_NEWTON_RELAXATION_H
 
-#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Distortion.h>
-#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Face_hessian.h>
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Face_hessian.h>
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Map_level.h>
-#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Star.h>
-#include <CGAL/Spherical_parameterization/internal/backend/vertex_formulas.h>
 
 #include <boost/container/small_vector.hpp>
 
@@ -30,10 +27,9 @@ namespace CGAL::Spherical_parameterization::internal {
 /// Eisenstat's trick ("Efficient implementation of a class of preconditioned conjugate gradient methods", 1981) gives
 /// the preconditioned product for one pass over the matrix: q = t + (I + L)^-1 (p - t) with t = (I + L^T)^-1 p.
 /// Single precision is enough for the blocks, since they only give a direction.
-template <class Loop>
 class Newton_relaxation {
 public:
-  Newton_relaxation(const Loop& loop, const Distortion& distortion, Map_level& level)
+  Newton_relaxation(const Host_loop& loop, const Distortion& distortion, Map_level& level)
     : loop_(loop), distortion_(distortion), level_(level), tangents_(level.size()), factor_(level.size()),
       gradient_(level.size()), middle_(level.size()), entry_(level.offset(level.size()))
   {}
@@ -42,8 +38,9 @@ public:
   double step(int maximum_iterations, double tolerance)
   {
     std::vector<vec3> direction;
-    for(double lift : {0.5, 1.}) {
-      assemble(lift);
+    for(double lift : {0.5, 1.}) { // all blocks in orthonormal tangents first, then in those that the diagonal asks for
+      for_each_of_level(loop_, 0, level_.size(), [&](int i) { assemble_row(i, lift); });
+      for_each_of_level(loop_, 0, level_.size(), [&](int i) { normalise_row(i); });
       direction = solve(maximum_iterations, tolerance);
       if(!is_indefinite_)
         break;
@@ -61,18 +58,11 @@ private:
     float ss, st, ts, tt;
   };
 
-  /// All blocks in orthonormal tangents first, then in those that the diagonal blocks ask for.
-  void assemble(double lift)
-  {
-    for_each_of_level(loop_, 0, level_.size(), [&](int i) { assemble_row(i, lift); });
-    for_each_of_level(loop_, 0, level_.size(), [&](int i) { normalise_row(i); });
-  }
-
   /// Gradient and blocks of row i, those left of the diagonal first.
   void assemble_row(int i, double lift)
   {
     const vec3 x = level_.position()[i];
-    const Tangents tangents(x);
+    const Tangents tangents = tangents_at(x);
     const int begin = level_.offset(i), end = level_.offset(i + 1);
     boost::container::small_vector<Block, 12> block(end - begin, Block{0, 0, 0, 0});
     Block diagonal = {0, 0, 0, 0};
@@ -82,13 +72,12 @@ private:
     vec3 gradient = {0, 0, 0};
     for(int c = begin; c < end; ++c) {
       const Star_face f = level_.star_face(level_.corner(c));
-      const Tangents at_j(f.j), at_k(f.k);
       const Face_hessian hessian(distortion_, x, f, lift);
       gradient = add(gradient, hessian.gradient());
-      const Face_hessian::Frame frame = hessian.frame(0, tangents.s, tangents.t);
+      const Face_hessian::Frame frame = hessian.frame(0, tangents);
       add_to(diagonal, hessian.block(0, frame, 0, frame));
-      add_to(block[c - begin], hessian.block(0, frame, 1, hessian.frame(1, at_j.s, at_j.t)));
-      add_to(block[c + 1 == end ? 0 : c + 1 - begin], hessian.block(0, frame, 2, hessian.frame(2, at_k.s, at_k.t)));
+      add_to(block[c - begin], hessian.block(0, frame, 1, hessian.frame(1, tangents_at(f.j))));
+      add_to(block[c + 1 == end ? 0 : c + 1 - begin], hessian.block(0, frame, 2, hessian.frame(2, tangents_at(f.k))));
     }
     int lower = begin, upper = end;
     for(int c = begin; c < end; ++c) {
@@ -106,9 +95,9 @@ private:
     const double a = std::sqrt(diagonal.ss + bend), b = diagonal.ts / a;
     const double c = std::sqrt((std::max)(diagonal.tt + bend - b * b, least_share * least_share * a * a));
     factor_[i] = {1 / a, 0, -b / (a * c), 1 / c};
-    tangents_[i] = {add_scaled(scale(factor_[i].ss, tangents.s), factor_[i].st, tangents.t),
-                    add_scaled(scale(factor_[i].ts, tangents.s), factor_[i].tt, tangents.t)};
-    gradient_[i] = {inner(gradient, tangents_[i].s), inner(gradient, tangents_[i].t)};
+    tangents_[i] = {tangents.combined({factor_[i].ss, factor_[i].st}),
+                    tangents.combined({factor_[i].ts, factor_[i].tt})};
+    gradient_[i] = tangents_[i].products(gradient);
   }
 
   void normalise_row(int i)
@@ -143,7 +132,7 @@ private:
   void solve_upper(X x, Host_array<Planar>& y) const
   {
     level_.for_each_vertex_backwards<many_steps>(
-      loop_, [&](int i) { y[i] = reduced(x(i), middle_[i], level_.offset(i + 1), y); });
+      [&](int i) { y[i] = reduced(x(i), middle_[i], level_.offset(i + 1), y); });
   }
 
   /// The approximate Newton direction, as far as the matrix is positive.
@@ -151,20 +140,18 @@ private:
   {
     const int n = level_.size();
     Host_array<Planar> x(n, Planar{0, 0}), r(n), p(n, Planar{0, 0}), t(n), w(n);
-    const auto square = [](Planar a) { return a.s * a.s + a.t * a.t; };
-    double rr = level_.sum_over_vertices<many_steps>(loop_, [&](int i) {
+    double rr = level_.sum_over_vertices<many_steps>([&](int i) {
       r[i] = lower_row(i, {-gradient_[i].s, -gradient_[i].t}, r);
-      return square(r[i]);
+      return inner(r[i], r[i]);
     });
     const double goal = tolerance * tolerance * rr;
     double beta = 0;
     is_indefinite_ = false;
     for(int it = 0; it < maximum_iterations && rr > goal; ++it) {
-      const auto next_p = [&](int i) { return p[i] = {r[i].s + beta * p[i].s, r[i].t + beta * p[i].t}; };
-      solve_upper(next_p, t);
-      const double pq = level_.sum_over_vertices<many_steps>(loop_, [&](int i) {
-        w[i] = lower_row(i, {p[i].s - t[i].s, p[i].t - t[i].t}, w);
-        return p[i].s * (t[i].s + w[i].s) + p[i].t * (t[i].t + w[i].t);
+      solve_upper([&](int i) { return p[i] = add_scaled(r[i], beta, p[i]); }, t);
+      const double pq = level_.sum_over_vertices<many_steps>([&](int i) {
+        w[i] = lower_row(i, add_scaled(p[i], -1, t[i]), w);
+        return inner(p[i], add_scaled(t[i], 1, w[i]));
       });
       if(!(pq > 0)) {
         is_indefinite_ = true;
@@ -173,21 +160,18 @@ private:
         break;
       }
       const double alpha = rr / pq;
-      const double next = level_.sum_over_vertices<many_steps>(loop_, [&](int i) {
-        x[i] = {x[i].s + alpha * p[i].s, x[i].t + alpha * p[i].t};
-        r[i] = {r[i].s - alpha * (t[i].s + w[i].s), r[i].t - alpha * (t[i].t + w[i].t)};
-        return square(r[i]);
+      const double next = level_.sum_over_vertices<many_steps>([&](int i) {
+        x[i] = add_scaled(x[i], alpha, p[i]);
+        r[i] = add_scaled(r[i], -alpha, add_scaled(t[i], 1, w[i]));
+        return inner(r[i], r[i]);
       });
       beta = next / rr;
       rr = next;
     }
     solve_upper([&](int i) { return x[i]; }, t);
     std::vector<vec3> direction(n);
-    level_.for_each_vertex<many_steps>(
-      loop_, [&](int i) { direction[i] = add_scaled(scale(t[i].s, tangents_[i].s), t[i].t, tangents_[i].t); });
-    slope_ = level_.sum_over_vertices<many_steps>(loop_, [&](int i) {
-      return gradient_[i].s * t[i].s + gradient_[i].t * t[i].t;
-    }) / level_.area();
+    level_.for_each_vertex<many_steps>([&](int i) { direction[i] = tangents_[i].combined(t[i]); });
+    slope_ = level_.sum_over_vertices<many_steps>([&](int i) { return inner(gradient_[i], t[i]); }) / level_.area();
     return direction;
   }
 
@@ -202,14 +186,10 @@ private:
           const Map_level::Corner& corner = level_.corner(c);
           if(i > corner.j || i > corner.k)
             continue;
-          const vec3 x = level_.position()[i], y = level_.position()[corner.j], z = level_.position()[corner.k];
-          const auto determinant = [&](double s) {
-            const vec3 a = add_scaled(x, s, direction[i]);
-            return inner(
-              a, outer(sub(add_scaled(y, s, direction[corner.j]), a), sub(add_scaled(z, s, direction[corner.k]), a)));
-          };
-          const double least = least_share * determinant(0);
-          while(t > 1e-6 && !(determinant(t) > least))
+          const auto moved = [&](int v, double s) { return add_scaled(level_.position()[v], s, direction[v]); };
+          const auto after = [&](double s) { return determinant(moved(i, s), moved(corner.j, s), moved(corner.k, s)); };
+          const double least = least_share * after(0);
+          while(t > 1e-6 && !(after(t) > least))
             t *= shrink;
         }
       return t;
@@ -224,19 +204,19 @@ private:
   {
     constexpr double armijo = 1e-4;
     constexpr int maximum_halvings = 30;
-    const double before = level_.energy(loop_, distortion_);
+    const double before = level_.energy(distortion_);
     promised_gain_ = slope_ <= 0 ? -slope_ / 2 / before : 1; // NaN, from numbers out of range, promises anything
     if(!(slope_ < 0))
       return 0;
     const Host_array<vec3> start = level_.position();
     const auto energy_at = [&](double t) {
-      level_.for_each_vertex(loop_, [&](int i) { level_.position()[i] = unit(add_scaled(start[i], t, direction[i])); });
-      return level_.energy(loop_, distortion_);
+      level_.for_each_vertex([&](int i) { level_.position()[i] = unit(add_scaled(start[i], t, direction[i])); });
+      return level_.energy(distortion_);
     };
     double t = feasible_step(direction);
     for(int halving = 0; halving < maximum_halvings; ++halving, t /= 2) {
       const double after = energy_at(t);
-      if(after <= before + armijo * t * slope_ && level_.is_bijective(loop_))
+      if(after <= before + armijo * t * slope_ && level_.is_bijective())
         return (before - longer_step(t, before, after, energy_at)) / before;
     }
     level_.position() = start;
@@ -255,20 +235,17 @@ private:
       return after;
     const Host_array<vec3> position = level_.position();
     const double further = energy_at(factor * t);
-    if(further < after && level_.is_bijective(loop_))
+    if(further < after && level_.is_bijective())
       return further;
     level_.position() = position;
     return after;
   }
 
-  const Loop& loop_;
+  const Host_loop& loop_;
   const Distortion& distortion_;
   Map_level& level_;
-  struct Tangent_pair {
-    vec3 s, t;
-  };
-  Host_array<Tangent_pair> tangents_; ///< in which the diagonal blocks are the identity
-  Host_array<Block> factor_;          ///< which make them of the orthonormal ones
+  Host_array<Tangents> tangents_; ///< in which the diagonal blocks are the identity
+  Host_array<Block> factor_;      ///< which make them of the orthonormal ones
   Host_array<Planar> gradient_;
   Host_array<int> middle_; ///< where in row i the entries right of the diagonal begin
   Host_array<Entry> entry_;

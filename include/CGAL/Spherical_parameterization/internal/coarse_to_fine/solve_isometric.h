@@ -4,8 +4,9 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_SOLVE_ISOMETRIC_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_SOLVE_ISOMETRIC_H
 
+#include <CGAL/Spherical_parameterization/internal/base/compiled.h>
+#include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/base/precondition.h>
-#include <CGAL/Spherical_parameterization/internal/base/text.h>
 #include <CGAL/Spherical_parameterization/internal/problem/Method_solver.h>
 #include <CGAL/Spherical_parameterization/methods.h>
 
@@ -13,7 +14,10 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-/// See Coarse_to_fine_map.h, and doc/isometric_method.md.
+CGAL_SP_CORE Solution solve_isometric(const Host_loop& loop, const Isometric& method, const Problem& problem,
+                                      const Effort& effort, Monitor& monitor);
+
+/// See solve_isometric_impl.h, and doc/isometric_method.md.
 template <>
 class Method_solver<Isometric> {
 public:
@@ -27,7 +31,10 @@ public:
   std::string name() const { return "isometric"; }
 
   template <class Backend>
-  Solution solve(const Backend& backend, const Problem& problem, const Effort& effort, Monitor& monitor) const;
+  Solution solve(const Backend& backend, const Problem& problem, const Effort& effort, Monitor& monitor) const
+  {
+    return solve_isometric(backend.host_loop(), method_, problem, effort, monitor);
+  }
 
 private:
   Isometric method_;
@@ -35,7 +42,7 @@ private:
 
 } // namespace CGAL::Spherical_parameterization::internal
 
-#ifdef CGAL_SP_INCLUDE_CORE
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_COMPILED
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/solve_isometric_impl.h>
 #endif
 

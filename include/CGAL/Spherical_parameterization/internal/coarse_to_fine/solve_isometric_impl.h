@@ -5,13 +5,282 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_SOLVE_ISOMETRIC_IMPL_H
 
 #include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
-#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Coarse_to_fine_map.h>
+#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/base/text.h>
+#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Map_level.h>
+#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Progressive_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Star.h>
+#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/decimation.h>
+#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/newton_relaxation.h>
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/solve_isometric.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
+
+/// Builds a bijective map to the sphere from a tetrahedron up, and keeps it bijective at every moment: a vertex is
+/// inserted into the kernel of its star, and moves only to where all of its faces are positively oriented by the exact
+/// predicate. E. Praun and H. Hoppe, "Spherical parametrization and remeshing", SIGGRAPH 2003; X. Hu, X.-M. Fu, L. Liu,
+/// "Advanced hierarchical spherical parameterizations", TVCG 2018.
+///
+/// The rounds of the decimation are undone one by one, last first. After each one the distortion of the map is relaxed.
+class Coarse_to_fine_map {
+public:
+  Coarse_to_fine_map(const Host_loop& loop, const Isometric& method, const Problem& problem, const Effort& effort,
+                     Monitor& monitor)
+    : loop_(loop), method_(method), exponent_((std::min)(method.area_exponent, largest_coarse_exponent)),
+      distortion_(exponent_), problem_(problem), effort_(effort), monitor_(monitor), source_area_(area_of_source()),
+      mesh_(loop, problem.face, problem.size()),
+      level_(loop, problem.size()), map_{Host_array<vec3>(problem.size(), vec3{0, 0, 0}),
+                                         std::vector<int>(problem.size(), -1)}
+  {
+    if(!(source_area_ > 0)) // all points are one: then all faces count as equal
+      source_area_ = 1;
+  }
+
+  /// Returns the positions of all vertices.
+  Host_array<vec3> run(Solver_report& report)
+  {
+    decimate();
+    embed_tetrahedron();
+    for(; !rounds_.empty(); rounds_.pop_back()) {
+      insert(std::move(rounds_.back()));
+      if(rounds_.size() > 1) {
+        relax_level();
+        advance_or_give_up();
+      }
+    }
+    finish(report);
+    return std::move(map_.position);
+  }
+
+private:
+  /// While there are vertices to come, needles count as better than they are: they would squeeze what is inserted.
+  static constexpr Metric_bounds coarse_bounds = {100, 1e-4};
+  static constexpr Metric_bounds final_bounds = {1e3, 1e-8};
+  static constexpr double largest_coarse_exponent = 3;
+  static constexpr double linear_tolerance = 0.1; ///< of Newton's equations
+  static constexpr double least_gain = 1e-4;      ///< of the energy, for which a Newton step is worth while
+
+  /// The smallest area that faces count with is a share of this. So it has needles as good as they will count: were the
+  /// whole surface needles, and their true areas added up, then the share would be nothing to any of them.
+  double area_of_source() const
+  {
+    return sum_by_parts(loop_, static_cast<int>(problem_.face.size()), [&](int f) {
+      const auto [i, j, k] = problem_.face[f];
+      const vec3 a = sub(problem_.point[j], problem_.point[i]), b = sub(problem_.point[k], problem_.point[i]);
+      return face_metric(a, b, {coarse_bounds.aspect, 0}).twice_area / 2;
+    });
+  }
+
+  void decimate()
+  {
+    Decimation decimation(loop_, problem_.point, mesh_);
+    for(;;) {
+      std::vector<int> round = decimation.round();
+      if(round.empty())
+        return;
+      rounds_.push_back(std::move(round));
+      const double done =
+        std::log(double(problem_.size()) / mesh_.number_of_vertices()) / std::log(problem_.size() / 4.);
+      if(!monitor_.advance(share_of_decimation * done))
+        give_up();
+    }
+  }
+
+  void embed_tetrahedron()
+  {
+    static const double c = 1 / std::sqrt(3.);
+    static const std::array<vec3, 4> regular = {vec3{c, c, c}, vec3{-c, -c, c}, vec3{-c, c, -c}, vec3{c, -c, -c}};
+    int v = 0;
+    while(mesh_.is_removed(v))
+      ++v;
+    const auto place = [&](int w, int k) {
+      map_.position[w] = regular[k];
+      map_.colour[w] = k;
+    };
+    place(v, 0);
+    // seen from outside, the neighbours of (c, c, c) are regular[3], [2], [1], counterclockwise
+    int k = 3;
+    mesh_.for_each_corner(v, [&](int corner) { place(mesh_.target(corner), k--); });
+  }
+
+  /// Undoes the collapses of a round. Those for whose vertex doubles have no position come last, after the others
+  /// have been relaxed, with all faces pulled towards the same shape and size.
+  void insert(std::vector<int> round)
+  {
+    constexpr int maximum_attempts = 20;
+    for(int attempt = 0; attempt < maximum_attempts; ++attempt) {
+      std::vector<int> failed = try_to_insert(round);
+      if(failed.empty())
+        return;
+      round = std::move(failed);
+      make_room();
+      advance_or_give_up();
+    }
+    throw Input_error(Error_code::NOT_BIJECTIVE, "no position in double precision was found for " +
+                                                   counted(round.size(), "vertex", "vertices") + "; repair the mesh");
+  }
+
+  /// Pulls all faces towards the same shape, then also towards the same size: angles first, since areas are too stiff
+  /// where a map is next to degenerate.
+  void make_room()
+  {
+    constexpr int sweeps = 3;
+    assign_level({1, 1});
+    for(double exponent : {0., 1.}) {
+      const Distortion distortion(exponent);
+      for(int s = 0; s < sweeps; ++s)
+        level_.relax(distortion);
+      relax_globally(distortion);
+    }
+    level_.store(map_);
+  }
+
+  std::vector<int> try_to_insert(const std::vector<int>& round)
+  {
+    const int n = static_cast<int>(round.size());
+    std::vector<char> is_inserted(n);
+    mesh_.undo_collapses(loop_, round);
+    const int size = mesh_.number_of_vertices();
+    const Metric_bounds bounds = {coarse_bounds.aspect, coarse_bounds.area * source_area_ / (2. * size - 4)};
+    for_each_of_level(loop_, 0, n, [&](int r) {
+      const int u = mesh_.vertex(round[r]), v = mesh_.target(round[r]);
+      Star star;
+      mesh_.for_each_corner(u, [&](int c) {
+        const int j = mesh_.target(c), k = mesh_.apex(c);
+        const Face_metric metric =
+          face_metric(sub(problem_.point[j], problem_.point[u]), sub(problem_.point[k], problem_.point[u]), bounds);
+        star.emplace_back(map_.position[j], map_.position[k], metric, level_.area_scale());
+      });
+      is_inserted[r] = insert_vertex(distortion_, star, map_.position[v], map_.position[u]);
+      map_.colour[u] = free_colour(u); // its neighbours are not of this round
+    });
+    std::vector<int> failed;
+    for(int r = n - 1; r >= 0; --r)
+      if(!is_inserted[r]) {
+        mesh_.collapse(round[r]);
+        failed.push_back(round[r]);
+      }
+    mesh_.count_collapses(static_cast<int>(failed.size()));
+    return failed;
+  }
+
+  /// The smallest colour that no neighbour of u has.
+  int free_colour(int u) const
+  {
+    int colour = 0;
+    while(mesh_.any_neighbour(u, [&](int w) { return map_.colour[w] == colour; }))
+      ++colour;
+    return colour;
+  }
+
+  void assign_level(const Metric_bounds& bounds) { level_.assign(mesh_, problem_.point, source_area_, bounds, map_); }
+
+  void relax_level()
+  {
+    constexpr int sweeps = 2, sweeps_of_regions = 3, rings = 2;
+    constexpr double bad_factor = 20; // times the mean distortion
+    constexpr double growth = 1.3;
+    assign_level(coarse_bounds);
+    for(int s = 0; s < sweeps; ++s)
+      level_.relax(distortion_);
+    if(level_.size() >= growth * last_newton_) {
+      last_newton_ = level_.size();
+      relax_globally(distortion_);
+    }
+    level_.relax_distorted(distortion_, bad_factor, rings, sweeps_of_regions);
+    level_.store(map_);
+  }
+
+  /// Newton's method on coarse meshes, where limbs find their places for little: the number of steps falls with the
+  /// size.
+  void relax_globally(const Distortion& distortion)
+  {
+    constexpr int maximum_size = 6000, maximum_steps = 100, maximum_work = 100000, maximum_iterations = 50;
+    if(level_.size() > maximum_size)
+      return;
+    Newton_relaxation newton(loop_, distortion, level_);
+    const int steps = (std::min)(maximum_steps, maximum_work / level_.size());
+    for(int s = 0; s < steps && newton.step(maximum_iterations, linear_tolerance) > least_gain; ++s) {
+      level_.relax(distortion);
+      advance_or_give_up();
+    }
+  }
+
+  /// The whole mesh, with its own shape. Exponents that are too stiff for an arbitrary start are approached from below.
+  void finish(Solver_report& report)
+  {
+    constexpr int sweeps = 5, maximum_iterations = 100;
+    constexpr std::size_t steps_per_exponent = 6;
+    constexpr double growth_of_exponent = 1.5;
+    assign_level(final_bounds);
+    for(int s = 0; s < sweeps && advance(); ++s)
+      level_.relax(distortion_);
+    const double accuracy = effort_.accuracy.value_or(Isometric::default_accuracy);
+    const auto descend = [&](std::size_t maximum_steps) {
+      Newton_relaxation newton(loop_, distortion_, level_);
+      for(std::size_t s = 0; s < maximum_steps && advance(); ++s) {
+        newton.step(maximum_iterations, linear_tolerance);
+        report.residual = newton.promised_gain();
+        ++report.iterations;
+        level_.relax(distortion_);
+        if(report.residual < accuracy)
+          return;
+      }
+    };
+    descend(effort_.number_of_iterations.value_or(Isometric::default_number_of_iterations));
+    while(exponent_ < method_.area_exponent) {
+      exponent_ = (std::min)(method_.area_exponent, growth_of_exponent * exponent_);
+      distortion_ = Distortion(exponent_);
+      descend(steps_per_exponent);
+    }
+    level_.store(map_);
+    report.energy = level_.energy(distortion_);
+    report.has_converged = !monitor_.is_interrupted();
+  }
+
+  /// Tells the user about the progress; returns whether to go on.
+  bool advance()
+  {
+    constexpr double share_of_last_level = 0.4;
+    const double done = double(mesh_.number_of_vertices()) / problem_.size();
+    return monitor_.advance(share_of_decimation + (1 - share_of_decimation - share_of_last_level) * done);
+  }
+
+  void advance_or_give_up()
+  {
+    if(!advance())
+      give_up();
+  }
+
+  [[noreturn]] void give_up() const
+  {
+    throw Input_error(Error_code::INTERRUPTED, monitor_.reason() + " before there was a map");
+  }
+
+  static constexpr double share_of_decimation = 0.15;
+
+  const Host_loop& loop_;
+  Isometric method_;
+  double exponent_; ///< of the area, at the moment
+  Distortion distortion_;
+  const Problem& problem_;
+  Effort effort_;
+  Monitor& monitor_;
+  double source_area_;
+  Progressive_mesh mesh_;
+  Map_level level_;
+  Partial_map map_;
+  std::vector<std::vector<int>> rounds_; ///< the collapsed half-edges of every round
+  double last_newton_ = 0;
+};
 
 /// Throws the Error if there is no map whose edges are geodesic: these are determined by their ends.
 inline void check_simplicial(const Weighted_graph& graph)
@@ -25,24 +294,20 @@ inline void check_simplicial(const Weighted_graph& graph)
         throw Input_error(Error_code::NOT_BIJECTIVE, std::string(problem) + "two edges of the mesh have the same ends");
 }
 
-template <class Backend>
-Solution Method_solver<Isometric>::solve(const Backend& backend, const Problem& problem, const Effort& effort,
-                                         Monitor& monitor) const
+CGAL_SP_CORE Solution solve_isometric(const Host_loop& loop, const Isometric& method, const Problem& problem,
+                                      const Effort& effort, Monitor& monitor)
 {
   if(problem.has_fixed())
     throw Input_error(Error_code::BAD_CONSTRAINTS, "the isometric method cannot keep vertices fixed");
   check_simplicial(*problem.graph);
   const Stopwatch watch;
   Solution solution;
-  typedef Coarse_to_fine_map<typename Backend::Host_loop> Map;
-  solution.position = Map(backend.host_loop(), method_, problem, effort, monitor).run(solution.report);
+  solution.position = Coarse_to_fine_map(loop, method, problem, effort, monitor).run(solution.report);
   solution.seconds.solve = watch.seconds();
 
   const Stopwatch certify_watch;
-  if(problem.as_stored)
-    for(vec3& p : solution.position)
-      p = problem.as_stored(p);
-  solution.certificate = certify(backend.host_loop(), problem.face, solution.position);
+  make_storable(loop, problem, false, solution.position);
+  solution.certificate = certify(loop, problem.face, solution.position);
   solution.seconds.certify = certify_watch.seconds();
   return solution;
 }

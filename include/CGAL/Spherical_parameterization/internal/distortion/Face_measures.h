@@ -9,16 +9,59 @@
 #include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/distortion/Mapped_faces.h>
-#include <CGAL/Spherical_parameterization/internal/distortion/face_distortion.h>
+#include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
-#include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
+
+inline double flat_area(const std::array<vec3, 3>& p) { return norm(outer(sub(p[1], p[0]), sub(p[2], p[0]))) / 2; }
+
+/// Half of det(a, b, c): the area of the flat triangle times the distance of its plane from the origin, with sign.
+inline double half_determinant(const std::array<vec3, 3>& v) { return Determinant(v[0], v[1], v[2]).value / 2; }
+
+inline double angle(vec3 u, vec3 w) { return std::atan2(norm(outer(u, w)), inner(u, w)); }
+
+/// Mean over the corners of |angle on the sphere - angle in the source|, in radians.
+inline double angle_distortion(const std::array<vec3, 3>& p, const std::array<vec3, 3>& v)
+{
+  double sum = 0;
+  for(int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    const double between_great_circles = angle(tangent(sub(v[j], v[i]), v[i]), tangent(sub(v[k], v[i]), v[i]));
+    sum += std::abs(between_great_circles - angle(sub(p[j], p[i]), sub(p[k], p[i])));
+  }
+  return sum / 3;
+}
+
+/// sigma_1^2 + sigma_2^2 of the affine map from one flat triangle to another: its Dirichlet energy by the cotangent
+/// formula, over the area. Infinite if the source triangle has no area.
+inline double squared_singular_values(const std::array<vec3, 3>& p, const std::array<vec3, 3>& v)
+{
+  const double area = flat_area(p);
+  if(!(area > 0))
+    return std::numeric_limits<double>::infinity();
+  double sum = 0;
+  for(int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    const vec3 opposite = sub(v[k], v[j]);
+    sum += inner(sub(p[j], p[i]), sub(p[k], p[i])) * inner(opposite, opposite);
+  }
+  return (std::max)(0., sum / (4 * area * area));
+}
+
+/// sigma_1 / sigma_2 >= 1, from (sigma_1^2 + sigma_2^2) / (sigma_1 sigma_2).
+inline double ratio_of_singular_values(double squared_sum, double product)
+{
+  if(!(product > 0) || !std::isfinite(squared_sum))
+    return std::numeric_limits<double>::infinity();
+  const double half = (std::max)(1., squared_sum / product / 2);
+  return half + std::sqrt((half - 1) * (half + 1));
+}
 
 /// All that is measured about single faces of a map. The source mesh is scaled to a unit box, so that meshes of any
 /// size and place have areas; limbs have areas down to 1e-150 on the sphere, below which everything counts as 1e-300.
@@ -58,41 +101,38 @@ public:
   /// Share of the source area over the share of the sphere, as a logarithm: positive where the map shrinks.
   double log_area_stretch(int f) const
   {
-    const auto v = faces_.on_sphere(f);
-    return log_of_share(source_area(f) / source_total_) -
-           log_of_share(spherical_area(v[0], v[1], v[2]) / (4 * std::acos(-1.)));
+    const auto [a, b, c] = faces_.on_sphere(f);
+    return log_of_share(source_area(f) / source_total_) - log_of_share(spherical_area(a, b, c) / (4 * std::acos(-1.)));
   }
 
   double angle_distortion(int f) const { return internal::angle_distortion(faces_.in_source(f), faces_.on_sphere(f)); }
 
   double dilatation(int f) const
   {
-    const auto p = faces_.in_source(f), v = faces_.on_sphere(f);
-    return ratio_of_singular_values(squared_singular_values(p, v), flat_area(v) / source_area(f));
+    const auto v = faces_.on_sphere(f);
+    return ratio_of_singular_values(squared_singular_values(faces_.in_source(f), v), flat_area(v) / source_area(f));
   }
 
   /// sigma_1^2 + sigma_2^2 + sigma_1^-2 + sigma_2^-2 between flat triangles.
   double flat_symmetric_dirichlet(int f) const
   {
-    const auto p = faces_.in_source(f), v = faces_.on_sphere(f);
-    return symmetric_dirichlet(squared_singular_values(p, v), flat_area(v) / source_area(f), flat_total_);
+    return symmetric_dirichlet(f, flat_area(faces_.on_sphere(f)), flat_total_);
   }
 
   /// The same with det(a, b, c) / 2 in place of the area of the flat triangle abc.
   double spherical_symmetric_dirichlet(int f) const
   {
-    const auto p = faces_.in_source(f), v = faces_.on_sphere(f);
-    return symmetric_dirichlet(squared_singular_values(p, v), half_determinant(v) / source_area(f), determinant_total_);
+    return symmetric_dirichlet(f, half_determinant(faces_.on_sphere(f)), determinant_total_);
   }
 
-  /// The values of a measure by face.
-  template <class Loop, class Measure>
-  Host_array<double> values(const Loop& loop, Measure measure) const
+  /// The values of a measure, one of the functions above, by face.
+  template <class Loop>
+  Host_array<double> values(const Loop& loop, double (Face_measures::*measure)(int) const) const
   {
     Host_array<double> result(faces_.face.size());
     for_each_part(loop, number_of_faces(), [&](int begin, int end) {
       for(int f = begin; f < end; ++f)
-        result[f] = measure(*this, f);
+        result[f] = (this->*measure)(f);
     });
     return result;
   }
@@ -103,8 +143,10 @@ private:
 
   /// With Q = sigma_1 / sigma_2 and d = sigma_1 sigma_2 the energy is (Q + 1/Q)(d + 1/d), after both surfaces have been
   /// scaled to equal area.
-  double symmetric_dirichlet(double squared_sum, double product, double total) const
+  double symmetric_dirichlet(int f, double image_area, double total) const
   {
+    const double squared_sum = squared_singular_values(faces_.in_source(f), faces_.on_sphere(f));
+    const double product = image_area / source_area(f);
     if(!(product > 0) || !std::isfinite(squared_sum))
       return std::numeric_limits<double>::infinity();
     const double stretch = product * (source_total_ / total);

@@ -4,7 +4,6 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DISTORTION_MAPPED_FACES_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DISTORTION_MAPPED_FACES_H
 
-#include <CGAL/Spherical_parameterization/internal/base/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Vertex_numbering.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/corner_table_of.h>
@@ -45,7 +44,7 @@ Host_array<vec3> read_vectors(const TriangleMesh& mesh, VertexMap map)
 template <class TriangleMesh, class VertexSphereMap, class Loop>
 Mapped_faces read_images(const TriangleMesh& mesh, VertexSphereMap sphere_map, const Loop& loop)
 {
-  const Vertex_numbering<TriangleMesh> numbering(mesh);
+  const Vertex_numbering<TriangleMesh> numbering(vertices(mesh));
   return {corners_of_faces(mesh, numbering, loop), {}, read_vectors(mesh, sphere_map)};
 }
 

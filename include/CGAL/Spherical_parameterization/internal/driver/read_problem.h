@@ -4,18 +4,30 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DRIVER_READ_PROBLEM_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DRIVER_READ_PROBLEM_H
 
+#include <CGAL/Spherical_parameterization/Error.h>
+#include <CGAL/Spherical_parameterization/Result.h>
+#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
 #include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
+#include <CGAL/Spherical_parameterization/internal/base/text.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Source_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/point_coordinates.h>
+#include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 #include <CGAL/Spherical_parameterization/internal/problem/Method_solver.h>
 #include <CGAL/Spherical_parameterization/internal/problem/Problem.h>
-#include <CGAL/Spherical_parameterization/internal/problem/fixed_vertices.h>
+#include <CGAL/Spherical_parameterization/internal/problem/Solution.h>
 
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <limits>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -65,20 +77,59 @@ constexpr bool are_positions_rounded()
   return Limits::is_specialized && Limits::radix == 2 && Limits::digits < std::numeric_limits<double>::digits;
 }
 
-/// Weights as far as the method needs them; returns why there are none although it could use them.
-template <class Read_weights>
-std::string read_weights(Weights use, Read_weights read)
+/// Marks the constrained vertices; empty if there are none. One or two would leave a boost free, along which the map
+/// collapses.
+template <class Vertex, class ConstrainedMap>
+std::vector<char> fixed_vertices(const std::vector<Vertex>& vertices, ConstrainedMap is_constrained)
 {
-  if(use == Weights::UNUSED)
+  std::vector<char> is_fixed;
+  for(const Vertex& v : vertices)
+    is_fixed.push_back(get(is_constrained, v) ? 1 : 0);
+  const auto count = std::count(is_fixed.begin(), is_fixed.end(), 1);
+  if(count == 0)
     return {};
-  try {
-    read();
-  } catch(const Input_error& error) {
-    if(use == Weights::NEEDED || error.code() != Error_code::DEGENERATE_FACE)
-      throw;
-    return error.detail();
-  }
-  return {};
+  if(count < 3)
+    throw Input_error(Error_code::BAD_CONSTRAINTS,
+                      "only " + counted(count, "vertex is", "vertices are") + " fixed; fix three or more, or none");
+  return is_fixed;
+}
+
+/// The directions that the sphere map holds at the fixed vertices, or at all of them; others are left zero. Vectors of
+/// length 1 up to rounding are kept to the last bit. Throws Error.
+template <class Vertex, class VertexSphereMap>
+Host_array<vec3> given_positions(const std::vector<Vertex>& vertices, const Host_array<int>& position,
+                                 VertexSphereMap sphere_map, const std::vector<char>& is_fixed, bool all,
+                                 double rounding)
+{
+  typedef typename boost::property_traits<VertexSphereMap>::category Category;
+  if constexpr(std::is_convertible_v<Category, boost::readable_property_map_tag>) {
+    Host_array<vec3> given(vertices.size(), vec3{0, 0, 0});
+    std::vector<std::pair<std::array<double, 3>, int>> fixed;
+    for(std::size_t i = 0; i < vertices.size(); ++i) {
+      const bool is_fixed_vertex = !is_fixed.empty() && is_fixed[i];
+      if(!all && !is_fixed_vertex)
+        continue;
+      vec3 p = coordinates(get(sphere_map, vertices[i]));
+      const vec3 box = scaled_to_unit_box(p);
+      if(!is_finite(p) || inner(box, box) == 0)
+        throw Input_error(Error_code::BAD_CONSTRAINTS,
+                          "the position given for vertex " + std::to_string(position[i]) + " is not a direction");
+      if(!(std::abs(inner(p, p) - 1) <= rounding))
+        p = unit(box);
+      given[i] = p;
+      if(is_fixed_vertex)
+        fixed.push_back({{p.x, p.y, p.z}, position[i]});
+    }
+    std::sort(fixed.begin(), fixed.end());
+    const auto same =
+      std::adjacent_find(fixed.begin(), fixed.end(), [](const auto& a, const auto& b) { return a.first == b.first; });
+    if(same != fixed.end())
+      throw Input_error(Error_code::BAD_CONSTRAINTS, "the fixed vertices " + std::to_string(same->second) + " and " +
+                                                       std::to_string(same[1].second) + " are at the same position");
+    return given;
+  } else
+    throw Input_error(Error_code::BAD_CONSTRAINTS,
+                      "the sphere map is not readable, and holds no positions to start from");
 }
 
 /// Reads mesh and property maps, each once, and checks them. Sets the sizes of `result`. Throws Error. Numbers that
@@ -91,13 +142,19 @@ read_problem(const TriangleMesh& mesh, const Solver& solver, VertexSphereMap sph
   const auto points = inputs.points();
   typedef typename boost::property_traits<std::decay_t<decltype(points)>>::value_type Point;
   typedef typename boost::property_traits<VertexSphereMap>::value_type Sphere_point;
-  const std::conditional_t<are_plain_coordinates<Point>(), typename Loop_of<ExecutionPolicy>::type, Sequential_loop>
-    loop;
+  const Host_loop loop = are_plain_coordinates<Point>() ? loop_of<ExecutionPolicy>() : Host_loop();
   Source_mesh<TriangleMesh> source(mesh, points, loop);
   result.number_of_vertices = source.vertex.size();
   result.number_of_faces = source.face.size();
   Problem problem;
-  problem.missing_weights = read_weights(solver.weights(), [&] { source.set_weights(mesh, inputs.weights(), loop); });
+  if(solver.weights() != Weights::UNUSED)
+    try {
+      source.set_weights(mesh, inputs.weights(), loop);
+    } catch(const Input_error& error) {
+      if(solver.weights() == Weights::NEEDED || error.code() != Error_code::DEGENERATE_FACE)
+        throw;
+      problem.missing_weights = error.detail();
+    }
   problem.is_fixed = fixed_vertices(source.vertex, inputs.constraints());
   const bool needs_start = solver.needs_given_start();
   if(problem.has_fixed() || needs_start)
@@ -115,6 +172,19 @@ read_problem(const TriangleMesh& mesh, const Solver& solver, VertexSphereMap sph
   if(are_positions_rounded<Sphere_point>())
     problem.as_stored = position_as_stored<Sphere_point>;
   return {std::move(source.vertex), std::move(problem)};
+}
+
+/// Writes the positions, which are certified as the map stores them, and says what was done.
+template <class Vertex, class VertexSphereMap>
+void write_solution(const Solution& solution, const std::vector<Vertex>& vertex, VertexSphereMap sphere_map,
+                    Result& result)
+{
+  typedef typename boost::property_traits<VertexSphereMap>::value_type Sphere_point;
+  const Stopwatch watch;
+  for(std::size_t i = 0; i < solution.position.size(); ++i)
+    put(sphere_map, vertex[i], stored_point<Sphere_point>(solution.position[i]));
+  describe(solution, result);
+  result.seconds.certify += watch.seconds();
 }
 
 } // namespace CGAL::Spherical_parameterization::internal

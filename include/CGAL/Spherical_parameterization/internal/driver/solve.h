@@ -9,8 +9,8 @@
 #include <CGAL/Spherical_parameterization/internal/base/compiled.h>
 #include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/solve_isometric.h>
-#include <CGAL/Spherical_parameterization/internal/driver/solve_automatic.h>
 #include <CGAL/Spherical_parameterization/internal/harmonic/solve_balanced.h>
+#include <CGAL/Spherical_parameterization/internal/problem/Method_solver.h>
 #include <CGAL/Spherical_parameterization/internal/problem/Problem.h>
 #include <CGAL/Spherical_parameterization/internal/problem/Solution.h>
 #include <CGAL/Spherical_parameterization/internal/saddle_point/solve_saddle_point.h>
@@ -18,7 +18,31 @@
 
 #include <CGAL/tags.h>
 
+#include <string>
+
 namespace CGAL::Spherical_parameterization::internal {
+
+/// The first valid solution of several methods, else the best one.
+template <>
+class Method_solver<Automatic> {
+public:
+  explicit Method_solver(const Automatic& method) : method_(method)
+  {
+    const Method_solver<Balanced> first(Balanced{method.spring_exponent});
+    const Method_solver<Balanced> second(Balanced{method.larger_spring_exponent});
+    const Method_solver<Isometric> third(Isometric{method.area_exponent});
+  }
+
+  static Weights weights() { return Weights::IF_AVAILABLE; }
+  bool needs_given_start() const { return false; }
+  std::string name() const { return Method_solver<Balanced>(Balanced{method_.spring_exponent}).name(); }
+
+  template <class Backend>
+  Solution solve(const Backend& backend, const Problem& problem, const Effort& effort, Monitor& monitor) const;
+
+private:
+  Automatic method_;
+};
 
 /// Solves a problem where the policy says.
 template <class Host_loop, class ExecutionPolicy, class Method>
@@ -26,10 +50,10 @@ Solution solve(const ExecutionPolicy& policy, const Method& method, const Proble
 
 /// What the compiled library has of a policy, after the word `template` or `extern template`.
 #define CGAL_SP_FOR_EACH_METHOD(PREFIX, POLICY)                                                                        \
-  PREFIX Solution solve<Default_loop>(const POLICY&, const Balanced&, const Problem&, Monitor&);                       \
-  PREFIX Solution solve<Default_loop>(const POLICY&, const Saddle_point&, const Problem&, Monitor&);                   \
-  PREFIX Solution solve<Default_loop>(const POLICY&, const Isometric&, const Problem&, Monitor&);                      \
-  PREFIX Solution solve<Default_loop>(const POLICY&, const Automatic&, const Problem&, Monitor&);
+  PREFIX Solution solve<Host_loop>(const POLICY&, const Balanced&, const Problem&, Monitor&);                          \
+  PREFIX Solution solve<Host_loop>(const POLICY&, const Saddle_point&, const Problem&, Monitor&);                      \
+  PREFIX Solution solve<Host_loop>(const POLICY&, const Isometric&, const Problem&, Monitor&);                         \
+  PREFIX Solution solve<Host_loop>(const POLICY&, const Automatic&, const Problem&, Monitor&);
 
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_COMPILED
 CGAL_SP_FOR_EACH_METHOD(extern template, CGAL::Sequential_tag)

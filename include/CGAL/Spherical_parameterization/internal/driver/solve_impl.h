@@ -5,12 +5,101 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DRIVER_SOLVE_IMPL_H
 
 #include <CGAL/Spherical_parameterization/internal/backend/Host_backend.h>
-#include <CGAL/Spherical_parameterization/internal/driver/attempt.h>
 #include <CGAL/Spherical_parameterization/internal/driver/solve.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
+
+/// Runs a method, and says how it went: an Error becomes a solution without a map. All seconds are accounted for.
+template <class Backend, class Method>
+Solution attempt(const Backend& backend, const Method_solver<Method>& solver, const Problem& problem,
+                 const Effort& effort, Monitor& monitor)
+{
+  const Stopwatch watch;
+  Solution solution;
+  try {
+    solution = solver.solve(backend, problem, effort, monitor);
+  } catch(const Input_error& error) {
+    solution.error = error.code();
+    solution.detail = error.detail();
+    solution.seconds.solve = watch.seconds();
+  }
+  if(solution.has_map() && solution.attempts.empty())
+    pass_verdict(problem, monitor, solution);
+  if(solution.method.empty())
+    solution.method = solver.name();
+  solution.seconds.total = watch.seconds();
+  if(solution.attempts.empty())
+    solution.attempts.push_back({solution.method, solution.error, solution.detail, solution.seconds});
+  return solution;
+}
+
+/// What was wrong with the attempts before the one by `method`.
+inline std::string fallback_reason(const Problem& problem, const std::vector<Result::Attempt>& attempts,
+                                   const std::string& method)
+{
+  std::string reason = problem.missing_weights;
+  for(std::size_t k = 0; k < attempts.size() && attempts[k].method != method; ++k)
+    reason += (reason.empty() ? "" : "; ") + attempts[k].method + ": " + attempts[k].detail;
+  return reason;
+}
+
+template <class Backend>
+Solution Method_solver<Automatic>::solve(const Backend& backend, const Problem& problem, const Effort& effort,
+                                         Monitor& monitor) const
+{
+  constexpr std::size_t patience = 100; // where the larger exponent helps, it does so soon
+  Solution best;
+  std::vector<Result::Attempt> attempts;
+  Result::Seconds seconds;
+  // What is not covered once is worst; then flipped faces count.
+  const auto badness = [](const Solution& s) {
+    return std::make_pair(s.certificate.degree != 1, s.certificate.flipped_faces);
+  };
+  // Nobody knows how many methods will be needed: each takes half of the progress that is left, the last one the rest.
+  const auto try_method = [&](const auto& solver, const Effort& its_effort, double begin, double end) {
+    monitor.begin_stage(begin, end);
+    Solution solution = attempt(backend, solver, problem, its_effort, monitor);
+    attempts.insert(attempts.end(), solution.attempts.begin(), solution.attempts.end());
+    seconds.start_map += solution.seconds.start_map;
+    seconds.solve += solution.seconds.solve;
+    seconds.certify += solution.seconds.certify;
+    const bool is_valid = solution.error == Error_code::OK;
+    if(is_valid || !best.has_map() || (solution.has_map() && badness(solution) < badness(best)))
+      best = std::move(solution);
+    return is_valid || monitor.is_interrupted();
+  };
+  const auto run = [&] {
+    if(problem.missing_weights.empty()) {
+      if(try_method(Method_solver<Balanced>(Balanced{method_.spring_exponent}), effort, 0, 0.5))
+        return;
+      if(method_.larger_spring_exponent > method_.spring_exponent) {
+        Effort limited = effort;
+        limited.number_of_iterations = (std::min)(effort.number_of_iterations.value_or(patience), patience);
+        if(try_method(Method_solver<Balanced>(Balanced{method_.larger_spring_exponent}), limited, 0.5, 0.75))
+          return;
+      }
+    } else if(problem.has_fixed())
+      throw Input_error(Error_code::DEGENERATE_FACE, problem.missing_weights);
+    if(!problem.has_fixed()) // which the isometric method cannot keep; accuracy and iterations are those of the springs
+      try_method(Method_solver<Isometric>(Isometric{method_.area_exponent}), Effort(), best.has_map() ? 0.75 : 0, 1);
+  };
+  run();
+  if(best.error != Error_code::OK && best.error != Error_code::INTERRUPTED && monitor.is_interrupted()) {
+    best.error = Error_code::INTERRUPTED;
+    best.detail =
+      monitor.reason() + (best.has_map() ? "; the best map so far: " + best.detail : " before there was a map");
+  }
+  best.attempts = std::move(attempts);
+  best.seconds = seconds;
+  best.fallback_reason = fallback_reason(problem, best.attempts, best.method);
+  return best;
+}
 
 template <class Host_loop, class ExecutionPolicy, class Method>
 Solution solve(const ExecutionPolicy& policy, const Method& method, const Problem& problem, Monitor& monitor)

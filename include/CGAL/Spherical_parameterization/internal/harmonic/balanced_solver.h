@@ -7,12 +7,13 @@
 #include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
 #include <CGAL/Spherical_parameterization/internal/multigrid/Multigrid.h>
 #include <CGAL/Spherical_parameterization/internal/problem/Solution.h>
-#include <CGAL/Spherical_parameterization/internal/harmonic/moebius_balance.h>
+#include <CGAL/Spherical_parameterization/internal/harmonic/moebius.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -60,18 +61,11 @@ public:
       mass_(mass)
   {}
 
-  /// Descends from v, unit vectors that need not be balanced.
-  Solver_report solve(const Descent_options& options, Monitor& monitor, Vectors& v) const
-  {
-    return solve(
-      options, monitor, {}, [](Vectors&) {}, v);
-  }
-
-  /// The same, calling `refer(v)` when the residual has fallen to the next of `references`, which fall, too. It may
-  /// move v a little along a Moebius transformation, and change the masses.
-  template <class Refer>
-  Solver_report solve(const Descent_options& options, Monitor& monitor, const std::vector<double>& references,
-                      Refer refer, Vectors& v) const
+  /// Descends from v, unit vectors that need not be balanced. Calls `refer(v)` when the residual has fallen to the next
+  /// of `references`, which fall, too. It may move v a little along a Moebius transformation, and change the masses.
+  Solver_report solve(const Descent_options& options, Monitor& monitor, Vectors& v,
+                      const std::vector<double>& references = {},
+                      const std::function<void(Vectors&)>& refer = nullptr) const
   {
     constexpr double longest_step = 0.25;      // root mean square over the sphere of the angles by which vertices move
     constexpr double progress = 0.8;           // at the limit of rounding the residual falls no more
@@ -83,7 +77,7 @@ public:
     Scalars density = backend_.scalars(n);
     Solver_report report;
 
-    Moments moments;
+    Moments moments{};
     std::array<double, 4> sums;
     const auto begin = [&] {
       moments = backend_.moments(mass_, v);

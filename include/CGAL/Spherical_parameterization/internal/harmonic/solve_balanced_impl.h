@@ -164,67 +164,58 @@ bool solve_stiffening(const Backend& backend, const Problem& problem, double exp
   return is_certified;
 }
 
-/// With fixed vertices: nothing is balanced, since nothing is free. Returns whether the certificate is that of v.
-template <class Backend>
-bool solve_fixed(const Backend& backend, const Problem& problem, double accuracy, std::size_t maximum_iterations,
-                 Monitor& monitor, typename Backend::Vectors& v, Solution& solution)
-{
-  const Stopwatch watch;
-  const Host_array<vec3> positions = start_positions(backend, problem, monitor, solution.report.start_iterations);
-  Multigrid<Backend> multigrid(backend, with_fixed_vertices(backend.host_loop(), problem));
-  typename Backend::Scalars mass = backend.scalars(problem.size());
-  solution.seconds.start_map = watch.seconds();
-
-  const auto start = [&](typename Backend::Vectors& x) {
-    x = backend.upload(positions);
-    backend.spring_masses(multigrid.matrix(0), x, mass);
-  };
-  const auto descend = [&](const Descent_options& options, typename Backend::Vectors& x) {
-    Balanced_solver<Backend> solver(backend, multigrid.matrix(0), multigrid, 0, 2, Gauge::FIXED, mass);
-    return solver.solve(options, monitor, x);
-  };
-  // The residual of eq. (2) is that of the descent times D_i / |sum w_ij v_j|: 1 on fine meshes, up to 3 on coarse
-  // ones.
-  const bool is_certified =
-    solve_until_valid(backend, problem, start, descend, accuracy / 3, maximum_iterations, monitor, v, solution);
-  solution.report.residual = std::sqrt(backend.barycentric_residual2(multigrid.matrix(0), v));
-  solution.report.has_converged = solution.report.residual <= accuracy;
-  return is_certified;
-}
-
-/// Without fixed vertices, exponent 2: the balanced critical point. Returns whether the certificate is that of v.
+/// Exponent 2: the balanced critical point or, with fixed vertices, the harmonic map, of which nothing is free to be
+/// balanced. Returns whether the certificate is that of v.
 ///
 /// The masses of the balance are the spring densities of a reference map, the solution itself to 1e-4, with the
 /// centroid of the source area at the centre. (On a conformal map the density of energy is that of area.) The reference
 /// is taken early and renewed, so that it is a small change each time, and the descent goes on as if nothing had
 /// happened.
 template <class Backend>
-bool solve_balanced(const Backend& backend, const Problem& problem, double accuracy, std::size_t maximum_iterations,
+bool solve_harmonic(const Backend& backend, const Problem& problem, double accuracy, std::size_t maximum_iterations,
                     Monitor& monitor, typename Backend::Vectors& v, Solution& solution)
 {
   const Stopwatch watch;
-  Multigrid<Backend> multigrid(backend, problem.graph);
+  const bool is_free = !problem.has_fixed();
+  Host_array<vec3> positions;
+  if(!is_free)
+    positions = start_positions(backend, problem, monitor, solution.report.start_iterations);
+  Multigrid<Backend> multigrid(backend, with_fixed_vertices(backend.host_loop(), problem));
+  const typename Backend::Matrix& matrix = multigrid.matrix(0);
   const typename Backend::Scalars area = backend.upload(problem.area);
   typename Backend::Scalars mass = backend.scalars(problem.size());
   const auto refer_to = [&](typename Backend::Vectors& x) {
-    centre(backend, area, x, multigrid.scratch(0));
-    backend.spring_masses(multigrid.matrix(0), x, mass);
+    if(is_free)
+      centre(backend, area, x, multigrid.scratch(0));
+    backend.spring_masses(matrix, x, mass);
   };
-  Balanced_solver<Backend> solver(backend, multigrid.matrix(0), multigrid, 0, 2, Gauge::BALANCED, mass);
+  const Gauge gauge = is_free ? Gauge::BALANCED : Gauge::FIXED;
+  Balanced_solver<Backend> solver(backend, matrix, multigrid, 0, 2, gauge, mass);
   solution.seconds.start_map = watch.seconds();
 
   std::vector<double> references;
   const auto start = [&](typename Backend::Vectors& x) {
     const Stopwatch start_watch;
-    x = start_map(backend, multigrid, problem, monitor, solution.report.start_iterations);
+    x = is_free ? start_map(backend, multigrid, problem, monitor, solution.report.start_iterations)
+                : backend.upload(positions);
     refer_to(x);
-    references = {1e-2, 1e-4};
+    if(is_free)
+      references = {1e-2, 1e-4};
     solution.seconds.start_map += start_watch.seconds();
   };
   const auto descend = [&](const Descent_options& options, typename Backend::Vectors& x) {
-    return solver.solve(options, monitor, std::exchange(references, {}), refer_to, x);
+    return solver.solve(options, monitor, x, std::exchange(references, {}), refer_to);
   };
-  return solve_until_valid(backend, problem, start, descend, accuracy, maximum_iterations, monitor, v, solution);
+  // The residual of eq. (2) is that of the descent times D_i / |sum w_ij v_j|: 1 on fine meshes, up to 3 on coarse
+  // ones.
+  const double goal = is_free ? accuracy : accuracy / 3;
+  const bool is_certified =
+    solve_until_valid(backend, problem, start, descend, goal, maximum_iterations, monitor, v, solution);
+  if(!is_free) {
+    solution.report.residual = std::sqrt(backend.barycentric_residual2(matrix, v));
+    solution.report.has_converged = solution.report.residual <= accuracy;
+  }
+  return is_certified;
 }
 
 template <class Backend>
@@ -236,14 +227,10 @@ Solution Method_solver<Balanced>::solve(const Backend& backend, const Problem& p
   const Stopwatch watch;
   Solution solution;
   typename Backend::Vectors v;
-  bool is_certified;
-  if(method_.spring_exponent != 2)
-    is_certified =
-      solve_stiffening(backend, problem, method_.spring_exponent, accuracy, maximum_iterations, monitor, v, solution);
-  else if(problem.has_fixed())
-    is_certified = solve_fixed(backend, problem, accuracy, maximum_iterations, monitor, v, solution);
-  else
-    is_certified = solve_balanced(backend, problem, accuracy, maximum_iterations, monitor, v, solution);
+  const bool is_certified =
+    method_.spring_exponent == 2
+      ? solve_harmonic(backend, problem, accuracy, maximum_iterations, monitor, v, solution)
+      : solve_stiffening(backend, problem, method_.spring_exponent, accuracy, maximum_iterations, monitor, v, solution);
   solution.report.energy *= problem.weight_unit;
   solution.seconds.solve = watch.seconds() - solution.seconds.start_map - solution.seconds.certify;
   finish(backend, problem, std::move(v), is_certified, solution);

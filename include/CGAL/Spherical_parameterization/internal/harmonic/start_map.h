@@ -8,9 +8,7 @@
 #include <CGAL/Spherical_parameterization/internal/problem/Method_solver.h>
 #include <CGAL/Spherical_parameterization/internal/multigrid/Multigrid.h>
 #include <CGAL/Spherical_parameterization/internal/harmonic/balanced_solver.h>
-#include <CGAL/Spherical_parameterization/internal/multigrid/conjugate_gradients.h>
-#include <CGAL/Spherical_parameterization/internal/harmonic/moebius_alignment.h>
-#include <CGAL/Spherical_parameterization/internal/harmonic/moebius_balance.h>
+#include <CGAL/Spherical_parameterization/internal/harmonic/moebius.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/certificate.h>
 
 #include <algorithm>

@@ -23,9 +23,7 @@ inline std::size_t untangle(const Host_array<std::array<int, 3>>& face, Host_arr
   constexpr int maximum_rings = 40, sweeps_per_ring = 300;
   constexpr double largest_share = 0.7; // of the faces; a map with more is another map
   const int n = static_cast<int>(v.size()), number_of_faces = static_cast<int>(face.size());
-  const auto is_flipped = [&](int f) {
-    return !is_positively_oriented(v[face[f][0]], v[face[f][1]], v[face[f][2]]);
-  };
+  const auto is_flipped = [&](int f) { return !is_positively_oriented(v[face[f][0]], v[face[f][1]], v[face[f][2]]); };
   std::vector<int> flipped;
   for(int f = 0; f < number_of_faces; ++f)
     if(is_flipped(f))
@@ -90,7 +88,8 @@ inline std::size_t untangle(const Host_array<std::array<int, 3>>& face, Host_arr
 }
 
 /// Newton steps of the conformal energy
-inline std::size_t polish(const Host_array<std::array<int, 3>>& face, const Host_array<vec3>& point, double bound, int sweeps, Host_array<vec3>& v)
+inline std::size_t polish(const Host_array<std::array<int, 3>>& face, const Host_array<vec3>& point, double bound,
+                          int sweeps, Host_array<vec3>& v)
 {
   const int n = static_cast<int>(v.size()), number_of_faces = static_cast<int>(face.size());
   Host_array<int> offset(n + 1, 0), star(3 * face.size()); // the faces round every vertex
@@ -107,17 +106,20 @@ inline std::size_t polish(const Host_array<std::array<int, 3>>& face, const Host
   const Metric_bounds bounds = {1e6, 1e-30};
   std::vector<char> is_free(n, 0);
   std::vector<int> free_vertices;
-  const auto face_at=[&](int f, int c) {
-        const int i = face[f][c], a = face[f][(c + 1) % 3], b = face[f][(c + 2) % 3];
-        const Face_metric m = face_metric(sub(point[a], point[i]), sub(point[b], point[i]), bounds);
-        return Star_face{v[a], v[b], m.cotangent[0], m.cotangent[1], m.cotangent[2], m.twice_area};
+  const auto face_at = [&](int f, int c) {
+    const int i = face[f][c], a = face[f][(c + 1) % 3], b = face[f][(c + 2) % 3];
+    const Face_metric m = face_metric(sub(point[a], point[i]), sub(point[b], point[i]), bounds);
+    return Star_face{v[a], v[b], m.cotangent[0], m.cotangent[1], m.cotangent[2], m.twice_area};
   };
   for(int f = 0; f < number_of_faces; ++f) {
     const Star_face s = face_at(f, 0);
     const vec3 x = v[face[f][0]];
     if(s.dirichlet(x) > bound * s.determinant(x))
       for(int i : face[f])
-        if(!is_free[i]) { is_free[i] = 1; free_vertices.push_back(i); }
+        if(!is_free[i]) {
+          is_free[i] = 1;
+          free_vertices.push_back(i);
+        }
   }
   for(int sweep = 0; sweep < sweeps; ++sweep)
     for(int i : free_vertices) {

@@ -6,6 +6,7 @@
 
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
+#include <CGAL/Spherical_parameterization/internal/base/vec3.h>
 
 #include <algorithm>
 #include <array>
@@ -13,8 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL::Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// The connectivity of a closed oriented triangle mesh. Number 3 f + k stands for corner k of face f, and for the
 /// halfedge from there to the next corner of the face.
@@ -30,10 +30,23 @@ struct Corner_table {
   static int previous(int h) { return h % 3 == 0 ? h + 2 : h - 1; }
 };
 
-/// An edge that has not two faces of the same orientation.
+/// Normal of a face, as long as twice its area.
+inline vec3 normal(const Host_array<vec3>& points, const std::array<int, 3>& f)
+{
+  return outer(sub(points[f[1]], points[f[0]]), sub(points[f[2]], points[f[0]]));
+}
+
+/// Edges that have not two faces of the same orientation.
 struct Edge_trouble {
   std::size_t count = 0;
   std::pair<int, int> first; ///< the ends of the first one
+
+  void add(const Edge_trouble& others)
+  {
+    if(count == 0)
+      first = others.first;
+    count += others.count;
+  }
 };
 
 /// What matching halfedges has found.
@@ -49,9 +62,8 @@ struct Edge_troubles {
 /// its origin, or -1 where there is not exactly one.
 ///
 /// Halfedges are grouped by their smaller end (counting sort), and sorted within the groups: O(n) for bounded degrees.
-template <class Loop>
-Edge_troubles match_halfedges(const Loop& loop, const Host_array<std::array<int, 3>>& face, int n,
-                              Host_array<int>& twin)
+inline Edge_troubles match_halfedges(const Host_loop& loop, const Host_array<std::array<int, 3>>& face, int n,
+                                     Host_array<int>& twin)
 {
   const int m = static_cast<int>(3 * face.size());
   const auto origin = [&](int h) { return face[h / 3][h % 3]; };
@@ -70,10 +82,6 @@ Edge_troubles match_halfedges(const Loop& loop, const Host_array<std::array<int,
 
   const std::vector<Edge_troubles> parts = results_of_parts(loop, n, [&](int begin, int end) {
     Edge_troubles troubles;
-    const auto count = [](Edge_trouble& trouble, int v, int w) {
-      if(trouble.count++ == 0)
-        trouble.first = {v, w};
-    };
     for(int v = begin; v < end; ++v) {
       const auto last = order.begin() + offset[v + 1];
       std::sort(order.begin() + offset[v], last,
@@ -84,11 +92,11 @@ Edge_troubles match_halfedges(const Loop& loop, const Host_array<std::array<int,
         while(it != last && larger(*it) == w)
           twin[*it++] = -1;
         if(it - group > 2)
-          count(troubles.crowded, v, w);
+          troubles.crowded.add({1, {v, w}});
         else if(it - group == 1)
-          count(troubles.boundary, v, w);
+          troubles.boundary.add({1, {v, w}});
         else if(origin(group[0]) == origin(group[1]))
-          count(troubles.opposed, v, w);
+          troubles.opposed.add({1, {v, w}});
         else {
           twin[group[0]] = group[1];
           twin[group[1]] = group[0];
@@ -99,18 +107,14 @@ Edge_troubles match_halfedges(const Loop& loop, const Host_array<std::array<int,
   });
 
   Edge_troubles all;
-  for(const Edge_troubles& part : parts)
-    for(Edge_trouble Edge_troubles::*kind :
-        {&Edge_troubles::crowded, &Edge_troubles::opposed, &Edge_troubles::boundary}) {
-      if((all.*kind).count == 0)
-        (all.*kind).first = (part.*kind).first;
-      (all.*kind).count += (part.*kind).count;
-    }
+  for(const Edge_troubles& part : parts) {
+    all.crowded.add(part.crowded);
+    all.opposed.add(part.opposed);
+    all.boundary.add(part.boundary);
+  }
   return all;
 }
 
-} // namespace internal
-
-} // namespace CGAL::Spherical_parameterization
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_CORNER_TABLE_H

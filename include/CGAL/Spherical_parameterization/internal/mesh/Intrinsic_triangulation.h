@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -22,30 +23,22 @@ namespace CGAL::Spherical_parameterization::internal {
 /// Delaunay triangulations with applications to digital geometry processing", Computing 81 (2007).
 ///
 /// Triangles may end up with two equal corners.
-class Intrinsic_triangulation {
+class Intrinsic_triangulation : public Corner_table {
 public:
   /// \param table  the triangles
   /// \param points by vertex
   Intrinsic_triangulation(Corner_table table, const Host_array<vec3>& points)
-    : table_(std::move(table)), number_of_vertices_(static_cast<int>(points.size()))
+    : Corner_table(std::move(table)), number_of_vertices_(static_cast<int>(points.size()))
   {
     length_.reserve(number_of_halfedges());
-    for(int h = 0; h < number_of_halfedges(); ++h) {
-      const vec3 e = sub(points[target(h)], points[origin(h)]);
-      length_.push_back(std::sqrt(inner(e, e)));
-    }
+    for(int h = 0; h < number_of_halfedges(); ++h)
+      length_.push_back(norm(sub(points[target(h)], points[origin(h)])));
     mollify();
     make_delaunay();
   }
 
   int number_of_vertices() const { return number_of_vertices_; }
   int number_of_faces() const { return number_of_halfedges() / 3; }
-  int number_of_halfedges() const { return table_.number_of_halfedges(); }
-  int origin(int h) const { return table_.origin(h); }
-  int target(int h) const { return table_.target(h); }
-  int twin(int h) const { return table_.twin[h]; }
-  int apex(int h) const { return table_.apex(h); } ///< the corner opposite to h
-  static int next(int h) { return Corner_table::next(h); }
 
   /// Area of the triangle of halfedge h, by Heron's formula as W. Kahan writes it: accurate for needles, too.
   double area(int h) const
@@ -94,18 +87,17 @@ private:
   {
     constexpr double tolerance = 1e-10; // cocircular points may be triangulated in either way
     std::vector<int> open(number_of_halfedges());
+    std::iota(open.begin(), open.end(), 0);
     std::vector<char> is_open(number_of_halfedges(), 1);
-    for(int h = 0; h < number_of_halfedges(); ++h)
-      open[h] = h;
     while(!open.empty()) {
       const int h = open.back();
       open.pop_back();
       is_open[h] = 0;
-      if(h > twin(h) && is_open[twin(h)])
+      if(h > twin[h] && is_open[twin[h]])
         continue; // it will come up again
-      if(cotangent(h) + cotangent(twin(h)) >= -tolerance || !flip(h))
+      if(cotangent(h) + cotangent(twin[h]) >= -tolerance || !flip(h))
         continue;
-      for(int e : {next(h), next(next(h)), next(twin(h)), next(next(twin(h)))})
+      for(int e : {next(h), next(next(h)), next(twin[h]), next(next(twin[h]))})
         if(!is_open[e]) {
           is_open[e] = 1;
           open.push_back(e);
@@ -117,7 +109,7 @@ private:
   /// which for an edge that is not Delaunay only rounding can bring about, or where both triangles are the same.
   bool flip(int h)
   {
-    const int t = twin(h);
+    const int t = twin[h];
     if(h / 3 == t / 3)
       return false;
     // h: a -> b with apex c; t: b -> a with apex d. Laid out in the plane with a = (0, 0), b = (length, 0).
@@ -133,32 +125,25 @@ private:
     // The triangles become (d, b, c) in the place of h's, and (c, a, d) in the place of t's.
     const double diagonal = std::hypot(dx - cx, dy - cy);
     const int a = origin(h), b = origin(t), c = origin(ca), d = origin(db);
-    const std::array<int, 4> outer_twins = {twin(bc), twin(ca), twin(ad), twin(db)};
+    const std::array<int, 4> outer_twins = {twin[bc], twin[ca], twin[ad], twin[db]};
     const std::array<double, 4> outer_lengths = {length_[bc], length_[ca], length_[ad], length_[db]};
     const std::array<int, 4> old_places = {bc, ca, ad, db};
     const std::array<int, 4> new_places = {ca, ad, db, bc}; // of the edges bc, ca, ad, db
     // h: c -> d, then db, bc; t: d -> c, then ca, ad
-    set_origin(h, c);
-    set_origin(bc, d);
-    set_origin(ca, b);
-    set_origin(t, d);
-    set_origin(ad, c);
-    set_origin(db, a);
+    for(const auto& [e, v] : {std::pair(h, c), {bc, d}, {ca, b}, {t, d}, {ad, c}, {db, a}})
+      face[e / 3][e % 3] = v;
     length_[h] = length_[t] = diagonal;
     for(int k = 0; k < 4; ++k) {
       // the other side may be an edge of this quadrangle, too
       const auto own = std::find(old_places.begin(), old_places.end(), outer_twins[k]);
       const int other = own == old_places.end() ? outer_twins[k] : new_places[own - old_places.begin()];
       length_[new_places[k]] = outer_lengths[k];
-      table_.twin[new_places[k]] = other;
-      table_.twin[other] = new_places[k];
+      twin[new_places[k]] = other;
+      twin[other] = new_places[k];
     }
     return true;
   }
 
-  void set_origin(int h, int v) { table_.face[h / 3][h % 3] = v; }
-
-  Corner_table table_;
   std::vector<double> length_;
   int number_of_vertices_;
 };

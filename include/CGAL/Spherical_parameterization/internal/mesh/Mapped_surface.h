@@ -15,7 +15,6 @@
 
 #include <boost/property_map/property_map.hpp>
 
-#include <type_traits>
 #include <utility>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -32,12 +31,12 @@ struct Mapped_surface : Corner_table {
 
 /// Throws Error for what is no closed, connected triangle mesh of genus 0 with finite points. Property maps are read on
 /// the calling thread, but for points whose coordinates are plain numbers.
-template <class TriangleMesh, class VertexPointMap, class VertexSphereMap, class Loop>
+template <class TriangleMesh, class VertexPointMap, class VertexSphereMap>
 Mapped_surface read_mapped_surface(const TriangleMesh& mesh, VertexPointMap points, VertexSphereMap sphere_map,
-                                   const Loop&)
+                                   const Host_loop& where_safe)
 {
   typedef typename boost::property_traits<VertexPointMap>::value_type Point;
-  const std::conditional_t<are_plain_coordinates<Point>(), Loop, Sequential_loop> loop;
+  const Host_loop loop = are_plain_coordinates<Point>() ? where_safe : Host_loop();
   Source_mesh<TriangleMesh> source(mesh, points, loop);
   Mapped_surface result;
   static_cast<Corner_table&>(result) = corner_table_of(mesh, std::move(source.face), loop);

@@ -4,22 +4,77 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_SOURCE_MESH_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_SOURCE_MESH_H
 
+#include <CGAL/Spherical_parameterization/Error.h>
 #include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
+#include <CGAL/Spherical_parameterization/internal/base/Bounding_box.h>
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
+#include <CGAL/Spherical_parameterization/internal/base/text.h>
+#include <CGAL/Spherical_parameterization/internal/base/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Vertex_numbering.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/breadth_first_numbering.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/check_face_graph.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/read_edge_weights.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/source_geometry.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/corner_table_of.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/point_coordinates.h>
+#include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
+
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <array>
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <limits>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
+
+/// Moves the bounding box to the origin and scales it to size 1. Lengths and areas are only ever compared with each
+/// other: this keeps their squares and products far from overflow and underflow.
+inline void scale_to_unit_box(Host_array<vec3>& point)
+{
+  const Bounding_box box(point);
+  const vec3 low = box.low;
+  const double divisor = box.half_size();
+  for(vec3& p : point)
+    p = {(p.x / 2 - low.x / 2) / divisor, (p.y / 2 - low.y / 2) / divisor, (p.z / 2 - low.z / 2) / divisor};
+}
+
+/// Every vertex's third of the areas of its faces.
+inline Host_array<double> vertex_areas(const Host_loop& loop, const Host_array<std::array<int, 3>>& face,
+                                       const Host_array<vec3>& point)
+{
+  Host_array<double> twice_area(face.size());
+  for_each_index(loop, static_cast<int>(face.size()), [&](int f) {
+    const vec3 n = normal(point, face[f]);
+    twice_area[f] = std::sqrt(inner(n, n));
+  });
+  Host_array<double> area(point.size(), 0.);
+  for(std::size_t f = 0; f < face.size(); ++f)
+    for(int i : face[f])
+      area[i] += twice_area[f] / 6;
+  return area;
+}
+
+/// Weights whose products would overflow or underflow are taken in another unit, which maps do not depend on. Returns
+/// what a weight of 1 in the graph is to the caller.
+inline double choose_weight_unit(const Host_loop& loop, Host_array<double>& weight)
+{
+  constexpr double harmless = 1e100;
+  const double largest = weight.empty() ? 1 : *std::max_element(weight.begin(), weight.end());
+  if(largest < harmless && largest > 1 / harmless)
+    return 1;
+  const int exponent = std::ilogb(largest);
+  for_each_index(loop, static_cast<int>(weight.size()), [&](int k) {
+    weight[k] = (std::max)((std::numeric_limits<double>::min)(), std::ldexp(weight[k], -exponent));
+  });
+  return std::ldexp(1., exponent);
+}
 
 /// A face graph as arrays, checked to be a closed, connected triangle mesh of genus 0 with finite points.
 ///
@@ -43,11 +98,11 @@ public:
   double weight_unit = 1;               ///< what a weight of 1 in the graph is to the caller
 
   /// Throws Error.
-  template <class VertexPointMap, class Loop = Sequential_loop>
-  Source_mesh(const TriangleMesh& mesh, VertexPointMap points, const Loop& loop = Loop())
+  template <class VertexPointMap>
+  Source_mesh(const TriangleMesh& mesh, VertexPointMap points, const Host_loop& loop = Host_loop())
   {
     check_size(mesh);
-    const Vertex_numbering<TriangleMesh> numbering(mesh);
+    const Vertex_numbering<TriangleMesh> numbering(vertices(mesh));
     const std::vector<face_descriptor> face_descriptors(faces(mesh).begin(), faces(mesh).end());
     const std::vector<vertex_descriptor> vertex_descriptors(vertices(mesh).begin(), vertices(mesh).end());
     Neighbours neighbours;
@@ -59,26 +114,95 @@ public:
     vertex.reserve(position.size());
     for(int p : position)
       vertex.push_back(vertex_descriptors[p]);
-    point = read_points(loop, vertex, position, points);
+    read_points(points, loop);
     scale_to_unit_box(point);
     face.resize(face_descriptors.size());
-    for_each_part(loop, static_cast<int>(face.size()), [&](int begin, int end) {
-      for(int f = begin; f < end; ++f) {
-        const halfedge_descriptor h = halfedge(face_descriptors[f], mesh);
-        face[f] = {index[numbering(source(h, mesh))], index[numbering(target(h, mesh))],
-                   index[numbering(target(next(h, mesh), mesh))]};
-      }
-    });
+    const auto number = [&](vertex_descriptor v) { return index[numbering(v)]; };
+    for_each_index(loop, static_cast<int>(face.size()),
+                   [&](int f) { face[f] = corners_of_face(mesh, number, face_descriptors[f]); });
     area = vertex_areas(loop, face, point);
     renumber(loop, neighbours, index, position, *graph);
   }
 
-  /// Reads the weights of the edges. Throws Error.
-  template <class EdgeWeightMap, class Loop>
-  void set_weights(const TriangleMesh& mesh, EdgeWeightMap weights, const Loop& loop)
+  /// Reads the weight of every edge once, and writes it into both rows of the graph. Throws Error if a weight is not
+  /// positive and finite.
+  template <class EdgeWeightMap>
+  void set_weights(const TriangleMesh& mesh, EdgeWeightMap weights, const Host_loop& loop)
   {
-    const Edge_weight_reader<TriangleMesh> read(mesh, vertex, position, point);
-    weight_unit = read(loop, weights, *graph);
+    const int n = graph->size();
+    const Vertex_numbering<TriangleMesh> numbering(vertices(mesh));
+    Host_array<int> index(n); // of a vertex by its position in vertices(mesh)
+    for(int i = 0; i < n; ++i)
+      index[position[i]] = i;
+    const Host_array<int>&offset = graph->offset, &target = graph->target;
+    Host_array<double>& weight = graph->weight;
+    weight.resize(target.size());
+    const auto place = [&](int i, int j) { // of the weight of the edge ij in row i; of the first one, if there are two
+      return std::lower_bound(target.begin() + offset[i], target.begin() + offset[i + 1], j) - target.begin();
+    };
+    // f(h, w, j) for the edges from vertex i to smaller ones j, with their weights w
+    const auto for_each_weight = [&](int i, auto f) {
+      for(halfedge_descriptor h : halfedges_around_target(halfedge(vertex[i], mesh), mesh)) {
+        const int j = index[numbering(source(h, mesh))];
+        if(j <= i)
+          f(h, CGAL::to_double(get(weights, edge(h, mesh))), j);
+      }
+    };
+    const auto is_good = [](double w) { return w > 0 && std::isfinite(w); };
+
+    // Every vertex reads the edges to the smaller ones, then those copy them.
+    std::atomic<bool> are_good(true);
+    for_each_index(loop, n, [&](int i) {
+      std::fill(weight.begin() + offset[i], weight.begin() + offset[i + 1], 0);
+      for_each_weight(i, [&](halfedge_descriptor, double w, int j) {
+        auto k = place(i, j);
+        while(weight[k] != 0 && k + 1 < offset[i + 1] && target[k + 1] == j)
+          ++k;
+        weight[k] = w;
+        if(!is_good(w))
+          are_good = false;
+      });
+    });
+    for(int i = 0; i < n && !are_good; ++i)
+      for_each_weight(i, [&](halfedge_descriptor h, double w, int j) {
+        if(!is_good(w))
+          blame_weight(mesh, h, w, i, j);
+      });
+    for_each_index(loop, n, [&](int i) {
+      for(int k = offset[i]; k < offset[i + 1]; ++k)
+        if(target[k] > i)
+          weight[k] = weight[place(target[k], i) + (k - place(i, target[k]))];
+    });
+    weight_unit = choose_weight_unit(loop, weight);
+  }
+
+private:
+  template <class VertexPointMap>
+  void read_points(VertexPointMap points, const Host_loop& loop)
+  {
+    const int n = static_cast<int>(vertex.size());
+    point.resize(n);
+    const int bad =
+      first_index(loop, n, [&](int i) { return !is_finite(point[i] = coordinates(get(points, vertex[i]))); });
+    if(bad < n)
+      throw Input_error(Error_code::NON_FINITE_COORDINATE, "vertex " + std::to_string(position[bad]));
+  }
+
+  /// Throws the Error for the weight w of the edge h from vertex j to vertex i.
+  [[noreturn]] void blame_weight(const TriangleMesh& mesh, halfedge_descriptor h, double w, int i, int j) const
+  {
+    const auto is_degenerate = [&](halfedge_descriptor side) { // the face on its left
+      const auto apex = std::find(vertex.begin(), vertex.end(), target(next(side, mesh), mesh)) - vertex.begin();
+      const vec3 n = normal(point, {i, j, static_cast<int>(apex)});
+      return inner(n, n) == 0;
+    };
+    const std::string edge_name =
+      "edge " + std::to_string(position[j]) + "-" + std::to_string(position[i]) + " has weight " + to_string(w);
+    if(is_degenerate(h) || is_degenerate(opposite(h, mesh)))
+      throw Input_error(Error_code::DEGENERATE_FACE, edge_name +
+                                                       " because a face at it has no area; use barycentric or "
+                                                       "conformal weights, or repair the mesh");
+    throw Input_error(Error_code::BAD_WEIGHT, edge_name + "; weights must be positive and finite");
   }
 };
 

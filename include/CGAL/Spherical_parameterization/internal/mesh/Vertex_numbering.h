@@ -38,7 +38,13 @@ public:
     if(std::distance(descriptors.begin(), descriptors.end()) > (std::numeric_limits<int>::max)())
       throw Input_error(Error_code::TOO_LARGE, "more than 2^31 - 1 elements of one kind");
     for(Descriptor d : descriptors)
-      insert(d, size_++);
+      if constexpr(Has_idx<Descriptor>::value) {
+        const std::size_t i = static_cast<std::size_t>(d.idx());
+        if(i >= table_.size())
+          table_.resize(i + 1, -1);
+        table_[i] = size_++;
+      } else
+        table_.emplace(d, size_++);
   }
 
   int operator()(Descriptor d) const
@@ -56,36 +62,17 @@ private:
                              std::unordered_map<Descriptor, int, boost::hash<Descriptor>>>
     Table;
 
-  void insert(Descriptor d, int position)
-  {
-    if constexpr(Has_idx<Descriptor>::value) {
-      const std::size_t i = static_cast<std::size_t>(d.idx());
-      if(i >= table_.size())
-        table_.resize(i + 1, -1);
-      table_[i] = position;
-    } else
-      table_.emplace(d, position);
-  }
-
   int size_ = 0;
   Table table_;
 };
 
-/// The positions in vertices(mesh).
+/// Of vertices(mesh)
 template <class TriangleMesh>
-struct Vertex_numbering : Numbering<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> {
-  explicit Vertex_numbering(const TriangleMesh& mesh)
-    : Numbering<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>(vertices(mesh))
-  {}
-};
+using Vertex_numbering = Numbering<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>;
 
-/// The positions in faces(mesh).
+/// Of faces(mesh)
 template <class TriangleMesh>
-struct Face_numbering : Numbering<typename boost::graph_traits<TriangleMesh>::face_descriptor> {
-  explicit Face_numbering(const TriangleMesh& mesh)
-    : Numbering<typename boost::graph_traits<TriangleMesh>::face_descriptor>(faces(mesh))
-  {}
-};
+using Face_numbering = Numbering<typename boost::graph_traits<TriangleMesh>::face_descriptor>;
 
 } // namespace CGAL::Spherical_parameterization::internal
 

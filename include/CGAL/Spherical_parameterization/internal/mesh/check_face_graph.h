@@ -5,6 +5,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_CHECK_FACE_GRAPH_H
 
 #include <CGAL/Spherical_parameterization/Error.h>
+#include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/base/text.h>
@@ -13,6 +14,7 @@
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <iterator>
 #include <limits>
@@ -41,8 +43,8 @@ void check_size(const TriangleMesh& mesh)
                                                " faces; at most 715,827,882 faces are supported");
 }
 
-template <class TriangleMesh, class Face, class Loop>
-bool are_triangles(const TriangleMesh& mesh, const std::vector<Face>& descriptors, const Loop& loop)
+template <class TriangleMesh, class Face>
+bool are_triangles(const TriangleMesh& mesh, const std::vector<Face>& descriptors, const Host_loop& loop)
 {
   if(descriptors.empty())
     return false;
@@ -52,9 +54,9 @@ bool are_triangles(const TriangleMesh& mesh, const std::vector<Face>& descriptor
 
 /// Walks round every vertex. Returns whether that meets each of its faces, and no border: whether the triangles form
 /// a closed surface.
-template <class TriangleMesh, class Vertex, class Loop>
+template <class TriangleMesh, class Vertex>
 bool read_neighbours(const TriangleMesh& mesh, const Vertex_numbering<TriangleMesh>& numbering,
-                     const std::vector<Vertex>& descriptors, std::size_t number_of_faces, const Loop& loop,
+                     const std::vector<Vertex>& descriptors, std::size_t number_of_faces, const Host_loop& loop,
                      Neighbours& neighbours)
 {
   // Faces tell how long the rows are, if all is well.
@@ -103,31 +105,83 @@ void explain_what_is_wrong(const TriangleMesh& mesh, const Vertex_numbering<Tria
   Host_array<int> incident(numbering.size(), 0);
   std::size_t border = 0;
   for(auto h : halfedges(mesh)) {
-    if(is_border(h, mesh))
-      ++border;
+    border += is_border(h, mesh);
     ++incident[numbering(target(h, mesh))];
   }
-  std::size_t isolated = 0, first_isolated = 0;
-  for(std::size_t i = 0; i < incident.size(); ++i)
-    if(incident[i] == 0 && isolated++ == 0)
-      first_isolated = i;
-  if(isolated > 0)
+  const auto isolated = static_cast<std::size_t>(std::count(incident.begin(), incident.end(), 0));
+  if(isolated > 0) {
+    const auto first = std::find(incident.begin(), incident.end(), 0) - incident.begin();
     throw Input_error(Error_code::ISOLATED_VERTEX, counted(isolated, "isolated vertex", "isolated vertices") +
-                                                     ", the first one is vertex " + std::to_string(first_isolated) +
+                                                     ", the first one is vertex " + std::to_string(first) +
                                                      "; remove them");
+  }
   if(border > 0)
     throw Input_error(Error_code::BOUNDARY,
                       counted(border, "boundary edge", "boundary edges") + "; fill the holes first");
   for(auto v : vertices(mesh)) {
-    int walked = 0;
-    for(auto h : halfedges_around_target(halfedge(v, mesh), mesh)) {
-      (void)h;
-      ++walked;
-    }
-    if(walked != incident[numbering(v)])
+    const auto walk = halfedges_around_target(halfedge(v, mesh), mesh);
+    if(std::distance(walk.begin(), walk.end()) != incident[numbering(v)])
       throw Input_error(Error_code::NON_MANIFOLD, "the faces round vertex " + std::to_string(numbering(v)) +
                                                     " form several fans; duplicate the vertex");
   }
+}
+
+/// Numbers the vertices of a connected mesh in breadth-first order. Fills `position`, by new number; returns the new
+/// number by position.
+inline Host_array<int> number_breadth_first(const Neighbours& neighbours, Host_array<int>& position)
+{
+  const int n = static_cast<int>(neighbours.offset.size()) - 1;
+  Host_array<int> index(n, -1);
+  position.reserve(n);
+  const auto visit = [&](int p) {
+    if(index[p] < 0) {
+      index[p] = static_cast<int>(position.size());
+      position.push_back(p);
+    }
+  };
+  std::size_t components = 0;
+  for(int seed = 0; seed < n; ++seed) {
+    if(index[seed] >= 0)
+      continue;
+    ++components;
+    std::size_t head = position.size();
+    visit(seed);
+    for(; head < position.size(); ++head)
+      for(int k = neighbours.offset[position[head]]; k < neighbours.offset[position[head] + 1]; ++k)
+        visit(neighbours.target[k]);
+  }
+  if(components > 1)
+    throw Input_error(Error_code::SEVERAL_COMPONENTS,
+                      counted(components, "component", "components") + "; map them one by one");
+  return index;
+}
+
+/// Throws Error unless the surface is of genus 0.
+inline void check_topology(std::size_t number_of_vertices, std::size_t number_of_faces)
+{
+  // V - E + F = 2 - 2g, and 2E = 3F since all faces are triangles.
+  const long long characteristic =
+    static_cast<long long>(number_of_vertices) - static_cast<long long>(number_of_faces / 2);
+  if(characteristic != 2)
+    throw Input_error(Error_code::WRONG_GENUS, "genus " + std::to_string((2 - characteristic) / 2) +
+                                                 "; only surfaces without handles map to the sphere");
+}
+
+/// Fills the rows of `graph`, in ascending order.
+inline void renumber(const Host_loop& loop, const Neighbours& neighbours, const Host_array<int>& index,
+                     const Host_array<int>& position, Weighted_graph& graph)
+{
+  const int n = static_cast<int>(position.size());
+  graph.offset.resize(n + 1);
+  for(int i = 0; i < n; ++i)
+    graph.offset[i + 1] = graph.offset[i] + neighbours.offset[position[i] + 1] - neighbours.offset[position[i]];
+  graph.target.resize(neighbours.target.size());
+  for_each_index(loop, n, [&](int i) {
+    const auto row = graph.target.begin() + graph.offset[i];
+    const auto from = neighbours.target.begin();
+    std::sort(row, std::transform(from + neighbours.offset[position[i]], from + neighbours.offset[position[i] + 1], row,
+                                  [&](int p) { return index[p]; }));
+  });
 }
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -6,21 +6,31 @@
 
 #include <CGAL/Spherical_parameterization/Error.h>
 #include <CGAL/Spherical_parameterization/internal/base/compiled.h>
+#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Corner_table.h>
 
-#include <array>
 #include <cstddef>
 #include <functional>
 #include <string>
 
-namespace CGAL::Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// Why triangles form no sphere.
 struct Soup_trouble {
   Error_code code = Error_code::OK;
   std::string wrong;  ///< what and where: "3 boundary edges (first: between vertices 0 and 5)", ...
   std::string remedy; ///< what to do: "close the holes", ...
+
+  void add(Error_code its_code, const std::string& what, const std::string& what_to_do)
+  {
+    if(code == Error_code::OK) {
+      code = its_code;
+      remedy = what_to_do;
+    } else
+      wrong += ", ";
+    wrong += what;
+  }
 };
 
 /// Looks for all that keeps the triangles table.face, whose corners are below n, from being a closed, connected,
@@ -31,24 +41,12 @@ struct Soup_trouble {
 ///
 /// `number_of_different_points()` is asked for where there is a boundary: vertices at the same place are a common
 /// cause.
-template <class Loop>
-Soup_trouble check_soup(const Loop& loop, Corner_table& table, int n, Host_array<int>& last_corner,
-                        const std::function<std::size_t()>& number_of_different_points);
+CGAL_SP_CORE Soup_trouble check_soup(const Host_loop& loop, Corner_table& table, int n, Host_array<int>& last_corner,
+                                     const std::function<std::size_t()>& number_of_different_points);
 
-#ifdef CGAL_SPHERICAL_PARAMETERIZATION_COMPILED
-extern template Soup_trouble check_soup(const Sequential_loop&, Corner_table&, int, Host_array<int>&,
-                                        const std::function<std::size_t()>&);
-#ifdef CGAL_LINKED_WITH_TBB
-extern template Soup_trouble check_soup(const Parallel_loop&, Corner_table&, int, Host_array<int>&,
-                                        const std::function<std::size_t()>&);
-#endif
-#endif
+} // namespace CGAL::Spherical_parameterization::internal
 
-} // namespace internal
-
-} // namespace CGAL::Spherical_parameterization
-
-#ifdef CGAL_SP_INCLUDE_CORE
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_COMPILED
 #include <CGAL/Spherical_parameterization/internal/mesh/check_soup_impl.h>
 #endif
 

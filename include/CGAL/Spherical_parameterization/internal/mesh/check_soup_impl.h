@@ -7,62 +7,51 @@
 #include <CGAL/Spherical_parameterization/internal/base/text.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/check_soup.h>
 
+#include <boost/iterator/counting_iterator.hpp>
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
-#include <numeric>
-#include <utility>
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
 
-namespace CGAL::Spherical_parameterization {
-namespace internal {
-
-inline void add_trouble(Soup_trouble& trouble, Error_code code, const std::string& wrong, const std::string& remedy)
-{
-  if(trouble.code == Error_code::OK) {
-    trouble.code = code;
-    trouble.remedy = remedy;
-  } else
-    trouble.wrong += ", ";
-  trouble.wrong += wrong;
-}
-
-inline std::string first_edge(const Edge_trouble& trouble)
-{
-  return " (first: between vertices " + std::to_string(trouble.first.first) + " and " +
-         std::to_string(trouble.first.second) + ")";
-}
+namespace CGAL::Spherical_parameterization::internal {
 
 inline void add_edge_troubles(Soup_trouble& trouble, const Edge_troubles& edges, int n,
                               const std::function<std::size_t()>& number_of_different_points)
 {
+  const auto first = [](const Edge_trouble& t) {
+    return " (first: between vertices " + std::to_string(t.first.first) + " and " + std::to_string(t.first.second) +
+           ")";
+  };
   if(edges.crowded.count > 0)
-    add_trouble(trouble, Error_code::NON_MANIFOLD,
-                counted(edges.crowded.count, "edge", "edges") + " with more than two faces" + first_edge(edges.crowded),
+    trouble.add(Error_code::NON_MANIFOLD,
+                counted(edges.crowded.count, "edge", "edges") + " with more than two faces" + first(edges.crowded),
                 "repair the mesh so that every edge has two faces");
   if(edges.opposed.count > 0)
-    add_trouble(trouble, Error_code::INCONSISTENT_ORIENTATION,
+    trouble.add(Error_code::INCONSISTENT_ORIENTATION,
                 counted(edges.opposed.count, "edge", "edges") + " between faces of opposite orientation" +
-                  first_edge(edges.opposed),
+                  first(edges.opposed),
                 "orient the faces consistently (if the surface has two sides)");
   if(edges.boundary.count > 0) {
-    const std::string wrong =
-      counted(edges.boundary.count, "boundary edge", "boundary edges") + first_edge(edges.boundary);
+    std::string wrong = counted(edges.boundary.count, "boundary edge", "boundary edges") + first(edges.boundary);
+    std::string remedy = "close the holes: only closed surfaces can be mapped to the sphere";
     // holes between vertices at the same place: a set of single triangles, or a seam, rather than an open surface
     const std::size_t different = number_of_different_points();
-    if(different < static_cast<std::size_t>(n))
-      add_trouble(trouble, Error_code::BOUNDARY,
-                  wrong + " and only " + std::to_string(different) + " different points for " + std::to_string(n) +
-                    " vertices",
-                  "merge the vertices that are at the same place, then close the holes that are left");
-    else
-      add_trouble(trouble, Error_code::BOUNDARY, wrong,
-                  "close the holes: only closed surfaces can be mapped to the sphere");
+    if(different < static_cast<std::size_t>(n)) {
+      wrong += " and only " + std::to_string(different) + " different points for " + std::to_string(n) + " vertices";
+      remedy = "merge the vertices that are at the same place, then close the holes that are left";
+    }
+    trouble.add(Error_code::BOUNDARY, wrong, remedy);
   }
 }
 
 /// The triangles round a vertex of a closed oriented surface form one cycle; returns whether they do.
 /// \pre the halfedges are matched
-template <class Loop>
-bool are_vertices_manifold(const Loop& loop, Soup_trouble& trouble, const Corner_table& table, int n,
-                           const Host_array<int>& last_corner)
+inline bool are_vertices_manifold(const Host_loop& loop, Soup_trouble& trouble, const Corner_table& table, int n,
+                                  const Host_array<int>& last_corner)
 {
   std::vector<int> degree(n, 0);
   for(const std::array<int, 3>& f : table.face)
@@ -83,8 +72,8 @@ bool are_vertices_manifold(const Loop& loop, Soup_trouble& trouble, const Corner
     return true;
   std::size_t pinched = 0;
   for(int v = first; v < n; ++v)
-    pinched += is_pinched(v) ? 1 : 0;
-  add_trouble(trouble, Error_code::NON_MANIFOLD,
+    pinched += is_pinched(v);
+  trouble.add(Error_code::NON_MANIFOLD,
               counted(pinched, "non-manifold vertex", "non-manifold vertices") +
                 ", where parts of the surface only touch (first: vertex " + std::to_string(first) + ")",
               "split such vertices");
@@ -93,33 +82,21 @@ bool are_vertices_manifold(const Loop& loop, Soup_trouble& trouble, const Corner
 
 inline std::size_t number_of_components(const Host_array<std::array<int, 3>>& face, int n)
 {
-  std::vector<int> parent(n);
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&parent](int v) {
-    while(parent[v] != v)
-      v = parent[v] = parent[parent[v]];
-    return v;
-  };
-  std::size_t components = static_cast<std::size_t>(n);
+  boost::disjoint_sets_with_storage<> sets(n);
   for(const std::array<int, 3>& f : face)
-    for(int k = 1; k < 3; ++k) {
-      const int a = root(f[0]), b = root(f[k]);
-      if(a != b) {
-        parent[a] = b;
-        --components;
-      }
-    }
-  return components;
+    for(int k : {1, 2})
+      sets.union_set(f[0], f[k]);
+  typedef boost::counting_iterator<std::size_t> Vertex;
+  return static_cast<std::size_t>(sets.count_sets(Vertex(0), Vertex(n)));
 }
 
-template <class Loop>
-Soup_trouble check_soup(const Loop& loop, Corner_table& table, int n, Host_array<int>& last_corner,
-                        const std::function<std::size_t()>& number_of_different_points)
+CGAL_SP_CORE Soup_trouble check_soup(const Host_loop& loop, Corner_table& table, int n, Host_array<int>& last_corner,
+                                     const std::function<std::size_t()>& number_of_different_points)
 {
   Soup_trouble trouble;
   const int m = static_cast<int>(table.face.size());
   if(m == 0) {
-    add_trouble(trouble, Error_code::EMPTY_MESH, "no faces", "check that the mesh was exported");
+    trouble.add(Error_code::EMPTY_MESH, "no faces", "check that the mesh was exported");
     return trouble;
   }
   const auto repeats = [&](int f) {
@@ -130,8 +107,8 @@ Soup_trouble check_soup(const Loop& loop, Corner_table& table, int n, Host_array
   if(first_repeating < m) {
     std::size_t count = 0;
     for(int f = first_repeating; f < m; ++f)
-      count += repeats(f) ? 1 : 0;
-    add_trouble(trouble, Error_code::DEGENERATE_FACE,
+      count += repeats(f);
+    trouble.add(Error_code::DEGENERATE_FACE,
                 counted(count, "face that has a vertex twice", "faces that have a vertex twice") + " (first: face " +
                   std::to_string(first_repeating) + ")",
                 "remove the degenerate faces");
@@ -143,7 +120,7 @@ Soup_trouble check_soup(const Loop& loop, Corner_table& table, int n, Host_array
     last_corner[table.origin(h)] = h;
   const auto isolated = static_cast<std::size_t>(std::count(last_corner.begin(), last_corner.end(), -1));
   if(isolated > 0)
-    add_trouble(trouble, Error_code::ISOLATED_VERTEX,
+    trouble.add(Error_code::ISOLATED_VERTEX,
                 counted(isolated, "isolated vertex", "isolated vertices") + " without faces (first: vertex " +
                   std::to_string(std::find(last_corner.begin(), last_corner.end(), -1) - last_corner.begin()) + ")",
                 "remove the unreferenced vertices");
@@ -154,16 +131,14 @@ Soup_trouble check_soup(const Loop& loop, Corner_table& table, int n, Host_array
   // V - E + F = 2 - 2 genus, and E = 3/2 F
   const std::size_t genus = (table.face.size() / 2 + 2 - (n - isolated)) / 2;
   if(components > 1)
-    add_trouble(trouble, Error_code::SEVERAL_COMPONENTS, std::to_string(components) + " connected components",
+    trouble.add(Error_code::SEVERAL_COMPONENTS, std::to_string(components) + " connected components",
                 "map them one by one, each from a file of its own");
   else if(is_manifold && genus > 0)
-    add_trouble(trouble, Error_code::WRONG_GENUS, "genus " + std::to_string(genus),
+    trouble.add(Error_code::WRONG_GENUS, "genus " + std::to_string(genus),
                 "only surfaces without handles (genus 0) can be mapped to the sphere: cut and fill the handles");
   return trouble;
 }
 
-} // namespace internal
-
-} // namespace CGAL::Spherical_parameterization
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_CHECK_SOUP_IMPL_H

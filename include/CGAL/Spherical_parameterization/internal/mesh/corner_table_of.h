@@ -15,6 +15,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <utility>
@@ -33,17 +34,15 @@ std::array<int, 3> corners_of_face(const TriangleMesh& mesh, const Index& index,
 
 /// The corners of all faces in the order of faces(mesh); vertices have the numbers index(v). Throws Error for a mesh
 /// that is too large.
-template <class TriangleMesh, class Index, class Loop>
-Host_array<std::array<int, 3>> corners_of_faces(const TriangleMesh& mesh, const Index& index, const Loop& loop)
+template <class TriangleMesh, class Index>
+Host_array<std::array<int, 3>> corners_of_faces(const TriangleMesh& mesh, const Index& index, const Host_loop& loop)
 {
   typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
   check_size(mesh);
   const std::vector<face_descriptor> descriptor(faces(mesh).begin(), faces(mesh).end());
   Host_array<std::array<int, 3>> face(descriptor.size());
-  for_each_part(loop, static_cast<int>(face.size()), [&](int begin, int end) {
-    for(int f = begin; f < end; ++f)
-      face[f] = corners_of_face(mesh, index, descriptor[f]);
-  });
+  for_each_index(loop, static_cast<int>(face.size()),
+                 [&](int f) { face[f] = corners_of_face(mesh, index, descriptor[f]); });
   return face;
 }
 
@@ -51,29 +50,24 @@ Host_array<std::array<int, 3>> corners_of_faces(const TriangleMesh& mesh, const 
 /// vertices.
 /// \param corners  what `corners_of_faces()` gives, with any numbers
 /// Throws Error for a face that is no triangle, and for a boundary.
-template <class TriangleMesh, class Loop>
-Corner_table corner_table_of(const TriangleMesh& mesh, Host_array<std::array<int, 3>> corners, const Loop& loop)
+template <class TriangleMesh>
+Corner_table corner_table_of(const TriangleMesh& mesh, Host_array<std::array<int, 3>> corners, const Host_loop& loop)
 {
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
-  const Face_numbering<TriangleMesh> numbering(mesh);
+  const Face_numbering<TriangleMesh> numbering(faces(mesh));
   const std::vector<typename Graph_traits::face_descriptor> descriptor(faces(mesh).begin(), faces(mesh).end());
-  constexpr int no_triangle = -2, boundary = -1;
   Corner_table table;
   table.face = std::move(corners);
   table.twin.resize(3 * descriptor.size());
   const int n = static_cast<int>(descriptor.size());
   const int bad = first_index(loop, n, [&](int f) {
     auto h = halfedge(descriptor[f], mesh);
-    if(next(next(next(h, mesh), mesh), mesh) != h) {
-      table.twin[3 * f] = no_triangle;
+    if(!is_triangle(h, mesh))
       return true;
-    }
     for(int k = 0; k < 3; ++k, h = next(h, mesh)) {
       const auto other = opposite(h, mesh);
-      if(is_border(other, mesh)) {
-        table.twin[3 * f] = boundary;
+      if(is_border(other, mesh))
         return true;
-      }
       const auto neighbour = face(other, mesh);
       const auto first = halfedge(neighbour, mesh);
       const int corner = other == first ? 0 : other == next(first, mesh) ? 1 : 2;
@@ -81,7 +75,7 @@ Corner_table corner_table_of(const TriangleMesh& mesh, Host_array<std::array<int
     }
     return false;
   });
-  if(bad < n && table.twin[3 * bad] == no_triangle)
+  if(bad < n && !is_triangle(halfedge(descriptor[bad], mesh), mesh))
     throw Input_error(Error_code::NOT_TRIANGULAR, "face " + std::to_string(bad) + "; triangulate the mesh first");
   if(bad < n)
     throw Input_error(Error_code::BOUNDARY,
@@ -92,13 +86,14 @@ Corner_table corner_table_of(const TriangleMesh& mesh, Host_array<std::array<int
 /// Throws Error if there are vertices below n without faces.
 inline void check_no_isolated_vertex(const Host_array<std::array<int, 3>>& face, int n)
 {
-  std::vector<char> has_face(n, 0);
+  std::vector<bool> has_face(n);
   for(const std::array<int, 3>& f : face)
     for(int v : f)
-      has_face[v] = 1;
-  for(int v = 0; v < n; ++v)
-    if(!has_face[v])
-      throw Input_error(Error_code::ISOLATED_VERTEX, "the first one is vertex " + std::to_string(v) + "; remove them");
+      has_face[v] = true;
+  const auto first = std::find(has_face.begin(), has_face.end(), false) - has_face.begin();
+  if(first < n)
+    throw Input_error(Error_code::ISOLATED_VERTEX,
+                      "the first one is vertex " + std::to_string(first) + "; remove them");
 }
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -36,17 +36,17 @@ vec3 coordinates(const Point& p)
 
 inline vec3 coordinates(const vec3& p) { return p; }
 
-template <class Point, bool has_xyz = Has_xyz<Point>::value>
-struct Coordinate {
-  typedef std::decay_t<decltype(std::declval<const Point&>().x())> type;
-};
 template <class Point>
-struct Coordinate<Point, false> {
-  typedef std::decay_t<decltype(std::declval<const Point&>()[0])> type;
-};
+auto first_coordinate(const Point& p)
+{
+  if constexpr(Has_xyz<Point>::value)
+    return p.x();
+  else
+    return p[0];
+}
 /// The type of the coordinates of a point.
 template <class Point>
-using Coordinate_of = typename Coordinate<Point>::type;
+using Coordinate_of = decltype(first_coordinate(std::declval<const Point&>()));
 
 /// Whether several threads may read coordinates of this type at once: built-in numbers, unlike lazy exact ones.
 template <class Point>

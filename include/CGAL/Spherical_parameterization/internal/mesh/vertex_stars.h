@@ -30,10 +30,9 @@ struct Vertex_stars {
 template <class TriangleMesh>
 Vertex_stars vertex_stars(const TriangleMesh& mesh)
 {
-  const Vertex_numbering<TriangleMesh> vertex_number(mesh);
-  const Face_numbering<TriangleMesh> face_number(mesh);
-  check_no_isolated_vertex(corners_of_faces(mesh, vertex_number, Sequential_loop()),
-                           static_cast<int>(vertex_number.size()));
+  const Vertex_numbering<TriangleMesh> vertex_number(vertices(mesh));
+  const Face_numbering<TriangleMesh> face_number(faces(mesh));
+  check_no_isolated_vertex(corners_of_faces(mesh, vertex_number, Host_loop()), static_cast<int>(vertex_number.size()));
   Vertex_stars stars;
   stars.offset.push_back(0);
   for(auto v : vertices(mesh)) {

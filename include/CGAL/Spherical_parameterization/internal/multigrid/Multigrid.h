@@ -5,12 +5,10 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MULTIGRID_MULTIGRID_H
 
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
-#include <CGAL/Spherical_parameterization/internal/multigrid/Chebyshev_smoother.h>
+#include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
 #include <CGAL/Spherical_parameterization/internal/multigrid/coarsening.h>
 #include <CGAL/Spherical_parameterization/internal/multigrid/dense_inverse.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <memory>
@@ -18,6 +16,18 @@
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
+
+/// The gains of the two damped Jacobi steps that smooth. With them the steps are the Chebyshev iteration of degree 2 on
+/// the upper part of the spectrum of D^-1 A.
+inline std::pair<double, double> chebyshev_gains(double spectral_radius)
+{
+  constexpr double smoothed_range = 6; // the smoother handles the eigenvalues from 1/6 of the largest one on
+  const double high = 1.05 * spectral_radius;
+  const double low = high / smoothed_range;
+  const double centre = (high + low) / 2;
+  const double deviation = (high - low) / 2 * std::sqrt(0.5);
+  return {1 / (centre + deviation), 1 / (centre - deviation)};
+}
 
 /// One symmetric V-cycle of smoothed aggregation as a preconditioner for the Laplacian of a weighted graph, applied to
 /// three right-hand sides at once. Fixed vertices stay 0. Without fixed vertices and excess the matrix is singular; its
@@ -50,57 +60,48 @@ public:
       const auto coarse = std::make_shared<Weighted_graph>(galerkin_product(loop, *a, p, r, is_singular));
       drop_weak_edges(loop, weakest_edge, *coarse);
 
-      Level level;
-      level.matrix = backend.upload(a);
-      level.prolongation = backend.upload(std::move(p));
-      level.restriction = backend.upload(std::move(r));
-      level.aggregate = std::move(aggregates.of_vertex);
-      level.smoother = Chebyshev_smoother(radius);
-      level.scratch = backend.vectors(a->size());
-      level.coarse_b = backend.vectors(coarse->size());
-      level.coarse_x = backend.vectors(coarse->size());
-      levels_.push_back(std::move(level));
+      levels_.push_back({a->size(), backend.upload(a), backend.upload(std::move(p)), backend.upload(std::move(r)),
+                         std::move(aggregates.of_vertex), chebyshev_gains(radius), backend.vectors(a->size()),
+                         backend.vectors(coarse->size()), backend.vectors(coarse->size())});
       a = coarse;
     }
-    bottom_size_ = a->size();
-    bottom_scratch_ = backend.vectors(bottom_size_);
-    if(bottom_size_ <= bottom_size)
-      bottom_inverse_ = backend.upload(inverse(*a, is_singular));
-    bottom_matrix_ = backend.upload(a);
+    if(a->size() <= bottom_size)
+      bottom_inverse_ = backend.upload(dense_inverse(*a, is_singular));
+    levels_.push_back({a->size(), backend.upload(a), {}, {}, {}, {}, backend.vectors(a->size()), {}, {}});
   }
 
   /// Level 0 is the finest, the last one the smallest.
-  std::size_t number_of_levels() const { return levels_.size() + 1; }
-  int size(std::size_t k) const
-  {
-    return k < levels_.size() ? static_cast<int>(levels_[k].aggregate.size()) : bottom_size_;
-  }
-  const Matrix& matrix(std::size_t k) const { return k < levels_.size() ? levels_[k].matrix : bottom_matrix_; }
+  std::size_t number_of_levels() const { return levels_.size(); }
+  int size(std::size_t k) const { return levels_[k].size; }
+  const Matrix& matrix(std::size_t k) const { return levels_[k].matrix; }
   /// from level k+1 to level k
   const typename Backend::Transfer& prolongation(std::size_t k) const { return levels_[k].prolongation; }
   /// the vertex of level k+1 into which each vertex of level k went; -1 for fixed ones
   const Host_array<int>& aggregate_of(std::size_t k) const { return levels_[k].aggregate; }
   /// for the caller's use on level k, too; apply() overwrites it
-  Vectors& scratch(std::size_t k) { return k < levels_.size() ? levels_[k].scratch : bottom_scratch_; }
+  Vectors& scratch(std::size_t k) { return levels_[k].scratch; }
 
   /// x = M^-1 b on level k
   void apply(std::size_t k, const Vectors& b, Vectors& x)
   {
-    if(k == levels_.size()) {
-      if(bottom_size_ <= bottom_size)
+    Level& level = levels_[k];
+    if(k + 1 == levels_.size()) {
+      if(level.size <= bottom_size)
         backend_.multiply_dense(bottom_inverse_, b, x);
       else // as good as diagonal
-        backend_.start_smoothing(bottom_matrix_, 1, b, x);
+        backend_.start_smoothing(level.matrix, 1, b, x);
       return;
     }
-    Level& level = levels_[k];
+    const auto [first, second] = level.gains;
     Vectors& y = level.scratch;
-    level.smoother.smooth_from_zero(backend_, level.matrix, b, x, y);
+    backend_.start_smoothing(level.matrix, first, b, x);
+    backend_.smooth(level.matrix, second, b, x, y);
     backend_.residual(level.matrix, b, y, x);
     backend_.transfer(level.restriction, x, level.coarse_b);
     apply(k + 1, level.coarse_b, level.coarse_x);
     backend_.transfer_add(level.prolongation, level.coarse_x, y);
-    level.smoother.smooth_backwards(backend_, level.matrix, b, y, x);
+    backend_.smooth(level.matrix, second, b, y, x); // in reverse order, which keeps the cycle symmetric
+    backend_.smooth(level.matrix, first, b, x, y);
     std::swap(x, y);
   }
 
@@ -113,54 +114,55 @@ private:
   static constexpr double prolongation_damping = 1.6;
 
   struct Level {
+    int size;
     Matrix matrix;
     typename Backend::Transfer prolongation, restriction;
     Host_array<int> aggregate;
-    Chebyshev_smoother smoother;
+    std::pair<double, double> gains;
     Vectors scratch, coarse_b, coarse_x;
   };
 
-  /// Dense inverse. Of a singular matrix, whose kernel are the constants, that of A plus a multiple of 1 1^T: on
-  /// right-hand sides that sum to zero it makes no difference which.
-  static Host_array<double> inverse(const Weighted_graph& a, bool is_singular)
-  {
-    const int n = a.size();
-    if(n == 0)
-      return {};
-    Host_array<double> m(std::size_t(n) * n, 0.);
-    const auto at = [n](int i, int j) { return std::size_t(i) * n + j; };
-    double scale = 0;
-    for(int i = 0; i < n; ++i) {
-      if(a.inverse_diagonal[i] == 0) {
-        m[at(i, i)] = 1;
-        continue;
-      }
-      m[at(i, i)] = 1 / a.inverse_diagonal[i];
-      scale = (std::max)(scale, m[at(i, i)]);
-      for(int k = a.offset[i]; k < a.offset[i + 1]; ++k)
-        if(a.inverse_diagonal[a.target[k]] > 0)
-          m[at(i, a.target[k])] -= a.weight[k];
-    }
-    if(is_singular)
-      for(double& entry : m)
-        entry += scale / n;
-    const Host_array<double> x = Dense_inverse(std::move(m), n)();
-    Host_array<double> rows(x.size());
-    for(int i = 0; i < n; ++i)
-      for(int j = 0; j < n; ++j) {
-        const bool is_of_fixed = i == j && a.inverse_diagonal[i] == 0;
-        rows[at(i, j)] = is_of_fixed ? 0 : (x[at(i, j)] + x[at(j, i)]) / 2;
-      }
-    return rows;
-  }
-
   const Backend& backend_;
   std::vector<Level> levels_;
-  typename Backend::Scalars bottom_inverse_;
-  Matrix bottom_matrix_;
-  Vectors bottom_scratch_;
-  int bottom_size_;
+  typename Backend::Scalars bottom_inverse_; ///< of the last level
 };
+
+/// Solves A x = b on level k of the hierarchy, for three right-hand sides, by conjugate gradients with one multigrid
+/// cycle as the preconditioner, to a relative error of about `accuracy` in the energy norm. `x` is 0 on entry. Returns
+/// the number of iterations.
+template <class Backend>
+std::size_t conjugate_gradients(const Backend& backend, Multigrid<Backend>& multigrid, std::size_t k,
+                                typename Backend::Vectors r, double accuracy, Monitor& monitor, double share_of_work,
+                                typename Backend::Vectors& x)
+{
+  constexpr std::size_t maximum_iterations = 200;
+  const typename Backend::Matrix& a = multigrid.matrix(k);
+  const int n = multigrid.size(k);
+  typename Backend::Vectors s = backend.vectors(n), p = backend.vectors(n), q = backend.vectors(n);
+  double rs = 0;
+  double energy = 0, first = 0;
+  for(std::size_t it = 0; it < maximum_iterations; ++it) {
+    multigrid.apply(k, r, s);
+    const double previous = rs;
+    rs = backend.dot(r, s);
+    backend.conjugate(it > 0 ? rs / previous : 0, s, p);
+    const double curvature = backend.multiply(a, p, q);
+    if(!(curvature > 0)) // r is exactly zero, or rounding has eaten it
+      return it;
+    const double alpha = rs / curvature;
+    backend.descend(alpha, p, q, x, r);
+    // alpha rs is by how much the squared energy norm of the error has fallen in this step.
+    const double gain = alpha * rs;
+    energy += gain;
+    if(it == 0)
+      first = gain;
+    monitor.log("start map", it, std::sqrt(gain / energy), energy);
+    const double goal = accuracy * accuracy * energy;
+    if(!monitor.advance(share_of_work * Monitor::share(gain, first, goal)) || gain <= goal)
+      return it + 1;
+  }
+  return maximum_iterations;
+}
 
 } // namespace CGAL::Spherical_parameterization::internal
 

@@ -31,14 +31,12 @@ struct Aggregates {
 ///
 /// Blocks of vertices are aggregated independently, so that they can be in parallel. The numbering is breadth-first:
 /// a block is a broad band of the surface, and few aggregates are cut by its border.
-template <class Loop>
-Aggregates aggregate(const Loop& loop, const Weighted_graph& a, double threshold)
+inline Aggregates aggregate(const Host_loop& loop, const Weighted_graph& a, double threshold)
 {
   constexpr int block_size = 16384;
   constexpr int none = -1;
   constexpr int alone = -2;
   const int n = a.size();
-  const int blocks = (n + block_size - 1) / block_size;
   const Host_array<double>& inverse = a.inverse_diagonal;
   const auto is_strong = [&](int i, int k) {
     const double w = a.weight[k]; // its square may underflow
@@ -47,17 +45,17 @@ Aggregates aggregate(const Loop& loop, const Weighted_graph& a, double threshold
   Aggregates result;
   Host_array<int>& of = result.of_vertex;
   of.resize(n);
-  // Runs f(begin, end, number of the next aggregate, by reference) on every block, and makes the numbers consecutive.
+  // Numbers the aggregates that f(begin, end) has counted on every block. Returns the first number of each block.
   const auto number_blocks = [&](auto f) {
-    std::vector<int> count(blocks, 0);
-    loop.for_each(blocks, [&](int b) { f(b * block_size, (std::min)(n, (b + 1) * block_size), count[b]); });
+    std::vector<int> count = results_of_parts<block_size>(loop, n, f);
     for(int& c : count)
       result.count += std::exchange(c, result.count);
     return count;
   };
 
   // Vertices without an aggregated neighbour become the roots, and take all strong neighbours along.
-  const std::vector<int> first = number_blocks([&](int begin, int end, int& count) {
+  const std::vector<int> first = number_blocks([&](int begin, int end) {
+    int count = 0;
     std::fill(of.begin() + begin, of.begin() + end, none);
     for(int i = begin; i < end; ++i) {
       if(of[i] >= 0 || inverse[i] == 0)
@@ -74,15 +72,14 @@ Aggregates aggregate(const Loop& loop, const Weighted_graph& a, double threshold
           of[a.target[k]] = count;
       ++count;
     }
+    return count;
   });
   Host_array<int> roots(n);
-  loop.for_each(blocks, [&](int b) {
-    for(int i = b * block_size; i < (std::min)(n, (b + 1) * block_size); ++i)
-      roots[i] = of[i] >= 0 ? of[i] + first[b] : of[i];
-  });
+  loop.for_each(n, [&](int i) { roots[i] = of[i] >= 0 ? of[i] + first[i / block_size] : of[i]; });
 
   // The others join the neighbour that holds them most firmly, as long as that one belonged to a root's aggregate.
-  const std::vector<int> first_alone = number_blocks([&](int begin, int end, int& count) {
+  const std::vector<int> first_alone = number_blocks([&](int begin, int end) {
+    int count = 0;
     for(int i = begin; i < end; ++i) {
       of[i] = roots[i];
       if(of[i] >= 0 || inverse[i] == 0)
@@ -96,20 +93,19 @@ Aggregates aggregate(const Loop& loop, const Weighted_graph& a, double threshold
       if(of[i] < 0)
         of[i] = alone - count++;
     }
+    return count;
   });
-  loop.for_each(blocks, [&](int b) {
-    for(int i = b * block_size; i < (std::min)(n, (b + 1) * block_size); ++i)
-      if(of[i] <= alone)
-        of[i] = first_alone[b] + alone - of[i];
+  loop.for_each(n, [&](int i) {
+    if(of[i] <= alone)
+      of[i] = first_alone[i / block_size] + alone - of[i];
   });
   return result;
 }
 
 /// P = (I - omega D^-1 A) T, T the piecewise constant interpolation from the aggregates. Vertices of a very high
 /// degree, as the poles of a globe have, keep the row of T: one of their degree would make the Galerkin product dense.
-template <class Loop>
-Sparse_matrix smoothed_prolongation(const Loop& loop, const Weighted_graph& a, const Aggregates& aggregates,
-                                    double omega)
+inline Sparse_matrix smoothed_prolongation(const Host_loop& loop, const Weighted_graph& a, const Aggregates& aggregates,
+                                           double omega)
 {
   const Host_array<int>& of = aggregates.of_vertex;
   return build_rows(loop, a.size(), [&](int begin, int end, Sparse_matrix& p) {
@@ -118,37 +114,30 @@ Sparse_matrix smoothed_prolongation(const Loop& loop, const Weighted_graph& a, c
     p.offset.reserve(end - begin + 1);
     p.column.reserve(static_cast<std::size_t>(usual_row_length * (end - begin)));
     p.value.reserve(static_cast<std::size_t>(usual_row_length * (end - begin)));
-    std::vector<int> column;
-    std::vector<double> value;
     for(int i = begin; i < end; ++i) {
-      column.clear();
-      value.clear();
-      if(of[i] >= 0 && a.offset[i + 1] - a.offset[i] > longest_smoothed_row) {
-        column.push_back(of[i]);
-        value.push_back(1);
-      } else if(of[i] >= 0) {
+      const std::size_t first = p.column.size();
+      if(of[i] >= 0) {
+        const bool is_smoothed = a.offset[i + 1] - a.offset[i] <= longest_smoothed_row;
         const double factor = omega * a.inverse_diagonal[i];
-        column.push_back(of[i]);
-        value.push_back(a.excess.empty() ? 1 : 1 - factor * a.excess[i]);
-        for(int k = a.offset[i]; k < a.offset[i + 1]; ++k) {
+        p.column.push_back(of[i]);
+        p.value.push_back(is_smoothed && !a.excess.empty() ? 1 - factor * a.excess[i] : 1);
+        for(int k = a.offset[i]; is_smoothed && k < a.offset[i + 1]; ++k) {
           const int j = of[a.target[k]];
           if(j == of[i])
             continue;
           const double w = factor * a.weight[k];
-          value[0] -= w;
+          p.value[first] -= w;
           if(j < 0)
             continue;
           // a handful of columns: found soonest one by one
-          const auto at = std::find(column.begin(), column.end(), j) - column.begin();
-          if(at == static_cast<std::ptrdiff_t>(column.size())) {
-            column.push_back(j);
-            value.push_back(w);
+          const auto at = std::find(p.column.begin() + first, p.column.end(), j);
+          if(at == p.column.end()) {
+            p.column.push_back(j);
+            p.value.push_back(w);
           } else
-            value[at] += w;
+            p.value[at - p.column.begin()] += w;
         }
       }
-      p.column.insert(p.column.end(), column.begin(), column.end());
-      p.value.insert(p.value.end(), value.begin(), value.end());
       p.offset.push_back(static_cast<int>(p.column.size()));
     }
   });
@@ -156,9 +145,8 @@ Sparse_matrix smoothed_prolongation(const Loop& loop, const Weighted_graph& a, c
 
 /// The Galerkin product P^T A P as a weighted graph, r = P^T. Where A has zero row sums (`is_singular`), so has the
 /// product, and the excess stays empty instead of holding rounding errors.
-template <class Loop>
-Weighted_graph galerkin_product(const Loop& loop, const Weighted_graph& a, const Sparse_matrix& p,
-                                const Sparse_matrix& r, bool is_singular)
+inline Weighted_graph galerkin_product(const Host_loop& loop, const Weighted_graph& a, const Sparse_matrix& p,
+                                       const Sparse_matrix& r, bool is_singular)
 {
   const int coarse = r.rows();
   Weighted_graph c;
@@ -214,8 +202,7 @@ Weighted_graph galerkin_product(const Loop& loop, const Weighted_graph& a, const
 
 /// Drops the edges of a coarse graph with |w_ij| < threshold min(a_ii, a_jj), which matter to neither end, and of which
 /// Galerkin products have many. The row sums stay, and with them the kernel.
-template <class Loop>
-void drop_weak_edges(const Loop& loop, double threshold, Weighted_graph& a)
+inline void drop_weak_edges(const Host_loop& loop, double threshold, Weighted_graph& a)
 {
   Host_array<double> inverse(a.size());
   Sparse_matrix rows = build_rows(loop, a.size(), [&](int begin, int end, Sparse_matrix& out) {
@@ -242,8 +229,7 @@ void drop_weak_edges(const Loop& loop, double threshold, Weighted_graph& a)
 /// Estimate from above of the largest eigenvalue of D^-1 A: power iteration from a fixed start, at most Gershgorin's
 /// bound. Where that is 2 (no negative weights), the eigenvalue is known well enough beforehand to look at a principal
 /// submatrix only: the eigenvectors in question are local.
-template <class Loop>
-double spectral_radius(const Loop& loop, const Weighted_graph& a)
+inline double spectral_radius(const Host_loop& loop, const Weighted_graph& a)
 {
   constexpr int iterations = 6;
   constexpr double safety = 1.15;

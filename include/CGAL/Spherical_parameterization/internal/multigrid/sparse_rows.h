@@ -78,8 +78,8 @@ private:
 
 /// Builds a sparse matrix in parallel, part by part: `append_rows(begin, end, rows)` appends the rows from `begin` to
 /// `end` to `rows`, a matrix of its own.
-template <class Loop, class AppendRows>
-Sparse_matrix build_rows(const Loop& loop, int n, AppendRows append_rows)
+template <class AppendRows>
+Sparse_matrix build_rows(const Host_loop& loop, int n, AppendRows append_rows)
 {
   constexpr int parts_per_thread = 4;
   constexpr int rows_per_part = 256;
@@ -110,8 +110,7 @@ Sparse_matrix build_rows(const Loop& loop, int n, AppendRows append_rows)
 }
 
 /// The transpose, rows of ascending columns. `columns`: how many the matrix has.
-template <class Loop>
-Sparse_matrix transposed(const Loop& loop, const Sparse_matrix& a, int columns)
+inline Sparse_matrix transposed(const Host_loop& loop, const Sparse_matrix& a, int columns)
 {
   // Every part of the rows counts its entries by column; from the counts each part knows where its own go.
   constexpr int rows_per_part = 65536;

@@ -5,11 +5,20 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PREDICATES_ORIENTATION_H
 
 #include <CGAL/Spherical_parameterization/internal/base/vec3.h>
-#include <CGAL/Spherical_parameterization/internal/predicates/exact_determinant.h>
+#include <CGAL/Spherical_parameterization/internal/base/compiled.h>
 
+#include <array>
 #include <cmath>
 
 namespace CGAL::Spherical_parameterization::internal {
+
+/// The sign of det(a, b, c) in integers of any length: no rounding, no overflow, no underflow, no rounding mode.
+/// \pre all coordinates are finite
+CGAL_SP_CORE int sign_of_exact_determinant(vec3 a, vec3 b, vec3 c);
+
+/// The determinants det(v_1, v_2, q), det(v_2, v_0, q), det(v_0, v_1, q), each taken as 0 where it is negative, over
+/// the sum of all three. The quotients are rounded once. \pre all coordinates are finite, and the exact sum is not 0
+CGAL_SP_CORE std::array<double, 3> exact_barycentric_coordinates(const std::array<vec3, 3>& v, vec3 q);
 
 /// det(a, b, q) in doubles, and a bound of its error.
 ///
@@ -53,6 +62,22 @@ inline int orientation(vec3 a, vec3 b, vec3 q)
 
 inline bool is_positively_oriented(vec3 a, vec3 b, vec3 c) { return orientation(a, b, c) > 0; }
 
+/// Signed area of the spherical triangle (a, b, c) of unit vectors, positive if it is seen counter-clockwise from
+/// outside; in (-2 pi, 2 pi). Triangles far below the resolution of the coordinates keep a meaningful size.
+inline double spherical_area(vec3 a, vec3 b, vec3 c)
+{
+  const double volume = inner(a, outer(sub(b, a), sub(c, a)));
+  const double denominator = 1 + inner(a, b) + inner(b, c) + inner(c, a);
+  const double tangent = volume / denominator;
+  if(denominator > 0 && std::abs(tangent) < 1e-3) // small triangles are many, and two terms are exact to 1e-12
+    return 2 * (tangent - tangent * tangent * tangent / 3);
+  return 2 * std::atan2(volume, denominator);
+}
+
 } // namespace CGAL::Spherical_parameterization::internal
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_COMPILED
+#include <CGAL/Spherical_parameterization/internal/predicates/orientation_impl.h>
+#endif
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PREDICATES_ORIENTATION_H

@@ -5,18 +5,14 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PROBLEM_METHOD_SOLVER_H
 
 #include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
-#include <CGAL/Spherical_parameterization/internal/base/compiled.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/certificate.h>
 #include <CGAL/Spherical_parameterization/internal/problem/Problem.h>
 #include <CGAL/Spherical_parameterization/internal/problem/Solution.h>
-#include <CGAL/Spherical_parameterization/internal/base/precondition.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <utility>
 
-namespace CGAL::Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// What a method does with edge weights.
 enum class Weights {
@@ -53,36 +49,30 @@ double accuracy_on(const Backend& backend, const Problem& problem, const Effort&
 /// The share of the whole work that the start map takes, for the progress callback.
 constexpr double start_share = 0.4;
 
-/// Makes of positions what the caller's map will hold: unit vectors as near as doubles are, where the backend computes
-/// in single precision; fixed vertices to the last bit; coordinates rounded as the caller's map rounds them.
-template <class Backend>
-void make_storable(const Backend& backend, const Problem& problem, Host_array<vec3>& v)
+/// Makes of positions what the caller's map will hold: unit vectors as near as doubles are, where the positions are
+/// rough, of a backend that computes in single precision; fixed vertices to the last bit; coordinates rounded as the
+/// caller's map rounds them.
+inline void make_storable(const Host_loop& loop, const Problem& problem, bool are_rough, Host_array<vec3>& v)
 {
-  const bool is_rough = backend.best_accuracy(problem.size()) > 0;
-  if(!is_rough && !problem.has_fixed() && !problem.as_stored)
+  if(!are_rough && !problem.has_fixed() && !problem.as_stored)
     return;
-  for_each_part(backend.host_loop(), problem.size(), [&](int begin, int end) {
-    for(int i = begin; i < end; ++i) {
-      if(problem.has_fixed() && problem.is_fixed[i])
-        v[i] = problem.given[i];
-      else if(is_rough)
-        v[i] = unit(v[i]);
-      if(problem.as_stored)
-        v[i] = problem.as_stored(v[i]);
-    }
+  for_each_index(loop, problem.size(), [&](int i) {
+    if(problem.has_fixed() && problem.is_fixed[i])
+      v[i] = problem.given[i];
+    else if(are_rough)
+      v[i] = unit(v[i]);
+    if(problem.as_stored)
+      v[i] = problem.as_stored(v[i]);
   });
 }
 
-/// Certifies a map on the backend as it will be stored.
-template <class Backend>
-Certificate certify_storable(const Backend& backend, const Problem& problem, const typename Backend::Vectors& v)
+/// What a backend hands over, as it will be stored.
+template <class Backend, class Vectors>
+Host_array<vec3> storable(const Backend& backend, const Problem& problem, Vectors&& v)
 {
-  if(backend.best_accuracy(problem.size()) > 0 || problem.has_fixed() || problem.as_stored) {
-    Host_array<vec3> stored = backend.download(v);
-    make_storable(backend, problem, stored);
-    return certify(backend.host_loop(), problem.face, stored);
-  }
-  return certify(backend.host_loop(), problem.face, backend.download(v));
+  Host_array<vec3> result = backend.download(std::forward<Vectors>(v));
+  make_storable(backend.host_loop(), problem, backend.best_accuracy(problem.size()) > 0, result);
+  return result;
 }
 
 /// Certifies a map on the backend as it will be stored, into `solution`. Returns whether a solver is done with it: it
@@ -92,7 +82,7 @@ bool certify_and_settle(const Backend& backend, const Problem& problem, const ty
                         Solution& solution)
 {
   const Stopwatch watch;
-  solution.certificate = certify_storable(backend, problem, v);
+  solution.certificate = certify(backend.host_loop(), problem.face, storable(backend, problem, v));
   const bool is_settled =
     solution.certificate.is_valid() ||
     (problem.as_stored && certify(backend.host_loop(), problem.face, backend.download(v)).is_valid());
@@ -106,15 +96,12 @@ void finish(const Backend& backend, const Problem& problem, typename Backend::Ve
             Solution& solution)
 {
   const Stopwatch watch;
-  solution.position = backend.download(std::move(v));
-  make_storable(backend, problem, solution.position);
+  solution.position = storable(backend, problem, std::move(v));
   if(!is_certified)
     solution.certificate = certify(backend.host_loop(), problem.face, solution.position);
   solution.seconds.certify += watch.seconds();
 }
 
-} // namespace internal
-
-} // namespace CGAL::Spherical_parameterization
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PROBLEM_METHOD_SOLVER_H

@@ -5,8 +5,8 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PROBLEM_PROBLEM_H
 
 #include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
-#include <CGAL/Spherical_parameterization/internal/backend/vertex_formulas.h>
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/Corner_table.h>
 
 #include <array>
 #include <cstddef>
@@ -14,8 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL::Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// How far the caller wants a method to go; what is not given is the default of the method.
 struct Effort {
@@ -42,14 +41,6 @@ struct Problem {
   int size() const { return static_cast<int>(point.size()); }
 };
 
-/// Normal of a face, as long as twice its area.
-inline vec3 normal(const Host_array<vec3>& points, const std::array<int, 3>& f)
-{
-  return outer(sub(points[f[1]], points[f[0]]), sub(points[f[2]], points[f[0]]));
-}
-
-} // namespace internal
-
-} // namespace CGAL::Spherical_parameterization
+} // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PROBLEM_PROBLEM_H

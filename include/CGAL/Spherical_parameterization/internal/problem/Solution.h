@@ -6,7 +6,6 @@
 
 #include <CGAL/Spherical_parameterization/Error.h>
 #include <CGAL/Spherical_parameterization/Result.h>
-#include <CGAL/Spherical_parameterization/internal/backend/vertex_formulas.h>
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
 #include <CGAL/Spherical_parameterization/internal/base/compiled.h>
@@ -17,8 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL::Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// What a solver has to say about its run.
 struct Solver_report {
@@ -50,9 +48,10 @@ struct Solution {
 /// Decides about a solution: nothing but a converged map of degree 1 without flipped faces is `OK`.
 CGAL_SP_CORE void pass_verdict(const Problem& problem, const Monitor& monitor, Solution& solution);
 
-} // namespace internal
+/// Everything in a solution but its positions, for the caller.
+CGAL_SP_CORE void describe(const Solution& solution, Result& result);
 
-} // namespace CGAL::Spherical_parameterization
+} // namespace CGAL::Spherical_parameterization::internal
 
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_COMPILED
 #include <CGAL/Spherical_parameterization/internal/problem/Solution_impl.h>

@@ -13,7 +13,7 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-/// See saddle_point_solver.h.
+/// See solve_saddle_point_impl.h.
 template <>
 class Method_solver<Saddle_point> {
 public:

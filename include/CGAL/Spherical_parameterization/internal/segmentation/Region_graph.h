@@ -5,6 +5,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SEGMENTATION_REGION_GRAPH_H
 
 #include <CGAL/Spherical_parameterization/internal/segmentation/Segmentation_mesh.h>
+#include <CGAL/Spherical_parameterization/segmentation_methods.h>
 
 #include <algorithm>
 #include <array>
@@ -24,26 +25,19 @@ typedef std::vector<std::array<double, 3>> Side_costs;
 /// The connected components of equal labels, numbered from 0 in the order of their first faces.
 inline std::vector<int> connected_components(const Segmentation_mesh& mesh, const std::vector<int>& label)
 {
-  std::vector<int> component(label.size(), -1), front;
+  std::vector<int> component(label.size(), -1);
   int count = 0;
-  for(int f = 0; f < mesh.number_of_faces(); ++f) {
-    if(component[f] >= 0)
-      continue;
-    front.push_back(f);
-    component[f] = count;
-    while(!front.empty()) {
-      const int g = front.back();
-      front.pop_back();
-      for(int k = 0; k < 3; ++k) {
-        const int h = mesh.across(g, k);
-        if(component[h] < 0 && label[h] == label[g]) {
-          component[h] = count;
-          front.push_back(h);
-        }
-      }
+  for(int first = 0; first < mesh.number_of_faces(); ++first)
+    if(component[first] < 0) {
+      component[first] = count;
+      flood(mesh, first, [&](int f) {
+        const bool is_new = component[f] < 0 && label[f] == label[first];
+        if(is_new)
+          component[f] = count;
+        return is_new;
+      });
+      ++count;
     }
-    ++count;
-  }
   return component;
 }
 
@@ -57,18 +51,12 @@ public:
 
   /// `region` numbers the regions of the faces from 0 without gaps.
   Region_graph(const Segmentation_mesh& mesh, std::vector<int> region, const Side_costs& costs)
-    : region_(std::move(region)), count_(0)
+    : region_(std::move(region)), count_(1 + *std::max_element(region_.begin(), region_.end())), parent_(count_),
+      area_(count_, 0), perimeter_(count_, 0), borders_(count_)
   {
-    for(int r : region_)
-      count_ = (std::max)(count_, r + 1);
-    area_.assign(count_, 0);
-    perimeter_.assign(count_, 0);
-    parent_.resize(count_);
     std::iota(parent_.begin(), parent_.end(), 0);
-    borders_.resize(count_);
-    place_.assign(count_, -1);
     for(int f = 0; f < mesh.number_of_faces(); ++f) {
-      area_[region_[f]] += mesh.area[f];
+      area_[region_[f]] += mesh.face_area[f];
       for(int k = 0; k < 3; ++k) {
         const int other = region_[mesh.across(f, k)];
         if(other != region_[f]) {
@@ -82,7 +70,7 @@ public:
   }
 
   int capacity() const { return static_cast<int>(parent_.size()); } ///< of region numbers
-  int number_of_regions() const { return count_; }
+  std::size_t number_of_regions() const { return static_cast<std::size_t>(count_); }
   bool is_region(int r) const { return parent_[r] == r; }
   double area(int r) const { return area_[r]; }
   double perimeter(int r) const { return perimeter_[r]; }
@@ -96,34 +84,20 @@ public:
     parent_[b] = a;
     --count_;
     area_[a] += area_[b];
-    std::vector<Border>& row = borders_[a];
-    for(std::size_t i = 0; i < row.size(); ++i)
-      place_[row[i].region] = static_cast<int>(i);
     for(const Border& border : borders_[b]) {
-      if(border.region == a) {
+      const int c = border.region;
+      if(c == a)
         perimeter_[a] += perimeter_[b] - 2 * border.cost;
-        continue;
-      }
-      std::vector<Border>& back = borders_[border.region];
-      const auto to = [&](int region) {
-        return std::find_if(back.begin(), back.end(), [=](const Border& x) { return x.region == region; });
-      };
-      const auto to_b = to(b);
-      if(place_[border.region] < 0) {
-        row.push_back(border);
-        to_b->region = a;
+      else if(const auto common = find(a, c); common == borders_[a].end()) {
+        borders_[a].push_back(border);
+        find(c, b)->region = a;
       } else {
-        row[place_[border.region]].cost += border.cost;
-        to(a)->cost += border.cost;
-        *to_b = back.back();
-        back.pop_back();
+        common->cost += border.cost;
+        find(c, a)->cost += border.cost;
+        remove(c, b);
       }
     }
-    const int place_of_b = place_[b];
-    for(const Border& border : row)
-      place_[border.region] = -1;
-    row[place_of_b] = row.back();
-    row.pop_back();
+    remove(a, b);
     borders_[b] = {};
     return a;
   }
@@ -145,6 +119,18 @@ public:
   }
 
 private:
+  /// The border of region a with b.
+  std::vector<Border>::iterator find(int a, int b)
+  {
+    return std::find_if(borders_[a].begin(), borders_[a].end(), [=](const Border& x) { return x.region == b; });
+  }
+
+  void remove(int a, int b)
+  {
+    *find(a, b) = borders_[a].back();
+    borders_[a].pop_back();
+  }
+
   static void sum_up(std::vector<Border>& row)
   {
     std::stable_sort(row.begin(), row.end(), [](const Border& a, const Border& b) { return a.region < b.region; });
@@ -158,17 +144,29 @@ private:
   }
 
   std::vector<int> region_; // of the faces, before all merging
+  int count_;
   std::vector<int> parent_;
   std::vector<double> area_, perimeter_;
   std::vector<std::vector<Border>> borders_;
-  std::vector<int> place_; // scratch of merge(): where a region is in a row; -1: nowhere
-  int count_;
 };
+
+/// The length of every side: what borders are measured with where nothing else is known.
+inline Side_costs side_lengths(const Segmentation_mesh& mesh)
+{
+  Side_costs length(mesh.face.size());
+  for(int f = 0; f < mesh.number_of_faces(); ++f)
+    for(int k = 0; k < 3; ++k)
+      length[f][k] = mesh.side_length(f, k);
+  return length;
+}
+
+/// What follows when regions a and b have become c, one of them: nothing.
+inline constexpr auto ignore_merger = [](int /* a */, int /* b */, int /* c */) {};
 
 /// Merges pairs of neighbours, those with the smallest `key(a, border)` first, for as long as `goes_on(key)`; calls
 /// `merged(a, b, union)` after each. The key of two regions may only change by merging one of them.
-template <class Key, class Goes_on, class Merged>
-void merge_in_order(Region_graph& regions, Key key, Goes_on goes_on, Merged merged)
+template <class Key, class Goes_on, class Merged = decltype(ignore_merger)>
+void merge_in_order(Region_graph& regions, Key key, Goes_on goes_on, Merged merged = ignore_merger)
 {
   typedef std::tuple<double, int, int, int, int> Entry; // key, regions, their versions
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
@@ -196,6 +194,55 @@ void merge_in_order(Region_graph& regions, Key key, Goes_on goes_on, Merged merg
     for(const Region_graph::Border& border : regions.borders(c))
       push(c, border);
   }
+}
+
+/// Merges regions below `minimum_area`, the smallest first, into that neighbour for which `key(region, border)` is
+/// smallest. `merged(a, b, union)` is called after each.
+template <class Key, class Merged = decltype(ignore_merger)>
+void absorb_small_regions(Region_graph& regions, double minimum_area, Key key, Merged merged = ignore_merger)
+{
+  typedef std::pair<double, int> Entry; // area, region
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+  const auto push = [&](int r) {
+    if(regions.area(r) < minimum_area)
+      queue.emplace(regions.area(r), r);
+  };
+  for(int r = 0; r < regions.capacity(); ++r)
+    if(regions.is_region(r))
+      push(r);
+  while(!queue.empty() && regions.number_of_regions() > 1) {
+    const auto [area, r] = queue.top();
+    queue.pop();
+    if(!regions.is_region(r) || regions.area(r) != area)
+      continue;
+    int other = -1;
+    double best = 0;
+    for(const Region_graph::Border& border : regions.borders(r))
+      if(const double candidate = key(r, border); other < 0 || candidate < best) {
+        other = border.region;
+        best = candidate;
+      }
+    const int c = regions.merge(r, other);
+    merged(r, other, c);
+    push(c);
+  }
+}
+
+/// Connected segments from labels: parts that are too small go to the neighbour with the longest common border. While
+/// there are too many, the least significant cut is taken back: that of the smallest area over its squared length.
+inline std::vector<int> selected_segments(const Segmentation_mesh& mesh, const std::vector<int>& label,
+                                          const Segment_limits& limits)
+{
+  Region_graph regions(mesh, connected_components(mesh, label), side_lengths(mesh));
+  absorb_small_regions(regions, limits.minimum_area,
+                       [](int, const Region_graph::Border& border) { return -border.cost; });
+  const auto significance = [&](int a, const Region_graph::Border& border) {
+    return (std::min)(regions.area(a), regions.area(border.region)) / (border.cost * border.cost);
+  };
+  if(limits.number_of_segments > 0)
+    merge_in_order(regions, significance,
+                   [&](double) { return regions.number_of_regions() > limits.number_of_segments; });
+  return regions.labels();
 }
 
 } // namespace CGAL::Spherical_parameterization::internal

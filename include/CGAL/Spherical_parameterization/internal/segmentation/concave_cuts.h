@@ -8,12 +8,10 @@
 #include <CGAL/Spherical_parameterization/internal/multigrid/Multigrid.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/Region_graph.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/Segmentation_mesh.h>
-#include <CGAL/Spherical_parameterization/internal/multigrid/conjugate_gradients.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 #include <memory>
 #include <numeric>
@@ -31,23 +29,17 @@ Weighted_graph dual_diffusion(const Loop& loop, const Segmentation_mesh& mesh, d
   constexpr double largest_weight = 100;
   const int n = mesh.number_of_faces();
   Weighted_graph dual;
-  dual.offset.resize(n + 1);
-  dual.target.resize(3 * std::size_t(n));
-  dual.weight.resize(3 * std::size_t(n));
-  dual.excess.resize(n);
-  for(int f = 0; f <= n; ++f)
-    dual.offset[f] = 3 * f;
   for(int f = 0; f < n; ++f) {
     std::array<int, 3> order = {0, 1, 2};
     std::sort(order.begin(), order.end(), [&](int a, int b) { return mesh.across(f, a) < mesh.across(f, b); });
-    for(int i = 0; i < 3; ++i) {
-      const int k = order[i], g = mesh.across(f, k);
-      const vec3 d = sub(mesh.centroid(g), mesh.centroid(f));
-      const double length = mesh.side_length(f, k), distance = std::sqrt(inner(d, d));
-      dual.target[3 * f + i] = g;
-      dual.weight[3 * f + i] = diffusion * (length < largest_weight * distance ? length / distance : largest_weight);
+    for(int k : order) {
+      const int g = mesh.across(f, k);
+      const double length = mesh.side_length(f, k), distance = norm(sub(mesh.centroid(g), mesh.centroid(f)));
+      dual.target.push_back(g);
+      dual.weight.push_back(diffusion * (length < largest_weight * distance ? length / distance : largest_weight));
     }
-    dual.excess[f] = (std::max)(mesh.area[f], 1e-12 / n);
+    dual.offset.push_back(static_cast<int>(dual.target.size()));
+    dual.excess.push_back((std::max)(mesh.face_area[f], 1e-12 / n));
   }
   dual.update_diagonal({}, loop);
   return dual;
@@ -68,10 +60,8 @@ Host_array<vec3> smoothed_normals(const Loop& loop, const Segmentation_mesh& mes
   Monitor monitor(std::numeric_limits<double>::infinity(), {}, false);
   constexpr double accuracy = 1e-3; // of the normals, that is 1e-3 radians
   conjugate_gradients(backend, multigrid, 0, mass_times_normal, accuracy, monitor, 0, normal);
-  for(vec3& n : normal) {
-    const double length2 = inner(n, n);
-    n = length2 > 0 ? scale(1 / std::sqrt(length2), n) : make_vec3(0, 0, 0);
-  }
+  for(vec3& n : normal)
+    n = inner(n, n) > 0 ? unit(n) : make_vec3(0, 0, 0);
   return normal;
 }
 
@@ -83,10 +73,8 @@ inline Side_costs inward_turn(const Segmentation_mesh& mesh, const Host_array<ve
     for(int k = 0; k < 3; ++k) {
       const int g = mesh.across(f, k);
       const vec3 d = sub(mesh.centroid(g), mesh.centroid(f)), dn = sub(normal[g], normal[f]);
-      const vec3 axis = outer(normal[f], normal[g]);
-      const double angle = std::atan2(std::sqrt(inner(axis, axis)), inner(normal[f], normal[g]));
-      const double distance = std::sqrt(inner(d, d));
-      const double size = distance > 0 ? angle / distance * radius : 0;
+      const double angle = std::atan2(norm(outer(normal[f], normal[g])), inner(normal[f], normal[g]));
+      const double distance = norm(d), size = distance > 0 ? angle / distance * radius : 0;
       turn[f][k] = inner(d, dn) < 0 ? size : -size;
     }
   return turn;
@@ -129,16 +117,14 @@ inline std::vector<int> normalized_cuts(const Segmentation_mesh& mesh, const Sid
   std::iota(single.begin(), single.end(), 0);
   Region_graph regions(mesh, std::move(single), costs);
   const double tiny = 1e-9 / mesh.number_of_faces(); // faces without area merge first
-  merge_in_order(
-    regions,
-    [&](int a, const Region_graph::Border& border) {
-      const int b = border.region;
-      const double area_a = regions.area(a) + tiny, area_b = regions.area(b) + tiny;
-      const double perimeter_a = regions.perimeter(a), perimeter_b = regions.perimeter(b);
-      return (perimeter_a + perimeter_b - 2 * border.cost) / (area_a + area_b) - perimeter_a / area_a -
-             perimeter_b / area_b;
-    },
-    [&](double change) { return -change >= stop; }, [](int, int, int) {});
+  const auto change_of_sum = [&](int a, const Region_graph::Border& border) {
+    const int b = border.region;
+    const double area_a = regions.area(a) + tiny, area_b = regions.area(b) + tiny;
+    const double perimeter_a = regions.perimeter(a), perimeter_b = regions.perimeter(b);
+    return (perimeter_a + perimeter_b - 2 * border.cost) / (area_a + area_b) - perimeter_a / area_a -
+           perimeter_b / area_b;
+  };
+  merge_in_order(regions, change_of_sum, [&](double change) { return -change >= stop; });
   return regions.labels();
 }
 
@@ -150,16 +136,14 @@ std::vector<std::vector<int>> concavity_segments(const Loop& loop, const Segment
   constexpr double finest = 0.02; // of the square root of the area; meshes of 10,000 faces have edges of 0.015
   constexpr double ratio = 1.5;   // of one scale to the next; valleys are compared with the scale after that
   constexpr double stop = 6;      // what a part of area a and perimeter p has to save, p / a, to be one
+  const auto radius = [&](int scale) { return finest * std::pow(ratio, scale); };
   std::vector<Host_array<vec3>> normals;
-  std::vector<double> radius;
-  for(int i = 0; i < scales + 2; ++i) {
-    radius.push_back(finest * std::pow(ratio, i));
-    normals.push_back(smoothed_normals(loop, mesh, radius[i]));
-  }
+  for(int i = 0; i < scales + 2; ++i)
+    normals.push_back(smoothed_normals(loop, mesh, radius(i)));
   std::vector<std::vector<int>> segments(scales);
   loop.for_each(scales, [&](int i) {
-    const Side_costs fine = inward_turn(mesh, normals[i], radius[i]),
-                     wide = inward_turn(mesh, normals[i + 2], radius[i]);
+    const Side_costs fine = inward_turn(mesh, normals[i], radius(i));
+    const Side_costs wide = inward_turn(mesh, normals[i + 2], radius(i));
     segments[i] = normalized_cuts(mesh, cutting_costs(mesh, fine, wide), stop);
   });
   return segments;

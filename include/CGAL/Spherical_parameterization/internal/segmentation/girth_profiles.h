@@ -4,8 +4,8 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SEGMENTATION_GIRTH_PROFILES_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SEGMENTATION_GIRTH_PROFILES_H
 
+#include <CGAL/Spherical_parameterization/internal/base/persistence.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/Segmentation_mesh.h>
-#include <CGAL/Spherical_parameterization/internal/segmentation/stretch_minima.h>
 
 #include <algorithm>
 #include <array>
@@ -29,17 +29,14 @@ struct Bundle {
 inline std::vector<Bundle> bundles_of_tips(const std::vector<vec3>& tips)
 {
   const int n = static_cast<int>(tips.size());
-  const auto distance = [](vec3 a, vec3 b) {
-    const vec3 d = sub(a, b);
-    return std::sqrt(inner(d, d));
-  };
+  const auto distance = [](vec3 a, vec3 b) { return norm(sub(a, b)); };
   std::vector<std::vector<int>> clusters(n);
-  for(int i = 0; i < n; ++i)
-    clusters[i] = {i};
   std::vector<std::vector<double>> gap(n, std::vector<double>(n)); // between clusters
-  for(int i = 0; i < n; ++i)
+  for(int i = 0; i < n; ++i) {
+    clusters[i] = {i};
     for(int j = 0; j < n; ++j)
       gap[i][j] = distance(tips[i], tips[j]);
+  }
 
   std::vector<Bundle> bundles;
   const auto add_bundle = [&](const std::vector<int>& cluster) {
@@ -49,11 +46,8 @@ inline std::vector<Bundle> bundles_of_tips(const std::vector<vec3>& tips)
     if(!(inner(centre, centre) > 0)) // tips that balance each other are no bundle
       return;
     Bundle b = {unit(centre), cluster.size(), 0, 2};
-    std::vector<char> is_own(n, 0);
-    for(int i : cluster)
-      is_own[i] = 1;
     for(int i = 0; i < n; ++i)
-      if(!is_own[i])
+      if(std::find(cluster.begin(), cluster.end(), i) == cluster.end())
         b.distance_to_next = (std::min)(b.distance_to_next, distance(tips[i], b.centre));
       else if(cluster.size() > 1)
         b.radius = (std::max)(b.radius, distance(tips[i], b.centre));
@@ -81,9 +75,9 @@ inline std::vector<Bundle> bundles_of_tips(const std::vector<vec3>& tips)
 /// map of a tube round the centre has rho as its length over its radius; a turn is isolines of rho.
 inline std::vector<double> log_radius(const Segmentation_mesh& mesh, vec3 centre)
 {
-  std::vector<double> rho(mesh.sphere.size());
+  std::vector<double> rho(mesh.image.size());
   for(std::size_t v = 0; v < rho.size(); ++v) {
-    const vec3 d = sub(mesh.sphere[v], centre);
+    const vec3 d = sub(mesh.image[v], centre);
     const double t2 = (std::max)(1e-34, inner(d, d));
     rho[v] = 0.5 * std::log(t2 / (std::max)(1e-6, 1 - t2 / 4));
   }
@@ -105,16 +99,16 @@ inline Girth_profile girth_profile(const Segmentation_mesh& mesh, const std::vec
                                    double last)
 {
   constexpr double resolution = 0.05;
-  const int n = (std::max)(20, (std::min)(2000, static_cast<int>((last - first) / resolution)));
+  const int n = std::clamp(static_cast<int>((last - first) / resolution), 20, 2000);
   Girth_profile profile = {first, (last - first) / (n - 1), std::vector<double>(n, 0), std::vector<double>(n, 0)};
   for(int f = 0; f < mesh.number_of_faces(); ++f) {
     const std::array<int, 3>& corner = mesh.face[f];
     const double r[3] = {rho[corner[0]], rho[corner[1]], rho[corner[2]]};
-    const double inside = ((r[0] + r[1] + r[2]) / 3 - first) / profile.step;
+    const double inside = (mean_of_corners(mesh, rho, f) - first) / profile.step;
     if(inside <= n - 1)
-      profile.area[inside > 0 ? static_cast<int>(std::ceil(inside)) : 0] += mesh.area[f];
-    const double from = ((std::min)({r[0], r[1], r[2]}) - first) / profile.step;
-    const double to = ((std::max)({r[0], r[1], r[2]}) - first) / profile.step;
+      profile.area[inside > 0 ? static_cast<int>(std::ceil(inside)) : 0] += mesh.face_area[f];
+    const auto [least, largest] = std::minmax({r[0], r[1], r[2]});
+    const double from = (least - first) / profile.step, to = (largest - first) / profile.step;
     if(!(to >= 0 && from <= n - 1))
       continue;
     const int i0 = from > 0 ? static_cast<int>(std::ceil(from)) : 0;
@@ -127,10 +121,8 @@ inline Girth_profile girth_profile(const Segmentation_mesh& mesh, const std::vec
         if((x < level) != (y < level))
           end[ends++] = add_scaled(mesh.point[corner[k]], (level - x) / (y - x), mesh.side(f, k));
       }
-      if(ends == 2) {
-        const vec3 d = sub(end[0], end[1]);
-        profile.girth[i] += std::sqrt(inner(d, d));
-      }
+      if(ends == 2)
+        profile.girth[i] += norm(sub(end[0], end[1]));
     }
   }
   for(int i = 1; i < n; ++i)
@@ -241,11 +233,12 @@ std::vector<int> girth_labels(const Loop& loop, const Segmentation_mesh& mesh, c
   std::vector<double> scale_of_map = stretch_of_vertices(mesh, face_stretch);
   for(double& x : scale_of_map)
     x = -x;
-  std::vector<int> minima = persistent_minima(mesh, smoothed(mesh, std::move(scale_of_map), smoothing), persistence);
-  minima.resize((std::min)(minima.size(), largest_number_of_tips));
+  scale_of_map = smoothed(mesh, std::move(scale_of_map), smoothing);
+  const auto neighbours = [&](int v, const auto& visit) { mesh.for_each_neighbour(v, visit); };
   std::vector<vec3> tips;
-  for(int v : minima)
-    tips.push_back(mesh.sphere[v]);
+  for(const Basin& basin : basins(scale_of_map, std::vector<double>(scale_of_map.size(), 1), neighbours))
+    if(tips.empty() || (basin.persistence >= persistence && tips.size() < largest_number_of_tips))
+      tips.push_back(mesh.image[basin.minimum]);
 
   const std::vector<Bundle> bundles = bundles_of_tips(tips);
   std::vector<std::vector<Girth_cut>> cuts_of_bundle(bundles.size());
@@ -263,7 +256,7 @@ std::vector<int> girth_labels(const Loop& loop, const Segmentation_mesh& mesh, c
     const std::vector<double> rho = log_radius(mesh, cut.centre);
     ++count;
     for(int f = 0; f < mesh.number_of_faces(); ++f)
-      if((rho[mesh.face[f][0]] + rho[mesh.face[f][1]] + rho[mesh.face[f][2]]) / 3 < cut.rho)
+      if(mean_of_corners(mesh, rho, f) < cut.rho)
         label[f] = count;
   }
   return label;

@@ -6,9 +6,7 @@
 
 #include <CGAL/Spherical_parameterization/internal/segmentation/Region_graph.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/Segmentation_mesh.h>
-#include <CGAL/Spherical_parameterization/internal/segmentation/segment_selection.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <utility>
@@ -36,9 +34,9 @@ public:
       weight_.push_back(voter.weight / total);
     const double tiny = 1e-9 / mesh.number_of_faces(); // so that regions without area have a share, too
     for(int f = 0; f < mesh.number_of_faces(); ++f) {
-      area_[region[f]] += mesh.area[f] + tiny;
+      area_[region[f]] += mesh.face_area[f] + tiny;
       for(std::size_t e = 0; e < voters.size(); ++e)
-        tallies_[region[f]][{e, voters[e].label[f]}] += mesh.area[f] + tiny;
+        tallies_[region[f]][{e, voters[e].label[f]}] += mesh.face_area[f] + tiny;
     }
   }
 
@@ -47,11 +45,9 @@ public:
     if(tallies_[a].size() > tallies_[b].size())
       std::swap(a, b);
     double sum = 0;
-    for(const auto& [key, area] : tallies_[a]) {
-      const auto other = tallies_[b].find(key);
-      if(other != tallies_[b].end())
+    for(const auto& [key, area] : tallies_[a])
+      if(const auto other = tallies_[b].find(key); other != tallies_[b].end())
         sum += weight_[key.first] * area * other->second;
-    }
     return sum / (area_[a] * area_[b]);
   }
 
@@ -72,9 +68,9 @@ private:
 
 /// The segmentation that disagrees little with the voters, counted in pairs of points like the Rand index does: from
 /// the common refinement on, those neighbours are merged that have most votes for it, while they have more than half
-/// of them. If `number_of_segments` is not 0, until there are that many.
+/// of them. If the limits have a number of segments, until there are that many.
 inline std::vector<int> majority_segments(const Segmentation_mesh& mesh, const std::vector<Voter>& voters,
-                                          double minimum_area, std::size_t number_of_segments)
+                                          const Segment_limits& limits)
 {
   std::map<std::vector<int>, int> number_of;
   std::vector<int> label(mesh.face.size()), key(voters.size());
@@ -90,15 +86,12 @@ inline std::vector<int> majority_segments(const Segmentation_mesh& mesh, const s
     return 1 - ballots.votes_for_union(a, border.region);
   };
   const auto count = [&](int a, int b, int c) { ballots.merge(a, b, c); };
-  absorb_small_regions(regions, minimum_area, votes_against, count);
+  absorb_small_regions(regions, limits.minimum_area, votes_against, count);
   constexpr double half = 0.5 - 1e-9; // a tie is no majority
-  merge_in_order(
-    regions, votes_against,
-    [&](double against) {
-      return number_of_segments > 0 ? static_cast<std::size_t>(regions.number_of_regions()) > number_of_segments
-                                    : against < half;
-    },
-    count);
+  const auto goes_on = [&](double against) {
+    return limits.number_of_segments > 0 ? regions.number_of_regions() > limits.number_of_segments : against < half;
+  };
+  merge_in_order(regions, votes_against, goes_on, count);
   return regions.labels();
 }
 

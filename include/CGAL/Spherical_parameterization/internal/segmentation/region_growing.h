@@ -5,7 +5,6 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SEGMENTATION_REGION_GROWING_H
 
 #include <CGAL/Spherical_parameterization/internal/segmentation/Segmentation_mesh.h>
-#include <CGAL/Spherical_parameterization/internal/segmentation/stretch_minima.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,10 +19,10 @@ inline std::vector<int> seeds(const Segmentation_mesh& mesh, const std::vector<d
   std::vector<int> result;
   for(int v = 0; v < mesh.number_of_vertices(); ++v) {
     bool is_minimum = true, is_maximum = true;
-    for(int k = mesh.graph->offset[v]; k < mesh.graph->offset[v + 1]; ++k) {
-      is_minimum = is_minimum && stretch[mesh.graph->target[k]] > stretch[v];
-      is_maximum = is_maximum && stretch[mesh.graph->target[k]] < stretch[v];
-    }
+    mesh.for_each_neighbour(v, [&](int w) {
+      is_minimum = is_minimum && stretch[w] > stretch[v];
+      is_maximum = is_maximum && stretch[w] < stretch[v];
+    });
     if(is_minimum || is_maximum)
       result.push_back(v);
   }
@@ -43,32 +42,27 @@ inline std::vector<int> grown_labels(const Segmentation_mesh& mesh, const std::v
   for(int f = 0; f < mesh.number_of_faces(); ++f)
     for(int v : mesh.face[f])
       some_face[v] = f;
-  const auto value = [&](int f) {
-    return (stretch[mesh.face[f][0]] + stretch[mesh.face[f][1]] + stretch[mesh.face[f][2]]) / 3;
-  };
 
-  std::vector<int> label(mesh.face.size(), 0), front;
+  std::vector<int> label(mesh.face.size(), 0);
   std::vector<char> is_reached(stretch.size(), 0);
   int count = 0;
   for(int seed : seeds(mesh, stretch)) {
     const int first = some_face[seed];
     if(is_reached[seed] || label[first] > 0)
       continue;
-    label[first] = ++count;
-    front.push_back(first);
-    while(!front.empty()) {
-      const int f = front.back();
-      front.pop_back();
+    ++count;
+    const auto take = [&](int f) {
+      label[f] = count;
       for(int v : mesh.face[f])
         is_reached[v] = 1;
-      for(int k = 0; k < 3; ++k) {
-        const int g = mesh.across(f, k);
-        if(label[g] == 0 && std::abs(value(g) - stretch[seed]) <= threshold) {
-          label[g] = count;
-          front.push_back(g);
-        }
-      }
-    }
+    };
+    take(first);
+    flood(mesh, first, [&](int f) {
+      const bool takes = label[f] == 0 && std::abs(mean_of_corners(mesh, stretch, f) - stretch[seed]) <= threshold;
+      if(takes)
+        take(f);
+      return takes;
+    });
   }
   return label;
 }

@@ -10,7 +10,6 @@
 #include <CGAL/Spherical_parameterization/internal/segmentation/girth_profiles.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/majority_vote.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/region_growing.h>
-#include <CGAL/Spherical_parameterization/internal/segmentation/segment_selection.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/segments.h>
 #include <CGAL/Spherical_parameterization/segmentation_methods.h>
 
@@ -18,36 +17,11 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
-
-template <class Loop>
-std::vector<int> labels_of(const Loop& loop, const Segmentation_mesh& mesh, const std::vector<double>& stretch,
-                           const Girth_profiles& method)
-{
-  return selected_segments(mesh, girth_labels(loop, mesh, stretch), method.minimum_area, method.number_of_segments);
-}
-
-template <class Loop>
-std::vector<int> labels_of(const Loop&, const Segmentation_mesh& mesh, const std::vector<double>& stretch,
-                           const Region_growing& method)
-{
-  return selected_segments(mesh, grown_labels(mesh, stretch, method.threshold), method.minimum_area,
-                           method.number_of_segments);
-}
-
-template <class Loop>
-std::vector<int> labels_of(const Loop& loop, const Segmentation_mesh& mesh, const std::vector<double>& stretch,
-                           const Majority_vote& method)
-{
-  constexpr double girth_weight = 2;
-  std::vector<Voter> voters = {{labels_of(loop, mesh, stretch, Girth_profiles()), girth_weight}};
-  for(std::vector<int>& label : concavity_segments(loop, mesh))
-    voters.push_back({std::move(label), 1});
-  return majority_segments(mesh, voters, method.minimum_area, method.number_of_segments);
-}
 
 template <class Loop, class Method>
 std::vector<int> segments_of(const Loop& loop, Mapped_surface surface, std::vector<double> stretch,
@@ -55,13 +29,24 @@ std::vector<int> segments_of(const Loop& loop, Mapped_surface surface, std::vect
 {
   constexpr double least_share = 1e-36;
   constexpr double least_area = 1e-300;
-  const Segmentation_mesh mesh = make_segmentation_mesh(std::move(surface));
+  const Segmentation_mesh mesh(std::move(surface));
   for(std::size_t f = 0; f < stretch.size(); ++f) {
     if(!std::isfinite(stretch[f]))
       throw Input_error(Error_code::NON_FINITE_COORDINATE, "the stretch of face " + std::to_string(f));
-    stretch[f] = (std::min)(stretch[f], std::log((std::max)(mesh.area[f], least_area) / least_share));
+    stretch[f] = (std::min)(stretch[f], std::log((std::max)(mesh.face_area[f], least_area) / least_share));
   }
-  return labels_of(loop, mesh, stretch, method);
+  if constexpr(std::is_same_v<Method, Region_growing>)
+    return selected_segments(mesh, grown_labels(mesh, stretch, method.threshold), method);
+  else if constexpr(std::is_same_v<Method, Girth_profiles>)
+    return selected_segments(mesh, girth_labels(loop, mesh, stretch), method);
+  else {
+    constexpr double girth_weight = 2;
+    std::vector<Voter> voters = {
+      {selected_segments(mesh, girth_labels(loop, mesh, stretch), Girth_profiles()), girth_weight}};
+    for(std::vector<int>& label : concavity_segments(loop, mesh))
+      voters.push_back({std::move(label), 1});
+    return majority_segments(mesh, voters, method);
+  }
 }
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -5,17 +5,15 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SIGNATURE_CONFORMAL_FACTOR_H
 
 #include <CGAL/Spherical_parameterization/Error.h>
-#include <CGAL/Spherical_parameterization/internal/base/vec3.h>
-#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Mapped_surface.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/midpoint_refinement.h>
-#include <CGAL/Spherical_parameterization/internal/predicates/spherical_area.h>
+#include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 #include <CGAL/Spherical_parameterization/internal/signature/Discrete_surface.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Intrinsic_triangulation.h>
 
 #include <cmath>
 #include <cstddef>
-#include <utility>
+#include <numeric>
 
 namespace CGAL::Spherical_parameterization::internal {
 
@@ -66,10 +64,7 @@ private:
 
   static Triangle_surface checked(const Mapped_surface& map)
   {
-    double area = 0;
-    for(double a : map.area)
-      area += a;
-    if(!(area > 0))
+    if(!(std::accumulate(map.area.begin(), map.area.end(), 0.) > 0))
       throw Input_error(Error_code::DEGENERATE_FACE, "no face has an area");
     return {static_cast<const Corner_table&>(map), map.point};
   }

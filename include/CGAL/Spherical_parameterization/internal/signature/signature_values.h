@@ -5,14 +5,12 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SIGNATURE_SIGNATURE_VALUES_H
 
 #include <CGAL/Spherical_parameterization/internal/base/compiled.h>
-#include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Mapped_surface.h>
 
 #include <array>
 #include <cstddef>
 
-namespace CGAL::Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// Of what the coordinates of a signature are, in their order.
 struct Signature_sizes {
@@ -27,16 +25,7 @@ typedef std::array<double, Signature_sizes::all> Signature_values;
 template <class Loop>
 Signature_values signature_values(const Loop& loop, const Mapped_surface& map);
 
-#ifdef CGAL_SPHERICAL_PARAMETERIZATION_COMPILED
-extern template Signature_values signature_values(const Sequential_loop&, const Mapped_surface&);
-#ifdef CGAL_LINKED_WITH_TBB
-extern template Signature_values signature_values(const Parallel_loop&, const Mapped_surface&);
-#endif
-#endif
-
-} // namespace internal
-
-} // namespace CGAL::Spherical_parameterization
+} // namespace CGAL::Spherical_parameterization::internal
 
 #ifdef CGAL_SP_INCLUDE_CORE
 #include <CGAL/Spherical_parameterization/internal/signature/signature_values_impl.h>

@@ -6,13 +6,12 @@
 
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/distortion/Mapped_faces.h>
-#include <CGAL/Spherical_parameterization/internal/distortion/face_distortion.h>
+#include <CGAL/Spherical_parameterization/internal/distortion/Face_measures.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/vertex_stars.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -32,19 +31,12 @@ inline std::vector<vec3> pole_candidates(const Host_array<vec3>& directions, con
   constexpr std::size_t most = 48;
   std::vector<std::size_t> order(directions.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
-  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
-    return stretch[i] > stretch[j] || (stretch[i] == stretch[j] && i < j);
-  });
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return stretch[i] > stretch[j]; });
   std::vector<vec3> candidates;
   for(std::size_t i : order) {
-    const bool is_far = std::all_of(candidates.begin(), candidates.end(), [&](vec3 c) {
-      const vec3 d = sub(c, directions[i]);
-      return inner(d, d) > 0.01;
-    });
-    if(is_far)
+    const auto is_far = [&](vec3 c) { return inner(sub(c, directions[i]), sub(c, directions[i])) > 0.01; };
+    if(candidates.size() < most && std::all_of(candidates.begin(), candidates.end(), is_far))
       candidates.push_back(directions[i]);
-    if(candidates.size() == most)
-      break;
   }
   return candidates;
 }
@@ -56,7 +48,7 @@ inline double texture_distortion(const std::vector<Face_sample>& samples, vec3 p
   double weight = 0, sum = 0, squares = 0;
   for(const Face_sample& s : samples) {
     const vec3 away = tangent(pole, s.centre), axis = outer(pole, s.centre);
-    const double sine = std::sqrt(inner(axis, axis)); // of the distance from the pole
+    const double sine = norm(axis); // of the distance from the pole
     if(!(sine > 0))
       continue;
     const double x[2] = {inner(s.column[0], axis) / (sine * sine), inner(s.column[1], axis) / (sine * sine)};
@@ -78,31 +70,27 @@ inline double texture_distortion(const std::vector<Face_sample>& samples, vec3 p
 template <class Loop>
 vec3 least_harmful_south_pole(const Loop& loop, const Mapped_faces& map, const Vertex_stars& stars)
 {
-  constexpr std::size_t enough = 4000; // samples; every k-th face
-  const std::size_t number_of_faces = map.face.size();
+  constexpr int enough = 4000; // samples; every k-th face
+  const int n = map.number_of_faces(), stride = (std::max)(1, n / enough);
   std::vector<double> source_area, image_area;
   double total = 0;
-  for(int f = 0; f < map.number_of_faces(); ++f) {
+  for(int f = 0; f < n; ++f) {
     source_area.push_back(flat_area(map.in_source(f)));
     image_area.push_back(flat_area(map.on_sphere(f)));
     total += source_area.back();
   }
-  const std::size_t stride = (std::max)(std::size_t(1), number_of_faces / enough);
 
   std::vector<Face_sample> samples;
-  for(std::size_t f = 0; f < number_of_faces; f += stride) {
-    const auto p = map.in_source(static_cast<int>(f)), v = map.on_sphere(static_cast<int>(f));
+  for(int f = 0; f < n; f += stride) {
+    const auto p = map.in_source(f), v = map.on_sphere(f);
     const vec3 e = sub(p[1], p[0]), g = sub(p[2], p[0]);
-    const double length = std::sqrt(inner(e, e)), area = source_area[f];
+    const double length = norm(e), area = source_area[f];
     if(!(area > 0))
       continue;
     const double along = inner(e, g) / length, height = 2 * area / length;
-    Face_sample s;
-    s.centre = unit(add(v[0], add(v[1], v[2])));
-    s.column[0] = scale(1 / length, sub(v[1], v[0]));
-    s.column[1] = scale(1 / height, add_scaled(sub(v[2], v[0]), -along, s.column[0]));
-    s.area = area / total;
-    samples.push_back(s);
+    const vec3 first = scale(1 / length, sub(v[1], v[0]));
+    const vec3 second = scale(1 / height, add_scaled(sub(v[2], v[0]), -along, first));
+    samples.push_back({unit(add(v[0], add(v[1], v[2]))), {first, second}, area / total});
   }
 
   std::vector<double> stretch;
@@ -118,14 +106,7 @@ vec3 least_harmful_south_pole(const Loop& loop, const Mapped_faces& map, const V
   const std::vector<vec3> poles = pole_candidates(map.image, stretch);
   std::vector<double> distortion(poles.size());
   loop.for_each(static_cast<int>(poles.size()), [&](int i) { distortion[i] = texture_distortion(samples, poles[i]); });
-  vec3 best = map.image.front();
-  double least = std::numeric_limits<double>::infinity();
-  for(std::size_t i = 0; i < poles.size(); ++i)
-    if(distortion[i] < least) {
-      least = distortion[i];
-      best = poles[i];
-    }
-  return best;
+  return poles[std::min_element(distortion.begin(), distortion.end()) - distortion.begin()];
 }
 
 } // namespace CGAL::Spherical_parameterization::internal

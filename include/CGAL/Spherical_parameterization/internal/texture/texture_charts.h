@@ -4,8 +4,8 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_TEXTURE_TEXTURE_CHARTS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_TEXTURE_TEXTURE_CHARTS_H
 
-#include <CGAL/Spherical_parameterization/internal/predicates/spherical_area.h>
-#include <CGAL/Spherical_parameterization/internal/texture/uv_grid.h>
+#include <CGAL/Spherical_parameterization/internal/base/plane.h>
+#include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 
 #include <algorithm>
 #include <array>
@@ -36,6 +36,8 @@ struct Frame {
   }
 };
 
+typedef std::array<vec2, 3> Uv_triangle;
+
 /// What a chart makes of a face.
 struct Charted_face {
   Uv_triangle uv;
@@ -54,9 +56,8 @@ inline double shortest_turn(double from, double to)
 /// u = longitude / 2 pi, v = 1/2 + latitude / pi. Corners are continued past u = 1 from the westernmost one, which is
 /// in [0, 1). A corner at a pole has the mean u of the two others. A face round a pole leaves out the edge nearest to
 /// the pole: what is north of it is no triangle on the chart.
-class Latitude_longitude_chart {
-public:
-  explicit Latitude_longitude_chart(const Frame& frame) : frame_(frame) {}
+struct Latitude_longitude_chart {
+  Frame frame;
 
   Charted_face operator()(const std::array<vec3, 3>& p) const
   {
@@ -65,7 +66,7 @@ public:
     std::array<double, 3> longitude;
     int pole = -1; // the corner that is one
     for(int k = 0; k < 3; ++k) {
-      const vec3 q = frame_(p[k]);
+      const vec3 q = frame(p[k]);
       const double to_axis = std::hypot(q.x, q.y);
       longitude[k] = std::atan2(q.y, q.x) / (2 * pi);
       const double to_pole = std::atan2(to_axis, std::abs(q.z)) / pi;
@@ -96,7 +97,7 @@ public:
     face.is_at_seam = (std::max)({face.uv[0].x, face.uv[1].x, face.uv[2].x}) >= 1;
 
     const vec3 centre = unit(add(p[0], add(p[1], p[2])));
-    const vec3 c = frame_(centre);
+    const vec3 c = frame(centre);
     face.area = spherical_area(p[0], p[1], p[2]) / (2 * pi * pi * (std::max)(std::hypot(c.x, c.y), 1e-3));
     return face;
   }
@@ -109,18 +110,14 @@ public:
     for(vec2& p : t)
       p = {p.x - turns, p.y - below - above};
   }
-
-private:
-  Frame frame_;
 };
 
 /// The octahedral map: central projection to the octahedron |x| + |y| + |z| = 1, whose northern half becomes the
 /// diamond in the middle of the square and whose southern faces are unfolded to its corners. Each octant is mapped
 /// projectively: faces inside of one cannot flip. The sides of the square are glued to themselves by half-turns about
 /// their midpoints; corners are continued across them.
-class Octahedral_chart {
-public:
-  explicit Octahedral_chart(const Frame& frame) : frame_(frame) {}
+struct Octahedral_chart {
+  Frame frame;
 
   Charted_face operator()(const std::array<vec3, 3>& p) const
   {
@@ -132,7 +129,7 @@ public:
       face.uv[k] = nearest_image(q, home);
       face.is_at_seam = face.is_at_seam || face.uv[k].x != q.x || face.uv[k].y != q.y;
     }
-    const vec3 c = frame_(centre);
+    const vec3 c = frame(centre);
     const double s = std::abs(c.x) + std::abs(c.y) + std::abs(c.z);
     face.area = spherical_area(p[0], p[1], p[2]) / (4 * s * s * s);
     return face;
@@ -143,7 +140,7 @@ public:
 private:
   vec2 in_square(vec3 p) const
   {
-    const vec3 q = frame_(p);
+    const vec3 q = frame(p);
     const double s = std::abs(q.x) + std::abs(q.y) + std::abs(q.z), x = q.x / s, y = q.y / s;
     if(q.z >= 0)
       return {(1 + x) / 2, (1 + y) / 2};
@@ -163,8 +160,55 @@ private:
       }
     return best;
   }
+};
 
-  Frame frame_;
+/// By the exact predicate, one dimension up: seen from the origin, the plane z = 1 keeps its orientation.
+inline bool is_counterclockwise(const Uv_triangle& t)
+{
+  const auto lifted = [](vec2 p) { return make_vec3(p.x, p.y, 1); };
+  return is_positively_oriented(lifted(t[0]), lifted(t[1]), lifted(t[2]));
+}
+
+/// The multiples of 2^-bits: between -2 and 2 all of them are doubles for bits = 52, and floats for bits = 23. What is
+/// decided about points of the grid stays true when they are stored as such.
+class Uv_grid {
+public:
+  explicit Uv_grid(int bits) : cell_(std::ldexp(1., -bits)) {}
+
+  double cell() const { return cell_; }
+
+  double rounded(double x) const { return std::nearbyint(x / cell_) * cell_; }
+  vec2 rounded(vec2 p) const { return {rounded(p.x), rounded(p.y)}; }
+  Uv_triangle rounded(const Uv_triangle& t) const { return {rounded(t[0]), rounded(t[1]), rounded(t[2])}; }
+
+  /// A counter-clockwise triangle of the grid close to `t`, for triangles that rounding, or the curvature of the chart,
+  /// has flipped: the corner opposite to the longest edge moves to its proper side, as far as `area` (that of the
+  /// triangle before it was flipped) says, but at least by one cell.
+  Uv_triangle turned_over(const Uv_triangle& t, double area) const
+  {
+    Uv_triangle r = rounded(t);
+    int apex = 0;
+    for(int k = 1; k < 3; ++k)
+      if(distance(r[(k + 1) % 3], r[(k + 2) % 3]) > distance(r[(apex + 1) % 3], r[(apex + 2) % 3]))
+        apex = k;
+    vec2& p = r[(apex + 1) % 3];
+    vec2& q = r[(apex + 2) % 3];
+    if(p.x == q.x && p.y == q.y) // all in one point
+      q = {p.x + cell_, p.y};
+    const double length = distance(p, q);
+    const vec2 along = scale(1 / length, sub(q, p)), left = {-along.y, along.x};
+    const double place = std::clamp(inner(sub(r[apex], p), along), 0., length);
+    const vec2 foot = add(p, scale(place, along));
+    double height = std::clamp(2 * area / length, cell_, (std::max)(cell_, 0.25));
+    do {
+      r[apex] = rounded(add(foot, scale(height, left)));
+      height *= 2; // twice at most: rounding moves a point by less than a cell
+    } while(!is_counterclockwise(r));
+    return r;
+  }
+
+private:
+  double cell_;
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

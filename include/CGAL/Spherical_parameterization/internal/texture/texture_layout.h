@@ -6,7 +6,6 @@
 
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/base/compiled.h>
-#include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/base/plane.h>
 #include <CGAL/Spherical_parameterization/internal/distortion/Mapped_faces.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/vertex_stars.h>
@@ -14,8 +13,7 @@
 
 #include <array>
 
-namespace CGAL::Spherical_parameterization {
-namespace internal {
+namespace CGAL::Spherical_parameterization::internal {
 
 /// What is to be put into the texture.
 struct Texture_layout {
@@ -28,18 +26,7 @@ template <class Loop>
 Texture_layout texture_layout(const Loop& loop, const Mapped_faces& map, const Vertex_stars& stars,
                               const Texture_options& options);
 
-#ifdef CGAL_SPHERICAL_PARAMETERIZATION_COMPILED
-extern template Texture_layout texture_layout(const Sequential_loop&, const Mapped_faces&, const Vertex_stars&,
-                                              const Texture_options&);
-#ifdef CGAL_LINKED_WITH_TBB
-extern template Texture_layout texture_layout(const Parallel_loop&, const Mapped_faces&, const Vertex_stars&,
-                                              const Texture_options&);
-#endif
-#endif
-
-} // namespace internal
-
-} // namespace CGAL::Spherical_parameterization
+} // namespace CGAL::Spherical_parameterization::internal
 
 #ifdef CGAL_SP_INCLUDE_CORE
 #include <CGAL/Spherical_parameterization/internal/texture/texture_layout_impl.h>

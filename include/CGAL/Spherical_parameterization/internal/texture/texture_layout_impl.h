@@ -4,20 +4,17 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_TEXTURE_TEXTURE_LAYOUT_IMPL_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_TEXTURE_TEXTURE_LAYOUT_IMPL_H
 
-#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/base/precondition.h>
 #include <CGAL/Spherical_parameterization/internal/distortion/Mapped_faces.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/point_coordinates.h>
 #include <CGAL/Spherical_parameterization/internal/texture/least_harmful_poles.h>
 #include <CGAL/Spherical_parameterization/internal/texture/texture_charts.h>
-#include <CGAL/Spherical_parameterization/internal/texture/uv_grid.h>
 #include <CGAL/Spherical_parameterization/internal/texture/texture_layout.h>
 #include <CGAL/Spherical_parameterization/texture_options.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 
 namespace CGAL::Spherical_parameterization::internal {
 
@@ -45,35 +42,32 @@ template <class Loop, class Chart>
 void lay_out_faces(const Loop& loop, const Mapped_faces& map, const Chart& chart, const Uv_grid& grid,
                    Texture_layout& layout)
 {
-  struct Note {
-    bool is_at_seam, is_at_pole, is_moved;
-    double move;
-  };
-  const int n = map.number_of_faces();
-  layout.uv.resize(n);
-  Host_array<Note> notes(n);
-  for_each_part(loop, n, [&](int begin, int end) {
+  layout.uv.resize(map.face.size());
+  const auto lay_out_part = [&](int begin, int end) {
+    Texture_report report{};
     for(int f = begin; f < end; ++f) {
       const Charted_face face = chart(map.on_sphere(f));
-      Uv_triangle uv = grid.rounded(face.uv);
-      Note note = {face.is_at_seam, face.is_at_pole, !is_counterclockwise(uv), 0};
-      if(note.is_moved) {
-        uv = grid.turned_over(face.uv, face.area);
-        for(int k = 0; k < 3; ++k)
-          note.move = (std::max)(note.move, distance(uv[k], face.uv[k]));
-        chart.into_range(uv);
-      }
-      layout.uv[f] = uv;
-      notes[f] = note;
+      Uv_triangle& uv = layout.uv[f] = grid.rounded(face.uv);
+      report.seam_faces += face.is_at_seam;
+      report.pole_faces += face.is_at_pole;
+      if(is_counterclockwise(uv))
+        continue;
+      uv = grid.turned_over(face.uv, face.area);
+      const double move =
+        (std::max)({distance(uv[0], face.uv[0]), distance(uv[1], face.uv[1]), distance(uv[2], face.uv[2])});
+      chart.into_range(uv);
+      ++report.moved_faces;
+      report.unresolved_faces += move <= 2 * grid.cell();
+      report.largest_move = (std::max)(report.largest_move, move);
     }
-  });
-  Texture_report& report = layout.report;
-  for(const Note& note : notes) {
-    report.seam_faces += note.is_at_seam;
-    report.pole_faces += note.is_at_pole;
-    report.moved_faces += note.is_moved;
-    report.unresolved_faces += note.is_moved && note.move <= 2 * grid.cell();
-    report.largest_move = (std::max)(report.largest_move, note.move);
+    return report;
+  };
+  for(const Texture_report& part : results_of_parts(loop, map.number_of_faces(), lay_out_part)) {
+    layout.report.seam_faces += part.seam_faces;
+    layout.report.pole_faces += part.pole_faces;
+    layout.report.moved_faces += part.moved_faces;
+    layout.report.unresolved_faces += part.unresolved_faces;
+    layout.report.largest_move = (std::max)(layout.report.largest_move, part.largest_move);
   }
 }
 
@@ -86,9 +80,9 @@ Texture_layout texture_layout(const Loop& loop, const Mapped_faces& map, const V
   const Frame frame = frame_of(layout.report.axes);
   const Uv_grid grid(options.bits);
   if(options.chart == Texture_chart::LATITUDE_LONGITUDE)
-    lay_out_faces(loop, map, Latitude_longitude_chart(frame), grid, layout);
+    lay_out_faces(loop, map, Latitude_longitude_chart{frame}, grid, layout);
   else
-    lay_out_faces(loop, map, Octahedral_chart(frame), grid, layout);
+    lay_out_faces(loop, map, Octahedral_chart{frame}, grid, layout);
   return layout;
 }
 

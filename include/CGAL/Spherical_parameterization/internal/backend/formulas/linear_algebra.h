@@ -10,34 +10,36 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_FORMULAS_LINEAR_ALGEBRA_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_FORMULAS_LINEAR_ALGEBRA_H
 
-#ifdef __OPENCL_C_VERSION__
-#define CGAL_SP_GLOBAL __global
-#else
+#ifndef __OPENCL_C_VERSION__
 #include <CGAL/Spherical_parameterization/internal/base/vec3.h>
-#include <cstddef>
-#define CGAL_SP_GLOBAL
 namespace CGAL::Spherical_parameterization::internal {
-using std::size_t;
 #endif
+
+/* Arrays, which on a device are in its memory: those that are read, and those that are written. */
+typedef CGAL_SP_GLOBAL const int* int_in;
+typedef CGAL_SP_GLOBAL const real* real_in;
+typedef CGAL_SP_GLOBAL const vec3* vec3_in;
+typedef CGAL_SP_GLOBAL real* real_out;
+typedef CGAL_SP_GLOBAL vec3* vec3_out;
 
 /* A weighted graph in compressed rows: the neighbours of i are target[offset[i]] ... target[offset[i+1]-1]. */
 typedef struct {
-  CGAL_SP_GLOBAL const int* offset;
-  CGAL_SP_GLOBAL const int* target;
-  CGAL_SP_GLOBAL const real* weight;
-  CGAL_SP_GLOBAL const real* excess;           /* null: zero */
-  CGAL_SP_GLOBAL const real* inverse_diagonal; /* 1 / (sum_j w_ij + e_i); 0 marks a fixed vertex */
+  int_in offset;
+  int_in target;
+  real_in weight;
+  real_in excess;           /* null: zero */
+  real_in inverse_diagonal; /* 1 / (sum_j w_ij + e_i); 0 marks a fixed vertex */
 } graph_view;
 
 /* A sparse rectangular matrix in compressed rows. */
 typedef struct {
-  CGAL_SP_GLOBAL const int* offset;
-  CGAL_SP_GLOBAL const int* column;
-  CGAL_SP_GLOBAL const real* value;
+  int_in offset;
+  int_in column;
+  real_in value;
 } sparse_view;
 
 /* returns (A x)_i */
-CGAL_SP_FUNCTION vec3 laplacian(int i, graph_view a, CGAL_SP_GLOBAL const vec3* x)
+CGAL_SP_FUNCTION vec3 laplacian(int i, graph_view a, vec3_in x)
 {
   const vec3 xi = x[i];
   vec3 sum = make_vec3(0, 0, 0);
@@ -48,7 +50,7 @@ CGAL_SP_FUNCTION vec3 laplacian(int i, graph_view a, CGAL_SP_GLOBAL const vec3* 
 }
 
 /* returns (T x)_i */
-CGAL_SP_FUNCTION vec3 row_times(int i, sparse_view t, CGAL_SP_GLOBAL const vec3* x)
+CGAL_SP_FUNCTION vec3 row_times(int i, sparse_view t, vec3_in x)
 {
   vec3 sum = make_vec3(0, 0, 0);
   const int end = t.offset[i + 1];
@@ -58,76 +60,62 @@ CGAL_SP_FUNCTION vec3 row_times(int i, sparse_view t, CGAL_SP_GLOBAL const vec3*
 }
 
 /* y = x */
-CGAL_SP_FUNCTION void copy_at(int i, CGAL_SP_GLOBAL const vec3* x, CGAL_SP_GLOBAL vec3* y) { y[i] = x[i]; }
+CGAL_SP_FUNCTION void copy_at(int i, vec3_in x, vec3_out y) { y[i] = x[i]; }
 
 /* s[0]: x . y */
-CGAL_SP_FUNCTION void dot_at(int i, CGAL_SP_GLOBAL const vec3* x, CGAL_SP_GLOBAL const vec3* y, real* s)
-{
-  s[0] += inner(x[i], y[i]);
-}
+CGAL_SP_FUNCTION void dot_at(int i, vec3_in x, vec3_in y, real* s) { s[0] += inner(x[i], y[i]); }
 
 /* y = A x; s[0]: x . y */
-CGAL_SP_FUNCTION void multiply_at(int i, graph_view a, CGAL_SP_GLOBAL const vec3* x, CGAL_SP_GLOBAL vec3* y, real* s)
+CGAL_SP_FUNCTION void multiply_at(int i, graph_view a, vec3_in x, vec3_out y, real* s)
 {
   y[i] = laplacian(i, a, x);
   s[0] += inner(x[i], y[i]);
 }
 
 /* x += alpha p and r -= alpha q */
-CGAL_SP_FUNCTION void descend_at(int i, real alpha, CGAL_SP_GLOBAL const vec3* p, CGAL_SP_GLOBAL const vec3* q,
-                                 CGAL_SP_GLOBAL vec3* x, CGAL_SP_GLOBAL vec3* r)
+CGAL_SP_FUNCTION void descend_at(int i, real alpha, vec3_in p, vec3_in q, vec3_out x, vec3_out r)
 {
   x[i] = add_scaled(x[i], alpha, p[i]);
   r[i] = add_scaled(r[i], -alpha, q[i]);
 }
 
 /* p = s + beta p */
-CGAL_SP_FUNCTION void conjugate_at(int i, real beta, CGAL_SP_GLOBAL const vec3* s, CGAL_SP_GLOBAL vec3* p)
-{
-  p[i] = add_scaled(s[i], beta, p[i]);
-}
+CGAL_SP_FUNCTION void conjugate_at(int i, real beta, vec3_in s, vec3_out p) { p[i] = add_scaled(s[i], beta, p[i]); }
 
 /* r = b - A x */
-CGAL_SP_FUNCTION void residual_at(int i, graph_view a, CGAL_SP_GLOBAL const vec3* b, CGAL_SP_GLOBAL const vec3* x,
-                                  CGAL_SP_GLOBAL vec3* r)
+CGAL_SP_FUNCTION void residual_at(int i, graph_view a, vec3_in b, vec3_in x, vec3_out r)
 {
   r[i] = sub(b[i], laplacian(i, a, x));
 }
 
 /* x = gain D^-1 b, the damped Jacobi step from 0 */
-CGAL_SP_FUNCTION void start_smoothing_at(int i, CGAL_SP_GLOBAL const real* inverse_diagonal, real gain,
-                                         CGAL_SP_GLOBAL const vec3* b, CGAL_SP_GLOBAL vec3* x)
+CGAL_SP_FUNCTION void start_smoothing_at(int i, real_in inverse_diagonal, real gain, vec3_in b, vec3_out x)
 {
   x[i] = scale(gain * inverse_diagonal[i], b[i]);
 }
 
 /* y = x + gain D^-1 (b - A x), a damped Jacobi step */
-CGAL_SP_FUNCTION void smooth_at(int i, graph_view a, real gain, CGAL_SP_GLOBAL const vec3* b,
-                                CGAL_SP_GLOBAL const vec3* x, CGAL_SP_GLOBAL vec3* y)
+CGAL_SP_FUNCTION void smooth_at(int i, graph_view a, real gain, vec3_in b, vec3_in x, vec3_out y)
 {
   y[i] = add_scaled(x[i], gain * a.inverse_diagonal[i], sub(b[i], laplacian(i, a, x)));
 }
 
 /* y = T x */
-CGAL_SP_FUNCTION void transfer_at(int i, sparse_view t, CGAL_SP_GLOBAL const vec3* x, CGAL_SP_GLOBAL vec3* y)
-{
-  y[i] = row_times(i, t, x);
-}
+CGAL_SP_FUNCTION void transfer_at(int i, sparse_view t, vec3_in x, vec3_out y) { y[i] = row_times(i, t, x); }
 
 /* y += T x */
-CGAL_SP_FUNCTION void transfer_add_at(int i, sparse_view t, CGAL_SP_GLOBAL const vec3* x, CGAL_SP_GLOBAL vec3* y)
+CGAL_SP_FUNCTION void transfer_add_at(int i, sparse_view t, vec3_in x, vec3_out y)
 {
   y[i] = add(y[i], row_times(i, t, x));
 }
 
-/* y = B x, B a dense matrix of n rows and n columns, row by row */
-CGAL_SP_FUNCTION void multiply_dense_at(int i, int n, CGAL_SP_GLOBAL const real* b, CGAL_SP_GLOBAL const vec3* x,
-                                        CGAL_SP_GLOBAL vec3* y)
+/* y = B x, B a dense matrix with so many columns, row by row */
+CGAL_SP_FUNCTION void multiply_dense_at(int i, int columns, real_in b, vec3_in x, vec3_out y)
 {
-  const size_t columns = n;
-  CGAL_SP_GLOBAL const real* row = b + columns * i;
+  const size_t stride = columns;
+  real_in row = b + stride * i;
   vec3 sum = make_vec3(0, 0, 0);
-  for(int j = 0; j < n; ++j)
+  for(int j = 0; j < columns; ++j)
     sum = add_scaled(sum, row[j], x[j]);
   y[i] = sum;
 }

@@ -4,43 +4,68 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_OPENCL_OPENCL_BACKEND_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_OPENCL_OPENCL_BACKEND_H
 
-#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
-#include <CGAL/Spherical_parameterization/internal/backend/Moments.h>
-#include <CGAL/Spherical_parameterization/internal/backend/opencl/OpenCL_queue.h>
-#include <CGAL/Spherical_parameterization/internal/backend/opencl/OpenCL_runtime.h>
+#include <CGAL/Spherical_parameterization/internal/backend/Verbs.h>
 #include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
-#include <CGAL/Spherical_parameterization/internal/backend/vertex_formulas.h>
+#include <CGAL/Spherical_parameterization/internal/backend/opencl/OpenCL_queue.h>
+#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/base/text.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <initializer_list>
+#include <map>
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 
-/// The verbs of Host_backend on an OpenCL device: each is a kernel of kernels/, named like the verb. Verbs that return
-/// numbers wait for the device. All others return at once. Set-up on the host is run with `Loop`. An object is for one
-/// thread; `parameterize()` makes its own.
+/// An array on the device, of T with `real` in place of double. It has no memory if it is empty.
+template <class T>
+struct OpenCL_array {
+  std::size_t count = 0;
+  cl::Buffer buffer;
+
+  std::size_t size() const { return count; }
+  cl_mem memory() const { return buffer(); }
+};
+
+/// A Weighted_graph on the device.
+struct OpenCL_matrix {
+  OpenCL_array<int> offset, target;
+  OpenCL_array<double> weight, excess, inverse_diagonal;
+};
+
+/// A Sparse_matrix on the device.
+struct OpenCL_transfer {
+  OpenCL_array<int> offset, column;
+  OpenCL_array<double> value;
+};
+
+/// A machine that is an OpenCL device: a verb is a kernel of kernels/, named like the verb. Everything is done in the
+/// order of the calls, since the queue is in order. Set-up on the host is run with `Loop`. An object is for one thread;
+/// `parameterize()` makes its own.
 template <class Loop>
-class OpenCL_backend {
+class OpenCL_machine {
 public:
   using Host_loop = Loop;
   template <class T>
   using Array = OpenCL_array<T>;
   using Vectors = Array<vec3>;
   using Scalars = Array<double>;
-  using Matrix = OpenCL_matrix;
+  using Matrix = std::shared_ptr<const OpenCL_matrix>;
   using Transfer = OpenCL_transfer;
   using Colouring = std::vector<Array<int>>;
 
-  explicit OpenCL_backend(const OpenCL_queue& queue) : runtime_(queue) {}
+  explicit OpenCL_machine(const OpenCL_queue& queue) : queue_(queue), program_(queue.program()) {}
 
   std::string device_name() const
   {
-    const OpenCL_device_info& info = runtime_.queue().info();
+    const OpenCL_device_info& info = queue_.info();
     return info.name + " (" + info.platform + "), " + (is_double() ? "double" : "single") + " precision";
   }
 
@@ -50,33 +75,79 @@ public:
   /// to 10242 vertices, and that of the balanced map to 1.5e-8 times sqrt(n) up to 163842 vertices.
   double best_accuracy(int n) const { return is_double() ? 0 : 3e-7 * std::sqrt(static_cast<double>(n)); }
 
-  const Host_loop& host_loop() const { return loop_; }
+  const Loop& host_loop() const { return loop_; }
 
   /// How often the host has waited for the device
-  std::size_t number_of_read_backs() const { return runtime_.number_of_read_backs(); }
+  std::size_t number_of_read_backs() const { return number_of_read_backs_; }
 
-  /// \name Memory
-  /// @{
-  Vectors vectors(int n) const { return runtime_.zeros<vec3>(n); }
-  Scalars scalars(int n) const { return runtime_.zeros<double>(n); }
+  Vectors vectors(int n) const { return zeros<vec3>(n); }
+  Scalars scalars(int n) const { return zeros<double>(n); }
+
+  template <class T>
+  Array<T> zeros(std::size_t n) const
+  {
+    if(n == 0)
+      return {};
+    const std::size_t bytes = n * bytes_of<T>();
+    Array<T> x = {n, allocate(CL_MEM_READ_WRITE, bytes, nullptr)};
+    const cl_uint zero = 0;
+    check(clEnqueueFillBuffer(handle(), x.memory(), &zero, sizeof zero, 0, bytes, 0, nullptr, nullptr),
+          "clEnqueueFillBuffer");
+    return x;
+  }
+
   template <class T>
   Array<T> upload(const Host_array<T>& host) const
   {
-    return runtime_.upload(host);
+    if(host.empty())
+      return {};
+    if(std::is_same_v<T, int> || is_double())
+      return {host.size(), allocate(CL_MEM_COPY_HOST_PTR, host.size() * sizeof(T), host.data())};
+    std::vector<float> rounded(host.size() * components<T>());
+    const double* const values = reinterpret_cast<const double*>(host.data());
+    std::copy_n(values, rounded.size(), rounded.begin());
+    return {host.size(), allocate(CL_MEM_COPY_HOST_PTR, rounded.size() * sizeof(float), rounded.data())};
   }
+
   Matrix upload(const Shared_graph& host) const
   {
-    const auto share = [&](const auto& array) { return runtime_.share(array, host); };
-    return {share(host->offset), share(host->target), share(host->weight), share(host->excess),
-            share(host->inverse_diagonal)};
+    const auto shared = [&](const auto& array) { return share(array, host); };
+    return std::make_shared<const OpenCL_matrix>(OpenCL_matrix{shared(host->offset), shared(host->target),
+                                                               shared(host->weight), shared(host->excess),
+                                                               shared(host->inverse_diagonal)});
   }
+
   Transfer upload(Sparse_matrix matrix) const
   {
     const auto host = std::make_shared<const Sparse_matrix>(std::move(matrix));
-    const auto share = [&](const auto& array) { return runtime_.share(array, host); };
-    return {share(host->offset), share(host->column), share(host->value)};
+    const auto shared = [&](const auto& array) { return share(array, host); };
+    return {shared(host->offset), shared(host->column), shared(host->value)};
   }
-  Host_array<vec3> download(const Vectors& x) const { return runtime_.download(x); }
+
+  /// An array that is only read. A device that works in the memory of the host reads `host` itself, and keeps `owner`
+  /// alive until it is done. Any other device gets a copy.
+  template <class T>
+  Array<T> share(const Host_array<T>& host, std::shared_ptr<const void> owner) const
+  {
+    if(host.empty() || !is_cpu() || !(std::is_same_v<T, int> || is_double()))
+      return upload(host);
+    const std::size_t bytes = host.size() * sizeof(T);
+    Array<T> x = {host.size(), allocate(CL_MEM_READ_ONLY | CL_MEM_USE_HOST_PTR, bytes, host.data())};
+    // called when all kernels that use it are done, which may be after x is gone
+    auto kept = std::make_unique<std::shared_ptr<const void>>(std::move(owner));
+    check(clSetMemObjectDestructorCallback(x.memory(), &release, kept.get()), "clSetMemObjectDestructorCallback");
+    static_cast<void>(kept.release()); // `release` deletes it
+    return x;
+  }
+
+  Host_array<vec3> download(const Vectors& x) const
+  {
+    Host_array<vec3> host(x.size());
+    if(!host.empty())
+      read(x.memory(), 3 * host.size(), &host.front().x);
+    return host;
+  }
+
   Colouring colouring(const std::vector<Host_array<int>>& colours) const
   {
     Colouring result;
@@ -84,156 +155,169 @@ public:
       result.push_back(upload(colour));
     return result;
   }
-  /// @}
 
-  /// \name Linear algebra
-  /// @{
-  /// By a kernel: drivers for CPUs copy buffers on one core.
-  void copy(const Vectors& x, Vectors& y) const { run("sp_copy", x.size(), x, y); }
-
-  double dot(const Vectors& x, const Vectors& y) const { return sum<1>("sp_dot", x.size(), x, y)[0]; }
-
-  double multiply(const Matrix& a, const Vectors& x, Vectors& y) const
+protected:
+  /// Runs a kernel for i = 0 ... n-1. Its arguments are n and the others, structures of arrays member by member.
+  template <auto Formula_at, class... Arguments>
+  void run(Verb<Formula_at> verb, std::size_t n, const Arguments&... arguments) const
   {
-    return sum<1>("sp_multiply", x.size(), a, x, y)[0];
+    const std::size_t share = is_cpu() ? block_size : lanes;
+    launch(verb.kernel, n, (n + share - 1) / share, arguments...);
   }
 
-  void descend(double alpha, const Vectors& p, const Vectors& q, Vectors& x, Vectors& r) const
+  /// Runs a kernel whose last argument takes K sums per block; returns the sums of the blocks, added up in order.
+  template <auto Formula_at, int K, class... Arguments>
+  std::array<double, K> sum(Verb<Formula_at, K> verb, std::size_t n, const Arguments&... arguments) const
   {
-    run("sp_descend", x.size(), alpha, p, q, x, r);
+    const std::size_t blocks = (n + block_size - 1) / block_size;
+    if(partial_.size() < K * blocks)
+      partial_ = {K * blocks, allocate(CL_MEM_READ_WRITE, K * blocks * bytes_of<double>(), nullptr)};
+    launch(verb.kernel, n, blocks, arguments..., partial_);
+    std::vector<double> sums(K * blocks);
+    if(blocks > 0)
+      read(partial_.memory(), sums.size(), sums.data());
+    std::array<double, K> total{};
+    for(std::size_t i = 0; i < sums.size(); ++i)
+      total[i % K] += sums[i];
+    return total;
   }
-
-  void conjugate(double beta, const Vectors& s, Vectors& p) const { run("sp_conjugate", p.size(), beta, s, p); }
-
-  void residual(const Matrix& a, const Vectors& b, const Vectors& x, Vectors& r) const
-  {
-    run("sp_residual", x.size(), a, b, x, r);
-  }
-
-  void start_smoothing(const Matrix& a, double gain, const Vectors& b, Vectors& x) const
-  {
-    run("sp_start_smoothing", x.size(), a.inverse_diagonal, gain, b, x);
-  }
-
-  void smooth(const Matrix& a, double gain, const Vectors& b, const Vectors& x, Vectors& y) const
-  {
-    run("sp_smooth", x.size(), a, gain, b, x, y);
-  }
-
-  void transfer(const Transfer& t, const Vectors& x, Vectors& y) const { run("sp_transfer", y.size(), t, x, y); }
-
-  void transfer_add(const Transfer& t, const Vectors& x, Vectors& y) const
-  {
-    run("sp_transfer_add", y.size(), t, x, y);
-  }
-
-  void multiply_dense(const Scalars& b, const Vectors& x, Vectors& y) const
-  {
-    run("sp_multiply_dense", x.size(), b, x, y);
-  }
-  /// @}
-
-  /// \name Spring energy
-  /// @{
-  double energy(const Matrix& a, const Vectors& v) const { return sum<1>("sp_energy", v.size(), a, v)[0]; }
-
-  std::array<double, 4> gradient(const Matrix& a, double p, const Vectors& v, Vectors& g, Scalars& density) const
-  {
-    return p == 2 ? sum<4>("sp_gradient", v.size(), a, v, g, density)
-                  : sum<4>("sp_stiffening_gradient", v.size(), a, p, v, g, density);
-  }
-
-  void spring_masses(const Matrix& a, const Vectors& v, Scalars& m) const
-  {
-    run("sp_spring_masses", v.size(), a, v, m);
-  }
-
-  double balance_gradient(const Matrix& a, const Scalars& mass, vec3 mu, const Vectors& v, Vectors& g) const
-  {
-    return sum<1>("sp_balance_gradient", v.size(), a.inverse_diagonal, mass, mu, v, g)[0];
-  }
-
-  std::array<double, 15> direction_products(const Scalars& mass, const Vectors& v, const Vectors& g,
-                                            const Vectors& old_g, const Vectors& step, const Vectors& d) const
-  {
-    return sum<15>("sp_direction_products", v.size(), mass, v, g, old_g, step, d);
-  }
-
-  void next_direction(double beta, vec3 y, vec3 omega, const Vectors& v, const Vectors& step, Vectors& d) const
-  {
-    run("sp_next_direction", v.size(), beta, y, omega, v, step, d);
-  }
-
-  std::array<double, 5> curvature(const Matrix& a, double p, const Scalars& mass, vec3 mu, const Vectors& v,
-                                  const Vectors& d, const Scalars& density) const
-  {
-    return p == 2 ? sum<5>("sp_curvature", v.size(), a, mass, mu, v, d, density)
-                  : sum<5>("sp_stiffening_curvature", v.size(), a, p, mass, mu, v, d, density);
-  }
-
-  Moments retract(const Scalars& mass, double alpha, vec3 c, const Vectors& v, const Vectors& d, Vectors& w) const
-  {
-    return to_moments(sum<9>("sp_retract", v.size(), mass, alpha, c, v, d, w));
-  }
-
-  Moments moments(const Scalars& mass, const Vectors& v) const
-  {
-    return to_moments(sum<9>("sp_moments", v.size(), mass, v));
-  }
-
-  Moments transform(const Scalars& mass, vec3 c, const Vectors& v, Vectors& w) const
-  {
-    return to_moments(sum<9>("sp_transform", v.size(), mass, c, v, w));
-  }
-  /// @}
-
-  /// \name The published method
-  /// @{
-  void jacobi_sweep(const Matrix& a, double omega, const Vectors& v, const Vectors& u, Vectors& w) const
-  {
-    run("sp_jacobi_sweep", v.size(), a, omega, v, u, w);
-  }
-
-  void gauss_seidel_sweep(const Matrix& a, const Colouring& colours, double omega, const Vectors& v, Vectors& u) const
-  {
-    for(const Array<int>& colour : colours)
-      run("sp_gauss_seidel_sweep", colour.size(), a, colour, omega, v, u);
-  }
-
-  double saddle_point_residual2(const Matrix& a, const Vectors& v, const Vectors& u) const
-  {
-    return sum<1>("sp_saddle_point_residual2", v.size(), a, v, u)[0];
-  }
-
-  void normalize(const Matrix& a, const Vectors& u, Vectors& v) const
-  {
-    run("sp_normalize", v.size(), a.inverse_diagonal, u, v);
-  }
-
-  double barycentric_residual2(const Matrix& a, const Vectors& v) const
-  {
-    return sum<1>("sp_barycentric_residual2", v.size(), a, v)[0];
-  }
-  /// @}
 
 private:
-  bool is_double() const { return runtime_.queue().is_double_precision(); }
+  // as in kernels/backend/loops.cl and in Host_machine
+  static constexpr std::size_t lanes = 64;
+  static constexpr std::size_t block_size = 1024;
+
+  static void CL_CALLBACK release(cl_mem, void* owner) { delete static_cast<std::shared_ptr<const void>*>(owner); }
+
+  bool is_double() const { return queue_.is_double_precision(); }
+  bool is_cpu() const { return queue_.info().is_cpu; }
+  cl_command_queue handle() const { return queue_.queue()(); }
+
+  /// How many numbers a T has.
+  template <class T>
+  static constexpr std::size_t components()
+  {
+    static_assert(std::is_same_v<T, vec3> || std::is_same_v<T, double> || std::is_same_v<T, int>);
+    return std::is_same_v<T, vec3> ? 3 : 1;
+  }
+
+  template <class T>
+  std::size_t bytes_of() const
+  {
+    return std::is_same_v<T, int> || is_double() ? sizeof(T) : components<T>() * sizeof(float);
+  }
+
+  static std::string gigabytes(std::size_t bytes) { return to_string(1e-9 * static_cast<double>(bytes)) + " GB"; }
+
+  /// Throws an OpenCL_error unless `code` is CL_SUCCESS. Drivers may allocate late, so that any call can run out of
+  /// memory.
+  void check(cl_int code, const char* call) const
+  {
+    if(code == CL_MEM_OBJECT_ALLOCATION_FAILURE || code == CL_OUT_OF_RESOURCES || code == CL_OUT_OF_HOST_MEMORY)
+      throw OpenCL_error(call, code,
+                         "no memory left on " + queue_.info().name + ", which has " + gigabytes(queue_.info().memory));
+    check_opencl(code, call);
+  }
+
+  cl::Buffer allocate(cl_mem_flags flags, std::size_t bytes, const void* content) const
+  {
+    const OpenCL_device_info& info = queue_.info();
+    cl_int code = CL_INVALID_BUFFER_SIZE;
+    if(bytes <= info.largest_allocation) {
+      cl::Buffer buffer(clCreateBuffer(queue_.context(), flags, bytes, const_cast<void*>(content), &code));
+      if(code == CL_SUCCESS)
+        return buffer;
+    }
+    throw OpenCL_error("clCreateBuffer", code,
+                       "an array of " + gigabytes(bytes) + " does not fit on " + info.name + ", which has " +
+                         gigabytes(info.memory) + " of memory and allows arrays of " +
+                         gigabytes(info.largest_allocation));
+  }
+
+  void read(cl_mem memory, std::size_t count, double* host) const
+  {
+    ++number_of_read_backs_;
+    std::vector<float> rounded(is_double() ? 0 : count);
+    void* const target = is_double() ? static_cast<void*>(host) : rounded.data();
+    const std::size_t bytes = count * bytes_of<double>();
+    check(clEnqueueReadBuffer(handle(), memory, CL_TRUE, 0, bytes, target, 0, nullptr, nullptr), "clEnqueueReadBuffer");
+    std::copy(rounded.begin(), rounded.end(), host);
+  }
 
   template <class... Arguments>
-  void run(const char* kernel, std::size_t n, const Arguments&... arguments) const
+  void launch(const char* name, std::size_t n, std::size_t work_groups, const Arguments&... arguments) const
   {
-    runtime_.run(kernel, n, arguments...);
+    if(n == 0)
+      return;
+    const cl_kernel kernel = kernel_named(name);
+    cl_uint index = 0;
+    set_all(kernel, index, static_cast<int>(n), arguments...);
+    const std::size_t work_items = is_cpu() ? 1 : lanes, all = work_groups * work_items;
+    check(clEnqueueNDRangeKernel(handle(), kernel, 1, nullptr, &all, &work_items, 0, nullptr, nullptr), name);
   }
 
-  template <int K, class... Arguments>
-  std::array<double, K> sum(const char* kernel, std::size_t n, const Arguments&... arguments) const
+  cl_kernel kernel_named(const char* name) const
   {
-    return runtime_.sum<K>(kernel, n, arguments...);
+    cl::Kernel& kernel = kernels_[name];
+    if(kernel() == nullptr) {
+      cl_int code = CL_SUCCESS;
+      kernel = cl::Kernel(clCreateKernel(program_(), name, &code));
+      check(code, name);
+    }
+    return kernel();
   }
 
-  OpenCL_runtime runtime_;
-  Host_loop loop_;
+  void set_bytes(cl_kernel kernel, cl_uint& index, std::size_t bytes, const void* value) const
+  {
+    check(clSetKernelArg(kernel, index++, bytes, value), "clSetKernelArg");
+  }
+
+  void set(cl_kernel kernel, cl_uint& index, int value) const { set_bytes(kernel, index, sizeof value, &value); }
+
+  /// A number or a vector, in the precision of the device
+  void set(cl_kernel kernel, cl_uint& index, double value) const { set_reals(kernel, index, {value}); }
+  void set(cl_kernel kernel, cl_uint& index, vec3 p) const { set_reals(kernel, index, {p.x, p.y, p.z}); }
+  void set_reals(cl_kernel kernel, cl_uint& index, std::initializer_list<double> values) const
+  {
+    const std::vector<float> rounded(values.begin(), values.end());
+    is_double() ? set_bytes(kernel, index, values.size() * sizeof(double), values.begin())
+                : set_bytes(kernel, index, values.size() * sizeof(float), rounded.data());
+  }
+
+  /// An empty array is a null pointer on the device.
+  template <class T>
+  void set(cl_kernel kernel, cl_uint& index, const OpenCL_array<T>& array) const
+  {
+    const cl_mem memory = array.memory();
+    set_bytes(kernel, index, sizeof memory, memory ? &memory : nullptr);
+  }
+
+  template <class... Members>
+  void set_all(cl_kernel kernel, cl_uint& index, const Members&... members) const
+  {
+    (set(kernel, index, members), ...);
+  }
+
+  void set(cl_kernel kernel, cl_uint& index, const Matrix& a) const
+  {
+    set_all(kernel, index, a->offset, a->target, a->weight, a->excess, a->inverse_diagonal);
+  }
+
+  void set(cl_kernel kernel, cl_uint& index, const Transfer& t) const
+  {
+    set_all(kernel, index, t.offset, t.column, t.value);
+  }
+
+  OpenCL_queue queue_;
+  Loop loop_ = loop_of<OpenCL_queue>();
+  cl::Program program_;
+  mutable std::map<std::string, cl::Kernel> kernels_; ///< not shared: setting an argument is not thread-safe
+  mutable Scalars partial_;                           ///< sums of the blocks, for the largest verb so far
+  mutable std::size_t number_of_read_backs_ = 0;
 };
+
+template <class Loop>
+using OpenCL_backend = Verbs<OpenCL_machine<Loop>>;
 
 } // namespace CGAL::Spherical_parameterization::internal
 

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+// What is done with a map, as far as it does not depend on the type of the mesh: segments, signatures, textures.
+#include <CGAL/Spherical_parameterization/internal/segmentation/segments.h>
+#include <CGAL/Spherical_parameterization/internal/signature/signature_values.h>
+#include <CGAL/Spherical_parameterization/internal/texture/texture_layout.h>
+#include <CGAL/Spherical_parameterization/segmentation_methods.h>
+
+#define CGAL_SP_SEGMENTS(METHOD)                                                                                       \
+  template std::vector<int> segments_of(const Host_loop&, Mapped_surface, std::vector<double>, const METHOD&);
+
+namespace CGAL::Spherical_parameterization::internal {
+
+CGAL_SP_SEGMENTS(Majority_vote)
+CGAL_SP_SEGMENTS(Girth_profiles)
+CGAL_SP_SEGMENTS(Region_growing)
+template Signature_values signature_values(const Host_loop&, const Mapped_surface&);
+template Texture_layout texture_layout(const Host_loop&, const Mapped_faces&, const Vertex_stars&,
+                                       const Texture_options&);
+
+} // namespace CGAL::Spherical_parameterization::internal

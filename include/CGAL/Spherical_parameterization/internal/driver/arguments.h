@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DRIVER_ARGUMENTS_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DRIVER_ARGUMENTS_H
+
+#include <CGAL/Spherical_parameterization/Indexed_triangle_mesh.h>
+#include <CGAL/Spherical_parameterization/edge_weights.h>
+#include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
+#include <CGAL/Spherical_parameterization/internal/base/precondition.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/point_coordinates.h>
+#include <CGAL/Spherical_parameterization/internal/problem/Method_solver.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/property_map.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/function_property_map.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+/// \file
+/// What the front doors are called with. It is looked at before anything is instantiated: a wrong argument is a
+/// sentence, and not a page of the compiler.
+
+template <class T, class = void>
+struct Is_method : std::false_type {};
+template <class T>
+struct Is_method<T, std::enable_if_t<(sizeof(Method_solver<T>) > 0)>> : std::true_type {};
+
+/// By its functions, since boost::graph_traits is an error, and not a missing type, for what is no graph.
+template <class T, class = void>
+struct Is_mesh : std::false_type {};
+template <class T>
+struct Is_mesh<T, std::void_t<decltype(faces(std::declval<const T&>())), decltype(halfedges(std::declval<const T&>()))>>
+  : std::true_type {};
+
+/// Whether T is a property map whose keys can be made of Key.
+template <class T, class Key, class = void>
+struct Is_map_of : std::false_type {};
+template <class T, class Key>
+struct Is_map_of<T, Key, std::void_t<typename boost::property_traits<T>::key_type>>
+  : std::disjunction<std::is_void<typename boost::property_traits<T>::key_type>, // takes any key
+                     std::is_convertible<Key, typename boost::property_traits<T>::key_type>> {};
+
+/// Whether points of this type have two coordinates only.
+template <class Point, class = void>
+struct Is_planar : std::false_type {};
+template <class Point>
+struct Is_planar<Point,
+                 std::enable_if_t<!Has_xyz<Point>::value, std::void_t<decltype(std::declval<const Point&>().y())>>>
+  : std::true_type {};
+template <class T, std::size_t N>
+struct Is_planar<std::array<T, N>> : std::bool_constant<N != 3> {};
+
+/// Whether points of this type can hold a map: made of three coordinates, which are not integers.
+template <class Point, class = void>
+struct Holds_positions : std::false_type {};
+template <class Point>
+struct Holds_positions<
+  Point, std::void_t<decltype(Point{std::declval<Coordinate_of<Point>>(), std::declval<Coordinate_of<Point>>(),
+                                    std::declval<Coordinate_of<Point>>()})>>
+  : std::bool_constant<!Is_planar<Point>::value && !std::is_integral_v<Coordinate_of<Point>>> {};
+
+/// The type of a named parameter; void if it is not given.
+template <class NamedParameters, class Tag>
+using Type_of_parameter =
+  std::conditional_t<parameters::is_default_parameter<NamedParameters, Tag>::value, void,
+                     std::decay_t<decltype(parameters::get_parameter(std::declval<const NamedParameters&>(), Tag()))>>;
+
+template <class Callback, class = void>
+struct Is_callback : std::false_type {};
+template <class Callback>
+struct Is_callback<Callback, std::enable_if_t<std::is_invocable_v<Callback&, double>>>
+  : std::is_same<std::decay_t<std::invoke_result_t<Callback&, double>>, bool> {};
+
+/// static_assert()s about the named parameters of parameterize(); false where one has failed.
+template <class Edge, class Vertex, class NamedParameters>
+constexpr bool check_named_parameters()
+{
+  typedef Type_of_parameter<NamedParameters, edge_weight_tag> Weights_map;
+  typedef Type_of_parameter<NamedParameters, internal_np::vertex_is_constrained_t> Constrained_map;
+  typedef Type_of_parameter<NamedParameters, internal_np::callback_t> Callback;
+  constexpr bool are_weights = std::is_void_v<Weights_map> || Is_map_of<Weights_map, Edge>::value;
+  constexpr bool are_constraints = std::is_void_v<Constrained_map> || Is_map_of<Constrained_map, Vertex>::value;
+  constexpr bool is_callback = std::is_void_v<Callback> || Is_callback<Callback>::value;
+  static_assert(are_weights, "edge_weight_map has to be a readable property map whose keys are edges and whose values "
+                             "are numbers; boost::make_function_property_map<Edge>(f) makes one of a function");
+  static_assert(are_constraints,
+                "vertex_is_constrained_map has to be a readable property map whose keys are vertices and whose values "
+                "are bool");
+  static_assert(is_callback, "callback has to be callable as bool(double): it gets the fraction of the work done, and "
+                             "returns whether to go on");
+  return are_weights && are_constraints && is_callback;
+}
+
+/// static_assert()s about all arguments; false where one has failed.
+template <class TriangleMesh, class VertexSphereMap, class NamedParameters>
+constexpr bool check_arguments()
+{
+  typedef boost::graph_traits<TriangleMesh> Graph_traits;
+  constexpr bool is_sphere_map = Is_map_of<VertexSphereMap, typename Graph_traits::vertex_descriptor>::value;
+  static_assert(is_sphere_map, "the sphere map has to be a property map whose keys are the vertices of the mesh");
+  if constexpr(is_sphere_map) {
+    constexpr bool holds = Holds_positions<typename boost::property_traits<VertexSphereMap>::value_type>::value;
+    static_assert(holds,
+                  "the sphere map has to hold points with three coordinates, in floating point or exact numbers");
+    return holds && check_named_parameters<typename Graph_traits::edge_descriptor,
+                                           typename Graph_traits::vertex_descriptor, NamedParameters>();
+  } else
+    return false;
+}
+
+/// What the caller of parameterize() gives besides the mesh.
+template <class TriangleMesh, class NamedParameters>
+struct Mesh_inputs {
+  const TriangleMesh& mesh;
+  const NamedParameters& np;
+
+  auto points() const { return vertex_points(mesh, np); }
+
+  auto weights() const
+  {
+    if constexpr(parameters::is_default_parameter<NamedParameters, edge_weight_tag>::value)
+      return conformal_weights(mesh, 5, 85, np);
+    else
+      return parameters::get_parameter(np, edge_weight_tag());
+  }
+
+  auto constraints() const
+  {
+    typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor Vertex;
+    return parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_is_constrained),
+                                        Static_boolean_property_map<Vertex, false>());
+  }
+};
+
+/// What the caller of parameterize_triangle_soup() gives besides the soup.
+template <class NamedParameters>
+struct Soup_inputs {
+  const Indexed_triangle_mesh& mesh;
+  const NamedParameters& np;
+
+  auto points() const { return get(CGAL::vertex_point, mesh); }
+
+  auto weights() const
+  {
+    if constexpr(parameters::is_default_parameter<NamedParameters, edge_weight_tag>::value)
+      return conformal_weights(mesh);
+    else
+      return map_of<Indexed_triangle_mesh::Edge_index>(
+        edge_weight_tag(), [m = &mesh](Indexed_triangle_mesh::Edge_index e) {
+          const auto [first, second] = std::minmax({source(e, *m).idx(), target(e, *m).idx()});
+          return std::pair<std::size_t, std::size_t>(first, second);
+        });
+  }
+
+  auto constraints() const
+  {
+    typedef Indexed_triangle_mesh::Vertex_index Vertex;
+    if constexpr(parameters::is_default_parameter<NamedParameters, internal_np::vertex_is_constrained_t>::value)
+      return Static_boolean_property_map<Vertex, false>();
+    else
+      return map_of<Vertex>(internal_np::vertex_is_constrained,
+                            [](Vertex v) { return static_cast<std::size_t>(v.idx()); });
+  }
+
+private:
+  /// The map that a named parameter gives, whose keys are numbers of points, or pairs of them, as one of descriptors.
+  template <class Descriptor, class Parameter, class Key>
+  auto map_of(Parameter parameter, Key key) const
+  {
+    return boost::make_function_property_map<Descriptor>(
+      [map = parameters::get_parameter(np, parameter), key](Descriptor d) {
+        using boost::get; // of pointers
+        return get(map, key(d));
+      });
+  }
+};
+
+/// A random access range as a map from the vertices of an indexed mesh.
+template <class Range>
+struct Range_map {
+  typedef Indexed_triangle_mesh::Vertex_index key_type;
+  typedef std::decay_t<decltype(std::declval<Range&>()[0])> value_type;
+  typedef const value_type& reference;
+  typedef boost::read_write_property_map_tag category;
+
+  Range* range;
+
+  friend reference get(const Range_map& map, key_type v) { return (*map.range)[v.idx()]; }
+  friend void put(const Range_map& map, key_type v, const value_type& p) { (*map.range)[v.idx()] = p; }
+};
+
+template <class Range, class = void>
+struct Has_resize : std::false_type {};
+template <class Range>
+struct Has_resize<Range, std::void_t<decltype(std::declval<Range&>().resize(std::size_t()))>> : std::true_type {};
+
+/// Makes room for n points.
+template <class Range>
+void make_room(Range& range, std::size_t n)
+{
+  if(static_cast<std::size_t>(std::distance(std::begin(range), std::end(range))) == n)
+    return;
+  if constexpr(Has_resize<Range>::value)
+    range.resize(n);
+  else
+    CGAL_SP_PRECONDITION(false, "the sphere points have to be as many as the points, or be resizable");
+}
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DRIVER_ARGUMENTS_H

@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A collection of small meshes in a loop, on a LocalCluster, and on one of which a worker is killed every ten seconds.
+
+    python3 cluster.py [MESHES] [WORKERS]
+
+Seconds of processor count on a machine that does other things, too: those of all processes, start of workers included.
+"""
+
+import os
+import random
+import resource
+import signal
+import sqlite3
+import sys
+import tempfile
+import threading
+import time
+
+import numpy as np
+from distributed import Client, LocalCluster
+
+import spherical_parameterization as sp
+
+
+def map_number(number: int) -> dict[str, object]:
+    """A body with waves, made from its number, so that no disk is measured."""
+    points, triangles = sp.icosphere(3)
+    frequencies = np.random.default_rng(number).normal(size=(4, 3)) * 3
+    points = points * (1 + 0.1 * np.sin(points @ frequencies.T).sum(axis=1))[:, None]
+    result = sp.parameterize(points, triangles, policy="sequential", warn=False)
+    return {"verdict": result.error, "residual": result.residual, "sphere": result.sphere.sum()}
+
+
+def rows(store: str) -> list[tuple[str, ...]]:
+    connection = sqlite3.connect(store)
+    try:
+        return connection.execute("SELECT * FROM results ORDER BY key").fetchall()
+    finally:
+        connection.close()
+
+
+busy: list[float] = []  # seconds of the batches that have arrived
+
+
+class Watched(sp.collection._Cluster):
+    """Writes down how long the workers were at work."""
+
+    def next_rows(self) -> tuple[list[tuple[str, str, str, str | None]], float]:
+        rows, seconds = super().next_rows()
+        busy.append(seconds)
+        return rows, seconds
+
+
+sp.collection._Cluster = Watched  # type: ignore[misc]
+
+
+def processor() -> float:
+    """Seconds of this process and of its children that have ended."""
+    usages = (resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN))
+    return sum(usage.ru_utime + usage.ru_stime for usage in usages)
+
+
+def on_cluster(meshes: int, workers: int, store: str, is_harmed: bool) -> int:
+    """Returns how many workers were killed."""
+    is_done = threading.Event()
+    killed = 0
+    with LocalCluster(n_workers=workers, threads_per_worker=1, dashboard_address=None) as cluster:
+
+        def kill() -> None:
+            nonlocal killed
+            while not is_done.wait(10):
+                pids = [nanny.pid for nanny in cluster.workers.values() if nanny.pid]
+                if pids:
+                    os.kill(random.choice(pids), signal.SIGKILL)
+                    killed += 1
+
+        with Client(cluster) as client:
+            if is_harmed:
+                threading.Thread(target=kill, daemon=True).start()
+            busy.clear()
+            start = time.perf_counter()
+            counts = sp.collection.map(range(meshes), map_number, client, store)
+            seconds = time.perf_counter() - start
+            is_done.set()
+            share = sum(busy) / workers / seconds
+            print(f"  map(): {seconds:.1f} s, {share:.1%} of it in batches; rows: {counts}; killed: {killed}", flush=True)
+    return killed
+
+
+def main() -> None:
+    meshes = int(sys.argv[1]) if len(sys.argv) > 1 else 10000
+    workers = int(sys.argv[2]) if len(sys.argv) > 2 else os.cpu_count() or 1
+    folder = tempfile.mkdtemp()
+    serial = os.path.join(folder, "serial.sqlite")
+
+    before, start = processor(), time.perf_counter()
+    sp.collection.map(range(meshes), map_number, store=serial)
+    loop, loop_processor = time.perf_counter() - start, processor() - before
+    print(f"one process: {meshes} meshes, {loop:.1f} s, {loop_processor:.1f} s of processor", flush=True)
+    for name in ("cluster", "cluster with deaths"):
+        store = os.path.join(folder, f"{name}.sqlite")
+        before, start = processor(), time.perf_counter()
+        on_cluster(meshes, workers, store, name != "cluster")
+        wall, used = time.perf_counter() - start, processor() - before
+        print(
+            f"{name}: {workers} workers, {wall:.1f} s, {used:.1f} s of processor; the loop's {loop_processor / used:.1%} of "
+            f"that, {loop / workers / wall:.1%} of the wall clock; the same rows: {rows(store) == rows(serial)}",
+            flush=True,
+        )
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Certified maps of closed triangle meshes of genus 0 to the sphere. Arrays in, arrays out.
+
+>>> import spherical_parameterization as sp
+>>> points, triangles = sp.icosphere(4)
+>>> result = sp.parameterize(points * [3, 2, 1], triangles)
+>>> result.is_valid
+True
+"""
+
+from . import collection
+from ._core import OpenCLDevice, __version__
+from .analysis import (
+    DistortionSummary,
+    Distribution,
+    Locator,
+    Texture,
+    distortion,
+    face_distortion,
+    icosphere,
+    search,
+    segment,
+    shape_signature,
+    stretch_histogram,
+    texture_coordinates,
+    vertex_log_area_stretch,
+)
+from .errors import DeviceError, ErrorCode, MapWarning, MeshError
+from .files import read_mesh
+from .maps import (
+    Attempt,
+    Certificate,
+    Result,
+    Seconds,
+    certify,
+    edges,
+    opencl_device,
+    opencl_devices,
+    parameterize,
+)
+from .methods import (
+    Automatic,
+    Balanced,
+    ConformalWeights,
+    GirthProfiles,
+    Isometric,
+    MajorityVote,
+    RegionGrowing,
+    SaddlePoint,
+)
+
+__all__ = [
+    "Attempt",
+    "Automatic",
+    "Balanced",
+    "Certificate",
+    "ConformalWeights",
+    "DeviceError",
+    "DistortionSummary",
+    "Distribution",
+    "ErrorCode",
+    "GirthProfiles",
+    "Isometric",
+    "Locator",
+    "MajorityVote",
+    "MapWarning",
+    "MeshError",
+    "OpenCLDevice",
+    "RegionGrowing",
+    "Result",
+    "SaddlePoint",
+    "Seconds",
+    "Texture",
+    "__version__",
+    "certify",
+    "collection",
+    "distortion",
+    "edges",
+    "face_distortion",
+    "icosphere",
+    "opencl_device",
+    "opencl_devices",
+    "parameterize",
+    "read_mesh",
+    "search",
+    "segment",
+    "shape_signature",
+    "stretch_histogram",
+    "texture_coordinates",
+    "vertex_log_area_stretch",
+]

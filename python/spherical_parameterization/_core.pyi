@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: LGPL-3.0-or-later
+# The compiled core. Private: arguments are not checked here.
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+_Doubles = npt.NDArray[np.float64]
+_Integers = npt.NDArray[Any]
+_Vector = list[float]
+
+__version__: str
+
+def parameterize(
+    points: _Doubles,
+    triangles: _Integers,
+    method: object,
+    weights: object,
+    policy: object,
+    fixed: object,
+    sphere: _Doubles,
+    accuracy: float | None,
+    iterations: int | None,
+    maximum_running_time: float,
+    verbose: bool,
+    progress: object,
+    /,
+) -> tuple[dict[str, Any], bool, bool]: ...
+def message(code: int, /) -> str: ...
+def opencl_devices() -> list[Any]: ...
+def opencl_device(name: str, precision: str, smallest_mesh: int, /) -> OpenCLDevice: ...
+def certify(triangles: _Integers, sphere: _Doubles, policy: str, /) -> tuple[int, int]: ...
+def face_distortion(
+    points: _Doubles, triangles: _Integers, sphere: _Doubles, measure: str, policy: str, /
+) -> _Doubles: ...
+def vertex_log_area_stretch(points: _Doubles, triangles: _Integers, sphere: _Doubles, policy: str, /) -> _Doubles: ...
+def distortion_summary(
+    points: _Doubles, triangles: _Integers, sphere: _Doubles, policy: str, /
+) -> tuple[Any, ...]: ...
+def segment(
+    points: _Doubles, triangles: _Integers, sphere: _Doubles, method: object, stretch: object, policy: str, /
+) -> npt.NDArray[np.int32]: ...
+def texture_coordinates(
+    points: _Doubles, triangles: _Integers, sphere: _Doubles, chart: str, axes: object, bits: int, policy: str, /
+) -> tuple[Any, ...]: ...
+def icosphere(level: int, /) -> tuple[_Doubles, npt.NDArray[np.int32]]: ...
+def shape_signature(points: _Doubles, triangles: _Integers, sphere: _Doubles, policy: str, /) -> _Doubles: ...
+def distances(signature: _Doubles, index: _Doubles, /) -> _Doubles: ...
+def stretch_histogram(
+    points: _Doubles,
+    triangles: _Integers,
+    sphere: _Doubles,
+    sampling: str,
+    scale: str,
+    bins: int,
+    low: float,
+    high: float,
+    number_of_samples: int,
+    seed: int,
+    policy: str,
+    /,
+) -> list[float]: ...
+
+class OpenCLDevice:
+    @property
+    def name(self) -> str: ...
+    @property
+    def is_double_precision(self) -> bool: ...
+    @property
+    def smallest_mesh(self) -> int: ...
+
+class Locator:
+    def __init__(self, triangles: _Integers, sphere: _Doubles, policy: str, /) -> None: ...
+    def locate(self, directions: _Doubles, policy: str, /) -> tuple[npt.NDArray[np.int32], _Doubles]: ...
+    def interpolate(self, values: _Doubles, faces: npt.NDArray[np.int32], weights: _Doubles, /) -> _Doubles: ...
+    def align(self, points: _Doubles, other: Locator, other_points: _Doubles, policy: str, /) -> list[_Vector]: ...

@@ -1,0 +1,456 @@
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""What is done with a map: distortion, segments, textures, the inverse map, shape search."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, fields
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from .arrays import Doubles, Integers, index_triples, numbers, vectors
+from .errors import ErrorCode
+from .maps import parameterize
+from .methods import Balanced, MajorityVote, Segmentation, one_of
+
+
+def _mesh(points: npt.ArrayLike, triangles: npt.ArrayLike, sphere: npt.ArrayLike) -> tuple[Doubles, Integers, Doubles]:
+    points = vectors("points", points)
+    return points, index_triples(triangles), vectors("sphere", sphere, len(points))
+
+
+@dataclass(frozen=True)
+class Distribution:
+    """How a measure is spread over the surface: every face counts with its source area."""
+
+    mean: float
+    deviation: float  #: root of the mean square difference from the mean
+    min: float
+    percentile_1: float
+    percentile_5: float
+    median: float
+    percentile_95: float
+    percentile_99: float
+    max: float
+
+
+@dataclass(frozen=True)
+class DistortionSummary:
+    """The distortion of a map in figures."""
+
+    log_area_stretch: Distribution  #: log((source area / its total) / (spherical area / 4 pi)); 0 is none
+    angle_distortion: Distribution  #: radians; 0 is none
+    dilatation: Distribution  #: quasi-conformal, the ratio of the principal stretches; 1 is none
+    symmetric_dirichlet: Distribution  #: between flat triangles; 4 is isometric
+    spherical_symmetric_dirichlet: Distribution  #: with det(a, b, c) / 2 as area on the sphere
+    degenerate_faces: int  #: source faces without area: they do not count
+
+    def __str__(self) -> str:
+        rows = [f"{'':30s}{'mean':>12s}{'median':>12s}{'95 %':>12s}{'max':>12s}"]
+        for field in fields(self)[:-1]:
+            d = getattr(self, field.name)
+            rows.append(f"{field.name:30s}{d.mean:12.4g}{d.median:12.4g}{d.percentile_95:12.4g}{d.max:12.4g}")
+        return "\n".join(rows)
+
+
+def distortion(
+    points: npt.ArrayLike, triangles: npt.ArrayLike, sphere: npt.ArrayLike, *, policy: str = "parallel"
+) -> DistortionSummary:
+    """The distortion of a valid map in figures.
+
+    Parameters
+    ----------
+    points : array_like (n, 3) of float
+    triangles : array_like (m, 3) of int
+    sphere : array_like (n, 3) of float
+        Unit vectors.
+    policy : {"parallel", "sequential"}
+
+    Returns
+    -------
+    DistortionSummary
+
+    Examples
+    --------
+    >>> import spherical_parameterization as sp
+    >>> points, triangles = sp.icosphere(3)
+    >>> summary = sp.distortion(points, triangles, points)
+    >>> round(summary.symmetric_dirichlet.mean, 6), round(summary.dilatation.max, 6)
+    (4.0, 1.0)
+    """
+    summary = _core.distortion_summary(*_mesh(points, triangles, sphere), policy)
+    area, angle, dilatation, flat, spherical = (Distribution(*d) for d in summary[:-1])
+    return DistortionSummary(area, angle, dilatation, flat, spherical, summary[-1])
+
+
+def face_distortion(
+    points: npt.ArrayLike,
+    triangles: npt.ArrayLike,
+    sphere: npt.ArrayLike,
+    measure: str = "log_area_stretch",
+    *,
+    policy: str = "parallel",
+) -> Doubles:
+    """The distortion of every face.
+
+    Parameters
+    ----------
+    points, triangles, sphere, policy
+        As for `distortion()`.
+    measure : {"log_area_stretch", "angle_distortion", "dilatation", "symmetric_dirichlet"}
+        See `DistortionSummary`.
+
+    Returns
+    -------
+    ndarray (m,) of float64
+    """
+    one_of("measure", measure, "log_area_stretch", "angle_distortion", "dilatation", "symmetric_dirichlet")
+    return _core.face_distortion(*_mesh(points, triangles, sphere), measure, policy)
+
+
+def vertex_log_area_stretch(
+    points: npt.ArrayLike, triangles: npt.ArrayLike, sphere: npt.ArrayLike, *, policy: str = "parallel"
+) -> Doubles:
+    """The logarithmic area stretch of the vertices, the mean over their faces: positive where the map shrinks.
+
+    Parameters
+    ----------
+    points, triangles, sphere, policy
+        As for `distortion()`.
+
+    Returns
+    -------
+    ndarray (n,) of float64
+    """
+    return _core.vertex_log_area_stretch(*_mesh(points, triangles, sphere), policy)
+
+
+def segment(
+    points: npt.ArrayLike,
+    triangles: npt.ArrayLike,
+    sphere: npt.ArrayLike,
+    method: Segmentation = MajorityVote(),
+    *,
+    stretch: npt.ArrayLike | None = None,
+    policy: str = "parallel",
+) -> npt.NDArray[np.int32]:
+    """Cuts a shape into body and limbs.
+
+    Parameters
+    ----------
+    points, triangles, policy
+        As for `distortion()`.
+    sphere : array_like (n, 3) of float
+        A conformal map; it need not be valid.
+    method : MajorityVote, GirthProfiles or RegionGrowing
+    stretch : array_like (m,) of float
+        Of the faces. Default: `face_distortion()`.
+
+    Returns
+    -------
+    ndarray (m,) of int32
+        The number of the segment of every face, from 0. Every segment is connected.
+
+    Raises
+    ------
+    MeshError
+        If something is wrong with the mesh or the map.
+    """
+    points, triangles, sphere = _mesh(points, triangles, sphere)
+    given = None if stretch is None else numbers("stretch", stretch, len(triangles))
+    return _core.segment(points, triangles, sphere, method, given, policy)
+
+
+@dataclass(frozen=True, eq=False)
+class Texture:
+    """Texture coordinates, and what had to be done for them."""
+
+    uv: Doubles  #: (m, 3, 2): u and v of every corner of every face
+    north: list[float]  #: the direction at v = 1, or at the centre of the octahedral square
+    meridian: list[float]  #: the direction of longitude 0
+    seam_faces: int  #: with a corner past the side of the square
+    pole_faces: int  #: round a pole, or with a corner there
+    moved_faces: int  #: of which a corner was moved, so that they are not flipped in the plane
+    unresolved_faces: int  #: of these the ones too small for the grid
+    largest_move: float  #: in units of u and v
+
+
+def texture_coordinates(
+    points: npt.ArrayLike,
+    triangles: npt.ArrayLike,
+    sphere: npt.ArrayLike,
+    *,
+    chart: str = "latitude-longitude",
+    axes: tuple[Sequence[float], Sequence[float]] | None = None,
+    bits: int = 52,
+    policy: str = "parallel",
+) -> Texture:
+    """Texture coordinates for every corner; no triangle is flipped or degenerate in the plane.
+
+    Parameters
+    ----------
+    points, triangles, sphere, policy
+        As for `distortion()`.
+    chart : {"latitude-longitude", "octahedral"}
+    axes : pair of three floats
+        North, and the direction of longitude 0. Default: where the texture is least distorted.
+    bits : int
+        Coordinates are multiples of 2^-bits, 1 to 52. With 23 they are float32 without further rounding.
+
+    Returns
+    -------
+    Texture
+
+    Raises
+    ------
+    MeshError
+        If the map has flipped faces.
+    """
+    one_of("chart", chart, "latitude-longitude", "octahedral")
+    return Texture(*_core.texture_coordinates(*_mesh(points, triangles, sphere), chart, axes, bits, policy))
+
+
+def icosphere(level: int) -> tuple[Doubles, npt.NDArray[np.int32]]:
+    """An icosahedron of which every triangle has been cut in four `level` times, on the unit sphere.
+
+    Parameters
+    ----------
+    level : int
+        0 to 12.
+
+    Returns
+    -------
+    points : ndarray (10 * 4**level + 2, 3) of float64
+    triangles : ndarray (20 * 4**level, 3) of int32
+    """
+    return _core.icosphere(level)
+
+
+class Locator:
+    """The inverse of a map: finds what is mapped to a direction.
+
+    Parameters
+    ----------
+    triangles : array_like (m, 3) of int
+    sphere : array_like (n, 3) of float
+        A valid map.
+    policy : {"parallel", "sequential"}
+        Of this and of all methods.
+
+    Raises
+    ------
+    MeshError
+        If the map is not valid.
+
+    Examples
+    --------
+    >>> import spherical_parameterization as sp
+    >>> sphere, triangles = sp.icosphere(2)
+    >>> locator = sp.Locator(triangles, sphere)
+    >>> locator.transfer(sphere, [[0, 0, 1]]).round(6).tolist()
+    [[0.0, 0.0, 1.0]]
+    """
+
+    def __init__(self, triangles: npt.ArrayLike, sphere: npt.ArrayLike, *, policy: str = "parallel") -> None:
+        sphere, triangles = vectors("sphere", sphere), index_triples(triangles)
+        self._number_of_vertices, self._number_of_faces = len(sphere), len(triangles)
+        self._policy = policy
+        self._locator = _core.Locator(triangles, sphere, policy)
+
+    def locate(self, directions: npt.ArrayLike) -> tuple[npt.NDArray[np.int32], Doubles]:
+        """The faces whose images contain the directions.
+
+        Parameters
+        ----------
+        directions : array_like (k, 3) of float
+            Of any length but 0.
+
+        Returns
+        -------
+        faces : ndarray (k,) of int32
+        weights : ndarray (k, 3) of float64
+            Barycentric, of the corners of the faces.
+        """
+        return self._locator.locate(vectors("directions", directions), self._policy)
+
+    def interpolate(self, values: npt.ArrayLike, faces: npt.ArrayLike, weights: npt.ArrayLike) -> Doubles:
+        """Values of vertices at places in faces, between the values at the corners.
+
+        Parameters
+        ----------
+        values : array_like (n,) or (n, d) of float
+        faces, weights
+            What `locate()` has returned.
+
+        Returns
+        -------
+        ndarray (k,) or (k, d) of float64
+        """
+        given = np.asarray(values, dtype=np.float64)
+        table = np.ascontiguousarray(given.reshape(len(given), -1))
+        if len(table) != self._number_of_vertices:
+            raise ValueError(f"values: {self._number_of_vertices} rows are needed, not {len(table)}")
+        places = np.ascontiguousarray(faces, dtype=np.int32)
+        if places.size and not 0 <= places.min() <= places.max() < self._number_of_faces:
+            raise IndexError(f"faces are numbers from 0 to {self._number_of_faces - 1}")
+        result = self._locator.interpolate(table, places, vectors("weights", weights, len(places)))
+        return result.reshape((len(places), *given.shape[1:]))
+
+    def transfer(self, values: npt.ArrayLike, directions: npt.ArrayLike) -> Doubles:
+        """Values of vertices at directions, such as those of another map: `locate()` and `interpolate()`.
+
+        Parameters
+        ----------
+        values : array_like (n,) or (n, d) of float
+        directions : array_like (k, 3) of float
+
+        Returns
+        -------
+        ndarray (k,) or (k, d) of float64
+        """
+        return self.interpolate(values, *self.locate(directions))
+
+    def resample(
+        self, points: npt.ArrayLike, level: int
+    ) -> tuple[Doubles, npt.NDArray[np.int32], Doubles]:
+        """The shape at the vertices of an icosphere.
+
+        Parameters
+        ----------
+        points : array_like (n, 3) of float
+        level : int
+            Of `icosphere()`.
+
+        Returns
+        -------
+        points : ndarray (k, 3) of float64
+        triangles : ndarray of int32
+        sphere : ndarray (k, 3) of float64
+            The vertices of the icosphere, a map of the new mesh.
+        """
+        sphere, triangles = icosphere(level)
+        return self.transfer(vectors("points", points), sphere), triangles, sphere
+
+    def align(self, points: npt.ArrayLike, other: Locator, other_points: npt.ArrayLike) -> Doubles:
+        """The rotation of the sphere that leads from this map to another one; the shapes have to stand alike.
+
+        Parameters
+        ----------
+        points : array_like (n, 3) of float
+            Of this mesh.
+        other : Locator
+        other_points : array_like of float
+            Of the other mesh.
+
+        Returns
+        -------
+        ndarray (3, 3) of float64
+            R such that R x under the other map is what x is under this one: `other.transfer(values, x @ R.T)`.
+        """
+        return np.array(
+            self._locator.align(
+                vectors("points", points, self._number_of_vertices),
+                other._locator,
+                vectors("other_points", other_points, other._number_of_vertices),
+                self._policy,
+            )
+        )
+
+
+def shape_signature(
+    points: npt.ArrayLike,
+    triangles: npt.ArrayLike,
+    sphere: npt.ArrayLike | None = None,
+    *,
+    policy: str = "parallel",
+) -> Doubles:
+    """A shape as a point of R^96, near to those of its other poses; see `search()`.
+
+    Parameters
+    ----------
+    points, triangles, policy
+        As for `distortion()`.
+    sphere : array_like (n, 3) of float
+        A conformal map by `Balanced`; it need not be valid. Default: the map is made; if it does not converge, a
+        barycentric one.
+
+    Returns
+    -------
+    ndarray (96,) of float64
+    """
+    if sphere is None:
+        result = parameterize(points, triangles, Balanced(), policy=policy, warn=False)
+        if result.error is ErrorCode.NOT_CONVERGED:
+            other = parameterize(
+                points, triangles, Balanced(), weights="barycentric", policy=policy, warn=False
+            )
+            result = other if other else result
+        sphere = result.sphere
+    return _core.shape_signature(*_mesh(points, triangles, sphere), policy)
+
+
+def search(signature: npt.ArrayLike, index: npt.ArrayLike, k: int = 10) -> tuple[npt.NDArray[np.intp], Doubles]:
+    """The nearest of many signatures, by L1 distance: poses of a shape are about .2 apart, other shapes 2.
+
+    Parameters
+    ----------
+    signature : array_like (96,) of float
+    index : array_like (s, 96) of float
+    k : int
+        How many.
+
+    Returns
+    -------
+    numbers : ndarray of int
+        Rows of `index`, nearest first.
+    distances : ndarray of float64
+    """
+    rows = np.ascontiguousarray(index, dtype=np.float64)
+    if rows.ndim != 2 or rows.shape[1] != 96:
+        raise ValueError(f"index: shape (s, 96) is needed, not {rows.shape}")
+    distances = _core.distances(numbers("signature", signature, 96), rows)
+    nearest = np.argsort(distances, kind="stable")[:k]
+    return nearest, distances[nearest]
+
+
+def stretch_histogram(
+    points: npt.ArrayLike,
+    triangles: npt.ArrayLike,
+    sphere: npt.ArrayLike,
+    *,
+    sampling: str = "exact-areas",
+    scale: str = "logarithmic",
+    bins: int = 32,
+    low: float = -4,
+    high: float = 28,
+    number_of_samples: int = 4096,
+    seed: int = 0,
+    policy: str = "parallel",
+) -> Doubles:
+    """The published shape signature: the histogram of the area stretch. See `shape_signature()` for a better one.
+
+    Parameters
+    ----------
+    points, triangles, sphere, policy
+        As for `distortion()`.
+    sampling : {"exact-areas", "uniform", "random", "vertices"}
+    scale : {"logarithmic", "linear"}
+    bins : int
+    low, high : float
+        Where the first bin begins and the last one ends, on the scale.
+    number_of_samples, seed : int
+        Of "uniform" and "random" sampling.
+
+    Returns
+    -------
+    ndarray (bins,) of float64
+        Shares, which add up to 1.
+    """
+    one_of("sampling", sampling, "exact-areas", "uniform", "random", "vertices")
+    one_of("scale", scale, "logarithmic", "linear")
+    shares = _core.stretch_histogram(
+        *_mesh(points, triangles, sphere), sampling, scale, bins, low, high, number_of_samples, seed, policy
+    )
+    return np.array(shares)

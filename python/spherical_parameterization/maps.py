@@ -1,0 +1,390 @@
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Maps to the sphere: `parameterize()`, its `Result`, and `certify()`."""
+
+from __future__ import annotations
+
+import functools
+import warnings
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from .arrays import Doubles, Integers, edge_numbers, index_triples, numbers, vectors
+from .errors import _CODES, ErrorCode, MapWarning, MeshError
+from .methods import Automatic, ConformalWeights, Method, one_of
+
+Fixed = Union[Mapping[int, Sequence[float]], tuple[npt.ArrayLike, npt.ArrayLike]]
+
+
+@dataclass(frozen=True)
+class Seconds:
+    """Wall-clock seconds of the phases of a call; they add up to `total`."""
+
+    read: float  #: reading the arrays, with all checks of the mesh
+    start_map: float  #: set-up of the multigrid hierarchy, and the start map
+    solve: float  #: from the start map to the result
+    certify: float  #: certificates of all attempts
+    total: float  #: the whole call
+
+    def __float__(self) -> float:
+        return self.total
+
+
+@dataclass(frozen=True)
+class Attempt:
+    """A method that was tried, and its outcome."""
+
+    method: str
+    error: ErrorCode
+    detail: str
+    seconds: Seconds
+
+
+@dataclass(frozen=True, eq=False)
+class Result:
+    """A map, its certificate, and what the work was. True if and only if the map is certified.
+
+    Attributes
+    ----------
+    sphere : ndarray (n, 3) of float64
+        A unit vector for every point.
+    error : ErrorCode
+        `OK` if and only if the map is certified.
+    detail : str
+        What is wrong, where, and what to do; empty if `OK`.
+    number_of_vertices, number_of_faces : int
+        Of the mesh.
+    flipped_faces : int
+        Faces (a, b, c) with orientation(O, a, b, c) <= 0, by exact predicates on `sphere`.
+    degree : int
+        How often the map covers the sphere; 1 for a valid one.
+    residual : float
+        Of the equation that the method solves.
+    energy : float
+        Spring energy; of `Isometric` the mean distortion.
+    smallest_area : float
+        Of all spherical triangles, steradians; below 1e-26 rounding flips faces.
+    smallest_edge : float
+        Length of the shortest chord, in units of 2^-52.
+    method : str
+        Of the map: "balanced", "balanced with exponent 3", "isometric", ...
+    fallback_reason : str
+        `Automatic`: what was wrong with the attempts before.
+    start_iterations, iterations, sweeps : int
+        Of the start map, of the method, of Jacobi or Gauss-Seidel.
+    seconds : Seconds
+        Wall-clock time of each phase.
+    attempts : tuple of Attempt
+        All methods that were tried.
+    device : str
+        Where the method ran.
+    text : str
+        All in one line, which is also `str(result)`.
+    """
+
+    sphere: Doubles
+    error: ErrorCode
+    detail: str
+    number_of_vertices: int
+    number_of_faces: int
+    flipped_faces: int
+    degree: int
+    residual: float
+    energy: float
+    smallest_area: float
+    smallest_edge: float
+    method: str
+    fallback_reason: str
+    start_iterations: int
+    iterations: int
+    sweeps: int
+    seconds: Seconds
+    attempts: tuple[Attempt, ...]
+    device: str
+    text: str
+
+    @property
+    def is_valid(self) -> bool:
+        """Whether the map is certified: a bijection, for which the method has converged."""
+        return self.error is ErrorCode.OK
+
+    def __bool__(self) -> bool:
+        return self.is_valid
+
+    def __str__(self) -> str:
+        return self.text
+
+    def __repr__(self) -> str:
+        return f"<Result: {self.text}>"
+
+
+@dataclass(frozen=True)
+class Certificate:
+    """What `certify()` has found. True if and only if the map is valid."""
+
+    flipped_faces: int  #: faces that are flipped, degenerate or not finite
+    degree: int  #: how often the map covers the sphere; -1 for a mirrored one
+
+    @property
+    def is_valid(self) -> bool:
+        """Whether the map is a bijection."""
+        return self.flipped_faces == 0 and self.degree == 1
+
+    def __bool__(self) -> bool:
+        return self.is_valid
+
+
+def edges(triangles: npt.ArrayLike) -> Integers:
+    """The edges of a mesh, in the order in which `parameterize()` takes weights.
+
+    Parameters
+    ----------
+    triangles : array_like (m, 3) of int
+
+    Returns
+    -------
+    ndarray (k, 2) of int64
+        The numbers of the ends, the smaller one first; sorted.
+
+    Examples
+    --------
+    >>> import spherical_parameterization as sp
+    >>> sp.edges([[0, 1, 2], [0, 2, 1]]).tolist()
+    [[0, 1], [0, 2], [1, 2]]
+    """
+    return edge_numbers(index_triples(triangles))[0]
+
+
+def _weights(weights: str | ConformalWeights | npt.ArrayLike, triangles: Integers) -> object:
+    """A name, ConformalWeights, or an array (m, 3) with the weight of the edge from every corner to the next one."""
+    if isinstance(weights, str):
+        one_of("weights", weights, "conformal", "barycentric", "mean-value")
+        return weights
+    if isinstance(weights, ConformalWeights):
+        return weights
+    if np.shape(weights) == triangles.shape:
+        return np.ascontiguousarray(weights, dtype=np.float64)
+    edge, number = edge_numbers(triangles)
+    return np.ascontiguousarray(numbers("weights", weights, len(edge))[number])
+
+
+def _fixed(fixed: Fixed, sphere: Doubles) -> npt.NDArray[np.bool_]:
+    """Which vertices are fixed; writes where to `sphere`."""
+    if isinstance(fixed, Mapping):
+        fixed = (list(fixed.keys()), list(fixed.values()))
+    index = np.asarray(fixed[0])
+    directions = vectors("fixed: directions", fixed[1], len(index))
+    if index.dtype.kind not in "iu" or not ((0 <= index) & (index < len(sphere))).all():
+        raise MeshError(ErrorCode.BAD_CONSTRAINTS, f"fixed vertices are numbers from 0 to {len(sphere) - 1}")
+    is_fixed = np.zeros(len(sphere), dtype=np.bool_)
+    is_fixed[index] = True
+    sphere[index] = directions
+    return is_fixed
+
+
+@functools.lru_cache(maxsize=None)
+def opencl_device(name: str = "", *, precision: str = "automatic", smallest_mesh: int = 10000) -> _core.OpenCLDevice:
+    """An OpenCL device, as `policy` of `parameterize()`.
+
+    Parameters
+    ----------
+    name : str
+        Its number in `opencl_devices()`, or a part of its name. Empty: that of the environment variable
+        CGAL_SPHERICAL_PARAMETERIZATION_DEVICE, else the first GPU with double precision, else the first device.
+    precision : {"automatic", "double", "single"}
+    smallest_mesh : int
+        Meshes with fewer vertices are mapped on one core of the host.
+
+    Raises
+    ------
+    DeviceError
+        If there is no such device, or if it does not have the precision.
+
+    Returns
+    -------
+    OpenCLDevice
+    """
+    one_of("precision", precision, "automatic", "double", "single")
+    return _core.opencl_device(name, precision, smallest_mesh)
+
+
+def opencl_devices() -> list[dict[str, Any]]:
+    """What each OpenCL device says of itself.
+
+    Returns
+    -------
+    list of dict
+        Empty where there is no driver.
+    """
+    return _core.opencl_devices()
+
+
+def _callback(progress: object) -> object:
+    """A callable; a bar of tqdm is told by how much the fraction has grown."""
+    if progress is None or callable(progress):
+        return progress
+    bar: Any = progress
+    total = 1 if bar.total is None else bar.total
+
+    def update(fraction: float) -> None:
+        bar.update(fraction * total - bar.n)
+
+    return update
+
+
+def parameterize(
+    points: npt.ArrayLike,
+    triangles: npt.ArrayLike,
+    method: Method = Automatic(),
+    *,
+    weights: str | ConformalWeights | npt.ArrayLike = "conformal",
+    policy: str | _core.OpenCLDevice = "parallel",
+    fixed: Fixed | None = None,
+    start: npt.ArrayLike | None = None,
+    accuracy: float | None = None,
+    iterations: int | None = None,
+    maximum_running_time: float = float("inf"),
+    progress: object = None,
+    verbose: bool = False,
+    warn: bool = True,
+) -> Result:
+    """Maps a closed triangle mesh of genus 0 to the unit sphere, certified by exact predicates.
+
+    Parameters
+    ----------
+    points : array_like (n, 3) of float
+        In any unit. float64 in C order is not copied.
+    triangles : array_like (m, 3) of int
+        Numbers of points, from 0, counterclockwise as seen from outside. int32 and int64 in C order are not copied.
+    method : Automatic, Balanced, Isometric or SaddlePoint
+    weights : {"conformal", "barycentric", "mean-value"}, ConformalWeights, or array_like of float
+        Spring constants of the edges. An array has one number for each of `edges(triangles)`, or shape (m, 3) with the
+        edges from each corner of a triangle to the next one.
+    policy : {"parallel", "sequential", "opencl"} or OpenCLDevice
+        Where to run; the map does not depend on it, to the last bit. See `opencl_device()`.
+    fixed : mapping of int to three floats, or pair of array_like (k,) and (k, 3)
+        Vertices, and the directions where they stay: three or more. Not for `Isometric`.
+    start : array_like (n, 3) of float
+        The map to start from, for `SaddlePoint(start="given")`.
+    accuracy : float
+        What the residual has to come down to. Default: that of the method.
+    iterations : int
+        The most iterations. Default: that of the method.
+    maximum_running_time : float
+        Seconds after which the best map so far is returned.
+    progress : callable, or bar of tqdm
+        Called with the fraction of the work done, up to 20 times a second. If it returns False, the call ends with the
+        best map so far.
+    verbose : bool
+        Logs every iteration to stderr.
+    warn : bool
+        Whether a map that is not certified is a warning.
+
+    Returns
+    -------
+    Result
+        `result.sphere` is the map; `result.is_valid` says whether it is certified.
+
+    Raises
+    ------
+    MeshError
+        There is no map, since something is wrong with the mesh, the weights or the fixed vertices. `code` and `detail`
+        say what, where, and what to do.
+    DeviceError
+        The OpenCL device is not there, or has failed.
+    ValueError, TypeError
+        An argument has a wrong value, shape or type.
+
+    Warns
+    -----
+    MapWarning
+        There is a map, and it is not certified.
+
+    Notes
+    -----
+    Other threads of Python go on meanwhile. Ctrl-C ends the call with the best map so far and `error` INTERRUPTED; if
+    there is none yet, KeyboardInterrupt goes on.
+
+    Examples
+    --------
+    >>> import spherical_parameterization as sp
+    >>> points, triangles = sp.icosphere(3)
+    >>> result = sp.parameterize(points * [1, 1, 2], triangles)
+    >>> result.is_valid, result.flipped_faces, result.degree, result.method
+    (True, 0, 1, 'balanced')
+    >>> result.sphere.shape
+    (642, 3)
+
+    A mesh that is not closed:
+
+    >>> try:
+    ...     sp.parameterize(points, triangles[1:])
+    ... except sp.MeshError as error:
+    ...     print(error.code)
+    BOUNDARY
+    """
+    points, triangles = vectors("points", points), index_triples(triangles)
+    sphere = np.zeros_like(points) if start is None else vectors("start", start, len(points)).copy()
+    is_fixed = None if fixed is None else _fixed(fixed, sphere)
+    if isinstance(policy, str):
+        one_of("policy", policy, "sequential", "parallel", "opencl")
+    fields, has_map, was_ctrl_c = _core.parameterize(
+        points,
+        triangles,
+        method,
+        _weights(weights, triangles),
+        opencl_device() if policy == "opencl" else policy,
+        is_fixed,
+        sphere,
+        accuracy,
+        iterations,
+        maximum_running_time,
+        verbose,
+        _callback(progress),
+    )
+    error = _CODES[fields.pop("error")]
+    attempts = tuple(Attempt(a[0], _CODES[a[1]], a[2], Seconds(*a[3])) for a in fields.pop("attempts"))
+    if was_ctrl_c and not has_map:
+        raise KeyboardInterrupt
+    if not has_map:
+        raise MeshError(error, fields["detail"])
+    fields["seconds"] = Seconds(*fields["seconds"])
+    result = Result(sphere=sphere, error=error, attempts=attempts, **fields)
+    if warn and not result:
+        warnings.warn(result.text, MapWarning, stacklevel=2)
+    return result
+
+
+def certify(triangles: npt.ArrayLike, sphere: npt.ArrayLike, *, policy: str = "parallel") -> Certificate:
+    """Whether a map is a bijection, by exact predicates on its coordinates as they are.
+
+    Parameters
+    ----------
+    triangles : array_like (m, 3) of int
+    sphere : array_like (n, 3) of float
+        Vectors of any length but 0. float32 is judged as float32: what a file will hold.
+    policy : {"parallel", "sequential"}
+
+    Returns
+    -------
+    Certificate
+
+    Raises
+    ------
+    MeshError
+        If the triangles do not form a closed surface of genus 0, or a coordinate is not finite.
+
+    Examples
+    --------
+    >>> import spherical_parameterization as sp
+    >>> sphere, triangles = sp.icosphere(2)
+    >>> sp.certify(triangles, sphere)
+    Certificate(flipped_faces=0, degree=1)
+    >>> sp.certify(triangles, -sphere).is_valid
+    False
+    """
+    return Certificate(*_core.certify(index_triples(triangles), vectors("sphere", sphere), policy))

@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+//
+// What is done with a map: certificate, distortion, segments, textures, the inverse, shape search.
+
+#include "arrays.h"
+
+#include <CGAL/Spherical_parameterization/align_maps.h>
+#include <CGAL/Spherical_parameterization/distortion_summary.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/midpoint_refinement.h>
+#include <CGAL/Spherical_parameterization/locate.h>
+#include <CGAL/Spherical_parameterization/measure_distortion.h>
+#include <CGAL/Spherical_parameterization/resample.h>
+#include <CGAL/Spherical_parameterization/segmentation.h>
+#include <CGAL/Spherical_parameterization/shape_signature.h>
+#include <CGAL/Spherical_parameterization/stretch_histogram.h>
+#include <CGAL/Spherical_parameterization/texture_coordinates.h>
+#include <CGAL/Spherical_parameterization/transfer_properties.h>
+
+#include <pybind11/stl.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/parallel_for.h>
+#endif
+
+#include <algorithm>
+#include <utility>
+
+using namespace pybind11::literals;
+
+namespace {
+
+typedef Array_map<Mesh::Face_index, double> Face_values;
+typedef Array_map<Mesh::Vertex_index, double> Vertex_values;
+
+/// Calls f(policy) without the interpreter's lock.
+template <class F>
+auto on(const std::string& policy, F f)
+{
+  const Host_policy chosen = host_policy(policy);
+  const py::gil_scoped_release no_lock;
+  return std::visit(f, chosen);
+}
+
+template <class Number, class... Sizes>
+py::array_t<Number, py::array::c_style> make_array(Sizes... sizes)
+{
+  return py::array_t<Number, py::array::c_style>(std::vector<py::ssize_t>{static_cast<py::ssize_t>(sizes)...});
+}
+
+std::pair<std::size_t, int> certify(const py::array& triangles, const Doubles& sphere, const std::string& policy)
+{
+  const Mesh mesh = make_mesh(sphere, triangles);
+  return on(policy, [&](const auto& p) {
+    return std::pair<std::size_t, int>(SP::number_of_flipped_faces(p, mesh, sphere_of(sphere)),
+                                       SP::degree_of_map(p, mesh, sphere_of(sphere)));
+  });
+}
+
+Doubles face_distortion(const Doubles& points, const py::array& triangles, const Doubles& sphere,
+                        const std::string& measure, const std::string& policy)
+{
+  const Mesh mesh = make_mesh(points, triangles);
+  Doubles values = make_array<double>(mesh.number_of_faces());
+  const Face_values map(values);
+  on(policy, [&](const auto& p) {
+    if(measure == "log_area_stretch")
+      SP::face_log_area_stretch(p, mesh, sphere_of(sphere), map);
+    else if(measure == "angle_distortion")
+      SP::face_angle_distortion(p, mesh, sphere_of(sphere), map);
+    else if(measure == "dilatation")
+      SP::face_dilatation(p, mesh, sphere_of(sphere), map);
+    else
+      SP::face_symmetric_dirichlet(p, mesh, sphere_of(sphere), map);
+  });
+  return values;
+}
+
+Doubles vertex_log_area_stretch(const Doubles& points, const py::array& triangles, const Doubles& sphere,
+                                const std::string& policy)
+{
+  const Mesh mesh = make_mesh(points, triangles);
+  Doubles values = make_array<double>(mesh.number_of_vertices());
+  const Vertex_values map(values);
+  on(policy, [&](const auto& p) { SP::vertex_log_area_stretch(p, mesh, sphere_of(sphere), map); });
+  return values;
+}
+
+py::tuple to_python(const SP::Distribution& d)
+{
+  return py::make_tuple(d.mean, d.deviation, d.min, d.percentile_1, d.percentile_5, d.median, d.percentile_95,
+                        d.percentile_99, d.max);
+}
+
+py::tuple distortion_summary(const Doubles& points, const py::array& triangles, const Doubles& sphere,
+                             const std::string& policy)
+{
+  const Mesh mesh = make_mesh(points, triangles);
+  const SP::Distortion_summary d =
+    on(policy, [&](const auto& p) { return SP::distortion_summary(p, mesh, sphere_of(sphere)); });
+  return py::make_tuple(to_python(d.log_area_stretch), to_python(d.angle_distortion), to_python(d.dilatation),
+                        to_python(d.symmetric_dirichlet), to_python(d.spherical_symmetric_dirichlet),
+                        d.degenerate_faces);
+}
+
+std::variant<SP::Majority_vote, SP::Girth_profiles, SP::Region_growing> segmentation_of(const py::object& options)
+{
+  const std::string name = py::str(py::type::of(options).attr("__name__"));
+  const SP::Segment_limits limits{options.attr("minimum_area").cast<double>(),
+                                  options.attr("number_of_segments").cast<std::size_t>()};
+  if(name == "RegionGrowing")
+    return SP::Region_growing{limits, options.attr("threshold").cast<double>()};
+  if(name == "GirthProfiles")
+    return SP::Girth_profiles{limits};
+  return SP::Majority_vote{limits};
+}
+
+py::array segment(const Doubles& points, const py::array& triangles, const Doubles& sphere, const py::object& options,
+                  const py::object& stretch, const std::string& policy)
+{
+  const auto method = segmentation_of(options);
+  const Mesh mesh = make_mesh(points, triangles);
+  auto labels = make_array<std::int32_t>(mesh.number_of_faces());
+  const Array_map<Mesh::Face_index, std::int32_t> map(labels);
+  Doubles given = stretch.is_none() ? Doubles() : Doubles(stretch);
+  const double* const values = stretch.is_none() ? nullptr : given.data();
+  const SP::Segmentation_result result = on(policy, [&](const auto& p) {
+    return std::visit(
+      [&](const auto& chosen) {
+        if(values)
+          return SP::segmentation_from_area_stretch(p, mesh, sphere_of(sphere),
+                                                    Array_map<Mesh::Face_index, const double>(values), map, chosen);
+        return SP::segmentation_via_area_stretch(p, mesh, sphere_of(sphere), map, chosen);
+      },
+      method);
+  });
+  if(!result)
+    throw SP::Error(result.error, result.detail);
+  return labels;
+}
+
+/// Row f, column k of an array (m, 3, 2): the corner k of face f, which is the target of the halfedge before it.
+struct Corner_map {
+  typedef Mesh::Halfedge_index key_type;
+  typedef std::pair<double, double> value_type;
+  typedef value_type& reference;
+  typedef boost::lvalue_property_map_tag category;
+
+  value_type* first;
+
+  explicit Corner_map(Doubles& array) : first(reinterpret_cast<value_type*>(array.mutable_data())) {}
+  value_type& operator[](key_type h) const { return first[3 * (h.idx() / 3) + (h.idx() + 1) % 3]; }
+  friend reference get(const Corner_map& map, key_type h) { return map[h]; }
+  friend void put(const Corner_map& map, key_type h, const value_type& uv) { map[h] = uv; }
+};
+
+py::tuple texture_coordinates(const Doubles& points, const py::array& triangles, const Doubles& sphere,
+                              const std::string& chart, const py::object& axes, int bits, const std::string& policy)
+{
+  typedef std::array<double, 3> Vector;
+  SP::Texture_options options;
+  if(chart == "octahedral")
+    options.chart = SP::Texture_chart::OCTAHEDRAL;
+  if(!axes.is_none()) {
+    const auto [north, meridian] = axes.cast<std::pair<Vector, Vector>>();
+    options.axes = SP::Texture_axes{north, meridian};
+  }
+  options.bits = bits;
+  const Mesh mesh = make_mesh(points, triangles);
+  Doubles uv = make_array<double>(mesh.number_of_faces(), 3, 2);
+  const Corner_map map(uv);
+  const SP::Texture_report r =
+    on(policy, [&](const auto& p) { return SP::texture_coordinates(p, mesh, sphere_of(sphere), map, options); });
+  return py::make_tuple(uv, r.axes.north, r.axes.meridian, r.seam_faces, r.pole_faces, r.moved_faces,
+                        r.unresolved_faces, r.largest_move);
+}
+
+/// A column of an array (n, d), read from its first number on.
+struct Column {
+  typedef Mesh::Vertex_index key_type;
+  typedef double value_type;
+  typedef double reference;
+  typedef boost::readable_property_map_tag category;
+
+  const double* first;
+  std::size_t columns;
+
+  friend double get(const Column& map, key_type v)
+  {
+    return map.first[map.columns * static_cast<std::size_t>(v.idx())];
+  }
+};
+
+/// A point that can be made of three numbers, as interpolation does.
+struct Point {
+  std::array<double, 3> coordinates;
+
+  Point(double x, double y, double z) : coordinates{x, y, z} {}
+  double operator[](std::size_t i) const { return coordinates[i]; }
+};
+
+Array_map<Mesh::Vertex_index, const Point> points_of(const Doubles& array)
+{
+  return Array_map<Mesh::Vertex_index, const Point>(reinterpret_cast<const Point*>(array.data()));
+}
+
+/// The inverse of a map, with the mesh that it needs.
+class Locator {
+public:
+  Locator(const py::array& triangles, const Doubles& sphere, const std::string& policy)
+    : mesh_(make_mesh(sphere, triangles)),
+      locator_(on(policy, [&](const auto& p) { return SP::Spherical_locator<Mesh>(p, mesh_, sphere_of(sphere)); }))
+  {}
+  Locator(const Locator&) = delete;
+
+  /// Face numbers (k) and weights (k, 3) in the order of the corners.
+  py::tuple locate(const Doubles& directions, const std::string& policy) const
+  {
+    const Rows<double> queries(directions);
+    auto faces = make_array<std::int32_t>(queries.size);
+    auto weights = make_array<double>(queries.size, 3);
+    std::int32_t* const face = faces.mutable_data();
+    auto* const weight = reinterpret_cast<std::array<double, 3>*>(weights.mutable_data());
+    const auto one = [&](std::size_t i) {
+      const auto [f, w] = locator_.locate(queries.first[i]);
+      face[i] = f.idx();
+      weight[i] = {w[1], w[2], w[0]}; // the halfedge of a face starts at its last corner
+    };
+    on(policy, [&](const auto& p) {
+      if constexpr(std::is_same_v<std::decay_t<decltype(p)>, CGAL::Sequential_tag>)
+        for(std::size_t i = 0; i < queries.size; ++i)
+          one(i);
+#ifdef CGAL_LINKED_WITH_TBB
+      else
+        tbb::parallel_for(std::size_t(0), queries.size, one);
+#endif
+    });
+    return py::make_tuple(faces, weights);
+  }
+
+  /// Values (n, d) of the vertices at what locate() has found.
+  Doubles interpolate(const Doubles& values, const py::array_t<std::int32_t>& faces, const Doubles& weights) const
+  {
+    const Rows<double> weight(weights);
+    const auto columns = static_cast<std::size_t>(values.shape(1));
+    Doubles result = make_array<double>(weight.size, columns);
+    double* out = result.mutable_data();
+    const double* const in = values.data();
+    const std::int32_t* const face = faces.data();
+    const py::gil_scoped_release no_lock;
+    for(std::size_t i = 0; i < weight.size; ++i) {
+      const std::array<double, 3>& w = weight.first[i];
+      const SP::Face_location<Mesh> place(Mesh::Face_index(face[i]), {w[2], w[0], w[1]});
+      for(std::size_t k = 0; k < columns; ++k)
+        *out++ = SP::interpolate(mesh_, place, Column{in + k, columns});
+    }
+    return result;
+  }
+
+  /// The rotation from this map to another one.
+  SP::Rotation align(const Doubles& points, const Locator& other, const Doubles& other_points,
+                     const std::string& policy) const
+  {
+    return on(policy, [&](const auto& p) {
+      return SP::aligning_rotation(p, locator_, points_of(points), other.locator_, points_of(other_points));
+    });
+  }
+
+private:
+  Mesh mesh_;
+  SP::Spherical_locator<Mesh> locator_;
+};
+
+py::tuple icosphere(int level)
+{
+  CGAL_SP_PRECONDITION(level >= 0 && level <= SP::largest_icosphere_level, "the level of an icosphere is 0 to 12");
+  const SP::internal::Icosphere icosphere(level);
+  Doubles points = make_array<double>(icosphere.points.size(), 3);
+  auto triangles = make_array<std::int32_t>(icosphere.triangles.size(), 3);
+  std::transform(icosphere.points.begin(), icosphere.points.end(),
+                 reinterpret_cast<std::array<double, 3>*>(points.mutable_data()), [](const auto& p) {
+                   return std::array<double, 3>{p.x, p.y, p.z};
+                 });
+  std::copy(icosphere.triangles.begin(), icosphere.triangles.end(),
+            reinterpret_cast<std::array<int, 3>*>(triangles.mutable_data()));
+  return py::make_tuple(points, triangles);
+}
+
+Doubles shape_signature(const Doubles& points, const py::array& triangles, const Doubles& sphere,
+                        const std::string& policy)
+{
+  const Mesh mesh = make_mesh(points, triangles);
+  const SP::Shape_signature signature =
+    on(policy, [&](const auto& p) { return SP::shape_signature(p, mesh, sphere_of(sphere)); });
+  return Doubles(static_cast<py::ssize_t>(signature.values.size()), signature.values.data());
+}
+
+/// From one signature to each row of `index`.
+Doubles distances(const Doubles& signature, const Doubles& index)
+{
+  const auto rows = static_cast<std::size_t>(index.shape(0));
+  Doubles result = make_array<double>(rows);
+  const auto* const from = reinterpret_cast<const SP::Shape_signature*>(signature.data());
+  const auto* const to = reinterpret_cast<const SP::Shape_signature*>(index.data());
+  std::transform(to, to + rows, result.mutable_data(), [&](const auto& other) { return distance(*from, other); });
+  return result;
+}
+
+std::vector<double> stretch_histogram(const Doubles& points, const py::array& triangles, const Doubles& sphere,
+                                      const std::string& sampling, const std::string& scale, std::size_t bins,
+                                      double low, double high, std::size_t number_of_samples, std::uint32_t seed,
+                                      const std::string& policy)
+{
+  typedef SP::Stretch_histogram Options;
+  Options options;
+  options.sampling = sampling == "uniform"    ? Options::Sampling::UNIFORM
+                     : sampling == "random"   ? Options::Sampling::RANDOM
+                     : sampling == "vertices" ? Options::Sampling::VERTICES
+                                              : Options::Sampling::EXACT_AREAS;
+  options.scale = scale == "linear" ? Options::Scale::LINEAR : Options::Scale::LOGARITHMIC;
+  options.bins = bins;
+  options.low = low;
+  options.high = high;
+  options.number_of_samples = number_of_samples;
+  options.random_seed = seed;
+  const Mesh mesh = make_mesh(points, triangles);
+  return on(policy, [&](const auto& p) { return SP::stretch_histogram(p, mesh, sphere_of(sphere), options); });
+}
+
+} // namespace
+
+void add_analysis(py::module_& module)
+{
+  module.def("certify", certify);
+  module.def("face_distortion", face_distortion);
+  module.def("vertex_log_area_stretch", vertex_log_area_stretch);
+  module.def("distortion_summary", distortion_summary);
+  module.def("segment", segment);
+  module.def("texture_coordinates", texture_coordinates);
+  py::class_<Locator>(module, "Locator")
+    .def(py::init<const py::array&, const Doubles&, const std::string&>())
+    .def("locate", &Locator::locate)
+    .def("interpolate", &Locator::interpolate)
+    .def("align", &Locator::align);
+  module.def("icosphere", icosphere);
+  module.def("shape_signature", shape_signature);
+  module.def("distances", distances);
+  module.def("stretch_histogram", stretch_histogram);
+}

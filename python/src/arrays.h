@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+//
+// What both files of the binding share: arrays of numpy as ranges, points and triangles as a mesh, policies by name.
+// The functions of the module are private: the Python files next to it check shapes and types before they call.
+
+#ifndef SPHERICAL_PARAMETERIZATION_PYTHON_ARRAYS_H
+#define SPHERICAL_PARAMETERIZATION_PYTHON_ARRAYS_H
+
+#include <CGAL/Spherical_parameterization/Any_policy.h>
+#include <CGAL/Spherical_parameterization/Indexed_triangle_mesh.h>
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+namespace py = pybind11;
+namespace SP = CGAL::Spherical_parameterization;
+
+typedef SP::Indexed_triangle_mesh Mesh;
+typedef py::array_t<double, py::array::c_style> Doubles;
+
+/// The rows of an array (n, 3) where it is: nothing is copied.
+template <class Number>
+struct Rows {
+  const std::array<Number, 3>* first;
+  std::size_t size;
+
+  explicit Rows(const py::array& array)
+    : first(static_cast<const std::array<Number, 3>*>(array.data())), size(static_cast<std::size_t>(array.shape(0)))
+  {}
+  const std::array<Number, 3>* begin() const { return first; }
+  const std::array<Number, 3>* end() const { return first + size; }
+};
+
+/// Calls f with the triangles as they are, of 32 or of 64 bits.
+template <class F>
+auto with_triangles(const py::array& triangles, F f)
+{
+  if(triangles.itemsize() == sizeof(std::int32_t))
+    return f(Rows<std::int32_t>(triangles));
+  return f(Rows<std::int64_t>(triangles));
+}
+
+/// Needs the interpreter's lock on entry, and gives it up while it reads.
+inline Mesh make_mesh(const py::array& points, const py::array& triangles)
+{
+  return with_triangles(triangles, [&](auto rows) {
+    const Rows<double> positions(points);
+    const py::gil_scoped_release no_lock;
+    return Mesh(positions, rows);
+  });
+}
+
+/// An array as a property map: row i is the value of the descriptor with number i.
+template <class Descriptor, class Value>
+struct Array_map {
+  typedef Descriptor key_type;
+  typedef std::remove_const_t<Value> value_type;
+  typedef Value& reference;
+  typedef boost::lvalue_property_map_tag category;
+
+  Value* first;
+
+  explicit Array_map(Value* data) : first(data) {}
+  template <class Number>
+  explicit Array_map(py::array_t<Number, py::array::c_style>& array)
+    : first(reinterpret_cast<Value*>(array.mutable_data()))
+  {}
+  friend reference get(const Array_map& map, Descriptor d) { return map.first[d.idx()]; }
+  friend void put(const Array_map& map, Descriptor d, const Value& value) { map.first[d.idx()] = value; }
+};
+
+typedef Array_map<Mesh::Vertex_index, const std::array<double, 3>> Sphere; ///< a map that is read only
+
+inline Sphere sphere_of(const Doubles& array)
+{
+  return Sphere(reinterpret_cast<const std::array<double, 3>*>(array.data()));
+}
+
+typedef std::variant<CGAL::Sequential_tag
+#ifdef CGAL_LINKED_WITH_TBB
+                     ,
+                     CGAL::Parallel_tag
+#endif
+                     >
+  Host_policy;
+
+/// "sequential" or "parallel"
+inline Host_policy host_policy(const std::string& name)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if(name == "parallel")
+    return CGAL::Parallel_tag();
+#else
+  if(name == "parallel")
+    throw py::value_error("policy 'parallel': this build has no TBB");
+#endif
+  if(name != "sequential")
+    throw py::value_error("policy '" + name + "': 'sequential' or 'parallel' is needed");
+  return CGAL::Sequential_tag();
+}
+
+void add_analysis(py::module_& module);
+
+#endif // SPHERICAL_PARAMETERIZATION_PYTHON_ARRAYS_H

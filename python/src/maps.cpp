@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+//
+// The module spherical_parameterization._core: parameterize(), devices, errors. analysis.cpp has what is done with a
+// map.
+
+#include "arrays.h"
+
+#include <CGAL/Spherical_parameterization/edge_weights.h>
+#include <CGAL/Spherical_parameterization/parameterize.h>
+#include <CGAL/Spherical_parameterization/version.h>
+
+#include <pybind11/stl.h>
+
+#include <CGAL/assertions.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <chrono>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+using namespace pybind11::literals;
+
+static_assert(static_cast<int>(SP::Error_code::BAD_INDEX) == 17, "errors.py lists the codes in this order");
+
+namespace {
+
+typedef std::chrono::steady_clock Clock;
+
+/// Writes to an array, and knows whether it has.
+struct Sphere_map {
+  typedef Mesh::Vertex_index key_type;
+  typedef std::array<double, 3> value_type;
+  typedef const value_type& reference;
+  typedef boost::read_write_property_map_tag category;
+
+  value_type* first;
+  bool* is_written;
+
+  friend reference get(const Sphere_map& map, key_type v) { return map.first[v.idx()]; }
+  friend void put(const Sphere_map& map, key_type v, const value_type& p)
+  {
+    map.first[v.idx()] = p;
+    *map.is_written = true;
+  }
+};
+
+/// One number per halfedge of an array (m, 3): column k is the edge from corner k to the next one.
+struct Array_weights {
+  const double* first;
+  friend double get(const Array_weights& map, Mesh::Edge_index e) { return map.first[e.idx()]; }
+};
+
+/// Any of the weights as one edge map, so that there is one parameterize() per policy and method.
+struct Weight_map {
+  typedef Mesh::Edge_index key_type;
+  typedef double value_type;
+  typedef double reference;
+  typedef boost::readable_property_map_tag category;
+
+  std::variant<decltype(SP::conformal_weights(std::declval<const Mesh&>())),
+               decltype(SP::barycentric_weights(std::declval<const Mesh&>())),
+               decltype(SP::mean_value_weights(std::declval<const Mesh&>())), Array_weights>
+    weights;
+
+  friend double get(const Weight_map& map, Mesh::Edge_index e)
+  {
+    return std::visit([e](const auto& chosen) { return get(chosen, e); }, map.weights);
+  }
+};
+
+/// The parts of the object `weights` that are needed without the interpreter's lock.
+struct Weight_settings {
+  std::string name;
+  double minimum_angle = 5, maximum_angle = 85;
+  Doubles array; ///< empty unless it was given
+
+  explicit Weight_settings(const py::object& weights)
+  {
+    if(py::isinstance<py::array>(weights))
+      array = Doubles(weights);
+    else if(py::isinstance<py::str>(weights))
+      name = py::str(weights);
+    else {
+      name = "conformal";
+      minimum_angle = weights.attr("minimum_angle").cast<double>();
+      maximum_angle = weights.attr("maximum_angle").cast<double>();
+    }
+    if(array.size() == 0 && name != "conformal" && name != "barycentric" && name != "mean-value")
+      throw py::value_error("weights '" + name + "': 'conformal', 'barycentric' or 'mean-value' is needed");
+  }
+
+  Weight_map map(const Mesh& mesh) const
+  {
+    if(array.size() > 0)
+      return {Array_weights{array.data()}};
+    if(name == "barycentric")
+      return {SP::barycentric_weights(mesh)};
+    if(name == "mean-value")
+      return {SP::mean_value_weights(mesh)};
+    return {SP::conformal_weights(mesh, minimum_angle, maximum_angle)};
+  }
+};
+
+std::variant<SP::Balanced, SP::Saddle_point, SP::Isometric, SP::Automatic> method_of(const py::object& options)
+{
+  const std::string name = py::str(py::type::of(options).attr("__name__"));
+  const auto number = [&](const char* option) { return options.attr(option).cast<double>(); };
+  const auto word = [&](const char* option) { return options.attr(option).cast<std::string>(); };
+  if(name == "Automatic")
+    return SP::Automatic{number("spring_exponent"), number("larger_spring_exponent"), number("area_exponent")};
+  if(name == "Isometric")
+    return SP::Isometric{number("area_exponent")};
+  if(name == "Balanced")
+    return SP::Balanced{number("spring_exponent")};
+  SP::Saddle_point method;
+  if(word("splitting") == "gauss-seidel")
+    method.splitting = SP::Saddle_point::Splitting::GAUSS_SEIDEL;
+  if(word("start") != "centroid")
+    method.start = word("start") == "given" ? SP::Saddle_point::Start::GIVEN : SP::Saddle_point::Start::HARMONIC;
+  method.relaxation = number("relaxation");
+  method.check_interval = options.attr("check_interval").cast<std::size_t>();
+  return method;
+}
+
+SP::Any_policy policy_of(const py::object& policy)
+{
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
+  if(py::isinstance<SP::OpenCL_device>(policy))
+    return policy.cast<SP::OpenCL_device>();
+#endif
+  return std::visit([](auto host) -> SP::Any_policy { return host; }, host_policy(py::str(policy)));
+}
+
+/// The callback of a call: asks Python now and then whether to go on.
+struct Watch {
+  py::object progress; ///< None, or a callable
+  bool was_ctrl_c = false;
+  Clock::time_point last = Clock::now();
+
+  bool go_on(double fraction)
+  {
+    constexpr std::chrono::milliseconds interval(50); // the lock may be some way off
+    const bool is_last = fraction >= 1;
+    if((is_last && progress.is_none()) || (!is_last && Clock::now() - last < interval))
+      return true;
+    const py::gil_scoped_acquire lock;
+    try {
+      if(PyErr_CheckSignals() != 0)
+        throw py::error_already_set();
+      const bool is_stopped = !progress.is_none() && progress(fraction).is(py::bool_(false));
+      last = Clock::now();
+      return !is_stopped;
+    } catch(py::error_already_set& error) {
+      if(!error.matches(PyExc_KeyboardInterrupt))
+        throw;
+      was_ctrl_c = true;
+      return false;
+    }
+  }
+};
+
+py::tuple to_python(const SP::Result::Seconds& s)
+{
+  return py::make_tuple(s.read, s.start_map, s.solve, s.certify, s.total);
+}
+
+py::dict to_python(const SP::Result& r)
+{
+  py::list attempts;
+  for(const SP::Result::Attempt& a : r.attempts)
+    attempts.append(py::make_tuple(a.method, static_cast<int>(a.error), a.detail, to_python(a.seconds)));
+  std::ostringstream text;
+  text << r;
+  return py::dict(
+    "error"_a = static_cast<int>(r.error), "detail"_a = r.detail, "number_of_vertices"_a = r.number_of_vertices,
+    "number_of_faces"_a = r.number_of_faces, "flipped_faces"_a = r.flipped_faces, "degree"_a = r.degree,
+    "residual"_a = r.residual, "energy"_a = r.energy, "smallest_area"_a = r.smallest_area,
+    "smallest_edge"_a = r.smallest_edge, "method"_a = r.method, "fallback_reason"_a = r.fallback_reason,
+    "start_iterations"_a = r.start_iterations, "iterations"_a = r.iterations, "sweeps"_a = r.sweeps,
+    "seconds"_a = to_python(r.seconds), "attempts"_a = attempts, "device"_a = r.device, "text"_a = text.str());
+}
+
+/// Maps to `sphere`, which holds what is given of the map on entry. Returns the fields of the Result, whether there is
+/// a map, and whether Ctrl-C has ended the call.
+py::tuple parameterize(const Doubles& points, const py::array& triangles, const py::object& method_options,
+                       const py::object& weight_options, const py::object& policy_options, const py::object& fixed,
+                       Doubles sphere, std::optional<double> accuracy, std::optional<std::size_t> iterations,
+                       double maximum_running_time, bool verbose, const py::object& progress)
+{
+  const auto method = method_of(method_options);
+  const Weight_settings weights(weight_options);
+  const SP::Any_policy policy = policy_of(policy_options);
+  const bool* const is_fixed = fixed.is_none() ? nullptr : fixed.cast<py::array_t<bool>>().data();
+  const auto is_constrained = boost::make_function_property_map<Mesh::Vertex_index>(
+    [is_fixed](Mesh::Vertex_index v) { return is_fixed && is_fixed[v.idx()]; });
+  bool has_map = false;
+  const Sphere_map sphere_map{reinterpret_cast<std::array<double, 3>*>(sphere.mutable_data()), &has_map};
+  Watch watch{progress};
+
+  const SP::Result result = with_triangles(triangles, [&](auto rows) {
+    const Rows<double> positions(points);
+    const py::gil_scoped_release no_lock;
+    return std::visit(
+      [&](const auto& chosen_policy, const auto& chosen_method) {
+        typedef std::decay_t<decltype(chosen_method)> Method;
+        const Clock::time_point start = Clock::now();
+        const Mesh mesh(chosen_policy, positions, rows);
+        const std::chrono::duration<double> reading = Clock::now() - start;
+        SP::Result mapped =
+          SP::parameterize(chosen_policy, mesh, chosen_method, sphere_map,
+                           CGAL::parameters::edge_weight_map(weights.map(mesh))
+                             .vertex_is_constrained_map(is_constrained)
+                             .accuracy(accuracy.value_or(Method::default_accuracy))
+                             .number_of_iterations(iterations.value_or(Method::default_number_of_iterations))
+                             .maximum_running_time(maximum_running_time)
+                             .callback([&watch](double fraction) { return watch.go_on(fraction); })
+                             .verbose(verbose));
+        mapped.seconds.read += reading.count();
+        mapped.seconds.total += reading.count();
+        return mapped;
+      },
+      policy, method);
+  });
+  return py::make_tuple(to_python(result), has_map, watch.was_ctrl_c);
+}
+
+void add_devices(py::module_& module)
+{
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
+  typedef SP::OpenCL_device Device;
+  py::class_<Device>(module, "OpenCLDevice", "An OpenCL device as policy; `opencl_device()` makes it.")
+    .def_property_readonly(
+      "name", [](const Device& d) { return d.info().name; }, "What the device is called.")
+    .def_property_readonly("is_double_precision", &Device::is_double_precision, "Whether it computes with 64 bits.")
+    .def_property_readonly("smallest_mesh", &Device::smallest_mesh, "Meshes with fewer vertices stay on the host.")
+    .def("__repr__", [](const Device& d) { return "<OpenCLDevice " + d.info().name + ">"; });
+  module.def("opencl_devices", [] {
+    py::list devices;
+    for(const SP::OpenCL_device_info& d : SP::opencl_devices())
+      devices.append(py::dict("platform"_a = d.platform, "name"_a = d.name, "driver"_a = d.driver,
+                              "version"_a = d.version, "memory"_a = d.memory, "has_fp64"_a = d.has_fp64,
+                              "is_gpu"_a = d.is_gpu, "is_cpu"_a = d.is_cpu));
+    return devices;
+  });
+  module.def("opencl_device", [](const std::string& wanted, const std::string& precision, std::size_t smallest_mesh) {
+    Device device =
+      SP::opencl_device(SP::find_opencl_device(wanted), precision == "double"   ? Device::Precision::DOUBLE
+                                                        : precision == "single" ? Device::Precision::SINGLE
+                                                                                : Device::Precision::AUTOMATIC);
+    return device.set_smallest_mesh(smallest_mesh);
+  });
+#else
+  module.def("opencl_devices", [] { return py::list(); });
+  module.def("opencl_device", [](const std::string&, const std::string&, std::size_t) {
+    throw py::value_error("this build has no OpenCL");
+  });
+#endif
+}
+
+/// An exception of errors.py.
+template <class... Arguments>
+void raise(const char* type, Arguments&&... arguments)
+{
+  const py::object exception = py::module_::import("spherical_parameterization.errors").attr(type);
+  PyErr_SetObject(exception.ptr(), exception(std::forward<Arguments>(arguments)...).ptr());
+}
+
+void translate(std::exception_ptr pointer)
+{
+  try {
+    if(pointer)
+      std::rethrow_exception(pointer);
+  } catch(const SP::Error& error) {
+    raise("MeshError", static_cast<int>(error.code()), error.detail());
+  } catch(const CGAL::Failure_exception& failure) {
+    PyErr_SetString(PyExc_ValueError, failure.message().c_str());
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
+  } catch(const SP::OpenCL_error& error) {
+    raise("DeviceError", error.what());
+#endif
+  }
+}
+
+} // namespace
+
+PYBIND11_MODULE(_core, module)
+{
+  CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {}); // exceptions say it all
+  py::register_exception_translator(translate);
+  module.attr("__version__") = CGAL_SPHERICAL_PARAMETERIZATION_VERSION;
+  module.def("parameterize", parameterize);
+  module.def("message", [](int code) { return SP::get_error_message(static_cast<SP::Error_code>(code)); });
+  add_devices(module);
+  add_analysis(module);
+}

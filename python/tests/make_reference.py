@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Prints the chapter doc/python_reference.md from the docstrings: python3 python/tests/make_reference.py > doc/python_reference.md"""
+
+import inspect
+
+import spherical_parameterization as sp
+
+FUNCTIONS = [name for name in sp.__all__ if inspect.isfunction(inspect.unwrap(getattr(sp, name)))]
+CLASSES = [name for name in sp.__all__ if inspect.isclass(getattr(sp, name)) and name != "OpenCLDevice"]
+COLLECTION = [f"collection.{name}" for name in ("map", "read", "map_file", "signature_file")]
+
+
+def find(name: str) -> object:
+    found: object = sp
+    for part in name.split("."):
+        found = getattr(found, part)
+    return found
+
+
+def entry(name: str) -> str:
+    thing = find(name)
+    text = inspect.getdoc(thing) or ""
+    if inspect.isclass(thing):
+        fields = [f"    {field}" for field in getattr(thing, "__dataclass_fields__", ())]
+        if fields and "Parameters\n" not in text and "Attributes\n" not in text:
+            text += "\n\nAttributes\n----------\n" + "\n".join(fields)
+    names = ", ".join(inspect.signature(thing).parameters) if inspect.isroutine(inspect.unwrap(thing)) else ""  # type: ignore[arg-type]
+    return f"### sp.{name}{f'({names})' if names else ''}\n\n```text\n{text}\n```\n"
+
+
+def methods(name: str) -> list[str]:
+    return [f"{name}.{m}" for m, f in vars(find(name)).items() if inspect.isfunction(f) and not m.startswith("_")]
+
+
+def page() -> str:
+    parts = ["# Python: reference\n", "Written by `python/tests/make_reference.py` from the docstrings.\n"]
+    sections = {"Functions": FUNCTIONS, "Collections": COLLECTION, "Classes": CLASSES}
+    for title, names in sections.items():
+        parts.append(f"## {title}\n")
+        for name in names:
+            parts.append(entry(name))
+            parts += [entry(method) for method in methods(name) if name == "Locator"]
+    return "\n".join(parts).rstrip()
+
+
+if __name__ == "__main__":
+    print(page())

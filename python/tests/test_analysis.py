@@ -1,0 +1,159 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is done with a map."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import spherical_parameterization as sp
+from conftest import bumpy, ellipsoid, tube
+
+
+@pytest.fixture(scope="module")
+def mapped() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    points, triangles = bumpy()
+    return points, triangles, sp.parameterize(points, triangles, sp.Balanced()).sphere
+
+
+def test_certify(mapped: tuple[np.ndarray, ...]) -> None:
+    points, triangles, sphere = mapped
+    assert sp.certify(triangles, 7 * sphere).is_valid
+    assert sp.certify(triangles, sphere.astype(np.float32)).is_valid
+    assert sp.certify(triangles, -sphere) == sp.Certificate(len(triangles), -1)
+    folded = sphere.copy()
+    folded[0] *= -1
+    assert sp.certify(triangles, folded).flipped_faces > 0
+    folded[0] = np.nan
+    with pytest.raises(sp.MeshError) as caught:
+        sp.certify(triangles, folded)
+    assert caught.value.code == "NON_FINITE_COORDINATE"
+
+
+@pytest.mark.parametrize("measure", ["log_area_stretch", "angle_distortion", "dilatation", "symmetric_dirichlet"])
+def test_distortion(mapped: tuple[np.ndarray, ...], measure: str) -> None:
+    points, triangles, _ = mapped
+    values = sp.face_distortion(*mapped, measure)
+    assert values.shape == (len(triangles),)
+    p = points[triangles]
+    area = np.linalg.norm(np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]), axis=1)
+    summary = getattr(sp.distortion(*mapped), measure)
+    assert summary.mean == pytest.approx(np.average(values, weights=area))
+    assert (summary.min, summary.max) == (values.min(), values.max())
+    assert (sp.face_distortion(*mapped, measure, policy="sequential") == values).all()
+    with pytest.raises(ValueError, match="measure"):
+        sp.face_distortion(*mapped, "area")
+
+
+def test_vertex_stretch(mapped: tuple[np.ndarray, ...]) -> None:
+    points, triangles, _ = mapped
+    of_faces = sp.face_distortion(*mapped)
+    sums, counts = np.zeros(len(points)), np.zeros(len(points))
+    np.add.at(sums, triangles, of_faces[:, None])
+    np.add.at(counts, triangles, 1)
+    assert np.allclose(sp.vertex_log_area_stretch(*mapped), sums / counts)
+    assert "dilatation" in str(sp.distortion(*mapped))
+
+
+def test_segments() -> None:
+    points, triangles = sp.icosphere(4)
+    points = points.copy()
+    for axis in range(3):  # six arms
+        is_arm = np.abs(points[:, axis]) > 0.9
+        points[is_arm, axis] *= 1 + 40 * (np.abs(points[is_arm, axis]) - 0.9)
+    sphere = sp.parameterize(points, triangles, sp.Balanced(), warn=False).sphere
+    labels = sp.segment(points, triangles, sphere, sp.GirthProfiles())
+    assert labels.max() == 6 and set(labels) == set(range(7))
+    stretch = sp.face_distortion(points, triangles, sphere)
+    assert (sp.segment(points, triangles, sphere, sp.GirthProfiles(), stretch=stretch) == labels).all()
+    assert sp.segment(points, triangles, sphere, sp.MajorityVote(number_of_segments=3)).max() == 2
+    assert sp.segment(points, triangles, sphere, sp.RegionGrowing(threshold=0.5)).shape == labels.shape
+    with pytest.raises(ValueError, match="minimum area"):
+        sp.segment(points, triangles, sphere, sp.MajorityVote(minimum_area=2))
+
+
+def test_texture(mapped: tuple[np.ndarray, ...]) -> None:
+    for chart in ("latitude-longitude", "octahedral"):
+        texture = sp.texture_coordinates(*mapped, chart=chart)
+        u, v = np.moveaxis(texture.uv, 2, 0)
+        assert ((u[:, 1] - u[:, 0]) * (v[:, 2] - v[:, 0]) > (u[:, 2] - u[:, 0]) * (v[:, 1] - v[:, 0])).all()
+        assert texture.uv.min() >= -1 and texture.uv.max() <= 2
+    north = sp.texture_coordinates(*mapped, axes=([0, 0, 5], [1, 0, 0]))
+    assert np.allclose(north.north, [0, 0, 1]) or np.allclose(north.north, [0, 0, 5])
+    latitude = np.arcsin(mapped[2][mapped[1]][:, :, 2]) / np.pi + 0.5
+    assert np.allclose(north.uv[:, :, 1], latitude)
+    with pytest.raises(ValueError):
+        sp.texture_coordinates(*mapped, axes=([0, 0, 5], [0, 0, 1]))
+    with pytest.raises(sp.MeshError):
+        sp.texture_coordinates(mapped[0], mapped[1], -mapped[2])
+
+
+def test_locate(mapped: tuple[np.ndarray, ...]) -> None:
+    points, triangles, sphere = mapped
+    locator = sp.Locator(triangles, sphere)
+    directions = np.random.default_rng(0).normal(size=(1000, 3))
+    faces, weights = locator.locate(directions)
+    assert np.allclose(weights.sum(axis=1), 1) and weights.min() >= 0
+    images = (sphere[triangles[faces]] * weights[:, :, None]).sum(axis=1)
+    images /= np.linalg.norm(images, axis=1)[:, None]
+    assert np.allclose(images, directions / np.linalg.norm(directions, axis=1)[:, None], atol=1e-9)
+    expected = (points[triangles[faces]] * weights[:, :, None]).sum(axis=1)
+    assert np.allclose(locator.interpolate(points, faces, weights), expected)
+    assert np.allclose(locator.transfer(points[:, 1], directions), expected[:, 1])
+    alone = sp.Locator(triangles, sphere, policy="sequential")
+    assert all((a == b).all() for a, b in zip(alone.locate(directions), (faces, weights)))
+    assert np.allclose(locator.transfer(points, sphere), points)
+    with pytest.raises(sp.MeshError):
+        locator.locate([[0, 0, 0]])
+    with pytest.raises(sp.MeshError) as caught:
+        sp.Locator(triangles, -sphere)
+    assert caught.value.code == "NOT_BIJECTIVE"
+    with pytest.raises(ValueError, match="rows"):
+        locator.transfer(points[1:], directions)
+    for wrong in (-1, len(triangles)):
+        with pytest.raises(IndexError):
+            locator.interpolate(points, [wrong], [[1, 0, 0]])
+
+
+def test_resample(mapped: tuple[np.ndarray, ...]) -> None:
+    points, triangles, sphere = sp.Locator(*mapped[1:]).resample(mapped[0], 3)
+    assert len(points) == len(sphere) == 642 and sp.certify(triangles, sphere)
+    with pytest.raises(ValueError, match="level"):
+        sp.icosphere(13)
+
+
+def test_align(mapped: tuple[np.ndarray, ...]) -> None:
+    points, triangles, sphere = mapped
+    c, s = np.cos(1), np.sin(1)
+    rotation = np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])
+    a, b = sp.Locator(triangles, sphere), sp.Locator(triangles, sphere @ rotation.T)
+    found = a.align(points, b, points)
+    assert np.allclose(found, rotation, atol=0.02) and np.linalg.det(found) == pytest.approx(1)
+    with pytest.raises(ValueError, match="shape"):
+        a.align(points[1:], b, points)
+
+
+def test_search() -> None:
+    shapes = [ellipsoid(), tube(30), bumpy(4, 1), bumpy(4, 2)]
+    index = np.array([sp.shape_signature(*shape) for shape in shapes])
+    assert index.shape == (4, 96) and index.min() >= 0
+    points, triangles = shapes[1]
+    turned = np.random.default_rng(1).permutation(np.eye(3)) @ points.T * 7
+    numbers, distances = sp.search(sp.shape_signature(turned.T, triangles), index, k=2)
+    assert numbers[0] == 1 and distances[0] < 0.01 < distances[1]
+    assert distances[1] == pytest.approx(np.abs(index[numbers[1]] - index[1]).sum(), abs=0.01)
+    with pytest.raises(ValueError, match="96"):
+        sp.search(index[0], index[:, 1:])
+
+
+def test_histogram(mapped: tuple[np.ndarray, ...]) -> None:
+    for sampling in ("exact-areas", "uniform", "random", "vertices"):
+        shares = sp.stretch_histogram(*mapped, sampling=sampling, bins=8, low=-2, high=2)
+        assert shares.shape == (8,) and shares.sum() == pytest.approx(1)
+
+
+def test_devices() -> None:
+    for device in sp.opencl_devices():
+        assert device["name"] and device["memory"] > 0
+    with pytest.raises((sp.DeviceError, ValueError), match="no OpenCL"):
+        sp.opencl_device("no such device")

@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Collections: rows, resumption, and a cluster on which workers die and stall."""
+
+from __future__ import annotations
+
+import functools
+import os
+import signal
+import sqlite3
+import threading
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import spherical_parameterization as sp
+from conftest import bumpy, write_off
+
+distributed = pytest.importorskip("distributed")
+pytest.importorskip("meshio")
+
+
+@pytest.fixture(scope="module")
+def files(tmp_path_factory: pytest.TempPathFactory) -> list[str]:
+    """60 meshes, of which each twelfth is bad; one does not exist."""
+    folder = tmp_path_factory.mktemp("meshes")
+    names = []
+    for i in range(60):
+        points, triangles = bumpy(2, i)
+        names.append(str(write_off(folder / f"{i:02}.off", points, triangles[i % 12 == 5 :])))
+    return [*names, str(folder / "missing.off")]
+
+
+@pytest.fixture(scope="module")
+def client() -> Iterator[Any]:
+    with distributed.LocalCluster(n_workers=3, threads_per_worker=1, dashboard_address=None) as cluster:
+        with distributed.Client(cluster) as client:
+            yield client
+
+
+def rows(store: Path) -> list[tuple[str, ...]]:
+    """As they are in the file, to the byte."""
+    connection = sqlite3.connect(store)
+    try:
+        return connection.execute("SELECT key, error, message, value FROM results ORDER BY key").fetchall()
+    finally:
+        connection.close()
+
+
+def slow_map(path: str) -> dict[str, Any]:
+    time.sleep(0.15)
+    return sp.collection.map_file(path)
+
+
+def crash(item: str) -> str:
+    if item == "bad":
+        os._exit(1)
+    return item
+
+
+def test_rows(files: list[str], tmp_path: Path) -> None:
+    counts = sp.collection.map(files, sp.collection.map_file, store=tmp_path / "a.sqlite")
+    assert counts == {"BOUNDARY": 5, "OK": 55, "FileNotFoundError": 1}
+    found = {row.key: row for row in sp.collection.read(tmp_path / "a.sqlite")}
+    assert found[files[0]].value["verdict"] == "OK" and found[files[0]].value["vertices"] == 162
+    assert found[files[5]].error == "BOUNDARY" and "is not closed" in found[files[5]].message
+    assert found[files[5]].value is None
+
+
+def test_it_goes_on_where_it_was(files: list[str], tmp_path: Path) -> None:
+    store = tmp_path / "a.sqlite"
+    calls: list[str] = []
+
+    def length(path: str) -> int:
+        if len(calls) == 10:
+            raise KeyboardInterrupt
+        calls.append(path)
+        return len(path)
+
+    with pytest.raises(KeyboardInterrupt):
+        sp.collection.map(files, length, store=store)
+    assert len(rows(store)) == 10
+    calls.clear()
+    calls += [""] * 11
+    new: list[int] = []
+    assert sp.collection.map(files, length, store=store, progress=new.append) == {"OK": len(files)}
+    assert len(calls) == 11 + len(files) - 10 and sum(new) == len(files) - 10
+    with pytest.raises(ValueError, match="name another file"):
+        sp.collection.map(files, os.path.getsize, store=store)
+
+
+def test_settings_are_part_of_the_name(files: list[str], tmp_path: Path) -> None:
+    for _ in range(2):
+        sp.collection.map(files[:1], functools.partial(sp.collection.map_file, method=sp.Isometric()), store=tmp_path / "a")
+    with pytest.raises(ValueError, match=r"map_file\(method=Isometric\(area_exponent=1\)\)"):
+        sp.collection.map(files, sp.collection.map_file, store=tmp_path / "a")
+
+
+def test_values(tmp_path: Path) -> None:
+    def value(item: tuple[str, int]) -> Any:
+        return {"array": np.arange(item[1]), "number": np.float64(0.1), "code": sp.ErrorCode.OK}
+
+    sp.collection.map([("a", 1), ("b", 2)], value, store=tmp_path / "a.sqlite")
+    assert [row.value["array"] for row in sp.collection.read(tmp_path / "a.sqlite")] == [[0], [0, 1]]
+    assert sp.collection.map(["c"], lambda item: object(), store=tmp_path / "b.sqlite") == {"TypeError": 1}
+
+
+def test_cluster(client: Any, files: list[str], tmp_path: Path) -> None:
+    sp.collection.map(files, sp.collection.signature_file, store=tmp_path / "serial.sqlite")
+    sp.collection.map(files, sp.collection.signature_file, client, tmp_path / "cluster.sqlite")
+    assert rows(tmp_path / "cluster.sqlite") == rows(tmp_path / "serial.sqlite")
+
+
+def test_bag(client: Any, files: list[str], tmp_path: Path) -> None:
+    bag = pytest.importorskip("dask.bag").from_sequence(files, npartitions=7)
+    function = functools.partial(sp.collection.map_file, method=sp.Balanced(3))
+    sp.collection.map(bag, function, client, tmp_path / "bag.sqlite")
+    sp.collection.map(bag, function, None, tmp_path / "serial.sqlite")
+    assert rows(tmp_path / "bag.sqlite") == rows(tmp_path / "serial.sqlite")
+
+
+def test_one_worker_dies_and_one_stalls(client: Any, files: list[str], tmp_path: Path) -> None:
+    sp.collection.map(files, slow_map, store=tmp_path / "serial.sqlite")
+    client.wait_for_workers(3)
+    pids = list(client.run(os.getpid).values())
+    is_stopped = threading.Event()
+
+    def harm(new: int) -> None:
+        if not is_stopped.is_set():
+            is_stopped.set()
+            os.kill(pids[0], signal.SIGKILL)
+            os.kill(pids[1], signal.SIGSTOP)
+
+    try:
+        counts = sp.collection.map(
+            files, slow_map, client, tmp_path / "cluster.sqlite", batch_seconds=0.5, stall_seconds=4, progress=harm
+        )
+    finally:
+        os.kill(pids[1], signal.SIGCONT)
+    assert is_stopped.is_set() and sum(counts.values()) == len(files)
+    assert rows(tmp_path / "cluster.sqlite") == rows(tmp_path / "serial.sqlite")
+
+
+def test_item_that_kills_workers(client: Any, tmp_path: Path) -> None:
+    items = [str(i) for i in range(20)]
+    counts = sp.collection.map([*items[:7], "bad", *items[7:]], crash, client, tmp_path / "a.sqlite")
+    assert counts == {"OK": 20, "WORKER_LOST": 1}
+    lost = [row for row in sp.collection.read(tmp_path / "a.sqlite") if row.error == "WORKER_LOST"]
+    assert [row.key for row in lost] == ["bad"]

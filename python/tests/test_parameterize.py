@@ -1,0 +1,357 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""parameterize(): arguments, results, errors, interruption, threads, memory."""
+
+from __future__ import annotations
+
+import os
+import pickle
+import signal
+import threading
+import time
+import tracemalloc
+
+import numpy as np
+import pytest
+
+import spherical_parameterization as sp
+from conftest import bumpy, ellipsoid, tube
+
+def test_result() -> None:
+    points, triangles = ellipsoid()
+    result = sp.parameterize(points, triangles)
+    assert result and result.is_valid and result.error is sp.ErrorCode.OK and result.error == "OK"
+    assert result.sphere.shape == points.shape and result.sphere.dtype == np.float64
+    assert np.allclose(np.linalg.norm(result.sphere, axis=1), 1, atol=1e-15)
+    assert (result.flipped_faces, result.degree, result.method) == (0, 1, "balanced")
+    assert (result.number_of_vertices, result.number_of_faces) == (len(points), len(triangles))
+    assert 0 < result.residual <= 5e-9 and result.seconds.total == float(result.seconds) > 0
+    assert [a.method for a in result.attempts] == ["balanced"]
+    assert str(result).startswith("valid spherical map (2562 vertices, 0 flipped faces, degree 1, residual ")
+    assert sp.certify(triangles, result.sphere).is_valid
+
+
+@pytest.mark.parametrize("policy", ["sequential", "parallel", "opencl", "device"])
+@pytest.mark.parametrize(
+    "method", [sp.Automatic(), sp.Balanced(3), sp.Isometric(), sp.SaddlePoint(start="harmonic")], ids=str
+)
+def test_policies_give_the_same_bits(policy: str, method: object) -> None:
+    if policy in ("opencl", "device") and not sp.opencl_devices():
+        pytest.skip("no OpenCL device")
+    where = sp.opencl_device(smallest_mesh=0) if policy == "device" else policy
+    points, triangles = bumpy(3)
+    first = sp.parameterize(points, triangles, method, policy="sequential", iterations=5, warn=False)
+    second = sp.parameterize(points, triangles, method, policy=where, iterations=5, warn=False)
+    is_other_pow = policy == "device" and method == sp.Balanced(3)  # which counts for exponents other than 2
+    assert np.allclose(second.sphere, first.sphere, atol=1e-9 if is_other_pow else 0, rtol=0)
+
+
+@pytest.mark.parametrize("dtype", [np.int8, np.int32, np.int64, np.uint16, np.uint32, np.uint64, ">i4"])
+def test_types_of_arrays(dtype: object) -> None:
+    points, triangles = bumpy(1)
+    expected = sp.parameterize(points, triangles).sphere
+    assert (sp.parameterize(points, triangles.astype(dtype)).sphere == expected).all()
+    assert (sp.parameterize(np.asfortranarray(points), np.asfortranarray(triangles)).sphere == expected).all()
+    assert (sp.parameterize(points.tolist(), triangles.tolist()).sphere == expected).all()
+    assert (sp.parameterize(points.astype(">f8"), triangles).sphere == expected).all()
+    wide = np.zeros((len(points), 5))
+    wide[:, 1:4] = points
+    assert (sp.parameterize(wide[:, 1:4], triangles).sphere == expected).all()
+    single = points.astype(np.float32)
+    assert (sp.parameterize(single, triangles).sphere == sp.parameterize(single.astype(float), triangles).sphere).all()
+
+
+def test_arguments_stay_as_they_are() -> None:
+    points, triangles = bumpy(2)
+    points.flags.writeable = triangles.flags.writeable = False
+    start = np.ascontiguousarray(points)
+    sp.parameterize(points, triangles, sp.SaddlePoint(start="given"), start=start, iterations=1, warn=False)
+    assert (start == points).all()
+
+
+def test_weights() -> None:
+    points, triangles = bumpy()
+    edges = sp.edges(triangles)
+    assert len(edges) == 3 * len(triangles) // 2 and (edges[:, 0] < edges[:, 1]).all()
+    barycentric = sp.parameterize(points, triangles, weights="barycentric").sphere
+    assert (sp.parameterize(points, triangles, weights=np.full(len(edges), 1.0)).sphere == barycentric).all()
+    conformal = sp.parameterize(points, triangles).sphere
+    assert (sp.parameterize(points, triangles, weights=sp.ConformalWeights()).sphere == conformal).all()
+    assert (sp.parameterize(points, triangles, weights=sp.ConformalWeights(20, 80)).sphere != conformal).any()
+    assert (sp.parameterize(points, triangles, weights="mean-value").sphere != conformal).any()
+
+    def cotangents(corner: int) -> np.ndarray:
+        """Of the angles at a corner of every face, clamped as the core does."""
+        p = points[triangles]
+        a, b = p[:, (corner + 1) % 3] - p[:, corner], p[:, (corner + 2) % 3] - p[:, corner]
+        cotangent = (a * b).sum(1) / np.linalg.norm(np.cross(a, b), axis=1)
+        return np.clip(cotangent, 1 / np.tan(np.radians(85)), 1 / np.tan(np.radians(5)))
+
+    keys = {tuple(e): i for i, e in enumerate(edges.tolist())}
+    own = np.zeros(len(edges))
+    for corner in range(3):
+        for face, value in zip(triangles.tolist(), cotangents(corner)):
+            own[keys[tuple(sorted((face[(corner + 1) % 3], face[(corner + 2) % 3])))]] += value / 2
+    assert np.allclose(sp.parameterize(points, triangles, weights=own).sphere, conformal, atol=1e-6)
+    with pytest.raises(ValueError, match="weights"):
+        sp.parameterize(points, triangles, weights=own[1:])
+
+
+def test_fixed_vertices() -> None:
+    points, triangles = ellipsoid(3)
+    fixed = {0: [1.0, 0, 0], 100: [0, 1.0, 0], 300: [0, 0, 2.0]}
+    result = sp.parameterize(points, triangles, fixed=fixed, warn=False)
+    assert (result.sphere[[0, 100, 300]] == np.eye(3)).all()
+    again = sp.parameterize(points, triangles, fixed=([0, 100, 300], [[1, 0, 0], [0, 1, 0], [0, 0, 2]]), warn=False)
+    assert (again.sphere == result.sphere).all()
+    for wrong in ({0: [1, 0, 0]}, {-1: [1, 0, 0]}, {10**6: [1, 0, 0]}):
+        with pytest.raises(sp.MeshError) as caught:
+            sp.parameterize(points, triangles, fixed=wrong)
+        assert caught.value.code == "BAD_CONSTRAINTS"
+
+
+def tetrahedron() -> tuple[np.ndarray, np.ndarray]:
+    return np.vstack([np.zeros(3), np.eye(3)]), np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])
+
+
+def torus() -> tuple[np.ndarray, np.ndarray]:
+    i, j = np.meshgrid(range(8), range(8), indexing="ij")
+    number = lambda a, b: (a % 8 * 8 + b % 8).ravel()
+    u, v = i.ravel() * np.pi / 4, j.ravel() * np.pi / 4
+    points = np.stack([(3 + np.cos(v)) * np.cos(u), (3 + np.cos(v)) * np.sin(u), np.sin(v)], axis=1)
+    lower = [number(i, j), number(i + 1, j), number(i + 1, j + 1)]
+    upper = [number(i, j), number(i + 1, j + 1), number(i, j + 1)]
+    return points, np.concatenate([np.stack(lower, 1), np.stack(upper, 1)])
+
+
+def broken(code: str) -> tuple[np.ndarray, np.ndarray]:
+    points, triangles = tetrahedron()
+    if code == "EMPTY_MESH":
+        return points, triangles[:0]
+    if code == "NOT_TRIANGULAR":
+        return points, np.array([[0, 1, 2, 3]])
+    if code == "ISOLATED_VERTEX":
+        return np.vstack([points, [5, 5, 5]]), triangles
+    if code == "BOUNDARY":
+        return points, triangles[1:]
+    if code == "NON_MANIFOLD":
+        return points, np.vstack([triangles, triangles[:1]])
+    if code == "INCONSISTENT_ORIENTATION":
+        return points, np.vstack([triangles[:1, ::-1], triangles[1:]])
+    if code == "SEVERAL_COMPONENTS":
+        return np.vstack([points, points + 9]), np.vstack([triangles, triangles + 4])
+    if code == "WRONG_GENUS":
+        return torus()
+    if code == "NON_FINITE_COORDINATE":
+        return points * np.array([[np.nan], [1], [1], [1]]), triangles
+    if code == "DEGENERATE_FACE":
+        return points * 0, triangles
+    assert code == "BAD_INDEX"
+    return points, np.vstack([triangles[:3], [[2, 0, 2**32 + 3]]])
+
+
+@pytest.mark.parametrize(
+    "code",
+    "EMPTY_MESH NOT_TRIANGULAR ISOLATED_VERTEX BOUNDARY NON_MANIFOLD INCONSISTENT_ORIENTATION SEVERAL_COMPONENTS "
+    "WRONG_GENUS NON_FINITE_COORDINATE DEGENERATE_FACE BAD_INDEX".split(),
+)
+def test_errors_of_meshes(code: str) -> None:
+    with pytest.raises(sp.MeshError) as caught:
+        sp.parameterize(*broken(code), sp.Balanced(), weights="mean-value")
+    error = caught.value
+    assert error.code is sp.ErrorCode[code] and error.detail
+    assert str(error) == f"{error.code.message}: {error.detail}"
+    copy = pickle.loads(pickle.dumps(error))
+    assert (copy.code, copy.detail, str(copy)) == (error.code, error.detail, str(error))
+
+
+def test_other_errors() -> None:
+    points, triangles = ellipsoid(2)
+    with pytest.raises(sp.MeshError) as caught:
+        sp.parameterize(points, triangles, weights=-np.ones(len(sp.edges(triangles))))
+    assert caught.value.code == "BAD_WEIGHT"
+    with pytest.raises(sp.MeshError) as caught:
+        sp.parameterize(points, triangles, sp.Isometric(), fixed={0: points[0], 1: points[1], 2: points[2]})
+    assert caught.value.code == "BAD_CONSTRAINTS"
+    with pytest.warns(sp.MapWarning, match="did not reach the accuracy"):
+        result = sp.parameterize(points, triangles, sp.Balanced(), iterations=1)
+    assert result.error == "NOT_CONVERGED" and not result and result.sphere.any() and result.detail
+    with pytest.warns(sp.MapWarning, match="not bijective"):
+        result = sp.parameterize(*tube(), sp.Balanced())
+    assert result.error == "NOT_BIJECTIVE" and result.flipped_faces > 0
+    certificate = sp.certify(tube()[1], result.sphere)
+    assert not certificate and certificate == sp.Certificate(result.flipped_faces, result.degree)
+
+
+def test_automatic_falls_back() -> None:
+    result = sp.parameterize(*tube())
+    assert result.is_valid and len(result.attempts) > 1 and result.fallback_reason
+    assert result.attempts[0].error is not sp.ErrorCode.OK and result.attempts[-1].error is sp.ErrorCode.OK
+
+
+@pytest.mark.parametrize(
+    ("arguments", "error"),
+    [
+        ({"points": np.zeros((4, 2))}, ValueError),
+        ({"points": "no points"}, ValueError),
+        ({"triangles": np.zeros((4, 3))}, TypeError),
+        ({"triangles": np.zeros(3, dtype=int)}, ValueError),
+        ({"weights": "cotangent"}, ValueError),
+        ({"weights": sp.ConformalWeights(0, 85)}, ValueError),
+        ({"policy": "gpu"}, ValueError),
+        ({"accuracy": -1.0}, ValueError),
+        ({"accuracy": float("nan")}, ValueError),
+        ({"iterations": -1}, TypeError),
+        ({"method": sp.Balanced(1)}, ValueError),
+        ({"method": sp.SaddlePoint(relaxation=7)}, ValueError),
+        ({"maximum_running_time": float("nan")}, ValueError),
+        ({"progress": lambda fraction: 1 / 0}, ZeroDivisionError),
+    ],
+    ids=str,
+)
+def test_wrong_arguments(arguments: dict[str, object], error: type[Exception], capfd: pytest.CaptureFixture[str]) -> None:
+    points, triangles = ellipsoid(3)
+    with pytest.raises(error):
+        sp.parameterize(**{"points": points, "triangles": triangles, **arguments})
+    assert capfd.readouterr() == ("", "")
+
+
+def test_words() -> None:
+    with pytest.raises(ValueError, match="splitting"):
+        sp.SaddlePoint(splitting="gauss")
+    with pytest.raises(ValueError, match="start"):
+        sp.SaddlePoint(start="middle")
+
+
+def test_results_can_be_pickled() -> None:
+    result = sp.parameterize(*ellipsoid(2))
+    copy = pickle.loads(pickle.dumps(result))
+    assert (copy.sphere == result.sphere).all() and copy.seconds == result.seconds and str(copy) == str(result)
+
+
+def test_progress() -> None:
+    fractions: list[float] = []
+    result = sp.parameterize(*bumpy(6), sp.Isometric(), progress=fractions.append)
+    assert result.is_valid and fractions == sorted(fractions) and fractions[-1] == 1 and len(fractions) > 2
+
+    class Bar:
+        """As much as is needed of tqdm's."""
+
+        total, n = 100, 0.0
+
+        def update(self, step: float) -> None:
+            self.n += step
+
+    bar = Bar()
+    sp.parameterize(*bumpy(4), progress=bar)
+    assert bar.n == pytest.approx(100)
+
+
+def test_tqdm() -> None:
+    tqdm = pytest.importorskip("tqdm")
+    with tqdm.tqdm(total=1, disable=False, file=open(os.devnull, "w")) as bar:
+        sp.parameterize(*bumpy(4), progress=bar)
+        assert bar.n == pytest.approx(1)
+
+
+def endless() -> dict[str, object]:
+    """Settings of a call that does not come to an end, and has a map all the time."""
+    method = sp.SaddlePoint(start="harmonic", check_interval=1)
+    return {"method": method, "accuracy": 1e-300, "iterations": 10**9}
+
+
+def test_progress_stops() -> None:
+    calls: list[float] = []
+
+    def progress(fraction: float) -> bool:
+        calls.append(fraction)
+        return len(calls) < 3
+
+    with pytest.warns(sp.MapWarning, match="interrupted"):
+        result = sp.parameterize(*bumpy(5), **endless(), progress=progress)
+    assert result.error == "INTERRUPTED" and result.degree == 1 and len(calls) == 3
+
+
+def test_time_limit() -> None:
+    start = time.monotonic()
+    with pytest.warns(sp.MapWarning, match="the time limit was reached"):
+        result = sp.parameterize(*bumpy(5), **endless(), maximum_running_time=0.2)
+    assert result.error == "INTERRUPTED" and 0.2 <= time.monotonic() - start < 10
+
+
+def in_half_a_second(action: object) -> None:
+    threading.Timer(0.5, action).start()  # type: ignore[arg-type]
+
+
+def test_ctrl_c_gives_the_best_map() -> None:
+    in_half_a_second(lambda: os.kill(os.getpid(), signal.SIGINT))
+    start = time.monotonic()
+    result = sp.parameterize(*bumpy(6), **endless(), warn=False)
+    assert result.error == "INTERRUPTED" and result.degree == 1 and time.monotonic() - start < 20
+
+
+def test_ctrl_c_without_a_map() -> None:
+    def progress(fraction: float) -> None:
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        sp.parameterize(*bumpy(6), sp.Isometric(), progress=progress, policy="sequential")
+
+
+def test_other_threads_go_on() -> None:
+    """The interpreter's lock is free while a map is computed."""
+    counts = 0
+    is_done = threading.Event()
+
+    def count() -> None:
+        nonlocal counts
+        while not is_done.is_set():
+            counts += 1
+            time.sleep(0.001)
+
+    thread = threading.Thread(target=count)
+    thread.start()
+    seconds = sp.parameterize(*bumpy(6), sp.Isometric(), policy="sequential").seconds.total
+    is_done.set()
+    thread.join()
+    assert counts > 100 * min(seconds, 1)
+
+
+def test_two_threads_map_two_meshes() -> None:
+    meshes = [bumpy(5, seed) for seed in range(4)]
+    expected = [sp.parameterize(*mesh, policy="sequential").sphere for mesh in meshes]
+    found: dict[int, np.ndarray] = {}
+
+    def work(i: int) -> None:
+        found[i] = sp.parameterize(*meshes[i], policy="sequential").sphere
+
+    threads = [threading.Thread(target=work, args=(i,)) for i in range(len(meshes))]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert all((found[i] == sphere).all() for i, sphere in enumerate(expected))
+
+
+@pytest.mark.parametrize("dtype", ["int32", "int64"])
+@pytest.mark.parametrize("order", ["C", "F"])
+def test_arrays_are_not_copied(dtype: str, order: str) -> None:
+    from spherical_parameterization.arrays import index_triples, vectors
+
+    points, triangles = ellipsoid()
+    points, triangles = np.asarray(points, order=order), np.asarray(triangles, dtype=dtype, order=order)
+    assert np.shares_memory(vectors("points", points), points) == (order == "C")
+    assert np.shares_memory(index_triples(triangles), triangles) == (order == "C")
+
+
+@pytest.mark.parametrize("dtype", ["int32", "int64"])
+def test_memory_of_a_call(dtype: str) -> None:
+    """The sphere, and nothing else of its size."""
+    points, triangles = ellipsoid(6)
+    triangles = triangles.astype(dtype)
+    tracemalloc.start()
+    try:
+        result = sp.parameterize(points, triangles, sp.Balanced(), policy="sequential")
+        peak = tracemalloc.get_traced_memory()[1]
+    finally:
+        tracemalloc.stop()
+    assert result.sphere.nbytes <= peak < 1.1 * result.sphere.nbytes

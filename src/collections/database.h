@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef SPHERICAL_PARAMETERIZATION_TOOL_DATABASE_H
+#define SPHERICAL_PARAMETERIZATION_TOOL_DATABASE_H
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <string_view>
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+namespace tool {
+
+/// A BLOB; NULL without data.
+struct Bytes {
+  const void* data = nullptr;
+  std::size_t size = 0;
+};
+
+/// A database of SQLite in one file. What has been committed is there whenever the program ends, however it does. All
+/// functions throw a `Refusal` that says what is wrong with the file.
+class Database {
+public:
+  struct Format {
+    std::int32_t id;    ///< PRAGMA application_id
+    const char* name;   ///< for messages
+    const char* schema; ///< SQL that makes the tables
+  };
+
+  enum class Access { READ, WRITE };
+
+  /// To write: creates it where there is no file, and keeps other processes from writing until it is closed.
+  Database(const std::string& file, const Format& format, Access access);
+
+  /// What has not been committed is lost.
+  ~Database();
+
+  Database(const Database&) = delete;
+  Database& operator=(const Database&) = delete;
+
+  /// The rows of a statement, one at a time.
+  class Rows {
+  public:
+    /// Whether there is one more. To be called before the first one, too.
+    bool next();
+
+    std::int64_t integer(int column) const;
+    std::string text(int column) const { return std::string(bytes(column)); }
+    std::string_view bytes(int column) const; ///< until next(); empty for NULL
+
+  private:
+    friend class Database;
+    Rows(const Database& database, const char* sql);
+    int bind(int i, std::int64_t value);
+    int bind(int i, const std::string& text);
+    int bind(int i, const Bytes& bytes);
+
+    const Database& database_;
+    std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)> statement_;
+  };
+
+  /// Prepares one statement of SQL, with the values for its question marks.
+  template <class... Values>
+  Rows query(const char* sql, const Values&... values) const
+  {
+    Rows rows(*this, sql);
+    int i = 0;
+    (check(rows.bind(++i, values)), ...);
+    return rows;
+  }
+
+  /// Executes it.
+  template <class... Values>
+  void run(const char* sql, const Values&... values)
+  {
+    query(sql, values...).next();
+  }
+
+  /// What is read makes no sense.
+  [[noreturn]] void refuse_damaged(const std::string& what) const;
+
+private:
+  void check(int code) const;
+
+  std::string file_;
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> lock_; ///< of who writes. To be closed after the database
+  std::unique_ptr<sqlite3, int (*)(sqlite3*)> database_;
+};
+
+} // namespace tool
+
+#endif // SPHERICAL_PARAMETERIZATION_TOOL_DATABASE_H

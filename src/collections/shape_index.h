@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef SPHERICAL_PARAMETERIZATION_TOOL_SHAPE_INDEX_H
+#define SPHERICAL_PARAMETERIZATION_TOOL_SHAPE_INDEX_H
+
+#include "collections/database.h"
+
+#include <CGAL/Spherical_parameterization/shape_signature.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tool {
+
+using CGAL::Spherical_parameterization::Shape_signature;
+
+/// What an edited file differs in.
+struct File_version {
+  std::int64_t bytes = -1;   ///< -1: it is not there
+  std::int64_t changed = -1; ///< when, in nanoseconds; permissions are a change, too
+  std::string hash;          ///< of the contents; empty if it cannot be read
+};
+
+/// Of the file as it is now, without the hash.
+File_version version_of(const std::string& file);
+
+/// \pre it is a regular file
+std::string content_hash(const std::string& file);
+
+/// What is known of a mesh.
+struct Signature_row {
+  std::string name;         ///< of the file
+  File_version version;     ///< of the file
+  std::size_t vertices = 0; ///< 0: unknown
+  std::string status;       ///< "OK", or the code of what is wrong
+  std::string map;          ///< "conformal", "barycentric" or "uncertified"; empty without a signature
+  std::string message;      ///< what is wrong, in one line; empty if OK
+  std::optional<Shape_signature> signature;
+};
+
+/// The index of what `--output` and `--index` name: next to a table .csv it is a file .db of the same name.
+std::string index_of(const std::string& file);
+
+/// Signatures of many meshes, a row each, in a database: doc/shape_search.md describes its tables. All functions throw
+/// a `Refusal`.
+class Shape_index {
+public:
+  Shape_index(const std::string& file, Database::Access access);
+
+  /// Whether there is a row of the mesh file as it is now.
+  bool is_current(const std::string& mesh);
+
+  /// In a transaction of its own.
+  void put(const Signature_row& row);
+
+  std::optional<Signature_row> row(const std::string& mesh) const;
+
+  /// Removes the rows of all other meshes. Returns how many.
+  std::size_t keep_only(const std::vector<std::string>& meshes);
+
+  /// Distance and name of the k meshes nearest to `query`, nearest first; fewer if there are not so many signatures.
+  /// Exact: distances of rounded coordinates, which are quickly read and computed, only tell which rows to look at.
+  std::set<std::pair<double, std::string>> nearest(const Shape_signature& query, std::size_t k) const;
+
+private:
+  std::optional<Shape_signature> signature(const Database::Rows& row, int column) const;
+
+  Database database_;
+};
+
+} // namespace tool
+
+#endif // SPHERICAL_PARAMETERIZATION_TOOL_SHAPE_INDEX_H

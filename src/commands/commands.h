@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef SPHERICAL_PARAMETERIZATION_TOOL_COMMANDS_H
+#define SPHERICAL_PARAMETERIZATION_TOOL_COMMANDS_H
+
+namespace CLI {
+class App;
+}
+
+namespace tool {
+
+/// \name Commands
+/// Each function adds a command of its name. `exit_code` is set when the command runs.
+/// @{
+void add_map_command(CLI::App& app, int& exit_code);       ///< a mesh file in, a certified spherical map out
+void add_segment_command(CLI::App& app, int& exit_code);   ///< the mesh coloured by segments, and one label per face
+void add_texture_command(CLI::App& app, int& exit_code);   ///< the mesh with texture coordinates, material, a checker
+void add_resample_command(CLI::App& app, int& exit_code);  ///< the mesh sampled at an icosphere
+void add_signature_command(CLI::App& app, int& exit_code); ///< mesh files in, an index of their signatures out
+void add_search_command(CLI::App& app, int& exit_code);    ///< the meshes of an index that are most similar to one
+void add_view_command(CLI::App& app, int& exit_code);      ///< the mesh and its sphere as a page to look at
+void add_devices_command(CLI::App& app, int& exit_code);   ///< the execution policies, and their devices
+/// @}
+
+/// The program: parses the command line, and runs its command. Returns the exit code: 0, 1 for a failure, 2 for wrong
+/// usage. Throws what is thrown outside of a command.
+int run(int argc, char** argv);
+
+} // namespace tool
+
+#endif // SPHERICAL_PARAMETERIZATION_TOOL_COMMANDS_H

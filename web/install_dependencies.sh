@@ -1,0 +1,17 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# install_dependencies.sh
+# Installs what the page and its tests need besides the tool: emscripten, chromium, node, and the npm packages of
+# package-lock.json. As root, or through sudo. Does nothing where all are there.
+set -euo pipefail
+here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
+
+packages=(emscripten node-acorn libfast-float-dev chromium)
+command -v node >/dev/null || packages+=(nodejs)
+command -v npm >/dev/null || packages+=(npm)
+"$here/../scripts/install_dependencies.sh" "${packages[@]}"
+
+if ! cmp -s "$here/package-lock.json" "$here/node_modules/.lock-of-the-page"; then
+  (cd "$here" && npm ci --no-audit --no-fund)
+  cp "$here/package-lock.json" "$here/node_modules/.lock-of-the-page"
+fi

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+//
+// The page: a file or an example goes to the worker, its map comes back.
+
+import workerText from "worker-text";
+
+import { colouredPly, json, save, sphereOff, texturedGlb } from "./downloads";
+import { examples, type Example } from "./examples";
+import type { Model, Report } from "./model";
+import { element } from "./panel";
+import { Stage } from "./stage";
+import { nameOfTrouble, troublesOf } from "./topology";
+import type { Answer, Job, Message, Settings } from "./worker";
+
+const byId = <T extends HTMLElement = HTMLElement>(id: string) => document.getElementById(id) as T;
+const stage = new Stage();
+
+/// The file that is shown, and that other settings map again.
+let file: { name: string; bytes: Uint8Array } | null = null;
+let version = "";
+let running: { name: string; settings: Settings } | null = null;
+let segmenting = false;
+let isFresh = true; // the worker has mapped nothing
+let worker = start();
+
+function start(): Worker {
+  const url = URL.createObjectURL(new Blob([workerText], { type: "text/javascript" }));
+  const result = new Worker(url);
+  // what an ended worker has said before may still come
+  const hearIt = (message: Message) => result === worker && hear(message);
+  result.onmessage = ({ data }: MessageEvent<Message>) => hearIt(data);
+  result.onerror = (event) => hearIt({ kind: "failed", why: event.message });
+  return result;
+}
+
+function settings(): Settings {
+  return {
+    method: byId<HTMLSelectElement>("method").value as Settings["method"],
+    weights: byId<HTMLSelectElement>("weights").value as Settings["weights"],
+    area_exponent: Math.max(0, Number(byId<HTMLInputElement>("area-exponent").value) || 0),
+    triangulate: byId<HTMLInputElement>("triangulate").checked,
+  };
+}
+
+function map(): void {
+  if (!file) return;
+  if (running || segmenting) stop();
+  running = { name: file.name, settings: settings() };
+  document.body.classList.add("running");
+  document.body.dataset.state = "running";
+  byId("file-name").textContent = file.name;
+  progress(0, "Reading");
+  const job: Job = { name: file.name, bytes: file.bytes, settings: running.settings };
+  worker.postMessage(job);
+}
+
+/// Segments take longer than the map: only when they are to be seen.
+stage.onColouring = (colouring) => {
+  if (colouring !== "segments" || !stage.model?.sphere || stage.model.segments || running || segmenting) return;
+  if (isFresh) return map(); // which comes back here
+  segmenting = true;
+  document.body.classList.add("running");
+  document.body.dataset.state = "running";
+  progress(0, "Segmenting");
+  const job: Job = "segments";
+  worker.postMessage(job);
+};
+
+/// WebAssembly cannot be interrupted from outside: the worker ends, and another one begins.
+function stop(): void {
+  worker.terminate();
+  worker = start();
+  isFresh = true;
+  finish("cancelled");
+  if (!stage.model?.sphere) byId("result").replaceChildren(element("p", { class: "hint" }, "Cancelled: there is no map."));
+}
+
+function finish(state: string): void {
+  running = null;
+  segmenting = false;
+  document.body.classList.remove("running");
+  document.body.dataset.state = state;
+}
+
+function progress(fraction: number, what: string): void {
+  byId<HTMLProgressElement>("bar").value = fraction;
+  byId("doing").textContent = `${what} ${file?.name ?? ""}${fraction > 0 ? `, ${Math.round(100 * fraction)} %` : ""}`;
+}
+
+function open(name: string, bytes: Uint8Array): void {
+  file = { name, bytes };
+  stage.clear();
+  byId("downloads").hidden = true;
+  map();
+}
+
+function openExample(example: Example): void {
+  open(example.file, new TextEncoder().encode(example.text()));
+}
+
+function hear(message: Message): void {
+  if (message.kind === "ready") {
+    version = message.version;
+    document.body.dataset.core = "ready";
+    if (!file) openExample(examples[0]!); // something to look at
+    return;
+  }
+  if (message.kind === "segments") {
+    finish(stage.model?.report.error === null ? "certified" : "refused");
+    if (stage.model) stage.show({ ...stage.model, segments: message.segments });
+    return;
+  }
+  if (!running) return;
+  const { name, settings } = running;
+  switch (message.kind) {
+    case "mesh": {
+      // The mesh that is there stays while other settings are tried.
+      const same = stage.model?.points.length === message.mesh.points.length;
+      if (!same) stage.show({ ...message.mesh, report: { input: name, error: null, error_code: "OK" } });
+      meshOfFile = message.mesh;
+      progress(0, "Mapping");
+      break;
+    }
+    case "progress":
+      progress(message.fraction, "Mapping");
+      break;
+    case "failed":
+      finish("failed");
+      worker.terminate();
+      worker = start();
+      isFresh = true;
+      refuse({ input: name, error: `${name}: ${message.why}; use the command-line tool`, error_code: "FAILED" });
+      break;
+    case "answer":
+      isFresh = false;
+      finish(message.answer.error_code === "OK" ? "certified" : "refused");
+      answer(name, settings, message.answer);
+      meshOfFile = null;
+  }
+}
+
+let meshOfFile: { points: Float64Array | Float32Array; triangles: Int32Array } | null = null;
+
+function refuse(report: Report): void {
+  stage.say({ points: new Float64Array(), triangles: new Int32Array(), report });
+  byId("downloads").hidden = true;
+}
+
+function answer(name: string, settings: Settings, given: Answer): void {
+  const { sphere, face_stretch, face_angle_distortion, ...rest } = given;
+  const report: Report = {
+    version,
+    ...rest,
+    input: name,
+    weights: settings.weights,
+    method: settings.method,
+    settings: { ...settings, policy: "sequential", device: "WebAssembly" },
+    error: given.error || null,
+  };
+  if (!meshOfFile) {
+    // not even a mesh
+    stage.clear();
+    refuse(report);
+    return;
+  }
+  const model: Model = {
+    ...meshOfFile,
+    sphere,
+    stretch: face_stretch,
+    angle: face_angle_distortion,
+    report,
+  };
+  stage.show(model);
+  const troubles = sphere ? [] : troublesOf(model).map((trouble) => ({ trouble, name: nameOfTrouble(trouble) }));
+  stage.say(model, troubles);
+  byId("downloads").hidden = !sphere;
+  stage.onColouring(stage.colouring);
+}
+
+// --- controls
+
+for (const example of examples) {
+  const button = element("button", { type: "button", class: "example", "data-example": example.file }, example.name);
+  button.addEventListener("click", () => openExample(example));
+  byId("examples").append(button);
+}
+
+async function openFile(chosen: File | undefined): Promise<void> {
+  if (chosen) open(chosen.name, new Uint8Array(await chosen.arrayBuffer()));
+}
+
+const input = byId<HTMLInputElement>("file");
+input.addEventListener("change", () => {
+  void openFile(input.files?.[0]);
+  input.value = "";
+});
+byId("choose").addEventListener("click", () => input.click());
+for (const kind of ["dragenter", "dragover"] as const)
+  document.addEventListener(kind, (event) => {
+    event.preventDefault();
+    document.body.classList.add("dropping");
+  });
+document.addEventListener("dragleave", (event) => {
+  if (!event.relatedTarget) document.body.classList.remove("dropping");
+});
+document.addEventListener("drop", (event) => {
+  event.preventDefault();
+  document.body.classList.remove("dropping");
+  void openFile(event.dataTransfer?.files[0]);
+});
+
+function dependentControls(): void {
+  const { method } = settings();
+  byId("area-row").hidden = method !== "isometric" && method !== "automatic";
+  byId("weights-row").hidden = method === "isometric";
+}
+for (const id of ["method", "weights", "area-exponent", "triangulate"])
+  byId(id).addEventListener("change", () => {
+    dependentControls();
+    map();
+  });
+dependentControls();
+
+byId("cancel").addEventListener("click", stop);
+document.addEventListener("keydown", (event) => {
+  if (event.key === "Escape" && (running || segmenting)) stop();
+  if (event.key === "o" && (event.target as HTMLElement).tagName !== "INPUT" && !event.ctrlKey && !event.metaKey)
+    input.click();
+});
+
+const base = () => (file?.name ?? "mesh").replace(/\.[^.]*$/, "");
+const actions: Record<string, (model: Model) => Promise<void> | void> = {
+  "save-sphere": (m) => save(`${base()}_sphere.off`, sphereOff(m), "text/plain"),
+  "save-ply": (m) => save(`${base()}_${stage.colouring}.ply`, colouredPly(m, stage.colouring), "text/plain"),
+  "save-glb": async (m) => save(`${base()}.glb`, await texturedGlb(m), "model/gltf-binary"),
+  "save-json": (m) => save(`${base()}.json`, json(m.report), "application/json"),
+};
+for (const [id, action] of Object.entries(actions))
+  byId(id).addEventListener("click", () => void (stage.model && action(stage.model)));
+
+// for tests
+Object.assign(window, { page: { stage, text: () => new TextDecoder().decode(file?.bytes) } });

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+//
+// What the page and the files of `view` have in common: views, slider, colours, certificate.
+
+import { colourings, nameOf, type Colouring, type Legend } from "./colours";
+import type { Model } from "./model";
+import { certificate, describe, element, facts, legendPanel } from "./panel";
+import type { Trouble } from "./topology";
+import { Viewer } from "./viewer";
+
+const byId = <T extends HTMLElement = HTMLElement>(id: string) => document.getElementById(id) as T;
+
+export class Stage {
+  readonly viewer: Viewer;
+  onColouring: (colouring: Colouring) => void = () => {};
+  model: Model | null = null;
+  colouring: Colouring = "stretch";
+  private readonly slider = byId<HTMLInputElement>("morph");
+  private readonly labels = [byId("label-mesh"), byId("label-sphere")];
+
+  constructor() {
+    this.viewer = new Viewer(byId<HTMLCanvasElement>("canvas"));
+    this.viewer.onMorph = (morph) => {
+      this.slider.value = String(Math.round(1000 * morph));
+      this.slider.setAttribute("aria-valuetext", `${Math.round(100 * morph)} % sphere`);
+      this.name();
+    };
+    this.viewer.onViews = (views) =>
+      views.forEach((view, i) => {
+        this.labels[i]!.style.left = `${view.x}px`;
+        this.labels[i]!.style.top = `${view.y}px`;
+      });
+    this.viewer.onHover = (hover) => {
+      byId("hover").textContent = hover && this.model ? describe(this.model, hover.face) : "";
+      byId("hover").dataset.face = hover ? String(hover.face) : "";
+    };
+    this.slider.addEventListener("input", () => (this.viewer.morph = Number(this.slider.value) / 1000));
+    byId("play").addEventListener("click", () => this.viewer.play());
+    byId("reset").addEventListener("click", () => this.viewer.resetView());
+    byId("theme").addEventListener("click", () => this.switchTheme());
+    this.offerColours();
+    document.addEventListener("keydown", (event) => this.key(event));
+    const help = byId<HTMLDialogElement>("help");
+    byId("keys").addEventListener("click", () => help.showModal());
+    help.addEventListener("click", () => help.close());
+  }
+
+  /// Shows a mesh, with or without its sphere; the panel says what is known of it.
+  show(model: Model): void {
+    const before = this.model?.sphere;
+    this.model = model;
+    if (!before || !model.sphere) this.viewer.morph = 0;
+    this.viewer.alone = false;
+    this.viewer.show(model);
+    this.name();
+    document.body.classList.toggle("has-mesh", true);
+    document.body.classList.toggle("has-sphere", model.sphere !== undefined);
+    byId<HTMLButtonElement>("play").disabled = this.slider.disabled = !model.sphere;
+    this.recolour();
+  }
+
+  /// Nothing is shown, and nothing is said.
+  clear(): void {
+    this.model = null;
+    this.viewer.clear();
+    document.body.classList.remove("has-sphere", "has-mesh");
+    for (const id of ["result", "colours-of", "facts"]) byId(id).replaceChildren();
+  }
+
+  say(model: Model, troubles: { trouble: Trouble; name: string }[] = []): void {
+    const verdict = certificate(model.report);
+    if (troubles.length > 0)
+      verdict.append(
+        element("p", { class: "marked", id: "marked" }, "Marked on the mesh: " + troubles.map((t) => t.name).join(", ") + "."),
+      );
+    this.viewer.alone = !model.sphere;
+    this.viewer.markTroubles(troubles.map((t) => t.trouble));
+    byId("result").replaceChildren(verdict);
+    byId("facts").replaceChildren(...(model.report.vertices == null ? [] : [facts(model.report)]));
+  }
+
+  recolour(): Legend | null {
+    if (!this.model) return null;
+    const legend = this.viewer.colour(this.model, this.model.sphere ? this.colouring : "plain");
+    byId("colours-of").replaceChildren(...(this.model.sphere ? [legendPanel(this.model, this.colouring)] : []));
+    return legend;
+  }
+
+  choose(colouring: Colouring): void {
+    this.colouring = colouring;
+    byId<HTMLInputElement>(`colour-${colouring}`).checked = true;
+    this.recolour();
+    this.onColouring(colouring);
+  }
+
+  private name(): void {
+    const share = Math.round(100 * this.viewer.morph);
+    this.labels[0]!.textContent = share === 0 ? "Mesh" : share === 100 ? "Mesh on the sphere" : `Mesh, ${share} % sphere`;
+  }
+
+  private offerColours(): void {
+    colourings.forEach((colouring, i) => {
+      const input = element("input", { type: "radio", name: "colouring", id: `colour-${colouring}`, value: colouring });
+      input.addEventListener("change", () => this.choose(colouring));
+      byId("colourings").append(input, element("label", { for: `colour-${colouring}`, title: `Key ${i + 1}` }, nameOf[colouring]));
+    });
+    byId<HTMLInputElement>(`colour-${this.colouring}`).checked = true;
+  }
+
+  private switchTheme(): void {
+    const root = document.documentElement;
+    const isDark = getComputedStyle(root).colorScheme === "dark";
+    root.dataset.theme = isDark ? "light" : "dark";
+  }
+
+  private key(event: KeyboardEvent): void {
+    const target = event.target as HTMLElement;
+    if (event.ctrlKey || event.metaKey || event.altKey || /^(INPUT|SELECT|TEXTAREA|BUTTON)$/.test(target.tagName)) {
+      if (!(target as HTMLInputElement).type?.match(/^(radio|range)$/) || !/^[1-5mt?]$/.test(event.key)) return;
+    }
+    const number = Number(event.key);
+    if (number >= 1 && number <= colourings.length) this.choose(colourings[number - 1]!);
+    else if (event.key === "m") this.viewer.play();
+    else if (event.key === "t") this.switchTheme();
+    else if (event.key === "?") byId<HTMLDialogElement>("help").showModal();
+  }
+}

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+//
+// The core in WebAssembly and the native tool: the same bits, the same verdicts, the same words.
+
+import assert from "node:assert/strict";
+import { copyFileSync, readdirSync, readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { basename, join } from "node:path";
+import { test } from "node:test";
+
+import { different, native, scratch, source, web, write } from "./helpers.mjs";
+
+const folder = scratch("core");
+copyFileSync(join(web, "build", "core", "core.js"), join(folder, "core.cjs")); // no ES module
+const core = await createRequire(import.meta.url)(join(folder, "core.cjs"))();
+const { examples, torus } = await source("examples.ts");
+
+const defaults = { method: "balanced", weights: "conformal", area_exponent: 1, triangulate: false };
+
+/// Maps a file by both, and compares.
+function compare(file, settings = {}) {
+  const all = { ...defaults, ...settings };
+  const options = ["--method", all.method, "--weights", all.weights];
+  if (all.method === "isometric" || all.method === "automatic") options.push("--area-exponent", String(all.area_exponent));
+  if (all.triangulate) options.push("--triangulate");
+  const expected = native(file, folder, options);
+  const found = core.mapFile(basename(file), readFileSync(file), all, () => true);
+  const what = `${basename(file)} ${options.join(" ")}`;
+  if (expected.error === null) {
+    assert.equal(found.error, "", what);
+    assert.equal(found.flipped_faces, 0, what);
+    assert.equal(found.degree, 1, what);
+    assert.equal(different(found.sphere, expected.sphere), 0, `${what}: bits`);
+  } else if (found.sphere) {
+    // a map that is not certified: the tool adds which options may help
+    assert.notEqual(found.error_code, "OK", what);
+    assert.equal(found.error.split(/[:;]/)[1], expected.error.split(/[:;]/)[1], what);
+  } else assert.equal(found.error, expected.error, what);
+  return found;
+}
+
+for (const example of examples) {
+  const file = write(folder, example.file, example.text());
+  for (const settings of [
+    { method: "balanced", weights: "conformal" },
+    { method: "balanced", weights: "barycentric" },
+    { method: "balanced", weights: "mean-value" },
+    { method: "automatic" },
+    ...(example.file === "bar.off" ? [{ method: "isometric" }, { method: "isometric", area_exponent: 0 }] : []),
+  ])
+    test(`bits: ${example.name}, ${Object.values(settings).join(", ")}`, () => void compare(file, settings));
+}
+
+test("a torus is refused in the words of the tool", () => {
+  const found = compare(write(folder, "torus.off", torus(40, 20)));
+  assert.equal(found.error_code, "WRONG_GENUS");
+});
+
+const cube =
+  "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n" +
+  "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+const tetrahedron = "4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
+const stl = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]].map((f) => f.map((v) => `vertex ${["0 0 0", "1 0 0", "0 1 0", "0 0 1"][v]}`));
+const files = {
+  "cube.obj": cube,
+  "tetrahedron.off": "OFF\n" + tetrahedron,
+  "tetrahedron.ply":
+    "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\nproperty double z\nelement face 4\n" +
+    "property list uchar int vertex_indices\nend_header\n" + tetrahedron.split("\n").slice(1).join("\n"),
+  "tetrahedron.stl":
+    "solid t\n" + stl.map((f) => `facet normal 0 0 0\nouter loop\n${f.join("\n")}\nendloop\nendfacet\n`).join("") + "endsolid t\n",
+  "open.off": "OFF\n" + tetrahedron.replace("4 4 0", "4 3 0").replace("3 2 0 3\n", ""),
+  "turned.off": "OFF\n" + tetrahedron.replace("3 2 0 3", "3 0 2 3"),
+  "two.off": "OFF\n8 8 0\n" + "0 0 0\n1 0 0\n0 1 0\n0 0 1\n".repeat(2) +
+    [0, 4].map((k) => [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]].map((f) => `3 ${f.map((v) => v + k).join(" ")}\n`).join("")).join(""),
+  "nan.off": "OFF\n" + tetrahedron.replace("1 0 0", "nan 0 0"),
+  "cut.off": "OFF\n" + tetrahedron.slice(0, 40),
+  "words.off": "OFF\n" + tetrahedron.replace("1 0 0", "one 0 0"),
+  "far.off": "OFF\n" + tetrahedron.replace("3 1 2 3", "3 1 2 9"),
+  "mesh.xyz": "0 0 0\n",
+  "empty.off": "",
+};
+for (const [name, text] of Object.entries(files)) test(`verdict: ${name}`, () => void compare(write(folder, name, text)));
+test("polygons are cut where asked", () => void compare(write(folder, "cube.obj", cube), { triangulate: true }));
+
+// Meshes of one's own: SPHERICAL_PARAMETERIZATION_MESHES=FOLDER. All that the tool can read.
+const own = process.env.SPHERICAL_PARAMETERIZATION_MESHES;
+if (own)
+  for (const name of readdirSync(own).filter((n) => /\.(off|obj|ply|stl)$/.test(n)))
+    test(`unseen: ${name}`, () => void compare(join(own, name)));
+
+test("orientations are exact", () => {
+  /// The determinant in integers: every double is one times 2^-1074.
+  const integer = (x) => {
+    const view = new DataView(new ArrayBuffer(8));
+    view.setFloat64(0, x);
+    const bits = view.getBigUint64(0);
+    const exponent = Number((bits >> 52n) & 0x7ffn);
+    const fraction = bits & 0xfffffffffffffn;
+    const size = exponent === 0 ? fraction : (fraction | 0x10000000000000n) << BigInt(exponent - 1);
+    return bits >> 63n ? -size : size;
+  };
+  const sign = (c) => {
+    const [ax, ay, az, bx, by, bz, cx, cy, cz] = c.map(integer);
+    const d = ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx);
+    return d > 0n ? 1 : d < 0n ? -1 : 0;
+  };
+  let state = 12345;
+  const random = () => (state = (1103515245 * state + 12345) % 2147483648) / 2147483648 - 0.5;
+  const unit = () => {
+    const v = [random(), random(), random()];
+    return v.map((x) => x / Math.hypot(...v));
+  };
+  const seen = new Set();
+  for (let i = 0; i < 2000; ++i) {
+    const [a, b, s, t] = [unit(), unit(), random(), random()];
+    const c = a.map((x, k) => s * x + t * b[k]); // in one plane with a, b and 0, but for rounding
+    const scale = i % 4 === 0 ? 1e-160 : 1; // products underflow
+    const coordinates = [...a, ...b, ...c].map((x) => x * scale);
+    assert.equal(core.orientation(coordinates), sign(coordinates));
+    seen.add(core.orientation(coordinates));
+  }
+  assert.equal(core.orientation([1, 0, 0, 0, 1, 0, 1, 1, 0]), 0);
+  assert.ok(seen.has(1) && seen.has(-1));
+});

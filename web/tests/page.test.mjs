@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+//
+// The page in chromium, and the file that the command `view` writes.
+
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { readFileSync, statSync } from "node:fs";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { pathToFileURL } from "node:url";
+import { gzipSync } from "node:zlib";
+
+import { chromium } from "playwright-core";
+
+import { serve } from "../serve.mjs";
+import { different, native, readOff, scratch, source, tool, web, write } from "./helpers.mjs";
+
+const folder = scratch("page");
+const { examples, torus, large } = await source("examples.ts");
+let browser, server, page;
+const complaints = []; // of the console
+
+/// A page that notes errors.
+async function open(url, options = {}) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
+  const result = await context.newPage();
+  result.on("console", (message) => {
+    if (["error", "warning"].includes(message.type()) && !/GPU stall|GL Driver|swiftshader/i.test(message.text()))
+      complaints.push(message.text());
+  });
+  result.on("pageerror", (error) => complaints.push(error.message));
+  await result.goto(url);
+  return result;
+}
+
+const url = () => `http://127.0.0.1:${server.address().port}/`;
+/// Waits until the file `name` has come to a state.
+const state = (name, which) =>
+  page.waitForFunction(
+    ([n, s]) => document.getElementById("file-name").textContent === n && document.body.dataset.state === s,
+    [name, which],
+    { timeout: 300_000 },
+  );
+const shot = (name) => page.screenshot({ path: join(folder, name + ".png") });
+const text = (selector) => page.locator(selector).innerText();
+
+before(async () => {
+  server = await serve(0);
+  browser = await chromium.launch({
+    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+    args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
+  });
+  page = await open(url());
+});
+after(async () => {
+  await browser?.close();
+  server?.close();
+});
+
+test("the download is small", () => {
+  assert.ok(gzipSync(readFileSync(join(web, "dist", "index.html"))).length < 2_000_000);
+});
+
+for (const example of examples)
+  test(`maps the example ${example.name}, as the tool does`, async () => {
+    await page.selectOption("#method", "balanced");
+    await page.click(`[data-example="${example.file}"]`);
+    await state(example.file, "certified");
+    // not example.text(): the sines of chromium and node differ
+    const expected = native(write(folder, example.file, await page.evaluate(() => window.page.text())), folder);
+    assert.equal(expected.error, null);
+    assert.equal(await page.getAttribute("#certificate", "data-code"), "OK");
+    assert.match(await text("#certificate"), /^Certified\s+0 of [\d,]+ faces flipped, degree 1\./);
+    assert.ok((await page.locator("#histogram rect").count()) > 40);
+    const found = await page.evaluate(() => Array.from(window.page.stage.model.sphere));
+    assert.equal(different(found, Array.from(expected.sphere)), 0);
+    await shot(example.file);
+  });
+
+test("the slider morphs the mesh", async () => {
+  const box = await page.locator("#morph").boundingBox();
+  await page.mouse.move(box.x + 8, box.y + box.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2, { steps: 6 });
+  await page.mouse.up();
+  const morph = await page.evaluate(() => window.page.stage.viewer.morph);
+  assert.ok(morph > 0.4 && morph < 0.6, String(morph));
+  assert.match(await text("#label-mesh"), /% sphere/);
+  await shot("morph");
+  await page.evaluate(() => (window.page.stage.viewer.morph = 0));
+});
+
+test("a face is the same in both views", async () => {
+  const tried = await page.evaluate(() => {
+    const { viewer, model } = window.page.stage;
+    const result = [];
+    for (let f = 0; f < model.triangles.length / 3; f += 97)
+      for (const onSphere of [false, true]) {
+        const at = viewer.screenOf(f, onSphere);
+        const hit = at && viewer.pick(at.x, at.y);
+        if (hit) result.push([f, hit.face, hit.onSphere === onSphere, onSphere]);
+      }
+    return result;
+  });
+  assert.ok(tried.every(([, , sameView]) => sameView));
+  // the sphere hides nothing of what looks at the camera; faces smaller than the numbers of the screen may be missed
+  const sphere = tried.filter(([, , , onSphere]) => onSphere);
+  const right = sphere.filter(([face, hit]) => face === hit).length;
+  assert.ok(sphere.length > 50 && right > 0.95 * sphere.length, `${right} of ${sphere.length}`);
+  const canvas = await page.locator("#canvas").boundingBox();
+  await page.mouse.move(canvas.x + 0.75 * canvas.width, canvas.y + canvas.height / 2);
+  await page.waitForFunction(() => document.getElementById("hover").textContent !== "");
+  assert.match(await text("#hover"), /^face [\d,]+ · area [×÷] [\d.,e]+ · angles [\d.]+°/);
+  await shot("hover");
+});
+
+test("keys turn, zoom and colour", async () => {
+  await page.focus("#canvas");
+  const rotation = () => page.evaluate(() => window.page.stage.viewer.rotation.toArray());
+  const first = await rotation();
+  await page.keyboard.press("ArrowLeft");
+  assert.notDeepEqual(await rotation(), first);
+  await page.keyboard.press("0");
+  assert.deepEqual(await rotation(), first);
+  await page.keyboard.press("2");
+  assert.ok(await page.isChecked("#colour-angle"));
+  await page.keyboard.press("4");
+  await shot("checker");
+  await page.keyboard.press("?");
+  assert.ok(await page.isVisible("#help"));
+  await shot("help");
+  await page.keyboard.press("Escape");
+});
+
+test("segments come when they are asked for", async () => {
+  await page.click("label[for=colour-segments]");
+  await page.keyboard.press("Escape"); // the next wish has to map again
+  await page.click("label[for=colour-plain]");
+  await page.click("label[for=colour-segments]");
+  await page.waitForFunction(() => window.page.stage.model.segments, null, { timeout: 120_000 });
+  assert.match(await text("#legend"), /\d+ segments?\./);
+  await shot("segments");
+  await page.click("label[for=colour-stretch]");
+});
+
+test("downloads can be read again", async () => {
+  const download = async (id) => {
+    const [file] = await Promise.all([page.waitForEvent("download"), page.click(id)]);
+    const path = join(folder, file.suggestedFilename());
+    await file.saveAs(path);
+    return path;
+  };
+  const model = await page.evaluate(() => ({
+    sphere: Array.from(window.page.stage.model.sphere),
+    triangles: Array.from(window.page.stage.model.triangles),
+  }));
+  const sphere = readOff(readFileSync(await download("#save-sphere"), "utf8"));
+  assert.equal(different(Array.from(sphere.points), model.sphere), 0);
+  assert.deepEqual(sphere.triangles, model.triangles);
+
+  const ply = await download("#save-ply");
+  assert.equal(native(ply, folder).error, null); // the tool reads it
+  const report = JSON.parse(readFileSync(await download("#save-json"), "utf8"));
+  assert.equal(report.flipped_faces, 0);
+  assert.equal(report.error, null);
+
+  const glb = readFileSync(await download("#save-glb"));
+  assert.equal(glb.toString("latin1", 0, 4), "glTF");
+  assert.equal(glb.readUInt32LE(8), glb.length);
+  const gltf = JSON.parse(glb.toString("utf8", 20, 20 + glb.readUInt32LE(12)));
+  assert.equal(gltf.accessors[3].count, model.triangles.length);
+  const image = gltf.bufferViews[gltf.images[0].bufferView];
+  const start = 28 + glb.readUInt32LE(12) + image.byteOffset;
+  assert.equal(glb.toString("latin1", start + 1, start + 4), "PNG");
+  const indices = gltf.bufferViews[3];
+  for (let i = 0; i < gltf.accessors[3].count; i += 31)
+    assert.ok(glb.readUInt32LE(28 + glb.readUInt32LE(12) + indices.byteOffset + 4 * i) < gltf.accessors[0].count);
+});
+
+test("refuses a torus, and marks its handle", async () => {
+  const file = write(folder, "torus.off", torus(60, 30));
+  await page.setInputFiles("#file", file);
+  await state("torus.off", "refused");
+  assert.equal(await page.getAttribute("#certificate", "data-code"), "WRONG_GENUS");
+  assert.ok((await text("#certificate")).includes(native(file, folder).error));
+  assert.match(await text("#marked"), /1 handle\./);
+  assert.ok(await page.isHidden("#downloads"));
+  await shot("torus");
+});
+
+test("refuses a mesh with a hole, and what is no mesh", async () => {
+  const [head, ...lines] = examples[2].text().trim().split("\n");
+  const [n, m] = lines[0].split(" ").map(Number);
+  const open = [head, `${n} ${m - 40} 0`, ...lines.slice(1, -40)].join("\n") + "\n";
+  await page.setInputFiles("#file", write(folder, "open.off", open));
+  await state("open.off", "refused");
+  assert.match(await text("#marked"), /\d+ holes?\./);
+  await shot("hole");
+  await page.setInputFiles("#file", write(folder, "words.off", "these are words\n"));
+  await state("words.off", "refused");
+  assert.equal(await page.getAttribute("#certificate", "data-code"), "UNREADABLE_FILE");
+});
+
+test("a long run shows progress, can be cancelled, and the page goes on", async () => {
+  await page.selectOption("#method", "isometric");
+  await page.setInputFiles("#file", write(folder, "large.off", large(7)));
+  await page.waitForFunction(() => document.getElementById("bar").value > 0, null, { timeout: 120_000 });
+  const frames = await page.evaluate(
+    () => new Promise((done) => {
+      let n = 0;
+      const count = () => (++n < 20 ? requestAnimationFrame(count) : done(n));
+      requestAnimationFrame(count);
+    }),
+  );
+  assert.equal(frames, 20); // it draws while it maps
+  await shot("running");
+  await page.keyboard.press("Escape");
+  await state("large.off", "cancelled");
+  await page.selectOption("#method", "balanced");
+  await page.click('[data-example="bar.off"]');
+  await state("bar.off", "certified");
+});
+
+test("narrow and dark, by touch", async () => {
+  const wide = page;
+  page = await open(url(), { viewport: { width: 390, height: 844 }, colorScheme: "dark", hasTouch: true, isMobile: true });
+  await page.tap('[data-example="bar.off"]');
+  await state("bar.off", "certified");
+  const box = await page.locator("#canvas").boundingBox();
+  await page.touchscreen.tap(box.x + box.width / 2, box.y + 0.75 * box.height);
+  await page.waitForFunction(() => document.getElementById("hover").textContent !== "");
+  assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth)); // nothing sticks out
+  await shot("narrow");
+  await page.context().close();
+  page = wide;
+});
+
+test("works from a file, too, and the file of `view`", async () => {
+  const wide = page;
+  page = await open(pathToFileURL(join(web, "dist", "index.html")).href);
+  await page.click('[data-example="bar.off"]');
+  await state("bar.off", "certified");
+  await page.context().close();
+
+  const html = join(folder, "bar.html");
+  execFileSync(tool, ["view", join(folder, "bar.off"), "-o", html]);
+  assert.ok(statSync(html).size < 3_000_000);
+  page = await open(pathToFileURL(html).href, { offline: true });
+  await state("bar.off", "shown");
+  assert.match(await text("#certificate"), /^Certified\s+0 of [\d,]+ faces flipped, degree 1\./);
+  const expected = native(join(folder, "bar.off"), folder).sphere;
+  const found = await page.evaluate(() => Array.from(window.page.stage.model.sphere));
+  assert.ok(Math.max(...found.map((x, i) => Math.abs(x - expected[i]))) < 2e-5);
+  await page.keyboard.press("3");
+  await shot("view");
+  await page.context().close();
+  page = wide;
+});
+
+test("nothing was complained about", () => assert.deepEqual(complaints, []));

@@ -1,0 +1,23 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# run.sh core|viewer|page TOOL
+# Tests the page with the native tool TOOL. Where something is missing it says so in one line, and tests nothing.
+set -euo pipefail
+web=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
+skip() {
+  echo "SKIPPED: $1 is missing; web/install_dependencies.sh installs what the page and its tests need"
+  exit 0
+}
+command -v node >/dev/null || skip node
+[ -d "$web/node_modules/esbuild" ] || skip "web/node_modules"
+if [ "$1" != viewer ]; then
+  command -v emcmake >/dev/null || skip emscripten
+fi
+if [ "$1" = page ]; then
+  command -v "${CHROMIUM:-chromium}" >/dev/null || skip chromium
+  export CHROMIUM=${CHROMIUM:-$(command -v chromium)}
+fi
+export SPHERICAL_PARAMETERIZATION_TOOL=$2
+cd "$web"
+[ "$1" = viewer ] || flock build.mjs node build.mjs
+node --test "tests/$1.test.mjs"

@@ -9,7 +9,7 @@
 #include <CGAL/Spherical_parameterization/internal/base/text.h>
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Map_level.h>
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Progressive_mesh.h>
-#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Star.h>
+#include <CGAL/Spherical_parameterization/internal/relaxation/Star.h>
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/decimation.h>
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/newton_relaxation.h>
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/solve_isometric.h>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_HARMONIC_UNTANGLE_H
-#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_HARMONIC_UNTANGLE_H
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RELAXATION_UNTANGLE_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RELAXATION_UNTANGLE_H
 
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
-#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Star.h>
+#include <CGAL/Spherical_parameterization/internal/relaxation/Star.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/certificate.h>
 
 #include <array>
@@ -136,4 +136,4 @@ inline std::size_t polish(const Host_array<std::array<int, 3>>& face, const Host
 
 } // namespace CGAL::Spherical_parameterization::internal
 
-#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_HARMONIC_UNTANGLE_H
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RELAXATION_UNTANGLE_H

@@ -41,7 +41,7 @@ from .maps import (
 from .methods import (
     Automatic,
     Balanced,
-    ConformalWeights,
+    ClampedWeights,
     GirthProfiles,
     Isometric,
     MajorityVote,
@@ -54,7 +54,7 @@ __all__ = [
     "Automatic",
     "Balanced",
     "Certificate",
-    "ConformalWeights",
+    "ClampedWeights",
     "DeviceError",
     "DistortionSummary",
     "Distribution",

@@ -54,15 +54,18 @@ void print_certificate(const Map_options& options, const Mapped_mesh& input, con
   std::cout << options.input << ": " << result.number_of_vertices << " vertices, " << result.number_of_faces
             << " faces\n"
             << "valid spherical map: " << result.flipped_faces << " flipped faces, degree " << result.degree
-            << ", residual " << result.residual << '\n'
-            << (options.method == "automatic" ? "automatic: " : "") << result.method << ", "
-            << (result.method == "isometric" ? "" : options.weights + " weights, ") << options.policy << " on "
-            << result.device << ": " << result.start_iterations << " + " << result.iterations << " iterations";
+            << ", residual " << result.residual;
+  if(result.moved_vertices > 0)
+    std::cout << ", " << result.moved_vertices << " vertices moved";
+  std::cout << '\n'
+            << result.method << ", " << (result.method == "isometric" ? "" : options.weights + " weights, ")
+            << options.policy << " on " << result.device << ": " << result.start_iterations << " + "
+            << result.iterations << " iterations";
   if(result.sweeps > 0)
     std::cout << " of " << result.sweeps << " sweeps in total";
   std::cout << '\n';
   if(!result.fallback_reason.empty())
-    std::cout << "earlier attempts failed: " << result.fallback_reason << '\n';
+    std::cout << "automatic: " << result.fallback_reason << '\n';
   std::cout << report.seconds_total << " s: read " << input.seconds_read << ", start map " << result.seconds.start_map
             << ", solve " << result.seconds.solve << ", certify " << result.seconds.certify << ", write "
             << report.seconds_write << '\n'
@@ -135,7 +138,7 @@ void add_map_command(CLI::App& app, int& exit_code)
     ->add_option("--stretch-ply", options->stretch_ply,
                  "Write IN as PLY, coloured by the logarithm of the area stretch")
     ->type_name("FILE");
-  command->footer("Example: spherical-parameterization map bunny.ply -o sphere.off --method automatic\n"
+  command->footer("Example: spherical-parameterization map bunny.ply -o sphere.off --report report.json\n"
                   "Exit code: 0 a certified map was written, 1 no map was written (stderr says why), 2 wrong usage,\n"
                   "130 interrupted.");
   command->callback([options, &exit_code] {

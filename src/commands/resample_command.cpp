@@ -4,6 +4,7 @@
 #include "commands/commands.h"
 
 #include "mapping/mapped_mesh.h"
+#include "mapping/sampling_loss.h"
 #include "options/usage.h"
 #include "output/atomic_file.h"
 #include "output/write_mesh.h"
@@ -23,6 +24,9 @@ namespace tool {
 namespace {
 
 namespace SP = CGAL::Spherical_parameterization;
+
+/// What may be lost without a word, of the diagonal and of a side of the bounding box.
+constexpr double largest_distance = 0.01, largest_loss_of_box = 0.03;
 
 struct Resample_options : Mapping_options {
   std::string output;
@@ -72,8 +76,17 @@ void resample(const Resample_options& options)
     write_mesh(sphere_file->stream(), options.output_sphere, out, out.points());
   stop_if_interrupted(options.input);
   Atomic_file::commit_all({sphere_file.get(), &file});
-  std::cout << options.output << ": " << out.number_of_vertices() << " vertices, " << out.number_of_faces() << " faces"
-            << std::endl;
+  const Sampling_loss loss = sampling_loss(input.mesh(), out, points);
+  std::cout.precision(2);
+  std::cout << options.output << ": " << out.number_of_vertices() << " vertices, " << out.number_of_faces()
+            << " faces; " << input.result.method << (input.result.method.empty() ? "" : " map; ")
+            << "99 % of the shape is within " << 100 * loss.distance << " % of its diagonal, the bounding box has lost "
+            << 100 * loss.bounding_box << " %" << std::endl;
+  if(loss.distance > largest_distance || loss.bounding_box > largest_loss_of_box)
+    std::cerr << "spherical-parameterization: " << options.output
+              << ": part of the shape is lost, where the map is small; try --method isometric, --area-exponent 30 or a "
+                 "larger --level"
+              << std::endl;
 }
 
 } // namespace
@@ -82,6 +95,7 @@ void add_resample_command(CLI::App& app, int& exit_code)
 {
   CLI::App* command = app.add_subcommand("resample", "Sample a shape at the vertices of an icosphere");
   const auto options = std::make_shared<Resample_options>();
+  options->method = "isometric"; // which loses no limb
   add_mapping_options(*command, *options);
   add_sphere_option(*command, *options);
   command->add_option("-o,--output", options->output, "Output file of the new mesh: .off, .obj or .ply")

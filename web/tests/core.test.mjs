@@ -44,6 +44,7 @@ for (const example of examples) {
   const file = write(folder, example.file, example.text());
   for (const settings of [
     { method: "balanced", weights: "conformal" },
+    { method: "balanced", weights: "clamped" },
     { method: "balanced", weights: "barycentric" },
     { method: "balanced", weights: "mean-value" },
     { method: "automatic" },

@@ -40,6 +40,9 @@ public:
   int number_of_vertices() const { return number_of_vertices_; }
   int number_of_faces() const { return number_of_halfedges() / 3; }
 
+  /// Length of halfedge h, inside the surface.
+  double length(int h) const { return length_[h]; }
+
   /// Area of the triangle of halfedge h, by Heron's formula as W. Kahan writes it: accurate for needles, too.
   double area(int h) const
   {

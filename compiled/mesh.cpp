@@ -4,3 +4,4 @@
 #include <CGAL/Spherical_parameterization/internal/mesh/check_soup_impl.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/orientation_impl.h>
 #include <CGAL/Spherical_parameterization/internal/problem/Solution_impl.h>
+#include <CGAL/Spherical_parameterization/internal/relaxation/mend_impl.h>

@@ -35,7 +35,7 @@ int main(int argc, char* argv[])
 
   const CGAL::Bbox_3 box = PMP::bbox(mesh);
   const double middle = (box.zmin() + box.zmax()) / 2;
-  const auto weights = SP::conformal_weights(mesh);
+  const auto weights = SP::clamped_weights(mesh);
   auto own_weights = mesh.add_property_map<Mesh::Edge_index, double>("e:weight").first;
   for(Mesh::Edge_index e : edges(mesh)) {
     const Point_3 centre = CGAL::midpoint(mesh.point(source(e, mesh)), mesh.point(target(e, mesh)));

@@ -55,13 +55,13 @@ std::vector<double> any_weights(Bytes& in, const Mesh& mesh)
   std::vector<double> weights(mesh.num_edges());
   const std::size_t kind = in.below(8);
   const auto barycentric = SP::barycentric_weights(mesh);
-  const auto conformal = SP::conformal_weights(mesh);
+  const auto clamped = SP::clamped_weights(mesh);
   const auto mean_value = SP::mean_value_weights(mesh);
   for(const Mesh::Edge_index e : mesh.edges()) {
     const bool is_inner = !mesh.is_border(e); // weights of angles need both faces
     double& w = weights[e.idx()];
     if(kind < 3 && is_inner)
-      w = get(conformal, e);
+      w = get(clamped, e);
     else if(kind == 4 && is_inner)
       w = get(mean_value, e);
     else if(kind == 5)

@@ -23,6 +23,7 @@ rooms='
 4|kernels|kernels|OpenCL C: one kernel per verb
 9|public|devices|OpenCL_device.h: the policy
 4|core|multigrid|coarsening, V-cycle, conjugate gradients
+4|core|relaxation|stars: moving single vertices, exactly checked
 5|core|problem|Problem, Solution, Method_solver
 6|core|harmonic|Balanced: start map and descent
 7|core|saddle_point|Saddle_point: the published method

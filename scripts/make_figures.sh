@@ -76,7 +76,7 @@ map() {
 
 figure_strip() {
   look_at armadillo
-  map armadillo a --weights conformal
+  map armadillo a --method balanced
   tool segment armadillo.off --sphere a.sphere.off -o segments.ply --ascii
   awk 'NR == FNR { if(FNR > 2) position[FNR - 3] = $0; next }
        in_body && i < n { print position[i++]; next }
@@ -98,8 +98,8 @@ figure_strip() {
 }
 
 figure_method() {
-  map homer conformal --weights conformal
-  map homer barycentric --weights barycentric
+  map homer conformal --method balanced
+  map homer barycentric --method balanced --weights barycentric
   map homer isometric --method isometric
   awk -f "$root/doc/figures/faces_of_map.awk" conformal.stretch.ply homer.off project >projected.ply
   look_at homer
@@ -120,7 +120,7 @@ figure_stretch() {
     look_at $mesh
     local panels=()
     for choice in barycentric conformal isometric; do
-      if [ $choice = isometric ]; then map $mesh x --method isometric; else map $mesh x --weights $choice; fi
+      if [ $choice = isometric ]; then map $mesh x --method isometric; else map $mesh x --method balanced --weights $choice; fi
       by_vertices x.stretch.ply "st_${mesh}_$choice.png" 300 "${camera[@]}"
       red=$(sed -n 's/^comment.*red at //p;/^element/q' x.stretch.ply)
       panels+=("$(panel "st_${mesh}_$choice.png" "$choice: $(awk "BEGIN { printf \"%.0e\", exp(-$red) }")" 320)")
@@ -153,7 +153,7 @@ figure_texture() {
   for mesh in cow bull; do
     look_at $mesh
     for weights in barycentric conformal; do
-      tool texture "$mesh.off" --weights $weights -o "t_${mesh}_$weights.obj"
+      tool texture "$mesh.off" --method balanced --weights $weights -o "t_${mesh}_$weights.obj"
       brightest=90 render "t_${mesh}_$weights.obj" t.png 480 "${camera[@]}"
       convert t.png -resize 480x380 -background white -gravity center -extent 500x400 t2.png
       finish "${mesh}_$weights.png" t2.png

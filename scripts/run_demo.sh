@@ -38,7 +38,8 @@ for weights in barycentric conformal; do
   out=$demo/armadillo_$weights
   echo
   echo "== armadillo, $weights weights"
-  "$tool" map "$demo/armadillo.off" --weights "$weights" -o "${out}_sphere.off" --stretch-ply "${out}_stretch.ply" --ascii \
+  "$tool" map "$demo/armadillo.off" --method balanced --weights "$weights" -o "${out}_sphere.off" \
+    --stretch-ply "${out}_stretch.ply" --ascii \
     --report "$out.json" </dev/null
   coloured_sphere "${out}_sphere.off" "${out}_stretch.ply" >"${out}_sphere_stretch.ply"
   picture "${out}_stretch.png" "${out}_stretch.ply" \

@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 /// barycentric one if that is certified. Throws std::runtime_error where there is nothing to map.
 void map_for_descriptors(Mesh& mesh, Sphere_map sphere)
 {
-  const Result result = compute_map(Backend(), mesh, Weights::CONFORMAL, Balanced(), sphere);
+  const Result result = compute_map(Backend(), mesh, Weights::CLAMPED, Balanced(), sphere);
   if(result.error != CGAL::Spherical_parameterization::Error_code::NOT_CONVERGED)
     return;
   const auto other = mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:barycentric").first;

@@ -137,7 +137,7 @@ std::vector<Method_rows> evaluate(const std::vector<Model>& models, bool with_sd
         counts.push_back(number_of_segments(humans.back()));
       }
       std::nth_element(counts.begin(), counts.begin() + counts.size() / 2, counts.end());
-      const Result map = compute_map(Backend(), mesh, Weights::CONFORMAL, Balanced(), sphere);
+      const Result map = compute_map(Backend(), mesh, Weights::CLAMPED, Balanced(), sphere);
       if(map.degree == 0)
         throw std::runtime_error("no map: " + verdict(map));
       const Segmentation_judge judge(mesh);

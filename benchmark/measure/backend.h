@@ -27,16 +27,16 @@ using CGAL::Spherical_parameterization::Result;
 using CGAL::Spherical_parameterization::Saddle_point;
 
 /// The two weights of the paper.
-enum class Weights { BARYCENTRIC, CONFORMAL };
-constexpr std::array<Weights, 2> both_weights = {Weights::BARYCENTRIC, Weights::CONFORMAL};
-inline const char* name(Weights weights) { return weights == Weights::BARYCENTRIC ? "barycentric" : "conformal"; }
+enum class Weights { BARYCENTRIC, CLAMPED };
+constexpr std::array<Weights, 2> both_weights = {Weights::BARYCENTRIC, Weights::CLAMPED};
+inline const char* name(Weights weights) { return weights == Weights::BARYCENTRIC ? "barycentric" : "clamped"; }
 
 /// Calls `f` with the weight map, and returns what it does.
 template <class F>
 auto visit_weights(Weights weights, const Mesh& mesh, F f)
 {
   return weights == Weights::BARYCENTRIC ? f(CGAL::Spherical_parameterization::barycentric_weights(mesh))
-                                         : f(CGAL::Spherical_parameterization::conformal_weights(mesh));
+                                         : f(CGAL::Spherical_parameterization::clamped_weights(mesh));
 }
 
 /// A policy, and on how many cores it may run.

@@ -43,7 +43,7 @@ from .maps import (
 from .methods import (
     Automatic,
     Balanced,
-    ConformalWeights,
+    ClampedWeights,
     GirthProfiles,
     Isometric,
     MajorityVote,
@@ -57,7 +57,7 @@ __all__ = [
     "Automatic",
     "Balanced",
     "Certificate",
-    "ConformalWeights",
+    "ClampedWeights",
     "DeviceError",
     "DistortionSummary",
     "Distribution",

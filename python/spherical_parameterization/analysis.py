@@ -456,15 +456,15 @@ def shape_signature(
     points, triangles, policy
         As for `distortion()`.
     sphere : array_like (n, 3) of float
-        A conformal map by `Balanced`; it need not be valid. Default: the map is made; if it does not converge, a
-        barycentric one.
+        A conformal map by `Balanced`; it need not be valid. Default: the map is made, with clamped weights; if it does
+        not converge, a barycentric one.
 
     Returns
     -------
     ndarray (96,) of float64
     """
     if sphere is None:
-        result = parameterize(points, triangles, Balanced(), policy=policy, warn=False)
+        result = parameterize(points, triangles, Balanced(), weights="clamped", policy=policy, warn=False)
         if result.error is ErrorCode.NOT_CONVERGED:
             other = parameterize(
                 points, triangles, Balanced(), weights="barycentric", policy=policy, warn=False

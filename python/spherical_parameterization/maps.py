@@ -15,7 +15,7 @@ import numpy.typing as npt
 from . import _core
 from .arrays import Doubles, Integers, edge_numbers, index_triples, numbers, vectors
 from .errors import _CODES, ErrorCode, MapWarning, MeshError
-from .methods import Automatic, ConformalWeights, Method, one_of
+from .methods import Automatic, ClampedWeights, Method, one_of
 
 Fixed = Union[Mapping[int, Sequence[float]], tuple[npt.ArrayLike, npt.ArrayLike]]
 
@@ -60,6 +60,8 @@ class Result:
         Of the mesh.
     flipped_faces : int
         Faces (a, b, c) with orientation(O, a, b, c) <= 0, by exact predicates on `sphere`.
+    moved_vertices : int
+        Conformal weights: vertices that were moved from where the springs pull them, for the sake of their faces.
     degree : int
         How often the map covers the sphere; 1 for a valid one.
     residual : float
@@ -92,6 +94,7 @@ class Result:
     number_of_vertices: int
     number_of_faces: int
     flipped_faces: int
+    moved_vertices: int
     degree: int
     residual: float
     energy: float
@@ -159,12 +162,12 @@ def edges(triangles: npt.ArrayLike) -> Integers:
     return edge_numbers(index_triples(triangles))[0]
 
 
-def _weights(weights: str | ConformalWeights | npt.ArrayLike, triangles: Integers) -> object:
-    """A name, ConformalWeights, or an array (m, 3) with the weight of the edge from every corner to the next one."""
+def _weights(weights: str | ClampedWeights | npt.ArrayLike, triangles: Integers) -> object:
+    """A name, ClampedWeights, or an array (m, 3) with the weight of the edge from every corner to the next one."""
     if isinstance(weights, str):
-        one_of("weights", weights, "conformal", "barycentric", "mean-value")
+        one_of("weights", weights, "conformal", "clamped", "barycentric", "mean-value")
         return weights
-    if isinstance(weights, ConformalWeights):
+    if isinstance(weights, ClampedWeights):
         return weights
     if np.shape(weights) == triangles.shape:
         return np.ascontiguousarray(weights, dtype=np.float64)
@@ -241,7 +244,7 @@ def parameterize(
     triangles: npt.ArrayLike,
     method: Method = Automatic(),
     *,
-    weights: str | ConformalWeights | npt.ArrayLike = "conformal",
+    weights: str | ClampedWeights | npt.ArrayLike = "conformal",
     policy: str | _core.OpenCLDevice = "parallel",
     fixed: Fixed | None = None,
     start: npt.ArrayLike | None = None,
@@ -261,7 +264,7 @@ def parameterize(
     triangles : array_like (m, 3) of int
         Numbers of points, from 0, counterclockwise as seen from outside. int32 and int64 in C order are not copied.
     method : Automatic, Balanced, Isometric or SaddlePoint
-    weights : {"conformal", "barycentric", "mean-value"}, ConformalWeights, or array_like of float
+    weights : {"conformal", "clamped", "barycentric", "mean-value"}, ClampedWeights, or array_like of float
         Spring constants of the edges. An array has one number for each of `edges(triangles)`, or shape (m, 3) with the
         edges from each corner of a triangle to the next one.
     policy : {"parallel", "sequential", "opencl"} or OpenCLDevice

@@ -15,7 +15,7 @@ def one_of(option: str, value: str, *allowed: str) -> None:
 
 @dataclass(frozen=True)
 class Automatic:
-    """The first valid map of `Balanced`, `Balanced` with a larger exponent, and `Isometric`.
+    """The first map that is valid and of use: `Balanced`, `Balanced` with a larger exponent, `Isometric`.
 
     Parameters
     ----------
@@ -25,15 +25,19 @@ class Automatic:
         Of the second map.
     area_exponent : float
         Of the third map, see `Isometric`.
+    largest_shrinkage : float
+        How many times lengths may shrink, against the mean of the map, on more than a thousandth of the surface; beyond,
+        a valid map is of no use, and `Isometric` is tried. Infinite: every valid map will do.
 
     Notes
     -----
-    If none is valid, the best one is returned: of degree 1 before others, then with the fewest flipped faces.
+    If none is valid and of use, the best one is returned: a valid one, else of degree 1, with the fewest flipped faces.
     """
 
     spring_exponent: float = 2
     larger_spring_exponent: float = 3
     area_exponent: float = 1
+    largest_shrinkage: float = 1e4
 
 
 @dataclass(frozen=True)
@@ -98,8 +102,8 @@ class SaddlePoint:
 
 
 @dataclass(frozen=True)
-class ConformalWeights:
-    """Cotangent weights with other bounds than those of `weights="conformal"`.
+class ClampedWeights:
+    """Cotangent weights with other bounds than those of `weights="clamped"`.
 
     Parameters
     ----------

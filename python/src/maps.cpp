@@ -53,14 +53,14 @@ struct Array_weights {
   friend double get(const Array_weights& map, Mesh::Edge_index e) { return map.first[e.idx()]; }
 };
 
-/// Any of the weights as one edge map, so that there is one parameterize() per policy and method.
+/// Any of the weights of edges as one map, so that there is one parameterize() per policy and method.
 struct Weight_map {
   typedef Mesh::Edge_index key_type;
   typedef double value_type;
   typedef double reference;
   typedef boost::readable_property_map_tag category;
 
-  std::variant<decltype(SP::conformal_weights(std::declval<const Mesh&>())),
+  std::variant<decltype(SP::clamped_weights(std::declval<const Mesh&>())),
                decltype(SP::barycentric_weights(std::declval<const Mesh&>())),
                decltype(SP::mean_value_weights(std::declval<const Mesh&>())), Array_weights>
     weights;
@@ -84,23 +84,25 @@ struct Weight_settings {
     else if(py::isinstance<py::str>(weights))
       name = py::str(weights);
     else {
-      name = "conformal";
+      name = "clamped";
       minimum_angle = weights.attr("minimum_angle").cast<double>();
       maximum_angle = weights.attr("maximum_angle").cast<double>();
     }
-    if(array.size() == 0 && name != "conformal" && name != "barycentric" && name != "mean-value")
-      throw py::value_error("weights '" + name + "': 'conformal', 'barycentric' or 'mean-value' is needed");
+    if(array.size() == 0 && name != "conformal" && name != "clamped" && name != "barycentric" && name != "mean-value")
+      throw py::value_error("weights '" + name + "': 'conformal', 'clamped', 'barycentric' or 'mean-value' is needed");
   }
 
-  Weight_map map(const Mesh& mesh) const
+  std::variant<SP::Conformal_weights, Weight_map> weights(const Mesh& mesh) const
   {
     if(array.size() > 0)
-      return {Array_weights{array.data()}};
+      return Weight_map{Array_weights{array.data()}};
     if(name == "barycentric")
-      return {SP::barycentric_weights(mesh)};
+      return Weight_map{SP::barycentric_weights(mesh)};
     if(name == "mean-value")
-      return {SP::mean_value_weights(mesh)};
-    return {SP::conformal_weights(mesh, minimum_angle, maximum_angle)};
+      return Weight_map{SP::mean_value_weights(mesh)};
+    if(name == "clamped")
+      return Weight_map{SP::clamped_weights(mesh, minimum_angle, maximum_angle)};
+    return SP::Conformal_weights();
   }
 };
 
@@ -110,7 +112,8 @@ std::variant<SP::Balanced, SP::Saddle_point, SP::Isometric, SP::Automatic> metho
   const auto number = [&](const char* option) { return options.attr(option).cast<double>(); };
   const auto word = [&](const char* option) { return options.attr(option).cast<std::string>(); };
   if(name == "Automatic")
-    return SP::Automatic{number("spring_exponent"), number("larger_spring_exponent"), number("area_exponent")};
+    return SP::Automatic{number("spring_exponent"), number("larger_spring_exponent"), number("area_exponent"),
+                         number("largest_shrinkage")};
   if(name == "Isometric")
     return SP::Isometric{number("area_exponent")};
   if(name == "Balanced")
@@ -176,8 +179,8 @@ py::dict to_python(const SP::Result& r)
   text << r;
   return py::dict(
     "error"_a = static_cast<int>(r.error), "detail"_a = r.detail, "number_of_vertices"_a = r.number_of_vertices,
-    "number_of_faces"_a = r.number_of_faces, "flipped_faces"_a = r.flipped_faces, "degree"_a = r.degree,
-    "residual"_a = r.residual, "energy"_a = r.energy, "smallest_area"_a = r.smallest_area,
+    "number_of_faces"_a = r.number_of_faces, "flipped_faces"_a = r.flipped_faces, "moved_vertices"_a = r.moved_vertices,
+    "degree"_a = r.degree, "residual"_a = r.residual, "energy"_a = r.energy, "smallest_area"_a = r.smallest_area,
     "smallest_edge"_a = r.smallest_edge, "method"_a = r.method, "fallback_reason"_a = r.fallback_reason,
     "start_iterations"_a = r.start_iterations, "iterations"_a = r.iterations, "sweeps"_a = r.sweeps,
     "seconds"_a = to_python(r.seconds), "attempts"_a = attempts, "device"_a = r.device, "text"_a = text.str());
@@ -211,7 +214,7 @@ py::tuple parameterize(const Doubles& points, const py::array& triangles, const 
         const std::chrono::duration<double> reading = Clock::now() - start;
         SP::Result mapped =
           SP::parameterize(chosen_policy, mesh, chosen_method, sphere_map,
-                           CGAL::parameters::edge_weight_map(weights.map(mesh))
+                           CGAL::parameters::edge_weight_map(weights.weights(mesh))
                              .vertex_is_constrained_map(is_constrained)
                              .accuracy(accuracy.value_or(Method::default_accuracy))
                              .number_of_iterations(iterations.value_or(Method::default_number_of_iterations))

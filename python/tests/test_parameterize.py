@@ -73,9 +73,12 @@ def test_weights() -> None:
     assert len(edges) == 3 * len(triangles) // 2 and (edges[:, 0] < edges[:, 1]).all()
     barycentric = sp.parameterize(points, triangles, weights="barycentric").sphere
     assert (sp.parameterize(points, triangles, weights=np.full(len(edges), 1.0)).sphere == barycentric).all()
-    conformal = sp.parameterize(points, triangles).sphere
-    assert (sp.parameterize(points, triangles, weights=sp.ConformalWeights()).sphere == conformal).all()
-    assert (sp.parameterize(points, triangles, weights=sp.ConformalWeights(20, 80)).sphere != conformal).any()
+    conformal = sp.parameterize(points, triangles, weights="conformal").sphere
+    assert (sp.parameterize(points, triangles).sphere == conformal).all()
+    clamped = sp.parameterize(points, triangles, weights="clamped").sphere
+    assert (clamped != conformal).any()
+    assert (sp.parameterize(points, triangles, weights=sp.ClampedWeights()).sphere == clamped).all()
+    assert (sp.parameterize(points, triangles, weights=sp.ClampedWeights(20, 80)).sphere != clamped).any()
     assert (sp.parameterize(points, triangles, weights="mean-value").sphere != conformal).any()
 
     def cotangents(corner: int) -> np.ndarray:
@@ -90,7 +93,7 @@ def test_weights() -> None:
     for corner in range(3):
         for face, value in zip(triangles.tolist(), cotangents(corner)):
             own[keys[tuple(sorted((face[(corner + 1) % 3], face[(corner + 2) % 3])))]] += value / 2
-    assert np.allclose(sp.parameterize(points, triangles, weights=own).sphere, conformal, atol=1e-6)
+    assert np.allclose(sp.parameterize(points, triangles, weights=own).sphere, clamped, atol=1e-6)
     with pytest.raises(ValueError, match="weights"):
         sp.parameterize(points, triangles, weights=own[1:])
 

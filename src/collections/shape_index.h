@@ -27,7 +27,7 @@ struct Signature_row {
   File_version version;     ///< of the file
   std::size_t vertices = 0; ///< 0: unknown
   std::string status;       ///< "OK", or the code of what is wrong
-  std::string map;          ///< "conformal", "barycentric" or "uncertified"; empty without a signature
+  std::string map;          ///< "clamped", "barycentric" or "uncertified"; empty without a signature
   std::string message;      ///< what is wrong, in one line; empty if OK
   std::optional<Shape_signature> signature;
 };

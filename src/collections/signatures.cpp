@@ -46,13 +46,13 @@ void sign(const std::string& file, Signature_row& row)
     return map_to_sphere(mesh, sphere, settings, [](double) { return !was_interrupted(); });
   };
   Sphere sphere;
-  const Result result = compute(sphere, Conformal_weights());
+  const Result result = compute(sphere, Clamped_weights());
   if(result.error == Error_code::INTERRUPTED)
     return;
   if(!has_map(result.error))
     throw Refusal(name(result.error), file,
                   get_error_message(result.error) + (result.detail.empty() ? "" : ": " + result.detail), "");
-  row.map = result ? "conformal" : "uncertified";
+  row.map = result ? "clamped" : "uncertified";
   if(result.error == Error_code::NOT_CONVERGED) {
     Sphere barycentric;
     const Result other = compute(barycentric, Barycentric_weights());

@@ -68,15 +68,18 @@ void say(const Map_options& options, const Mapped_mesh& input, const Report& rep
     text << preparation
          << "the sphere has the vertices and faces of the prepared mesh, which 'prepare --harmless' writes\n";
   text << name << ": " << result.number_of_vertices << " vertices, " << result.number_of_faces << " faces\n"
-       << line.str() << ", residual " << result.residual << '\n'
-       << (options.method == "automatic" ? "automatic: " : "") << result.method << ", "
-       << (result.method == "isometric" ? "" : options.weights + " weights, ") << options.policy << " on "
-       << result.device << ": " << result.start_iterations << " + " << result.iterations << " iterations";
+       << line.str() << ", residual " << result.residual;
+  if(result.moved_vertices > 0)
+    text << ", " << result.moved_vertices << " vertices moved";
+  text << '\n'
+       << result.method << ", " << (result.method == "isometric" ? "" : options.weights + " weights, ")
+       << options.policy << " on " << result.device << ": " << result.start_iterations << " + " << result.iterations
+       << " iterations";
   if(result.sweeps > 0)
     text << " of " << result.sweeps << " sweeps in total";
   text << '\n';
   if(!result.fallback_reason.empty())
-    text << "earlier attempts failed: " << result.fallback_reason << '\n';
+    text << "automatic: " << result.fallback_reason << '\n';
   if(is_verbose()) {
     for(const SP::Result::Attempt& attempt : result.attempts)
       text << "tried " << attempt.method << " for " << attempt.seconds.total
@@ -185,7 +188,7 @@ void add_map_command(CLI::App& app, int& exit_code)
     ->add_option("--stretch-ply", options->stretch_ply,
                  "Write IN as PLY, coloured by the logarithm of the area stretch")
     ->type_name("FILE");
-  command->footer("Example: spherical-parameterization map bunny.ply -o sphere.off --method automatic\n"
+  command->footer("Example: spherical-parameterization map bunny.ply -o sphere.off --report report.json\n"
                   "Exit code: 0 a certified map was written, 1 no map was written (stderr says why), 2 wrong usage,\n"
                   "130 interrupted.");
   command->callback([options, command, &exit_code] { exit_code = run_mesh_command(*command, map_command, *options); });

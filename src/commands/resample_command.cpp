@@ -5,6 +5,7 @@
 #include "commands/mesh_command.h"
 
 #include "mapping/mapped_mesh.h"
+#include "mapping/sampling_loss.h"
 #include "options/mesh_output.h"
 #include "options/usage.h"
 #include "output/atomic_file.h"
@@ -16,6 +17,7 @@
 #include <CLI/CLI.hpp>
 
 #include <memory>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -23,6 +25,9 @@ namespace tool {
 namespace {
 
 namespace SP = CGAL::Spherical_parameterization;
+
+/// What may be lost without a word, of the diagonal and of a side of the bounding box.
+constexpr double largest_distance = 0.01, largest_loss_of_box = 0.03;
 
 struct Resample_options : Mesh_options {
   std::string output_sphere;
@@ -78,8 +83,16 @@ void resample(const Resample_options& options, Outcome& outcome)
                out, out.points(), Surface::SPHERE, input.file->annotations);
   stop_if_interrupted(options.input);
   Atomic_file::commit_all({sphere_file.get(), &file});
-  outcome.line =
-    std::to_string(out.number_of_vertices()) + " vertices, " + std::to_string(out.number_of_faces()) + " faces";
+  const Sampling_loss loss = sampling_loss(input.mesh(), out, points);
+  std::ostringstream line;
+  line.precision(2);
+  line << out.number_of_vertices() << " vertices, " << out.number_of_faces() << " faces; " << input.result.method
+       << (input.result.method.empty() ? "" : " map; ") << "99 % of the shape is within " << 100 * loss.distance
+       << " % of its diagonal, the bounding box has lost " << 100 * loss.bounding_box << " %";
+  if(loss.distance > largest_distance || loss.bounding_box > largest_loss_of_box)
+    line << "; part of the shape is lost, where the map is small: try --method isometric, --area-exponent 30 or a "
+            "larger --level";
+  outcome.line = line.str();
   outcome.text = shown(options.output, "standard output") + ": " + outcome.line;
 }
 
@@ -92,6 +105,7 @@ void add_resample_command(CLI::App& app, int& exit_code)
 {
   CLI::App* command = app.add_subcommand("resample", "Sample a shape at the vertices of an icosphere");
   const auto options = std::make_shared<Resample_options>();
+  options->method = "isometric"; // which loses no limb
   add_collection_options(*command, *options);
   add_mapping_options(*command, *options);
   add_sphere_option(*command, *options);

@@ -88,6 +88,8 @@ void add_segment_command(CLI::App& app, int& exit_code)
 {
   CLI::App* command = app.add_subcommand("segment", "Segment a shape into body and limbs");
   const auto options = std::make_shared<Segment_options>();
+  options->method = "balanced"; // how harmonic maps shrink limbs is what tells them
+  options->weights = "clamped"; // as tuned
   add_collection_options(*command, *options);
   add_mapping_options(*command, *options);
   add_sphere_option(*command, *options);

@@ -49,12 +49,14 @@ Json own_options(const Weights&)
 {
   return Json::object();
 }
-Json own_options(const Conformal_weights& w) { return {{"min_angle", w.min_degrees}, {"max_angle", w.max_degrees}}; }
+Json own_options(const Clamped_weights& w) { return {{"min_angle", w.min_degrees}, {"max_angle", w.max_degrees}}; }
 Json own_options(const SP::Balanced& m) { return {{"spring_exponent", m.spring_exponent}}; }
 Json own_options(const SP::Isometric& m) { return {{"area_exponent", m.area_exponent}}; }
 Json own_options(const SP::Automatic& m)
 {
-  return {{"spring_exponent", m.spring_exponent}, {"area_exponent", m.area_exponent}};
+  return {{"spring_exponent", m.spring_exponent},
+          {"area_exponent", m.area_exponent},
+          {"largest_shrinkage", m.largest_shrinkage}};
 }
 Json own_options(const SP::Saddle_point& m)
 {
@@ -146,6 +148,7 @@ Json report_json(const Mapping_options& options, const Mapped_mesh& input, const
           {"residual", known(has_map, result.residual)},
           {"energy", known(has_map, result.energy)},
           {"flipped_faces", known(has_certificate, result.flipped_faces)},
+          {"moved_vertices", known(has_map, result.moved_vertices)},
           {"degree", known(has_certificate, result.degree)},
           {"smallest_area", known(has_map, result.smallest_area)},
           {"smallest_edge", known(has_map, result.smallest_edge)},

@@ -8,6 +8,7 @@
 
 #include <limits>
 #include <type_traits>
+#include <variant>
 #include <vector>
 
 namespace tool {
@@ -15,19 +16,21 @@ namespace {
 
 namespace SP = CGAL::Spherical_parameterization;
 
-/// Any of the weights, so that the solvers are compiled once per policy and method only.
-using Weights = std::function<double(Mesh::Edge_index)>;
+/// Any of the weights, so that reading is compiled once per policy and method only.
+using Weight_map = boost::function_property_map<std::function<double(Mesh::Edge_index)>, Mesh::Edge_index, double>;
+using Weights = std::variant<SP::Conformal_weights, Weight_map>;
 
-template <class Weight_map>
-Weights function_of(const Weight_map& weights)
+template <class Map>
+Weights function_of(const Map& weights)
 {
-  return [weights](Mesh::Edge_index e) { return get(weights, e); };
+  return Weight_map([weights](Mesh::Edge_index e) { return get(weights, e); });
 }
 
+Weights weights_of(const Mesh&, Conformal_weights) { return SP::Conformal_weights(); }
 Weights weights_of(const Mesh& mesh, Barycentric_weights) { return function_of(SP::barycentric_weights(mesh)); }
-Weights weights_of(const Mesh& mesh, Conformal_weights w)
+Weights weights_of(const Mesh& mesh, Clamped_weights w)
 {
-  return function_of(SP::conformal_weights(mesh, w.min_degrees, w.max_degrees));
+  return function_of(SP::clamped_weights(mesh, w.min_degrees, w.max_degrees));
 }
 Weights weights_of(const Mesh& mesh, Mean_value_weights) { return function_of(SP::mean_value_weights(mesh)); }
 
@@ -56,13 +59,12 @@ SP::Result map_to_sphere(const Mesh& mesh, Sphere& sphere, const Map_settings& s
     });
   const Weights weights =
     std::visit([&mesh](const auto& chosen) { return weights_of(mesh, chosen); }, settings.weights);
-  const auto weight_map = boost::make_function_property_map<Mesh::Edge_index>(std::cref(weights));
 
   return std::visit(
     [&](const auto& policy, const auto& method) {
       using Method = std::decay_t<decltype(method)>;
       const auto parameters =
-        CGAL::parameters::edge_weight_map(weight_map)
+        CGAL::parameters::edge_weight_map(weights)
           .vertex_is_constrained_map(is_fixed_map)
           .accuracy(settings.accuracy.value_or(Method::default_accuracy))
           .number_of_iterations(settings.iterations.value_or(Method::default_number_of_iterations))

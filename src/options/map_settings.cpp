@@ -18,12 +18,14 @@ namespace SP = CGAL::Spherical_parameterization;
 Map_settings map_settings(const Mapping_options& options)
 {
   Map_settings settings;
+  if(options.weights == "barycentric")
+    settings.weights = Barycentric_weights();
   if(options.weights == "mean-value")
     settings.weights = Mean_value_weights();
-  if(options.weights == "conformal") {
-    const Conformal_weights standard;
-    settings.weights = Conformal_weights{options.min_angle.value_or(standard.min_degrees),
-                                         options.max_angle.value_or(standard.max_degrees)};
+  if(options.weights == "clamped") {
+    const Clamped_weights standard;
+    settings.weights = Clamped_weights{options.min_angle.value_or(standard.min_degrees),
+                                       options.max_angle.value_or(standard.max_degrees)};
   }
 
   const double spring_exponent = options.spring_exponent.value_or(SP::Balanced().spring_exponent);
@@ -36,6 +38,7 @@ Map_settings map_settings(const Mapping_options& options)
     SP::Automatic method;
     method.spring_exponent = spring_exponent;
     method.area_exponent = area_exponent;
+    method.largest_shrinkage = options.largest_shrinkage.value_or(method.largest_shrinkage);
     settings.method = method;
   } else {
     SP::Saddle_point method;

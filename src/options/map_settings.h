@@ -19,15 +19,16 @@ namespace tool {
 struct Mapping_options;
 
 struct Barycentric_weights {};
+struct Conformal_weights {};
 struct Mean_value_weights {};
-struct Conformal_weights {
+struct Clamped_weights {
   double min_degrees = 5; ///< angles are clamped to this range
   double max_degrees = 85;
 };
 
 /// All that decides about the map of a given mesh.
 struct Map_settings {
-  std::variant<Barycentric_weights, Conformal_weights, Mean_value_weights> weights;
+  std::variant<Conformal_weights, Barycentric_weights, Clamped_weights, Mean_value_weights> weights;
   std::variant<CGAL::Spherical_parameterization::Balanced, CGAL::Spherical_parameterization::Saddle_point,
                CGAL::Spherical_parameterization::Isometric, CGAL::Spherical_parameterization::Automatic>
     method;

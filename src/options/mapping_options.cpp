@@ -27,11 +27,11 @@ std::string defaults(Number balanced, Number saddle_point, Number isometric)
 
 void check_weights(const Mapping_options& options)
 {
-  const bool is_conformal = options.weights == "conformal";
-  require(is_conformal || !options.min_angle, "--min-angle", "requires --weights conformal");
-  require(is_conformal || !options.max_angle, "--max-angle", "requires --weights conformal");
-  const double minimum = options.min_angle.value_or(Conformal_weights().min_degrees);
-  const double maximum = options.max_angle.value_or(Conformal_weights().max_degrees);
+  const bool is_clamped = options.weights == "clamped";
+  require(is_clamped || !options.min_angle, "--min-angle", "requires --weights clamped");
+  require(is_clamped || !options.max_angle, "--max-angle", "requires --weights clamped");
+  const double minimum = options.min_angle.value_or(Clamped_weights().min_degrees);
+  const double maximum = options.max_angle.value_or(Clamped_weights().max_degrees);
   require(minimum > 0 && minimum <= maximum && maximum < 90, options.min_angle ? "--min-angle" : "--max-angle",
           "the angles must satisfy 0 < --min-angle <= --max-angle < 90");
 }
@@ -45,6 +45,7 @@ void check_method(const Mapping_options& options)
           "requires --method balanced or automatic");
   require(options.method == "isometric" || is_automatic || !options.area_exponent, "--area-exponent",
           "requires --method isometric or automatic");
+  require(is_automatic || !options.largest_shrinkage, "--largest-shrinkage", "requires --method automatic");
   require(is_saddle_point || !options.splitting, "--splitting", saddle_point_only);
   require(is_saddle_point || !options.start, "--start", saddle_point_only);
   require(is_saddle_point || !options.relaxation, "--relaxation", saddle_point_only);
@@ -57,6 +58,7 @@ void check_method(const Mapping_options& options)
           "--spring-exponent", "must be in [2,1000)");
   require(!options.area_exponent || (*options.area_exponent >= 0 && *options.area_exponent < 1e3), "--area-exponent",
           "must be in [0,1000)");
+  require(!options.largest_shrinkage || *options.largest_shrinkage >= 1, "--largest-shrinkage", "must be 1 or more");
   require(options.check_interval.value_or(1) > 0, "--check-interval", "must be positive");
 }
 
@@ -113,22 +115,25 @@ void add_mapping_options(CLI::App& command, Mapping_options& options)
     return command.add_option(name, value, description)->group(group);
   };
   add("--weights", options.weights,
-      "Edge weights: barycentric (all 1), conformal (cotangent, preserves angles), mean-value")
-    ->check(CLI::IsMember({"barycentric", "conformal", "mean-value"}))
+      "Edge weights: conformal (preserves angles), clamped (cotangents of clamped angles, as published), barycentric "
+      "(all 1), mean-value")
+    ->check(CLI::IsMember({"conformal", "clamped", "barycentric", "mean-value"}))
     ->capture_default_str();
-  add("--min-angle", options.min_angle, "Conformal: lower bound to which angles are clamped, in degrees [5]");
-  add("--max-angle", options.max_angle, "Conformal: upper bound to which angles are clamped, in degrees [85]");
+  add("--min-angle", options.min_angle, "Clamped: lower bound to which angles are clamped, in degrees [5]");
+  add("--max-angle", options.max_angle, "Clamped: upper bound to which angles are clamped, in degrees [85]");
 
   group = "Method";
   add("--method", options.method,
-      "balanced (fast), saddle-point (as published), isometric (low length distortion, for every mesh), "
-      "automatic (the first valid map of balanced and isometric)")
-    ->check(CLI::IsMember({"balanced", "saddle-point", "isometric", "automatic"}))
+      "automatic (balanced where that is of use, else isometric), balanced (harmonic, fast), isometric (low length "
+      "distortion, for every mesh), saddle-point (as published)")
+    ->check(CLI::IsMember({"automatic", "balanced", "isometric", "saddle-point"}))
     ->capture_default_str();
   add("--spring-exponent", options.spring_exponent,
       "Balanced, automatic: exponent of the spring energy, >= 2; larger values equalize areas [2]");
   add("--area-exponent", options.area_exponent,
       "Isometric, automatic: 0 preserves angles, 1 lengths, 30 or more areas [1]");
+  add("--largest-shrinkage", options.largest_shrinkage,
+      "Automatic: how many times lengths may shrink, against their mean; beyond, the next method is tried [10000]");
   add("--splitting", options.splitting, "Saddle-point: splitting of the Laplacian for the sweeps [jacobi]")
     ->check(CLI::IsMember({"jacobi", "gauss-seidel"}));
   add("--relaxation", options.relaxation,

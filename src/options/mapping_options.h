@@ -42,9 +42,10 @@ struct Mapping_options {
   std::optional<double> min_angle;
   std::optional<double> max_angle;
 
-  std::string method = "balanced";
+  std::string method = "automatic";
   std::optional<double> spring_exponent;
   std::optional<double> area_exponent;
+  std::optional<double> largest_shrinkage;
   std::optional<std::string> splitting;
   std::optional<std::string> start;
   std::optional<double> relaxation;

@@ -49,6 +49,8 @@ double effective_weight(const Spring& s, const Sphere& sphere, double exponent)
 
 std::vector<Spring> make_springs(const Soup& soup, Weights weights)
 {
+  if(weights == Weights::CONFORMAL)
+    throw std::logic_error("conformal springs are no edges of the mesh");
   std::map<std::pair<std::size_t, std::size_t>, double> edges;
   auto add = [&](std::size_t i, std::size_t j, double w) { edges[std::minmax(i, j)] += w; };
   for(const auto& f : soup.faces) {
@@ -58,7 +60,7 @@ std::vector<Spring> make_springs(const Soup& soup, Weights weights)
       const std::size_t i = f[(k + 1) % 3], j = f[(k + 2) % 3];
       if(weights == Weights::BARYCENTRIC)
         add(i, j, 0.5); // twice
-      else if(weights == Weights::CONFORMAL) {
+      else if(weights == Weights::CLAMPED) {
         const double angle = std::min(std::max(angle_at(soup, f, k), 5 * pi / 180), 85 * pi / 180);
         add(i, j, 0.5 / std::tan(angle));
       } else {

@@ -11,7 +11,7 @@
 
 namespace test {
 
-enum class Weights { BARYCENTRIC, CONFORMAL, MEAN_VALUE };
+enum class Weights { BARYCENTRIC, CLAMPED, MEAN_VALUE, CONFORMAL };
 
 /// An edge as a spring.
 struct Spring {
@@ -20,8 +20,8 @@ struct Spring {
   double length; ///< in the source mesh, after its area is scaled to 4 pi
 };
 
-/// One spring per edge. Conformal weights are 1/2 (cot alpha + cot beta) with both angles clamped to [5, 85] degrees.
-/// Mean value weights are the mean of those of the two ends.
+/// One spring per edge. Clamped weights are 1/2 (cot alpha + cot beta) with both angles clamped to [5, 85] degrees.
+/// Mean value weights are the mean of those of the two ends. The springs of conformal weights are no edges of the mesh.
 std::vector<Spring> make_springs(const Soup& soup, Weights weights);
 
 /// Faces (a, b, c) with orientation(O, a, b, c) <= 0, by an exact predicate.

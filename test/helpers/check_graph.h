@@ -55,6 +55,7 @@ void check_same_map(const Graph& graph, const Soup& soup, double tolerance = 1e-
   settings.accuracy = 1e-11;
 
   // conformal weights are the default
+  settings.weights = Weights::CONFORMAL;
   std::map<vertex_descriptor, typename Graph_kernel::Point_3> images;
   const Writable_map<vertex_descriptor, typename Graph_kernel::Point_3> sphere_map{&images};
   Result result = SP::parameterize(graph, sphere_map, CGAL::parameters::accuracy(settings.accuracy));

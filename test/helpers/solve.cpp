@@ -40,24 +40,28 @@ std::vector<double> edge_weights(const Mesh& mesh, Weights weights)
 {
   switch(weights) {
   case Weights::BARYCENTRIC: return values(mesh, SP::barycentric_weights(mesh));
-  case Weights::CONFORMAL: return values(mesh, SP::conformal_weights(mesh));
+  case Weights::CLAMPED: return values(mesh, SP::clamped_weights(mesh));
   case Weights::MEAN_VALUE: return values(mesh, SP::mean_value_weights(mesh));
+  case Weights::CONFORMAL: break;
   }
-  throw std::logic_error("unknown weights");
+  throw std::logic_error("these weights are not of edges");
 }
 
 } // namespace
 
 Result solve(const Mesh& mesh, Sphere& sphere, const Settings& settings)
 {
-  std::vector<double> weights = edge_weights(mesh, settings.weights);
+  const bool is_conformal = settings.weights == Weights::CONFORMAL;
+  std::vector<double> weights = is_conformal ? std::vector<double>() : edge_weights(mesh, settings.weights);
   for(const auto& [edge, weight] : settings.weight_of_edge)
     weights.at(edge) = weight;
   sphere.resize(mesh.number_of_vertices(), Point(0, 0, 0));
   for(const auto& [vertex, position] : settings.fixed)
     sphere.at(vertex) = position;
 
-  const Readable_map<Edge, double> weight_map{[&](Edge e) { return weights[e.idx()]; }};
+  typedef std::variant<SP::Conformal_weights, Readable_map<Edge, double>> Either;
+  const Either weight_map = is_conformal ? Either(SP::Conformal_weights())
+                                         : Readable_map<Edge, double>{[&](Edge e) { return weights[e.idx()]; }};
   const Readable_map<Vertex, bool> fixed_map{[&](Vertex v) { return settings.fixed.count(v) != 0; }};
   const auto named_parameters = CGAL::parameters::edge_weight_map(weight_map)
                                   .vertex_is_constrained_map(fixed_map)

@@ -27,8 +27,8 @@ using Splitting = SP::Saddle_point::Splitting;
 struct Settings {
   Policy policy = default_policy();
   std::variant<SP::Balanced, SP::Saddle_point, SP::Isometric, SP::Automatic> method = SP::Balanced();
-  Weights weights = Weights::CONFORMAL;
-  /// weights that differ from those of `weights`, by the number of the edge
+  Weights weights = Weights::CLAMPED; ///< springs that the checks know: those of the default are no edges of the mesh
+  /// weights that differ from those of `weights`, which are not conformal, by the number of the edge
   std::map<std::size_t, double> weight_of_edge = {};
   double accuracy = SP::Balanced::default_accuracy;
   std::size_t number_of_iterations = SP::Balanced::default_number_of_iterations;

@@ -16,6 +16,14 @@ using namespace test;
 
 namespace {
 
+/// What the shortest call does.
+Settings by_default()
+{
+  Settings settings;
+  settings.weights = Weights::CONFORMAL;
+  return settings;
+}
+
 using Vertex = Mesh::Vertex_index;
 using Edge = Mesh::Edge_index;
 
@@ -48,7 +56,7 @@ TEMPLATE_TEST_CASE("any value type that is made from three numbers", "[property_
   const Result result = SP::parameterize(mesh, Writable_map<Vertex, TestType>{&images});
   CAPTURE(result);
   REQUIRE(result);
-  CHECK(distance(solve_or_throw(soup), collect(images)) == 0);
+  CHECK(distance(solve_or_throw(soup, by_default()), collect(images)) == 0);
 }
 
 TEST_CASE("measuring reads maps of any value type with three coordinates", "[property_maps]")
@@ -74,7 +82,7 @@ TEST_CASE("a property map of the mesh holds the sphere", "[property_maps]")
   Sphere sphere;
   for(Vertex v : vertices(mesh))
     sphere.push_back(sphere_map[v]);
-  CHECK(distance(solve_or_throw(soup), sphere) == 0);
+  CHECK(distance(solve_or_throw(soup, by_default()), sphere) == 0);
 }
 
 TEST_CASE("the mesh may be mapped over its own points", "[property_maps]")
@@ -82,7 +90,7 @@ TEST_CASE("the mesh may be mapped over its own points", "[property_maps]")
   const Soup soup = bumpy_sphere(2);
   Mesh mesh = make_mesh(soup);
   REQUIRE(SP::parameterize(mesh, mesh.points()));
-  CHECK(distance(solve_or_throw(soup), make_soup(mesh).points) == 0);
+  CHECK(distance(solve_or_throw(soup, by_default()), make_soup(mesh).points) == 0);
 }
 
 TEST_CASE("a minimal point map replaces the points of the mesh", "[property_maps]")
@@ -94,8 +102,8 @@ TEST_CASE("a minimal point map replaces the points of the mesh", "[property_maps
   std::map<Vertex, Point> images;
   const Writable_map<Vertex, Point> sphere_map{&images};
   REQUIRE(SP::parameterize(mesh, sphere_map, CGAL::parameters::vertex_point_map(point_map)));
-  CHECK(distance(solve_or_throw(soup), collect(images)) == 0);
-  CHECK(distance_up_to_rotation(solve_or_throw(other), collect(images)) > 0.01);
+  CHECK(distance(solve_or_throw(soup, by_default()), collect(images)) == 0);
+  CHECK(distance_up_to_rotation(solve_or_throw(other, by_default()), collect(images)) > 0.01);
 }
 
 TEST_CASE("minimal weight and constraint maps", "[property_maps]")

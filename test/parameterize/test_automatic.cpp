@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <vector>
 
 using namespace test;
@@ -48,6 +49,47 @@ TEST_CASE("automatic: isometric where no harmonic map is valid", "[automatic][ea
   CHECK(result.fallback_reason.find("balanced: ") == 0);
   CHECK(result.fallback_reason.find("balanced with exponent 3: ") != std::string::npos);
   CHECK(result.fallback_reason.find("flipped") != std::string::npos);
+}
+
+TEST_CASE("automatic: a valid map that leaves nothing of a limb is passed over, with the reason", "[automatic]")
+{
+  const Soup soup = capsule(6, 24);
+  Settings settings;
+  Sphere sphere, first;
+  REQUIRE(solve(soup, first, settings)); // it is valid
+  Result result = solve_automatically(soup, sphere, settings);
+  CHECK(result.method == "isometric");
+  CHECK(result.fallback_reason.find("balanced: valid, but lengths shrink more than 1e+04 times on ") == 0);
+  REQUIRE(result.attempts.size() == 2);
+  CHECK(result.attempts[0].error == Error_code::OK);
+  CHECK_FALSE(result.attempts[0].detail.empty());
+
+  SP::Automatic any;
+  any.largest_shrinkage = std::numeric_limits<double>::infinity();
+  settings.method = any;
+  result = solve(soup, sphere, settings);
+  CHECK(result.method == "balanced");
+  CHECK(result.fallback_reason.empty());
+  CHECK(sphere == first);
+}
+
+TEST_CASE("automatic: an extreme map is better than none", "[automatic]")
+{
+  // vertices are fixed, which the isometric method cannot keep
+  const Soup soup = capsule(6, 24);
+  Settings settings;
+  Sphere first, sphere;
+  REQUIRE(solve(soup, first, settings));
+  for(std::size_t i = 0; i < first.size(); i += 3)
+    settings.fixed[i] = first[i];
+  settings.method = SP::Automatic();
+  const Result result = solve(soup, sphere, settings);
+  CAPTURE(result);
+  if(result.method == "balanced" && result) {
+    CHECK(result.fallback_reason.find("balanced: valid, but") == 0);
+    CHECK(sphere[0] == first[0]);
+  } else
+    CHECK(result.method == "isometric");
 }
 
 TEST_CASE("automatic: tubes of any length, spirals, combs, trees and needles have valid maps", "[automatic]")

@@ -95,7 +95,7 @@ TEST_CASE("non-manifold vertices are refused", "[errors]")
 
 TEST_CASE("coordinates that are not finite are refused, with the vertex", "[errors]")
 {
-  const Weights weights = GENERATE(Weights::BARYCENTRIC, Weights::CONFORMAL);
+  const Weights weights = GENERATE(Weights::BARYCENTRIC, Weights::CLAMPED);
   Settings settings;
   settings.weights = weights;
   const Result with_nan = solve_any(nan_coordinate(), settings);
@@ -109,7 +109,7 @@ TEST_CASE("coordinates that are not finite are refused, with the vertex", "[erro
 TEST_CASE("zero-area faces are refused only where the weights need an area", "[errors]")
 {
   Settings settings;
-  settings.weights = GENERATE(Weights::BARYCENTRIC, Weights::CONFORMAL); // whose angles are clamped
+  settings.weights = GENERATE(Weights::BARYCENTRIC, Weights::CLAMPED); // whose angles are clamped
   solve_or_throw(collinear_face(), settings);
   solve_or_throw(coincident_points(), settings);
 

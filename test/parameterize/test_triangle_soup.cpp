@@ -61,7 +61,9 @@ TEST_CASE("a soup has the map of the mesh, to the last bit", "[soup]")
   SECTION("balanced")
   {
     Sphere expected;
-    const Result of_mesh = solve(soup, expected);
+    Settings settings;
+    settings.weights = Weights::CONFORMAL; // the default
+    const Result of_mesh = solve(soup, expected, settings);
     const Result of_soup = SP::parameterize_triangle_soup(points_of(soup), triangles_of(soup), sphere);
     CHECK(sphere == as_points(expected));
     CHECK(of_soup.error == of_mesh.error);

@@ -31,20 +31,20 @@ TEST_CASE("barycentric weights are one", "[weights]")
     CHECK(get(weights, e) == 1);
 }
 
-TEST_CASE("conformal weights are half the sum of two clamped cotangents", "[weights]")
+TEST_CASE("clamped weights are half the sum of two clamped cotangents", "[weights]")
 {
   const Soup soup = GENERATE(0, 1) == 0 ? bumpy_sphere(3) : ellipsoid(1, 1, 30, 3);
   const Mesh mesh = make_mesh(soup);
-  const auto weights = SP::conformal_weights(mesh);
+  const auto weights = SP::clamped_weights(mesh);
   bool clamped = false;
-  for(const Spring& s : make_springs(soup, Weights::CONFORMAL)) {
+  for(const Spring& s : make_springs(soup, Weights::CLAMPED)) {
     CHECK(get(weights, edge_between(mesh, s)) == Approx(s.weight).epsilon(1e-12));
     clamped = clamped || s.weight < 0.1;
   }
   CHECK(clamped);
 }
 
-TEST_CASE("the clamping bounds of conformal weights are parameters", "[weights]")
+TEST_CASE("the clamping bounds of clamped weights are parameters", "[weights]")
 {
   const double degree = std::acos(-1.) / 180;
   const Mesh needles = make_mesh(ellipsoid(1, 1, 100, 3));
@@ -56,23 +56,23 @@ TEST_CASE("the clamping bounds of conformal weights are parameters", "[weights]"
     }
     return result;
   };
-  const auto narrow = extremes(SP::conformal_weights(needles, 30, 60));
+  const auto narrow = extremes(SP::clamped_weights(needles, 30, 60));
   CHECK(narrow.first >= 1 / std::tan(60 * degree) * (1 - 1e-12));
   CHECK(narrow.second <= 1 / std::tan(30 * degree) * (1 + 1e-12));
-  const auto standard = extremes(SP::conformal_weights(needles));
+  const auto standard = extremes(SP::clamped_weights(needles));
   CHECK(standard.first < narrow.first);
   CHECK(standard.second > narrow.second);
   CHECK(standard.first >= 1 / std::tan(85 * degree) * (1 - 1e-12));
   CHECK(standard.second <= 1 / std::tan(5 * degree) * (1 + 1e-12));
 }
 
-TEST_CASE("conformal weights take the points of a point map", "[weights]")
+TEST_CASE("clamped weights take the points of a point map", "[weights]")
 {
   const Soup soup = bumpy_sphere(2);
   const Mesh mesh = make_mesh(ellipsoid(1, 2, 3, 2));
   const Readable_map<Mesh::Vertex_index, Point> points{[&](const Mesh::Vertex_index& v) { return soup.points[v]; }};
-  const auto weights = SP::conformal_weights(mesh, 5, 85, CGAL::parameters::vertex_point_map(points));
-  for(const Spring& s : make_springs(soup, Weights::CONFORMAL))
+  const auto weights = SP::clamped_weights(mesh, 5, 85, CGAL::parameters::vertex_point_map(points));
+  for(const Spring& s : make_springs(soup, Weights::CLAMPED))
     CHECK(get(weights, edge_between(mesh, s)) == Approx(s.weight).epsilon(1e-12));
 }
 
@@ -85,13 +85,13 @@ TEST_CASE("mean value weights are the mean of those of the two ends of an edge",
     CHECK(get(weights, edge_between(mesh, s)) == Approx(s.weight).epsilon(1e-12));
 }
 
-TEST_CASE("conformal weights do not change with the size of the mesh", "[weights]")
+TEST_CASE("clamped weights do not change with the size of the mesh", "[weights]")
 {
   const double scale = GENERATE(1e-100, 1e-6, 1e6, 1e100);
   const Mesh mesh = make_mesh(bumpy_sphere(2));
   const Mesh scaled = make_mesh(
     transformed(bumpy_sphere(2), [=](const Point& p) { return Point(scale * p.x(), scale * p.y(), scale * p.z()); }));
-  const auto weights = SP::conformal_weights(mesh), scaled_weights = SP::conformal_weights(scaled);
+  const auto weights = SP::clamped_weights(mesh), scaled_weights = SP::clamped_weights(scaled);
   for(auto e : edges(mesh))
     CHECK(get(scaled_weights, e) == Approx(get(weights, e)).epsilon(1e-10));
 }

@@ -33,7 +33,7 @@ Shape_signature signature_of(const Mesh& mesh, const Sphere& sphere)
   return SP::shape_signature(mesh, Readable_map<Vertex, Point>{[&](const Vertex& v) { return sphere[v]; }});
 }
 
-Shape_signature signature_of(const Soup& soup, Weights weights = Weights::CONFORMAL)
+Shape_signature signature_of(const Soup& soup, Weights weights = Weights::CLAMPED)
 {
   Settings settings;
   settings.weights = weights;

@@ -37,7 +37,9 @@ TEST_CASE("map: the sphere has the vertices and faces of the input, in their ord
   CHECK(sphere.faces == soup.faces);
   CHECK(count_flipped_faces(soup, sphere.points) == 0);
   CHECK(degree(soup, sphere.points) == 1);
-  CHECK(distance(sphere.points, solve_or_throw(soup)) < 1e-7);
+  Settings settings;
+  settings.weights = Weights::CONFORMAL; // the default
+  CHECK(distance(sphere.points, solve_or_throw(soup, settings)) < 1e-7);
   CHECK(count_vertices_off_sphere(sphere.points) == 0); // which takes all digits
 }
 
@@ -66,17 +68,19 @@ TEST_CASE("map: weights and methods are those of the library", "[tool]")
   const Soup soup = bumpy_sphere(2);
   const std::string input = write_off(scratch / "in.off", soup), output = scratch / "out.off";
   Settings settings;
-  std::vector<std::string> arguments = {"map", input, "-o", output};
-  SECTION("barycentric")
+  std::vector<std::string> arguments = {"map", input, "-o", output, "--policy", "sequential"};
+  const auto weights = [&](const std::string& name, Weights chosen) {
+    arguments.insert(arguments.end(), {"--method", "balanced", "--weights", name});
+    settings.weights = chosen;
+  };
+  SECTION("barycentric") { weights("barycentric", Weights::BARYCENTRIC); }
+  SECTION("clamped") { weights("clamped", Weights::CLAMPED); }
+  SECTION("conformal") { weights("conformal", Weights::CONFORMAL); }
+  SECTION("mean value") { weights("mean-value", Weights::MEAN_VALUE); }
+  SECTION("the default: automatic, conformal")
   {
-    arguments.insert(arguments.end(), {"--weights", "barycentric"});
-    settings.weights = Weights::BARYCENTRIC;
-  }
-  SECTION("conformal") { arguments.insert(arguments.end(), {"--weights", "conformal"}); }
-  SECTION("mean value")
-  {
-    arguments.insert(arguments.end(), {"--weights", "mean-value"});
-    settings.weights = Weights::MEAN_VALUE;
+    settings.weights = Weights::CONFORMAL;
+    settings.method = SP::Automatic();
   }
   SECTION("published method, twelve vertices fixed")
   {
@@ -87,7 +91,8 @@ TEST_CASE("map: weights and methods are those of the library", "[tool]")
       settings.fixed[i] = natural[i];
       fixed << i << ' ' << natural[i] << '\n';
     }
-    arguments.insert(arguments.end(), {"--method", "saddle-point", "--fixed", scratch / "fixed.txt"});
+    arguments.insert(arguments.end(),
+                     {"--weights", "clamped", "--method", "saddle-point", "--fixed", scratch / "fixed.txt"});
     settings.method = SP::Saddle_point();
     settings.accuracy = SP::Saddle_point::default_accuracy;
     settings.number_of_iterations = SP::Saddle_point::default_number_of_iterations;
@@ -112,7 +117,9 @@ TEST_CASE("map: the report says what was done and how good the map is", "[tool]"
   CHECK(report.at("vertices") == soup.points.size());
   CHECK(report.at("faces") == soup.faces.size());
   CHECK(report.at("weights") == "barycentric");
-  CHECK(report.at("method") == "balanced");
+  CHECK(report.at("method") == "automatic");
+  CHECK(report.at("method_used") == "balanced");
+  CHECK(report.at("moved_vertices") == 0);
   CHECK(report.at("policy") == "sequential");
   CHECK(report.at("device") == "one core");
   CHECK(report.at("iterations") > 0);
@@ -146,8 +153,16 @@ TEST_CASE("map: the report has all settings, given or default", "[tool]")
     run_tool(arguments); // the settings are there whether there is a map or not
     return nlohmann::json::parse(text_of(scratch / "report.json")).at("settings");
   };
-  auto of_balanced = settings({"--min-angle", "7", "--policy", "sequential"});
-  CHECK(of_balanced.at("weights") == "conformal");
+  const auto of_automatic = settings({});
+  CHECK(of_automatic.at("weights") == "conformal");
+  CHECK(of_automatic.count("min_angle") == 0);
+  CHECK(of_automatic.at("method") == "automatic");
+  CHECK(of_automatic.at("largest_shrinkage") == SP::Automatic().largest_shrinkage);
+  CHECK(settings({"--largest-shrinkage", "1e6"}).at("largest_shrinkage") == 1e6);
+
+  const auto of_balanced =
+    settings({"--method", "balanced", "--weights", "clamped", "--min-angle", "7", "--policy", "sequential"});
+  CHECK(of_balanced.at("weights") == "clamped");
   CHECK(of_balanced.at("min_angle") == 7);
   CHECK(of_balanced.at("max_angle") == 85);
   CHECK(of_balanced.at("method") == "balanced");
@@ -168,6 +183,26 @@ TEST_CASE("map: the report has all settings, given or default", "[tool]")
   CHECK(of_saddle_point.at("relaxation") == SP::Saddle_point().relaxation);
   CHECK(of_saddle_point.at("iterations") == 3);
   CHECK(settings({"--method", "isometric", "--area-exponent", "2", "--max-time", "1e-9"}).at("area_exponent") == 2);
+}
+
+TEST_CASE("map: a map that leaves nothing of a limb is passed over, and the reason is said", "[tool]")
+{
+  Scratch scratch;
+  const std::string tube = write_off(scratch / "tube.off", capsule(6, 24));
+  const auto map = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> arguments = {"map", tube, "-o", scratch / "out.off", "--report", scratch / "report.json"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Process_result run = run_tool(arguments);
+    CAPTURE(run.err);
+    REQUIRE(run.exit_code == 0);
+    return std::pair(run.out, nlohmann::json::parse(text_of(scratch / "report.json")));
+  };
+  const auto [words, report] = map({});
+  CHECK(report.at("method_used") == "isometric");
+  const std::string reason = report.at("fallback_reason");
+  CHECK(reason.find("lengths shrink more than 1e+04 times") != std::string::npos);
+  CHECK(words.find(reason) != std::string::npos);
+  CHECK(map({"--largest-shrinkage", "1e30"}).second.at("method_used") == "balanced");
 }
 
 TEST_CASE("map: the report of a refusal says why", "[tool]")
@@ -310,16 +345,16 @@ TEST_CASE("map: what stops early or does not converge leaves no file", "[tool]")
   Scratch scratch;
   const std::string input = write_off(scratch / "in.off", dumbbell(3));
   check_refused(scratch, input, "time", {"--max-time", "1e-9"});
-  check_refused(scratch, input, "accuracy", {"--accuracy", "1e-30"});
+  check_refused(scratch, input, "accuracy", {"--method", "balanced", "--accuracy", "1e-30"});
   const std::string tube = write_off(scratch / "tube.off", capsule(20, 12));
-  check_refused(scratch, tube, "flipped");
+  check_refused(scratch, tube, "flipped", {"--method", "balanced"});
 }
 
 TEST_CASE("map: a refusal gives its advice once", "[tool]")
 {
   Scratch scratch;
   const std::string tube = write_off(scratch / "tube.off", capsule(20, 12));
-  const std::string text = run_tool({"map", tube, "-o", scratch / "out.off"}).err;
+  const std::string text = run_tool({"map", tube, "-o", scratch / "out.off", "--method", "balanced"}).err;
   CAPTURE(text);
   const std::size_t first = text.find("automatic");
   REQUIRE(first != std::string::npos);

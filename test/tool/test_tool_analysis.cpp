@@ -176,6 +176,31 @@ TEST_CASE("resample: vertices and faces of an icosphere, points of the shape", "
   }
 }
 
+TEST_CASE("resample: no limb is lost by default, and what is lost otherwise is said", "[tool]")
+{
+  Scratch scratch;
+  const Soup soup = body_with_limbs({{Vector(0, 0, 1), 0.3, 4}}, 4).soup;
+  const std::string input = write_off(scratch / "in.off", soup), output = scratch / "out.off";
+  const auto length = [](const Soup& s) {
+    const auto [low, high] = std::minmax_element(s.points.begin(), s.points.end(),
+                                                 [](const Point& a, const Point& b) { return a.z() < b.z(); });
+    return high->z() - low->z();
+  };
+  const Process_result good = run_tool({"resample", input, "-o", output, "--level", "5"});
+  CAPTURE(good.out, good.err);
+  REQUIRE(good.exit_code == 0);
+  CHECK(good.err.empty());
+  CHECK(good.out.find("isometric map; 99 % of the shape is within ") != std::string::npos);
+  CHECK(length(read(output)) > 0.97 * length(soup));
+
+  const Process_result bad = run_tool({"resample", input, "-o", output, "--level", "3", "--method", "balanced"});
+  CAPTURE(bad.out, bad.err);
+  REQUIRE(bad.exit_code == 0);
+  CHECK(is_one_line(bad.err));
+  CHECK(bad.out.find("part of the shape is lost") != std::string::npos);
+  CHECK(bad.out.find("balanced map") != std::string::npos);
+}
+
 TEST_CASE("segment: one label per face, and colours for them", "[tool]")
 {
   Scratch scratch;
@@ -249,10 +274,11 @@ TEST_CASE("option --sphere: the map of 'map' gives the same as mapping again", "
   const std::string input = write_off(scratch / "in.off", bumpy_sphere(3));
   const std::string format = GENERATE("off", "obj", "ply");
   const std::string sphere = scratch / ("sphere." + format);
-  REQUIRE(run_tool({"map", input, "-o", sphere}).exit_code == 0);
+  const std::vector<std::string> how = {"--method", "balanced", "--weights", "clamped"};
+  REQUIRE(run_tool(with({"map", input, "-o", sphere}, how)).exit_code == 0);
   for(const std::string command : {"texture", "resample", "segment"}) {
     const std::vector<std::string> arguments = command_line(command, input, scratch);
-    REQUIRE(run_tool(arguments).exit_code == 0);
+    REQUIRE(run_tool(with(arguments, how)).exit_code == 0);
     const std::string mapped = text_of(arguments.back());
     const Process_result run = run_tool(with(arguments, {"--sphere", sphere}));
     CAPTURE(run.err);
@@ -328,7 +354,7 @@ TEST_CASE("commands that use a map refuse what 'map' refuses, and write nothing"
     check_exit(run_tool(command_line(command, torus_file, scratch)), "genus");
     check_exit(run_tool(with(command_line(command, tube, scratch), {"--max-time", "1e-9"})), "time");
     if(command != "segment") // which needs no certified map
-      check_exit(run_tool(command_line(command, tube, scratch)), "flipped");
+      check_exit(run_tool(with(command_line(command, tube, scratch), {"--method", "balanced"})), "flipped");
   }
   CHECK(scratch.number_of_files() == 2);
 }

@@ -167,9 +167,9 @@ TEST_CASE("completion in bash: commands and options", "[tool]")
 TEST_CASE("completion in bash: values", "[tool]")
 {
   CHECK(completions({"map", "--method", ""}) == Words{"automatic", "balanced", "isometric", "saddle-point"});
-  CHECK(completions({"segment", "in.off", "--weights", "c"}) == Words{"conformal"});
+  CHECK(completions({"segment", "in.off", "--weights", "c"}) == Words{"clamped", "conformal"});
   CHECK(completions({"map", "--weights", "=", "mean"}) == Words{"mean-value"});
-  CHECK(completions({"map", "--weights", "="}).size() == 3);
+  CHECK(completions({"map", "--weights", "="}).size() == 4);
   CHECK(completions({"map", "--policy", "seq"}) == Words{"sequential"});
   CHECK(completions({"texture", "--chart", ""}) == Words{"latitude-longitude", "octahedral"});
   CHECK(completions({"map", "--accuracy", ""}).empty());

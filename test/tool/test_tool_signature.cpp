@@ -118,7 +118,7 @@ TEST_CASE("signature: a row for every mesh, in the order of the names", "[tool][
       CHECK(line.find(",UNREADABLE_FILE,,") != std::string::npos);
     else {
       CHECK(commas(line) == 4 + 96);
-      CHECK((&line == &lines[0] || line.find(".off,2562,OK,conformal,,") != std::string::npos));
+      CHECK((&line == &lines[0] || line.find(".off,2562,OK,clamped,,") != std::string::npos));
     }
   }
 }
@@ -168,7 +168,7 @@ TEST_CASE("signature: bad meshes have a row that says why, in one line", "[tool]
     const std::vector<std::string> lines = lines_of(text_of(output));
     REQUIRE(lines.size() == 4);
     CHECK(lines[1].find(",BOUNDARY,") != std::string::npos);
-    CHECK(lines[2].find(",162,OK,conformal,,") != std::string::npos);
+    CHECK(lines[2].find(",162,OK,clamped,,") != std::string::npos);
     CHECK(lines[3].find("does not exist") != std::string::npos);
   }
   SECTION("alone")

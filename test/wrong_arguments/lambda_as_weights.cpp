@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Does not compile: edge_weight_map has to be a readable property map
+// Does not compile: edge_weight_map has to be Conformal_weights, or a readable property map
 #include <CGAL/Spherical_parameterization/parameterize.h>
 
 #include <boost/property_map/function_property_map.hpp>

@@ -72,7 +72,7 @@ val to_object(const SP::Distortion_summary& d)
   return object;
 }
 
-/// Any of the weights as one edge map, so that the solvers are compiled once per method only.
+/// Any of the weights of edges as one map, so that the solvers are compiled once per method only.
 struct Weight_map {
   using key_type = Mesh::Edge_index;
   using value_type = double;
@@ -80,7 +80,7 @@ struct Weight_map {
   using category = boost::readable_property_map_tag;
 
   std::variant<decltype(SP::barycentric_weights(std::declval<const Mesh&>())),
-               decltype(SP::conformal_weights(std::declval<const Mesh&>())),
+               decltype(SP::clamped_weights(std::declval<const Mesh&>())),
                decltype(SP::mean_value_weights(std::declval<const Mesh&>()))>
     weights;
 
@@ -90,13 +90,15 @@ struct Weight_map {
   }
 };
 
-Weight_map weight_map(const Mesh& mesh, const std::string& name)
+std::variant<SP::Conformal_weights, Weight_map> weights_of(const Mesh& mesh, const std::string& name)
 {
   if(name == "barycentric")
-    return {SP::barycentric_weights(mesh)};
+    return Weight_map{SP::barycentric_weights(mesh)};
   if(name == "mean-value")
-    return {SP::mean_value_weights(mesh)};
-  return {SP::conformal_weights(mesh)};
+    return Weight_map{SP::mean_value_weights(mesh)};
+  if(name == "clamped")
+    return Weight_map{SP::clamped_weights(mesh)};
+  return SP::Conformal_weights();
 }
 
 template <class Method>
@@ -105,7 +107,7 @@ SP::Result map_by(const Mesh& mesh, Points& sphere, const Method& method, const 
   const auto go_on = [&hear](double fraction) { return hear(std::string("progress"), fraction).template as<bool>(); };
   return SP::parameterize(
     CGAL::Sequential_tag(), mesh, method, as_map<Mesh::Vertex_index>(sphere),
-    CGAL::parameters::edge_weight_map(weight_map(mesh, settings["weights"].as<std::string>())).callback(go_on));
+    CGAL::parameters::edge_weight_map(weights_of(mesh, settings["weights"].as<std::string>())).callback(go_on));
 }
 
 SP::Result map_by_settings(const Mesh& mesh, Points& sphere, const val& settings, const val& hear)
@@ -147,6 +149,7 @@ void write_result(const SP::Result& result, val& answer)
   answer.set("residual", result.residual);
   answer.set("energy", result.energy);
   answer.set("flipped_faces", static_cast<double>(result.flipped_faces));
+  answer.set("moved_vertices", static_cast<double>(result.moved_vertices));
   answer.set("degree", result.degree);
   answer.set("smallest_area", result.smallest_area);
   answer.set("smallest_edge", result.smallest_edge);

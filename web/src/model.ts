@@ -26,6 +26,7 @@ export interface Report {
   residual?: number;
   energy?: number;
   flipped_faces?: number;
+  moved_vertices?: number;
   degree?: number;
   distortion?: Record<string, unknown>;
   seconds?: Record<string, number>;

@@ -9,7 +9,7 @@ import type { Mesh, Report } from "./model";
 
 /// How to map, by the names of the tool's options.
 export interface Settings {
-  weights: "conformal" | "barycentric" | "mean-value";
+  weights: "conformal" | "clamped" | "barycentric" | "mean-value";
   method: "balanced" | "automatic" | "isometric" | "saddle-point";
   spring_exponent: number;
   area_exponent: number;

@@ -44,7 +44,7 @@ function compare(file, settings = {}) {
 
 /// Every setting on a small mesh, the page's defaults on its examples.
 const settings = [
-  ...["conformal", "barycentric", "mean-value"].map((weights) => ({ method: "balanced", weights })),
+  ...["conformal", "clamped", "barycentric", "mean-value"].map((weights) => ({ method: "balanced", weights })),
   ...[2.3, 2.5, 3].map((spring_exponent) => ({ method: "balanced", spring_exponent })),
   ...[0, 0.3, 0.5, 1, 2].map((area_exponent) => ({ method: "isometric", area_exponent })),
 ];

@@ -14,7 +14,7 @@
 ///
 /// \cgalHasModelsBegin
 /// \cgalHasModel{`CGAL::Spherical_parameterization::Barycentric_weight_map`}
-/// \cgalHasModel{`CGAL::Spherical_parameterization::Conformal_weight_map`}
+/// \cgalHasModel{`CGAL::Spherical_parameterization::Clamped_weight_map`}
 /// \cgalHasModel{`CGAL::Spherical_parameterization::Mean_value_weight_map`}
 /// \cgalHasModelsEnd
 class SphericalParameterizationWeightMap {

@@ -27,21 +27,24 @@ struct Result {
   /// \name Certificate
   /// By exact predicates, on the coordinates as the sphere map stores them: floats are rounded first.
   /// @{
-  std::size_t flipped_faces = 0; ///< faces (a,b,c) with orientation(O,a,b,c) <= 0
-  int degree = 0;                ///< how often the map covers the sphere; 1 for a valid one
-  double residual = 0;           ///< L2 norm over the free vertices (not divided by their number) of the residual of
-                                 ///< the equation that the method solves, relative to the weight sum of a vertex;
-                                 ///< `Isometric`: relative gain of energy that the last step predicted
-  double energy = 0;             ///< spring energy of the map, 1/p * sum over edges; `Isometric`: mean distortion;
-                                 ///< infinite if it exceeds the range of doubles
-  double smallest_area = 0;      ///< of all spherical triangles, without sign; below 1e-26 rounding flips faces
-  double smallest_edge = 0;      ///< length of the shortest chord, in units of 2^-52, the rounding error
+  std::size_t flipped_faces = 0;  ///< faces (a,b,c) with orientation(O,a,b,c) <= 0
+  std::size_t moved_vertices = 0; ///< `Conformal_weights`: vertices that were moved from where the springs pull them,
+                                  ///< for their faces; residual and energy are those before
+  int degree = 0;                 ///< how often the map covers the sphere; 1 for a valid one
+  double residual = 0;            ///< L2 norm over the free vertices (not divided by their number) of the residual of
+                                  ///< the equation that the method solves, relative to the weight sum of a vertex;
+                                  ///< `Isometric`: relative gain of energy that the last step predicted
+  double energy = 0;              ///< spring energy of the map, 1/p * sum over edges; `Isometric`: mean distortion;
+                                  ///< infinite if it exceeds the range of doubles
+  double smallest_area = 0;       ///< of all spherical triangles, without sign; below 1e-26 rounding flips faces
+  double smallest_edge = 0;       ///< length of the shortest chord, in units of 2^-52, the rounding error
   /// @}
 
   /// \name Method
   /// @{
   std::string method;          ///< method of the map: "balanced", "balanced with exponent 3", "isometric", ...
-  std::string fallback_reason; ///< `Automatic`: what was wrong with the attempts before; empty if there were none
+  std::string fallback_reason; ///< `Automatic`: why not the map of a method before, or that it is too extreme if it
+                               ///< is the best; else empty
   /// @}
 
   /// \name Work
@@ -54,14 +57,14 @@ struct Result {
     double read = 0;      ///< reading the mesh into arrays, with all checks of the input
     double start_map = 0; ///< set-up of the multigrid hierarchy, and the start map; of all attempts
     double solve = 0;     ///< from the start map to the result; of all attempts
-    double certify = 0;   ///< certificates of all attempts, and writing the property map
+    double certify = 0;   ///< certificates of all attempts, moving vertices for them, and writing the property map
     double total = 0;     ///< the whole call
   };
   /// A method that was tried, and its outcome.
   struct Attempt {
     std::string method;                ///< its name
     Error_code error = Error_code::OK; ///< its verdict
-    std::string detail;                ///< what is wrong, where, and what to do; empty if `OK`
+    std::string detail;                ///< what is wrong, where, and what to do; of `OK`: why the map is of no use
     Seconds seconds;                   ///< how long it took; `read` is 0
   };
   Seconds seconds;               ///< of all attempts together
@@ -82,10 +85,13 @@ inline std::ostream& operator<<(std::ostream& out, const Result& r)
   out << get_error_message(r.error);
   if(!r.detail.empty())
     out << ": " << r.detail;
-  if(r.degree != 0 || r.residual != 0)
-    out << " (" << r.number_of_vertices << " vertices, " << r.flipped_faces << " flipped faces, degree " << r.degree
-        << ", residual " << r.residual << ", " << r.start_iterations << " + " << r.iterations << " iterations, "
-        << r.seconds.total << " s)";
+  if(r.degree != 0 || r.residual != 0) {
+    out << " (" << r.number_of_vertices << " vertices, ";
+    if(r.moved_vertices > 0)
+      out << r.moved_vertices << " moved, ";
+    out << r.flipped_faces << " flipped faces, degree " << r.degree << ", residual " << r.residual << ", "
+        << r.start_iterations << " + " << r.iterations << " iterations, " << r.seconds.total << " s)";
+  }
   return out;
 }
 

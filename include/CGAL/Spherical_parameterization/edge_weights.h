@@ -21,9 +21,25 @@ namespace CGAL::Spherical_parameterization {
 /// @{
 
 /// \name Spring weights
-/// Readable property maps from edges to double, computed on access. They keep references: the mesh must outlive them.
-/// Any other readable map from edges to positive numbers can take their place.
+/// What the named parameter `edge_weight_map` takes: `Conformal_weights`, or a readable property map from edges to
+/// double. Those of the package are computed on access. They keep references: the mesh must outlive them. Any other
+/// readable map from edges to positive numbers can take their place.
 /// @{
+
+/// Cotangent weights of the intrinsic Delaunay triangulation of the surface; the default. The edges of the mesh are
+/// flipped inside the surface until all of these weights are nonnegative: nothing has to be clamped, and the map is as
+/// conformal as the mesh is fine. Faces may have any angles, or no area. A. Bobenko, B. Springborn, "A discrete
+/// Laplace-Beltrami operator for simplicial surfaces", Discrete & Computational Geometry 38 (2007).
+///
+/// The map is a bijection of the intrinsic triangles. Where the faces of the mesh are far worse than these, a few of
+/// them may come out flipped: their vertices are moved, as few as possible, until none is (`Balanced` and
+/// `Saddle_point`). Then vertices of faces that are not conformal at all (ratio of the principal stretches above 3.7)
+/// are moved to where their faces are more so (spring exponent 2). `Result::moved_vertices` counts both.
+///
+/// No property map, since the springs are not the edges of the mesh: `parameterize()` takes it in the place of one, and
+/// `parameterize_triangle_soup()`, too. The points are those of the call. Programs that choose at run time give a
+/// `std::variant<Conformal_weights, Map>`.
+struct Conformal_weights {};
 
 /// Uniform (Tutte) weights, w = 1 for every edge: each vertex is at the projected mean of its neighbours. The map
 /// depends on the connectivity alone. \cgalModels{SphericalParameterizationWeightMap}
@@ -33,13 +49,14 @@ struct Barycentric_weight_map
   Barycentric_weight_map() : Barycentric_weight_map::static_property_map(1) {}
 };
 
-/// Cotangent weights, w = (cot alpha + cot beta) / 2, with alpha and beta the angles opposite to the edge, each clamped
-/// to [minimum, maximum] degrees. Bounds inside (0, 90) keep all weights positive, also at faces without area (whose
-/// angles count as 0 or 180 degrees). The map is conformal up to discretization and clamping. U. Pinkall, K. Polthier,
-/// "Computing discrete minimal surfaces and their conjugates", Experimental Mathematics 2 (1993).
+/// Cotangent weights of the edges of the mesh, w = (cot alpha + cot beta) / 2, with alpha and beta the angles opposite
+/// to the edge, each clamped to [minimum, maximum] degrees, as in the paper. Bounds inside (0, 90) keep all weights
+/// positive, also at faces without area (whose angles count as 0 or 180 degrees). The map is conformal up to
+/// discretization and clamping; obtuse angles are what it cannot see. U. Pinkall, K. Polthier, "Computing discrete
+/// minimal surfaces and their conjugates", Experimental Mathematics 2 (1993).
 /// \cgalModels{SphericalParameterizationWeightMap}
 template <class TriangleMesh, class VertexPointMap>
-class Conformal_weight_map {
+class Clamped_weight_map {
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
 
 public:
@@ -55,15 +72,15 @@ public:
   /// \param minimum_angle  of the clamping, in degrees
   /// \param maximum_angle  of the clamping, in degrees
   /// \pre 0 < minimum_angle <= maximum_angle < 90
-  Conformal_weight_map(const TriangleMesh& mesh, VertexPointMap points, double minimum_angle, double maximum_angle)
+  Clamped_weight_map(const TriangleMesh& mesh, VertexPointMap points, double minimum_angle, double maximum_angle)
     : mesh_(&mesh), points_(points), largest_(cotangent_of_degrees(minimum_angle)),
       smallest_(cotangent_of_degrees(maximum_angle))
   {
     CGAL_SP_PRECONDITION(0 < minimum_angle && minimum_angle <= maximum_angle && maximum_angle < 90,
-                         "the angles of conformal weights are 0 < minimum <= maximum < 90 degrees");
+                         "the angles of clamped weights are 0 < minimum <= maximum < 90 degrees");
   }
 
-  friend double get(const Conformal_weight_map& m, const key_type& e)
+  friend double get(const Clamped_weight_map& m, const key_type& e)
   {
     const auto h = halfedge(e, *m.mesh_);
     return (m.opposite_cotangent(h) + m.opposite_cotangent(opposite(h, *m.mesh_))) / 2;
@@ -157,19 +174,27 @@ Barycentric_weight_map<TriangleMesh> barycentric_weights(const TriangleMesh&)
   return {};
 }
 
-/// Clamped cotangent weights, the default of `parameterize()`.
+/// Conformal weights, the default of `parameterize()`.
+/// \return the tag `Conformal_weights`
+template <class TriangleMesh>
+Conformal_weights conformal_weights(const TriangleMesh&)
+{
+  return {};
+}
+
+/// Clamped cotangent weights.
 /// \param mesh           a triangle mesh, a model of `HalfedgeGraph`; must outlive the map
 /// \param minimum_angle  of the clamping, in degrees
 /// \param maximum_angle  of the clamping, in degrees
 /// \param np             optional named parameters: `vertex_point_map`, by default the mesh's own
-/// \return a `Conformal_weight_map`
+/// \return a `Clamped_weight_map`
 /// \pre 0 < minimum_angle <= maximum_angle < 90
 template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
-auto conformal_weights(const TriangleMesh& mesh, double minimum_angle = 5, double maximum_angle = 85,
-                       const NamedParameters& np = parameters::default_values())
+auto clamped_weights(const TriangleMesh& mesh, double minimum_angle = 5, double maximum_angle = 85,
+                     const NamedParameters& np = parameters::default_values())
 {
   const auto points = internal::vertex_points(mesh, np);
-  return Conformal_weight_map<TriangleMesh, std::decay_t<decltype(points)>>(mesh, points, minimum_angle, maximum_angle);
+  return Clamped_weight_map<TriangleMesh, std::decay_t<decltype(points)>>(mesh, points, minimum_angle, maximum_angle);
 }
 
 /// Symmetrized mean value weights.

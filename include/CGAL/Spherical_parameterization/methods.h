@@ -105,15 +105,18 @@ struct Isometric {
   double area_exponent = 1;
 };
 
-/// Tries several methods and returns the first valid map:
+/// Tries several methods and returns the first map that is valid and of use:
 /// 1. `Balanced{spring_exponent}`;
-/// 2. `Balanced` with the exponent `larger_spring_exponent`, if that is larger, which keeps limbs wider;
+/// 2. `Balanced` with the exponent `larger_spring_exponent`, if that is larger and the first map is not valid;
 /// 3. `Isometric{area_exponent}`, unless vertices are fixed.
 ///
-/// If none is valid, the best map is returned: one of degree 1 before others, then that with the fewest flipped faces.
-/// `Result::attempts` lists all methods that were tried, each with its verdict and its seconds; `Result::method` is the
-/// one whose map was returned, and `Result::fallback_reason` says why not an earlier one. If there are no weights
-/// because of a face without area, only the third one is tried.
+/// Harmonic maps shrink limbs exponentially with their length. A valid map that leaves next to nothing of them, by
+/// `largest_shrinkage`, is of no use to what samples, paints or measures the sphere; the isometric map is.
+///
+/// If no map is valid and of use, the best one is returned: a valid one, else one of degree 1, with the fewest flipped
+/// faces. `Result::attempts` lists all methods that were tried, each with its verdict and its seconds;
+/// `Result::method` is the one whose map was returned, and `Result::fallback_reason` says why not an earlier one. If
+/// there are no weights because of a face without area, only the third one is tried.
 ///
 /// Named parameters: `accuracy` and `number_of_iterations` as for `Balanced`. The second attempt takes at most 100
 /// iterations; the third has the defaults of `Isometric`.
@@ -128,6 +131,10 @@ struct Automatic {
   double spring_exponent = 2;        ///< of the first map, see `Balanced`
   double larger_spring_exponent = 3; ///< of the second map
   double area_exponent = 1;          ///< of the third map, see `Isometric`
+  /// How many times lengths may shrink, against the mean of the map, on more than a thousandth of the surface; >= 1.
+  /// Infinite: every valid map will do. The default leaves the faces of a limb on the sphere a few units of the last
+  /// place of a float.
+  double largest_shrinkage = 1e4;
 };
 
 /// @}

@@ -126,7 +126,7 @@ Result run(const ExecutionPolicy& policy, const Method& method, const NamedParam
 ///   \cgalParamNBegin{edge_weight_map}
 ///     \cgalParamDescription{the spring constants. Unless the policy is `CGAL::Sequential_tag`\, several threads read
 ///       them at once. Before CGAL 6.1 this parameter has to come first in the chain.}
-///     \cgalParamType{a model of `SphericalParameterizationWeightMap`}
+///     \cgalParamType{`Conformal_weights`\, or a model of `SphericalParameterizationWeightMap`}
 ///     \cgalParamDefault{`conformal_weights(mesh)`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_point_map}

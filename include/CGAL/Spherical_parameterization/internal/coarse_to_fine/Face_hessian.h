@@ -4,8 +4,8 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_FACE_HESSIAN_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_FACE_HESSIAN_H
 
-#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Distortion.h>
-#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Star.h>
+#include <CGAL/Spherical_parameterization/internal/relaxation/Distortion.h>
+#include <CGAL/Spherical_parameterization/internal/relaxation/Star.h>
 
 #include <algorithm>
 #include <cmath>

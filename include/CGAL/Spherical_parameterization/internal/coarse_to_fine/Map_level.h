@@ -7,7 +7,7 @@
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Progressive_mesh.h>
-#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Star.h>
+#include <CGAL/Spherical_parameterization/internal/relaxation/Star.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/certificate.h>
 
 #include <algorithm>

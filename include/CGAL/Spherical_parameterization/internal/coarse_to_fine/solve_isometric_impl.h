@@ -9,7 +9,7 @@
 #include <CGAL/Spherical_parameterization/internal/base/text.h>
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Map_level.h>
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Progressive_mesh.h>
-#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Star.h>
+#include <CGAL/Spherical_parameterization/internal/relaxation/Star.h>
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/decimation.h>
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/newton_relaxation.h>
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/solve_isometric.h>
@@ -283,15 +283,13 @@ private:
 };
 
 /// Throws the Error if there is no map whose edges are geodesic: these are determined by their ends.
-inline void check_simplicial(const Weighted_graph& graph)
+inline void check_simplicial(const Problem& problem)
 {
-  const char* const problem = "there is no map with geodesic edges: ";
-  if(graph.size() < 4)
-    throw Input_error(Error_code::NOT_BIJECTIVE, std::string(problem) + "the mesh has fewer than four vertices");
-  for(int i = 0; i < graph.size(); ++i)
-    for(int k = graph.offset[i]; k < graph.offset[i + 1]; ++k)
-      if(graph.target[k] == i || (k > graph.offset[i] && graph.target[k] == graph.target[k - 1]))
-        throw Input_error(Error_code::NOT_BIJECTIVE, std::string(problem) + "two edges of the mesh have the same ends");
+  const std::string wrong = "there is no map with geodesic edges: ";
+  if(problem.size() < 4)
+    throw Input_error(Error_code::NOT_BIJECTIVE, wrong + "the mesh has fewer than four vertices");
+  if(!problem.is_simplicial)
+    throw Input_error(Error_code::NOT_BIJECTIVE, wrong + "two edges of the mesh have the same ends");
 }
 
 CGAL_SP_CORE Solution solve_isometric(const Host_loop& loop, const Isometric& method, const Problem& problem,
@@ -299,14 +297,14 @@ CGAL_SP_CORE Solution solve_isometric(const Host_loop& loop, const Isometric& me
 {
   if(problem.has_fixed())
     throw Input_error(Error_code::BAD_CONSTRAINTS, "the isometric method cannot keep vertices fixed");
-  check_simplicial(*problem.graph);
+  check_simplicial(problem);
   const Stopwatch watch;
   Solution solution;
   solution.position = Coarse_to_fine_map(loop, method, problem, effort, monitor).run(solution.report);
   solution.seconds.solve = watch.seconds();
 
   const Stopwatch certify_watch;
-  make_storable(loop, problem, false, solution.position);
+  make_storable(loop, problem, solution.position);
   solution.certificate = certify(loop, problem.face, solution.position);
   solution.seconds.certify = certify_watch.seconds();
   return solution;

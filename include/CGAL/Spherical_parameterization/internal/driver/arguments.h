@@ -24,6 +24,7 @@
 #include <iterator>
 #include <type_traits>
 #include <utility>
+#include <variant>
 
 namespace CGAL::Spherical_parameterization::internal {
 
@@ -50,6 +51,14 @@ template <class T, class Key>
 struct Is_map_of<T, Key, std::void_t<typename boost::property_traits<T>::key_type>>
   : std::disjunction<std::is_void<typename boost::property_traits<T>::key_type>, // takes any key
                      std::is_convertible<Key, typename boost::property_traits<T>::key_type>> {};
+
+/// Whether T says what the springs are: the conformal ones, those of a property map, or either.
+template <class T, class Edge>
+struct Is_weights_of : Is_map_of<T, Edge> {};
+template <class Edge>
+struct Is_weights_of<Conformal_weights, Edge> : std::true_type {};
+template <class Map, class Edge>
+struct Is_weights_of<std::variant<Conformal_weights, Map>, Edge> : Is_map_of<Map, Edge> {};
 
 /// Whether points of this type have two coordinates only.
 template <class Point, class = void>
@@ -89,11 +98,13 @@ constexpr bool check_named_parameters()
   typedef Type_of_parameter<NamedParameters, edge_weight_tag> Weights_map;
   typedef Type_of_parameter<NamedParameters, internal_np::vertex_is_constrained_t> Constrained_map;
   typedef Type_of_parameter<NamedParameters, internal_np::callback_t> Callback;
-  constexpr bool are_weights = std::is_void_v<Weights_map> || Is_map_of<Weights_map, Edge>::value;
+  constexpr bool are_weights = std::is_void_v<Weights_map> || Is_weights_of<Weights_map, Edge>::value;
   constexpr bool are_constraints = std::is_void_v<Constrained_map> || Is_map_of<Constrained_map, Vertex>::value;
   constexpr bool is_callback = std::is_void_v<Callback> || Is_callback<Callback>::value;
-  static_assert(are_weights, "edge_weight_map has to be a readable property map whose keys are edges and whose values "
-                             "are numbers; boost::make_function_property_map<Edge>(f) makes one of a function");
+  static_assert(
+    are_weights,
+    "edge_weight_map has to be Conformal_weights, or a readable property map whose keys are "
+    "edges and whose values are numbers; boost::make_function_property_map<Edge>(f) makes one of a function");
   static_assert(are_constraints,
                 "vertex_is_constrained_map has to be a readable property map whose keys are vertices and whose values "
                 "are bool");
@@ -130,7 +141,7 @@ struct Mesh_inputs {
   auto weights() const
   {
     if constexpr(parameters::is_default_parameter<NamedParameters, edge_weight_tag>::value)
-      return conformal_weights(mesh, 5, 85, np);
+      return Conformal_weights();
     else
       return parameters::get_parameter(np, edge_weight_tag());
   }
@@ -154,13 +165,9 @@ struct Soup_inputs {
   auto weights() const
   {
     if constexpr(parameters::is_default_parameter<NamedParameters, edge_weight_tag>::value)
-      return conformal_weights(mesh);
+      return Conformal_weights();
     else
-      return map_of<Indexed_triangle_mesh::Edge_index>(
-        edge_weight_tag(), [m = &mesh](Indexed_triangle_mesh::Edge_index e) {
-          const auto [first, second] = std::minmax({source(e, *m).idx(), target(e, *m).idx()});
-          return std::pair<std::size_t, std::size_t>(first, second);
-        });
+      return weights_of(parameters::get_parameter(np, edge_weight_tag()));
   }
 
   auto constraints() const
@@ -169,20 +176,38 @@ struct Soup_inputs {
     if constexpr(parameters::is_default_parameter<NamedParameters, internal_np::vertex_is_constrained_t>::value)
       return Static_boolean_property_map<Vertex, false>();
     else
-      return map_of<Vertex>(internal_np::vertex_is_constrained,
+      return map_of<Vertex>(parameters::get_parameter(np, internal_np::vertex_is_constrained),
                             [](Vertex v) { return static_cast<std::size_t>(v.idx()); });
   }
 
 private:
-  /// The map that a named parameter gives, whose keys are numbers of points, or pairs of them, as one of descriptors.
-  template <class Descriptor, class Parameter, class Key>
-  auto map_of(Parameter parameter, Key key) const
+  Conformal_weights weights_of(Conformal_weights weights) const { return weights; }
+
+  template <class Map>
+  auto weights_of(const Map& map) const
   {
-    return boost::make_function_property_map<Descriptor>(
-      [map = parameters::get_parameter(np, parameter), key](Descriptor d) {
-        using boost::get; // of pointers
-        return get(map, key(d));
-      });
+    typedef Indexed_triangle_mesh::Edge_index Edge;
+    return map_of<Edge>(map, [m = &mesh](Edge e) {
+      const auto [first, second] = std::minmax({source(e, *m).idx(), target(e, *m).idx()});
+      return std::pair<std::size_t, std::size_t>(first, second);
+    });
+  }
+
+  template <class Map>
+  auto weights_of(const std::variant<Conformal_weights, Map>& weights) const
+  {
+    typedef std::variant<Conformal_weights, decltype(weights_of(std::declval<const Map&>()))> Result;
+    return std::visit([this](const auto& chosen) { return Result(weights_of(chosen)); }, weights);
+  }
+
+  /// A map whose keys are numbers of points, or pairs of them, as one of descriptors.
+  template <class Descriptor, class Map, class Key>
+  auto map_of(const Map& map, Key key) const
+  {
+    return boost::make_function_property_map<Descriptor>([map, key](Descriptor d) {
+      using boost::get; // of pointers
+      return get(map, key(d));
+    });
   }
 };
 

@@ -6,6 +6,7 @@
 
 #include <CGAL/Spherical_parameterization/Error.h>
 #include <CGAL/Spherical_parameterization/Result.h>
+#include <CGAL/Spherical_parameterization/edge_weights.h>
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
 #include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
@@ -30,6 +31,7 @@
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -132,6 +134,27 @@ Host_array<vec3> given_positions(const std::vector<Vertex>& vertices, const Host
                       "the sphere map is not readable, and holds no positions to start from");
 }
 
+/// Reads the springs.
+template <class TriangleMesh>
+void read_weights(const TriangleMesh& mesh, Conformal_weights, const Host_loop& loop, Source_mesh<TriangleMesh>& source)
+{
+  source.set_conformal_weights(mesh, loop);
+}
+
+template <class TriangleMesh, class EdgeWeightMap>
+void read_weights(const TriangleMesh& mesh, const EdgeWeightMap& weights, const Host_loop& loop,
+                  Source_mesh<TriangleMesh>& source)
+{
+  source.set_weights(mesh, weights, loop);
+}
+
+template <class TriangleMesh, class EdgeWeightMap>
+void read_weights(const TriangleMesh& mesh, const std::variant<Conformal_weights, EdgeWeightMap>& weights,
+                  const Host_loop& loop, Source_mesh<TriangleMesh>& source)
+{
+  std::visit([&](const auto& chosen) { read_weights(mesh, chosen, loop, source); }, weights);
+}
+
 /// Reads mesh and property maps, each once, and checks them. Sets the sizes of `result`. Throws Error. Numbers that
 /// several threads may read at once are read on the threads of the policy.
 template <class ExecutionPolicy, class TriangleMesh, class Solver, class VertexSphereMap, class Inputs>
@@ -147,9 +170,10 @@ read_problem(const TriangleMesh& mesh, const Solver& solver, VertexSphereMap sph
   result.number_of_vertices = source.vertex.size();
   result.number_of_faces = source.face.size();
   Problem problem;
+  problem.is_simplicial = is_simplicial(loop, *source.graph);
   if(solver.weights() != Weights::UNUSED)
     try {
-      source.set_weights(mesh, inputs.weights(), loop);
+      read_weights(mesh, inputs.weights(), loop, source);
     } catch(const Input_error& error) {
       if(solver.weights() == Weights::NEEDED || error.code() != Error_code::DEGENERATE_FACE)
         throw;
@@ -167,6 +191,7 @@ read_problem(const TriangleMesh& mesh, const Solver& solver, VertexSphereMap sph
   problem.area = std::move(source.area);
   problem.position = std::move(source.position);
   problem.graph = std::move(source.graph);
+  problem.spring_length = std::move(source.spring_length);
   problem.weight_unit = source.weight_unit;
   problem.effort = effort;
   if(are_positions_rounded<Sphere_point>())

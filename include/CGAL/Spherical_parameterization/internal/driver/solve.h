@@ -8,6 +8,7 @@
 #include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
 #include <CGAL/Spherical_parameterization/internal/base/compiled.h>
 #include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
+#include <CGAL/Spherical_parameterization/internal/base/precondition.h>
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/solve_isometric.h>
 #include <CGAL/Spherical_parameterization/internal/harmonic/solve_balanced.h>
 #include <CGAL/Spherical_parameterization/internal/problem/Method_solver.h>
@@ -31,6 +32,7 @@ public:
     const Method_solver<Balanced> first(Balanced{method.spring_exponent});
     const Method_solver<Balanced> second(Balanced{method.larger_spring_exponent});
     const Method_solver<Isometric> third(Isometric{method.area_exponent});
+    CGAL_SP_PRECONDITION(method.largest_shrinkage >= 1, "the largest shrinkage has to be 1 or more");
   }
 
   static Weights weights() { return Weights::IF_AVAILABLE; }

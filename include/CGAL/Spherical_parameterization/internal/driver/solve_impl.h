@@ -8,6 +8,7 @@
 #include <CGAL/Spherical_parameterization/internal/driver/solve.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -39,22 +40,49 @@ Solution attempt(const Backend& backend, const Method_solver<Method>& solver, co
   return solution;
 }
 
-/// What was wrong with the attempts before the one by `method`.
+/// What was wrong with the attempts before the one by `method`; with that itself, if it is valid and of no use.
 inline std::string fallback_reason(const Problem& problem, const std::vector<Result::Attempt>& attempts,
                                    const std::string& method)
 {
   std::string reason = problem.missing_weights;
-  for(std::size_t k = 0; k < attempts.size() && attempts[k].method != method; ++k)
-    reason += (reason.empty() ? "" : "; ") + attempts[k].method + ": " + attempts[k].detail;
+  for(const Result::Attempt& attempt : attempts) {
+    const bool is_last = attempt.method == method;
+    if(!is_last || (attempt.error == Error_code::OK && !attempt.detail.empty()))
+      reason += (reason.empty() ? "" : "; ") + attempt.method + ": " + attempt.detail;
+    if(is_last)
+      break;
+  }
   return reason;
+}
+
+/// The share of the surface on which a valid map shrinks lengths more than so many times, against their mean.
+inline double shrunk_share(const Host_loop& loop, const Problem& problem, const Host_array<vec3>& position,
+                           double times)
+{
+  const int number_of_faces = static_cast<int>(problem.face.size());
+  const auto area = [&](int f) {
+    const vec3 n = normal(problem.point, problem.face[f]);
+    return std::sqrt(inner(n, n)) / 2;
+  };
+  const double whole = sum_by_parts(loop, number_of_faces, area);
+  const double least = 4 * std::acos(-1.) / whole / times / times; // area on the sphere, per area of the surface
+  return sum_by_parts(loop, number_of_faces,
+                      [&](int f) {
+                        const auto [i, j, k] = problem.face[f];
+                        const double of_face = area(f);
+                        return spherical_area(position[i], position[j], position[k]) < least * of_face ? of_face : 0;
+                      }) /
+         whole;
 }
 
 template <class Backend>
 Solution Method_solver<Automatic>::solve(const Backend& backend, const Problem& problem, const Effort& effort,
                                          Monitor& monitor) const
 {
-  constexpr std::size_t patience = 100; // where the larger exponent helps, it does so soon
+  constexpr std::size_t patience = 100;     // where the larger exponent helps, it does so soon
+  constexpr double negligible_share = 1e-3; // of the surface
   Solution best;
+  bool is_best_extreme = false;
   std::vector<Result::Attempt> attempts;
   Result::Seconds seconds;
   // What is not covered once is worst; then flipped faces count.
@@ -70,15 +98,25 @@ Solution Method_solver<Automatic>::solve(const Backend& backend, const Problem& 
     seconds.solve += solution.seconds.solve;
     seconds.certify += solution.seconds.certify;
     const bool is_valid = solution.error == Error_code::OK;
-    if(is_valid || !best.has_map() || (solution.has_map() && badness(solution) < badness(best)))
+    const double shrunk =
+      is_valid ? shrunk_share(backend.host_loop(), problem, solution.position, method_.largest_shrinkage) : 0;
+    const bool is_extreme = shrunk > negligible_share;
+    if(is_extreme)
+      attempts.back().detail = "valid, but lengths shrink more than " + to_string(method_.largest_shrinkage) +
+                               " times on " + to_string(100 * shrunk) + " % of the surface";
+    const bool is_better = solution.has_map() && !is_best_extreme && badness(solution) < badness(best);
+    if((is_valid && !is_extreme) || !best.has_map() || is_better) {
       best = std::move(solution);
-    return is_valid || monitor.is_interrupted();
+      is_best_extreme = is_extreme;
+    }
+    return (is_valid && !is_extreme) || monitor.is_interrupted();
   };
   const auto run = [&] {
     if(problem.missing_weights.empty()) {
       if(try_method(Method_solver<Balanced>(Balanced{method_.spring_exponent}), effort, 0, 0.5))
         return;
-      if(method_.larger_spring_exponent > method_.spring_exponent) {
+      // what the larger exponent gives to limbs that are next to nothing is never enough: it is for other faults
+      if(method_.larger_spring_exponent > method_.spring_exponent && !is_best_extreme) {
         Effort limited = effort;
         limited.number_of_iterations = (std::min)(effort.number_of_iterations.value_or(patience), patience);
         if(try_method(Method_solver<Balanced>(Balanced{method_.larger_spring_exponent}), limited, 0.5, 0.75))
@@ -87,7 +125,11 @@ Solution Method_solver<Automatic>::solve(const Backend& backend, const Problem& 
     } else if(problem.has_fixed())
       throw Input_error(Error_code::DEGENERATE_FACE, problem.missing_weights);
     if(!problem.has_fixed()) // which the isometric method cannot keep; accuracy and iterations are those of the springs
-      try_method(Method_solver<Isometric>(Isometric{method_.area_exponent}), Effort(), best.has_map() ? 0.75 : 0, 1);
+      try_method(Method_solver<Isometric>(Isometric{method_.area_exponent}), Effort(),
+                 attempts.empty()       ? 0
+                 : attempts.size() == 1 ? 0.5
+                                        : 0.75,
+                 1);
   };
   run();
   if(best.error != Error_code::OK && best.error != Error_code::INTERRUPTED && monitor.is_interrupted()) {

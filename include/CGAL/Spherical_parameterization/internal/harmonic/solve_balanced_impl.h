@@ -83,7 +83,7 @@ inline Weighted_graph stiffening_springs(const Problem& problem, double exponent
   for(int i = 0; i < springs.size(); ++i)
     for(int k = springs.offset[i]; k < springs.offset[i + 1]; ++k) {
       const vec3 e = sub(problem.point[i], problem.point[springs.target[k]]);
-      const double length = std::sqrt(inner(e, e)) / unit_length;
+      const double length = (problem.is_intrinsic() ? problem.spring_length[k] : std::sqrt(inner(e, e))) / unit_length;
       springs.weight[k] *= length > 0 && std::isfinite(length) ? power(length, 2 - exponent) : length;
       if(!(springs.weight[k] > 0 && std::isfinite(springs.weight[k])))
         throw Input_error(Error_code::DEGENERATE_FACE, "an edge has no length, which spring exponents above 2 need");
@@ -234,7 +234,7 @@ Solution Method_solver<Balanced>::solve(const Backend& backend, const Problem& p
       : solve_stiffening(backend, problem, method_.spring_exponent, accuracy, maximum_iterations, monitor, v, solution);
   solution.report.energy *= problem.weight_unit;
   solution.seconds.solve = watch.seconds() - solution.seconds.start_map - solution.seconds.certify;
-  finish(backend, problem, std::move(v), is_certified, solution);
+  finish(backend, problem, std::move(v), is_certified, method_.spring_exponent == 2, solution);
   return solution;
 }
 

@@ -13,6 +13,7 @@
 #include <CGAL/Spherical_parameterization/internal/base/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Vertex_numbering.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/check_face_graph.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/conformal_graph.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/corner_table_of.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/point_coordinates.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
@@ -76,6 +77,16 @@ inline double choose_weight_unit(const Host_loop& loop, Host_array<double>& weig
   return std::ldexp(1., exponent);
 }
 
+/// Whether the mesh is given by its faces as sets of vertices: no edge ends where it begins, no two have the same ends.
+/// \param graph  its edges, in ascending order
+inline bool is_simplicial(const Host_loop& loop, const Weighted_graph& graph)
+{
+  return first_index(loop, graph.size(), [&](int i) {
+           const auto begin = graph.target.begin() + graph.offset[i], end = graph.target.begin() + graph.offset[i + 1];
+           return std::find(begin, end, i) != end || std::adjacent_find(begin, end) != end;
+         }) == graph.size();
+}
+
 /// A face graph as arrays, checked to be a closed, connected triangle mesh of genus 0 with finite points.
 ///
 /// Vertices are renumbered in breadth-first order: neighbours then lie close together in memory, which more than halves
@@ -96,6 +107,7 @@ public:
   std::shared_ptr<Weighted_graph> graph =
     std::make_shared<Weighted_graph>(); ///< neighbours in ascending order; weights are left to set_weights()
   double weight_unit = 1;               ///< what a weight of 1 in the graph is to the caller
+  Host_array<double> spring_length;     ///< by entry of the graph, if that is not of edges of the mesh; else empty
 
   /// Throws Error.
   template <class VertexPointMap>
@@ -176,6 +188,12 @@ public:
     weight_unit = choose_weight_unit(loop, weight);
   }
 
+  /// Replaces the edges of the mesh by those of its intrinsic Delaunay triangulation, with cotangent weights.
+  void set_conformal_weights(const TriangleMesh& mesh, const Host_loop& loop)
+  {
+    *graph = conformal_graph(loop, corner_table_of(mesh, face, loop), point, spring_length);
+  }
+
 private:
   template <class VertexPointMap>
   void read_points(VertexPointMap points, const Host_loop& loop)
@@ -199,9 +217,8 @@ private:
     const std::string edge_name =
       "edge " + std::to_string(position[j]) + "-" + std::to_string(position[i]) + " has weight " + to_string(w);
     if(is_degenerate(h) || is_degenerate(opposite(h, mesh)))
-      throw Input_error(Error_code::DEGENERATE_FACE, edge_name +
-                                                       " because a face at it has no area; use barycentric or "
-                                                       "conformal weights, or repair the mesh");
+      throw Input_error(Error_code::DEGENERATE_FACE, edge_name + " because a face at it has no area; use conformal or "
+                                                                 "barycentric weights, or repair the mesh");
     throw Input_error(Error_code::BAD_WEIGHT, edge_name + "; weights must be positive and finite");
   }
 };

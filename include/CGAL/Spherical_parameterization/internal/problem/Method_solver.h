@@ -8,9 +8,11 @@
 #include <CGAL/Spherical_parameterization/internal/predicates/certificate.h>
 #include <CGAL/Spherical_parameterization/internal/problem/Problem.h>
 #include <CGAL/Spherical_parameterization/internal/problem/Solution.h>
+#include <CGAL/Spherical_parameterization/internal/relaxation/mend.h>
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 
@@ -49,56 +51,97 @@ double accuracy_on(const Backend& backend, const Problem& problem, const Effort&
 /// The share of the whole work that the start map takes, for the progress callback.
 constexpr double start_share = 0.4;
 
-/// Makes of positions what the caller's map will hold: unit vectors as near as doubles are, where the positions are
-/// rough, of a backend that computes in single precision; fixed vertices to the last bit; coordinates rounded as the
-/// caller's map rounds them.
-inline void make_storable(const Host_loop& loop, const Problem& problem, bool are_rough, Host_array<vec3>& v)
-{
-  if(!are_rough && !problem.has_fixed() && !problem.as_stored)
-    return;
-  for_each_index(loop, problem.size(), [&](int i) {
-    if(problem.has_fixed() && problem.is_fixed[i])
-      v[i] = problem.given[i];
-    else if(are_rough)
-      v[i] = unit(v[i]);
-    if(problem.as_stored)
-      v[i] = problem.as_stored(v[i]);
-  });
-}
-
-/// What a backend hands over, as it will be stored.
+/// The positions of a backend in doubles: unit vectors as near as doubles are, where the positions are rough, of a
+/// backend that computes in single precision; fixed vertices to the last bit.
 template <class Backend, class Vectors>
-Host_array<vec3> storable(const Backend& backend, const Problem& problem, Vectors&& v)
+Host_array<vec3> in_doubles(const Backend& backend, const Problem& problem, Vectors&& v)
 {
   Host_array<vec3> result = backend.download(std::forward<Vectors>(v));
-  make_storable(backend.host_loop(), problem, backend.best_accuracy(problem.size()) > 0, result);
+  const bool are_rough = backend.best_accuracy(problem.size()) > 0;
+  if(are_rough || problem.has_fixed())
+    for_each_index(backend.host_loop(), problem.size(), [&](int i) {
+      if(problem.has_fixed() && problem.is_fixed[i])
+        result[i] = problem.given[i];
+      else if(are_rough)
+        result[i] = unit(result[i]);
+    });
   return result;
 }
 
-/// Certifies a map on the backend as it will be stored, into `solution`. Returns whether a solver is done with it: it
-/// is valid, or what is wrong with it is rounding only, which no solver can help.
+/// Rounds coordinates as the caller's map does.
+inline void make_storable(const Host_loop& loop, const Problem& problem, Host_array<vec3>& v)
+{
+  if(problem.as_stored)
+    for_each_index(loop, problem.size(), [&](int i) { v[i] = problem.as_stored(v[i]); });
+}
+
+/// The certificate of positions as they will be stored.
+inline Certificate certify_as_stored(const Host_loop& loop, const Problem& problem, const Host_array<vec3>& v)
+{
+  if(!problem.as_stored)
+    return certify(loop, problem.face, v);
+  Host_array<vec3> stored = v;
+  make_storable(loop, problem, stored);
+  return certify(loop, problem.face, stored);
+}
+
+/// Mends what flipped faces of a conformal map can be mended; then `solution` has the positions. Returns whether none
+/// is flipped any more.
+inline bool mend(const Host_loop& loop, const Problem& problem, Host_array<vec3>&& v, Solution& solution)
+{
+  solution.is_moved.assign(problem.size(), 0);
+  if(!problem.is_intrinsic() || !untangle(loop, problem.face, problem.is_fixed, v, solution.is_moved))
+    return false;
+  solution.certificate = certify_as_stored(loop, problem, v);
+  solution.position = std::move(v);
+  return true;
+}
+
+/// Certifies a map on the backend as it will be stored, into `solution`, and mends it where that is needed. Returns
+/// whether a solver is done with it: it is valid, or what is wrong with it is rounding only, which no solver can help.
 template <class Backend>
 bool certify_and_settle(const Backend& backend, const Problem& problem, const typename Backend::Vectors& v,
                         Solution& solution)
 {
   const Stopwatch watch;
-  solution.certificate = certify(backend.host_loop(), problem.face, storable(backend, problem, v));
-  const bool is_settled =
-    solution.certificate.is_valid() ||
-    (problem.as_stored && certify(backend.host_loop(), problem.face, backend.download(v)).is_valid());
+  const auto& loop = backend.host_loop();
+  Host_array<vec3> x = in_doubles(backend, problem, v);
+  solution.certificate = certify_as_stored(loop, problem, x);
+  const bool is_settled = solution.certificate.is_valid() ||
+                          (problem.as_stored && certify(loop, problem.face, x).is_valid()) ||
+                          mend(loop, problem, std::move(x), solution);
   solution.seconds.certify += watch.seconds();
   return is_settled;
 }
 
-/// Hands the map over, certified if that has not been done yet.
+/// Hands the map over, certified and mended if that has not been done yet.
+/// \param is_harmonic  whether the springs have the exponent 2: then a conformal map has its worst faces polished
 template <class Backend>
 void finish(const Backend& backend, const Problem& problem, typename Backend::Vectors&& v, bool is_certified,
-            Solution& solution)
+            bool is_harmonic, Solution& solution)
 {
   const Stopwatch watch;
-  solution.position = storable(backend, problem, std::move(v));
-  if(!is_certified)
-    solution.certificate = certify(backend.host_loop(), problem.face, solution.position);
+  const auto& loop = backend.host_loop();
+  if(solution.position.empty()) // it has not been mended
+    solution.position = in_doubles(backend, problem, std::move(v));
+  if(!is_certified) {
+    solution.certificate = certify_as_stored(loop, problem, solution.position);
+    if(solution.report.has_converged && !solution.certificate.is_valid())
+      mend(loop, problem, Host_array<vec3>(solution.position), solution);
+  }
+  if(problem.is_intrinsic() && is_harmonic && solution.certificate.is_valid()) {
+    Host_array<vec3> polished = solution.position;
+    std::vector<char> is_moved = solution.is_moved;
+    is_moved.resize(problem.size(), 0);
+    polish(loop, problem.face, problem.point, problem.is_fixed, polished, is_moved);
+    const Certificate certificate = certify_as_stored(loop, problem, polished);
+    if(certificate.is_valid()) { // also after rounding
+      solution.position = std::move(polished);
+      solution.is_moved = std::move(is_moved);
+      solution.certificate = certificate;
+    }
+  }
+  make_storable(loop, problem, solution.position);
   solution.seconds.certify += watch.seconds();
 }
 

@@ -7,7 +7,9 @@
 #include <CGAL/Spherical_parameterization/internal/base/text.h>
 #include <CGAL/Spherical_parameterization/internal/problem/Solution.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <string>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -65,6 +67,7 @@ CGAL_SP_CORE void describe(const Solution& solution, Result& result)
   if(solution.has_map()) {
     result.flipped_faces = solution.certificate.flipped_faces;
     result.degree = solution.certificate.degree;
+    result.moved_vertices = static_cast<std::size_t>(std::count(solution.is_moved.begin(), solution.is_moved.end(), 1));
     result.smallest_area = solution.certificate.smallest_area;
     result.smallest_edge = std::ldexp(solution.certificate.smallest_edge, 52);
   }

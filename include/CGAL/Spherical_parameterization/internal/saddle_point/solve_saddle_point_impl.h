@@ -152,7 +152,7 @@ Solution Method_solver<Saddle_point>::solve(const Backend& backend, const Proble
   solution.report.start_iterations = of_start;
   solution.report.energy *= problem.weight_unit;
   solution.seconds.solve = watch.seconds() - solution.seconds.start_map;
-  finish(backend, problem, std::move(v), false, solution);
+  finish(backend, problem, std::move(v), false, true, solution);
   return solution;
 }
 

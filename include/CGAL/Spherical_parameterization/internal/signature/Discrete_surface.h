@@ -8,8 +8,8 @@
 #include <CGAL/Spherical_parameterization/internal/backend/Host_backend.h>
 #include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
 #include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/Intrinsic_triangulation.h>
 #include <CGAL/Spherical_parameterization/internal/multigrid/Multigrid.h>
-#include <CGAL/Spherical_parameterization/internal/signature/Intrinsic_triangulation.h>
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>

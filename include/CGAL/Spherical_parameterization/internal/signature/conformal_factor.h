@@ -9,7 +9,7 @@
 #include <CGAL/Spherical_parameterization/internal/mesh/midpoint_refinement.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 #include <CGAL/Spherical_parameterization/internal/signature/Discrete_surface.h>
-#include <CGAL/Spherical_parameterization/internal/signature/Intrinsic_triangulation.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/Intrinsic_triangulation.h>
 
 #include <cmath>
 #include <cstddef>

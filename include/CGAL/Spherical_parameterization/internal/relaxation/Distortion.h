@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_DISTORTION_H
-#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_DISTORTION_H
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RELAXATION_DISTORTION_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RELAXATION_DISTORTION_H
 
 #include <CGAL/Spherical_parameterization/internal/backend/formulas/power.h>
 #include <CGAL/Spherical_parameterization/internal/base/vec3.h>
@@ -122,4 +122,4 @@ inline Face_metric face_metric(vec3 a, vec3 b, const Metric_bounds& bounds)
 
 } // namespace CGAL::Spherical_parameterization::internal
 
-#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_DISTORTION_H
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RELAXATION_DISTORTION_H

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_STAR_H
-#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_STAR_H
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RELAXATION_STAR_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RELAXATION_STAR_H
 
 #include <CGAL/Spherical_parameterization/internal/base/vec3.h>
-#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Distortion.h>
+#include <CGAL/Spherical_parameterization/internal/relaxation/Distortion.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 
 #include <boost/container/small_vector.hpp>
@@ -251,4 +251,4 @@ inline bool insert_vertex(const Distortion& distortion, const Star& star, vec3 v
 
 } // namespace CGAL::Spherical_parameterization::internal
 
-#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_STAR_H
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RELAXATION_STAR_H

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SIGNATURE_INTRINSIC_TRIANGULATION_H
-#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SIGNATURE_INTRINSIC_TRIANGULATION_H
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_INTRINSIC_TRIANGULATION_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_INTRINSIC_TRIANGULATION_H
 
 #include <CGAL/Spherical_parameterization/internal/base/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
@@ -39,6 +39,9 @@ public:
 
   int number_of_vertices() const { return number_of_vertices_; }
   int number_of_faces() const { return number_of_halfedges() / 3; }
+
+  /// Length of halfedge h, inside the surface.
+  double length(int h) const { return length_[h]; }
 
   /// Area of the triangle of halfedge h, by Heron's formula as W. Kahan writes it: accurate for needles, too.
   double area(int h) const
@@ -150,4 +153,4 @@ private:
 
 } // namespace CGAL::Spherical_parameterization::internal
 
-#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SIGNATURE_INTRINSIC_TRIANGULATION_H
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_INTRINSIC_TRIANGULATION_H

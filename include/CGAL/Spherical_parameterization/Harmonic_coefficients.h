@@ -21,8 +21,8 @@ constexpr int largest_harmonic_degree = 16383;
 /// in real orthonormal spherical harmonics:
 ///
 ///     f(x) = sum of c(l, m) Y(l, m)(x)  over  0 <= l <= degree,  -l <= m <= l
-///     Y(l, m) = N(l, |m|) P(l, |m|)(cos theta) * { sqrt 2 sin(|m| phi),  m < 0;  1,  m = 0;  sqrt 2 cos(m phi),  m > 0 }
-///     N(l, m)^2 = (2 l + 1) / (4 pi) * (l - m)! / (l + m)!
+///     Y(l, m) = N(l, |m|) P(l, |m|)(cos theta) * { sqrt 2 sin(|m| phi),  m < 0;  1,  m = 0;  sqrt 2 cos(m phi),  m > 0
+///     } N(l, m)^2 = (2 l + 1) / (4 pi) * (l - m)! / (l + m)!
 ///
 /// with x = (sin theta cos phi, sin theta sin phi, cos theta) and the associated Legendre functions P *without* the
 /// Condon-Shortley phase (-1)^m. The integral of Y(l, m) Y(k, n) over the unit sphere is 1 or 0, and
@@ -50,10 +50,10 @@ public:
     values_.resize(static_cast<std::size_t>(fields_) * static_cast<std::size_t>(size()));
   }
 
-  int degree() const { return degree_; }                            ///< \return the largest l, or -1
-  int number_of_fields() const { return fields_; }                  ///< \return the number of functions
-  int size() const { return (degree_ + 1) * (degree_ + 1); }        ///< \return the number of coefficients of a function
-  static int index(int l, int m) { return l * l + l + m; }          ///< \return where c(l, m) is in a function's range
+  int degree() const { return degree_; }                     ///< \return the largest l, or -1
+  int number_of_fields() const { return fields_; }           ///< \return the number of functions
+  int size() const { return (degree_ + 1) * (degree_ + 1); } ///< \return the number of coefficients of a function
+  static int index(int l, int m) { return l * l + l + m; }   ///< \return where c(l, m) is in a function's range
 
   /// \param l      0 to `degree()`
   /// \param m      -l to l

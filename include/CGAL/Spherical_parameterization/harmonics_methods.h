@@ -11,7 +11,8 @@ namespace CGAL::Spherical_parameterization {
 
 /// How much each vertex counts in a fit by least squares.
 enum class Vertex_weights {
-  SPHERE_AREA,  ///< a third of the areas of its faces on the sphere: close to the mean over the sphere; fewest iterations
+  SPHERE_AREA,  ///< a third of the areas of its faces on the sphere: close to the mean over the sphere; fewest
+                ///< iterations
   SURFACE_AREA, ///< the same of its faces in space: close to the mean over the surface
   EQUAL         ///< all alike: least root mean square over the vertices
 };
@@ -26,8 +27,8 @@ enum class Vertex_weights {
 /// A. Bjorck, "Numerical Methods for Least Squares Problems", 1996, 7.4.
 struct Least_squares {
   Vertex_weights weights = Vertex_weights::SPHERE_AREA; ///< how much each vertex counts
-  double accuracy = 1e-10; ///< stops where the gradient is this part of that at 0
-  int iterations = 500;    ///< at most; `Harmonics_report::has_converged` says whether they were enough
+  double accuracy = 1e-10;                              ///< stops where the gradient is this part of that at 0
+  int iterations = 500; ///< at most; `Harmonics_report::has_converged` says whether they were enough
 };
 
 /// Analysis by integrals: c(l, m) is the integral over the sphere of Y(l, m) times the field that is linear on every
@@ -36,8 +37,8 @@ struct Least_squares {
 /// field in the mean over the sphere.
 ///
 /// Gauss rules on every face, with so many points (faces that are too large are cut into four) that the error of each
-/// coefficient is below `accuracy` times the field's mean absolute value. Lumping the areas of faces at vertices instead
-/// is no quadrature: its error grows from degree sqrt(n) / 4 on.
+/// coefficient is below `accuracy` times the field's mean absolute value. Lumping the areas of faces at vertices
+/// instead is no quadrature: its error grows from degree sqrt(n) / 4 on.
 struct Integration {
   double accuracy = 1e-11; ///< of the quadrature
 };

@@ -81,9 +81,9 @@ struct Angular_grid {
 };
 
 /// From coefficients to numbers on an `Angular_grid` for which the sums of the numbers round a point, with kernels as
-/// weights, are the function there; and the transposed map. With `Scattered_points` it is a fast transform at any points
-/// (S. Kunis, D. Potts, "Fast spherical Fourier algorithms", J. Comput. Appl. Math. 161, 2003, by Legendre functions on
-/// equidistant rows instead of a fast polynomial transform).
+/// weights, are the function there; and the transposed map. With `Scattered_points` it is a fast transform at any
+/// points (S. Kunis, D. Potts, "Fast spherical Fourier algorithms", J. Comput. Appl. Math. 161, 2003, by Legendre
+/// functions on equidistant rows instead of a fast polynomial transform).
 class Grid_transform {
 public:
   explicit Grid_transform(int degree)

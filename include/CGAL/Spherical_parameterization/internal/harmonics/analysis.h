@@ -52,7 +52,8 @@ struct Latitude_rows {
   int columns;
 };
 
-/// The zeros of the Legendre polynomial of this number of rows (C. F. Gauss, 1814).
+/// The zeros of the Legendre polynomial of this number of rows (C. F. Gauss, 1814), and so many columns or a few more,
+/// of a number that Fourier transforms like.
 Latitude_rows gauss_legendre_rows(int rows, int columns);
 /// Equidistant rows with both poles (C. Clenshaw, A. Curtis, 1960).
 Latitude_rows equidistant_rows(int rows, int columns);

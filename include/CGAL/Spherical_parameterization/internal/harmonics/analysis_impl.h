@@ -102,12 +102,12 @@ Host_array<double> evaluate_harmonics(const Loop& loop, const Harmonic_coefficie
 CGAL_SP_CORE Latitude_rows gauss_legendre_rows(int rows, int columns)
 {
   Latitude_rows grid;
-  grid.columns = columns;
+  grid.columns = fourier_size(columns);
   const auto rule = gauss_rule(rows);
   for(auto row = rule.rbegin(); row != rule.rend(); ++row) {
     grid.cos.push_back(row->first);
     grid.sin.push_back(std::sqrt((1 - row->first) * (1 + row->first)));
-    grid.weight.push_back(row->second * 2 * pi / columns);
+    grid.weight.push_back(row->second * 2 * pi / grid.columns);
   }
   return grid;
 }
@@ -189,7 +189,8 @@ Harmonic_coefficients analyze_rows(const Loop& loop, const Latitude_rows& grid, 
     for(int i = begin; i < end; ++i) {
       const int field = i / rows, row = i % rows;
       for(int j = 0; j < grid.columns; ++j)
-        circle[j * (n / grid.columns)] = grid.weight[row] * fields.value[static_cast<std::size_t>(i) * grid.columns + j];
+        circle[j * (n / grid.columns)] =
+          grid.weight[row] * fields.value[static_cast<std::size_t>(i) * grid.columns + j];
       fourier.forward(spectrum, circle.data(), n);
       for(int m = 0; m <= degree; ++m) {
         series.column(m, 2 * field)[row] = spectrum[m].real();

@@ -97,7 +97,7 @@ public:
 
 private:
   static constexpr int most_points = 8;
-  static constexpr int margin = 6; ///< the field and the Jacobian vary, too
+  static constexpr int margin = 6;                ///< the field and the Jacobian vary, too
   static constexpr double smallest_share = 1e-12; ///< beyond which a triangle is a great circle rather than a face
 
   /// In each direction, or more than `most_points`. The remainder of the rule of n points on an interval of length d is

@@ -94,7 +94,8 @@ private:
   {
     std::vector<double> result;
     for(int field = 0; field < s.number_of_fields(); ++field)
-      result.push_back(std::inner_product(s.field_begin(field), s.field_begin(field) + s.size(), s.field_begin(field), 0.));
+      result.push_back(
+        std::inner_product(s.field_begin(field), s.field_begin(field) + s.size(), s.field_begin(field), 0.));
     return result;
   }
 

@@ -101,10 +101,10 @@ public:
           for(int k = 0; k < 27 && is_largest; ++k)
             is_largest = here >= at(j + k / 9 - 1, c + k / 3 % 3 - 1, a + k % 3 - 1);
           if(is_largest)
-            found[j].push_back({Euler_angles(2 * right_angle_ * 2 * a / n, 2 * right_angle_ * 2 * j / n,
-                                             2 * right_angle_ * 2 * c / n)
-                                  .matrix(),
-                                here});
+            found[j].push_back(
+              {Euler_angles(2 * right_angle_ * 2 * a / n, 2 * right_angle_ * 2 * j / n, 2 * right_angle_ * 2 * c / n)
+                 .matrix(),
+               here});
         }
     });
     std::vector<Correlation> all;

@@ -48,6 +48,7 @@ from .methods import (
     RegionGrowing,
     SaddlePoint,
 )
+from .spherical_harmonics import Ellipsoid, Harmonics, harmonics, read_harmonics
 
 __all__ = [
     "Attempt",
@@ -58,8 +59,10 @@ __all__ = [
     "DeviceError",
     "DistortionSummary",
     "Distribution",
+    "Ellipsoid",
     "ErrorCode",
     "GirthProfiles",
+    "Harmonics",
     "Isometric",
     "Locator",
     "MajorityVote",
@@ -77,10 +80,12 @@ __all__ = [
     "distortion",
     "edges",
     "face_distortion",
+    "harmonics",
     "icosphere",
     "opencl_device",
     "opencl_devices",
     "parameterize",
+    "read_harmonics",
     "read_mesh",
     "search",
     "segment",

@@ -33,21 +33,6 @@ namespace {
 typedef Array_map<Mesh::Face_index, double> Face_values;
 typedef Array_map<Mesh::Vertex_index, double> Vertex_values;
 
-/// Calls f(policy) without the interpreter's lock.
-template <class F>
-auto on(const std::string& policy, F f)
-{
-  const Host_policy chosen = host_policy(policy);
-  const py::gil_scoped_release no_lock;
-  return std::visit(f, chosen);
-}
-
-template <class Number, class... Sizes>
-py::array_t<Number, py::array::c_style> make_array(Sizes... sizes)
-{
-  return py::array_t<Number, py::array::c_style>(std::vector<py::ssize_t>{static_cast<py::ssize_t>(sizes)...});
-}
-
 std::pair<std::size_t, int> certify(const py::array& triangles, const Doubles& sphere, const std::string& policy)
 {
   const Mesh mesh = make_mesh(sphere, triangles);
@@ -174,22 +159,6 @@ py::tuple texture_coordinates(const Doubles& points, const py::array& triangles,
   return py::make_tuple(uv, r.axes.north, r.axes.meridian, r.seam_faces, r.pole_faces, r.moved_faces,
                         r.unresolved_faces, r.largest_move);
 }
-
-/// A column of an array (n, d), read from its first number on.
-struct Column {
-  typedef Mesh::Vertex_index key_type;
-  typedef double value_type;
-  typedef double reference;
-  typedef boost::readable_property_map_tag category;
-
-  const double* first;
-  std::size_t columns;
-
-  friend double get(const Column& map, key_type v)
-  {
-    return map.first[map.columns * static_cast<std::size_t>(v.idx())];
-  }
-};
 
 /// A point that can be made of three numbers, as interpolation does.
 struct Point {

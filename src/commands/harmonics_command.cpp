@@ -228,8 +228,7 @@ void add_harmonics_command(CLI::App& app, int& exit_code)
     ->add_option("--report", options->report,
                  "Write map, errors by degree (Hausdorff distance, too), power spectrum and ellipsoid as JSON")
     ->type_name("FILE");
-  command->footer("Example: spherical-parameterization harmonics bunny.ply -o bunny.csv --degree 32 --reconstruct "
-                  "smooth.ply\n"
+  command->footer("Example: spherical-parameterization harmonics bunny.ply -o bunny.csv --degree 32\n"
                   "Exit code: 0 the files were written, 1 nothing was written (stderr says why), 2 wrong usage,\n"
                   "130 interrupted.");
   command->callback([options, &exit_code] {

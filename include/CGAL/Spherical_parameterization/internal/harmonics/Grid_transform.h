@@ -10,9 +10,11 @@
 #include <CGAL/Spherical_parameterization/internal/harmonics/fourier.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -46,14 +48,15 @@ struct Kernel {
   /// The factors of the frequencies 0 ... largest that make up for the bump on a grid of n points.
   static std::vector<double> corrections(int largest, int n)
   {
-    constexpr int nodes = 4000; // the midpoint rule: the bump is smooth, and 1e-14 at its ends
+    constexpr int nodes = 100; // the midpoint rule: the bump is smooth, and 1e-14 at its ends
+    std::array<double, nodes> bump;
+    for(int i = 0; i < nodes; ++i)
+      bump[i] = value((i + 0.5) / nodes * half_width);
     std::vector<double> result;
     for(int k = 0; k <= largest; ++k) {
       double sum = 0;
-      for(int i = 0; i < nodes; ++i) {
-        const double x = (i + 0.5) / nodes * half_width;
-        sum += value(x) * std::cos(2 * pi * k * x / n);
-      }
+      for(int i = 0; i < nodes; ++i)
+        sum += bump[i] * std::cos(2 * pi * k * (i + 0.5) / nodes * half_width / n);
       result.push_back(nodes / (2 * sum * half_width));
     }
     return result;

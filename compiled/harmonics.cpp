@@ -18,5 +18,6 @@ template Host_array<double> evaluate_harmonics(const Host_loop&, const Harmonic_
 template Host_array<double> synthesize_on_rows(const Host_loop&, const Harmonic_coefficients&, const Latitude_rows&);
 template Harmonic_coefficients analyze_rows(const Host_loop&, const Latitude_rows&, const Sampled_fields&, int);
 template Correlation best_correlation(const Host_loop&, const Harmonic_coefficients&, const Harmonic_coefficients&);
+template Motion best_motion(const Host_loop&, const Harmonic_coefficients&, const Harmonic_coefficients&);
 
 } // namespace CGAL::Spherical_parameterization::internal

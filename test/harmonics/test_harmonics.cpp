@@ -406,6 +406,43 @@ TEST_CASE("the first-order ellipsoid, and shapes in its position", "[harmonics]"
   CHECK(difference(SP::aligned_to_ellipsoid(SP::rotated(moved, of_map)), aligned) < 1e-10);
 }
 
+TEST_CASE("shapes in any pose are brought together, also where the ellipsoid is a sphere", "[harmonics]")
+{
+  const double elongation = GENERATE(0., .5);
+  for(unsigned seed = 0; seed < 4; ++seed) {
+    Coefficients g = random_coefficients(12, 3, 40 + seed);
+    for(double& x : g.values())
+      x *= .3;
+    for(int k = 0; k < 3; ++k)
+      g(1, k == 0 ? 1 : k == 1 ? -1 : 0, k) += 2 + elongation * k;
+    const SP::Rotation in_space = some_rotation(50 + seed), of_map = some_rotation(60 + seed);
+    const bool is_mirrored = seed == 3;
+    Coefficients f(12, 3);
+    const Coefficients turned = SP::rotated(is_mirrored ? SP::mirrored(g) : g, of_map);
+    for(int i = 0; i < f.size(); ++i)
+      for(int k = 0; k < 3; ++k)
+        for(int j = 0; j < 3; ++j)
+          f.field_begin(k)[i] += 7 * in_space[std::size_t(k)][std::size_t(j)] * turned.field_begin(j)[i];
+    f(0, 0, 1) += 300;
+    const SP::Shape_alignment found = SP::best_alignment(one_core, f, is_mirrored ? SP::mirrored(g) : g);
+    CHECK(degrees_between(found.space, in_space) < 1e-3);
+    CHECK(degrees_between(found.sphere, of_map) < 1e-3);
+    CHECK(found.correlation == Approx(1).margin(1e-9));
+    if(is_mirrored)
+      CHECK(SP::best_alignment(one_core, f, g).correlation < .999);
+  }
+}
+
+TEST_CASE("a mirror image is that of the points", "[harmonics]")
+{
+  const Coefficients c = random_coefficients(7, 3, 16);
+  const std::vector<double> there = SP::harmonic_values(one_core, c, std::vector<Direction>{{1, 2, 3}});
+  const std::vector<double> mirrored = SP::harmonic_values(one_core, SP::mirrored(c), std::vector<Direction>{{1, 2, -3}});
+  CHECK(mirrored[0] == Approx(there[0]));
+  CHECK(mirrored[1] == Approx(there[1]));
+  CHECK(mirrored[2] == Approx(-there[2]));
+}
+
 TEST_CASE("filters, smaller and larger degrees", "[harmonics]")
 {
   const Coefficients c = random_coefficients(6, 2, 14);
@@ -477,6 +514,8 @@ TEST_CASE("what cannot be analyzed is refused", "[harmonics]")
                   CGAL::Precondition_exception);
   CHECK_THROWS_AS(SP::first_order_ellipsoid(Coefficients(0, 3)), CGAL::Precondition_exception);
   CHECK_THROWS_AS(SP::best_rotation(one_core, Coefficients(2, 1), Coefficients(2, 3)), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(SP::best_alignment(one_core, Coefficients(2, 1), Coefficients(2, 3)), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(SP::mirrored(Coefficients(2, 1)), CGAL::Precondition_exception);
   CHECK_THROWS_AS(Grid::equidistant(1, 4), CGAL::Precondition_exception);
 }
 

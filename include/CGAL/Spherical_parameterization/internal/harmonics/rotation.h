@@ -25,6 +25,17 @@ struct Correlation {
 template <class Loop>
 Correlation best_correlation(const Loop& loop, const Harmonic_coefficients& f, const Harmonic_coefficients& g);
 
+/// Rotations of space and of the sphere, and what they are worth.
+struct Motion {
+  Matrix_3 space, sphere;
+  double value; ///< the integral over the sphere of the inner product of f(x) and space g(sphere^-1 x), without degree 0
+};
+
+/// The best motion of a shape g to a shape f.
+/// \pre three functions each, of the same degree, 1 or more
+template <class Loop>
+Motion best_motion(const Loop& loop, const Harmonic_coefficients& f, const Harmonic_coefficients& g);
+
 } // namespace CGAL::Spherical_parameterization::internal
 
 #ifdef CGAL_SP_INCLUDE_CORE

@@ -8,6 +8,7 @@
 #include <CGAL/Spherical_parameterization/internal/base/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/harmonics/Complex_harmonics.h>
 #include <CGAL/Spherical_parameterization/internal/harmonics/Quarter_turn.h>
+#include <CGAL/Spherical_parameterization/internal/harmonics/ellipsoid.h>
 #include <CGAL/Spherical_parameterization/internal/harmonics/fourier.h>
 #include <CGAL/Spherical_parameterization/internal/harmonics/rotation.h>
 
@@ -18,6 +19,7 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -256,6 +258,96 @@ Correlation best_correlation(const Loop& loop, const Harmonic_coefficients& f, c
   loop.for_each(static_cast<int>(starts.size()), [&](int i) { starts[i] = search.refined(starts[i]); });
   return *std::max_element(starts.begin(), starts.end(),
                            [](const auto& x, const auto& y) { return x.value < y.value; });
+}
+
+/// The first degrees of three functions without their constants, turned in space.
+inline Harmonic_coefficients turned_in_space(const Harmonic_coefficients& f, const Matrix_3& rotation, int degree)
+{
+  Harmonic_coefficients result(degree, 3);
+  for(int k = 0; k < 3; ++k)
+    for(int j = 0; j < 3; ++j)
+      for(int i = 1; i < result.size(); ++i)
+        result.field_begin(k)[i] += rotation[k][j] * f.field_begin(j)[i];
+  return result;
+}
+
+/// The rotation of space that brings g to f where it is, constants left out.
+inline Matrix_3 best_turn_in_space(const Harmonic_coefficients& f, const Harmonic_coefficients& g)
+{
+  std::vector<vec3> from, to;
+  for(int i = 1; i < g.size(); ++i) {
+    from.push_back({g.field_begin(0)[i], g.field_begin(1)[i], g.field_begin(2)[i]});
+    to.push_back({f.field_begin(0)[i], f.field_begin(1)[i], f.field_begin(2)[i]});
+  }
+  return best_rotation(from, to);
+}
+
+/// Where rotations of the sphere are looked for.
+enum class Among { ALL, NEAR };
+
+/// By turns the best rotation of the sphere and the best rotation of space. No step makes it worse.
+template <class Loop>
+Motion alternated(const Loop& loop, const Harmonic_coefficients& f, const Harmonic_coefficients& g, Motion motion,
+                  int degree, int most_steps, Among among)
+{
+  constexpr double enough = 1e-12; // relative gain; the error is of the order of its root
+  const Matrix_3 unit = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  const Harmonic_coefficients target = turned_in_space(f, unit, degree), source = turned_in_space(g, unit, degree);
+  for(int step = 0; step < most_steps; ++step) {
+    const double before = motion.value;
+    const Harmonic_coefficients turned_source = turned_in_space(source, motion.space, degree);
+    motion.sphere = among == Among::ALL
+                      ? best_correlation(loop, target, turned_source).rotation
+                      : Rotation_search(target, turned_source).refined({motion.sphere, 0}).rotation;
+    const Harmonic_coefficients turned = rotated_harmonics(source, motion.sphere);
+    motion.space = best_turn_in_space(target, turned);
+    const Harmonic_coefficients there = turned_in_space(turned, motion.space, degree);
+    motion.value = std::inner_product(target.values().begin(), target.values().end(), there.values().begin(), 0.);
+    if(step > 0 && !(motion.value > before + enough * std::abs(before)))
+      break;
+  }
+  return motion;
+}
+
+template <class Loop>
+Motion best_motion(const Loop& loop, const Harmonic_coefficients& f, const Harmonic_coefficients& g)
+{
+  constexpr int first_degree = 4, first_steps = 3, last_steps = 20;
+  constexpr std::size_t refined = 3; // of the coarse ones
+  const Ellipsoid of_f = ellipsoid_of(f), of_g = ellipsoid_of(g);
+  Matrix_3 to_f; // from the axes to space
+  for(int i = 0; i < 3; ++i)
+    for(int j = 0; j < 3; ++j)
+      to_f[i][j] = of_f.axes[j][i];
+  // The 24 rotations of a cube between the axes: four of them are right for ellipsoids with three different axes, and
+  // some one is near for all others.
+  std::vector<Motion> motions;
+  std::array<int, 3> p = {0, 1, 2};
+  do
+    for(int signs = 0; signs < 8; ++signs) {
+      Matrix_3 cube = {};
+      for(int i = 0; i < 3; ++i)
+        cube[i][p[i]] = (signs >> i) % 2 == 0 ? 1 : -1;
+      const bool is_odd = (p[0] > p[1]) != ((p[0] > p[2]) != (p[1] > p[2]));
+      const bool mirrors = is_odd != (cube[0][p[0]] * cube[1][p[1]] * cube[2][p[2]] < 0);
+      if(!mirrors)
+        motions.push_back({product(to_f, product(cube, of_g.axes)), {}, 0});
+    }
+  while(std::next_permutation(p.begin(), p.end()));
+  const int coarse = (std::min)(first_degree, f.degree());
+  const auto is_better = [](const Motion& a, const Motion& b) { return a.value > b.value; };
+  loop.for_each(static_cast<int>(motions.size()), [&](int i) {
+    motions[i] = alternated(loop, f, g, motions[i], coarse, first_steps, Among::ALL);
+  });
+  std::stable_sort(motions.begin(), motions.end(), is_better);
+  std::vector<Motion> chosen; // the same optimum once
+  for(const Motion& motion : motions)
+    if(chosen.size() < refined && (chosen.empty() || motion.value < chosen.back().value * (1 - 1e-3)))
+      chosen.push_back(motion);
+  for(Motion& motion : chosen)
+    motion = alternated(loop, f, g, motion, (std::min)(2 * first_degree, f.degree()), last_steps, Among::ALL);
+  std::stable_sort(chosen.begin(), chosen.end(), is_better);
+  return alternated(loop, f, g, chosen.front(), f.degree(), last_steps, Among::NEAR);
 }
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -200,7 +200,8 @@ figure_harmonics() {
   tool map armadillo.off -o sphere.off --method isometric >/dev/null
   local panels=()
   for degree in 4 8 16 32 64 96; do
-    tool harmonics armadillo.off --sphere sphere.off -o a.csv --degree $degree --reconstruct smooth.ply >/dev/null
+    tool harmonics armadillo.off --sphere sphere.off -o a.csv --degree $degree --fit integrals \
+      --reconstruct smooth.ply >/dev/null
     render smooth.ply "h_$degree.png" 250 "${camera[@]}" --color=0.8,0.85,0.9
     panels+=("$(panel "h_$degree.png" "degree $degree" 270)")
   done

@@ -9,7 +9,6 @@
 #include "options/usage.h"
 #include "output/atomic_file.h"
 #include "output/write_mesh.h"
-#include "system/error_code_names.h"
 #include "system/guarded.h"
 #include "system/interruption.h"
 
@@ -96,13 +95,7 @@ SP::Harmonic_analysis analyzed(const Harmonics_options& options, const Mapped_me
                                    options.degree, method);
     });
   };
-  SP::Harmonic_analysis result = options.fit == "integrals" ? analyze(SP::Integration()) : analyze(SP::Least_squares());
-  if(!result.has_converged)
-    throw Refusal(name(Error_code::NOT_CONVERGED), options.input,
-                  "the least squares of degree " + std::to_string(options.degree) + " did not converge in " +
-                    std::to_string(result.iterations) + " iterations: the vertices are too few somewhere on the sphere",
-                  "use a smaller --degree, or --fit integrals");
-  return result;
+  return options.fit == "integrals" ? analyze(SP::Integration()) : analyze(SP::Least_squares());
 }
 
 /// The vertices where the functions have them.
@@ -146,6 +139,7 @@ void write_harmonics_report(std::ostream& out, const Harmonics_options& options,
   Json harmonics = {{"degree", options.degree},
                     {"fit", options.fit},
                     {"iterations", analysis.iterations},
+                    {"converged", analysis.has_converged},
                     {"errors", errors_by_degree(options, input, analysis.coefficients)},
                     {"power_spectrum", SP::power_spectrum(analysis.coefficients)}};
   if(options.degree > 0) {
@@ -193,6 +187,11 @@ void harmonics(const Harmonics_options& options)
   std::cout.precision(3);
   std::cout << options.output << ": degree " << options.degree << ", " << analysis.coefficients.size()
             << " coefficients of x, y and z" << (options.align ? ", aligned to the first-order ellipsoid" : "") << '\n'
+            << (analysis.has_converged
+                  ? ""
+                  : "least squares stopped after " + std::to_string(analysis.iterations) +
+                      " iterations, short of their accuracy: there are few vertices for this degree; "
+                      "--fit integrals is safer\n")
             << "error at the vertices: root mean square " << error.root_mean_square << " (" << error.relative
             << " of the size), at most " << error.largest << '\n'
             << report.seconds_total << " s: map " << input.result.seconds.total << ", harmonics "

@@ -437,7 +437,8 @@ TEST_CASE("a mirror image is that of the points", "[harmonics]")
 {
   const Coefficients c = random_coefficients(7, 3, 16);
   const std::vector<double> there = SP::harmonic_values(one_core, c, std::vector<Direction>{{1, 2, 3}});
-  const std::vector<double> mirrored = SP::harmonic_values(one_core, SP::mirrored(c), std::vector<Direction>{{1, 2, -3}});
+  const std::vector<double> mirrored =
+    SP::harmonic_values(one_core, SP::mirrored(c), std::vector<Direction>{{1, 2, -3}});
   CHECK(mirrored[0] == Approx(there[0]));
   CHECK(mirrored[1] == Approx(there[1]));
   CHECK(mirrored[2] == Approx(-there[2]));

@@ -461,8 +461,8 @@ struct Shape_alignment {
   double correlation; ///< of f and the moved g, from -1 to 1, with both centres (degree 0) at the origin
 };
 
-/// Registration of two shapes in any pose, with maps in any position: the rotations of space and of the sphere for which
-/// they are correlated best. Where the shapes are, and their sizes, does not matter.
+/// Registration of two shapes in any pose, with maps in any position: the rotations of space and of the sphere for
+/// which they are correlated best. Where the shapes are, and their sizes, does not matter.
 ///
 /// From the 24 ways to put the axes of the first-order ellipsoids onto each other the best rotation of the sphere, of
 /// all (`best_rotation()`), and the best one of space (B. Horn, 1987) by turns: up to degree 4, the best of them up to

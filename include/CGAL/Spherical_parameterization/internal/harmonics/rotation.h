@@ -28,7 +28,8 @@ Correlation best_correlation(const Loop& loop, const Harmonic_coefficients& f, c
 /// Rotations of space and of the sphere, and what they are worth.
 struct Motion {
   Matrix_3 space, sphere;
-  double value; ///< the integral over the sphere of the inner product of f(x) and space g(sphere^-1 x), without degree 0
+  double
+    value; ///< the integral over the sphere of the inner product of f(x) and space g(sphere^-1 x), without degree 0
 };
 
 /// The best motion of a shape g to a shape f.

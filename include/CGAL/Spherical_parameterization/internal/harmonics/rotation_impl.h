@@ -296,9 +296,8 @@ Motion alternated(const Loop& loop, const Harmonic_coefficients& f, const Harmon
   for(int step = 0; step < most_steps; ++step) {
     const double before = motion.value;
     const Harmonic_coefficients turned_source = turned_in_space(source, motion.space, degree);
-    motion.sphere = among == Among::ALL
-                      ? best_correlation(loop, target, turned_source).rotation
-                      : Rotation_search(target, turned_source).refined({motion.sphere, 0}).rotation;
+    motion.sphere = among == Among::ALL ? best_correlation(loop, target, turned_source).rotation
+                                        : Rotation_search(target, turned_source).refined({motion.sphere, 0}).rotation;
     const Harmonic_coefficients turned = rotated_harmonics(source, motion.sphere);
     motion.space = best_turn_in_space(target, turned);
     const Harmonic_coefficients there = turned_in_space(turned, motion.space, degree);
@@ -336,9 +335,8 @@ Motion best_motion(const Loop& loop, const Harmonic_coefficients& f, const Harmo
   while(std::next_permutation(p.begin(), p.end()));
   const int coarse = (std::min)(first_degree, f.degree());
   const auto is_better = [](const Motion& a, const Motion& b) { return a.value > b.value; };
-  loop.for_each(static_cast<int>(motions.size()), [&](int i) {
-    motions[i] = alternated(loop, f, g, motions[i], coarse, first_steps, Among::ALL);
-  });
+  loop.for_each(static_cast<int>(motions.size()),
+                [&](int i) { motions[i] = alternated(loop, f, g, motions[i], coarse, first_steps, Among::ALL); });
   std::stable_sort(motions.begin(), motions.end(), is_better);
   std::vector<Motion> chosen; // the same optimum once
   for(const Motion& motion : motions)

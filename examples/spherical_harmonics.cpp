@@ -38,6 +38,7 @@ int main(int argc, char* argv[])
 
   auto smooth = mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:smooth").first;
   std::cout.precision(1);
+  std::cout.setf(std::ios::fixed);
   for(int l = 1; l <= degree; l *= 2) {
     SP::harmonic_synthesis(SP::with_degree(analysis.coefficients, l), mesh, sphere, smooth);
     std::cout << "degree " << l << ": error " << 100 * SP::reconstruction_error(mesh, mesh.points(), smooth).relative

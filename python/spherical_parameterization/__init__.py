@@ -48,7 +48,7 @@ from .methods import (
     RegionGrowing,
     SaddlePoint,
 )
-from .spherical_harmonics import Ellipsoid, Harmonics, harmonics, read_harmonics
+from .spherical_harmonics import Ellipsoid, Harmonics, ShapeAlignment, harmonics, read_harmonics
 
 __all__ = [
     "Attempt",
@@ -73,6 +73,7 @@ __all__ = [
     "Result",
     "SaddlePoint",
     "Seconds",
+    "ShapeAlignment",
     "Texture",
     "__version__",
     "certify",

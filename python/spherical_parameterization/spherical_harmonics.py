@@ -26,6 +26,15 @@ class Ellipsoid:
 
 
 @dataclass(frozen=True, eq=False)
+class ShapeAlignment:
+    """How a shape is brought to another one: `other.rotated(sphere).coefficients @ space.T`, but for place and size."""
+
+    space: Doubles  #: (3, 3), turns the shape
+    sphere: Doubles  #: (3, 3), turns its map
+    correlation: float  #: from -1 to 1, with both centres at the origin
+
+
+@dataclass(frozen=True, eq=False)
 class Harmonics:
     """Functions on the sphere by their coefficients in real orthonormal harmonics, without Condon-Shortley phase.
 
@@ -166,6 +175,38 @@ class Harmonics:
             raise ValueError(f"other: {self._table.shape[1]} functions are needed, not {other._table.shape[1]}")
         return np.array(_core.best_rotation(self._table, other._table, policy))
 
+    def best_alignment(self, other: Harmonics, *, policy: str = "parallel") -> ShapeAlignment:
+        """How another shape, in any pose and with any rotation of its map, is brought to this one.
+
+        Parameters
+        ----------
+        other : Harmonics
+            Both are of three functions, of degree 1 or more.
+        policy : {"parallel", "sequential"}
+
+        Returns
+        -------
+        ShapeAlignment
+        """
+        for shape in (self, other):
+            shape._check_shape()
+        space, sphere, correlation = _core.best_alignment(self._table, other._table, policy)
+        return ShapeAlignment(np.array(space), np.array(sphere), correlation)
+
+    def mirrored(self) -> Harmonics:
+        """The mirror image of a shape in the plane z = 0, with its map mirrored, too.
+
+        Returns
+        -------
+        Harmonics
+        """
+        self._check_shape()
+        return Harmonics(_core.mirrored(self._table))
+
+    def _check_shape(self) -> None:
+        if self._table.shape[1] != 3 or self.degree < 1:
+            raise ValueError("a shape is three functions of degree 1 or more")
+
     def ellipsoid(self) -> Ellipsoid:
         """The first-order ellipsoid of a shape, of three functions.
 
@@ -173,8 +214,7 @@ class Harmonics:
         -------
         Ellipsoid
         """
-        if self._table.shape[1] != 3 or self.degree < 1:
-            raise ValueError("an ellipsoid needs three functions of degree 1 or more")
+        self._check_shape()
         return Ellipsoid(*(np.array(part) for part in _core.first_order_ellipsoid(self._table)))
 
     def aligned(self) -> Harmonics:

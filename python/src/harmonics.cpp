@@ -116,6 +116,15 @@ SP::Rotation best_rotation(const Doubles& f, const Doubles& g, const std::string
   return on(policy, [&](const auto& p) { return SP::best_rotation(p, of_f, of_g); });
 }
 
+auto best_alignment(const Doubles& f, const Doubles& g, const std::string& policy)
+{
+  const SP::Harmonic_coefficients of_f = of_array(f), of_g = of_array(g);
+  const SP::Shape_alignment a = on(policy, [&](const auto& p) { return SP::best_alignment(p, of_f, of_g); });
+  return std::tuple(a.space, a.sphere, a.correlation);
+}
+
+Doubles mirrored(const Doubles& coefficients) { return to_array(SP::mirrored(of_array(coefficients))); }
+
 auto first_order_ellipsoid(const Doubles& coefficients)
 {
   const SP::First_order_ellipsoid e = SP::first_order_ellipsoid(of_array(coefficients));
@@ -151,6 +160,8 @@ void add_harmonics(py::module_& module)
   module.def("harmonic_grid", harmonic_grid);
   module.def("rotated_harmonics", rotated_harmonics);
   module.def("best_rotation", best_rotation);
+  module.def("best_alignment", best_alignment);
+  module.def("mirrored", mirrored);
   module.def("first_order_ellipsoid", first_order_ellipsoid);
   module.def("harmonics_to_text", harmonics_to_text);
   module.def("harmonics_of_text", harmonics_of_text);

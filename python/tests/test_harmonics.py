@@ -81,6 +81,11 @@ def test_a_shape_in_any_pose() -> None:
     x = np.random.default_rng(6).normal(size=(9, 3))
     assert abs(shape.rotated(some_rotation(7)).at(x @ some_rotation(7).T) - shape.at(x)).max() < 1e-9
     assert abs(shape.rotated(some_rotation(8)).best_rotation(shape) - some_rotation(8)).max() < 1e-6
+    alignment = moved.best_alignment(shape)
+    assert abs(alignment.space - some_rotation(4)).max() < 1e-4
+    assert abs(alignment.sphere - some_rotation(5)).max() < 1e-4
+    assert alignment.correlation == pytest.approx(1)
+    assert abs(shape.mirrored().at(x * [1, 1, -1]) - shape.at(x) * [1, 1, -1]).max() < 1e-9
     smooth = shape.filtered(np.exp(-0.1 * np.arange(6) * np.arange(1, 7)))
     assert smooth.degree == 5
     assert smooth.power_spectrum()[3] == pytest.approx(np.exp(-2.4) * shape.power_spectrum()[3])
@@ -123,7 +128,7 @@ def test_wrong_arguments() -> None:
         sp.harmonics(triangles, sphere, sphere[:-1], 2)
     with pytest.raises(ValueError, match="coefficients"):
         sp.Harmonics(np.zeros(5))
-    with pytest.raises(ValueError, match="ellipsoid"):
+    with pytest.raises(ValueError, match="three functions"):
         sp.Harmonics(np.zeros(4)).ellipsoid()
     with pytest.raises(ValueError, match="functions"):
         sp.Harmonics(np.zeros(4)).best_rotation(sp.Harmonics(np.zeros((4, 3))))

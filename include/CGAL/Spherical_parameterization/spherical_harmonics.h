@@ -474,7 +474,7 @@ struct Shape_alignment {
 /// \return the rotations and the correlation
 /// \pre three functions of degree 1 or more in both
 ///
-/// Complexity: O(L^3) per step; about 50 ms for degree 31 on one core.
+/// Complexity: O(L^3) per step; 50 to 70 ms for degree 31 on one core.
 template <class ExecutionPolicy>
 Shape_alignment best_alignment(const ExecutionPolicy& policy, const Harmonic_coefficients& f,
                                const Harmonic_coefficients& g)

@@ -53,7 +53,11 @@ public:
   int degree() const { return degree_; }                     ///< \return the largest l, or -1
   int number_of_fields() const { return fields_; }           ///< \return the number of functions
   int size() const { return (degree_ + 1) * (degree_ + 1); } ///< \return the number of coefficients of a function
-  static int index(int l, int m) { return l * l + l + m; }   ///< \return where c(l, m) is in a function's range
+
+  /// \param l  0 or more
+  /// \param m  -l to l
+  /// \return where c(l, m) is in a function's range
+  static int index(int l, int m) { return l * l + l + m; }
 
   /// \param l      0 to `degree()`
   /// \param m      -l to l

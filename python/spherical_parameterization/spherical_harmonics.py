@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from dataclasses import dataclass
 from pathlib import Path
@@ -65,14 +66,14 @@ class Harmonics:
 
     def __post_init__(self) -> None:
         c = np.ascontiguousarray(self.coefficients, dtype=np.float64)
-        if c.ndim not in (1, 2) or c.shape[0] == 0 or round(c.shape[0] ** 0.5) ** 2 != c.shape[0]:
+        if c.ndim not in (1, 2) or c.shape[0] == 0 or math.isqrt(c.shape[0]) ** 2 != c.shape[0]:
             raise ValueError(f"coefficients: shape ((L + 1)**2,) or ((L + 1)**2, d) is needed, not {c.shape}")
         object.__setattr__(self, "coefficients", c)
 
     @property
     def degree(self) -> int:
         """The largest l."""
-        return round(len(self.coefficients) ** 0.5) - 1
+        return math.isqrt(len(self.coefficients)) - 1
 
     @property
     def _table(self) -> Doubles:

@@ -17,7 +17,7 @@ rooms='
 1|core|base|loops on the host, arrays, monitor, small dense algebra
 2|core|predicates|exact orientation, degree, certificate
 3|core|mesh|corner table, checks of the input, numbering
-4|public|inputs|edge_weights.h, Indexed_triangle_mesh.h
+4|public|inputs|edge_weights.h, Indexed_triangle_mesh.h, ...
 2|core|backend|formulas; the verbs, on one core and with TBB
 5|core|backend/opencl|the same verbs on an OpenCL device
 4|kernels|kernels|OpenCL C: one kernel per verb
@@ -33,6 +33,7 @@ rooms='
 5|beside|inverse|kd-tree, barycentric coordinates
 5|beside|segmentation|girths, creases, regions
 5|beside|signature|conformal factor, intrinsic Laplacian
+6|beside|harmonics|transforms, least squares, rotations
 6|beside|texture|charts, poles, grid of coordinates
 9|public|parameterize|parameterize.h: the two front doors
 10|public|applications|what is done with a map: a header each
@@ -60,9 +61,9 @@ includes() {
         if(index(file, package) != 1)
           return file ~ /^include/ ? "applications" : substr(file, 1, index(file, "/") - 1)
         name = substr(file, length(package) + 1)
-        if(name ~ /^(Error|Result|methods|segmentation_methods|texture_options|version|OpenCL_error|OpenCL_device_info)\.h$/)
+        if(name ~ /^(Error|Result|methods|harmonics_methods|segmentation_methods|texture_options|version|OpenCL_error|OpenCL_device_info)\.h$/)
           return "vocabulary"
-        if(name ~ /^(edge_weights|Indexed_triangle_mesh)\.h$/)
+        if(name ~ /^(edge_weights|Indexed_triangle_mesh|Harmonic_coefficients)\.h$/)
           return "inputs"
         if(name ~ /^OpenCL_/)
           return "devices"

@@ -2,14 +2,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # make_figures.sh [FIGURE...]
 # Makes the figures of the manual and the README, doc/images/, with the package's own tool from CGAL's meshes: all, or
-# those named (strip method stretch segmentation texture morph search scaling page).
+# those named (strip method stretch segmentation texture morph search harmonics scaling page).
 # It installs what it needs, and builds in build/; TOOL=..., MORPH=... and SDF_SEGMENTS=... take programs built elsewhere.
 set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 images=$root/doc/images
 work=$(mktemp -d)
 trap 'rm -rf -- "$work"' EXIT
-[ $# -gt 0 ] || set -- strip method stretch segmentation texture morph search scaling page
+[ $# -gt 0 ] || set -- strip method stretch segmentation texture morph search harmonics scaling page
 
 "$root/scripts/install_dependencies.sh" f3d xvfb xauth imagemagick gnuplot-nox
 if [ -z "${TOOL:-}" ]; then
@@ -193,6 +193,31 @@ figure_search() {
   done
   convert "${rows[@]}" -append search.png
   finish search.png search.png
+}
+
+figure_harmonics() {
+  look_at armadillo
+  tool map armadillo.off -o sphere.off --method isometric >/dev/null
+  local panels=()
+  for degree in 4 8 16 32 64 96; do
+    tool harmonics armadillo.off --sphere sphere.off -o a.csv --degree $degree --fit integrals \
+      --reconstruct smooth.ply >/dev/null
+    render smooth.ply "h_$degree.png" 250 "${camera[@]}" --color=0.8,0.85,0.9
+    panels+=("$(panel "h_$degree.png" "degree $degree" 270)")
+  done
+  row harmonics.png "${panels[@]}"
+  finish harmonics.png harmonics.png
+  for mesh in armadillo bunny00 bear; do
+    for choice in isometric balanced; do
+      tool harmonics $mesh.off -o a.csv --method $choice --fit integrals --degree 128 --report report.json >/dev/null
+      printf '"%s, %s"\n' "${mesh%00}" "$(sed s/balanced/conformal/ <<<$choice)"
+      # the size is the root mean square over its ratio to the size
+      awk -F'[:,]' '/"degree":/ { d = $2 } /"root_mean_square":/ { e = $2 } /"relative":/ { r = $2 }
+                    /"hausdorff":/ { print d, r, $2 * r / e }' report.json
+      printf '\n\n'
+    done
+  done >errors.txt
+  gnuplot -e "table='errors.txt'; svg='$images/harmonic_errors.svg'" "$root/doc/figures/harmonic_errors.gp"
 }
 
 figure_scaling() {

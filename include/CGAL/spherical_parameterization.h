@@ -10,6 +10,7 @@
 #include <CGAL/Spherical_parameterization/align_maps.h>
 #include <CGAL/Spherical_parameterization/distortion_summary.h>
 #include <CGAL/Spherical_parameterization/edge_weights.h>
+#include <CGAL/Spherical_parameterization/harmonic_files.h>
 #include <CGAL/Spherical_parameterization/locate.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 #include <CGAL/Spherical_parameterization/methods.h>
@@ -17,6 +18,7 @@
 #include <CGAL/Spherical_parameterization/resample.h>
 #include <CGAL/Spherical_parameterization/segmentation.h>
 #include <CGAL/Spherical_parameterization/shape_signature.h>
+#include <CGAL/Spherical_parameterization/spherical_harmonics.h>
 #include <CGAL/Spherical_parameterization/stretch_histogram.h>
 #include <CGAL/Spherical_parameterization/texture_coordinates.h>
 #include <CGAL/Spherical_parameterization/transfer_properties.h>

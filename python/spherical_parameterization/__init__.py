@@ -51,6 +51,7 @@ from .methods import (
     SaddlePoint,
 )
 from .prepare import Prepared, prepare
+from .spherical_harmonics import Ellipsoid, Harmonics, ShapeAlignment, harmonics, read_harmonics
 
 __all__ = [
     "Attempt",
@@ -61,8 +62,10 @@ __all__ = [
     "DeviceError",
     "DistortionSummary",
     "Distribution",
+    "Ellipsoid",
     "ErrorCode",
     "GirthProfiles",
+    "Harmonics",
     "Isometric",
     "Locator",
     "MajorityVote",
@@ -74,6 +77,7 @@ __all__ = [
     "Result",
     "SaddlePoint",
     "Seconds",
+    "ShapeAlignment",
     "Texture",
     "__version__",
     "certify",
@@ -81,12 +85,14 @@ __all__ = [
     "distortion",
     "edges",
     "face_distortion",
+    "harmonics",
     "icosphere",
     "mean_over_faces",
     "opencl_device",
     "opencl_devices",
     "parameterize",
     "prepare",
+    "read_harmonics",
     "read_mesh",
     "search",
     "segment",

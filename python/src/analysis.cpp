@@ -33,21 +33,6 @@ namespace {
 typedef Array_map<Mesh::Face_index, double> Face_values;
 typedef Array_map<Mesh::Vertex_index, double> Vertex_values;
 
-/// Calls f(policy) without the interpreter's lock.
-template <class F>
-auto on(const std::string& policy, F f)
-{
-  const Host_policy chosen = host_policy(policy);
-  const py::gil_scoped_release no_lock;
-  return std::visit(f, chosen);
-}
-
-template <class Number, class... Sizes>
-py::array_t<Number, py::array::c_style> make_array(Sizes... sizes)
-{
-  return py::array_t<Number, py::array::c_style>(std::vector<py::ssize_t>{static_cast<py::ssize_t>(sizes)...});
-}
-
 std::pair<std::size_t, int> certify(const py::array& triangles, const Doubles& sphere, const std::string& policy)
 {
   const Mesh mesh = make_mesh(sphere, triangles);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 //
-// What both files of the binding share: arrays of numpy as ranges, points and triangles as a mesh, policies by name.
+// What the files of the binding share: arrays of numpy as ranges, points and triangles as a mesh, policies by name.
 // The functions of the module are private: the Python files next to it check shapes and types before they call.
 
 #ifndef SPHERICAL_PARAMETERIZATION_PYTHON_ARRAYS_H
@@ -108,6 +108,38 @@ inline Host_policy host_policy(const std::string& name)
   return CGAL::Sequential_tag();
 }
 
+/// Calls f(policy) without the interpreter's lock.
+template <class F>
+auto on(const std::string& policy, F f)
+{
+  const Host_policy chosen = host_policy(policy);
+  const py::gil_scoped_release no_lock;
+  return std::visit(f, chosen);
+}
+
+template <class Number, class... Sizes>
+py::array_t<Number, py::array::c_style> make_array(Sizes... sizes)
+{
+  return py::array_t<Number, py::array::c_style>(std::vector<py::ssize_t>{static_cast<py::ssize_t>(sizes)...});
+}
+
+/// A column of an array (n, d), read from its first number on.
+struct Column {
+  typedef Mesh::Vertex_index key_type;
+  typedef double value_type;
+  typedef double reference;
+  typedef boost::readable_property_map_tag category;
+
+  const double* first;
+  std::size_t columns;
+
+  friend double get(const Column& map, key_type v)
+  {
+    return map.first[map.columns * static_cast<std::size_t>(v.idx())];
+  }
+};
+
 void add_analysis(py::module_& module);
+void add_harmonics(py::module_& module);
 
 #endif // SPHERICAL_PARAMETERIZATION_PYTHON_ARRAYS_H

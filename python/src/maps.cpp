@@ -299,4 +299,5 @@ PYBIND11_MODULE(_core, module)
   module.def("message", [](int code) { return SP::get_error_message(static_cast<SP::Error_code>(code)); });
   add_devices(module);
   add_analysis(module);
+  add_harmonics(module);
 }

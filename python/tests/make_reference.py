@@ -42,7 +42,7 @@ def page() -> str:
         parts.append(f"## {title}\n")
         for name in names:
             parts.append(entry(name))
-            parts += [entry(method) for method in methods(name) if name == "Locator"]
+            parts += [entry(method) for method in methods(name) if name in ("Harmonics", "Locator")]
     return "\n".join(parts).rstrip()
 
 

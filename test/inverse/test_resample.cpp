@@ -19,7 +19,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 
 using namespace test;
 
@@ -195,31 +194,6 @@ TEST_CASE("resampling between types of meshes and kernels", "[resample]")
   CHECK(points.size() == 42);
 }
 
-TEST_CASE("the rotations of the icosahedron are sixty, and proper", "[align]")
-{
-  const auto rotations = SP::internal::rotations_of_icosahedron(SP::internal::Icosphere(0));
-  REQUIRE(rotations.size() == 60);
-  const auto points = SP::internal::Icosphere(0).points;
-  std::set<std::vector<long>> different;
-  for(const SP::Rotation& r : rotations) {
-    const Vector x(r[0][0], r[0][1], r[0][2]), y(r[1][0], r[1][1], r[1][2]), z(r[2][0], r[2][1], r[2][2]);
-    CHECK((CGAL::cross_product(x, y) - z).squared_length() < 1e-28); // orthonormal and of determinant 1
-    CHECK(std::abs(x * y) < 1e-14);
-    CHECK(x.squared_length() == Approx(1).epsilon(1e-14));
-    std::vector<long> image;
-    for(const auto& p : points) { // vertices go to vertices
-      const auto q = SP::internal::rotated(r, p);
-      const auto at = std::find_if(points.begin(), points.end(), [&](const auto& other) {
-        return SP::internal::inner(SP::internal::sub(other, q), SP::internal::sub(other, q)) < 1e-28;
-      });
-      image.push_back(long(at - points.begin()));
-      CHECK(at != points.end());
-    }
-    different.insert(image);
-  }
-  CHECK(different.size() == 60);
-}
-
 TEST_CASE("maps of the same shape are brought into the same position", "[align]")
 {
   const Soup soup = bumpy_sphere(3);
@@ -238,7 +212,7 @@ TEST_CASE("maps of the same shape are brought into the same position", "[align]"
       SP::aligning_rotation(locator, mesh.points(), Locator(other, rotated_sphere), other.points());
     for(std::size_t i = 0; i < 3; ++i)
       for(std::size_t j = 0; j < 3; ++j)
-        CHECK(found[i][j] == Approx(rows[i][int(j)]).margin(5e-3));
+        CHECK(found[i][j] == Approx(rows[i][int(j)]).margin(1e-3));
     const auto seen = SP::rotated_map(on_sphere, found);
     for(Vertex v : vertices(mesh)) {
       const auto p = get(seen, v);

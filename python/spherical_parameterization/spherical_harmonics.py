@@ -1,0 +1,363 @@
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Shapes and other data as spherical harmonics (SPHARM)."""
+
+from __future__ import annotations
+
+import math
+import os
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from .arrays import Doubles, index_triples, vectors
+from .methods import one_of
+
+
+@dataclass(frozen=True, eq=False)
+class Ellipsoid:
+    """What a shape is up to degree 1: the points `centre + axes.T @ (radii * (sphere_axes @ x))` of unit vectors x."""
+
+    centre: Doubles  #: (3,)
+    radii: Doubles  #: (3,), largest first
+    axes: Doubles  #: (3, 3), rows: the directions of the half axes in space
+    sphere_axes: Doubles  #: (3, 3), rows: the directions on the sphere that are mapped there
+
+
+@dataclass(frozen=True, eq=False)
+class ShapeAlignment:
+    """How a shape is brought to another one: `other.rotated(sphere).coefficients @ space.T`, but for place and size."""
+
+    space: Doubles  #: (3, 3), turns the shape
+    sphere: Doubles  #: (3, 3), turns its map
+    correlation: float  #: from -1 to 1, with both centres at the origin
+
+
+@dataclass(frozen=True, eq=False)
+class Harmonics:
+    """Functions on the sphere by their coefficients in real orthonormal harmonics, without Condon-Shortley phase.
+
+    Parameters
+    ----------
+    coefficients : ndarray ((L + 1)**2,) or ((L + 1)**2, d) of float64
+        Row l * l + l + m is that of l and m, -l <= m <= l. With negative m go sines, with positive m cosines of the
+        longitude: row 1, 2 and 3 are those of y, z and x.
+    has_converged : bool
+        Whether least squares came to their accuracy in the iterations they had.
+    iterations : int
+        Of least squares.
+
+    Examples
+    --------
+    >>> import spherical_parameterization as sp
+    >>> sphere, triangles = sp.icosphere(3)
+    >>> ellipsoid = sp.harmonics(triangles, sphere, sphere * [3, 2, 1], degree=8)
+    >>> ellipsoid.ellipsoid().radii.round(6).tolist()
+    [3.0, 2.0, 1.0]
+    >>> ellipsoid.at([[1, 0, 0]]).round(6).tolist()
+    [[3.0, -0.0, 0.0]]
+    """
+
+    coefficients: Doubles
+    has_converged: bool = True
+    iterations: int = 0
+
+    def __post_init__(self) -> None:
+        c = np.ascontiguousarray(self.coefficients, dtype=np.float64)
+        if c.ndim not in (1, 2) or c.shape[0] == 0 or math.isqrt(c.shape[0]) ** 2 != c.shape[0]:
+            raise ValueError(f"coefficients: shape ((L + 1)**2,) or ((L + 1)**2, d) is needed, not {c.shape}")
+        object.__setattr__(self, "coefficients", c)
+
+    @property
+    def degree(self) -> int:
+        """The largest l."""
+        return math.isqrt(len(self.coefficients)) - 1
+
+    @property
+    def _table(self) -> Doubles:
+        return self.coefficients.reshape(len(self.coefficients), -1)
+
+    def _with(self, table: Doubles) -> Harmonics:
+        return Harmonics(table.reshape((len(table), *self.coefficients.shape[1:])))
+
+    def at(self, directions: npt.ArrayLike, *, policy: str = "parallel") -> Doubles:
+        """The values of the functions.
+
+        Parameters
+        ----------
+        directions : array_like (k, 3) of float
+            Of any length but 0, such as a sphere: the reconstruction of a shape.
+        policy : {"parallel", "sequential"}
+
+        Returns
+        -------
+        ndarray (k,) or (k, d) of float64
+        """
+        values = _core.harmonic_values(self._table, vectors("directions", directions), policy)
+        return values.reshape((len(values), *self.coefficients.shape[1:]))
+
+    def on_grid(self, rows: int, columns: int, *, policy: str = "parallel") -> Doubles:
+        """The values on a grid of latitudes and longitudes.
+
+        Parameters
+        ----------
+        rows : int
+            Equidistant from the north pole to the south pole, with both; 2 or more.
+        columns : int
+            Equidistant from longitude 0 on, without 2 pi.
+        policy : {"parallel", "sequential"}
+
+        Returns
+        -------
+        ndarray (rows, columns) or (rows, columns, d) of float64
+        """
+        values = np.moveaxis(_core.harmonic_grid(self._table, rows, columns, policy), 0, -1)
+        return np.ascontiguousarray(values).reshape((rows, columns, *self.coefficients.shape[1:]))
+
+    def power_spectrum(self) -> Doubles:
+        """The sum of the squares of the coefficients of each degree: the same for all rotations.
+
+        Returns
+        -------
+        ndarray (L + 1,) of float64
+        """
+        squares = (self._table**2).sum(axis=1)
+        return np.add.reduceat(squares, np.arange(self.degree + 1) ** 2)
+
+    def filtered(self, factors: npt.ArrayLike) -> Harmonics:
+        """Every degree multiplied by a factor: falling ones smooth, those above 1 sharpen.
+
+        Parameters
+        ----------
+        factors : array_like (k,) of float
+            Of the degrees 0 ... k - 1; the result is of the degree k - 1 or of that of these functions, if that is less.
+
+        Returns
+        -------
+        Harmonics
+        """
+        given = np.asarray(factors, dtype=np.float64)
+        if given.ndim != 1 or given.size == 0:
+            raise ValueError(f"factors: shape (k,) is needed, not {given.shape}")
+        degree = min(len(given) - 1, self.degree)
+        per_row = np.repeat(given[: degree + 1], 2 * np.arange(degree + 1) + 1)
+        return self._with(self._table[: (degree + 1) ** 2] * per_row[:, None])
+
+    def rotated(self, rotation: npt.ArrayLike) -> Harmonics:
+        """The functions turned: what is at x comes to R x.
+
+        Parameters
+        ----------
+        rotation : array_like (3, 3) of float
+            R, orthogonal, of determinant 1.
+
+        Returns
+        -------
+        Harmonics
+        """
+        return self._with(_core.rotated_harmonics(self._table, vectors("rotation", rotation, 3)))
+
+    def best_rotation(self, other: Harmonics, *, policy: str = "parallel") -> Doubles:
+        """The rotation R, of all, for which these functions and `other.rotated(R)` are correlated best.
+
+        Parameters
+        ----------
+        other : Harmonics
+            Of as many functions.
+        policy : {"parallel", "sequential"}
+
+        Returns
+        -------
+        ndarray (3, 3) of float64
+        """
+        if self._table.shape[1] != other._table.shape[1]:
+            raise ValueError(f"other: {self._table.shape[1]} functions are needed, not {other._table.shape[1]}")
+        return np.array(_core.best_rotation(self._table, other._table, policy))
+
+    def best_alignment(self, other: Harmonics, *, policy: str = "parallel") -> ShapeAlignment:
+        """How another shape, in any pose and with any rotation of its map, is brought to this one.
+
+        Parameters
+        ----------
+        other : Harmonics
+            Both are of three functions, of degree 1 or more.
+        policy : {"parallel", "sequential"}
+
+        Returns
+        -------
+        ShapeAlignment
+        """
+        for shape in (self, other):
+            shape._check_shape()
+        space, sphere, correlation = _core.best_alignment(self._table, other._table, policy)
+        return ShapeAlignment(np.array(space), np.array(sphere), correlation)
+
+    def mirrored(self) -> Harmonics:
+        """The mirror image of a shape in the plane z = 0, with its map mirrored, too.
+
+        Returns
+        -------
+        Harmonics
+        """
+        self._check_shape()
+        return Harmonics(_core.mirrored(self._table))
+
+    def _check_shape(self) -> None:
+        if self._table.shape[1] != 3 or self.degree < 1:
+            raise ValueError("a shape is three functions of degree 1 or more")
+
+    def ellipsoid(self) -> Ellipsoid:
+        """The first-order ellipsoid of a shape, of three functions.
+
+        Returns
+        -------
+        Ellipsoid
+        """
+        self._check_shape()
+        return Ellipsoid(*(np.array(part) for part in _core.first_order_ellipsoid(self._table)))
+
+    def aligned(self) -> Harmonics:
+        """A shape in the position of its first-order ellipsoid: so shapes in any pose can be compared.
+
+        Returns
+        -------
+        Harmonics
+        """
+        ellipsoid = self.ellipsoid()
+        moved = self._table @ ellipsoid.axes.T
+        moved[0] = 0
+        return Harmonics(moved).rotated(ellipsoid.sphere_axes)
+
+    def to_pyshtools(self) -> Doubles:
+        """The coefficients as pyshtools has them with `normalization="ortho", csphase=1`.
+
+        Returns
+        -------
+        ndarray (2, L + 1, L + 1) or (d, 2, L + 1, L + 1) of float64
+        """
+        result = np.zeros((self._table.shape[1], 2, self.degree + 1, self.degree + 1))
+        for l in range(self.degree + 1):  # noqa: E741
+            row = l * l + l
+            result[:, 0, l, : l + 1] = self._table[row : row + l + 1].T
+            result[:, 1, l, 1 : l + 1] = self._table[row - l : row][::-1].T
+        return result.reshape((*self.coefficients.shape[1:], *result.shape[1:]))
+
+    def save(self, file: str | os.PathLike[str]) -> None:
+        """Writes the coefficients to a file .csv, .json or, for three functions, .coef as SPHARM-PDM has it.
+
+        Parameters
+        ----------
+        file : path
+        """
+        Path(file).write_text(_core.harmonics_to_text(self._table, _format_of(file)))
+
+
+def _format_of(file: str | os.PathLike[str]) -> str:
+    extension = Path(file).suffix[1:].lower()
+    one_of("extension", extension, "csv", "json", "coef")
+    return extension
+
+
+def read_harmonics(file: str | os.PathLike[str]) -> Harmonics:
+    """Reads what `Harmonics.save()`, the tool or SPHARM-PDM has written.
+
+    Parameters
+    ----------
+    file : path
+        .csv, .json or .coef
+
+    Returns
+    -------
+    Harmonics
+        The coefficients as ((L + 1)**2, d).
+
+    Raises
+    ------
+    ValueError
+        If it is no such file.
+    """
+    try:
+        return Harmonics(_core.harmonics_of_text(Path(file).read_text(), _format_of(file)))
+    except RuntimeError as error:
+        raise ValueError(f"{os.fspath(file)}: {error}") from None
+
+
+def harmonics(
+    triangles: npt.ArrayLike,
+    sphere: npt.ArrayLike,
+    values: npt.ArrayLike,
+    degree: int,
+    *,
+    fit: str = "least-squares",
+    weights: str = "sphere-area",
+    points: npt.ArrayLike | None = None,
+    accuracy: float = 1e-10,
+    iterations: int = 500,
+    policy: str = "parallel",
+) -> Harmonics:
+    """Analysis of data of the vertices in spherical harmonics. Of the points of a mesh it is SPHARM.
+
+    Parameters
+    ----------
+    triangles : array_like (m, 3) of int
+    sphere : array_like (n, 3) of float
+        Unit vectors; maps by `Isometric` need the fewest degrees.
+    values : array_like (n,) or (n, d) of float
+        Such as the points.
+    degree : int
+        (degree + 1)**2 coefficients of each column.
+    fit : {"least-squares", "integrals"}
+        At the vertices, of which there have to be as many as coefficients; or over the faces, on which the field is
+        linear.
+    weights : {"sphere-area", "surface-area", "equal"}
+        How much the vertices count in least squares.
+    points : array_like (n, 3) of float
+        For "surface-area".
+    accuracy : float
+        Least squares stop where the gradient is this part of that at 0; of integrals that of the quadrature.
+    iterations : int
+        At most, of least squares.
+    policy : {"parallel", "sequential"}
+
+    Returns
+    -------
+    Harmonics
+
+    Raises
+    ------
+    MeshError
+        For what is not finite, or no direction.
+    """
+    one_of("fit", fit, "least-squares", "integrals")
+    one_of("weights", weights, "sphere-area", "surface-area", "equal")
+    directions = vectors("sphere", sphere)
+    data = np.asarray(values, dtype=np.float64)
+    if data.ndim not in (1, 2) or len(data) != len(directions):
+        raise ValueError(f"values: shape ({len(directions)},) or ({len(directions)}, d) is needed, not {data.shape}")
+    if not 0 <= degree <= 16383:
+        raise ValueError(f"degree {degree}: 0 to 16383 is needed")
+    if fit == "least-squares" and (degree + 1) ** 2 > len(directions):
+        raise ValueError(
+            f"degree {degree}: least squares need {(degree + 1) ** 2} vertices, and there are {len(directions)}; "
+            'take a smaller degree, or fit="integrals"'
+        )
+    if not (accuracy > 0 and iterations >= 0):
+        raise ValueError("accuracy must be positive, and iterations must not be negative")
+    if weights == "surface-area" and points is None:
+        raise ValueError('weights="surface-area" needs points')
+    table = np.ascontiguousarray(data.reshape(len(data), -1))
+    coefficients, has_converged, count = _core.harmonic_analysis(
+        index_triples(triangles),
+        directions,
+        table,
+        degree,
+        fit,
+        weights,
+        None if points is None else vectors("points", points, len(directions)),
+        accuracy,
+        iterations,
+        policy,
+    )
+    return Harmonics(coefficients.reshape((len(coefficients), *data.shape[1:])), has_converged, count)

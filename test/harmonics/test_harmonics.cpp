@@ -1,0 +1,540 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// spherical_harmonics.h and harmonic_files.h
+
+#include "helpers/certificate.h"
+#include "helpers/meshes.h"
+#include "helpers/property_maps.h"
+
+#include <CGAL/Spherical_parameterization/harmonic_files.h>
+#include <CGAL/Spherical_parameterization/locate.h>
+#include <CGAL/Spherical_parameterization/spherical_harmonics.h>
+#include <CGAL/Spherical_parameterization/transfer_properties.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <random>
+#include <sstream>
+#include <vector>
+
+using namespace test;
+
+namespace {
+
+using Vertex = Mesh::Vertex_index;
+using Coefficients = SP::Harmonic_coefficients;
+using Grid = SP::Latitude_longitude_grid;
+using Direction = std::array<double, 3>;
+
+constexpr double pi = 3.14159265358979323846;
+const CGAL::Sequential_tag one_core;
+
+/// By the standard library, whose functions have the Condon-Shortley phase.
+double harmonic(int l, int m, const Direction& x)
+{
+  const double theta = std::atan2(std::hypot(x[0], x[1]), x[2]), phi = std::atan2(x[1], x[0]);
+  const int k = std::abs(m);
+  const double y = (k % 2 == 0 ? 1 : -1) * std::sph_legendre(unsigned(l), unsigned(k), theta);
+  return m == 0 ? y : std::sqrt(2.) * y * (m > 0 ? std::cos(k * phi) : std::sin(k * phi));
+}
+
+/// Coefficients that fall with the degree, as those of shapes do.
+Coefficients random_coefficients(int degree, int fields, unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  Coefficients c(degree, fields);
+  for(int field = 0; field < fields; ++field)
+    for(int l = 0; l <= degree; ++l)
+      for(int m = -l; m <= l; ++m)
+        c(l, m, field) = normal(random) / (1 + l);
+  return c;
+}
+
+double difference(const Coefficients& a, const Coefficients& b)
+{
+  REQUIRE(a.values().size() == b.values().size());
+  double largest = 0;
+  for(std::size_t i = 0; i < a.values().size(); ++i)
+    largest = (std::max)(largest, std::abs(a.values()[i] - b.values()[i]));
+  return largest;
+}
+
+SP::Rotation some_rotation(unsigned seed)
+{
+  const auto rows = random_rotation(seed);
+  SP::Rotation r;
+  for(std::size_t i = 0; i < 3; ++i)
+    r[i] = {rows[i].x(), rows[i].y(), rows[i].z()};
+  return r;
+}
+
+Direction apply_rotation(const SP::Rotation& r, const Direction& x)
+{
+  Direction y = {};
+  for(std::size_t i = 0; i < 3; ++i)
+    for(std::size_t j = 0; j < 3; ++j)
+      y[i] += r[i][j] * x[j];
+  return y;
+}
+
+double degrees_between(const SP::Rotation& a, const SP::Rotation& b)
+{
+  double square = 0;
+  for(std::size_t i = 0; i < 3; ++i)
+    for(std::size_t j = 0; j < 3; ++j)
+      square += (a[i][j] - b[i][j]) * (a[i][j] - b[i][j]);
+  return 2 * std::asin((std::min)(1., std::sqrt(square / 8))) * 180 / pi;
+}
+
+/// An icosphere whose vertices have other places: the map is the identity.
+struct Sphere_with_points {
+  Mesh mesh;
+  std::map<Vertex, Point> points;
+
+  template <class F>
+  Sphere_with_points(int level, F f) : mesh(make_mesh(icosphere(level)))
+  {
+    for(Vertex v : vertices(mesh))
+      points[v] = f(mesh.point(v));
+  }
+  Readable_map<Vertex, Point> map() const
+  {
+    return {[this](Vertex v) { return points.at(v); }};
+  }
+};
+
+SP::Least_squares tight()
+{
+  SP::Least_squares method;
+  method.accuracy = 1e-13;
+  return method;
+}
+
+} // namespace
+
+TEST_CASE("values of single harmonics are those of the standard library", "[harmonics]")
+{
+  const std::vector<Direction> directions = {{1, 2, 3},  {-.3, .1, -2}, {0, 0, 1},
+                                             {0, 0, -4}, {-1, 0, 0},    {1e-3, 2e-3, -1}};
+  for(int l : {0, 1, 2, 3, 7, 20, 64})
+    for(int m : {-l, -(l + 1) / 2, 0, l / 2, l}) {
+      Coefficients c(l);
+      c(l, m) = 1;
+      const std::vector<double> values = SP::harmonic_values(one_core, c, directions);
+      for(std::size_t i = 0; i < directions.size(); ++i)
+        CHECK(values[i] == Approx(harmonic(l, m, directions[i])).margin(1e-11));
+    }
+}
+
+TEST_CASE("a grid finds every single harmonic up to degree 64", "[harmonics]")
+{
+  constexpr int degree = 64;
+  const auto grid = Grid::gauss_legendre(degree);
+  double error = 0;
+  for(int l = 0; l <= degree; ++l) {
+    const int m = l % 3 == 0 ? -l : l % 3 == 1 ? l / 2 : l;
+    std::vector<double> values;
+    for(int row = 0; row < grid.rows(); ++row)
+      for(int column = 0; column < grid.columns(); ++column)
+        values.push_back(harmonic(l, m, grid.direction(row, column)));
+    Coefficients expected(degree);
+    expected(l, m) = 1;
+    error = (std::max)(error, difference(SP::harmonic_analysis(one_core, grid, values, degree), expected));
+  }
+  CHECK(error < 1e-11);
+}
+
+TEST_CASE("grids give coefficients back, of high degrees, too", "[harmonics]")
+{
+  for(int degree : {0, 1, 10, 700}) {
+    const Coefficients c = random_coefficients(degree, degree > 100 ? 1 : 3, 1);
+    const auto grid = Grid::gauss_legendre(degree);
+    CHECK(difference(SP::harmonic_analysis(one_core, grid, SP::harmonic_synthesis(one_core, c, grid), degree), c) <
+          1e-11);
+  }
+  const Coefficients c = random_coefficients(20, 2, 2);
+  const auto grid = Grid::equidistant(41, 43);
+  CHECK(difference(SP::harmonic_analysis(one_core, grid, SP::harmonic_synthesis(one_core, c, grid), 20), c) < 1e-12);
+  // few columns: a sample of the function is still that
+  const auto coarse = Grid::equidistant(5, 3);
+  const std::vector<double> values = SP::harmonic_synthesis(one_core, c, coarse);
+  const std::vector<double> there = SP::harmonic_values(one_core, c, std::vector<Direction>{coarse.direction(3, 2)});
+  CHECK(values[3 * 3 + 2] == Approx(there[0]).margin(1e-11));
+  CHECK(values[15 + 3 * 3 + 2] == Approx(there[1]).margin(1e-11));
+}
+
+TEST_CASE("the power is the integral of the squares", "[harmonics]")
+{
+  const Coefficients c = random_coefficients(24, 3, 3);
+  const auto grid = Grid::gauss_legendre(24);
+  const std::vector<double> values = SP::harmonic_synthesis(one_core, c, grid);
+  double integral = 0, power = 0, area = 0;
+  for(std::size_t i = 0; i < values.size(); ++i)
+    integral += grid.weight(int(i) / grid.columns() % grid.rows()) * values[i] * values[i];
+  for(int row = 0; row < grid.rows(); ++row)
+    area += grid.weight(row) * grid.columns();
+  for(double p : SP::power_spectrum(c))
+    power += p;
+  CHECK(power == Approx(integral).epsilon(1e-12));
+  CHECK(area == Approx(4 * pi).epsilon(1e-13));
+}
+
+TEST_CASE("least squares find spheres, moved spheres and ellipsoids", "[harmonics]")
+{
+  const std::array<double, 3> radius = {GENERATE(1., 3.), 1, GENERATE(1., .5)}, centre = {GENERATE(0., 20.), -1, 2};
+  const Sphere_with_points shape(4, [&](const Point& p) {
+    return Point(centre[0] + radius[0] * p.x(), centre[1] + radius[1] * p.y(), centre[2] + radius[2] * p.z());
+  });
+  const auto weights =
+    GENERATE(SP::Vertex_weights::SPHERE_AREA, SP::Vertex_weights::SURFACE_AREA, SP::Vertex_weights::EQUAL);
+  SP::Least_squares method = tight();
+  method.weights = weights;
+  const SP::Harmonic_analysis found = SP::harmonic_analysis(shape.mesh, shape.mesh.points(), shape.map(), 8, method,
+                                                            CGAL::parameters::vertex_point_map(shape.map()));
+  CHECK(found.has_converged);
+  Coefficients expected(8, 3);
+  const std::array<int, 3> m = {1, -1, 0};
+  for(int k = 0; k < 3; ++k) {
+    expected(0, 0, k) = centre[std::size_t(k)] * std::sqrt(4 * pi);
+    expected(1, m[std::size_t(k)], k) = radius[std::size_t(k)] * std::sqrt(4 * pi / 3);
+  }
+  CHECK(difference(found.coefficients, expected) < 1e-10);
+}
+
+TEST_CASE("least squares give back what was synthesized at vertices, and synthesis what was analyzed", "[harmonics]")
+{
+  const Mesh mesh = make_mesh(icosphere(5));
+  const Coefficients c = random_coefficients(40, 3, 4);
+  std::map<Vertex, Point> points;
+  SP::harmonic_synthesis(c, mesh, mesh.points(), Writable_map<Vertex, Point>{&points});
+  const auto readable = Read_write_map<Vertex, Point>{&points};
+  const SP::Harmonic_analysis found = SP::harmonic_analysis(mesh, mesh.points(), readable, 40, tight());
+  CHECK(found.has_converged);
+  CHECK(difference(found.coefficients, c) < 1e-10);
+  std::map<Vertex, Point> again;
+  SP::harmonic_synthesis(found.coefficients, mesh, mesh.points(), Writable_map<Vertex, Point>{&again});
+  const SP::Reconstruction_error error =
+    SP::reconstruction_error(mesh, readable, Read_write_map<Vertex, Point>{&again});
+  CHECK(error.root_mean_square < 1e-10);
+  CHECK(error.largest < 1e-9);
+  // one function of numbers is the same as one of three
+  const auto x = Readable_map<Vertex, double>{[&](Vertex v) { return points.at(v).x(); }};
+  const SP::Harmonic_analysis of_x = SP::harmonic_analysis(mesh, mesh.points(), x, 40, tight());
+  REQUIRE(of_x.coefficients.number_of_fields() == 1);
+  for(int i = 0; i < c.size(); ++i)
+    CHECK(std::abs(of_x.coefficients.values()[std::size_t(i)] - c.values()[std::size_t(i)]) < 1e-10);
+  // too few iterations are said to be
+  SP::Least_squares hasty;
+  hasty.iterations = 2;
+  CHECK_FALSE(SP::harmonic_analysis(mesh, mesh.points(), x, 40, hasty).has_converged);
+}
+
+TEST_CASE("least squares are the best approximation at the vertices", "[harmonics]")
+{
+  const Sphere_with_points shape(4, [](const Point& p) { // not band-limited
+    const double r = 1 + .3 * std::abs(p.x()) + .2 * std::abs(p.y() - p.z());
+    return Point(r * p.x(), r * p.y(), r * p.z());
+  });
+  SP::Least_squares method = tight();
+  method.weights = SP::Vertex_weights::EQUAL;
+  const auto error = [&](const Coefficients& c) {
+    std::map<Vertex, Point> out;
+    SP::harmonic_synthesis(c, shape.mesh, shape.mesh.points(), Writable_map<Vertex, Point>{&out});
+    return SP::reconstruction_error(shape.mesh, shape.map(), Read_write_map<Vertex, Point>{&out}).root_mean_square;
+  };
+  double before = 1;
+  for(int degree : {2, 4, 8, 16}) {
+    const Coefficients best =
+      SP::harmonic_analysis(shape.mesh, shape.mesh.points(), shape.map(), degree, method).coefficients;
+    const double least = error(best);
+    CHECK(least < before);
+    before = least;
+    for(unsigned seed = 0; seed < 5; ++seed) {
+      Coefficients other = best;
+      const Coefficients change = random_coefficients(degree, 3, seed);
+      for(std::size_t i = 0; i < other.values().size(); ++i)
+        other.values()[i] += 1e-3 * change.values()[i];
+      CHECK(error(other) > least);
+    }
+  }
+}
+
+TEST_CASE("integrals are exact for what is linear on faces", "[harmonics]")
+{
+  // A constant, on faces as large as they come: the tetrahedron's and the octahedron's
+  const auto one = Readable_map<Vertex, double>{[](Vertex) { return 1.; }};
+  for(const Soup& soup : {tetrahedron(), flat_octahedron(0)}) {
+    const Mesh mesh = make_mesh(soup);
+    const auto unit = Readable_map<Vertex, Point>{[&](Vertex v) {
+      const Point p = mesh.point(v);
+      const double length = std::sqrt((p - CGAL::ORIGIN).squared_length());
+      return Point(p.x() / length, p.y() / length, p.z() / length);
+    }};
+    Coefficients expected(12);
+    expected(0, 0) = std::sqrt(4 * pi);
+    CHECK(difference(SP::harmonic_analysis(mesh, unit, one, 12, SP::Integration()).coefficients, expected) < 1e-10);
+  }
+  // Another field, by interpolation on a fine grid, whose error is that of sampling edges
+  const Sphere_with_points shape(1, [](const Point& p) { return Point(p.x() * p.y(), std::abs(p.z()), p.x() + 1); });
+  const Coefficients c =
+    SP::harmonic_analysis(shape.mesh, shape.mesh.points(), shape.map(), 6, SP::Integration()).coefficients;
+  const SP::Spherical_locator<Mesh> locator(shape.mesh, shape.mesh.points());
+  const auto grid = Grid::gauss_legendre(150);
+  std::vector<double> values(3 * std::size_t(grid.rows()) * std::size_t(grid.columns()));
+  for(int row = 0; row < grid.rows(); ++row)
+    for(int column = 0; column < grid.columns(); ++column) {
+      const Point p = SP::interpolate(shape.mesh, locator.locate(grid.direction(row, column)), shape.map());
+      for(int k = 0; k < 3; ++k)
+        values[std::size_t((k * grid.rows() + row) * grid.columns() + column)] = p[k];
+    }
+  CHECK(difference(SP::harmonic_analysis(one_core, grid, values, 6), c) < 1e-4);
+  // The accuracy is what was asked for
+  SP::Integration rough;
+  rough.accuracy = 1e-5;
+  const double error =
+    difference(SP::harmonic_analysis(shape.mesh, shape.mesh.points(), shape.map(), 6, rough).coefficients, c);
+  CHECK(error < 1e-5);
+  CHECK(error > 0);
+}
+
+TEST_CASE("turning functions turns coefficients by Wigner's matrices", "[harmonics]")
+{
+  const int degree = GENERATE(1, 2, 17, 64);
+  const Coefficients c = random_coefficients(degree, 3, 5);
+  const std::vector<double> power = SP::power_spectrum(c);
+  std::vector<SP::Rotation> rotations = {
+    {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {{{-1, 0, 0}, {0, 1, 0}, {0, 0, -1}}}, {{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}}}};
+  for(unsigned seed = 0; seed < 3; ++seed)
+    rotations.push_back(some_rotation(seed));
+  const std::vector<Direction> directions = {{1, 2, 3}, {-1, 1, .2}, {0, 0, 1}, {.1, -.7, -2}};
+  for(const SP::Rotation& r : rotations) {
+    const Coefficients turned = SP::rotated(c, r);
+    std::vector<Direction> there;
+    for(const Direction& x : directions)
+      there.push_back(apply_rotation(r, x));
+    const std::vector<double> before = SP::harmonic_values(one_core, c, directions);
+    const std::vector<double> after = SP::harmonic_values(one_core, turned, there);
+    for(std::size_t i = 0; i < before.size(); ++i)
+      CHECK(after[i] == Approx(before[i]).margin(1e-11));
+    const std::vector<double> turned_power = SP::power_spectrum(turned);
+    for(std::size_t l = 0; l < power.size(); ++l)
+      CHECK(turned_power[l] == Approx(power[l]).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("analysis of a turned map gives turned coefficients", "[harmonics]")
+{
+  const Mesh mesh = make_mesh(icosphere(4));
+  const auto c = random_coefficients(20, 1, 6);
+  std::map<Vertex, double> value;
+  SP::harmonic_synthesis(c, mesh, mesh.points(), Writable_map<Vertex, double>{&value});
+  const SP::Rotation r = some_rotation(9);
+  const auto turned_sphere = Readable_map<Vertex, Point>{[&](Vertex v) {
+    const Point p = mesh.point(v);
+    const Direction q = apply_rotation(r, {p.x(), p.y(), p.z()});
+    return Point(q[0], q[1], q[2]);
+  }};
+  const auto found = SP::harmonic_analysis(mesh, turned_sphere, Read_write_map<Vertex, double>{&value}, 20, tight());
+  CHECK(difference(found.coefficients, SP::rotated(c, r)) < 1e-9);
+}
+
+TEST_CASE("the best of all rotations is found, with noise", "[harmonics]")
+{
+  const int degree = GENERATE(1, 4, 31);
+  for(unsigned seed = 0; seed < 4; ++seed) {
+    const Coefficients g = random_coefficients(degree, 3, 10 + seed);
+    const SP::Rotation r = some_rotation(20 + seed);
+    Coefficients f = SP::rotated(g, r);
+    CHECK(degrees_between(SP::best_rotation(one_core, f, g), r) < 1e-6);
+    const Coefficients noise = random_coefficients(degree, 3, 30 + seed);
+    for(std::size_t i = 0; i < f.values().size(); ++i)
+      f.values()[i] += .01 * noise.values()[i];
+    f(0, 0, 1) += 1000;                                                                    // place does not matter
+    CHECK(degrees_between(SP::best_rotation(one_core, f, g), r) < (degree == 1 ? 5 : .5)); // few data, more noise
+  }
+  // one function, and of another degree
+  const Coefficients g = random_coefficients(12, 1, 7);
+  const SP::Rotation r = some_rotation(8);
+  CHECK(degrees_between(SP::best_rotation(one_core, SP::with_degree(SP::rotated(g, r), 15), g), r) < 1e-6);
+}
+
+TEST_CASE("the first-order ellipsoid, and shapes in its position", "[harmonics]")
+{
+  Coefficients shape = random_coefficients(10, 3, 11);
+  for(int k = 0; k < 3; ++k)
+    for(int l = 1; l <= 10; ++l)
+      for(int m = -l; m <= l; ++m)
+        shape(l, m, k) = .05 * shape(l, m, k) + (l == 1 && m == (k == 0 ? 1 : k == 1 ? -1 : 0) ? 3 - k : 0);
+  const SP::First_order_ellipsoid ellipsoid = SP::first_order_ellipsoid(shape);
+  CHECK(ellipsoid.radii[0] > ellipsoid.radii[1]);
+  CHECK(ellipsoid.radii[1] > ellipsoid.radii[2]);
+  CHECK(ellipsoid.radii[2] > 0);
+  // the first-order part of the shape is the ellipsoid
+  const Direction x = {.6, -.48, .64};
+  const std::vector<double> there = SP::harmonic_values(one_core, SP::with_degree(shape, 1), std::vector<Direction>{x});
+  const Direction on_axes = apply_rotation(ellipsoid.sphere_axes, x);
+  for(std::size_t i = 0; i < 3; ++i) {
+    double sum = ellipsoid.centre[i];
+    for(std::size_t k = 0; k < 3; ++k)
+      sum += ellipsoid.axes[k][i] * ellipsoid.radii[k] * on_axes[k];
+    CHECK(there[i] == Approx(sum).margin(1e-11));
+  }
+  // in its position it has no place and no direction left, wherever it came from
+  const Coefficients aligned = SP::aligned_to_ellipsoid(shape);
+  for(int k = 0; k < 3; ++k) {
+    CHECK(aligned(0, 0, k) == 0);
+    for(int m = -1; m <= 1; ++m)
+      CHECK(aligned(1, m, k) == Approx(m == (k == 0   ? 1
+                                             : k == 1 ? -1
+                                                      : 0)
+                                         ? ellipsoid.radii[std::size_t(k)] * std::sqrt(4 * pi / 3)
+                                         : 0)
+                                  .margin(1e-12));
+  }
+  const SP::Rotation in_space = some_rotation(12), of_map = some_rotation(13);
+  Coefficients moved(10, 3);
+  for(int i = 0; i < shape.size(); ++i)
+    for(int k = 0; k < 3; ++k)
+      for(int j = 0; j < 3; ++j)
+        moved.field_begin(k)[i] += in_space[std::size_t(k)][std::size_t(j)] * shape.field_begin(j)[i];
+  moved(0, 0, 2) += 100;
+  CHECK(difference(SP::aligned_to_ellipsoid(SP::rotated(moved, of_map)), aligned) < 1e-10);
+}
+
+TEST_CASE("shapes in any pose are brought together, also where the ellipsoid is a sphere", "[harmonics]")
+{
+  const double elongation = GENERATE(0., .5);
+  for(unsigned seed = 0; seed < 4; ++seed) {
+    Coefficients g = random_coefficients(12, 3, 40 + seed);
+    for(double& x : g.values())
+      x *= .3;
+    for(int k = 0; k < 3; ++k)
+      g(1, k == 0 ? 1 : k == 1 ? -1 : 0, k) += 2 + elongation * k;
+    const SP::Rotation in_space = some_rotation(50 + seed), of_map = some_rotation(60 + seed);
+    const bool is_mirrored = seed == 3;
+    Coefficients f(12, 3);
+    const Coefficients turned = SP::rotated(is_mirrored ? SP::mirrored(g) : g, of_map);
+    for(int i = 0; i < f.size(); ++i)
+      for(int k = 0; k < 3; ++k)
+        for(int j = 0; j < 3; ++j)
+          f.field_begin(k)[i] += 7 * in_space[std::size_t(k)][std::size_t(j)] * turned.field_begin(j)[i];
+    f(0, 0, 1) += 300;
+    const SP::Shape_alignment found = SP::best_alignment(one_core, f, is_mirrored ? SP::mirrored(g) : g);
+    CHECK(degrees_between(found.space, in_space) < 1e-3);
+    CHECK(degrees_between(found.sphere, of_map) < 1e-3);
+    CHECK(found.correlation == Approx(1).margin(1e-9));
+    if(is_mirrored)
+      CHECK(SP::best_alignment(one_core, f, g).correlation < .999);
+  }
+}
+
+TEST_CASE("a mirror image is that of the points", "[harmonics]")
+{
+  const Coefficients c = random_coefficients(7, 3, 16);
+  const std::vector<double> there = SP::harmonic_values(one_core, c, std::vector<Direction>{{1, 2, 3}});
+  const std::vector<double> mirrored =
+    SP::harmonic_values(one_core, SP::mirrored(c), std::vector<Direction>{{1, 2, -3}});
+  CHECK(mirrored[0] == Approx(there[0]));
+  CHECK(mirrored[1] == Approx(there[1]));
+  CHECK(mirrored[2] == Approx(-there[2]));
+}
+
+TEST_CASE("filters, smaller and larger degrees", "[harmonics]")
+{
+  const Coefficients c = random_coefficients(6, 2, 14);
+  const Coefficients smooth = SP::filtered(c, [](int l) { return std::exp(-.1 * l * (l + 1)); });
+  CHECK(smooth(0, 0, 1) == c(0, 0, 1));
+  CHECK(smooth(5, -3, 1) == Approx(std::exp(-3.) * c(5, -3, 1)));
+  const Coefficients low = SP::with_degree(c, 3);
+  CHECK(low.degree() == 3);
+  CHECK(low(3, -3, 1) == c(3, -3, 1));
+  const Coefficients high = SP::with_degree(c, 8);
+  CHECK(high(6, 6, 1) == c(6, 6, 1));
+  CHECK(high(8, 0, 1) == 0);
+}
+
+TEST_CASE("files of coefficients read back", "[harmonics]")
+{
+  using Format = SP::Coefficient_format;
+  const Coefficients c = random_coefficients(9, 3, 15);
+  const auto text = [&](Format format) {
+    std::ostringstream out;
+    SP::write_coefficients(out, c, format);
+    return out.str();
+  };
+  const auto read = [](const std::string& from, Format format) {
+    std::istringstream in(from);
+    return SP::read_coefficients(in, format);
+  };
+  CHECK(read(text(Format::CSV), Format::CSV).values() == c.values());
+  CHECK(read(text(Format::JSON), Format::JSON).values() == c.values());
+  CHECK(difference(read(text(Format::SPHARM_PDM), Format::SPHARM_PDM), c) < 1e-15);
+  // SPHARM-PDM's own: of degree 1, as its writer writes, for the unit sphere x, y, z
+  const double k = std::sqrt(4 * pi / 3);
+  std::ostringstream pdm;
+  pdm.precision(17);
+  pdm << "{ 4,{0.000000, 0.000000, 0.000000},\n{0.000000, 0.000000, " << k << "},\n{" << -std::sqrt(2.) * k
+      << ", 0.000000, 0.000000},\n{0.000000, " << -std::sqrt(2.) * k << ", 0.000000}}";
+  const Coefficients sphere = read(pdm.str(), Format::SPHARM_PDM);
+  const std::vector<double> at = SP::harmonic_values(one_core, sphere, std::vector<Direction>{{.6, 0, .8}, {0, -1, 0}});
+  const std::vector<double> expected = {.6, 0, .8, 0, -1, 0};
+  for(std::size_t i = 0; i < 6; ++i)
+    CHECK(std::abs(at[i]) == Approx(std::abs(expected[i])).margin(1e-12));
+  for(const Format format : {Format::CSV, Format::JSON, Format::SPHARM_PDM}) {
+    const std::string good = text(format);
+    CHECK_THROWS_AS(read("", format), std::runtime_error);
+    CHECK_THROWS_AS(read(good.substr(0, good.size() / 2), format), std::runtime_error);
+    std::string wrong = good;
+    wrong[wrong.rfind('.')] = 'x';
+    CHECK_THROWS_AS(read(wrong, format), std::runtime_error);
+  }
+  std::ostringstream out;
+  CHECK_THROWS_AS(SP::write_coefficients(out, Coefficients(3, 2), Format::SPHARM_PDM), std::runtime_error);
+}
+
+TEST_CASE("what cannot be analyzed is refused", "[harmonics]")
+{
+  const Mesh mesh = make_mesh(icosphere(1)); // 42 vertices
+  CHECK_THROWS_AS(SP::harmonic_analysis(mesh, mesh.points(), mesh.points(), 6), CGAL::Precondition_exception);
+  CHECK_NOTHROW(SP::harmonic_analysis(mesh, mesh.points(), mesh.points(), 6, SP::Integration()));
+  CHECK_THROWS_AS(SP::harmonic_analysis(mesh, mesh.points(), mesh.points(), -1), CGAL::Precondition_exception);
+  SP::Least_squares bad;
+  bad.accuracy = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THROWS_AS(SP::harmonic_analysis(mesh, mesh.points(), mesh.points(), 2, bad), CGAL::Precondition_exception);
+  const auto not_finite = Readable_map<Vertex, double>{[](Vertex v) { return 1. / double(v.idx()); }};
+  CHECK_THROWS_AS(SP::harmonic_analysis(mesh, mesh.points(), not_finite, 2), SP::Error);
+  const auto zero = Readable_map<Vertex, Point>{[](Vertex) { return Point(0, 0, 0); }};
+  CHECK_THROWS_AS(SP::harmonic_analysis(mesh, zero, mesh.points(), 2), SP::Error);
+  std::map<Vertex, Point> out;
+  CHECK_THROWS_AS(SP::harmonic_synthesis(Coefficients(2, 1), mesh, mesh.points(), Writable_map<Vertex, Point>{&out}),
+                  CGAL::Precondition_exception);
+  CHECK_THROWS_AS(SP::first_order_ellipsoid(Coefficients(0, 3)), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(SP::best_rotation(one_core, Coefficients(2, 1), Coefficients(2, 3)), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(SP::best_alignment(one_core, Coefficients(2, 1), Coefficients(2, 3)), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(SP::mirrored(Coefficients(2, 1)), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(Grid::equidistant(1, 4), CGAL::Precondition_exception);
+}
+
+#ifdef CGAL_LINKED_WITH_TBB
+TEST_CASE("harmonics are the same bits on several threads", "[harmonics]")
+{
+  const CGAL::Parallel_tag several;
+  const Mesh mesh = make_mesh(icosphere(5));
+  const auto values = Readable_map<Vertex, double>{[&](Vertex v) { return std::abs(mesh.point(v).x()); }};
+  const auto one = SP::harmonic_analysis(mesh, mesh.points(), values, 20);
+  CHECK(SP::harmonic_analysis(several, mesh, mesh.points(), values, 20).coefficients.values() ==
+        one.coefficients.values());
+  CHECK(SP::harmonic_analysis(several, mesh, mesh.points(), values, 20, SP::Integration()).coefficients.values() ==
+        SP::harmonic_analysis(mesh, mesh.points(), values, 20, SP::Integration()).coefficients.values());
+  const std::vector<Direction> directions = {{1, 2, 3}, {-1, 2, -3}};
+  CHECK(SP::harmonic_values(several, one.coefficients, directions) ==
+        SP::harmonic_values(one_core, one.coefficients, directions));
+  CHECK(SP::best_rotation(several, one.coefficients, one.coefficients) ==
+        SP::best_rotation(one_core, one.coefficients, one.coefficients));
+}
+#endif

@@ -5,6 +5,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_METHODS_H
 
 #include <cstddef>
+#include <limits>
 
 namespace CGAL::Spherical_parameterization {
 
@@ -85,7 +86,12 @@ struct Saddle_point {
 ///
 /// Guarantee: the map is bijective in doubles, if there is one. If doubles have no position for a vertex, the result is
 /// `NOT_BIJECTIVE` and there is no map. The energy is not claimed to be minimal. Faces without area count as small ones
-/// of a good shape. Weights are not used; vertices cannot be fixed.
+/// of a good shape. Weights are not used.
+///
+/// Fixed vertices are landmarks: they can be anywhere, and however far from where the map without them has them. The map
+/// has every one exactly where it was put and is bijective as ever, or the result is `BAD_CONSTRAINTS` and names the
+/// vertices between which the mesh is too coarse to be bent so far. With a finite `landmark_weight` they are only pulled
+/// to their places, and there always is a map. See \ref landmarks.
 ///
 /// Named parameters: `number_of_iterations` bounds the Newton steps for the whole mesh, `accuracy` is the relative gain
 /// of energy that such a step has to promise for another one to follow.
@@ -102,12 +108,19 @@ struct Isometric {
   /// surface parametrization method", IMR 2003). 0 is as conformal as possible, 1 as isometric as possible, 30 and
   /// more as authalic (area preserving) as possible.
   double area_exponent = 1;
+
+  /// Infinite: fixed vertices stay exactly where they were put. Finite and positive: they are soft landmarks; to the mean
+  /// distortion (4 = isometric, with `area_exponent` 1) is added this weight times the mean of the squared distances of
+  /// the fixed vertices from their places.
+  double landmark_weight = std::numeric_limits<double>::infinity();
 };
 
 /// Tries several methods and returns the first valid map:
 /// 1. `Balanced{spring_exponent}`;
 /// 2. `Balanced` with the exponent `larger_spring_exponent`, if that is larger, which keeps limbs wider;
-/// 3. `Isometric{area_exponent}`, unless vertices are fixed.
+/// 3. `Isometric{area_exponent}`.
+///
+/// So it keeps fixed vertices, too, wherever they are: see `Isometric`.
 ///
 /// If none is valid, the best map is returned: one of degree 1 before others, then that with the fewest flipped faces.
 /// `Result::attempts` lists all methods that were tried, each with its verdict and its seconds; `Result::method` is the

@@ -24,6 +24,7 @@ public:
   explicit Method_solver(const Isometric& method) : method_(method)
   {
     CGAL_SP_PRECONDITION(method.area_exponent >= 0, "the area exponent must not be negative");
+    CGAL_SP_PRECONDITION(method.landmark_weight > 0, "the weight of landmarks has to be positive");
   }
 
   static Weights weights() { return Weights::UNUSED; }

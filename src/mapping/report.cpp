@@ -61,7 +61,11 @@ Json own_options(const Weights&)
 }
 Json own_options(const Conformal_weights& w) { return {{"min_angle", w.min_degrees}, {"max_angle", w.max_degrees}}; }
 Json own_options(const SP::Balanced& m) { return {{"spring_exponent", m.spring_exponent}}; }
-Json own_options(const SP::Isometric& m) { return {{"area_exponent", m.area_exponent}}; }
+Json own_options(const SP::Isometric& m)
+{
+  return {{"area_exponent", m.area_exponent},
+          {"landmark_weight", known(std::isfinite(m.landmark_weight), m.landmark_weight)}};
+}
 Json own_options(const SP::Automatic& m)
 {
   return {{"spring_exponent", m.spring_exponent}, {"area_exponent", m.area_exponent}};

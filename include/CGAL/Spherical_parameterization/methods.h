@@ -88,10 +88,10 @@ struct Saddle_point {
 /// `NOT_BIJECTIVE` and there is no map. The energy is not claimed to be minimal. Faces without area count as small ones
 /// of a good shape. Weights are not used.
 ///
-/// Fixed vertices are landmarks: they can be anywhere, and however far from where the map without them has them. The map
-/// has every one exactly where it was put and is bijective as ever, or the result is `BAD_CONSTRAINTS` and names the
-/// vertices between which the mesh is too coarse to be bent so far. With a finite `landmark_weight` they are only pulled
-/// to their places, and there always is a map. See \ref landmarks.
+/// Fixed vertices are landmarks: they can be anywhere, and however far from where the map without them has them. The
+/// map has every one exactly where it was put and is bijective as ever, or the result is `BAD_CONSTRAINTS` and names
+/// the vertices between which the mesh is too coarse to be bent so far. With a finite `landmark_weight` they are only
+/// pulled to their places, and there always is a map. See \ref landmarks.
 ///
 /// Named parameters: `number_of_iterations` bounds the Newton steps for the whole mesh, `accuracy` is the relative gain
 /// of energy that such a step has to promise for another one to follow.
@@ -109,9 +109,9 @@ struct Isometric {
   /// more as authalic (area preserving) as possible.
   double area_exponent = 1;
 
-  /// Infinite: fixed vertices stay exactly where they were put. Finite and positive: they are soft landmarks; to the mean
-  /// distortion (4 = isometric, with `area_exponent` 1) is added this weight times the mean of the squared distances of
-  /// the fixed vertices from their places.
+  /// Infinite: fixed vertices stay exactly where they were put. Finite and positive: they are soft landmarks; to the
+  /// mean distortion (4 = isometric, with `area_exponent` 1) is added this weight times the mean of the squared
+  /// distances of the fixed vertices from their places.
   double landmark_weight = std::numeric_limits<double>::infinity();
 };
 

@@ -39,8 +39,8 @@ void for_each_of_level(const Host_loop& loop, int begin, int end, F f)
     for_each_index<Enough>(loop, end - begin, [&](int i) { f(begin + i); });
 }
 
-/// What holds a vertex: it is pulled towards a place by the energy stiffness / 2 |x - place|^2, or pinned where it is, if
-/// the stiffness is infinite.
+/// What holds a vertex: it is pulled towards a place by the energy stiffness / 2 |x - place|^2, or pinned where it is,
+/// if the stiffness is infinite.
 struct Anchor {
   vec3 place;
   double stiffness;
@@ -71,8 +71,8 @@ public:
     position_.reserve(number_of_vertices);
   }
 
-  /// No vertex has an anchor then. The areas of source faces are bounded relative to their mean, as if the whole surface
-  /// had so many faces as the level.
+  /// No vertex has an anchor then. The areas of source faces are bounded relative to their mean, as if the whole
+  /// surface had so many faces as the level.
   void assign(const Progressive_mesh& mesh, const Host_array<vec3>& points, double source_area,
               const Metric_bounds& bounds, const Partial_map& map)
   {

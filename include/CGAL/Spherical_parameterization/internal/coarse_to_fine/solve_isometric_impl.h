@@ -37,12 +37,13 @@ namespace CGAL::Spherical_parameterization::internal {
 /// is too coarse, on one of the next. From then on they do not move.
 class Coarse_to_fine_map {
 public:
-  /// \param landmark_size  the size of the mesh, about, on which the landmarks are brought to their places
+  /// \param landmark_size    the size of the mesh, about, on which the landmarks are brought to their places
+  /// \param is_last_attempt  whether it goes on to the finest mesh where they do not get there
   Coarse_to_fine_map(const Host_loop& loop, const Isometric& method, const Problem& problem, const Effort& effort,
-                     Monitor& monitor, int landmark_size)
-    : loop_(loop), landmark_size_(landmark_size), method_(method), exponent_((std::min)(method.area_exponent, largest_coarse_exponent)),
-      distortion_(exponent_), problem_(problem), effort_(effort), monitor_(monitor), source_area_(area_of_source()),
-      mesh_(loop, problem.face, problem.size()),
+                     Monitor& monitor, int landmark_size, bool is_last_attempt)
+    : loop_(loop), landmark_size_(landmark_size), is_last_attempt_(is_last_attempt), method_(method),
+      exponent_((std::min)(method.area_exponent, largest_coarse_exponent)), distortion_(exponent_), problem_(problem),
+      effort_(effort), monitor_(monitor), source_area_(area_of_source()), mesh_(loop, problem.face, problem.size()),
       level_(loop, problem.size()), map_{Host_array<vec3>(problem.size(), vec3{0, 0, 0}),
                                          std::vector<int>(problem.size(), -1)}
   {
@@ -210,22 +211,28 @@ private:
 
   bool are_landmarks_soft() const { return std::isfinite(method_.landmark_weight); }
 
-  /// Moves the landmarks to their places as far as the level allows it; returns whether all of them are there. Tried
-  /// only so often, since a little finer mesh bends little more.
-  bool place_landmarks(bool is_last_level)
+  /// Moves the landmarks to their places as far as the level allows it. Tried only so often, since a little finer mesh
+  /// bends little more. Throws the Error after the last level, or where another attempt promises more.
+  void place_landmarks(bool is_last_level)
   {
     constexpr double growth = 1.5;
+    constexpr int levels_of_attempt = 4; // up to so many times the size on which the landmarks are brought in
     const auto is_placed = [](const Landmark& l) { return l.is_placed; };
     if(are_landmarks_soft() || !are_landmarks_present_ || std::all_of(landmarks_.begin(), landmarks_.end(), is_placed))
-      return true;
+      return;
     if(!is_last_level && level_.size() < growth * last_placement_)
-      return false;
+      return;
     last_placement_ = level_.size();
     last_newton_ = 0;
-    return Landmark_placement(loop_, distortion_, level_, landmarks_).run([&] { return advance(); });
+    if(Landmark_placement(loop_, distortion_, level_, landmarks_).run([&] { return advance(); }))
+      return;
+    if(monitor_.is_interrupted())
+      give_up();
+    if(is_last_level || (!is_last_attempt_ && level_.size() > levels_of_attempt * landmark_size_))
+      refuse_landmarks();
   }
 
-  /// The Error if the finest level was too coarse, too.
+  /// The Error if the levels were too coarse.
   [[noreturn]] void refuse_landmarks() const
   {
     constexpr int most = 5;
@@ -302,11 +309,7 @@ private:
     assign_level(final_bounds);
     for(int s = 0; s < sweeps && advance(); ++s)
       level_.relax(distortion_);
-    if(!place_landmarks(true)) {
-      if(monitor_.is_interrupted())
-        give_up();
-      refuse_landmarks();
-    }
+    place_landmarks(true);
     const double accuracy = effort_.accuracy.value_or(Isometric::default_accuracy);
     const auto descend = [&](std::size_t maximum_steps) {
       Newton_relaxation newton(loop_, distortion_, level_);
@@ -353,6 +356,7 @@ private:
 
   const Host_loop& loop_;
   int landmark_size_;
+  bool is_last_attempt_;
   Isometric method_;
   double exponent_; ///< of the area, at the moment
   Distortion distortion_;
@@ -364,8 +368,8 @@ private:
   Map_level level_;
   Partial_map map_;
   std::vector<std::vector<int>> rounds_; ///< the collapsed half-edges of every round
-  double last_newton_ = 0;    ///< size of the level
-  double last_placement_ = 0; ///< size of the level
+  double last_newton_ = 0;               ///< size of the level
+  double last_placement_ = 0;            ///< size of the level
   Landmarks landmarks_;
   std::size_t rounds_with_landmarks_ = 0; ///< the first rounds of the decimation, which keep all of them
   bool are_landmarks_present_ = false;    ///< in the current mesh
@@ -384,26 +388,46 @@ inline void check_simplicial(const Weighted_graph& graph)
         throw Input_error(Error_code::NOT_BIJECTIVE, std::string(problem) + "two edges of the mesh have the same ends");
 }
 
-/// Runs `Coarse_to_fine_map`. Where landmarks get stuck, they do so by how the coarse mesh happens to be: then again, with
-/// landmarks brought to their places on a finer one.
+/// Throws the Error if a face cannot be positively oriented since all of its corners are fixed.
+inline void check_fixed_faces(const Problem& problem)
+{
+  if(!problem.has_fixed())
+    return;
+  for(std::size_t f = 0; f < problem.face.size(); ++f) {
+    const auto [i, j, k] = problem.face[f];
+    if(problem.is_fixed[i] && problem.is_fixed[j] && problem.is_fixed[k] &&
+       !is_positively_oriented(problem.given[i], problem.given[j], problem.given[k]))
+      throw Input_error(Error_code::BAD_CONSTRAINTS,
+                        "the fixed vertices " + std::to_string(problem.position[i]) + ", " +
+                          std::to_string(problem.position[j]) + " and " + std::to_string(problem.position[k]) +
+                          " are the corners of face " + std::to_string(f) + ", and would flip it");
+  }
+}
+
+/// Runs `Coarse_to_fine_map`. Where landmarks get stuck, they do so by how the coarse mesh happens to be: then again,
+/// with landmarks brought to their places on a finer one.
 inline Host_array<vec3> coarse_to_fine_map(const Host_loop& loop, const Isometric& method, const Problem& problem,
                                            const Effort& effort, Monitor& monitor, Solver_report& report)
 {
   constexpr int least_size = 500, vertices_per_landmark = 8, growth = 3;
   const auto landmarks = std::count(problem.is_fixed.begin(), problem.is_fixed.end(), 1);
-  for(int size = (std::max)(least_size, vertices_per_landmark * static_cast<int>(landmarks));; size *= growth)
+  double size = (std::max)(least_size, vertices_per_landmark * static_cast<int>(landmarks));
+  for(; growth * size < problem.size() && landmarks > 0; size *= growth)
     try {
-      return Coarse_to_fine_map(loop, method, problem, effort, monitor, size).run(report);
+      return Coarse_to_fine_map(loop, method, problem, effort, monitor, static_cast<int>(size), false).run(report);
     } catch(const Input_error& error) {
-      if(error.code() != Error_code::BAD_CONSTRAINTS || size >= problem.size())
+      if(error.code() != Error_code::BAD_CONSTRAINTS)
         throw;
     }
+  return Coarse_to_fine_map(loop, method, problem, effort, monitor, static_cast<int>(size), true).run(report);
 }
 
 CGAL_SP_CORE Solution solve_isometric(const Host_loop& loop, const Isometric& method, const Problem& problem,
                                       const Effort& effort, Monitor& monitor)
 {
   check_simplicial(*problem.graph);
+  if(std::isinf(method.landmark_weight))
+    check_fixed_faces(problem);
   const Stopwatch watch;
   Solution solution;
   solution.position = coarse_to_fine_map(loop, method, problem, effort, monitor, solution.report);
@@ -411,7 +435,8 @@ CGAL_SP_CORE Solution solve_isometric(const Host_loop& loop, const Isometric& me
 
   const Stopwatch certify_watch;
   if(problem.as_stored)
-    for_each_index(loop, problem.size(), [&](int i) { solution.position[i] = problem.as_stored(solution.position[i]); });
+    for_each_index(loop, problem.size(),
+                   [&](int i) { solution.position[i] = problem.as_stored(solution.position[i]); });
   solution.certificate = certify(loop, problem.face, solution.position);
   solution.seconds.certify = certify_watch.seconds();
   return solution;

@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <type_traits>
 #include <variant>
 
@@ -53,6 +54,12 @@ Json to_json(const SP::Distortion_summary& d)
           {"degenerate_faces", d.degenerate_faces}};
 }
 
+template <class Value>
+Json known(bool is_known, const Value& value)
+{
+  return is_known ? Json(value) : Json(nullptr);
+}
+
 /// The options of weights and methods, by their names on the command line.
 template <class Weights>
 Json own_options(const Weights&)
@@ -76,12 +83,6 @@ Json own_options(const SP::Saddle_point& m)
           {"relaxation", m.relaxation},
           {"check_interval", m.check_interval},
           {"start", m.start == SP::Saddle_point::Start::HARMONIC ? "harmonic" : "centroid"}};
-}
-
-template <class Value>
-Json known(bool is_known, const Value& value)
-{
-  return is_known ? Json(value) : Json(nullptr);
 }
 
 Json given(const std::string& text) { return known(!text.empty(), text); }

@@ -47,7 +47,8 @@ Landmarks moved(const Sphere& map, std::size_t number, double move, Image image)
   for(std::size_t i = 0; i < number; ++i) {
     const Point p = map[image(i) * map.size() / number];
     const double angle = 2.4 * double(i); // turns by the golden angle do not repeat
-    landmarks[i * map.size() / number] = on_sphere(p.x() + move * std::cos(angle), p.y() + move * std::sin(angle), p.z());
+    landmarks[i * map.size() / number] =
+      on_sphere(p.x() + move * std::cos(angle), p.y() + move * std::sin(angle), p.z());
   }
   return landmarks;
 }
@@ -121,6 +122,16 @@ TEST_CASE("all vertices fixed at a valid map: that is the map", "[landmarks]")
   Landmarks landmarks;
   for(std::size_t v = 0; v < free.size(); ++v)
     landmarks[v] = free[v];
+  check_kept(soup, landmarks);
+}
+
+TEST_CASE("a tetrahedron keeps four landmarks", "[landmarks]")
+{
+  const Soup soup = tetrahedron();
+  const Sphere free = solve_or_throw(soup, with_landmarks({}));
+  Landmarks landmarks; // another tetrahedron
+  for(std::size_t v = 0; v < 4; ++v)
+    landmarks[v] = on_sphere(free[v].y() + 0.1, free[v].z(), free[v].x() - 0.05);
   check_kept(soup, landmarks);
 }
 

@@ -306,6 +306,7 @@ private:
     constexpr int sweeps = 5, maximum_iterations = 100;
     constexpr std::size_t steps_per_exponent = 6;
     constexpr double growth_of_exponent = 1.5;
+    are_landmarks_present_ = true;
     assign_level(final_bounds);
     for(int s = 0; s < sweeps && advance(); ++s)
       level_.relax(distortion_);

@@ -137,24 +137,37 @@ TEST_CASE("a tetrahedron keeps four landmarks", "[landmarks]")
 
 TEST_CASE("landmarks that a coarse mesh cannot keep are refused by name", "[landmarks]")
 {
-  const Soup octahedron = flat_octahedron(0);
-  Landmarks mirrored;
-  for(std::size_t v = 0; v < octahedron.points.size(); ++v)
-    mirrored[v] = on_sphere(-octahedron.points[v].x(), octahedron.points[v].y(), octahedron.points[v].z());
   Sphere sphere;
   SECTION("all corners of a face")
   {
-    const Result result = solve(octahedron, sphere, with_landmarks(mirrored));
+    const Soup soup = flat_octahedron(0);
+    Landmarks mirrored;
+    for(std::size_t v = 0; v < soup.points.size(); ++v)
+      mirrored[v] = on_sphere(-soup.points[v].x(), soup.points[v].y(), soup.points[v].z());
+    const Result result = solve(soup, sphere, with_landmarks(mirrored));
     CAPTURE(result);
     CHECK(result.error == Error_code::BAD_CONSTRAINTS);
     CHECK(result.detail.find("corners of face") != std::string::npos);
   }
-  SECTION("one vertex between them")
+  SECTION("edges that would cross")
   {
-    const Result result = solve(flat_octahedron(1), sphere, with_landmarks(mirrored));
+    const Soup soup = icosphere(0);
+    std::map<std::size_t, std::size_t> next; // of the ring of vertex 0
+    for(const auto& f : soup.faces)
+      for(int k = 0; k < 3; ++k)
+        if(f[k] == 0)
+          next[f[(k + 1) % 3]] = f[(k + 2) % 3];
+    REQUIRE(next.size() == 5);
+    const std::size_t first = next.begin()->first, second = next[first], third = next[second], fourth = next[third];
+    const std::size_t fifth = next[fourth];
+    const auto& p = soup.points;
+    const Landmarks landmarks = {
+      {first, p[first]}, {second, p[fourth]}, {third, p[third]}, {fourth, p[second]}, {fifth, p[fifth]}};
+    const Result result = solve(soup, sphere, with_landmarks(landmarks));
     CAPTURE(result);
     CHECK(result.error == Error_code::BAD_CONSTRAINTS);
     CHECK(result.detail.find("too coarse") != std::string::npos);
+    CHECK(result.detail.find(" and ") != std::string::npos);
   }
 }
 

@@ -27,7 +27,7 @@ class ErrorCode(str, enum.Enum):
     NON_FINITE_COORDINATE = "NON_FINITE_COORDINATE"  #: NaN or infinity in a point
     DEGENERATE_FACE = "DEGENERATE_FACE"  #: a face without area, or an edge without length, where one is needed
     BAD_WEIGHT = "BAD_WEIGHT"  #: an edge weight that is not positive and finite
-    BAD_CONSTRAINTS = "BAD_CONSTRAINTS"  #: one or two fixed vertices, equal positions, a zero vector; or `Isometric`
+    BAD_CONSTRAINTS = "BAD_CONSTRAINTS"  #: fixed vertices: one or two, at equal positions, a zero vector; or the mesh is too coarse
     NOT_CONVERGED = "NOT_CONVERGED"  #: the residual did not reach the accuracy
     INTERRUPTED = "INTERRUPTED"  #: stopped by Ctrl-C, by `progress`, or by the time limit
     NOT_BIJECTIVE = "NOT_BIJECTIVE"  #: converged, but faces are flipped or the degree is not 1

@@ -270,7 +270,7 @@ def parameterize(
     policy : {"parallel", "sequential", "opencl"} or OpenCLDevice
         Where to run; the map does not depend on it, to the last bit. See `opencl_device()`.
     fixed : mapping of int to three floats, or pair of array_like (k,) and (k, 3)
-        Vertices, and the directions where they stay: three or more. Not for `Isometric`.
+        Vertices, and the directions where they stay: three or more. `Isometric` and `Automatic` keep them anywhere.
     start : array_like (n, 3) of float
         The map to start from, for `SaddlePoint(start="given")`.
     accuracy : float

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Union
 
@@ -59,12 +60,15 @@ class Balanced:
 
 @dataclass(frozen=True)
 class Isometric:
-    """Maps of low symmetric Dirichlet energy, bijective in every step. Weights are not used, vertices cannot be fixed.
+    """Maps of low symmetric Dirichlet energy, bijective in every step. Weights are not used.
 
     Parameters
     ----------
     area_exponent : float
         0 preserves angles, 1 lengths, 30 or more areas.
+    landmark_weight : float
+        Infinite: fixed vertices stay exactly where they are put. Finite and positive: they are only pulled there, by
+        this weight times the mean of their squared distances, added to the mean distortion (4 = isometric).
 
     Notes
     -----
@@ -73,6 +77,7 @@ class Isometric:
     """
 
     area_exponent: float = 1
+    landmark_weight: float = math.inf
 
 
 @dataclass(frozen=True)

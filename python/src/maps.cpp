@@ -115,7 +115,7 @@ std::variant<SP::Balanced, SP::Saddle_point, SP::Isometric, SP::Automatic> metho
     return SP::Automatic{number("spring_exponent"), number("larger_spring_exponent"), number("area_exponent"),
                          number("largest_shrinkage")};
   if(name == "Isometric")
-    return SP::Isometric{number("area_exponent")};
+    return SP::Isometric{number("area_exponent"), number("landmark_weight")};
   if(name == "Balanced")
     return SP::Balanced{number("spring_exponent")};
   SP::Saddle_point method;

@@ -166,13 +166,23 @@ def test_errors_of_meshes(code: str) -> None:
     assert (copy.code, copy.detail, str(copy)) == (error.code, error.detail, str(error))
 
 
+def test_landmarks() -> None:
+    points, triangles = ellipsoid(3)
+    fixed = {0: [1.0, 0, 0], 100: [0, 1.0, 0], 300: [0, 0, 1.0], 500: [0, -1.0, 0]}
+    result = sp.parameterize(points, triangles, sp.Isometric(), fixed=fixed)
+    assert result and all((result.sphere[v] == p).all() for v, p in fixed.items())
+    soft = sp.parameterize(points, triangles, sp.Isometric(landmark_weight=1), fixed=fixed)
+    assert soft and not any((soft.sphere[v] == p).all() for v, p in fixed.items())
+
+
 def test_other_errors() -> None:
     points, triangles = ellipsoid(2)
     with pytest.raises(sp.MeshError) as caught:
         sp.parameterize(points, triangles, weights=-np.ones(len(sp.edges(triangles))))
     assert caught.value.code == "BAD_WEIGHT"
+    i, j, k = triangles[0]
     with pytest.raises(sp.MeshError) as caught:
-        sp.parameterize(points, triangles, sp.Isometric(), fixed={0: points[0], 1: points[1], 2: points[2]})
+        sp.parameterize(points, triangles, sp.Isometric(), fixed={i: [1, 0, 0], k: [0, 1, 0], j: [0, 0, 1]})
     assert caught.value.code == "BAD_CONSTRAINTS"
     with pytest.warns(sp.MapWarning, match="did not reach the accuracy"):
         result = sp.parameterize(points, triangles, sp.Balanced(), iterations=1)

@@ -22,7 +22,7 @@ namespace {
 /// Which options may help. Empty where the detail of the library says what to do.
 std::string remedy(const Mapping_options& options, Error_code code)
 {
-  const bool has_fall_back = options.method != "automatic" && options.method != "isometric" && options.fixed.empty();
+  const bool has_fall_back = options.method != "automatic" && options.method != "isometric";
   switch(code) {
   case Error_code::NOT_CONVERGED:
     return std::string("allow more --iterations, or try ") + (has_fall_back ? "--method automatic" : "other --weights");

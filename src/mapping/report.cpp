@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <type_traits>
 #include <variant>
 
@@ -43,6 +44,12 @@ Json to_json(const SP::Distortion_summary& d)
           {"degenerate_faces", d.degenerate_faces}};
 }
 
+template <class Value>
+Json known(bool is_known, const Value& value)
+{
+  return is_known ? Json(value) : Json(nullptr);
+}
+
 /// The options of weights and methods, by their names on the command line.
 template <class Weights>
 Json own_options(const Weights&)
@@ -51,7 +58,11 @@ Json own_options(const Weights&)
 }
 Json own_options(const Clamped_weights& w) { return {{"min_angle", w.min_degrees}, {"max_angle", w.max_degrees}}; }
 Json own_options(const SP::Balanced& m) { return {{"spring_exponent", m.spring_exponent}}; }
-Json own_options(const SP::Isometric& m) { return {{"area_exponent", m.area_exponent}}; }
+Json own_options(const SP::Isometric& m)
+{
+  return {{"area_exponent", m.area_exponent},
+          {"landmark_weight", known(std::isfinite(m.landmark_weight), m.landmark_weight)}};
+}
 Json own_options(const SP::Automatic& m)
 {
   return {{"spring_exponent", m.spring_exponent},
@@ -64,12 +75,6 @@ Json own_options(const SP::Saddle_point& m)
           {"relaxation", m.relaxation},
           {"check_interval", m.check_interval},
           {"start", m.start == SP::Saddle_point::Start::HARMONIC ? "harmonic" : "centroid"}};
-}
-
-template <class Value>
-Json known(bool is_known, const Value& value)
-{
-  return is_known ? Json(value) : Json(nullptr);
 }
 
 Json given(const std::string& text) { return known(!text.empty(), text); }

@@ -33,7 +33,7 @@ Map_settings map_settings(const Mapping_options& options)
   if(options.method == "balanced")
     settings.method = SP::Balanced{spring_exponent};
   else if(options.method == "isometric")
-    settings.method = SP::Isometric{area_exponent};
+    settings.method = SP::Isometric{area_exponent, options.landmark_weight.value_or(SP::Isometric().landmark_weight)};
   else if(options.method == "automatic") {
     SP::Automatic method;
     method.spring_exponent = spring_exponent;

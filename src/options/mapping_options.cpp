@@ -59,6 +59,10 @@ void check_method(const Mapping_options& options)
   require(!options.area_exponent || (*options.area_exponent >= 0 && *options.area_exponent < 1e3), "--area-exponent",
           "must be in [0,1000)");
   require(!options.largest_shrinkage || *options.largest_shrinkage >= 1, "--largest-shrinkage", "must be 1 or more");
+  require(!options.landmark_weight || options.method == "isometric", "--landmark-weight",
+          "requires --method isometric");
+  require(!options.landmark_weight || !options.fixed.empty(), "--landmark-weight", "requires --fixed");
+  require(!options.landmark_weight || *options.landmark_weight > 0, "--landmark-weight", "must be positive");
   require(options.check_interval.value_or(1) > 0, "--check-interval", "must be positive");
 }
 
@@ -143,8 +147,12 @@ void add_mapping_options(CLI::App& command, Mapping_options& options)
   add("--start", options.start, "Saddle-point: start map, a projection from the centroid or harmonic [centroid]")
     ->check(CLI::IsMember({"centroid", "harmonic"}));
   add("--fixed", options.fixed,
-      "Text file of fixed vertices: three or more lines 'index x y z', indices from 0, positions on the sphere")
+      "Text file of fixed vertices: three or more lines 'index x y z', indices from 0, positions on the sphere. "
+      "isometric and automatic keep them anywhere, balanced and saddle-point where they fit the harmonic map")
     ->type_name("FILE");
+  add(
+    "--landmark-weight", options.landmark_weight,
+    "Isometric: pull the fixed vertices to their places with this weight only, instead of keeping them exactly there");
 
   group = "Where to run";
   add("--policy", options.policy, "sequential (one core), tbb (all cores), opencl (a device). The map is the same")

@@ -51,6 +51,7 @@ struct Mapping_options {
   std::optional<double> relaxation;
   std::optional<std::int64_t> check_interval; // signed: CLI11 would take -3 for a huge unsigned number
   std::string fixed;
+  std::optional<double> landmark_weight;
 
   std::string policy = default_policy_name();
   std::string device;

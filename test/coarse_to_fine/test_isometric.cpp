@@ -198,15 +198,6 @@ TEST_CASE("isometric maps do not depend on the policy", "[isometric][each_policy
 #endif
 }
 
-TEST_CASE("the isometric method does not fix vertices", "[isometric]")
-{
-  const Soup soup = icosphere(2);
-  Settings settings = isometric();
-  settings.fixed = {{0, soup.points[0]}, {1, soup.points[1]}, {2, soup.points[2]}};
-  Sphere sphere;
-  CHECK(solve(soup, sphere, settings).error == Error_code::BAD_CONSTRAINTS);
-}
-
 TEST_CASE("meshes that have no straight embedding are refused by the isometric method", "[isometric]")
 {
   Sphere sphere;

@@ -26,11 +26,11 @@ enum class Error_code {
   NON_FINITE_COORDINATE,    ///< NaN or infinity in a point
   DEGENERATE_FACE,          ///< a face without area, or an edge without length, where one is needed
   BAD_WEIGHT,               ///< an edge weight that is not positive and finite
-  BAD_CONSTRAINTS,          ///< one or two fixed vertices, equal positions, a zero vector; or `Isometric`
-  NOT_CONVERGED,            ///< the residual did not reach the accuracy
-  INTERRUPTED,              ///< stopped by the callback or the time limit; the best map so far is stored
-  NOT_BIJECTIVE,            ///< converged, but faces are flipped or the degree is not 1
-  BAD_INDEX                 ///< a triangle that names a point that is not there (only in soups)
+  BAD_CONSTRAINTS, ///< fixed vertices: one or two, at equal positions, a zero vector; or the mesh is too coarse
+  NOT_CONVERGED,   ///< the residual did not reach the accuracy
+  INTERRUPTED,     ///< stopped by the callback or the time limit; the best map so far is stored
+  NOT_BIJECTIVE,   ///< converged, but faces are flipped or the degree is not 1
+  BAD_INDEX        ///< a triangle that names a point that is not there (only in soups)
 };
 
 /// The message of an error code, in words; `Result::detail` adds what exactly, and where.

@@ -5,6 +5,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_METHODS_H
 
 #include <cstddef>
+#include <limits>
 
 namespace CGAL::Spherical_parameterization {
 
@@ -86,7 +87,12 @@ struct Saddle_point {
 ///
 /// Guarantee: the map is bijective in doubles, if there is one. If doubles have no position for a vertex, the result is
 /// `NOT_BIJECTIVE` and there is no map. The energy is not claimed to be minimal. Faces without area count as small ones
-/// of a good shape. Weights are not used; vertices cannot be fixed.
+/// of a good shape. Weights are not used.
+///
+/// Fixed vertices are landmarks: they can be anywhere, and however far from where the map without them has them. The
+/// map has every one exactly where it was put and is bijective as ever, or the result is `BAD_CONSTRAINTS` and names
+/// the vertices between which the mesh is too coarse to be bent so far. With a finite `landmark_weight` they are only
+/// pulled to their places, and there always is a map. See \ref landmarks.
 ///
 /// Named parameters: `number_of_iterations` bounds the Newton steps for the whole mesh, `accuracy` is the relative gain
 /// of energy that such a step has to promise for another one to follow.
@@ -103,12 +109,19 @@ struct Isometric {
   /// surface parametrization method", IMR 2003). 0 is as conformal as possible, 1 as isometric as possible, 30 and
   /// more as authalic (area preserving) as possible.
   double area_exponent = 1;
+
+  /// Infinite: fixed vertices stay exactly where they were put. Finite and positive: they are soft landmarks; to the
+  /// mean distortion (4 = isometric, with `area_exponent` 1) is added this weight times the mean of the squared
+  /// distances of the fixed vertices from their places.
+  double landmark_weight = std::numeric_limits<double>::infinity();
 };
 
 /// Tries several methods and returns the first map that is valid and of use:
 /// 1. `Balanced{spring_exponent}`;
 /// 2. `Balanced` with the exponent `larger_spring_exponent`, if that is larger and the first map is not valid;
-/// 3. `Isometric{area_exponent}`, unless vertices are fixed.
+/// 3. `Isometric{area_exponent}`.
+///
+/// So it keeps fixed vertices, too, wherever they are: see `Isometric`.
 ///
 /// Harmonic maps shrink limbs exponentially with their length. A valid map that leaves next to nothing of them, by
 /// `largest_shrinkage`, is of no use to what samples, paints or measures the sphere; the isometric map is.

@@ -136,7 +136,7 @@ Result run(const ExecutionPolicy& policy, const Method& method, const NamedParam
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_is_constrained_map}
 ///     \cgalParamDescription{which vertices are fixed where `sphere_map` has them: three or more\, in distinct
-///       directions; not for `Isometric`}
+///       directions}
 ///     \cgalParamType{a readable property map with key vertex_descriptor and value `bool`}
 ///     \cgalParamDefault{no vertex}
 ///   \cgalParamNEnd

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -38,7 +39,17 @@ void for_each_of_level(const Host_loop& loop, int begin, int end, F f)
     for_each_index<Enough>(loop, end - begin, [&](int i) { f(begin + i); });
 }
 
+/// What holds a vertex: it is pulled towards a place by the energy stiffness / 2 |x - place|^2, or pinned where it is,
+/// if the stiffness is infinite.
+struct Anchor {
+  vec3 place;
+  double stiffness;
+
+  bool is_pin() const { return stiffness == std::numeric_limits<double>::infinity(); }
+};
+
 /// The current mesh of a progressive mesh as compact arrays, with a map to the sphere: what is relaxed.
+///
 ///
 /// Vertices are sorted by colour. Those of one colour are not adjacent, so that all of them can be moved at once, with
 /// the same result as one after the other.
@@ -60,11 +71,12 @@ public:
     position_.reserve(number_of_vertices);
   }
 
-  /// The areas of source faces are bounded relative to their mean, as if the whole surface had so many faces as the
-  /// level.
+  /// No vertex has an anchor then. The areas of source faces are bounded relative to their mean, as if the whole
+  /// surface had so many faces as the level.
   void assign(const Progressive_mesh& mesh, const Host_array<vec3>& points, double source_area,
               const Metric_bounds& bounds, const Partial_map& map)
   {
+    release();
     sort_by_colour(mesh, map);
     const int n = size();
     offset_.resize(n + 1);
@@ -93,6 +105,38 @@ public:
     });
     fit_scale();
   }
+
+  /// Gives a vertex an anchor, or another one.
+  void hold(int i, const Anchor& anchor)
+  {
+    if(anchor_of_.empty())
+      anchor_of_.assign(size(), -1);
+    if(anchor_of_[i] < 0) {
+      anchor_of_[i] = static_cast<int>(anchor_.size());
+      anchor_.emplace_back();
+    }
+    anchor_[anchor_of_[i]] = anchor;
+  }
+
+  /// Keeps a vertex where it is.
+  void pin(int i) { hold(i, {position_[i], std::numeric_limits<double>::infinity()}); }
+
+  /// Takes all anchors away.
+  void release()
+  {
+    anchor_.clear();
+    anchor_of_.clear();
+  }
+
+  /// Null if the vertex has none.
+  const Anchor* anchor(int i) const
+  {
+    return anchor_of_.empty() || anchor_of_[i] < 0 ? nullptr : &anchor_[anchor_of_[i]];
+  }
+  bool is_pinned(int i) const { return anchor(i) && anchor(i)->is_pin(); }
+
+  /// Of a vertex of the whole mesh that is not removed
+  int index(int vertex) const { return index_[vertex]; }
 
   int size() const { return static_cast<int>(vertex_.size()); }
   int offset(int i) const { return offset_[i]; }
@@ -148,6 +192,19 @@ public:
     return sum_over_faces([&](vec3 x, const Star_face& f) { return f.energy(distortion, x); }) / area_;
   }
 
+  /// The energy with that of the anchors, which is 0 without them.
+  double objective(const Distortion& distortion) const
+  {
+    double pull = 0;
+    if(!anchor_.empty())
+      for(int i = 0; i < size(); ++i)
+        if(anchor(i) && !is_pinned(i)) {
+          const vec3 d = sub(position_[i], anchor(i)->place);
+          pull += anchor(i)->stiffness / 2 * inner(d, d);
+        }
+    return energy(distortion) + pull / area_;
+  }
+
   /// Whether the map is a bijection, exactly: all faces are positively oriented, and cover the sphere once.
   bool is_bijective() const
   {
@@ -158,7 +215,7 @@ public:
     return sum_over_faces(is_flipped) == 0 && degree(coverings) == 1;
   }
 
-  /// One Newton step for every vertex alone: a Gauss-Seidel sweep. Keeps a valid map valid.
+  /// One Newton step for every vertex alone that has no anchor: a Gauss-Seidel sweep. Keeps a valid map valid.
   void relax(const Distortion& distortion)
   {
     for_each_vertex([&](int i) { relax_vertex(distortion, i); });
@@ -182,6 +239,14 @@ public:
   void store(Partial_map& map) const
   {
     for_each_vertex([&](int i) { map.position[vertex_[i]] = position_[i]; });
+  }
+
+  Star star(int i) const
+  {
+    Star result;
+    for(int c = offset_[i]; c < offset_[i + 1]; ++c)
+      result.push_back(star_face(corner_[c]));
+    return result;
   }
 
 private:
@@ -220,16 +285,10 @@ private:
     });
   }
 
-  Star star(int i) const
-  {
-    Star result;
-    for(int c = offset_[i]; c < offset_[i + 1]; ++c)
-      result.push_back(star_face(corner_[c]));
-    return result;
-  }
-
   void relax_vertex(const Distortion& distortion, int i)
   {
+    if(anchor(i))
+      return;
     const Star faces = star(i);
     vec3 x = position_[i];
     double energy = star_energy(distortion, faces, x);
@@ -296,6 +355,8 @@ private:
   Host_array<vec3> position_;
   double area_scale_ = 1;
   double area_ = 0;
+  std::vector<Anchor> anchor_;
+  std::vector<int> anchor_of_; ///< of every vertex, -1: none; empty if none has
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -60,12 +60,16 @@ private:
 /// meshes, and its distortion there has to be that of the fine one. A round takes the cheapest collapses that do not
 /// touch each other, one after the other: first those within broad bands of the surface, all bands at once, then those
 /// across their borders. The result is the same for any number of threads.
+///
+/// Vertices can be kept until only so many are left.
 class Decimation {
 public:
-  Decimation(const Host_loop& loop, const Host_array<vec3>& points, Progressive_mesh& mesh)
+  /// \param is_kept  which vertices are to be kept while there are more than `kept_until`; empty: none
+  Decimation(const Host_loop& loop, const Host_array<vec3>& points, Progressive_mesh& mesh, std::vector<char> is_kept,
+             int kept_until)
     : loop_(loop), point_(points), mesh_(mesh), quadric_(points.size()), best_(points.size()),
       role_(points.size(), FREE), remaining_(points.size()), is_outdated_(points.size(), true),
-      band_size_(size_of_bands(mesh.capacity()))
+      is_kept_(std::move(is_kept)), kept_until_(kept_until), band_size_(size_of_bands(mesh.capacity()))
   {
     std::iota(remaining_.begin(), remaining_.end(), 0);
     const double twice_area = sum_by_parts(loop, mesh.capacity(), [&](int v) { return initialise_quadric(v); });
@@ -79,6 +83,8 @@ public:
   {
     std::vector<int> collapsed;
     while(mesh_.number_of_vertices() > 4 && collapsed.empty()) {
+      if(keeps_vertices() && mesh_.number_of_vertices() <= kept_until_)
+        release();
       update_costs();
       const double bound = cost_bound();
       std::vector<Band> bands(mesh_.capacity() / band_size_ + 1);
@@ -92,13 +98,20 @@ public:
       for(const Band& b : bands)
         collapsed.insert(collapsed.end(), b.collapsed.begin(), b.collapsed.end());
       mesh_.count_collapses(static_cast<int>(collapsed.size()));
-      if(collapsed.empty() && !has_candidates()) { // all that is left has a high degree
-        maximum_degree_ *= 2;
-        is_outdated_.assign(is_outdated_.size(), true);
+      if(collapsed.empty() && !has_candidates()) { // all that is left has a high degree, or is kept
+        if(keeps_vertices())
+          release();
+        else {
+          maximum_degree_ *= 2;
+          is_outdated_.assign(is_outdated_.size(), true);
+        }
       }
     }
     return collapsed;
   }
+
+  /// Whether all vertices that are to be kept are still there.
+  bool keeps_vertices() const { return !is_kept_.empty(); }
 
 private:
   enum Role : char { FREE, RING, BUSY };
@@ -152,7 +165,7 @@ private:
   /// The cheapest collapse of u into a neighbour.
   Collapse best_collapse(int u) const
   {
-    if(mesh_.degree(u) > maximum_degree_)
+    if(mesh_.degree(u) > maximum_degree_ || (keeps_vertices() && is_kept_[u]))
       return Collapse();
     struct Ring_face {
       int corner;
@@ -242,6 +255,12 @@ private:
     return *last;
   }
 
+  void release()
+  {
+    is_kept_.clear();
+    is_outdated_.assign(is_outdated_.size(), true);
+  }
+
   bool has_candidates() const
   {
     return std::any_of(remaining_.begin(), remaining_.end(), [&](int v) { return best_[v].half_edge >= 0; });
@@ -321,6 +340,8 @@ private:
   std::vector<Role> role_;        ///< of every vertex in the collapses chosen for this round
   std::vector<int> remaining_;    ///< vertices that were not removed before this round
   std::vector<char> is_outdated_; ///< whether the best collapse of a vertex may be another one by now
+  std::vector<char> is_kept_;     ///< empty when none is any more
+  int kept_until_;                ///< so many are left
   int band_size_;                 ///< number of vertices
   double least_cost_ = 0;         ///< so that flat regions do not collapse for nothing, in any order
   int maximum_degree_ = 24;       ///< of vertices to be removed

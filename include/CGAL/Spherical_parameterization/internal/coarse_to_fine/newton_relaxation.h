@@ -27,6 +27,8 @@ namespace CGAL::Spherical_parameterization::internal {
 /// Eisenstat's trick ("Efficient implementation of a class of preconditioned conjugate gradient methods", 1981) gives
 /// the preconditioned product for one pass over the matrix: q = t + (I + L)^-1 (p - t) with t = (I + L^T)^-1 p.
 /// Single precision is enough for the blocks, since they only give a direction.
+///
+/// Anchors pull with their energy; vertices that are pinned have rows and columns of the identity.
 class Newton_relaxation {
 public:
   Newton_relaxation(const Host_loop& loop, const Distortion& distortion, Map_level& level)
@@ -52,6 +54,9 @@ public:
   /// cut short by a few faces that are about to flip gains less than there is to gain.
   double promised_gain() const { return promised_gain_; }
 
+  /// The share of the Newton step that was taken, at most 1 before it was found that more is better; 0: none.
+  double step_length() const { return step_length_; }
+
 private:
   struct Entry {
     int column;
@@ -64,6 +69,8 @@ private:
     const vec3 x = level_.position()[i];
     const Tangents tangents = tangents_at(x);
     const int begin = level_.offset(i), end = level_.offset(i + 1);
+    if(level_.is_pinned(i))
+      return assemble_pinned_row(i, tangents);
     boost::container::small_vector<Block, 12> block(end - begin, Block{0, 0, 0, 0});
     Block diagonal = {0, 0, 0, 0};
     const auto add_to = [](Block& sum, const Block& b) {
@@ -83,21 +90,44 @@ private:
     for(int c = begin; c < end; ++c) {
       const Block& b = block[c - begin];
       const int j = level_.corner(c).j;
-      entry_[j < i ? lower++ : --upper] = {j, float(b.ss), float(b.st), float(b.ts), float(b.tt)};
+      if(level_.is_pinned(j))
+        entry_[j < i ? lower++ : --upper] = {j, 0, 0, 0, 0};
+      else
+        entry_[j < i ? lower++ : --upper] = {j, float(b.ss), float(b.st), float(b.ts), float(b.tt)};
     }
     middle_[i] = lower;
 
     // The sphere bends away from the tangent plane, or towards the other side: not more than leaves the block positive.
     constexpr double least_share = 0.01;
+    double radial = -inner(gradient, x);
+    if(const Anchor* const anchor = level_.anchor(i)) {
+      constexpr double least_cosine = 0.1; // the pull is concave beyond a right angle
+      gradient = add_scaled(gradient, -anchor->stiffness, anchor->place);
+      radial += anchor->stiffness * (std::max)(least_cosine, inner(x, anchor->place));
+    }
     const double mean = (diagonal.ss + diagonal.tt) / 2, half = (diagonal.ss - diagonal.tt) / 2;
     const double smallest = mean - std::hypot(half, diagonal.st); // whose squares may overflow
-    const double bend = (std::max)(-inner(gradient, x), 2 * least_share * std::abs(mean) - smallest);
+    const double bend = (std::max)(radial, 2 * least_share * std::abs(mean) - smallest);
     const double a = std::sqrt(diagonal.ss + bend), b = diagonal.ts / a;
     const double c = std::sqrt((std::max)(diagonal.tt + bend - b * b, least_share * least_share * a * a));
     factor_[i] = {1 / a, 0, -b / (a * c), 1 / c};
     tangents_[i] = {tangents.combined({factor_[i].ss, factor_[i].st}),
                     tangents.combined({factor_[i].ts, factor_[i].tt})};
     gradient_[i] = tangents_[i].products(gradient);
+  }
+
+  /// Of a vertex that does not move
+  void assemble_pinned_row(int i, const Tangents& tangents)
+  {
+    int lower = level_.offset(i), upper = level_.offset(i + 1);
+    for(int c = level_.offset(i); c < level_.offset(i + 1); ++c) {
+      const int j = level_.corner(c).j;
+      entry_[j < i ? lower++ : --upper] = {j, 0, 0, 0, 0};
+    }
+    middle_[i] = lower;
+    factor_[i] = {1, 0, 0, 1};
+    tangents_[i] = tangents;
+    gradient_[i] = {0, 0};
   }
 
   void normalise_row(int i)
@@ -204,20 +234,26 @@ private:
   {
     constexpr double armijo = 1e-4;
     constexpr int maximum_halvings = 30;
-    const double before = level_.energy(distortion_);
+    const double before = level_.objective(distortion_);
+    step_length_ = 0;
     promised_gain_ = slope_ <= 0 ? -slope_ / 2 / before : 1; // NaN, from numbers out of range, promises anything
     if(!(slope_ < 0))
       return 0;
     const Host_array<vec3> start = level_.position();
     const auto energy_at = [&](double t) {
-      level_.for_each_vertex([&](int i) { level_.position()[i] = unit(add_scaled(start[i], t, direction[i])); });
-      return level_.energy(distortion_);
+      level_.for_each_vertex([&](int i) {
+        if(!level_.is_pinned(i))
+          level_.position()[i] = unit(add_scaled(start[i], t, direction[i]));
+      });
+      return level_.objective(distortion_);
     };
     double t = feasible_step(direction);
     for(int halving = 0; halving < maximum_halvings; ++halving, t /= 2) {
       const double after = energy_at(t);
-      if(after <= before + armijo * t * slope_ && level_.is_bijective())
+      if(after <= before + armijo * t * slope_ && level_.is_bijective()) {
+        step_length_ = t;
         return (before - longer_step(t, before, after, energy_at)) / before;
+      }
     }
     level_.position() = start;
     return 0;
@@ -251,6 +287,7 @@ private:
   Host_array<Entry> entry_;
   double slope_ = 0; ///< of the mean energy along the direction
   double promised_gain_ = 0;
+  double step_length_ = 0;
   bool is_indefinite_ = false; ///< the matrix, as far as conjugate gradients saw
 };
 

@@ -27,6 +27,7 @@ public:
   {
     CGAL_SP_PRECONDITION(method.area_exponent >= 0 && std::isfinite(method.area_exponent),
                          "the area exponent has to be 0 or larger, and finite");
+    CGAL_SP_PRECONDITION(method.landmark_weight > 0, "the weight of landmarks has to be positive");
   }
 
   static Weights weights() { return Weights::UNUSED; }

@@ -11,6 +11,7 @@
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Progressive_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/relaxation/Star.h>
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/decimation.h>
+#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/landmark_placement.h>
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/newton_relaxation.h>
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/solve_isometric.h>
 
@@ -30,18 +31,27 @@ namespace CGAL::Spherical_parameterization::internal {
 /// "Advanced hierarchical spherical parameterizations", TVCG 2018.
 ///
 /// The rounds of the decimation are undone one by one, last first. After each one the distortion of the map is relaxed.
+///
+/// Fixed vertices are landmarks. The decimation keeps them while there are many more vertices than landmarks. On the
+/// coarsest mesh that has all of them the map is rotated to fit their places, and they are moved there; where that mesh
+/// is too coarse, on one of the next. From then on they do not move.
 class Coarse_to_fine_map {
 public:
+  /// \param landmark_size    the size of the mesh, about, on which the landmarks are brought to their places
+  /// \param is_last_attempt  whether it goes on to the finest mesh where they do not get there
   Coarse_to_fine_map(const Host_loop& loop, const Isometric& method, const Problem& problem, const Effort& effort,
-                     Monitor& monitor)
-    : loop_(loop), method_(method), exponent_((std::min)(method.area_exponent, largest_coarse_exponent)),
-      distortion_(exponent_), problem_(problem), effort_(effort), monitor_(monitor), source_area_(area_of_source()),
-      mesh_(loop, problem.face, problem.size()),
+                     Monitor& monitor, int landmark_size, bool is_last_attempt)
+    : loop_(loop), landmark_size_(landmark_size), is_last_attempt_(is_last_attempt), method_(method),
+      exponent_((std::min)(method.area_exponent, largest_coarse_exponent)), distortion_(exponent_), problem_(problem),
+      effort_(effort), monitor_(monitor), source_area_(area_of_source()), mesh_(loop, problem.face, problem.size()),
       level_(loop, problem.size()), map_{Host_array<vec3>(problem.size(), vec3{0, 0, 0}),
                                          std::vector<int>(problem.size(), -1)}
   {
     if(!(source_area_ > 0)) // all points are one: then all faces count as equal
       source_area_ = 1;
+    for(int v = 0; problem.has_fixed() && v < problem.size(); ++v)
+      if(problem.is_fixed[v])
+        landmarks_.push_back({v, problem.as_stored ? problem.as_stored(problem.given[v]) : problem.given[v]});
   }
 
   /// Returns the positions of all vertices.
@@ -51,6 +61,7 @@ public:
     embed_tetrahedron();
     for(; !rounds_.empty(); rounds_.pop_back()) {
       insert(std::move(rounds_.back()));
+      are_landmarks_present_ = rounds_.size() <= rounds_with_landmarks_ + 1;
       if(rounds_.size() > 1) {
         relax_level();
         advance_or_give_up();
@@ -81,12 +92,14 @@ private:
 
   void decimate()
   {
-    Decimation decimation(loop_, problem_.point, mesh_);
+    Decimation decimation(loop_, problem_.point, mesh_, problem_.is_fixed, landmark_size_);
     for(;;) {
       std::vector<int> round = decimation.round();
       if(round.empty())
         return;
       rounds_.push_back(std::move(round));
+      if(decimation.keeps_vertices())
+        rounds_with_landmarks_ = rounds_.size();
       const double done =
         std::log(double(problem_.size()) / mesh_.number_of_vertices()) / std::log(problem_.size() / 4.);
       if(!monitor_.advance(share_of_decimation * done))
@@ -181,7 +194,79 @@ private:
     return colour;
   }
 
-  void assign_level(const Metric_bounds& bounds) { level_.assign(mesh_, problem_.point, source_area_, bounds, map_); }
+  void assign_level(const Metric_bounds& bounds)
+  {
+    level_.assign(mesh_, problem_.point, source_area_, bounds, map_);
+    if(!are_landmarks_present_ || landmarks_.empty())
+      return;
+    if(!std::exchange(are_landmarks_aligned_, true))
+      rotate_to_landmarks(landmarks_, level_);
+    if(are_landmarks_soft())
+      for(const Landmark& l : landmarks_)
+        level_.hold(level_.index(l.vertex),
+                    {l.place, 2 * method_.landmark_weight * level_.area() / double(landmarks_.size())});
+    else
+      pin_placed(landmarks_, level_);
+  }
+
+  bool are_landmarks_soft() const { return std::isfinite(method_.landmark_weight); }
+
+  /// Moves the landmarks to their places as far as the level allows it. Tried only so often, since a little finer mesh
+  /// bends little more. Throws the Error after the last level, or where another attempt promises more.
+  void place_landmarks(bool is_last_level)
+  {
+    constexpr double growth = 1.5;
+    constexpr int levels_of_attempt = 4; // up to so many times the size on which the landmarks are brought in
+    const auto is_placed = [](const Landmark& l) { return l.is_placed; };
+    if(are_landmarks_soft() || !are_landmarks_present_ || std::all_of(landmarks_.begin(), landmarks_.end(), is_placed))
+      return;
+    if(!is_last_level && level_.size() < growth * last_placement_)
+      return;
+    last_placement_ = level_.size();
+    last_newton_ = 0;
+    if(Landmark_placement(loop_, distortion_, level_, landmarks_).run([&] { return advance(); }))
+      return;
+    if(monitor_.is_interrupted())
+      give_up();
+    if(is_last_level || (!is_last_attempt_ && level_.size() > levels_of_attempt * landmark_size_))
+      refuse_landmarks();
+  }
+
+  /// The Error if the levels were too coarse.
+  [[noreturn]] void refuse_landmarks() const
+  {
+    constexpr int most = 5;
+    std::vector<char> is_landmark(problem_.size(), false);
+    for(const Landmark& l : landmarks_)
+      is_landmark[l.vertex] = true;
+    const auto name = [&](int v) { return std::to_string(problem_.position[v]); };
+    std::string pairs;
+    int count = 0;
+    for(const Landmark& l : landmarks_)
+      if(!l.is_placed && ++count <= most)
+        pairs += (count > 1 ? ", " : "") + name(l.vertex) + " and " + name(nearest_landmark(l.vertex, is_landmark));
+    throw Input_error(Error_code::BAD_CONSTRAINTS,
+                      "the mesh is too coarse to be bent as far as they ask for between the fixed vertices " + pairs +
+                        (count > most ? ", and near " + counted(count - most, "other", "others") : "") +
+                        "; refine it there, or free some of them");
+  }
+
+  /// In edges; v is one.
+  int nearest_landmark(int v, const std::vector<char>& is_landmark) const
+  {
+    std::vector<char> is_seen(problem_.size(), false);
+    std::vector<int> front = {v};
+    is_seen[v] = true;
+    for(std::size_t k = 0; k < front.size(); ++k) {
+      if(front[k] != v && is_landmark[front[k]])
+        return front[k];
+      mesh_.for_each_corner(front[k], [&](int c) {
+        if(!std::exchange(is_seen[mesh_.target(c)], true))
+          front.push_back(mesh_.target(c));
+      });
+    }
+    return v;
+  }
 
   void relax_level()
   {
@@ -191,6 +276,7 @@ private:
     assign_level(coarse_bounds);
     for(int s = 0; s < sweeps; ++s)
       level_.relax(distortion_);
+    place_landmarks(false);
     if(level_.size() >= growth * last_newton_) {
       last_newton_ = level_.size();
       relax_globally(distortion_);
@@ -220,9 +306,11 @@ private:
     constexpr int sweeps = 5, maximum_iterations = 100;
     constexpr std::size_t steps_per_exponent = 6;
     constexpr double growth_of_exponent = 1.5;
+    are_landmarks_present_ = true;
     assign_level(final_bounds);
     for(int s = 0; s < sweeps && advance(); ++s)
       level_.relax(distortion_);
+    place_landmarks(true);
     const double accuracy = effort_.accuracy.value_or(Isometric::default_accuracy);
     const auto descend = [&](std::size_t maximum_steps) {
       Newton_relaxation newton(loop_, distortion_, level_);
@@ -268,6 +356,8 @@ private:
   static constexpr double share_of_decimation = 0.15;
 
   const Host_loop& loop_;
+  int landmark_size_;
+  bool is_last_attempt_;
   Isometric method_;
   double exponent_; ///< of the area, at the moment
   Distortion distortion_;
@@ -279,7 +369,12 @@ private:
   Map_level level_;
   Partial_map map_;
   std::vector<std::vector<int>> rounds_; ///< the collapsed half-edges of every round
-  double last_newton_ = 0;
+  double last_newton_ = 0;               ///< size of the level
+  double last_placement_ = 0;            ///< size of the level
+  Landmarks landmarks_;
+  std::size_t rounds_with_landmarks_ = 0; ///< the first rounds of the decimation, which keep all of them
+  bool are_landmarks_present_ = false;    ///< in the current mesh
+  bool are_landmarks_aligned_ = false;    ///< by the best rotation
 };
 
 /// Throws the Error if there is no map whose edges are geodesic: these are determined by their ends.
@@ -292,19 +387,55 @@ inline void check_simplicial(const Problem& problem)
     throw Input_error(Error_code::NOT_BIJECTIVE, wrong + "two edges of the mesh have the same ends");
 }
 
+/// Throws the Error if a face cannot be positively oriented since all of its corners are fixed.
+inline void check_fixed_faces(const Problem& problem)
+{
+  if(!problem.has_fixed())
+    return;
+  for(std::size_t f = 0; f < problem.face.size(); ++f) {
+    const auto [i, j, k] = problem.face[f];
+    if(problem.is_fixed[i] && problem.is_fixed[j] && problem.is_fixed[k] &&
+       !is_positively_oriented(problem.given[i], problem.given[j], problem.given[k]))
+      throw Input_error(Error_code::BAD_CONSTRAINTS,
+                        "the fixed vertices " + std::to_string(problem.position[i]) + ", " +
+                          std::to_string(problem.position[j]) + " and " + std::to_string(problem.position[k]) +
+                          " are the corners of face " + std::to_string(f) + ", and would flip it");
+  }
+}
+
+/// Runs `Coarse_to_fine_map`. Where landmarks get stuck, they do so by how the coarse mesh happens to be: then again,
+/// with landmarks brought to their places on a finer one.
+inline Host_array<vec3> coarse_to_fine_map(const Host_loop& loop, const Isometric& method, const Problem& problem,
+                                           const Effort& effort, Monitor& monitor, Solver_report& report)
+{
+  constexpr int least_size = 500, vertices_per_landmark = 8, growth = 3;
+  const auto landmarks = std::count(problem.is_fixed.begin(), problem.is_fixed.end(), 1);
+  double size = (std::max)(least_size, vertices_per_landmark * static_cast<int>(landmarks));
+  for(; growth * size < problem.size() && landmarks > 0; size *= growth)
+    try {
+      return Coarse_to_fine_map(loop, method, problem, effort, monitor, static_cast<int>(size), false).run(report);
+    } catch(const Input_error& error) {
+      if(error.code() != Error_code::BAD_CONSTRAINTS)
+        throw;
+    }
+  return Coarse_to_fine_map(loop, method, problem, effort, monitor, static_cast<int>(size), true).run(report);
+}
+
 CGAL_SP_CORE Solution solve_isometric(const Host_loop& loop, const Isometric& method, const Problem& problem,
                                       const Effort& effort, Monitor& monitor)
 {
-  if(problem.has_fixed())
-    throw Input_error(Error_code::BAD_CONSTRAINTS, "the isometric method cannot keep vertices fixed");
   check_simplicial(problem);
+  if(std::isinf(method.landmark_weight))
+    check_fixed_faces(problem);
   const Stopwatch watch;
   Solution solution;
-  solution.position = Coarse_to_fine_map(loop, method, problem, effort, monitor).run(solution.report);
+  solution.position = coarse_to_fine_map(loop, method, problem, effort, monitor, solution.report);
   solution.seconds.solve = watch.seconds();
 
   const Stopwatch certify_watch;
-  make_storable(loop, problem, solution.position);
+  if(problem.as_stored)
+    for_each_index(loop, problem.size(),
+                   [&](int i) { solution.position[i] = problem.as_stored(solution.position[i]); });
   solution.certificate = certify(loop, problem.face, solution.position);
   solution.seconds.certify = certify_watch.seconds();
   return solution;

@@ -122,14 +122,13 @@ Solution Method_solver<Automatic>::solve(const Backend& backend, const Problem& 
         if(try_method(Method_solver<Balanced>(Balanced{method_.larger_spring_exponent}), limited, 0.5, 0.75))
           return;
       }
-    } else if(problem.has_fixed())
-      throw Input_error(Error_code::DEGENERATE_FACE, problem.missing_weights);
-    if(!problem.has_fixed()) // which the isometric method cannot keep; accuracy and iterations are those of the springs
-      try_method(Method_solver<Isometric>(Isometric{method_.area_exponent}), Effort(),
-                 attempts.empty()       ? 0
-                 : attempts.size() == 1 ? 0.5
-                                        : 0.75,
-                 1);
+    }
+    // accuracy and iterations are those of the springs
+    try_method(Method_solver<Isometric>(Isometric{method_.area_exponent}), Effort(),
+               attempts.empty()       ? 0
+               : attempts.size() == 1 ? 0.5
+                                      : 0.75,
+               1);
   };
   run();
   if(best.error != Error_code::OK && best.error != Error_code::INTERRUPTED && monitor.is_interrupted()) {

@@ -24,17 +24,14 @@ inline std::string reason_for_flips(const Problem& problem, double smallest_area
   if(problem.as_stored && smallest_area < area_of_float_rounding)
     return "the sphere map rounds the coordinates to fewer digits than doubles have; use a sphere map of doubles, or "
            "the isometric method";
+  if(problem.has_fixed())
+    return "a harmonic map does not hold these fixed vertices: they contradict each other, or are too few; use the "
+           "automatic or the isometric method, which keep landmarks anywhere, or fix more vertices, better spread";
   if(smallest_area < area_of_rounding)
-    return problem.has_fixed()
-             ? "limbs shrink below the resolution of the coordinates, or the fixed vertices contradict each other; use "
-               "a larger spring exponent or barycentric weights, and fix no vertices in limbs"
-             : "limbs shrink below the resolution of the coordinates; use the automatic or the isometric method, a "
-               "larger spring exponent, or barycentric weights";
-  return problem.has_fixed()
-           ? "the fixed vertices contradict each other, or are too few to hold the map; fix more of them, better "
-             "spread, or none"
-           : "the critical point found is degenerate; use the automatic or the isometric method, a larger spring "
-             "exponent, or other weights";
+    return "limbs shrink below the resolution of the coordinates; use the automatic or the isometric method, a "
+           "larger spring exponent, or barycentric weights";
+  return "the critical point found is degenerate; use the automatic or the isometric method, a larger spring "
+         "exponent, or other weights";
 }
 
 CGAL_SP_CORE void pass_verdict(const Problem& problem, const Monitor& monitor, Solution& solution)

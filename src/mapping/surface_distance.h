@@ -15,6 +15,16 @@ namespace tool {
 double hausdorff_distance(const Mesh& mesh, const std::vector<Point>& a, const std::vector<Point>& b,
                           bool on_all_cores);
 
+/// What of a shape is not in a mesh that was sampled from it.
+struct Sampling_loss {
+  double bounding_box = 0; ///< of its side that has lost most, in [0, 1]
+  double distance = 0;     ///< from the shape to the samples, that 99 % of the area keep; of the diagonal of the box
+};
+
+/// Compares `mesh` with the same shape sampled at the vertices of `sampled`.
+/// \param points  by vertex of `sampled`
+Sampling_loss sampling_loss(const Mesh& mesh, const Mesh& sampled, const std::vector<Point>& points);
+
 } // namespace tool
 
 #endif // SPHERICAL_PARAMETERIZATION_TOOL_SURFACE_DISTANCE_H

@@ -208,7 +208,7 @@ def test_automatic_falls_back() -> None:
         ({"triangles": np.zeros((4, 3))}, TypeError),
         ({"triangles": np.zeros(3, dtype=int)}, ValueError),
         ({"weights": "cotangent"}, ValueError),
-        ({"weights": sp.ConformalWeights(0, 85)}, ValueError),
+        ({"weights": sp.ClampedWeights(0, 85)}, ValueError),
         ({"policy": "gpu"}, ValueError),
         ({"accuracy": -1.0}, ValueError),
         ({"accuracy": float("nan")}, ValueError),

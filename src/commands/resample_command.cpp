@@ -81,9 +81,9 @@ void resample(const Resample_options& options, Outcome& outcome)
   if(sphere_file)
     write_mesh(sphere_file->stream(), output_format_of_name("--output-sphere", options.output_sphere, options.ascii),
                out, out.points(), Surface::SPHERE, input.file->annotations);
+  const Sampling_loss loss = sampling_loss(input.mesh(), out, points);
   stop_if_interrupted(options.input);
   Atomic_file::commit_all({sphere_file.get(), &file});
-  const Sampling_loss loss = sampling_loss(input.mesh(), out, points);
   std::ostringstream line;
   line.precision(2);
   line << out.number_of_vertices() << " vertices, " << out.number_of_faces() << " faces; " << input.result.method

@@ -273,11 +273,14 @@ TEST_CASE("many: spheres that were written before", "[tool][many]")
 {
   Scratch scratch;
   const std::string folder = make_folder(scratch), spheres = scratch / "spheres", out = scratch / "out";
-  REQUIRE(run_many({"map"}, folder, spheres).exit_code == 1);
+  // the map that segment makes itself
+  REQUIRE(run_many({"map", "--method", "balanced", "--weights", "clamped"}, folder, spheres).exit_code == 1);
   fs::remove(spheres + "/3.ply");
   const std::string format = GENERATE("ply", "off"); // of one of them: any will do
   if(format == "off")
-    REQUIRE(run_tool({"map", folder + "/3.off", "-o", spheres + "/3.off"}).exit_code == 0);
+    REQUIRE(
+      run_tool({"map", folder + "/3.off", "-o", spheres + "/3.off", "--method", "balanced", "--weights", "clamped"})
+        .exit_code == 0);
   const Process_result run = run_many({"segment", "--labels", "l.txt"}, folder, out, {"--sphere", spheres});
   CAPTURE(run.out);
   CHECK(lines_of(run.out).back() == out + ": 14 meshes, " + (format == "off" ? "2" : "3") + " refused");
@@ -364,7 +367,6 @@ TEST_CASE("many: wrong usage is said before any work", "[tool][many]")
   check({"map", folder, "-o", scratch / "sphere.off"}, "is a folder");
   write_text(scratch / "file", "old");
   check({"map", folder, "-o", scratch / "file"}, "is a file");
-  check({"map", folder + "/0.off", "-o", out, "--format", "off"}, "--format");
   check({"map", folder, "-o", out, "--format", "stl"}, "--format");
   check({"map", folder, "-o", out, "--report", out + "/report.json"}, "'/'");
   check({"map", folder, "-o", out, "--report", "ply"}, "would take the place of an output for");

@@ -71,8 +71,10 @@ public:
     constexpr double progress = 0.8;           // at the limit of rounding the residual falls no more
     constexpr double balance_tolerance = 1e-4; // the steps undo what is left
     constexpr int balance_steps = 10;
-    constexpr double fall_between_references = 0.3, largest_rise = 10;
+    constexpr double fall_between_references = 0.3, largest_rise = 100;
+    constexpr int most_references = 16;
     double next_reference = 1e-2;
+    int references = 0;
     const int n = multigrid_.size(level_);
     Vectors g = backend_.vectors(n), old_g = backend_.vectors(n), s = backend_.vectors(n), d = backend_.vectors(n);
     Vectors& w = multigrid_.scratch(level_);
@@ -102,13 +104,15 @@ public:
     std::size_t best_at = 0;
     for(;; ++report.iterations) {
       balance_forces();
-      if(refer && report.residual <= next_reference) {
+      if(refer && references < most_references && report.residual <= next_reference) {
         const double before = report.residual;
+        next_reference = fall_between_references * before;
+        ++references;
         refer(v);
         begin();
         balance_forces();
-        // Where limbs are lost to rounding, a renewal may undo more than the steps between two of them gain.
-        next_reference = report.residual <= largest_rise * before ? fall_between_references * before : 0;
+        if(report.residual > largest_rise * before) // the map collapses, and each reference is another one
+          references = most_references;
       }
       if(report.iterations == 0)
         first = best = report.residual;

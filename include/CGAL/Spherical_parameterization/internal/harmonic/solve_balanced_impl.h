@@ -149,7 +149,7 @@ bool solve_stiffening(const Backend& backend, const Problem& problem, double exp
       }
       goal *= is_accurate ? accuracy_refinement : 0.1;
     }
-    if(made == 0 || done >= maximum_iterations || monitor.is_interrupted())
+    if((made == 0 && !report.has_converged) || done >= maximum_iterations || monitor.is_interrupted())
       break;
     springs->inverse_diagonal = current->inverse_diagonal;
     const typename Backend::Matrix matrix = backend.upload(Shared_graph(springs));

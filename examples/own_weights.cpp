@@ -2,8 +2,7 @@
 // Part of CGAL Spherical Parameterization.
 //
 // Own weights: any property map from edges to positive numbers. Here larger weights (STIFFNESS, default 4; 1 is no
-// change) give the upper half of MESH, or else of an icosphere, more room on the sphere, since the map is balanced by
-// the energies of its two halves.
+// change) draw the upper half of MESH, or else of an icosphere, together: it gets less room on the sphere.
 //
 //   own_weights [MESH [STIFFNESS]]
 

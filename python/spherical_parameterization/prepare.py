@@ -123,8 +123,8 @@ def prepare(
             if report.get("error_code") in set(ErrorCode):
                 raise MeshError(ErrorCode(report["error_code"]), str(report["error"]).removeprefix(path["in.ply"] + ": "))
             raise RuntimeError(f"{tool} failed with exit code {run.returncode}: {run.stderr.strip()}")
-        numbers = [np.loadtxt(path[name], dtype=np.int64, ndmin=1) for name in ("vertices", "faces")]
-        return Prepared(*_read_ply(path["out.ply"]), *numbers, report)
+        vertex_map, face_map = (np.loadtxt(path[name], dtype=np.int64, ndmin=1) for name in ("vertices", "faces"))
+        return Prepared(*_read_ply(path["out.ply"]), vertex_map, face_map, report)
 
 
 def _tool() -> str:

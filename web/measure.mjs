@@ -88,7 +88,7 @@ for (const mesh of meshes) {
   await page.evaluate(() => window.page.stage.viewer.spin(0));
   const byTool = await five(() => {
     const report = join(folder, "report.json");
-    const options = ["-o", join(folder, "sphere.off"), "--policy", "sequential", "--report", report];
+    const options = ["--method", "balanced", "-o", join(folder, "sphere.off"), "--policy", "sequential", "--report", report];
     const run = spawnSync(process.env.SPHERICAL_PARAMETERIZATION_TOOL, ["map", mesh, ...options], { encoding: "utf8" });
     if (run.status !== 0) throw new Error(run.stderr);
     return mapping(JSON.parse(readFileSync(report, "utf8")).seconds);

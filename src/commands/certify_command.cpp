@@ -45,7 +45,7 @@ Sphere mirror_image(Sphere points)
 /// Points off a common sphere are projected to it, of which people should know.
 void print_radius(const std::string& file, const Given_sphere& sphere)
 {
-  constexpr double rounding = 1e-5; // of files of floats
+  constexpr double rounding = 1e-3; // of files of floats, and of programs that keep spheres only roughly
   std::cout << file << ": ";
   if(sphere.largest_radius <= (1 + rounding) * sphere.smallest_radius)
     std::cout << "radius " << sphere.largest_radius << '\n';

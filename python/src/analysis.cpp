@@ -196,22 +196,6 @@ py::array texture_seams(const Doubles& points, const py::array& triangles, const
   return result;
 }
 
-/// A column of an array (n, d), read from its first number on.
-struct Column {
-  typedef Mesh::Vertex_index key_type;
-  typedef double value_type;
-  typedef double reference;
-  typedef boost::readable_property_map_tag category;
-
-  const double* first;
-  std::size_t columns;
-
-  friend double get(const Column& map, key_type v)
-  {
-    return map.first[map.columns * static_cast<std::size_t>(v.idx())];
-  }
-};
-
 /// The inverse of a map, with the mesh that it needs.
 class Locator {
 public:

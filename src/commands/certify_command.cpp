@@ -106,23 +106,6 @@ void certify(const Certify_options& options, Mapped_mesh& input, Report& report)
     throw Refusal(name(result.error), options.sphere, "is no valid spherical map: " + result.detail, "");
 }
 
-int run(const Certify_options& options)
-{
-  Report report;
-  Mapped_mesh input;
-  const Stopwatch total;
-  report.refusal = guarded(options.input, [&] { certify(options, input, report); });
-  report.seconds_total = total.seconds();
-
-  std::optional<Refusal> refusal = report.refusal;
-  if(!options.report.empty()) {
-    const auto of_report = guarded(options.input, [&] { write_report(options.report, options, input, report); });
-    if(!refusal)
-      refusal = of_report;
-  }
-  return exit_code_of(refusal);
-}
-
 } // namespace
 
 void add_certify_command(CLI::App& app, int& exit_code)
@@ -146,7 +129,8 @@ void add_certify_command(CLI::App& app, int& exit_code)
                   "130 interrupted.");
   command->callback([options, &exit_code] {
     check_files(input_files(*options), {{"--report", options->report}});
-    exit_code = run(*options);
+    exit_code = exit_code_of(reported(options->report, *options,
+                                      [&](Mapped_mesh& input, Report& report) { certify(*options, input, report); }));
   });
 }
 

@@ -147,18 +147,8 @@ void map(const Map_options& options, Mapped_mesh& input, Report& report, Outcome
 
 void map_and_report(const Map_options& options, Outcome& outcome)
 {
-  Report report;
-  Mapped_mesh input;
-  const Stopwatch total;
-  report.refusal = guarded(options.input, [&] { map(options, input, report, outcome); });
-  report.seconds_total = total.seconds();
-
-  std::optional<Refusal> refusal = report.refusal;
-  if(!options.report.empty()) {
-    const auto of_report = guarded(options.input, [&] { write_report(options.report, options, input, report); });
-    if(!refusal)
-      refusal = of_report;
-  }
+  const auto refusal = reported(options.report, options,
+                                [&](Mapped_mesh& input, Report& report) { map(options, input, report, outcome); });
   if(refusal)
     throw Refusal(*refusal);
 }

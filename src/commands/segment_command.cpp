@@ -67,8 +67,9 @@ void segment(const Segment_options& options, Outcome& outcome)
   std::size_t number_of_segments = result.number_of_segments;
   if(input.prepared)
     segments = labels_of_file(*input.prepared, segments, number_of_segments);
-  write_segments_ply(ply.stream(), options.ascii, input.prepared ? input.prepared->of_file() : input.mesh(), segments,
-                     number_of_segments);
+  on_mesh_of_file(input, [&](const Mesh& mesh) {
+    write_segments_ply(ply.stream(), options.ascii, mesh, segments, number_of_segments);
+  });
   if(labels)
     for(const std::size_t segment : segments)
       labels->stream() << segment << '\n';

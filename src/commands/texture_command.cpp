@@ -132,8 +132,6 @@ std::pair<std::vector<Uv>, SP::Texture_report> coordinates(const Texture_command
   return {uv, report};
 }
 
-Mesh mesh_of_file(const Mapped_mesh& input) { return input.prepared ? input.prepared->of_file() : input.mesh(); }
-
 /// Mesh, material and image as three files.
 void texture_obj(const Texture_command_options& options, Mapped_mesh& input, Outcome& outcome)
 {
@@ -144,8 +142,8 @@ void texture_obj(const Texture_command_options& options, Mapped_mesh& input, Out
   const auto [uv, report] = coordinates(options, input);
 
   const fs::path folder = fs::absolute(options.output).parent_path();
-  write_textured_obj(obj.stream(), mesh_of_file(input), uv,
-                     fs::path(beside(options.output, ".mtl")).filename().string());
+  const std::string material = fs::path(beside(options.output, ".mtl")).filename().string();
+  on_mesh_of_file(input, [&, &uv = uv](const Mesh& mesh) { write_textured_obj(obj.stream(), mesh, uv, material); });
   write_material(mtl.stream(), fs::absolute(image).lexically_relative(folder).string());
   if(png)
     write_checker(png->stream(), 32, checker_rows(options));
@@ -175,7 +173,9 @@ void texture_gltf(const Texture_command_options& options, Mapped_mesh& input, Ou
   const std::string image = image_of(options);
   map_input(options, input);
   const auto [uv, report] = coordinates(options, input);
-  write_textured_gltf(file.stream(), output_format(options).format, mesh_of_file(input), uv, image);
+  on_mesh_of_file(input, [&, &uv = uv](const Mesh& mesh) {
+    write_textured_gltf(file.stream(), output_format(options).format, mesh, uv, image);
+  });
   stop_if_interrupted(options.input);
   file.commit();
   say(options, input, report, outcome);

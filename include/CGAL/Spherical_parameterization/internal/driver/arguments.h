@@ -139,9 +139,9 @@ constexpr bool check_arguments()
     constexpr bool holds = Holds_positions<typename boost::property_traits<VertexSphereMap>::value_type>::value;
     static_assert(holds,
                   "the sphere map has to hold points with three coordinates, in floating point or exact numbers");
-    return holds && check_named_parameters<typename Graph_traits::edge_descriptor,
-                                           typename Graph_traits::vertex_descriptor,
-                                           typename Graph_traits::face_descriptor, NamedParameters>();
+    return holds &&
+           check_named_parameters<typename Graph_traits::edge_descriptor, typename Graph_traits::vertex_descriptor,
+                                  typename Graph_traits::face_descriptor, NamedParameters>();
   } else
     return false;
 }

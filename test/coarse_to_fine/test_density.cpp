@@ -139,7 +139,7 @@ TEST_CASE("larger exponents bring areas nearer to what is wanted", "[density]")
 
 TEST_CASE("a uniform density changes no bit", "[density]")
 {
-  const Soup soup = spiky_star(4, 1.5);
+  const Soup soup = spiky_star(3, 1.5);
   Settings plain = with_density({});
   plain.method = SP::Isometric{SP::Isometric::area_exponent_of_densities};
   const Sphere sphere = solve_or_throw(soup, plain);
@@ -181,8 +181,8 @@ TEST_CASE("maps of densities hardly depend on the numbering", "[density]")
 
 TEST_CASE("any density has a certified map", "[density]")
 {
-  const Soup soup = GENERATE(0, 1, 2) == 0 ? spiky_star(3, 2) : GENERATE(0, 1) == 0 ? collinear_face() : tetrahedron();
-  const double high = GENERATE(1e-12, 1e-3, 1e3, 1e12, 1e300);
+  const Soup soup = std::vector{spiky_star(3, 2), collinear_face(), tetrahedron()}[GENERATE(0u, 1u, 2u)];
+  const double high = GENERATE(1e-12, 1e3, 1e300);
   std::vector<double> alternating(soup.faces.size(), 1);
   for(std::size_t f = 0; f < alternating.size(); f += 2)
     alternating[f] = high;
@@ -198,7 +198,7 @@ TEST_CASE("faces without area do no harm to maps of densities", "[density]")
 
 TEST_CASE("maps of densities do not depend on the policy", "[density][each_policy]")
 {
-  const Soup soup = spiky_star(5, 1.5);
+  const Soup soup = spiky_star(4, 1.5);
   Settings settings = with_density(rising(soup, 10));
   settings.policy = CGAL::Sequential_tag();
   const Sphere sphere = solve_or_throw(soup, settings);
@@ -269,8 +269,8 @@ TEST_CASE("soups have densities by number", "[density]")
   const std::vector<double> of_faces = upper_faces(soup, 3), of_vertices = rising(soup, 3);
   std::vector<Point> sphere;
   const auto map = [&](const auto& density) {
-    const Result result = SP::parameterize_triangle_soup(CGAL::Sequential_tag(), soup.points, soup.faces,
-                                                         SP::Isometric(), sphere, density);
+    const Result result =
+      SP::parameterize_triangle_soup(CGAL::Sequential_tag(), soup.points, soup.faces, SP::Isometric(), sphere, density);
     CHECK(bool(result));
     return sphere;
   };

@@ -123,7 +123,7 @@ figure_density() {
   tool map armadillo.off -o dense.sphere.off --density density.txt >/dev/null
   # the mesh in the colours of the density, and both spheres with them
   paste density.txt <(awk '/^end_header/ { in_body = 1; next } in_body { print $1, $2, $3 }' plain.stretch.ply) |
-    awk 'NR == FNR { if(NF == 4) line[NR] = $2 " " $3 " " $4 " " int(120 + 15 * $1) " 130 " int(255 - 18 * $1); next }
+    awk 'NR == FNR { if(NF == 4) line[NR] = $2 " " $3 " " $4 " " int(120 + 15 * $1) " 130 " int(255 - 18 * $1) " 0"; next }
          { print in_body && ++i in line ? line[i] : $0 }
          /^end_header/ { in_body = 1 }' - plain.stretch.ply >coloured.ply
   by_vertices coloured.ply d1.png 300 "${camera[@]}"

@@ -456,7 +456,7 @@ TEST_CASE("map: densities that do not fit are refused", "[tool]")
     CHECK(run.err.find(reason) != std::string::npos);
     CHECK_FALSE(fs::exists(scratch / "out.off"));
   };
-  check("", "has 0 numbers, but the mesh has 12 vertices and 20 faces");
+  check("# nothing", "has 0 numbers, but the mesh has 12 vertices and 20 faces");
   check("1 2 3", "has 3 numbers");
   check("1\n2 0\n", "line 2: '0' is not a positive number");
   check("1 -1", "'-1' is not a positive number");

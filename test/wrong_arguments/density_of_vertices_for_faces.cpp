@@ -12,7 +12,6 @@ using namespace CGAL::Spherical_parameterization;
 void wrong(const Indexed_triangle_mesh& mesh, std::vector<std::array<double, 3>>& points)
 {
   const internal::Range_map<std::vector<std::array<double, 3>>> sphere{&points};
-  const auto density =
-    boost::make_function_property_map<Indexed_triangle_mesh::Vertex_index>([](auto) { return 1.; });
+  const auto density = boost::make_function_property_map<Indexed_triangle_mesh::Vertex_index>([](auto) { return 1.; });
   parameterize(mesh, Isometric(), sphere, CGAL::parameters::face_density_map(density));
 }

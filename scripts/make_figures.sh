@@ -116,21 +116,21 @@ figure_method() {
 
 figure_density() {
   look_at armadillo
-  # eight times as much of the sphere for what is in the upper part
-  awk '/^#/ || NF == 0 || /^OFF/ { next } !n { n = $1; next } i++ < n { print 1 + 7 / (1 + exp((40 - $2) / 3)) }' \
+  # eight times as much of the sphere for head and shoulders
+  awk '/^#/ || NF == 0 || /^OFF/ { next } !n { n = $1; next } i++ < n { x = $1 < 0 ? -$1 : $1; print 1 + 7 / (1 + exp((42 - $2) / 2)) / (1 + exp((x - 24) / 2)) }' \
     armadillo.off >density.txt
   map armadillo plain --method isometric
   tool map armadillo.off -o dense.sphere.off --density density.txt >/dev/null
   # the mesh in the colours of the density, and both spheres with them
   paste density.txt <(awk '/^end_header/ { in_body = 1; next } in_body { print $1, $2, $3 }' plain.stretch.ply) |
-    awk 'NR == FNR { if(NF == 4) line[NR] = $2 " " $3 " " $4 " " int(120 + 15 * $1) " 130 " int(255 - 18 * $1) " 0"; next }
+    awk 'NR == FNR { if(NF == 4) line[NR] = $2 " " $3 " " $4 " " int(190 + 5 * $1) " " int(215 - 17 * $1) " " int(240 - 22 * $1) " 0"; next }
          { print in_body && ++i in line ? line[i] : $0 }
          /^end_header/ { in_body = 1 }' - plain.stretch.ply >coloured.ply
   by_vertices coloured.ply d1.png 300 "${camera[@]}"
   local panels=("$(panel d1.png 'density 1 and 8' 310)") choice
   for choice in plain dense; do
     awk -f "$root/doc/figures/faces_of_map.awk" coloured.ply $choice.sphere.off >$choice.ply
-    by_faces $choice.ply d_$choice.png 280 --up=+Y --camera-azimuth-angle=35 --camera-elevation-angle=15
+    by_faces $choice.ply d_$choice.png 280 --up=+Y --camera-azimuth-angle=100 --camera-elevation-angle=15
   done
   panels+=("$(panel d_plain.png 'isometric' 310)" "$(panel d_dense.png 'with the density' 310)")
   tool resample armadillo.off --density density.txt --level 5 -o icosphere.ply

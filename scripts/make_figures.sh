@@ -2,14 +2,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # make_figures.sh [FIGURE...]
 # Makes the figures of the manual and the README, doc/images/, with the package's own tool from CGAL's meshes: all, or
-# those named (strip method stretch segmentation texture morph search harmonics scaling page).
+# those named (strip method stretch density segmentation texture morph search harmonics scaling page).
 # It installs what it needs, and builds in build/; TOOL=..., MORPH=... and SDF_SEGMENTS=... take programs built elsewhere.
 set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 images=$root/doc/images
 work=$(mktemp -d)
 trap 'rm -rf -- "$work"' EXIT
-[ $# -gt 0 ] || set -- strip method stretch segmentation texture morph search harmonics scaling page
+[ $# -gt 0 ] || set -- strip method stretch density segmentation texture morph search harmonics scaling page
 
 "$root/scripts/install_dependencies.sh" f3d xvfb xauth imagemagick gnuplot-nox
 if [ -z "${TOOL:-}" ]; then
@@ -112,6 +112,31 @@ figure_method() {
   row method.png "$(panel m1.png 'the mesh' 300)" "$(panel m2.png 'projected from its centroid' 300)" \
     "$(panel m3.png 'conformal' 300)" "$(panel m4.png 'barycentric' 300)" "$(panel m5.png 'isometric' 300)"
   finish method.png method.png
+}
+
+figure_density() {
+  look_at armadillo
+  # eight times as much of the sphere for head and shoulders
+  awk '/^#/ || NF == 0 || /^OFF/ { next } !n { n = $1; next } i++ < n { x = $1 < 0 ? -$1 : $1; print 1 + 7 / (1 + exp((42 - $2) / 2)) / (1 + exp((x - 24) / 2)) }' \
+    armadillo.off >density.txt
+  map armadillo plain --method isometric
+  tool map armadillo.off -o dense.sphere.off --density density.txt >/dev/null
+  # the mesh in the colours of the density, and both spheres with them
+  paste density.txt <(awk '/^end_header/ { in_body = 1; next } in_body { print $1, $2, $3 }' plain.stretch.ply) |
+    awk 'NR == FNR { if(NF == 4) line[NR] = $2 " " $3 " " $4 " " int(190 + 5 * $1) " " int(215 - 17 * $1) " " int(240 - 22 * $1) " 0"; next }
+         { print in_body && ++i in line ? line[i] : $0 }
+         /^end_header/ { in_body = 1 }' - plain.stretch.ply >coloured.ply
+  by_vertices coloured.ply d1.png 300 "${camera[@]}"
+  local panels=("$(panel d1.png 'density 1 and 8' 310)") choice
+  for choice in plain dense; do
+    awk -f "$root/doc/figures/faces_of_map.awk" coloured.ply $choice.sphere.off >$choice.ply
+    by_faces $choice.ply d_$choice.png 280 --up=+Y --camera-azimuth-angle=100 --camera-elevation-angle=15
+  done
+  panels+=("$(panel d_plain.png 'isometric' 310)" "$(panel d_dense.png 'with the density' 310)")
+  tool resample armadillo.off --density density.txt --level 5 -o icosphere.ply
+  render icosphere.ply d4.png 300 "${camera[@]}" --edges --line-width=1 --color=0.75,0.85,0.95
+  row density.png "${panels[@]}" "$(panel d4.png 'resampled with it' 310)"
+  finish density.png density.png
 }
 
 figure_stretch() {

@@ -18,6 +18,7 @@ def parameterize(
     weights: object,
     policy: object,
     fixed: object,
+    density: _Doubles | None,
     sphere: _Doubles,
     accuracy: float | None,
     iterations: int | None,

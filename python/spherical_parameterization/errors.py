@@ -32,6 +32,7 @@ class ErrorCode(str, enum.Enum):
     INTERRUPTED = "INTERRUPTED"  #: stopped by Ctrl-C, by `progress`, or by the time limit
     NOT_BIJECTIVE = "NOT_BIJECTIVE"  #: converged, but faces are flipped or the degree is not 1
     BAD_INDEX = "BAD_INDEX"  #: a triangle that names a point that is not there
+    BAD_DENSITY = "BAD_DENSITY"  #: a density that is not positive and finite
 
     def __str__(self) -> str:
         return self.value

@@ -68,6 +68,9 @@ class Result:
         Of the equation that the method solves.
     energy : float
         Spring energy; of `Isometric` the mean distortion.
+    density_deviation : float
+        With `density`: the standard deviation of log(area on the sphere / wanted area) over the triangles, each with its
+        wanted area; else 0.
     smallest_area : float
         Of all spherical triangles, steradians; below 1e-26 rounding flips faces.
     smallest_edge : float
@@ -98,6 +101,7 @@ class Result:
     degree: int
     residual: float
     energy: float
+    density_deviation: float
     smallest_area: float
     smallest_edge: float
     method: str
@@ -189,6 +193,16 @@ def _fixed(fixed: Fixed, sphere: Doubles) -> npt.NDArray[np.bool_]:
     return is_fixed
 
 
+def _density(density: npt.ArrayLike, number_of_points: int, number_of_triangles: int) -> Doubles:
+    """One number for every point or triangle; four of a tetrahedron are those of its points."""
+    array = np.ascontiguousarray(density, dtype=np.float64)
+    if array.shape not in ((number_of_points,), (number_of_triangles,)):
+        raise ValueError(
+            f"density: shape ({number_of_points},) or ({number_of_triangles},) is needed, not {array.shape}"
+        )
+    return array
+
+
 @functools.lru_cache(maxsize=None)
 def opencl_device(name: str = "", *, precision: str = "automatic", smallest_mesh: int = 10000) -> _core.OpenCLDevice:
     """An OpenCL device, as `policy` of `parameterize()`.
@@ -247,6 +261,7 @@ def parameterize(
     weights: str | ClampedWeights | npt.ArrayLike = "conformal",
     policy: str | _core.OpenCLDevice = "parallel",
     fixed: Fixed | None = None,
+    density: npt.ArrayLike | None = None,
     start: npt.ArrayLike | None = None,
     accuracy: float | None = None,
     iterations: int | None = None,
@@ -271,6 +286,9 @@ def parameterize(
         Where to run; the map does not depend on it, to the last bit. See `opencl_device()`.
     fixed : mapping of int to three floats, or pair of array_like (k,) and (k, 3)
         Vertices, and the directions where they stay: three or more. `Isometric` and `Automatic` keep them anywhere.
+    density : array_like (n,) or (m,) of float
+        A positive number for every point or every triangle: areas on the sphere are to be proportional to these times the
+        areas in the mesh. For `Isometric` and `Automatic`; `Result.density_deviation` says how near they are.
     start : array_like (n, 3) of float
         The map to start from, for `SaddlePoint(start="given")`.
     accuracy : float
@@ -295,7 +313,7 @@ def parameterize(
     Raises
     ------
     MeshError
-        There is no map, since something is wrong with the mesh, the weights or the fixed vertices. `code` and `detail`
+        There is no map, since something is wrong with the mesh, the weights, densities or fixed vertices. `code` and `detail`
         say what, where, and what to do.
     DeviceError
         The OpenCL device is not there, or has failed.
@@ -342,6 +360,7 @@ def parameterize(
         _weights(weights, triangles),
         opencl_device() if policy == "opencl" else policy,
         is_fixed,
+        None if density is None else _density(density, len(points), len(triangles)),
         sphere,
         accuracy,
         iterations,

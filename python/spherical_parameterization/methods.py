@@ -24,7 +24,7 @@ class Automatic:
         Of the first map, see `Balanced`.
     larger_spring_exponent : float
         Of the second map.
-    area_exponent : float
+    area_exponent : float, optional
         Of the third map, see `Isometric`.
     largest_shrinkage : float
         How many times lengths may shrink, against the mean of the map, on more than a thousandth of the surface; beyond,
@@ -32,12 +32,14 @@ class Automatic:
 
     Notes
     -----
+    With the argument `density` of `parameterize()` only `Isometric` is tried: springs do not follow densities.
+
     If none is valid and of use, the best one is returned: a valid one, else of degree 1, with the fewest flipped faces.
     """
 
     spring_exponent: float = 2
     larger_spring_exponent: float = 3
-    area_exponent: float = 1
+    area_exponent: float | None = None
     largest_shrinkage: float = 1e4
 
 
@@ -64,8 +66,8 @@ class Isometric:
 
     Parameters
     ----------
-    area_exponent : float
-        0 preserves angles, 1 lengths, 30 or more areas.
+    area_exponent : float, optional
+        0 preserves angles, 1 lengths, 30 or more areas. Default: 1, with the argument `density` of `parameterize()` 10.
     landmark_weight : float
         Infinite: fixed vertices stay exactly where they are put. Finite and positive: they are only pulled there, by
         this weight times the mean of their squared distances, added to the mean distortion (4 = isometric).
@@ -76,7 +78,7 @@ class Isometric:
     for the whole mesh (default 20).
     """
 
-    area_exponent: float = 1
+    area_exponent: float | None = None
     landmark_weight: float = math.inf
 
 

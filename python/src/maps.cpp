@@ -23,7 +23,7 @@
 
 using namespace pybind11::literals;
 
-static_assert(static_cast<int>(SP::Error_code::BAD_INDEX) == 17, "errors.py lists the codes in this order");
+static_assert(static_cast<int>(SP::Error_code::BAD_DENSITY) == 18, "errors.py lists the codes in this order");
 
 namespace {
 
@@ -110,12 +110,13 @@ std::variant<SP::Balanced, SP::Saddle_point, SP::Isometric, SP::Automatic> metho
 {
   const std::string name = py::str(py::type::of(options).attr("__name__"));
   const auto number = [&](const char* option) { return options.attr(option).cast<double>(); };
+  const auto exponent = [&] { return options.attr("area_exponent").cast<std::optional<double>>(); };
   const auto word = [&](const char* option) { return options.attr(option).cast<std::string>(); };
   if(name == "Automatic")
-    return SP::Automatic{number("spring_exponent"), number("larger_spring_exponent"), number("area_exponent"),
+    return SP::Automatic{number("spring_exponent"), number("larger_spring_exponent"), exponent(),
                          number("largest_shrinkage")};
   if(name == "Isometric")
-    return SP::Isometric{number("area_exponent"), number("landmark_weight")};
+    return SP::Isometric{exponent(), number("landmark_weight")};
   if(name == "Balanced")
     return SP::Balanced{number("spring_exponent")};
   SP::Saddle_point method;
@@ -177,21 +178,23 @@ py::dict to_python(const SP::Result& r)
     attempts.append(py::make_tuple(a.method, static_cast<int>(a.error), a.detail, to_python(a.seconds)));
   std::ostringstream text;
   text << r;
-  return py::dict(
-    "error"_a = static_cast<int>(r.error), "detail"_a = r.detail, "number_of_vertices"_a = r.number_of_vertices,
-    "number_of_faces"_a = r.number_of_faces, "flipped_faces"_a = r.flipped_faces, "moved_vertices"_a = r.moved_vertices,
-    "degree"_a = r.degree, "residual"_a = r.residual, "energy"_a = r.energy, "smallest_area"_a = r.smallest_area,
-    "smallest_edge"_a = r.smallest_edge, "method"_a = r.method, "fallback_reason"_a = r.fallback_reason,
-    "start_iterations"_a = r.start_iterations, "iterations"_a = r.iterations, "sweeps"_a = r.sweeps,
-    "seconds"_a = to_python(r.seconds), "attempts"_a = attempts, "device"_a = r.device, "text"_a = text.str());
+  return py::dict("error"_a = static_cast<int>(r.error), "detail"_a = r.detail,
+                  "number_of_vertices"_a = r.number_of_vertices, "number_of_faces"_a = r.number_of_faces,
+                  "flipped_faces"_a = r.flipped_faces, "moved_vertices"_a = r.moved_vertices, "degree"_a = r.degree,
+                  "residual"_a = r.residual, "energy"_a = r.energy, "density_deviation"_a = r.density_deviation,
+                  "smallest_area"_a = r.smallest_area, "smallest_edge"_a = r.smallest_edge, "method"_a = r.method,
+                  "fallback_reason"_a = r.fallback_reason, "start_iterations"_a = r.start_iterations,
+                  "iterations"_a = r.iterations, "sweeps"_a = r.sweeps, "seconds"_a = to_python(r.seconds),
+                  "attempts"_a = attempts, "device"_a = r.device, "text"_a = text.str());
 }
 
 /// Maps to `sphere`, which holds what is given of the map on entry. Returns the fields of the Result, whether there is
 /// a map, and whether Ctrl-C has ended the call.
 py::tuple parameterize(const Doubles& points, const py::array& triangles, const py::object& method_options,
                        const py::object& weight_options, const py::object& policy_options, const py::object& fixed,
-                       Doubles sphere, std::optional<double> accuracy, std::optional<std::size_t> iterations,
-                       double maximum_running_time, bool verbose, const py::object& progress)
+                       const std::optional<Doubles>& density, Doubles sphere, std::optional<double> accuracy,
+                       std::optional<std::size_t> iterations, double maximum_running_time, bool verbose,
+                       const py::object& progress)
 {
   const auto method = method_of(method_options);
   const Weight_settings weights(weight_options);
@@ -199,6 +202,15 @@ py::tuple parameterize(const Doubles& points, const py::array& triangles, const 
   const bool* const is_fixed = fixed.is_none() ? nullptr : fixed.cast<py::array_t<bool>>().data();
   const auto is_constrained = boost::make_function_property_map<Mesh::Vertex_index>(
     [is_fixed](Mesh::Vertex_index v) { return is_fixed && is_fixed[v.idx()]; });
+  const auto densities = [&density](auto descriptor, bool is_given) {
+    typedef decltype(descriptor) Descriptor;
+    const double* const first = is_given ? density->data() : nullptr;
+    const auto map = boost::make_function_property_map<Descriptor>([first](Descriptor d) { return first[d.idx()]; });
+    return is_given ? std::optional(map) : std::nullopt;
+  };
+  const bool is_of_vertices = density && density->size() == points.shape(0);
+  const auto of_vertices = densities(Mesh::Vertex_index(), is_of_vertices);
+  const auto of_faces = densities(Mesh::Face_index(), density && !is_of_vertices);
   bool has_map = false;
   const Sphere_map sphere_map{reinterpret_cast<std::array<double, 3>*>(sphere.mutable_data()), &has_map};
   Watch watch{progress};
@@ -212,15 +224,16 @@ py::tuple parameterize(const Doubles& points, const py::array& triangles, const 
         const Clock::time_point start = Clock::now();
         const Mesh mesh(chosen_policy, positions, rows);
         const std::chrono::duration<double> reading = Clock::now() - start;
-        SP::Result mapped =
-          SP::parameterize(chosen_policy, mesh, chosen_method, sphere_map,
-                           CGAL::parameters::edge_weight_map(weights.weights(mesh))
-                             .vertex_is_constrained_map(is_constrained)
-                             .accuracy(accuracy.value_or(Method::default_accuracy))
-                             .number_of_iterations(iterations.value_or(Method::default_number_of_iterations))
-                             .maximum_running_time(maximum_running_time)
-                             .callback([&watch](double fraction) { return watch.go_on(fraction); })
-                             .verbose(verbose));
+        const auto parameters = CGAL::parameters::edge_weight_map(weights.weights(mesh))
+                                  .vertex_is_constrained_map(is_constrained)
+                                  .accuracy(accuracy.value_or(Method::default_accuracy))
+                                  .number_of_iterations(iterations.value_or(Method::default_number_of_iterations))
+                                  .maximum_running_time(maximum_running_time)
+                                  .callback([&watch](double fraction) { return watch.go_on(fraction); })
+                                  .verbose(verbose);
+        SP::Result mapped = SP::parameterize(
+          chosen_policy, mesh, chosen_method, sphere_map,
+          CGAL::parameters::vertex_density_map(of_vertices, CGAL::parameters::face_density_map(of_faces, parameters)));
         mapped.seconds.read += reading.count();
         mapped.seconds.total += reading.count();
         return mapped;

@@ -95,7 +95,7 @@ def test_it_goes_on_where_it_was(files: list[str], tmp_path: Path) -> None:
 def test_settings_are_part_of_the_name(files: list[str], tmp_path: Path) -> None:
     for _ in range(2):
         sp.collection.map(files[:1], functools.partial(sp.collection.map_file, method=sp.Isometric()), store=tmp_path / "a")
-    with pytest.raises(ValueError, match=r"map_file\(method=Isometric\(area_exponent=1, landmark_weight=inf\)\)"):
+    with pytest.raises(ValueError, match=r"map_file\(method=Isometric\(area_exponent=None, landmark_weight=inf\)\)"):
         sp.collection.map(files, sp.collection.map_file, store=tmp_path / "a")
 
 

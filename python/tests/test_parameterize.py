@@ -175,6 +175,29 @@ def test_landmarks() -> None:
     assert soft and not any((soft.sphere[v] == p).all() for v, p in fixed.items())
 
 
+def test_densities() -> None:
+    sphere, triangles = sp.icosphere(4)
+    of_triangles = np.where(sphere[triangles].sum(axis=1)[:, 2] > 0, 4.0, 1.0)
+    result = sp.parameterize(sphere, triangles, density=of_triangles)
+    assert result and result.method == "isometric" and 0 < result.density_deviation < 0.25
+    corners = result.sphere[triangles]
+    area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
+    assert abs(area[of_triangles == 4].sum() / area.sum() - 0.8) < 0.02
+    of_points = np.exp(sphere[:, 2])
+    results = [sp.parameterize(sphere, triangles, sp.Isometric(e), density=of_points) for e in (1, 10, 30)]
+    assert results[0].density_deviation > results[1].density_deviation > results[2].density_deviation
+    assert (sp.parameterize(sphere, triangles, sp.Isometric(), density=of_points).sphere == results[1].sphere).all()
+    assert sp.parameterize(sphere, triangles).density_deviation == 0
+    of_points[5] = 0
+    with pytest.raises(sp.MeshError, match="vertex 5 has the density 0") as caught:
+        sp.parameterize(sphere, triangles, density=of_points)
+    assert caught.value.code == "BAD_DENSITY"
+    with pytest.raises(ValueError, match=r"density: shape \(2562,\) or \(5120,\) is needed, not \(7,\)"):
+        sp.parameterize(sphere, triangles, density=np.ones(7))
+    with pytest.raises(ValueError, match="densities need the isometric or the automatic method"):
+        sp.parameterize(sphere, triangles, sp.Balanced(), density=of_triangles)
+
+
 def test_other_errors() -> None:
     points, triangles = ellipsoid(2)
     with pytest.raises(sp.MeshError) as caught:

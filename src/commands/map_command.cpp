@@ -71,6 +71,8 @@ void say(const Map_options& options, const Mapped_mesh& input, const Report& rep
        << line.str() << ", residual " << result.residual;
   if(result.moved_vertices > 0)
     text << ", " << result.moved_vertices << " vertices moved";
+  if(!options.density.empty())
+    text << "\nstandard deviation of log(area / wanted area): " << result.density_deviation;
   text << '\n'
        << result.method << ", " << (result.method == "isometric" ? "" : options.weights + " weights, ")
        << options.policy << " on " << result.device << ": " << result.start_iterations << " + " << result.iterations

@@ -74,6 +74,11 @@ struct Fixed_vertex {
   std::array<double, 3> position; ///< on the unit sphere
 };
 
+/// Reads a positive number for every vertex or every face. Throws a `Refusal` that names the first word that is none,
+/// or says how many there are if that does not fit. Four of a tetrahedron are those of the vertices.
+std::vector<double> read_densities(const std::string& file, std::size_t number_of_vertices,
+                                   std::size_t number_of_faces);
+
 /// Reads lines `index x y z`: the number of a vertex, from 0 on, and the direction it is to have on the sphere.
 /// Throws a `Refusal` that names the first line that does not fit a mesh of so many vertices.
 std::vector<Fixed_vertex> read_fixed_vertices(const std::string& file, std::size_t number_of_vertices);

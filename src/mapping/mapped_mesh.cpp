@@ -36,6 +36,9 @@ void compute_map(const Mapping_options& options, Mapped_mesh& input)
 {
   if(!options.fixed.empty())
     input.settings->fixed_vertices = read_fixed_vertices(options.fixed, input.mesh().number_of_vertices());
+  if(!options.density.empty())
+    input.settings->density =
+      read_densities(options.density, input.mesh().number_of_vertices(), input.mesh().number_of_faces());
 
   Progress_bar bar("mapping");
   input.result = map_to_sphere(input.mesh(), input.sphere, *input.settings, [&bar](double fraction) {
@@ -74,6 +77,7 @@ void map_input(const Mapping_options& options, Mapped_mesh& input, Map_quality q
   const bool is_accepted = result || (quality == Map_quality::CONVERGED && result.error == Error_code::NOT_BIJECTIVE);
   if(!is_accepted) {
     const std::string& file = result.error == Error_code::BAD_CONSTRAINTS ? options.fixed
+                              : result.error == Error_code::BAD_DENSITY   ? options.density
                               : options.sphere.empty()                    ? options.input
                                                                           : options.sphere;
     const std::string what_to_do = remedy(options, result.error);

@@ -63,14 +63,11 @@ Json own_options(const Clamped_weights& w) { return {{"min_angle", w.min_degrees
 Json own_options(const SP::Balanced& m) { return {{"spring_exponent", m.spring_exponent}}; }
 Json own_options(const SP::Isometric& m)
 {
-  return {{"area_exponent", m.area_exponent},
-          {"landmark_weight", known(std::isfinite(m.landmark_weight), m.landmark_weight)}};
+  return {{"landmark_weight", known(std::isfinite(m.landmark_weight), m.landmark_weight)}};
 }
 Json own_options(const SP::Automatic& m)
 {
-  return {{"spring_exponent", m.spring_exponent},
-          {"area_exponent", m.area_exponent},
-          {"largest_shrinkage", m.largest_shrinkage}};
+  return {{"spring_exponent", m.spring_exponent}, {"largest_shrinkage", m.largest_shrinkage}};
 }
 Json own_options(const SP::Saddle_point& m)
 {
@@ -102,7 +99,11 @@ Json settings_of(const Mapping_options& options)
   json.update(std::visit([](const auto& weights) { return own_options(weights); }, settings.weights));
   json["method"] = options.method;
   json.update(std::visit([](const auto& method) { return own_options(method); }, settings.method));
+  if(options.method == "isometric" || options.method == "automatic")
+    json["area_exponent"] = options.area_exponent.value_or(
+      options.density.empty() ? SP::Isometric::default_area_exponent : SP::Isometric::area_exponent_of_densities);
   json["fixed"] = given(options.fixed);
+  json["density"] = given(options.density);
   json["policy"] = options.policy;
   json["device"] = given(options.device);
   json["precision"] = given(options.precision);
@@ -155,6 +156,7 @@ Json report_json(const Mapping_options& options, const Mapped_mesh& input, const
           {"sweeps", known(has_map, result.sweeps)},
           {"residual", known(has_map, result.residual)},
           {"energy", known(has_map, result.energy)},
+          {"density_deviation", known(has_map && !options.density.empty(), result.density_deviation)},
           {"flipped_faces", known(has_certificate, result.flipped_faces)},
           {"moved_vertices", known(has_map, result.moved_vertices)},
           {"degree", known(has_certificate, result.degree)},

@@ -7,6 +7,7 @@
 #include <CGAL/Spherical_parameterization/parameterize.h>
 
 #include <limits>
+#include <optional>
 #include <type_traits>
 #include <variant>
 #include <vector>
@@ -60,6 +61,15 @@ SP::Result map_to_sphere(const Mesh& mesh, Sphere& sphere, const Map_settings& s
   const Weights weights =
     std::visit([&mesh](const auto& chosen) { return weights_of(mesh, chosen); }, settings.weights);
 
+  const auto densities = [&settings](auto descriptor, std::size_t number) {
+    using Descriptor = decltype(descriptor);
+    const auto of = [&settings](Descriptor d) { return settings.density[static_cast<std::size_t>(d.idx())]; };
+    const auto map = boost::make_function_property_map<Descriptor>(of);
+    return settings.density.size() == number ? std::optional(map) : std::nullopt;
+  };
+  const auto of_vertices = densities(Mesh::Vertex_index(), n);
+  const auto of_faces = densities(Mesh::Face_index(), of_vertices ? 0 : mesh.number_of_faces());
+
   return std::visit(
     [&](const auto& policy, const auto& method) {
       using Method = std::decay_t<decltype(method)>;
@@ -70,7 +80,9 @@ SP::Result map_to_sphere(const Mesh& mesh, Sphere& sphere, const Map_settings& s
           .number_of_iterations(settings.iterations.value_or(Method::default_number_of_iterations))
           .maximum_running_time(settings.max_time.value_or(std::numeric_limits<double>::infinity()))
           .callback(go_on);
-      return SP::parameterize(policy, mesh, method, sphere_map, parameters);
+      return SP::parameterize(
+        policy, mesh, method, sphere_map,
+        CGAL::parameters::vertex_density_map(of_vertices, CGAL::parameters::face_density_map(of_faces, parameters)));
     },
     settings.policy, settings.method);
 }

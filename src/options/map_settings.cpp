@@ -29,15 +29,15 @@ Map_settings map_settings(const Mapping_options& options)
   }
 
   const double spring_exponent = options.spring_exponent.value_or(SP::Balanced().spring_exponent);
-  const double area_exponent = options.area_exponent.value_or(SP::Isometric().area_exponent);
   if(options.method == "balanced")
     settings.method = SP::Balanced{spring_exponent};
   else if(options.method == "isometric")
-    settings.method = SP::Isometric{area_exponent, options.landmark_weight.value_or(SP::Isometric().landmark_weight)};
+    settings.method =
+      SP::Isometric{options.area_exponent, options.landmark_weight.value_or(SP::Isometric().landmark_weight)};
   else if(options.method == "automatic") {
     SP::Automatic method;
     method.spring_exponent = spring_exponent;
-    method.area_exponent = area_exponent;
+    method.area_exponent = options.area_exponent;
     method.largest_shrinkage = options.largest_shrinkage.value_or(method.largest_shrinkage);
     settings.method = method;
   } else {

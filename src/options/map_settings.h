@@ -37,10 +37,11 @@ struct Map_settings {
   std::optional<std::size_t> iterations; ///< default: that of the method
   std::optional<double> max_time;        ///< seconds; default: no limit
   std::vector<Fixed_vertex> fixed_vertices;
+  std::vector<double> density; ///< of every vertex, or of every face; empty: none
 };
 
-/// The settings for the library without the fixed vertices, which are read when the size of the mesh is known, and
-/// without the policy.
+/// The settings for the library without fixed vertices and densities, which are read when the size of the mesh is
+/// known, and without the policy.
 Map_settings map_settings(const Mapping_options& options);
 
 /// The policy. Looks for a device only if it is for the policy, since drivers take their time to start. Throws an

@@ -63,6 +63,8 @@ void check_method(const Mapping_options& options)
           "requires --method isometric");
   require(!options.landmark_weight || !options.fixed.empty(), "--landmark-weight", "requires --fixed");
   require(!options.landmark_weight || *options.landmark_weight > 0, "--landmark-weight", "must be positive");
+  require(options.density.empty() || options.method == "isometric" || is_automatic, "--density",
+          "requires --method isometric or automatic");
   require(options.check_interval.value_or(1) > 0, "--check-interval", "must be positive");
 }
 
@@ -135,7 +137,7 @@ void add_mapping_options(CLI::App& command, Mapping_options& options)
   add("--spring-exponent", options.spring_exponent,
       "Balanced, automatic: exponent of the spring energy, >= 2; larger values equalize areas [2]");
   add("--area-exponent", options.area_exponent,
-      "Isometric, automatic: 0 preserves angles, 1 lengths, 30 or more areas [1]");
+      "Isometric, automatic: 0 preserves angles, 1 lengths, 30 or more areas [1; with --density 10]");
   add("--largest-shrinkage", options.largest_shrinkage,
       "Automatic: how many times lengths may shrink, against their mean; beyond, the next method is tried [10000]");
   add("--splitting", options.splitting, "Saddle-point: splitting of the Laplacian for the sweeps [jacobi]")
@@ -153,6 +155,11 @@ void add_mapping_options(CLI::App& command, Mapping_options& options)
   add(
     "--landmark-weight", options.landmark_weight,
     "Isometric: pull the fixed vertices to their places with this weight only, instead of keeping them exactly there");
+
+  add("--density", options.density,
+      "Isometric, automatic: text file of a positive number for every vertex or every face; areas on the sphere are to "
+      "be proportional to these times the areas of IN")
+    ->type_name("FILE");
 
   group = "Where to run";
   add("--policy", options.policy, "sequential (one core), tbb (all cores), opencl (a device). The map is the same")
@@ -211,7 +218,8 @@ void check_mapping_options(const Mapping_options& options)
 
 std::vector<File_option> input_files(const Mapping_options& options)
 {
-  return {{"IN", options.input}, {"--sphere", options.sphere}, {"--fixed", options.fixed}};
+  return {
+    {"IN", options.input}, {"--sphere", options.sphere}, {"--fixed", options.fixed}, {"--density", options.density}};
 }
 
 } // namespace tool

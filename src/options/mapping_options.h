@@ -52,6 +52,7 @@ struct Mapping_options {
   std::optional<std::int64_t> check_interval; // signed: CLI11 would take -3 for a huge unsigned number
   std::string fixed;
   std::optional<double> landmark_weight;
+  std::string density;
 
   std::string policy = default_policy_name();
   std::string device;

@@ -29,6 +29,7 @@ inline const char* name(Error_code code)
   case Error_code::DEGENERATE_FACE:          return "DEGENERATE_FACE";
   case Error_code::BAD_WEIGHT:               return "BAD_WEIGHT";
   case Error_code::BAD_INDEX:                return "BAD_INDEX";
+  case Error_code::BAD_DENSITY:              return "BAD_DENSITY";
   case Error_code::BAD_CONSTRAINTS:          return "BAD_CONSTRAINTS";
   case Error_code::NOT_CONVERGED:            return "NOT_CONVERGED";
   case Error_code::INTERRUPTED:              return "INTERRUPTED";

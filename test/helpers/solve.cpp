@@ -6,6 +6,7 @@
 
 #include <CGAL/spherical_parameterization.h>
 
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -14,6 +15,7 @@ namespace {
 
 using Vertex = Mesh::Vertex_index;
 using Edge = Mesh::Edge_index;
+using Face = Mesh::Face_index;
 
 /// The map on a vector, with a position for every vertex.
 struct Sphere_map {
@@ -26,6 +28,15 @@ struct Sphere_map {
   friend Point get(const Sphere_map& map, Vertex v) { return (*map.sphere)[v]; }
   friend void put(const Sphere_map& map, Vertex v, const Point& p) { (*map.sphere)[v] = p; }
 };
+
+/// Maybe a map: none of no numbers.
+template <class Key>
+std::optional<Readable_map<Key, double>> density_map(const std::vector<double>& density)
+{
+  if(density.empty())
+    return std::nullopt;
+  return Readable_map<Key, double>{[&density](Key k) { return density.at(k.idx()); }};
+}
 
 template <class Map>
 std::vector<double> values(const Mesh& mesh, const Map& map)
@@ -63,12 +74,15 @@ Result solve(const Mesh& mesh, Sphere& sphere, const Settings& settings)
   const Either weight_map = is_conformal ? Either(SP::Conformal_weights())
                                          : Readable_map<Edge, double>{[&](Edge e) { return weights[e.idx()]; }};
   const Readable_map<Vertex, bool> fixed_map{[&](Vertex v) { return settings.fixed.count(v) != 0; }};
-  const auto named_parameters = CGAL::parameters::edge_weight_map(weight_map)
-                                  .vertex_is_constrained_map(fixed_map)
-                                  .accuracy(settings.accuracy)
-                                  .number_of_iterations(settings.number_of_iterations)
-                                  .maximum_running_time(settings.maximum_running_time)
-                                  .callback(settings.callback);
+  const auto common_parameters = CGAL::parameters::edge_weight_map(weight_map)
+                                   .vertex_is_constrained_map(fixed_map)
+                                   .accuracy(settings.accuracy)
+                                   .number_of_iterations(settings.number_of_iterations)
+                                   .maximum_running_time(settings.maximum_running_time)
+                                   .callback(settings.callback);
+  const auto named_parameters = CGAL::parameters::vertex_density_map(
+    density_map<Vertex>(settings.vertex_density),
+    CGAL::parameters::face_density_map(density_map<Face>(settings.face_density), common_parameters));
   return std::visit(
     [&](const auto& policy, const auto& method) {
       return SP::parameterize(policy, mesh, method, Sphere_map{&sphere}, named_parameters);

@@ -36,6 +36,8 @@ struct Settings {
   std::function<bool(double)> callback = [](double) { return true; };
   /// fixed vertices and where they stay
   std::map<std::size_t, Point> fixed = {};
+  /// one number for each, or none
+  std::vector<double> vertex_density = {}, face_density = {};
 };
 
 /// What `sphere` holds on entry is what the sphere map holds on entry, where it has the right size.

@@ -410,28 +410,85 @@ TEST_CASE("map: fixed vertices that do not fit are refused", "[tool]")
   }
 }
 
+TEST_CASE("map: densities of vertices or faces are followed and reported", "[tool]")
+{
+  Scratch scratch;
+  const Soup soup = icosphere(3);
+  const std::string input = write_off(scratch / "in.off", soup);
+  const auto deviation = [&](std::size_t number, const std::vector<std::string>& options) {
+    std::string text = "# one for each\n";
+    for(std::size_t i = 0; i < number; ++i)
+      text += i % 3 == 0 ? "2 " : "1.5e0\n";
+    write_text(scratch / "density.txt", text);
+    std::vector<std::string> arguments = {"map",       input,
+                                          "-o",        scratch / "out.off",
+                                          "--report",  scratch / "report.json",
+                                          "--density", scratch / "density.txt"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Process_result run = run_tool(arguments);
+    CAPTURE(run.err);
+    REQUIRE(run.exit_code == 0);
+    CHECK(run.out.find("standard deviation of log(area / wanted area): ") != std::string::npos);
+    const auto report = nlohmann::json::parse(text_of(scratch / "report.json"));
+    CHECK(report.at("method_used") == "isometric");
+    CHECK(report.at("settings").at("density") == scratch / "density.txt");
+    return std::pair<double, double>(report.at("density_deviation"), report.at("settings").at("area_exponent"));
+  };
+  for(const std::size_t number : {soup.points.size(), soup.faces.size()}) {
+    const auto [by_default, exponent] = deviation(number, {});
+    CHECK(exponent == SP::Isometric::area_exponent_of_densities);
+    CHECK(by_default > 0);
+    CHECK(deviation(number, {"--method", "isometric", "--area-exponent", "1"}).first > by_default);
+  }
+}
+
+TEST_CASE("map: densities that do not fit are refused", "[tool]")
+{
+  Scratch scratch;
+  const std::string input = write_off(scratch / "in.off", icosphere(0)); // of 12 vertices, 20 faces
+  const auto check = [&](const std::string& text, const std::string& reason) {
+    write_text(scratch / "density.txt", text);
+    const Process_result run =
+      run_tool({"map", input, "-o", scratch / "out.off", "--density", scratch / "density.txt"});
+    CAPTURE(text, run.err);
+    CHECK(run.exit_code == 1);
+    CHECK(is_one_line(run.err));
+    CHECK(run.err.find(reason) != std::string::npos);
+    CHECK_FALSE(fs::exists(scratch / "out.off"));
+  };
+  check("# nothing", "has 0 numbers, but the mesh has 12 vertices and 20 faces");
+  check("1 2 3", "has 3 numbers");
+  check("1\n2 0\n", "line 2: '0' is not a positive number");
+  check("1 -1", "'-1' is not a positive number");
+  check("nan", "'nan' is not a positive number");
+  check("1e999", "'1e999' is not a positive number");
+  check("heavy", "'heavy' is not a positive number");
+}
+
 TEST_CASE("wrong usage exits with 2", "[tool]")
 {
   Scratch scratch;
   const std::string input = write_off(scratch / "in.off", icosphere(1)), output = scratch / "out.off";
   fs::create_directory(scratch / "folder.off");
-  for(const std::vector<std::string>& arguments : {std::vector<std::string>{},
-                                                   {"no-such-command"},
-                                                   {"map"},
-                                                   {"map", input},
-                                                   {"map", input, "-o"},
-                                                   {"map", input, "-o", output, "--no-such-option"},
-                                                   {"map", input, "-o", output, "--weights", "heavy"},
-                                                   {"map", input, "-o", output, "--method", "guess"},
-                                                   {"map", input, "-o", output, "--accuracy", "much"},
-                                                   {"map", input, "-o", output, "--accuracy", "-1"},
-                                                   {"map", input, "-o", output, "--policy", "abacus"},
-                                                   {"map", input, "-o", output, "--device", "0"},
-                                                   {"map", input, "-o", output, "--precision", "single"},
-                                                   {"map", input, "-o", output, "--max-time", "0"},
-                                                   {"map", input, "-o", scratch / "out.xyz"},
-                                                   {"map", input, "-o", input},
-                                                   {"map", input, "-o", scratch / "folder.off"}}) {
+  for(const std::vector<std::string>& arguments :
+      {std::vector<std::string>{},
+       {"no-such-command"},
+       {"map"},
+       {"map", input},
+       {"map", input, "-o"},
+       {"map", input, "-o", output, "--no-such-option"},
+       {"map", input, "-o", output, "--weights", "heavy"},
+       {"map", input, "-o", output, "--method", "guess"},
+       {"map", input, "-o", output, "--method", "balanced", "--density", input},
+       {"map", input, "-o", output, "--accuracy", "much"},
+       {"map", input, "-o", output, "--accuracy", "-1"},
+       {"map", input, "-o", output, "--policy", "abacus"},
+       {"map", input, "-o", output, "--device", "0"},
+       {"map", input, "-o", output, "--precision", "single"},
+       {"map", input, "-o", output, "--max-time", "0"},
+       {"map", input, "-o", scratch / "out.xyz"},
+       {"map", input, "-o", input},
+       {"map", input, "-o", scratch / "folder.off"}}) {
     const Process_result run = run_tool(arguments);
     CAPTURE(arguments, run.out, run.err);
     CHECK(run.exit_code == 2);

@@ -30,7 +30,8 @@ enum class Error_code {
   NOT_CONVERGED,   ///< the residual did not reach the accuracy
   INTERRUPTED,     ///< stopped by the callback or the time limit; the best map so far is stored
   NOT_BIJECTIVE,   ///< converged, but faces are flipped or the degree is not 1
-  BAD_INDEX        ///< a triangle that names a point that is not there (only in soups)
+  BAD_INDEX,       ///< a triangle that names a point that is not there (only in soups)
+  BAD_DENSITY      ///< a density that is not positive and finite
 };
 
 /// The message of an error code, in words; `Result::detail` adds what exactly, and where.
@@ -54,6 +55,7 @@ inline const char* get_error_message(Error_code code)
   case Error_code::NON_FINITE_COORDINATE:    return "a point has a coordinate that is not finite";
   case Error_code::DEGENERATE_FACE:          return "a degenerate face where an area is needed";
   case Error_code::BAD_WEIGHT:               return "an edge weight is not positive and finite";
+  case Error_code::BAD_DENSITY:              return "a density is not positive and finite";
   case Error_code::BAD_CONSTRAINTS:          return "the fixed vertices do not determine a map";
   case Error_code::NOT_CONVERGED:            return "the solver did not reach the accuracy";
   case Error_code::INTERRUPTED:              return "the computation was interrupted";

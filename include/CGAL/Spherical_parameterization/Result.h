@@ -36,6 +36,8 @@ struct Result {
                                   ///< `Isometric`: relative gain of energy that the last step predicted
   double energy = 0;              ///< spring energy of the map, 1/p * sum over edges; `Isometric`: mean distortion;
                                   ///< infinite if it exceeds the range of doubles
+  double density_deviation = 0;   ///< where densities are given: standard deviation of log(area on the sphere / wanted
+                                  ///< area) over the faces, each with its wanted area; else 0
   double smallest_area = 0;       ///< of all spherical triangles, without sign; below 1e-26 rounding flips faces
   double smallest_edge = 0;       ///< length of the shortest chord, in units of 2^-52, the rounding error
   /// @}

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <optional>
 
 namespace CGAL::Spherical_parameterization {
 
@@ -94,6 +95,13 @@ struct Saddle_point {
 /// the vertices between which the mesh is too coarse to be bent so far. With a finite `landmark_weight` they are only
 /// pulled to their places, and there always is a map. See \ref landmarks.
 ///
+/// With the named parameter `face_density_map` or `vertex_density_map`, of positive numbers, the area of a face on the
+/// sphere is wanted to be proportional to its density times its area in the mesh: the map enlarges what matters (G. P.
+/// T. Choi, C. H. Rycroft, "Density-equalizing maps for simply connected open surfaces", SIAM J. Imaging Sci. 2018; Z.
+/// Lyu, L. M. Lui, G. P. T. Choi, "Spherical density-equalizing map for genus-0 closed surfaces", SIAM J. Imaging Sci.
+/// 2024). Stretches are then those against the mesh whose faces have the wanted areas and their own angles, and
+/// everything that is said here holds for that. How near areas come is `Result::density_deviation`; see \ref densities.
+///
 /// Named parameters: `number_of_iterations` bounds the Newton steps for the whole mesh, `accuracy` is the relative gain
 /// of energy that such a step has to promise for another one to follow.
 ///
@@ -103,12 +111,17 @@ struct Isometric {
   static constexpr double default_accuracy = 5e-4;
   /// Default of the named parameter `number_of_iterations`.
   static constexpr std::size_t default_number_of_iterations = 20;
+  /// Of `area_exponent`, if there are no densities.
+  static constexpr double default_area_exponent = 1;
+  /// The default of `area_exponent` where densities are given: areas come within 10 to 20 % of what is wanted.
+  static constexpr double area_exponent_of_densities = 10;
 
   /// Weight of area against angle preservation: the exponent theta >= 0 of the area distortion in
   /// E_c E_a^theta, E_c = (s/t + t/s) / 2, E_a = (st + 1/(st)) / 2 (P. Degener, J. Meseth, R. Klein, "An adaptable
   /// surface parametrization method", IMR 2003). 0 is as conformal as possible, 1 as isometric as possible, 30 and
-  /// more as authalic (area preserving) as possible.
-  double area_exponent = 1;
+  /// more as authalic (area preserving) as possible. Not given: `default_area_exponent`, or where densities are given
+  /// `area_exponent_of_densities`.
+  std::optional<double> area_exponent = std::nullopt;
 
   /// Infinite: fixed vertices stay exactly where they were put. Finite and positive: they are soft landmarks; to the
   /// mean distortion (4 = isometric, with `area_exponent` 1) is added this weight times the mean of the squared
@@ -126,6 +139,8 @@ struct Isometric {
 /// Harmonic maps shrink limbs exponentially with their length. A valid map that leaves next to nothing of them, by
 /// `largest_shrinkage`, is of no use to what samples, paints or measures the sphere; the isometric map is.
 ///
+/// Springs do not follow densities: where these are given only the third map is tried.
+///
 /// If no map is valid and of use, the best one is returned: a valid one, else one of degree 1, with the fewest flipped
 /// faces. `Result::attempts` lists all methods that were tried, each with its verdict and its seconds;
 /// `Result::method` is the one whose map was returned, and `Result::fallback_reason` says why not an earlier one. If
@@ -141,9 +156,9 @@ struct Automatic {
   /// Default of the named parameter `number_of_iterations`.
   static constexpr std::size_t default_number_of_iterations = Balanced::default_number_of_iterations;
 
-  double spring_exponent = 2;        ///< of the first map, see `Balanced`
-  double larger_spring_exponent = 3; ///< of the second map
-  double area_exponent = 1;          ///< of the third map, see `Isometric`
+  double spring_exponent = 2;                         ///< of the first map, see `Balanced`
+  double larger_spring_exponent = 3;                  ///< of the second map
+  std::optional<double> area_exponent = std::nullopt; ///< of the third map, see `Isometric`
   /// How many times lengths may shrink, against the mean of the map, on more than a thousandth of the surface; >= 1.
   /// Infinite: every valid map will do. The default leaves the faces of a limb on the sphere a few units of the last
   /// place of a float.

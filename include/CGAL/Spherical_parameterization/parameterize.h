@@ -140,6 +140,18 @@ Result run(const ExecutionPolicy& policy, const Method& method, const NamedParam
 ///     \cgalParamType{a readable property map with key vertex_descriptor and value `bool`}
 ///     \cgalParamDefault{no vertex}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{face_density_map}
+///     \cgalParamDescription{the area that faces are wanted to have on the sphere\, per area in the mesh and up to a
+///       common factor: \ref densities. For `Isometric` and `Automatic`; others violate a precondition. It begins the
+///       chain of named parameters\, or is put before one: `face_density_map(density\, accuracy(1e-4))`.}
+///     \cgalParamType{a readable property map with key face_descriptor and a positive number as value}
+///     \cgalParamDefault{the same for all faces}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_density_map}
+///     \cgalParamDescription{the same at vertices: a face has the mean of its corners. Not both.}
+///     \cgalParamType{a readable property map with key vertex_descriptor and a positive number as value}
+///     \cgalParamDefault{the same for all vertices}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{accuracy}
 ///     \cgalParamDescription{what the residual has to come down to; see the method}
 ///     \cgalParamType{`double`\, positive}
@@ -247,7 +259,8 @@ Result parameterize(const Arguments&...)
 /// \param sphere_points  where the unit vectors go, in the order of `points`. It is resized if it has not the size of
 ///                   `points`, and can be resized. It has to hold the positions of fixed vertices on entry.
 /// \param np  the named parameters of `parameterize()`, but for `vertex_point_map`. Vertices are numbers
-///            (`std::size_t`) in `vertex_is_constrained_map`. In `edge_weight_map` edges are pairs of them
+///            (`std::size_t`) in `vertex_is_constrained_map` and `vertex_density_map`, faces numbers of triangles in
+///            `face_density_map`. In `edge_weight_map` edges are pairs of them
 ///            (`std::pair<std::size_t, std::size_t>`), the smaller one first.
 /// \return the verdict, the certificate, and what the work was
 ///
@@ -263,7 +276,7 @@ Result parameterize_triangle_soup(const ExecutionPolicy& policy, const PointRang
                 "parameterize_triangle_soup() takes (policy, points, triangles, method, sphere points [, named "
                 "parameters]): the method is Balanced, Isometric, Automatic or Saddle_point");
   if constexpr(internal::Is_method<Method>::value &&
-               internal::check_named_parameters<Edge, std::size_t, CGAL_NP_CLASS>())
+               internal::check_named_parameters<Edge, std::size_t, std::size_t, CGAL_NP_CLASS>())
     return internal::run(policy, method, np, internal::Range_map<SpherePoints>{&sphere_points}, [&](const auto& read) {
       const Indexed_triangle_mesh mesh(policy, points, triangles);
       internal::make_room(sphere_points, mesh.number_of_vertices());

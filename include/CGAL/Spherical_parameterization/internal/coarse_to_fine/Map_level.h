@@ -6,6 +6,7 @@
 
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
+#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Carried_density.h>
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Progressive_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/relaxation/Star.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/certificate.h>
@@ -73,8 +74,8 @@ public:
 
   /// No vertex has an anchor then. The areas of source faces are bounded relative to their mean, as if the whole
   /// surface had so many faces as the level.
-  void assign(const Progressive_mesh& mesh, const Host_array<vec3>& points, double source_area,
-              const Metric_bounds& bounds, const Partial_map& map)
+  void assign(const Progressive_mesh& mesh, const Host_array<vec3>& points, const Carried_density& density,
+              double source_area, const Metric_bounds& bounds, const Partial_map& map)
   {
     release();
     sort_by_colour(mesh, map);
@@ -103,6 +104,11 @@ public:
         corner.metric = face_metric(sub(points[vertex_[corner.j]], p), sub(points[vertex_[corner.k]], p), absolute);
       }
     });
+    if(density.is_given())
+      for_each_vertex([&](int i) {
+        int at = offset_[i];
+        mesh.for_each_corner(vertex_[i], [&](int c) { density.apply(mesh, c, absolute.area, corner_[at++].metric); });
+      });
     fit_scale();
   }
 

@@ -25,7 +25,8 @@ class Method_solver<Isometric> {
 public:
   explicit Method_solver(const Isometric& method) : method_(method)
   {
-    CGAL_SP_PRECONDITION(method.area_exponent >= 0 && std::isfinite(method.area_exponent),
+    const double exponent = method.area_exponent.value_or(Isometric::default_area_exponent);
+    CGAL_SP_PRECONDITION(exponent >= 0 && std::isfinite(exponent),
                          "the area exponent has to be 0 or larger, and finite");
     CGAL_SP_PRECONDITION(method.landmark_weight > 0, "the weight of landmarks has to be positive");
   }

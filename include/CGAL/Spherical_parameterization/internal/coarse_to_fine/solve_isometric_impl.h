@@ -7,6 +7,7 @@
 #include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/base/text.h>
+#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Carried_density.h>
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Map_level.h>
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Progressive_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/relaxation/Star.h>
@@ -42,8 +43,11 @@ public:
   Coarse_to_fine_map(const Host_loop& loop, const Isometric& method, const Problem& problem, const Effort& effort,
                      Monitor& monitor, int landmark_size, bool is_last_attempt)
     : loop_(loop), landmark_size_(landmark_size), is_last_attempt_(is_last_attempt), method_(method),
-      exponent_((std::min)(method.area_exponent, largest_coarse_exponent)), distortion_(exponent_), problem_(problem),
-      effort_(effort), monitor_(monitor), source_area_(area_of_source()), mesh_(loop, problem.face, problem.size()),
+      last_exponent_(method.area_exponent.value_or(problem.density.empty() ? Isometric::default_area_exponent
+                                                                           : Isometric::area_exponent_of_densities)),
+      exponent_((std::min)(last_exponent_, largest_coarse_exponent)), distortion_(exponent_), problem_(problem),
+      effort_(effort), monitor_(monitor), source_area_(area_of_source()), density_(problem),
+      mesh_(loop, problem.face, problem.size()),
       level_(loop, problem.size()), map_{Host_array<vec3>(problem.size(), vec3{0, 0, 0}),
                                          std::vector<int>(problem.size(), -1)}
   {
@@ -97,6 +101,8 @@ private:
       std::vector<int> round = decimation.round();
       if(round.empty())
         return;
+      for(int h : round)
+        density_.collapse(mesh_, h);
       rounds_.push_back(std::move(round));
       if(decimation.keeps_vertices())
         rounds_with_landmarks_ = rounds_.size();
@@ -161,6 +167,8 @@ private:
     const int n = static_cast<int>(round.size());
     std::vector<char> is_inserted(n);
     mesh_.undo_collapses(loop_, round);
+    for(int h : round)
+      density_.undo_collapse(mesh_, h);
     const int size = mesh_.number_of_vertices();
     const Metric_bounds bounds = {coarse_bounds.aspect, coarse_bounds.area * source_area_ / (2. * size - 4)};
     for_each_of_level(loop_, 0, n, [&](int r) {
@@ -168,8 +176,9 @@ private:
       Star star;
       mesh_.for_each_corner(u, [&](int c) {
         const int j = mesh_.target(c), k = mesh_.apex(c);
-        const Face_metric metric =
+        Face_metric metric =
           face_metric(sub(problem_.point[j], problem_.point[u]), sub(problem_.point[k], problem_.point[u]), bounds);
+        density_.apply(mesh_, c, bounds.area, metric);
         star.emplace_back(map_.position[j], map_.position[k], metric, level_.area_scale());
       });
       is_inserted[r] = insert_vertex(distortion_, star, map_.position[v], map_.position[u]);
@@ -179,6 +188,7 @@ private:
     for(int r = n - 1; r >= 0; --r)
       if(!is_inserted[r]) {
         mesh_.collapse(round[r]);
+        density_.collapse(mesh_, round[r]);
         failed.push_back(round[r]);
       }
     mesh_.count_collapses(static_cast<int>(failed.size()));
@@ -196,7 +206,7 @@ private:
 
   void assign_level(const Metric_bounds& bounds)
   {
-    level_.assign(mesh_, problem_.point, source_area_, bounds, map_);
+    level_.assign(mesh_, problem_.point, density_, source_area_, bounds, map_);
     if(!are_landmarks_present_ || landmarks_.empty())
       return;
     if(!std::exchange(are_landmarks_aligned_, true))
@@ -324,8 +334,8 @@ private:
       }
     };
     descend(effort_.number_of_iterations.value_or(Isometric::default_number_of_iterations));
-    while(exponent_ < method_.area_exponent) {
-      exponent_ = (std::min)(method_.area_exponent, growth_of_exponent * exponent_);
+    while(exponent_ < last_exponent_) {
+      exponent_ = (std::min)(last_exponent_, growth_of_exponent * exponent_);
       distortion_ = Distortion(exponent_);
       descend(steps_per_exponent);
     }
@@ -359,12 +369,14 @@ private:
   int landmark_size_;
   bool is_last_attempt_;
   Isometric method_;
-  double exponent_; ///< of the area, at the moment
+  double last_exponent_; ///< of the area
+  double exponent_;      ///< of the area, at the moment
   Distortion distortion_;
   const Problem& problem_;
   Effort effort_;
   Monitor& monitor_;
   double source_area_;
+  Carried_density density_;
   Progressive_mesh mesh_;
   Map_level level_;
   Partial_map map_;
@@ -421,6 +433,26 @@ inline Host_array<vec3> coarse_to_fine_map(const Host_loop& loop, const Isometri
   return Coarse_to_fine_map(loop, method, problem, effort, monitor, static_cast<int>(size), true).run(report);
 }
 
+/// See `Result::density_deviation`.
+inline double density_deviation(const Host_loop& loop, const Problem& problem, const Host_array<vec3>& position)
+{
+  const int number_of_faces = static_cast<int>(problem.face.size());
+  const auto wanted = [&](int f) { return problem.density[f] * norm(normal(problem.point, problem.face[f])); };
+  const auto log_of_share = [&](int f) {
+    const auto [i, j, k] = problem.face[f];
+    constexpr double least = 1e-300;
+    return std::log((std::max)(spherical_area(position[i], position[j], position[k]), least) / wanted(f));
+  };
+  const auto sum = [&](auto value) { // weighted
+    return sum_by_parts(loop, number_of_faces, [&](int f) { return wanted(f) > 0 ? wanted(f) * value(f) : 0; });
+  };
+  const double whole = sum([](int) { return 1; });
+  if(!(whole > 0))
+    return 0;
+  const double mean = sum(log_of_share) / whole;
+  return std::sqrt(sum([&](int f) { return std::pow(log_of_share(f) - mean, 2); }) / whole);
+}
+
 CGAL_SP_CORE Solution solve_isometric(const Host_loop& loop, const Isometric& method, const Problem& problem,
                                       const Effort& effort, Monitor& monitor)
 {
@@ -434,6 +466,8 @@ CGAL_SP_CORE Solution solve_isometric(const Host_loop& loop, const Isometric& me
 
   const Stopwatch certify_watch;
   make_storable(loop, problem, solution.position);
+  if(!problem.density.empty())
+    solution.report.density_deviation = density_deviation(loop, problem, solution.position);
   solution.certificate = certify(loop, problem.face, solution.position);
   solution.seconds.certify = certify_watch.seconds();
   return solution;

@@ -22,6 +22,7 @@
 #include <array>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -79,6 +80,12 @@ struct Holds_positions<
                                     std::declval<Coordinate_of<Point>>()})>>
   : std::bool_constant<!Is_planar<Point>::value && !std::is_integral_v<Coordinate_of<Point>>> {};
 
+/// Whether T says what the densities are: a property map of numbers, or maybe one.
+template <class T, class Key>
+struct Is_density_of : Is_map_of<T, Key> {};
+template <class Map, class Key>
+struct Is_density_of<std::optional<Map>, Key> : Is_map_of<Map, Key> {};
+
 /// The type of a named parameter; void if it is not given.
 template <class NamedParameters, class Tag>
 using Type_of_parameter =
@@ -92,15 +99,19 @@ struct Is_callback<Callback, std::enable_if_t<std::is_invocable_v<Callback&, dou
   : std::is_same<std::decay_t<std::invoke_result_t<Callback&, double>>, bool> {};
 
 /// static_assert()s about the named parameters of parameterize(); false where one has failed.
-template <class Edge, class Vertex, class NamedParameters>
+template <class Edge, class Vertex, class Face, class NamedParameters>
 constexpr bool check_named_parameters()
 {
   typedef Type_of_parameter<NamedParameters, edge_weight_tag> Weights_map;
   typedef Type_of_parameter<NamedParameters, internal_np::vertex_is_constrained_t> Constrained_map;
   typedef Type_of_parameter<NamedParameters, internal_np::callback_t> Callback;
+  typedef Type_of_parameter<NamedParameters, internal_np::face_density_t> Face_density;
+  typedef Type_of_parameter<NamedParameters, internal_np::vertex_density_t> Vertex_density;
   constexpr bool are_weights = std::is_void_v<Weights_map> || Is_weights_of<Weights_map, Edge>::value;
   constexpr bool are_constraints = std::is_void_v<Constrained_map> || Is_map_of<Constrained_map, Vertex>::value;
   constexpr bool is_callback = std::is_void_v<Callback> || Is_callback<Callback>::value;
+  constexpr bool are_face_densities = std::is_void_v<Face_density> || Is_density_of<Face_density, Face>::value;
+  constexpr bool are_vertex_densities = std::is_void_v<Vertex_density> || Is_density_of<Vertex_density, Vertex>::value;
   static_assert(
     are_weights,
     "edge_weight_map has to be Conformal_weights, or a readable property map whose keys are "
@@ -110,7 +121,11 @@ constexpr bool check_named_parameters()
                 "are bool");
   static_assert(is_callback, "callback has to be callable as bool(double): it gets the fraction of the work done, and "
                              "returns whether to go on");
-  return are_weights && are_constraints && is_callback;
+  static_assert(are_face_densities, "face_density_map has to be a readable property map whose keys are faces and whose "
+                                    "values are numbers");
+  static_assert(are_vertex_densities, "vertex_density_map has to be a readable property map whose keys are vertices "
+                                      "and whose values are numbers");
+  return are_weights && are_constraints && is_callback && are_face_densities && are_vertex_densities;
 }
 
 /// static_assert()s about all arguments; false where one has failed.
@@ -124,10 +139,33 @@ constexpr bool check_arguments()
     constexpr bool holds = Holds_positions<typename boost::property_traits<VertexSphereMap>::value_type>::value;
     static_assert(holds,
                   "the sphere map has to hold points with three coordinates, in floating point or exact numbers");
-    return holds && check_named_parameters<typename Graph_traits::edge_descriptor,
-                                           typename Graph_traits::vertex_descriptor, NamedParameters>();
+    return holds &&
+           check_named_parameters<typename Graph_traits::edge_descriptor, typename Graph_traits::vertex_descriptor,
+                                  typename Graph_traits::face_descriptor, NamedParameters>();
   } else
     return false;
+}
+
+template <class Map>
+std::optional<Map> as_optional(const Map& map)
+{
+  return map;
+}
+
+template <class Map>
+std::optional<Map> as_optional(const std::optional<Map>& map)
+{
+  return map;
+}
+
+/// The densities that a named parameter gives, if it does.
+template <class Tag, class Key, class NamedParameters>
+auto densities(const NamedParameters& np)
+{
+  if constexpr(parameters::is_default_parameter<NamedParameters, Tag>::value)
+    return std::optional<Constant_property_map<Key, double>>();
+  else
+    return as_optional(parameters::get_parameter(np, Tag()));
 }
 
 /// What the caller of parameterize() gives besides the mesh.
@@ -151,6 +189,15 @@ struct Mesh_inputs {
     typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor Vertex;
     return parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_is_constrained),
                                         Static_boolean_property_map<Vertex, false>());
+  }
+
+  auto face_densities() const
+  {
+    return densities<internal_np::face_density_t, typename boost::graph_traits<TriangleMesh>::face_descriptor>(np);
+  }
+  auto vertex_densities() const
+  {
+    return densities<internal_np::vertex_density_t, typename boost::graph_traits<TriangleMesh>::vertex_descriptor>(np);
   }
 };
 
@@ -180,7 +227,24 @@ struct Soup_inputs {
                             [](Vertex v) { return static_cast<std::size_t>(v.idx()); });
   }
 
+  auto face_densities() const
+  {
+    return densities_of<Indexed_triangle_mesh::Face_index>(densities<internal_np::face_density_t, std::size_t>(np));
+  }
+  auto vertex_densities() const
+  {
+    return densities_of<Indexed_triangle_mesh::Vertex_index>(densities<internal_np::vertex_density_t, std::size_t>(np));
+  }
+
 private:
+  template <class Descriptor, class Map>
+  auto densities_of(const std::optional<Map>& map) const
+  {
+    const auto number = [](Descriptor d) { return static_cast<std::size_t>(d.idx()); };
+    typedef std::optional<decltype(map_of<Descriptor>(*map, number))> Result;
+    return map ? Result(map_of<Descriptor>(*map, number)) : Result();
+  }
+
   Conformal_weights weights_of(Conformal_weights weights) const { return weights; }
 
   template <class Map>

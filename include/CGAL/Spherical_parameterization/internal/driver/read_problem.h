@@ -10,6 +10,7 @@
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
 #include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
+#include <CGAL/Spherical_parameterization/internal/base/precondition.h>
 #include <CGAL/Spherical_parameterization/internal/base/text.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Source_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/point_coordinates.h>
@@ -28,6 +29,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -134,6 +136,43 @@ Host_array<vec3> given_positions(const std::vector<Vertex>& vertices, const Host
                       "the sphere map is not readable, and holds no positions to start from");
 }
 
+/// A positive number for each of a range of faces or vertices, scaled so that the largest is 1; empty if there is no
+/// map. Throws Error.
+template <class Range, class DensityMap>
+Host_array<double> read_densities(const Range& range, const std::optional<DensityMap>& map, const std::string& what)
+{
+  using boost::get; // of pointers
+  Host_array<double> density;
+  if(!map)
+    return density;
+  for(const auto& element : range) {
+    density.push_back(CGAL::to_double(get(*map, element)));
+    if(!(density.back() > 0 && std::isfinite(density.back())))
+      throw Input_error(Error_code::BAD_DENSITY, what + ' ' + std::to_string(density.size() - 1) + " has the density " +
+                                                   to_string(density.back()) +
+                                                   "; densities must be positive and finite");
+  }
+  const double largest = *std::max_element(density.begin(), density.end());
+  for(double& d : density)
+    d /= largest;
+  return density;
+}
+
+/// The density of every face; that of vertices is taken to be linear in between. Empty if none is given.
+template <class TriangleMesh, class Inputs>
+Host_array<double> face_densities(const TriangleMesh& mesh, const Inputs& inputs,
+                                  const Host_array<std::array<int, 3>>& face, const Host_array<int>& position)
+{
+  const Host_array<double> of_vertices = read_densities(vertices(mesh), inputs.vertex_densities(), "vertex");
+  if(of_vertices.empty())
+    return read_densities(faces(mesh), inputs.face_densities(), "face");
+  Host_array<double> density;
+  density.reserve(face.size());
+  for(const auto& [i, j, k] : face)
+    density.push_back((of_vertices[position[i]] + of_vertices[position[j]] + of_vertices[position[k]]) / 3);
+  return density;
+}
+
 /// Reads the springs.
 template <class TriangleMesh>
 void read_weights(const TriangleMesh& mesh, Conformal_weights, const Host_loop& loop, Source_mesh<TriangleMesh>& source)
@@ -162,6 +201,12 @@ Input<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>
 read_problem(const TriangleMesh& mesh, const Solver& solver, VertexSphereMap sphere_map, const Effort& effort,
              const Inputs& inputs, Result& result)
 {
+  const bool has_face_density = inputs.face_densities().has_value();
+  const bool has_density = has_face_density || inputs.vertex_densities().has_value();
+  CGAL_SP_PRECONDITION(!(has_face_density && inputs.vertex_densities().has_value()),
+                       "densities are of faces or of vertices, not of both");
+  CGAL_SP_PRECONDITION(!has_density || solver.weights() != Weights::NEEDED,
+                       "densities need the isometric or the automatic method: springs do not follow them");
   const auto points = inputs.points();
   typedef typename boost::property_traits<std::decay_t<decltype(points)>>::value_type Point;
   typedef typename boost::property_traits<VertexSphereMap>::value_type Sphere_point;
@@ -171,7 +216,10 @@ read_problem(const TriangleMesh& mesh, const Solver& solver, VertexSphereMap sph
   result.number_of_faces = source.face.size();
   Problem problem;
   problem.is_simplicial = is_simplicial(loop, *source.graph);
-  if(solver.weights() != Weights::UNUSED)
+  problem.density = face_densities(mesh, inputs, source.face, source.position);
+  if(has_density)
+    problem.missing_weights = "springs do not follow densities";
+  else if(solver.weights() != Weights::UNUSED)
     try {
       read_weights(mesh, inputs.weights(), loop, source);
     } catch(const Input_error& error) {

@@ -27,6 +27,7 @@ struct Effort {
 struct Problem {
   Host_array<std::array<int, 3>> face; ///< counterclockwise; vertices are numbered breadth-first
   Host_array<vec3> point;              ///< in a box of size 1
+  Host_array<double> density;          ///< of every face, the largest is 1, see `face_density_map`; empty: all equal
   Host_array<double> area;             ///< every vertex's third of the areas of its faces
   Host_array<int> position;            ///< the caller's number of every vertex, for messages
   bool is_simplicial = true; ///< of the edges of the mesh none ends where it begins, no two have the same ends

@@ -25,6 +25,7 @@ struct Solver_report {
   std::size_t sweeps = 0;
   double residual = 0;
   double energy = 0;
+  double density_deviation = 0;
   bool has_converged = false;
   bool has_stalled = false; ///< gave up before the limit of iterations, since nothing improved any more
 };

@@ -70,6 +70,7 @@ CGAL_SP_CORE void describe(const Solution& solution, Result& result)
   }
   result.residual = solution.report.residual;
   result.energy = solution.report.energy;
+  result.density_deviation = solution.report.density_deviation;
   result.start_iterations = solution.report.start_iterations;
   result.iterations = solution.report.iterations;
   result.sweeps = solution.report.sweeps;

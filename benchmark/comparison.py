@@ -6,7 +6,8 @@
 
 The tool maps every mesh in five ways, on one core, in turn, N times. FOLDER has the spheres of other programs, NAME.PROGRAM.off for
 NAME.off with the same vertices and faces in the same order, and, where they are known, their seconds in NAME.PROGRAM.seconds. All
-spheres are judged by `certify --report`, and measured once more here, by other formulas: where both do not agree the script stops.
+spheres are judged by `certify --report`, and valid ones measured once more here, by other formulas: where both do not agree the
+script stops.
 OUTPUT gets the spheres, rows.csv, and tables.md. Other formats: `spherical-parameterization prepare IN --harmless -o MESH.off`.
 
 Seconds are user and system time of the whole process, the least of N runs: busy machines lengthen them by little. A mesh costs a few
@@ -91,18 +92,24 @@ def judge(tool, mesh, sphere, report_file):
     again = measure(mesh, sphere)
     row["qc"] = again["qc"]
     for key in ("qc_of_area", "symmetric_dirichlet"):
-        # Where stretches are extreme, differences of products have few correct digits.
-        if row[key] < 1e4 and not np.isclose(row[key], again[key], rtol=1e-4):
+        # Where faces are smaller than the rounding of their corners neither has correct digits.
+        if not row["flipped_faces"] and row[key] < 1e4 and not np.isclose(row[key], again[key], rtol=1e-4):
             sys.exit(f"comparison.py: {sphere}: {key} is {row[key]} in the report, and {again[key]} here")
     return row
 
 
 def cell(row, key):
-    if not row or row.get(key) is None:
-        return row["error"] if row and row["error"] != "OK" and key != "seconds" else "-"
-    value = row[key]
-    text = f"{value:.3g}" if value >= 100 or key == "log_area_deviation" else f"{value:.2f}" if key == "seconds" else f"{value:.3f}"
-    return f"{text} ({row['flipped_faces']})" if row["flipped_faces"] and key != "seconds" else text
+    if not row or (row.get(key) is None and row["error"] == "OK"):
+        return "-"
+    if row.get(key) is None:
+        return row["error"] if key != "seconds" else "-"
+    value, flips = row[key], row["flipped_faces"]
+    if key == "seconds":
+        return f"{value:.2f}" if value < 10 else f"{value:.0f}"
+    if flips and key != "qc":
+        return f"({flips})"
+    text = f"{value:.3g}" if value >= 100 or key == "log_area_deviation" else f"{value:.3f}"
+    return f"{text} ({flips})" if flips else text
 
 
 def main():

@@ -4,14 +4,14 @@
 
     benchmark/comparison.py OUTPUT MESH.off... [--others FOLDER] [--repetitions N] [--tool TOOL]
 
-The tool maps every mesh in five ways, on one core, in turn, N times. FOLDER has the spheres of other programs, NAME.PROGRAM.off for
-NAME.off with the same vertices and faces in the same order, and, where they are known, their seconds in NAME.PROGRAM.seconds. All
-spheres are judged by `certify --report`, and valid ones measured once more here, by other formulas: where both do not agree the
-script stops.
-OUTPUT gets the spheres, rows.csv, and tables.md. Other formats: `spherical-parameterization prepare IN --harmless -o MESH.off`.
+The tool maps every mesh in five ways, on one core, in turn, N times. FOLDER has the spheres of other programs, NAME.PROGRAM.off
+for NAME.off with the same vertices and faces in the same order, and, where they are known, their seconds in
+NAME.PROGRAM.seconds. All spheres are judged by `certify --report`, and valid ones measured once more here, by other formulas:
+where both do not agree the script stops. OUTPUT gets the spheres, rows.csv, and tables.md. Other formats are converted by
+`spherical-parameterization prepare IN --harmless -o MESH.off`.
 
-Seconds are user and system time of the whole process, the least of N runs: busy machines lengthen them by little. A mesh costs a few
-seconds. Needs NumPy.
+Seconds are user and system time of the whole process, the least of N runs: busy machines lengthen them by little. A mesh costs
+some seconds. Needs NumPy.
 """
 
 import argparse
@@ -128,7 +128,8 @@ def main():
             for name, options in OURS.items():
                 sphere = arguments.output / f"{mesh.stem}.{name}.off"
                 reports[name] = sphere.with_suffix(".json")
-                _, time = run([arguments.tool, "map", mesh, "-o", sphere, "--report", reports[name], "--policy", "sequential", *options])
+                _, time = run([arguments.tool, "map", mesh, "-o", sphere, "--report", reports[name],
+                               "--policy", "sequential", *options])
                 seconds[name].append(time)
         for name in OURS:
             report = json.loads(reports[name].read_text())

@@ -6,7 +6,7 @@
 
 #include "mapping/mapped_mesh.h"
 #include "mapping/report.h"
-#include "mapping/surface_distance.h"
+#include "preparation/surface_distance.h"
 #include "options/usage.h"
 #include "output/atomic_file.h"
 #include "output/write_mesh.h"

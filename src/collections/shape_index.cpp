@@ -82,8 +82,8 @@ bool Shape_index::is_current(const std::string& mesh, bool is_mended)
   if(!tool::is_current(database_, mesh, mesh))
     return false;
   auto row = database_.query(is_mended ? "SELECT 1 FROM mesh WHERE name = ? AND (status = 'OK' OR prepared > 0)"
-                                             : "SELECT 1 FROM mesh WHERE name = ? AND prepared < 2",
-                                   mesh);
+                                       : "SELECT 1 FROM mesh WHERE name = ? AND prepared < 2",
+                             mesh);
   return row.next();
 }
 

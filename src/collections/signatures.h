@@ -32,8 +32,7 @@ struct Batch_summary {
 /// Brings an index up to date: rows that are missing, or whose mesh file is another one now, are computed on so many
 /// threads, and put into it one by one. At the end the index has the rows of the meshes and no others; if the output is
 /// a .csv, their table is written, in the order of the meshes. Throws a `Refusal`, also when interrupted.
-Batch_summary update_index(const std::vector<std::string>& meshes, const std::string& output, int threads,
-                           bool mends);
+Batch_summary update_index(const std::vector<std::string>& meshes, const std::string& output, int threads, bool mends);
 
 } // namespace tool
 

@@ -64,9 +64,9 @@ void say_distortion(std::ostream& out, const SP::Distortion_summary& d)
 {
   constexpr double degrees = 57.295779513082321;
   out << "angle distortion: mean " << degrees * d.angle_distortion.mean << " degrees, 95 % of the area below "
-            << degrees * d.angle_distortion.percentile_95 << "\narea shrinks by factors from "
-            << std::exp(d.log_area_stretch.percentile_5) << " to " << std::exp(d.log_area_stretch.percentile_95)
-            << " (90 % of the area)";
+      << degrees * d.angle_distortion.percentile_95 << "\narea shrinks by factors from "
+      << std::exp(d.log_area_stretch.percentile_5) << " to " << std::exp(d.log_area_stretch.percentile_95)
+      << " (90 % of the area)";
 }
 
 void certify(const Certify_options& options, Mapped_mesh& input, Report& report, Outcome& outcome)
@@ -98,7 +98,10 @@ void certify(const Certify_options& options, Mapped_mesh& input, Report& report,
   certificate << "spherical map: " << result.flipped_faces << " flipped faces, degree " << result.degree;
   text.precision(3);
   text << options.input << ": " << result.number_of_vertices << " vertices, " << result.number_of_faces << " faces\n"
-       << (result ? "valid " : is_mirrored ? "mirrored " : "no valid ") << certificate.str() << '\n';
+       << (result        ? "valid "
+           : is_mirrored ? "mirrored "
+                         : "no valid ")
+       << certificate.str() << '\n';
   say_radius(text, options.sphere, sphere);
   say_distortion(text, *report.distortion);
   outcome.text = text.str();
@@ -117,20 +120,15 @@ void certify(const Certify_options& options, Mapped_mesh& input, Report& report,
 
 void certify_and_report(const Certify_options& options, Outcome& outcome)
 {
-  const auto refusal = reported(options.report, options, [&](Mapped_mesh& input, Report& report) {
-    certify(options, input, report, outcome);
-  });
+  const auto refusal = reported(options.report, options,
+                                [&](Mapped_mesh& input, Report& report) { certify(options, input, report, outcome); });
   if(refusal)
     throw Refusal(*refusal);
 }
 
 /// There is no output but the report.
-const Mesh_command<Certify_options> certify_command = {"",
-                                                       {&Certify_options::report},
-                                                       check_certify_options,
-                                                       certify_inputs,
-                                                       certify_outputs,
-                                                       certify_and_report};
+const Mesh_command<Certify_options> certify_command = {
+  "", {&Certify_options::report}, check_certify_options, certify_inputs, certify_outputs, certify_and_report};
 
 } // namespace
 
@@ -139,13 +137,15 @@ void add_certify_command(CLI::App& app, int& exit_code)
   CLI::App* command = app.add_subcommand("certify", "Certify and measure a spherical map of any program");
   const auto options = std::make_shared<Certify_options>();
   add_collection_options(*command, *options);
-  command->get_option("IN")->description(
-    "MESH... SPHERE: closed triangle meshes of genus 0, or folders of them, and at the end the sphere, or the folder of "
-    "the spheres with the same names. A sphere has the same vertices and faces in the same order as its mesh, about the "
-    "origin, of any radius");
+  command->get_option("IN")->description("MESH... SPHERE: closed triangle meshes of genus 0, or folders of them, and "
+                                         "at the end the sphere, or the folder of "
+                                         "the spheres with the same names. A sphere has the same vertices and faces in "
+                                         "the same order as its mesh, about the "
+                                         "origin, of any radius");
   command
-    ->add_option("-o,--output", options->output,
-                 "Folder for the reports of several MESH, and of what is done, so that the same command goes on with it")
+    ->add_option(
+      "-o,--output", options->output,
+      "Folder for the reports of several MESH, and of what is done, so that the same command goes on with it")
     ->type_name("FOLDER");
   command->add_flag("--triangulate", options->triangulate,
                     "Triangulate the polygons of MESH as 'map' does; SPHERE has triangles");

@@ -98,7 +98,8 @@ void check_prepare_options(const Prepare_options& options)
             "split writes as many files as there are components, which is for one IN at a time");
     require(options.vertex_map.empty() && options.face_map.empty(), "--steps",
             "with split there is no one output for --vertex-map and --face-map");
-    require(!options.output.empty() && options.output != standard_stream, "--steps", "split requires a file as --output");
+    require(!options.output.empty() && options.output != standard_stream, "--steps",
+            "split requires a file as --output");
   }
   require(!options.merge_distance || (*options.merge_distance >= 0 && std::isfinite(*options.merge_distance)),
           "--merge-distance", "must be 0 or positive");
@@ -298,16 +299,18 @@ void say(const Prepare_options& options, const Prepared& prepared, Outcome& outc
   line << vertices << " vertices, " << faces << " faces, " << shape_of(preparation.parts);
 
   text.precision(3);
-  text << shown(options.input, "standard input") << ": " << soup.points.size() << " vertices, " << soup.faces << " faces\n";
+  text << shown(options.input, "standard input") << ": " << soup.points.size() << " vertices, " << soup.faces
+       << " faces\n";
   if(soup.polygons > 0)
     text << "triangulated " << soup.polygons << " polygons: faces are triangles from here on\n";
   for(const std::string& sentence : done)
     text << sentence << '\n';
   if(share_of_area_kept(preparation) < 0.5)
-    text << "most of it was left out: --merge-distance unites parts that nearly meet, --wrap takes a surface around all "
-            "of them, --steps without largest keeps them\n";
-  text << (prepared.files.empty() ? "it would be: " : "it is now: ") << line.str() << "\nHausdorff distance to IN: "
-       << distance.str();
+    text
+      << "most of it was left out: --merge-distance unites parts that nearly meet, --wrap takes a surface around all "
+         "of them, --steps without largest keeps them\n";
+  text << (prepared.files.empty() ? "it would be: " : "it is now: ") << line.str()
+       << "\nHausdorff distance to IN: " << distance.str();
   if(distance.str() != "0")
     text << " (from OUT to IN " << from_new.high << ", from IN to OUT " << from_old.high << ')';
   for(const std::string& file : prepared.files)
@@ -416,9 +419,10 @@ void add_prepare_command(CLI::App& app, int& exit_code)
   const auto options = std::make_shared<Prepare_options>();
   add_collection_options(*command, *options);
   command->get_option("IN")->description("Meshes with any defects, or folders of them");
-  add_mesh_output(*command, *options,
-                  "Output file, in which vertices and faces of IN that are left keep their order; of several IN a folder "
-                  "(without it the command only says what it would do)");
+  add_mesh_output(
+    *command, *options,
+    "Output file, in which vertices and faces of IN that are left keep their order; of several IN a folder "
+    "(without it the command only says what it would do)");
   command->get_option("--output")->required(false);
   command
     ->add_option("--vertex-map", options->vertex_map,
@@ -436,8 +440,10 @@ void add_prepare_command(CLI::App& app, int& exit_code)
     ->add_option(
       "--steps", options->steps,
       "What is done, separated by commas: merge (stitch vertices at boundaries and at the same place), orient (always "
-      "done, as is leaving out what is no face, and cutting non-manifold parts from each other), largest or split (keep "
-      "the component of largest area, or write each as OUT_1, OUT_2, ...), degenerate (remove faces without area, which "
+      "done, as is leaving out what is no face, and cutting non-manifold parts from each other), largest or split "
+      "(keep "
+      "the component of largest area, or write each as OUT_1, OUT_2, ...), degenerate (remove faces without area, "
+      "which "
       "'map' does not mind), holes (fill), handles (cut and close; of what has no holes). merge,orient alone does not "
       "change the shape, and is what 'map --prepare' does")
     ->type_name("LIST")

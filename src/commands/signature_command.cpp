@@ -37,8 +37,8 @@ void check(const Signature_options& options)
 int run(const Signature_options& options)
 {
   watch_for_interruption();
-  const Batch_summary summary = update_index(options.meshes(), options.output, options.number_of_jobs(),
-                                             options.prepare);
+  const Batch_summary summary =
+    update_index(options.meshes(), options.output, options.number_of_jobs(), options.prepare);
   for(const std::string& why : summary.without_signature)
     std::cerr << "spherical-parameterization: " << why << '\n';
   const std::size_t signatures = summary.meshes - summary.without_signature.size();

@@ -319,7 +319,8 @@ private:
     if(number == Number::NONE || (type.is_integer && !to_integer(token)))
       refuse(in_quotes(token) + " for a value of type ", damaged_);
     if(type.is_integer && (value < type.smallest || value > type.largest))
-      refuse("the value " + in_quotes(token) + ", which is too large for type ", "the file is damaged; export it again");
+      refuse("the value " + in_quotes(token) + ", which is too large for type ",
+             "the file is damaged; export it again");
     if(type.is_integer || type.size == 8)
       return value;
     float rounded = 0; // once, and not by way of a double

@@ -17,8 +17,8 @@ namespace tool {
 
 std::string lower_case(std::string_view text);
 
-/// What a token says as a number. `NOT_FINITE` covers every spelling of NaN and infinity, and overflow; the value is then
-/// NaN or infinite.
+/// What a token says as a number. `NOT_FINITE` covers every spelling of NaN and infinity, and overflow; the value is
+/// then NaN or infinite.
 enum class Number { FINITE, NOT_FINITE, NONE };
 Number to_number(std::string_view token, double& value);
 Number to_number(std::string_view token, float& value);

@@ -48,8 +48,8 @@ Input_mesh read_prepared_mesh(const std::string& file, Prepare how, std::optiona
   prepared.emplace();
   // map refuses what is no shape; for the others the faces there are left out
   prepared->soup = read_triangles(file, how == Prepare::HARMLESS ? Coordinates::FINITE : Coordinates::ANY);
-  prepared->preparation = prepare(
-    file, prepared->soup, how == Prepare::HARMLESS ? Preparation_settings::harmless() : Preparation_settings());
+  prepared->preparation =
+    prepare(file, prepared->soup, how == Prepare::HARMLESS ? Preparation_settings::harmless() : Preparation_settings());
   const Glued_surface& surface = prepared->preparation.parts.front();
   try {
     return {Mesh(CGAL::Parallel_if_available_tag(), surface.points, surface.faces), prepared->soup.polygons};

@@ -59,8 +59,7 @@ Point normalized(Point p)
 
 } // namespace
 
-CGAL::Spherical_parameterization::Result certify(const Mesh& mesh, const std::vector<Point>& points,
-                                                 bool on_all_cores)
+CGAL::Spherical_parameterization::Result certify(const Mesh& mesh, const std::vector<Point>& points, bool on_all_cores)
 {
   namespace SP = CGAL::Spherical_parameterization;
   SP::Result result;

@@ -308,8 +308,8 @@ Glued_surface glue(const Soup& soup, std::optional<double> merge_distance, Gluin
   glue_pairs(gluing);
 
   // what is open may be continued by other vertices at the same place
-  const std::vector<bool> is_open = merge_distance ? vertices_of_open_sides(gluing, soup.points.size())
-                                                   : std::vector<bool>(soup.points.size(), false);
+  const std::vector<bool> is_open =
+    merge_distance ? vertices_of_open_sides(gluing, soup.points.size()) : std::vector<bool>(soup.points.size(), false);
   const Places key(soup.points, is_open, merge_distance.value_or(0));
   for(std::size_t v = 0; v < soup.points.size(); ++v)
     if(is_open[v] && key(static_cast<int>(v)) != static_cast<int>(v))

@@ -95,11 +95,15 @@ std::vector<Piece> pieces_of(const Glued_surface& surface, std::vector<int>& pie
     order[i] = i;
   std::stable_sort(order.begin(), order.end(),
                    [&found](std::size_t a, std::size_t b) { return found[a].area > found[b].area; });
+  double area = 0;
+  for(const Component& component : found)
+    area += component.area;
   std::vector<Piece> pieces;
   for(const std::size_t i : order) {
     rank[i] = pieces.size();
     Piece piece;
     piece.size = found[i];
+    piece.share_of_area = area > 0 ? found[i].area / area : 1. / static_cast<double>(found.size());
     piece.vertex = surface.old_vertex[place(surface.faces[place(found[i].first_face)][0])];
     pieces.push_back(piece);
   }
@@ -156,10 +160,9 @@ void add(std::vector<std::string>& lines, const Defect& defect, const std::strin
 {
   if(defect.count > 0)
     lines.push_back(before + count(defect.count, one, many) + after +
-                    (defect.first == Glued_surface::none
-                       ? "" // none of the file
-                       : std::string(" (") + (defect.count == 1 ? "" : "first: ") + where + ' ' +
-                           std::to_string(defect.first) + ')'));
+                    (defect.first == Glued_surface::none ? "" // none of the file
+                                                         : std::string(" (") + (defect.count == 1 ? "" : "first: ") +
+                                                             where + ' ' + std::to_string(defect.first) + ')'));
 }
 
 } // namespace
@@ -180,7 +183,8 @@ Preparation prepare_in_unit(const std::string& file, const Soup& soup, const Pre
   Preparation result;
   Glued_surface surface = glue(soup, settings.merge_distance, result.defects);
   if(surface.faces.empty())
-    throw Refusal(name(Error_code::EMPTY_MESH), file, "has no face that can be used",
+    throw Refusal(name(Error_code::EMPTY_MESH), file,
+                  "has no face that can be used" + (soup.triangles.empty() ? "" : ": " + sentences(result).front()),
                   soup.triangles.empty() ? "reconstruct a surface from its points first" : "");
   stop_if_interrupted(file);
 
@@ -232,14 +236,10 @@ Preparation prepare_in_unit(const std::string& file, const Soup& soup, const Pre
 
 double share_of_area_kept(const Preparation& preparation)
 {
-  const double largest = preparation.pieces.front().size.area; // so that the sum is a number
-  double all = 0, kept = 0;
-  for(const Piece& piece : preparation.pieces) {
-    const double area = largest > 0 ? piece.size.area / largest : 1;
-    all += area;
-    kept += piece.is_kept ? area : 0;
-  }
-  return kept / all;
+  double kept = 0;
+  for(const Piece& piece : preparation.pieces)
+    kept += piece.is_kept ? piece.share_of_area : 0;
+  return kept;
 }
 
 Preparation prepare(const std::string& file, const Soup& soup, const Preparation_settings& settings)

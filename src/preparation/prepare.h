@@ -53,6 +53,7 @@ struct Loop {
 
 struct Piece {
   Component size;
+  double share_of_area = 1;
   int vertex = -1; ///< one of its vertices, by the number in the file
   bool is_kept = true;
 };
@@ -70,8 +71,8 @@ struct Preparation {
   bool is_cut = false;            ///< the handles are cut
   Defect degenerate_faces;        ///< those that were removed, or were to be
   bool has_degenerate_faces = false; ///< they are still there, since nothing would be left, or less than a surface
-  bool is_turned_outwards = false;                ///< all faces were turned round
-  std::size_t split_edges = 0;                    ///< those that had the same ends as others
+  bool is_turned_outwards = false;   ///< all faces were turned round
+  std::size_t split_edges = 0;       ///< those that had the same ends as others
   std::optional<Preparation_settings::Wrap> wrap; ///< what was used
 };
 
@@ -79,7 +80,7 @@ struct Preparation {
 /// interruption.
 Preparation prepare(const std::string& file, const Soup& soup, const Preparation_settings& settings);
 
-/// In (0, 1].
+/// Of the area of all components, what is kept.
 double share_of_area_kept(const Preparation& preparation);
 
 /// What was wrong and what was done about it, one sentence each: "filled 3 holes (longest: 80 edges, length 0.5, at

@@ -32,7 +32,7 @@ using Triangles = std::vector<Triangle_3>;
 double unit_of(double largest_coordinate)
 {
   return largest_coordinate > 0 && std::isfinite(largest_coordinate) ? std::ldexp(1., std::ilogb(largest_coordinate))
-                                                                      : 1;
+                                                                     : 1;
 }
 
 Point_3 point_of(const Point& p, double unit) { return {p[0] / unit, p[1] / unit, p[2] / unit}; }
@@ -265,8 +265,7 @@ std::vector<int> nearest_faces(const Soup& old, const Glued_surface& surface)
       continue;
     result[f] = 0;
     if(has_finite_corners(old, old.triangles[f]) && !tree.is_empty())
-      result[f] =
-        static_cast<int>(tree.nearest(CGAL::centroid(triangle(old.points, old.triangles[f], unit))).number);
+      result[f] = static_cast<int>(tree.nearest(CGAL::centroid(triangle(old.points, old.triangles[f], unit))).number);
   }
   return result;
 }

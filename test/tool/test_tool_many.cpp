@@ -339,8 +339,7 @@ TEST_CASE("many: prepare mends a folder, and certify looks at spheres by their n
   CHECK(says(refused, "13 meshes, 2 refused, 11 done by an earlier run"));
 
   // without a folder nothing is remembered; a mesh and its sphere alone need none
-  const Process_result two =
-    run_tool({"certify", closed + "/torus.ply", closed + "/1.ply", spheres, "-j", "2"});
+  const Process_result two = run_tool({"certify", closed + "/torus.ply", closed + "/1.ply", spheres, "-j", "2"});
   CHECK(two.exit_code == 0);
   CHECK(lines_of(two.out).size() == 3);
   CHECK(run_tool({"certify", closed + "/torus.ply", spheres + "/torus.ply"}).exit_code == 0);

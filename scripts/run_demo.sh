@@ -60,7 +60,7 @@ for broken in elephant-with-holes eight; do
   "$tool" texture "${out}_prepared.off" --sphere "${out}_sphere.off" -o "$out.glb" </dev/null
   elevation=0
   [ "$broken" = elephant-with-holes ] || elevation=70 # on its handles
-  picture "${out}_stretch.png" "${out}_stretch.ply" --camera-view-angle=22 --camera-elevation-angle="$elevation"
+  picture "${out}_stretch.png" "${out}_stretch.ply" --camera-view-angle=26 --camera-elevation-angle="$elevation"
 done
 
 echo

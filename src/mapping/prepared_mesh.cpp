@@ -52,7 +52,8 @@ Input_mesh read_prepared_mesh(const std::string& file, Prepare how, std::optiona
     prepare(file, prepared->soup, how == Prepare::HARMLESS ? Preparation_settings::harmless() : Preparation_settings());
   const Glued_surface& surface = prepared->preparation.parts.front();
   try {
-    return {Mesh(CGAL::Parallel_if_available_tag(), surface.points, surface.faces), prepared->soup.polygons};
+    return {Mesh(CGAL::Parallel_if_available_tag(), surface.points, surface.faces), prepared->soup.polygons,
+            prepared->soup.annotations};
   } catch(const CGAL::Spherical_parameterization::Error& error) {
     throw Refusal(name(error.code()), file, "has, prepared without a change of shape, " + error.detail(),
                   "the command 'prepare' does that");

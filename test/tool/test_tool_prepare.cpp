@@ -496,6 +496,32 @@ TEST_CASE("prepare: the size of the numbers makes no difference", "[tool]")
   }
 }
 
+TEST_CASE("prepare: a hole of many edges", "[tool]")
+{
+  Scratch scratch;
+  const int n = 5000;
+  const double pi = std::acos(-1.);
+  Soup soup; // a cone whose rim runs in and out
+  soup.points.emplace_back(0, 0, 1);
+  for(int i = 0; i < n; ++i) {
+    const double angle = 2 * pi * i / n, radius = 1 + 0.1 * std::sin(10 * angle);
+    soup.points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0);
+    soup.faces.push_back({0, std::size_t(i + 1), std::size_t((i + 1) % n + 1)});
+  }
+  const Prepared prepared(scratch, soup);
+  CHECK(prepared.report["preparation"]["holes"][0]["edges"] == n);
+  double area = 0; // of the flat filling, which does not overlap
+  for(std::size_t f = 0; f < prepared.out.faces.size(); ++f)
+    if(prepared.face_map[f] < 0) {
+      const auto& face = prepared.out.faces[f];
+      const Vector normal = CGAL::cross_product(prepared.out.points[face[1]] - prepared.out.points[face[0]],
+                                                prepared.out.points[face[2]] - prepared.out.points[face[0]]);
+      area += std::sqrt(normal.squared_length()) / 2;
+    }
+  CHECK(area == Approx(pi * (1 + 0.1 * 0.1 / 2)).epsilon(1e-3));
+  check_mapped(scratch);
+}
+
 TEST_CASE("prepare: what is left of little is said to be little", "[tool]")
 {
   Scratch scratch;

@@ -94,8 +94,6 @@ void check_prepare_options(const Prepare_options& options)
   const std::set<std::string> steps = steps_of(options);
   require(steps.count("largest") == 0 || steps.count("split") == 0, "--steps", "is either largest or split");
   if(steps.count("split") > 0) {
-    require(!options.are_many(options.output), "--steps",
-            "split writes as many files as there are components, which is for one IN at a time");
     require(options.vertex_map.empty() && options.face_map.empty(), "--steps",
             "with split there is no one output for --vertex-map and --face-map");
     require(!options.output.empty() && options.output != standard_stream, "--steps",
@@ -459,8 +457,11 @@ void add_prepare_command(CLI::App& app, int& exit_code)
   command->footer("Example: spherical-parameterization prepare scan.ply -o closed.ply --vertex-map vertices.txt\n"
                   "Exit code: 0 the files were written, 1 nothing was written (stderr says why), 2 wrong usage,\n"
                   "130 interrupted.");
-  command->callback(
-    [options, command, &exit_code] { exit_code = run_mesh_command(*command, prepare_command, *options); });
+  command->callback([options, command, &exit_code] {
+    require(!is_split(*options) || !options->are_many(options->output), "--steps",
+            "split writes as many files as there are components, which is for one IN at a time");
+    exit_code = run_mesh_command(*command, prepare_command, *options);
+  });
 }
 
 } // namespace tool

@@ -118,7 +118,7 @@ Bounds farthest(const Triangles& triangles, const Triangle_tree& tree, double to
                 const std::function<void()>& go_on)
 {
   constexpr double relative_tolerance = 0.05;
-  const std::size_t most_looks = 200'000 + 20 * triangles.size();
+  const std::size_t most_looks = 20'000 + 20 * triangles.size();
   Bounds result;
   std::priority_queue<Candidate> queue;
   const auto is_close = [&](double bound) {

@@ -499,7 +499,7 @@ TEST_CASE("prepare: the size of the numbers makes no difference", "[tool]")
 TEST_CASE("prepare: a hole of many edges", "[tool]")
 {
   Scratch scratch;
-  const int n = 5000;
+  const int n = 3000;
   const double pi = std::acos(-1.);
   Soup soup; // a cone whose rim runs in and out
   soup.points.emplace_back(0, 0, 1);

@@ -64,12 +64,13 @@ void tabulate_index(const Options& options)
 {
   constexpr std::uint64_t queries = 20;
   constexpr std::size_t neighbours = 10;
-  Table table(options.output, "index", "The index of signatures: rows that are put in one by one, and searched",
-              {"signatures of shapes that do not exist; search: the 10 nearest of 20 others, the first of which are compared "
-               "with those of a search through all",
-               "CPU s: of one core"},
-              {"rows", "bytes per row", "inserts per s", "inserts per CPU s", "first search s", "search s", "search CPU s",
-               "exact"});
+  Table table(
+    options.output, "index", "The index of signatures: rows that are put in one by one, and searched",
+    {"signatures of shapes that do not exist; search: the 10 nearest of 20 others, the first of which are compared "
+     "with those of a search through all",
+     "CPU s: of one core"},
+    {"rows", "bytes per row", "inserts per s", "inserts per CPU s", "first search s", "search s", "search CPU s",
+     "exact"});
   fs::create_directories(options.output);
   const std::string file = (fs::path(options.output) / "index_of_benchmark.db").string();
   fs::remove(file);
@@ -115,8 +116,8 @@ void tabulate_index(const Options& options)
         expected.erase(std::prev(expected.end()));
     }
     const double count = static_cast<double>(rows);
-    table.add_row({rows, static_cast<double>(fs::file_size(file)) / count, count / insertion, count / cpu_insertion, first,
-                   search, cpu_search, found == expected ? "yes" : "NO"});
+    table.add_row({rows, static_cast<double>(fs::file_size(file)) / count, count / insertion, count / cpu_insertion,
+                   first, search, cpu_search, found == expected ? "yes" : "NO"});
   } catch(const tool::Refusal& refusal) {
     throw std::runtime_error(refusal.what());
   }

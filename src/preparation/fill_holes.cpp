@@ -84,7 +84,7 @@ std::vector<int> cut_corners(const std::vector<Kernel::Point_3>& polygon, std::s
 /// Of a polygon without new points; empty if CGAL finds none.
 std::vector<Triangle> triangulated(const std::vector<Kernel::Point_3>& polygon)
 {
-  constexpr std::size_t most = 1000; // for CGAL, which takes cubic time in the worst case, and quadratic memory
+  constexpr std::size_t most = 500; // for CGAL, which takes cubic time in the worst case, and quadratic memory
   std::vector<Triangle> triangles;
   const std::vector<int> rest = cut_corners(polygon, most, triangles);
   std::vector<Kernel::Point_3> points;

@@ -101,6 +101,8 @@ void add_commands(CLI::App& app)
   retrieval.add("folder", &Options::folder, "Of files GROUP/CLASS/FILE: closed triangle meshes of genus 0")
     ->required()
     ->check(CLI::ExistingDirectory);
+  Command(app, "index", "The index of shape search: size, inserts and searches per second", tabulate_index)
+    .add_positive("--rows", &Options::rows, "Signatures in it");
   Map_command(app, "texture", "Texture coordinates: flipped faces, faces that had to be moved", tabulate_texture);
   Map_command locate(app, "locate", "The inverse map: queries per second, error of the round trip", tabulate_locate);
   locate.add_subdivisions("How often the meshes are subdivided");

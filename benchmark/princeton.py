@@ -2,16 +2,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """All models of the Princeton segmentation benchmark by `segment --prepare`, against its human segmentations.
 
-    benchmark/princeton.py DATA OUTPUT [TOOL]
+    benchmark/princeton.py DATA OUTPUT [TOOL [OPTION...]]
 
 DATA has off/N.off and seg/Benchmark/N/N_*.seg, as the benchmark's authors distribute them (Chen, Golovinskiy, Funkhouser: "A benchmark
-for 3D mesh segmentation", 2009); OUTPUT gets labels/N.txt, of which those that are there are not computed again, rows.csv, and
-princeton.md. The Rand index error is the share of the pairs of faces that one segmentation keeps together and the other does not,
-as in `benchmark segmentation`: the mean over the humans of a model, then over models. Humans are compared with each other.
+for 3D mesh segmentation", 2009). OUTPUT gets segments/ from the tool, which resumes a run that was stopped, rows.csv with a row per
+model, and princeton.md, the table of the manual. Options are those of `segment`. The Rand index error is the share of the pairs of
+faces that one segmentation keeps together and the other does not, as in `benchmark segmentation`: the mean over the humans of a model,
+then over models. Humans are compared with each other.
 """
 
 import collections
 import csv
+import itertools
 import pathlib
 import statistics
 import subprocess
@@ -21,62 +23,65 @@ CLASSES = ("human cup glasses airplane ant chair octopus table teddy hand "
            "plier fish bird spring armadillo bust mech bearing vase fourleg").split()
 
 
+def pairs(labels):
+    """Ordered pairs of faces with the same label."""
+    return sum(n * (n - 1) for n in collections.Counter(labels).values())
+
+
 def rand_error(a, b):
-    def squares(labels):
-        return sum(n * n for n in collections.Counter(labels).values())
-
-    n = len(a)
-    return (squares(a) + squares(b) - 2 * squares(zip(a, b))) / (n * (n - 1))
+    return (pairs(a) + pairs(b) - 2 * pairs(zip(a, b))) / (len(a) * (len(a) - 1))
 
 
-def read_labels(file):
-    return file.read_text().split()
+def genus(mesh):
+    """Of a closed, connected surface."""
+    vertices, faces, _ = map(int, mesh.read_text().split("\n", 2)[1].split())
+    return (2 - vertices + faces // 2) // 2
 
 
-def main(data, output, tool="build/src/spherical-parameterization"):
+def row_of(mesh, labels, humans):
+    row = {"model": mesh.stem, "class": CLASSES[(int(mesh.stem) - 1) // 20], "genus": genus(mesh), "humans": None,
+           "segments": None, "error": None}
+    if len(humans) > 1:
+        row["humans"] = statistics.mean(rand_error(a, b) for a, b in itertools.combinations(humans, 2))
+    if labels:
+        row["segments"] = len(set(labels))
+        row["error"] = statistics.mean(rand_error(labels, human) for human in humans)
+    return row
+
+
+def table(rows):
+    def mean(rows, key):
+        return statistics.mean(row[key] for row in rows if row[key] is not None)
+
+    groups = [(name, [row for row in rows if row["class"] == name]) for name in CLASSES]
+    groups += [("of genus 0", [row for row in rows if row["genus"] == 0]),
+               ("with handles", [row for row in rows if row["genus"] > 0]), ("**all**", rows)]
+    lines = ["| class | models | with labels | humans | `segment --prepare` |", "|---|---|---|---|---|"]
+    for name, group in groups:
+        if group:
+            lines.append(f"| {name} | {len(group)} | {sum(row['error'] is not None for row in group)} | "
+                         f"{mean(group, 'humans'):.3f} | {mean(group, 'error'):.3f} |")
+    return "\n".join(lines).replace("0.", ".") + "\n"
+
+
+def main(data, output, tool="build/src/spherical-parameterization", *options):
     data, output = pathlib.Path(data), pathlib.Path(output)
-    (output / "labels").mkdir(parents=True, exist_ok=True)
+    subprocess.run([tool, "segment", data / "off", "-o", output / "segments", "--labels", "labels.txt", "--prepare", *options],
+                   check=False, stdin=subprocess.DEVNULL)
     rows = []
     for mesh in sorted((data / "off").glob("*.off"), key=lambda file: int(file.stem)):
-        labels = output / "labels" / f"{mesh.stem}.txt"
-        message = ""
-        if not labels.exists():
-            run = subprocess.run([tool, "segment", mesh, "-o", output / "segments.ply", "--labels", labels, "--prepare",
-                                  "--method", "automatic", "--policy", "sequential"],
-                                 capture_output=True, text=True, check=False, stdin=subprocess.DEVNULL)
-            message = " ".join((run.stderr if run.returncode else run.stdout).split("\n"))
-            (output / "labels" / f"{mesh.stem}.log").write_text(message)
-        name = CLASSES[(int(mesh.stem) - 1) // 20]
-        humans = [read_labels(file) for file in sorted((data / "seg/Benchmark" / mesh.stem).glob("*.seg"))]
-        of_humans = [statistics.mean(rand_error(a, b) for b in humans if b is not a) for a in humans if len(humans) > 1]
-        row = {"model": mesh.stem, "class": name, "humans": statistics.mean(of_humans) if of_humans else None,
-               "segments": None, "error": None}
-        if labels.exists():
-            own = read_labels(labels)
-            row["segments"] = len(set(own))
-            row["error"] = statistics.mean(rand_error(own, human) for human in humans)
-        rows.append(row)
-        print(mesh.stem, name, row["humans"], row["error"], message, flush=True)
-    with open(output / "rows.csv", "w", newline="") as file:
+        labels = output / "segments" / f"{mesh.stem}.labels.txt"
+        humans = [file.read_text().split() for file in sorted((data / "seg/Benchmark" / mesh.stem).glob("*.seg"))]
+        rows.append(row_of(mesh, labels.read_text().split() if labels.exists() else None, humans))
+    with open(output / "rows.csv", "w", newline="", encoding="utf-8") as file:
         writer = csv.DictWriter(file, rows[0].keys())
         writer.writeheader()
         writer.writerows(rows)
-
-    def mean(values):
-        values = [value for value in values if value is not None]
-        return statistics.mean(values) if values else float("nan")
-
-    lines = ["| class | models | with labels | humans | ours |", "|---|---|---|---|---|"]
-    for name in CLASSES + ["all models"]:
-        of_class = [row for row in rows if name in (row["class"], "all models")]
-        if of_class:
-            lines.append(f"| {name} | {len(of_class)} | {sum(row['error'] is not None for row in of_class)} | "
-                         f"{mean(row['humans'] for row in of_class):.3f} | {mean(row['error'] for row in of_class):.3f} |")
-    (output / "princeton.md").write_text("\n".join(lines) + "\n")
-    print("\n".join(lines))
+    (output / "princeton.md").write_text(table(rows))
+    print(table(rows), end="")
 
 
 if __name__ == "__main__":
-    if len(sys.argv) not in (3, 4):
+    if len(sys.argv) < 3:
         sys.exit(__doc__)
     main(*sys.argv[1:])

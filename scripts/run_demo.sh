@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Installs the packages, builds the tool in build/ and maps the armadillo of CGAL to the sphere, with both weights.
-# Everything it makes is in demo/ afterwards: spheres, coloured meshes, reports, a textured mesh for any viewer
-# (armadillo.glb), a page to look at (armadillo.html) and, where f3d runs, pictures.
+# Then it mends two broken meshes and does the same with them, one command each. Everything it makes is in demo/ afterwards:
+# spheres, coloured meshes, reports, textured meshes for any viewer (.glb), a page to look at (armadillo.html) and, where f3d
+# runs, pictures.
 set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 demo=$root/demo
@@ -48,15 +49,18 @@ for weights in barycentric conformal; do
     --camera-azimuth-angle=35 --camera-elevation-angle=15 --camera-view-angle=18
 done
 
-# What map does not take: holes, and two handles. prepare says what and where, and mends it.
+# What map does not take: holes, and two handles. prepare says what and where, and mends it; then it is mapped, certified and textured.
 for broken in elephant-with-holes eight; do
   out=$demo/$broken
   echo
-  echo "== $broken: prepared, mapped, certified"
+  echo "== $broken: prepared, mapped, certified, textured"
   "$tool" prepare "$out.off" -o "${out}_prepared.off" --vertex-map "${out}_vertices.txt" --report "$out.json" </dev/null
-  "$tool" map "${out}_prepared.off" -o "${out}_sphere.off" --stretch-ply "${out}_stretch.ply" --method automatic </dev/null
+  "$tool" map "${out}_prepared.off" -o "${out}_sphere.off" --stretch-ply "${out}_stretch.ply" </dev/null
   "$tool" certify "${out}_prepared.off" "${out}_sphere.off" </dev/null
-  picture "${out}_stretch.png" "${out}_stretch.ply" --camera-view-angle=22
+  "$tool" texture "${out}_prepared.off" --sphere "${out}_sphere.off" -o "$out.glb" </dev/null
+  elevation=0
+  [ "$broken" = elephant-with-holes ] || elevation=70 # on its handles
+  picture "${out}_stretch.png" "${out}_stretch.ply" --camera-view-angle=26 --camera-elevation-angle="$elevation"
 done
 
 echo

@@ -24,6 +24,7 @@ struct Options {
   double time_limit = std::numeric_limits<double>::infinity(); ///< seconds for a map
   std::size_t maximum_vertices = 500000;                       ///< scaling
   std::size_t queries = 1000000;                               ///< locate
+  std::size_t rows = 1000000;                                  ///< index
   bool skips_sdf = false;                                      ///< segmentation
   std::vector<std::string> variants_of;                        ///< retrieval: groups
   std::string order;                                           ///< sweep
@@ -51,6 +52,7 @@ void tabulate_mass(const Options& options);
 void tabulate_foreign(const Options& options);
 void tabulate_retrieval(const Options& options);
 void tabulate_segmentation(const Options& options);
+void tabulate_index(const Options& options);
 
 } // namespace benchmark
 

@@ -95,8 +95,10 @@ def prepare(
         raise MeshError(ErrorCode.NON_FINITE_COORDINATE, f"vertex {int(np.argmin(np.isfinite(points).all(axis=1)))}")
     if triangles.size and (triangles.min() < 0 or triangles.max() >= len(points)):
         raise MeshError(ErrorCode.BAD_INDEX, "a triangle names a point that is not there; points are numbered from 0 on")
-    options = ["--components", components, "--merge-distance", repr(float(merge_distance))]
-    options += ["--harmless"] * harmless + ["--keep-holes"] * (not fill_holes) + ["--keep-handles"] * (not cut_handles)
+    steps = ["merge", "orient"]
+    if not harmless:
+        steps += ["largest"] * (components == "largest") + ["holes"] * fill_holes + ["handles"] * cut_handles
+    options = ["--steps", ",".join(steps), "--merge-distance", repr(float(merge_distance))]
     if wrap:
         options.append("--wrap")
         if wrap is not True:

@@ -18,10 +18,11 @@
 namespace tool {
 namespace {
 
-constexpr Database::Format format = {0x53484158, "an index of signatures", R"(
+constexpr Database::Format format = {0x53484159, "an index of signatures", R"(
   CREATE TABLE mesh(id INTEGER PRIMARY KEY, name TEXT NOT NULL UNIQUE,
     bytes INTEGER NOT NULL, changed INTEGER NOT NULL, hash TEXT NOT NULL,
-    vertices INTEGER NOT NULL, status TEXT NOT NULL, map TEXT NOT NULL, message TEXT NOT NULL, signature BLOB);
+    vertices INTEGER NOT NULL, status TEXT NOT NULL, map TEXT NOT NULL, message TEXT NOT NULL, signature BLOB,
+    prepared INTEGER NOT NULL);
   CREATE TABLE code(block INTEGER PRIMARY KEY, codes BLOB NOT NULL))"};
 
 /// A signature in a quarter of the space, in steps of 1/4096 from 1 up to where 16 bits go. Zeros are no signature.
@@ -76,17 +77,26 @@ std::string index_of(const std::string& file)
 
 Shape_index::Shape_index(const std::string& file, Database::Access access) : database_(file, format, access) {}
 
-bool Shape_index::is_current(const std::string& mesh) { return tool::is_current(database_, mesh, mesh); }
+bool Shape_index::is_current(const std::string& mesh, bool is_mended)
+{
+  if(!tool::is_current(database_, mesh, mesh))
+    return false;
+  auto row = database_.query(is_mended ? "SELECT 1 FROM mesh WHERE name = ? AND (status = 'OK' OR prepared > 0)"
+                                       : "SELECT 1 FROM mesh WHERE name = ? AND prepared < 2",
+                             mesh);
+  return row.next();
+}
 
 void Shape_index::put(const Signature_row& row)
 {
   database_.run("BEGIN");
   auto inserted = database_.query(
     "INSERT OR REPLACE INTO mesh VALUES((SELECT id FROM mesh WHERE name = ?1), ?1, ?, ?, ?, ?, ?, ?, ?, "
-    "?) RETURNING id",
+    "?, ?) RETURNING id",
     row.name, row.version.bytes, row.version.changed, row.version.hash, static_cast<std::int64_t>(row.vertices),
     row.status, row.map, row.message,
-    row.signature ? Bytes{row.signature->values.data(), sizeof row.signature->values} : Bytes());
+    row.signature ? Bytes{row.signature->values.data(), sizeof row.signature->values} : Bytes(),
+    static_cast<std::int64_t>(row.mending));
   inserted.next();
   const std::int64_t id = inserted.integer(0), block = id / codes_per_block;
   inserted.next(); // to the end, or it could not be committed
@@ -119,7 +129,8 @@ std::optional<Signature_row> Shape_index::row(const std::string& mesh) const
     return std::nullopt;
   const File_version version = {row.integer(2), row.integer(3), row.text(4)};
   const auto vertices = static_cast<std::size_t>(row.integer(5));
-  return Signature_row{mesh, version, vertices, row.text(6), row.text(7), row.text(8), signature(row, 9)};
+  const auto mending = static_cast<Mending>(row.integer(10));
+  return Signature_row{mesh, version, vertices, row.text(6), row.text(7), row.text(8), mending, signature(row, 9)};
 }
 
 std::size_t Shape_index::keep_only(const std::vector<std::string>& meshes)

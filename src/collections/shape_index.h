@@ -21,6 +21,9 @@ namespace tool {
 
 using CGAL::Spherical_parameterization::Shape_signature;
 
+/// What was done to a mesh before it was mapped.
+enum class Mending { NOT_ASKED = 0, NOTHING_TO_DO = 1, DONE = 2 };
+
 /// What is known of a mesh.
 struct Signature_row {
   std::string name;         ///< of the file
@@ -29,6 +32,7 @@ struct Signature_row {
   std::string status;       ///< "OK", or the code of what is wrong
   std::string map;          ///< "clamped", "barycentric" or "uncertified"; empty without a signature
   std::string message;      ///< what is wrong, in one line; empty if OK
+  Mending mending = Mending::NOT_ASKED;
   std::optional<Shape_signature> signature;
 };
 
@@ -41,8 +45,8 @@ class Shape_index {
 public:
   Shape_index(const std::string& file, Database::Access access);
 
-  /// Whether there is a row of the mesh file as it is now.
-  bool is_current(const std::string& mesh);
+  /// Whether there is a row of the mesh file as it is now, that is also what a run with or without mending gives.
+  bool is_current(const std::string& mesh, bool is_mended);
 
   /// In a transaction of its own.
   void put(const Signature_row& row);

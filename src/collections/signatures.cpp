@@ -5,6 +5,7 @@
 
 #include "collections/batch.h"
 #include "input/mesh.h"
+#include "mapping/prepared_mesh.h"
 #include "mapping/spherical_map.h"
 #include "output/atomic_file.h"
 #include "output/csv.h"
@@ -34,10 +35,15 @@ bool has_map(Error_code code)
 }
 
 /// Fills `row` but for its name. Throws; leaves the signature out if it is interrupted.
-void sign(const std::string& file, Signature_row& row)
+void sign(const std::string& file, bool mends, Signature_row& row)
 {
   row.version = version_with_hash(file);
-  const Mesh mesh = read_mesh(file).mesh;
+  row.mending = mends ? Mending::NOTHING_TO_DO : Mending::NOT_ASKED;
+  std::optional<Prepared_mesh> prepared;
+  const Mesh mesh = (mends ? read_prepared_mesh(file, Prepare::ALL, prepared) : read_mesh(file)).mesh;
+  if(prepared && !sentences(prepared->preparation).empty())
+    row.mending = Mending::DONE;
+  prepared.reset();
   row.vertices = mesh.number_of_vertices();
   const auto compute = [&](Sphere& sphere, const auto& weights) {
     Map_settings settings;
@@ -97,7 +103,7 @@ void write_csv(std::ostream& out, const Signature_row& row)
 
 } // namespace
 
-std::optional<Signature_row> sign_mesh(const std::string& file)
+std::optional<Signature_row> sign_mesh(const std::string& file, bool mends)
 {
   Signature_row row;
   row.name = file;
@@ -107,7 +113,7 @@ std::optional<Signature_row> sign_mesh(const std::string& file)
     row.map.clear();
   };
   try {
-    sign(file, row);
+    sign(file, mends, row);
     row.status = "OK";
     if(!row.signature)
       return std::nullopt;
@@ -121,12 +127,12 @@ std::optional<Signature_row> sign_mesh(const std::string& file)
   return row;
 }
 
-Batch_summary update_index(const std::vector<std::string>& meshes, const std::string& output, int threads)
+Batch_summary update_index(const std::vector<std::string>& meshes, const std::string& output, int threads, bool mends)
 {
   Shape_index index(index_of(output), Database::Access::WRITE);
   std::vector<std::string> missing;
   std::copy_if(meshes.begin(), meshes.end(), std::back_inserter(missing),
-               [&index](const std::string& mesh) { return !index.is_current(mesh); });
+               [&index, mends](const std::string& mesh) { return !index.is_current(mesh, mends); });
   Batch_summary summary;
   summary.meshes = meshes.size();
   summary.resumed = meshes.size() - missing.size();
@@ -134,7 +140,7 @@ Batch_summary update_index(const std::vector<std::string>& meshes, const std::st
   {
     Progress_bar bar("signatures");
     run_batch(missing.size(), threads, [&](std::size_t i) -> Store {
-      const std::optional<Signature_row> row = sign_mesh(missing[i]);
+      const std::optional<Signature_row> row = sign_mesh(missing[i], mends);
       if(!row)
         return nullptr;
       return [&index, &finished, &bar, &meshes, row] {
@@ -155,6 +161,7 @@ Batch_summary update_index(const std::vector<std::string>& meshes, const std::st
     const Signature_row row = index.row(mesh).value();
     if(table)
       write_csv(table->stream(), row);
+    summary.mended += row.signature && row.mending == Mending::DONE;
     if(!row.signature)
       summary.without_signature.push_back(row.message);
   }

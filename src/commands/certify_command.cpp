@@ -2,6 +2,7 @@
 // Part of CGAL Spherical Parameterization.
 
 #include "commands/commands.h"
+#include "commands/mesh_command.h"
 
 #include "mapping/mapped_mesh.h"
 #include "mapping/report.h"
@@ -19,9 +20,8 @@
 #include <CLI/CLI.hpp>
 
 #include <cmath>
-#include <iostream>
 #include <memory>
-#include <optional>
+#include <sstream>
 #include <string>
 
 namespace tool {
@@ -31,9 +31,15 @@ namespace SP = CGAL::Spherical_parameterization;
 using SP::internal::Stopwatch;
 
 /// The command line of `certify`.
-struct Certify_options : Mapping_options {
+struct Certify_options : Mesh_options {
   std::string report;
 };
+
+std::vector<File_option> certify_inputs(const Certify_options& options) { return input_files(options); }
+
+std::vector<File_option> certify_outputs(const Certify_options& options) { return {{"--report", options.report}}; }
+
+void check_certify_options(const Certify_options&) {}
 
 Sphere mirror_image(Sphere points)
 {
@@ -43,27 +49,27 @@ Sphere mirror_image(Sphere points)
 }
 
 /// Points off a common sphere are projected to it, of which people should know.
-void print_radius(const std::string& file, const Given_sphere& sphere)
+void say_radius(std::ostream& out, const std::string& file, const Given_sphere& sphere)
 {
   constexpr double rounding = 1e-3; // of files of floats, and of programs that keep spheres only roughly
-  std::cout << file << ": ";
+  out << file << ": ";
   if(sphere.largest_radius <= (1 + rounding) * sphere.smallest_radius)
-    std::cout << "radius " << sphere.largest_radius << '\n';
+    out << "radius " << sphere.largest_radius << '\n';
   else
-    std::cout << "points at distances from " << sphere.smallest_radius << " to " << sphere.largest_radius
-              << " of the origin, from which they are projected to the sphere\n";
+    out << "points at distances from " << sphere.smallest_radius << " to " << sphere.largest_radius
+        << " of the origin, from which they are projected to the sphere\n";
 }
 
-void print_distortion(const SP::Distortion_summary& d)
+void say_distortion(std::ostream& out, const SP::Distortion_summary& d)
 {
   constexpr double degrees = 57.295779513082321;
-  std::cout << "angle distortion: mean " << degrees * d.angle_distortion.mean << " degrees, 95 % of the area below "
-            << degrees * d.angle_distortion.percentile_95 << "\narea shrinks by factors from "
-            << std::exp(d.log_area_stretch.percentile_5) << " to " << std::exp(d.log_area_stretch.percentile_95)
-            << " (90 % of the area)" << std::endl;
+  out << "angle distortion: mean " << degrees * d.angle_distortion.mean << " degrees, 95 % of the area below "
+      << degrees * d.angle_distortion.percentile_95 << "\narea shrinks by factors from "
+      << std::exp(d.log_area_stretch.percentile_5) << " to " << std::exp(d.log_area_stretch.percentile_95)
+      << " (90 % of the area)";
 }
 
-void certify(const Certify_options& options, Mapped_mesh& input, Report& report)
+void certify(const Certify_options& options, Mapped_mesh& input, Report& report, Outcome& outcome)
 {
   const Stopwatch total;
   watch_for_interruption();
@@ -74,7 +80,10 @@ void certify(const Certify_options& options, Mapped_mesh& input, Report& report)
   input.seconds_read = total.seconds();
 
   const Stopwatch certifying;
-  input.result = tool::certify(input.mesh(), sphere.points);
+  const auto certified = [&](const std::vector<Point>& points) {
+    return tool::certify(input.mesh(), points, options.policy != "sequential");
+  };
+  input.result = certified(sphere.points);
   input.result.seconds.certify = certifying.seconds();
   const bool is_mirrored = input.result.degree == -1;
   // the measures are of maps that keep the orientation
@@ -85,17 +94,20 @@ void certify(const Certify_options& options, Mapped_mesh& input, Report& report)
   stop_if_interrupted(options.input);
 
   const SP::Result& result = input.result;
-  std::cout.precision(3);
-  std::cout << options.input << ": " << result.number_of_vertices << " vertices, " << result.number_of_faces
-            << " faces\n"
-            << (result        ? "valid spherical map: "
-                : is_mirrored ? "mirrored spherical map: "
-                              : "no valid spherical map: ")
-            << result.flipped_faces << " flipped faces, degree " << result.degree << '\n';
-  print_radius(options.sphere, sphere);
-  print_distortion(*report.distortion);
+  std::ostringstream certificate, text;
+  certificate << "spherical map: " << result.flipped_faces << " flipped faces, degree " << result.degree;
+  text.precision(3);
+  text << options.input << ": " << result.number_of_vertices << " vertices, " << result.number_of_faces << " faces\n"
+       << (result        ? "valid "
+           : is_mirrored ? "mirrored "
+                         : "no valid ")
+       << certificate.str() << '\n';
+  say_radius(text, options.sphere, sphere);
+  say_distortion(text, *report.distortion);
+  outcome.text = text.str();
+  outcome.line = "valid " + certificate.str() + ", " + std::to_string(result.number_of_vertices) + " vertices";
   if(is_mirrored) {
-    const std::size_t left = tool::certify(input.mesh(), mirror_image(sphere.points)).flipped_faces;
+    const std::size_t left = certified(mirror_image(sphere.points)).flipped_faces;
     throw Refusal("MIRRORED", options.sphere,
                   std::string("is a mirror image, ") +
                     (left == 0 ? std::string("otherwise a valid spherical map")
@@ -106,20 +118,35 @@ void certify(const Certify_options& options, Mapped_mesh& input, Report& report)
     throw Refusal(name(result.error), options.sphere, "is no valid spherical map: " + result.detail, "");
 }
 
+void certify_and_report(const Certify_options& options, Outcome& outcome)
+{
+  const auto refusal = reported(options.report, options,
+                                [&](Mapped_mesh& input, Report& report) { certify(options, input, report, outcome); });
+  if(refusal)
+    throw Refusal(*refusal);
+}
+
+/// There is no output but the report.
+const Mesh_command<Certify_options> certify_command = {
+  "", {&Certify_options::report}, check_certify_options, certify_inputs, certify_outputs, certify_and_report};
+
 } // namespace
 
 void add_certify_command(CLI::App& app, int& exit_code)
 {
   CLI::App* command = app.add_subcommand("certify", "Certify and measure a spherical map of any program");
   const auto options = std::make_shared<Certify_options>();
-  command->add_option("MESH", options->input, "Closed triangle mesh of genus 0: .off, .obj, .ply or .stl")
-    ->required()
-    ->type_name("FILE");
+  add_collection_options(*command, *options);
+  command->get_option("IN")->description("MESH... SPHERE: closed triangle meshes of genus 0, or folders of them, and "
+                                         "at the end the sphere, or the folder of "
+                                         "the spheres with the same names. A sphere has the same vertices and faces in "
+                                         "the same order as its mesh, about the "
+                                         "origin, of any radius");
   command
-    ->add_option("SPHERE", options->sphere,
-                 "Its sphere: the same vertices and faces in the same order, about the origin, of any radius")
-    ->required()
-    ->type_name("FILE");
+    ->add_option(
+      "-o,--output", options->output,
+      "Folder for the reports of several MESH, and of what is done, so that the same command goes on with it")
+    ->type_name("FOLDER");
   command->add_flag("--triangulate", options->triangulate,
                     "Triangulate the polygons of MESH as 'map' does; SPHERE has triangles");
   command->add_option("--report", options->report, "Write certificate and distortion as JSON, with the keys of 'map'")
@@ -127,10 +154,14 @@ void add_certify_command(CLI::App& app, int& exit_code)
   command->footer("Example: spherical-parameterization certify lh.pial.ply lh.sphere.ply --report report.json\n"
                   "Exit code: 0 the map is valid, 1 it is not, or is mirrored (stderr says why), 2 wrong usage,\n"
                   "130 interrupted.");
-  command->callback([options, &exit_code] {
-    check_files(input_files(*options), {{"--report", options->report}});
-    exit_code = exit_code_of(reported(options->report, *options,
-                                      [&](Mapped_mesh& input, Report& report) { certify(*options, input, report); }));
+  command->callback([options, command, &exit_code] {
+    check_collection_options(*options);
+    require(options->inputs.size() + (options->list.empty() ? 0 : 1) >= 2, "SPHERE", "is required, behind MESH");
+    options->sphere = options->inputs.back();
+    options->inputs.pop_back();
+    require(options->output.empty() || options->are_many(options->output), "--output",
+            "is a folder for several MESH; for one its name ends with a slash");
+    exit_code = run_mesh_command(*command, certify_command, *options);
   });
 }
 

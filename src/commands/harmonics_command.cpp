@@ -6,7 +6,7 @@
 
 #include "mapping/mapped_mesh.h"
 #include "mapping/report.h"
-#include "mapping/surface_distance.h"
+#include "preparation/surface_distance.h"
 #include "options/usage.h"
 #include "output/atomic_file.h"
 #include "output/write_mesh.h"
@@ -90,8 +90,7 @@ SP::Harmonic_analysis analyzed(const Harmonics_options& options, const Mapped_me
 }
 
 /// The vertices where the functions have them.
-std::vector<Point> reconstructed(const Harmonics_options& options, const Mapped_mesh& input,
-                                 const SP::Harmonic_coefficients& coefficients)
+std::vector<Point> reconstructed(const Mapped_mesh& input, const SP::Harmonic_coefficients& coefficients)
 {
   std::vector<Point> points(input.mesh().number_of_vertices());
   on_host(input, [&](const auto& policy) {
@@ -108,7 +107,7 @@ Json errors_by_degree(const Harmonics_options& options, const Mapped_mesh& input
   Json rows = Json::array();
   for(int degree = 1;; degree = (std::min)(2 * degree, options.degree)) {
     degree = (std::min)(degree, options.degree);
-    const std::vector<Point> points = reconstructed(options, input, SP::with_degree(coefficients, degree));
+    const std::vector<Point> points = reconstructed(input, SP::with_degree(coefficients, degree));
     const SP::Reconstruction_error error =
       SP::reconstruction_error(input.mesh(), as_map(input.mesh().points()), as_map(points));
     rows.push_back(
@@ -161,7 +160,7 @@ void harmonics(const Harmonics_options& options, Outcome& outcome)
   const SP::Harmonic_analysis analysis = analyzed(options, input);
   Report report;
   report.seconds_measure = analyzing.seconds();
-  const std::vector<Point> points = reconstructed(options, input, analysis.coefficients);
+  const std::vector<Point> points = reconstructed(input, analysis.coefficients);
   const SP::Reconstruction_error error =
     SP::reconstruction_error(input.mesh(), as_map(input.mesh().points()), as_map(points));
   stop_if_interrupted(options.input);

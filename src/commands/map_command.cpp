@@ -66,7 +66,7 @@ void say(const Map_options& options, const Mapped_mesh& input, const Report& rep
   const std::string preparation = preparation_text(name, input.prepared);
   if(!preparation.empty())
     text << preparation
-         << "the sphere has the vertices and faces of the prepared mesh, which 'prepare --harmless' writes\n";
+         << "the sphere has the vertices and faces of the prepared mesh, which 'prepare --steps merge,orient' writes\n";
   text << name << ": " << result.number_of_vertices << " vertices, " << result.number_of_faces << " faces\n"
        << line.str() << ", residual " << result.residual;
   if(result.moved_vertices > 0)

@@ -81,7 +81,11 @@ int run_mesh_command(const CLI::App& command, const Mesh_command<Options>& mesh_
             "is a folder: '" + options.*file + "' goes behind the names of the meshes, and may not have a '/'");
   }
   const int threads = options.number_of_jobs();
-  if(const CLI::Option* policy = command.get_option_no_throw("--policy"); policy && policy->count() == 0 && threads > 1)
+  const auto is_given = [&command](const char* name) {
+    const CLI::Option* option = command.get_option_no_throw(name);
+    return option != nullptr && option->count() > 0;
+  };
+  if(threads > 1 && !is_given("--policy"))
     options.policy = "sequential"; // the other cores have meshes of their own
   const std::string sphere_folder = options.sphere;
   const std::map<std::string, std::string> spheres = spheres_in(sphere_folder);
@@ -111,7 +115,7 @@ int run_mesh_command(const CLI::App& command, const Mesh_command<Options>& mesh_
   };
   const Collection collection = {
     options.output, settings_text(command),
-    items_of(options, {{"--output", options.output}, {"--sphere", options.sphere}}),
+    items_of(options, {{"--output", options.output}, {is_given("--sphere") ? "--sphere" : "SPHERE", options.sphere}}),
     [&](const Item& item) {
       const Options one = of_item(item);
       std::vector<std::string> inputs = files(mesh_command.inputs(one));

@@ -2,6 +2,7 @@
 // Part of CGAL Spherical Parameterization.
 
 #include "commands/commands.h"
+#include "commands/mesh_command.h"
 
 #include "input/mesh.h"
 #include "input/mesh_readers.h"
@@ -9,12 +10,13 @@
 #include "options/usage.h"
 #include "output/atomic_file.h"
 #include "output/write_mesh.h"
-#include "preparation/hausdorff_distance.h"
 #include "preparation/points.h"
 #include "preparation/prepare.h"
+#include "preparation/surface_distance.h"
 #include "system/guarded.h"
 #include "system/interruption.h"
 #include "system/refusal.h"
+#include "system/standard_output.h"
 
 #include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
 
@@ -24,9 +26,10 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <iostream>
 #include <memory>
 #include <optional>
+#include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -38,16 +41,12 @@ using CGAL::Spherical_parameterization::internal::Stopwatch;
 using Json = nlohmann::ordered_json;
 
 /// The command line of `prepare`.
-struct Prepare_options : Mesh_output {
-  std::string input;
+struct Prepare_options : Mesh_options {
   std::string vertex_map;
   std::string face_map;
   std::string report;
-  bool harmless = false;
-  std::string components = "largest";
-  bool keep_holes = false;
-  bool keep_handles = false;
-  double merge_distance = 0;
+  std::string steps = "merge,orient,largest,holes,handles";
+  std::optional<double> merge_distance;
   bool wrap = false;
   Preparation_settings::Wrap wrap_settings;
 };
@@ -63,34 +62,66 @@ struct Prepared {
   std::optional<Refusal> refusal;
 };
 
-void check(const Prepare_options& options)
+/// The words of --steps. Throws what is wrong usage.
+std::set<std::string> steps_of(const Prepare_options& options)
+{
+  const std::vector<std::string> all = {"merge", "orient", "largest", "split", "degenerate", "holes", "handles"};
+  std::set<std::string> steps;
+  for(const std::string& step : CLI::detail::split(options.steps, ',')) {
+    require(std::find(all.begin(), all.end(), step) != all.end(), "--steps",
+            "'" + step + "' is none of " + CLI::detail::join(all, ", "));
+    steps.insert(step);
+  }
+  return steps;
+}
+
+bool is_split(const Prepare_options& options) { return steps_of(options).count("split") > 0; }
+
+std::vector<File_option> prepare_inputs(const Prepare_options& options) { return {{"IN", options.input}}; }
+
+std::vector<File_option> prepare_outputs(const Prepare_options& options)
+{
+  return {{"--output", options.output},
+          {"--vertex-map", options.vertex_map},
+          {"--face-map", options.face_map},
+          {"--report", options.report}};
+}
+
+void check_prepare_options(const Prepare_options& options)
 {
   if(!options.output.empty())
     output_format(options);
-  check_files({{"IN", options.input}}, {{"--output", options.output},
-                                        {"--vertex-map", options.vertex_map},
-                                        {"--face-map", options.face_map},
-                                        {"--report", options.report}});
-  require(options.merge_distance >= 0 && std::isfinite(options.merge_distance), "--merge-distance",
-          "must be 0 or positive");
+  const std::set<std::string> steps = steps_of(options);
+  require(steps.count("largest") == 0 || steps.count("split") == 0, "--steps", "is either largest or split");
+  if(steps.count("split") > 0) {
+    require(options.vertex_map.empty() && options.face_map.empty(), "--steps",
+            "with split there is no one output for --vertex-map and --face-map");
+    require(!options.output.empty() && options.output != standard_stream, "--steps",
+            "split requires a file as --output");
+  }
+  require(!options.merge_distance || (*options.merge_distance >= 0 && std::isfinite(*options.merge_distance)),
+          "--merge-distance", "must be 0 or positive");
+  require(!options.merge_distance || steps.count("merge") > 0, "--merge-distance", "requires the step merge");
   const auto& [alpha, offset] = options.wrap_settings;
   require(options.wrap || !alpha, "--alpha", "requires --wrap");
   require(options.wrap || !offset, "--offset", "requires --wrap");
   require(!alpha || (*alpha > 0 && std::isfinite(*alpha)), "--alpha", "must be positive");
   require(!offset || (*offset > 0 && std::isfinite(*offset)), "--offset", "must be positive");
-  require(options.components != "split" || (options.vertex_map.empty() && options.face_map.empty()), "--components",
-          "with split there is no one output for --vertex-map and --face-map");
-  require(options.components != "split" || !options.output.empty(), "--components", "split requires --output");
 }
 
 Preparation_settings settings_of(const Prepare_options& options)
 {
+  using Components = Preparation_settings::Components;
+  const std::set<std::string> steps = steps_of(options);
+  const auto has = [&steps](const char* step) { return steps.count(step) > 0; };
   Preparation_settings settings;
-  settings.merge_distance = options.merge_distance;
-  settings.only_harmless = options.harmless;
-  settings.keeps_all_components = options.components != "largest";
-  settings.fills_holes = !options.keep_holes;
-  settings.cuts_handles = !options.keep_handles;
+  settings.merge_distance = options.merge_distance.value_or(0);
+  if(!has("merge"))
+    settings.merge_distance.reset();
+  settings.components = has("largest") ? Components::LARGEST : has("split") ? Components::SPLIT : Components::TOGETHER;
+  settings.removes_degenerate_faces = has("degenerate");
+  settings.fills_holes = has("holes");
+  settings.cuts_handles = has("handles");
   if(options.wrap)
     settings.wrap = options.wrap_settings;
   return settings;
@@ -197,6 +228,8 @@ Json to_json(const Preparation& preparation)
                {"holes", to_json(preparation.holes)},
                {"holes_filled", preparation.is_filled},
                {"handle_loops", to_json(preparation.handles)},
+               {"degenerate_faces", to_json(preparation.degenerate_faces)},
+               {"degenerate_faces_removed", !preparation.has_degenerate_faces},
                {"split_edges", preparation.split_edges},
                {"turned_outwards", preparation.is_turned_outwards},
                {"wrap", nullptr}};
@@ -238,39 +271,58 @@ void write_report(const Prepare_options& options, const Prepared& prepared)
   out.commit();
 }
 
-void print(const Prepare_options& options, const Prepared& prepared)
+void say(const Prepare_options& options, const Prepared& prepared, Outcome& outcome)
 {
   const Soup& soup = *prepared.soup;
   const Preparation& preparation = *prepared.preparation;
-  std::cout.precision(3);
-  std::cout << options.input << ": " << soup.points.size() << " vertices, " << soup.faces << " faces\n";
-  if(soup.polygons > 0)
-    std::cout << "triangulated " << soup.polygons << " polygons: faces are triangles from here on\n";
-  const std::vector<std::string> lines = sentences(preparation);
-  for(const std::string& line : lines)
-    std::cout << line << '\n';
-  if(lines.empty())
-    std::cout << "nothing to mend\n";
+  std::ostringstream text, line, distance;
+  distance.precision(3);
+  std::vector<std::string> done = sentences(preparation);
+  if(done.empty())
+    done.push_back("nothing to mend");
+
+  constexpr double rounding = 1e-14;
+  const auto& [from_new, from_old] = *prepared.distance;
+  const double hausdorff = std::max(from_new.high, from_old.high);
+  if(hausdorff <= rounding * prepared.diagonal)
+    distance << 0;
+  else
+    distance << hausdorff << ", " << 100 * (hausdorff / prepared.diagonal) << " % of its diagonal";
 
   std::size_t vertices = 0, faces = 0;
   for(const Glued_surface& part : preparation.parts) {
     vertices += part.points.size();
     faces += part.faces.size();
   }
-  std::cout << (prepared.files.empty() ? "it would be: " : "it is now: ") << vertices << " vertices, " << faces
-            << " faces, " << shape_of(preparation.parts) << '\n';
-  const auto& [from_new, from_old] = *prepared.distance;
-  const double hausdorff = std::max(from_new.high, from_old.high);
-  std::cout << "Hausdorff distance to IN: " << hausdorff;
-  if(hausdorff > 0)
-    std::cout << ", " << 100 * hausdorff / prepared.diagonal << " % of its diagonal (from OUT to IN " << from_new.high
-              << ", from IN to OUT " << from_old.high << ')';
-  std::cout << '\n';
+  line << vertices << " vertices, " << faces << " faces, " << shape_of(preparation.parts);
+
+  text.precision(3);
+  text << shown(options.input, "standard input") << ": " << soup.points.size() << " vertices, " << soup.faces
+       << " faces\n";
+  if(soup.polygons > 0)
+    text << "triangulated " << soup.polygons << " polygons: faces are triangles from here on\n";
+  for(const std::string& sentence : done)
+    text << sentence << '\n';
+  if(share_of_area_kept(preparation) < 0.5)
+    text
+      << "most of it was left out: --merge-distance unites parts that nearly meet, --wrap takes a surface around all "
+         "of them, --steps without largest keeps them\n";
+  text << (prepared.files.empty() ? "it would be: " : "it is now: ") << line.str()
+       << "\nHausdorff distance to IN: " << distance.str();
+  if(distance.str() != "0")
+    text << " (from OUT to IN " << from_new.high << ", from IN to OUT " << from_old.high << ')';
   for(const std::string& file : prepared.files)
-    std::cout << "written: " << file << '\n';
+    text << "\nwritten: " << shown(file, "standard output");
   if(prepared.files.empty())
-    std::cout << "nothing was written, since there is no --output\n";
-  std::cout << std::flush;
+    text << "\nnothing was written, since there is no --output";
+  outcome.text = text.str();
+
+  line << "; Hausdorff distance to IN " << distance.str();
+  if(soup.polygons > 0)
+    line << "; triangulated " << soup.polygons << " polygons";
+  for(const std::string& sentence : done)
+    line << "; " << sentence;
+  outcome.line = line.str();
 }
 
 /// Either all of the files get their names or none.
@@ -281,7 +333,7 @@ void write(const Prepare_options& options, Prepared& prepared)
     write_mesh(file.stream(), output_format(options), Mesh(Mesh::Unchecked(), surface.points, surface.faces),
                surface.points, Surface::SHAPE, prepared.soup->annotations);
   };
-  if(options.components == "split") {
+  if(is_split(options)) {
     std::vector<std::unique_ptr<Atomic_file>> files;
     for(std::size_t i = 0; i < parts.size(); ++i) {
       prepared.files.push_back(name_of_part(options.output, i));
@@ -315,9 +367,9 @@ void prepare(const Prepare_options& options, Prepared& prepared)
   const Stopwatch total;
   watch_for_interruption();
   for(const std::string& file : {options.output, options.vertex_map, options.face_map, options.report})
-    if(!file.empty() && (options.components != "split" || file != options.output))
+    if(!file.empty() && (!is_split(options) || file != options.output))
       Atomic_file(std::string(file)); // before the work
-  prepared.soup = read_triangles(options.input);
+  prepared.soup = read_triangles(options.input, Coordinates::ANY);
   prepared.diagonal = diagonal(*prepared.soup);
   prepared.seconds_read = total.seconds();
 
@@ -332,10 +384,9 @@ void prepare(const Prepare_options& options, Prepared& prepared)
   write(options, prepared);
   prepared.seconds_write = writing.seconds();
   prepared.seconds_total = total.seconds();
-  print(options, prepared);
 }
 
-int run(const Prepare_options& options)
+void prepare_and_report(const Prepare_options& options, Outcome& outcome)
 {
   Prepared prepared;
   prepared.refusal = guarded(options.input, [&] { prepare(options, prepared); });
@@ -345,8 +396,18 @@ int run(const Prepare_options& options)
     if(!refusal)
       refusal = of_report;
   }
-  return exit_code_of(refusal);
+  if(refusal)
+    throw Refusal(*refusal);
+  say(options, prepared, outcome);
 }
+
+const Mesh_command<Prepare_options> prepare_command = {
+  ".ply",
+  {&Prepare_options::vertex_map, &Prepare_options::face_map, &Prepare_options::report},
+  check_prepare_options,
+  prepare_inputs,
+  prepare_outputs,
+  prepare_and_report};
 
 } // namespace
 
@@ -354,40 +415,39 @@ void add_prepare_command(CLI::App& app, int& exit_code)
 {
   CLI::App* command = app.add_subcommand("prepare", "Mend a mesh until it is one closed surface that 'map' takes");
   const auto options = std::make_shared<Prepare_options>();
-  command->add_option("IN", options->input, "Triangles of any kind: .off, .obj, .ply or .stl")
-    ->required()
-    ->type_name("FILE");
-  add_mesh_output(*command, *options,
-                  "Output file, in which vertices and faces of IN that are left keep their order (without it the "
-                  "command only says what it would do)");
+  add_collection_options(*command, *options);
+  command->get_option("IN")->description("Meshes with any defects, or folders of them");
+  add_mesh_output(
+    *command, *options,
+    "Output file, in which vertices and faces of IN that are left keep their order; of several IN a folder "
+    "(without it the command only says what it would do)");
   command->get_option("--output")->required(false);
   command
     ->add_option("--vertex-map", options->vertex_map,
-                 "Write for each vertex of the output its number in IN, counted from 0; minus one: it is new")
+                 "Write for each vertex of the output its number in IN, counted from 0, or -1 if it is new")
     ->type_name("FILE");
   command
     ->add_option("--face-map", options->face_map,
-                 "Write for each face of the output its number in IN, counted from 0; minus one: it is new")
+                 "Write for each face of the output its number in IN, counted from 0, or -1 if it is new")
     ->type_name("FILE");
   command
     ->add_option("--report", options->report,
                  "Write all that was found and done, distances and times, or the error, as JSON")
     ->type_name("FILE");
-  command->add_flag(
-    "--harmless", options->harmless,
-    "Only what does not change the shape, as 'map --prepare': merge vertices at the same place, orient, "
-    "cut non-manifold parts from each other, remove what is repeated or isolated");
   command
-    ->add_option("--components", options->components,
-                 "What to keep: the one of largest area, all in one file, or split: a file for each, OUT_1, OUT_2, ...")
-    ->check(CLI::IsMember({"largest", "all", "split"}))
+    ->add_option(
+      "--steps", options->steps,
+      "What is done, separated by commas: merge (stitch vertices at boundaries and at the same place), orient (always "
+      "done, as is leaving out what is no face, and cutting non-manifold parts from each other), largest or split "
+      "(keep "
+      "the component of largest area, or write each as OUT_1, OUT_2, ...), degenerate (remove faces without area, "
+      "which "
+      "'map' does not mind), holes (fill), handles (cut and close; of what has no holes). merge,orient alone does not "
+      "change the shape, and is what 'map --prepare' does")
+    ->type_name("LIST")
     ->capture_default_str();
-  command->add_flag("--keep-holes", options->keep_holes, "Do not fill holes, nor cut handles of what has holes");
-  command->add_flag("--keep-handles", options->keep_handles, "Do not cut handles");
-  command
-    ->add_option("--merge-distance", options->merge_distance,
-                 "Merge vertices at boundaries up to this distance, not only those at the same place")
-    ->capture_default_str();
+  command->add_option("--merge-distance", options->merge_distance,
+                      "Merge vertices at boundaries up to this distance, not only those at the same place [0]");
   command->add_flag("--wrap", options->wrap,
                     "Replace the mesh by a surface around it, however broken it is, before all else");
   command->add_option("--alpha", options->wrap_settings.alpha,
@@ -397,9 +457,10 @@ void add_prepare_command(CLI::App& app, int& exit_code)
   command->footer("Example: spherical-parameterization prepare scan.ply -o closed.ply --vertex-map vertices.txt\n"
                   "Exit code: 0 the files were written, 1 nothing was written (stderr says why), 2 wrong usage,\n"
                   "130 interrupted.");
-  command->callback([options, &exit_code] {
-    check(*options);
-    exit_code = run(*options);
+  command->callback([options, command, &exit_code] {
+    require(!is_split(*options) || !options->are_many(options->output), "--steps",
+            "split writes as many files as there are components, which is for one IN at a time");
+    exit_code = run_mesh_command(*command, prepare_command, *options);
   });
 }
 

@@ -5,7 +5,7 @@
 #include "commands/mesh_command.h"
 
 #include "mapping/mapped_mesh.h"
-#include "mapping/surface_distance.h"
+#include "preparation/surface_distance.h"
 #include "options/mesh_output.h"
 #include "options/usage.h"
 #include "output/atomic_file.h"

@@ -25,6 +25,7 @@ struct Search_options {
   std::string query;
   std::string index;
   int count = 10;
+  bool prepare = false;
 };
 
 void search(const Search_options& options)
@@ -35,7 +36,7 @@ void search(const Search_options& options)
     throw Refusal(unreadable_file, options.index, "is not an index, and " + file + " does not exist",
                   "write it with the command 'signature'");
   const Shape_index index(file, Database::Access::READ); // before the work
-  const std::optional<Signature_row> query = sign_mesh(options.query);
+  const std::optional<Signature_row> query = sign_mesh(options.query, options.prepare);
   if(!query)
     throw Refusal("INTERRUPTED", options.query, "interrupted", "");
   if(!query->signature)
@@ -64,6 +65,7 @@ void add_search_command(CLI::App& app, int& exit_code)
   command->add_option("-k", options->count, "Number of meshes to list")
     ->check(CLI::PositiveNumber)
     ->capture_default_str();
+  command->add_flag("--prepare", options->prepare, "Mend QUERY first as the command 'prepare' does");
   command->footer("Prints a line per mesh: the distance of its signature, and its name. Typical distances are 0.2\n"
                   "between poses of the same shape and 2 between different shapes.\n"
                   "Example: spherical-parameterization search bunny.ply --index index.db -k 5\n"

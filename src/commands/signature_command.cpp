@@ -20,6 +20,7 @@ namespace {
 
 struct Signature_options : Collection_options {
   std::string output;
+  bool prepare = false;
 };
 
 /// The index must not take the place of what it is made of.
@@ -36,11 +37,14 @@ void check(const Signature_options& options)
 int run(const Signature_options& options)
 {
   watch_for_interruption();
-  const Batch_summary summary = update_index(options.meshes(), options.output, options.number_of_jobs());
+  const Batch_summary summary =
+    update_index(options.meshes(), options.output, options.number_of_jobs(), options.prepare);
   for(const std::string& why : summary.without_signature)
     std::cerr << "spherical-parameterization: " << why << '\n';
   const std::size_t signatures = summary.meshes - summary.without_signature.size();
   std::cout << options.output << ": " << summary.meshes << " meshes, " << signatures << " signatures";
+  if(summary.mended > 0)
+    std::cout << ", " << summary.mended << " of mended meshes";
   if(summary.resumed > 0)
     std::cout << ", " << summary.resumed << " rows from an earlier run";
   if(summary.removed > 0)
@@ -63,6 +67,8 @@ void add_signature_command(CLI::App& app, int& exit_code)
                  "table of the rows, and next to it the index, .db")
     ->required()
     ->type_name("FILE");
+  command->add_flag("--prepare", options->prepare,
+                    "Mend meshes first as the command 'prepare' does: holes, handles, components, ...");
   command->footer("Meshes without a signature have a row that says why. The same command resumes a run that was\n"
                   "stopped, and brings an index up to date: only new and edited meshes are computed, rows of other\n"
                   "meshes are removed.\n"

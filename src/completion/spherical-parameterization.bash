@@ -24,9 +24,9 @@ _spherical_parameterization()
     mapfile -t words < <(sed -n '/^Subcommands:/,/^$/s/^  \([a-z]*\) .*/\1/p' <<<"$help")
   fi
 
-  # lines of options are "  -o,--output FILE   ..." or "  --weights {barycentric,conformal}   ..."
+  # lines of options are "  -o,--output FILE   ..." or "  --weights {barycentric,conformal}   ..."; those of a description
+  # that goes on are indented farther, and may begin with a "-", too
   while read -r names kind rest; do
-    [[ $names = -* ]] || continue
     IFS=, read -ra options <<<"$names"
     words+=("${options[@]}")
     [[ $previous = -* && ,$names, = *,"$previous",* ]] || continue
@@ -36,14 +36,14 @@ _spherical_parameterization()
       mapfile -t COMPREPLY < <(compgen -W "${kind//[,\}]/ }" -- "$current")
       return
       ;;
-    FILE*)
+    FILE* | FOLDER*)
       _spherical_parameterization_files "$current"
       return
       ;;
     esac
     # a number or the like; what follows a flag is the first word of its description
     ! [[ $kind =~ ^[[:upper:]|]+$ ]] || return
-  done <<<"$help"
+  done < <(grep '^  -' <<<"$help")
 
   if [[ $current = -* || $COMP_CWORD -eq 1 ]]; then
     mapfile -t COMPREPLY < <(compgen -W "${words[*]}" -- "$current")

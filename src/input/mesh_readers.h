@@ -5,9 +5,11 @@
 #define SPHERICAL_PARAMETERIZATION_TOOL_MESH_READERS_H
 
 #include "input/annotations.h"
+#include "system/refusal.h"
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +23,7 @@ struct Soup {
   std::size_t polygons = 0;                  ///< those of more than three vertices
   std::size_t first_polygon = 0;             ///< its number, counted from 0
   std::size_t size_of_first_polygon = 0;
+  std::optional<Refusal> non_finite; ///< of the first coordinate that is no finite number, if there is one
   Annotations annotations;
 
   /// \pre there are at least three corners
@@ -39,11 +42,18 @@ struct Soup {
 /// Above this, 32-bit indices could not number all halfedges.
 constexpr std::size_t largest_count = 700'000'000;
 
-/// Reads the bytes of a mesh file, compressed or not, in the format of its content, or else of its name.
-Soup read_soup(const std::string& file, std::string bytes);
+/// Which coordinates a mesh may have.
+enum class Coordinates {
+  FINITE, ///< numbers
+  ANY     ///< or NaN and infinity, with which nothing but mending can be done
+};
 
-/// Reads any triangles, and polygons as triangles, from a mesh file. Throws a `Refusal` as the readers do.
-Soup read_triangles(const std::string& file);
+/// Reads the bytes of a mesh file, compressed or not, in the format of its content, or else of its name. Throws a
+/// `Refusal`.
+Soup read_soup(const std::string& file, std::string bytes, Coordinates coordinates = Coordinates::FINITE);
+
+/// Reads any triangles, and polygons as triangles, from a mesh file. Throws a `Refusal`.
+Soup read_triangles(const std::string& file, Coordinates coordinates = Coordinates::FINITE);
 
 /// Throws a `Refusal` of polygons that are no triangles.
 void check_triangles(const std::string& file, const Soup& soup);
@@ -53,11 +63,11 @@ void check_corner(const std::string& file, std::size_t face, int corner, std::si
 
 /// \name Readers, one per file format
 /// They read the bytes of a file once. A broken file is refused in one sentence before it costs memory or yields a
-/// wrong mesh: header counts against the size of the file, numbers that are none, NaN, indices out of range, files that
+/// wrong mesh: header counts against the size of the file, words that are no numbers, indices out of range, files that
 /// are cut short, and dialects of the format. Vertices and faces keep the order of the file.
 ///
-/// On return all coordinates are finite, and all indices in range. Everything else throws a `Refusal`, which names
-/// `file`.
+/// On return all indices are in range, and all coordinates finite, unless `Soup::non_finite` says otherwise. Everything
+/// else throws a `Refusal`, which names `file`.
 /// @{
 Soup read_off(const std::string& file, std::string text);
 Soup read_obj(const std::string& file, std::string text);

@@ -68,10 +68,10 @@ Soup read_freesurfer(const std::string& file, const std::string& bytes)
     for(double& x : soup.points[v]) {
       x = number_at<float>(at, Byte_order::BIG);
       at += 4;
-      if(!std::isfinite(x))
-        throw Refusal("NON_FINITE_COORDINATE", file,
-                      "vertex " + std::to_string(v) + " has the coordinate " + std::to_string(x),
-                      "every coordinate must be a finite number");
+      if(!std::isfinite(x) && !soup.non_finite)
+        soup.non_finite.emplace("NON_FINITE_COORDINATE", file,
+                                "vertex " + std::to_string(v) + " has the coordinate " + std::to_string(x),
+                                non_finite_remedy);
     }
   for(std::size_t f = 0; f < soup.faces; ++f)
     for(int& corner : soup.triangles[f]) {

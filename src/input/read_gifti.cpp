@@ -219,7 +219,7 @@ private:
         const Number kind = to_number(token, value);
         if(kind == Number::NONE)
           refuse("number " + std::to_string(i) + " of a DataArray is " + in_quotes(token), damaged_);
-        put(i, kind == Number::FINITE ? value : std::nan(""));
+        put(i, value);
       }
       return;
     }
@@ -268,10 +268,10 @@ private:
   {
     soup_.points.resize(number_of_rows(*points_));
     read_numbers(*points_, soup_.points.size(), [&](std::size_t row, std::size_t column, double x) {
-      if(!std::isfinite(x))
-        throw Refusal("NON_FINITE_COORDINATE", file_,
-                      "vertex " + std::to_string(row) + " has the coordinate " + std::to_string(x),
-                      "every coordinate must be a finite number");
+      if(!std::isfinite(x) && !soup_.non_finite)
+        soup_.non_finite.emplace("NON_FINITE_COORDINATE", file_,
+                                 "vertex " + std::to_string(row) + " has the coordinate " + std::to_string(x),
+                                 non_finite_remedy);
       soup_.points[row][column] = x;
     });
     points_->text = std::string();

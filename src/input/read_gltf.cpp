@@ -204,11 +204,11 @@ private:
         p[k] = number_at<float>(&view.bytes[view.stride * i + 4 * k]);
       p = transformed(matrix, p);
       for(const double x : p)
-        if(!std::isfinite(x))
-          throw Refusal("NON_FINITE_COORDINATE", file_,
-                        "vertex " + std::to_string(i) + " of accessor " + std::to_string(number_of_accessor) +
-                          " has the coordinate " + std::to_string(x),
-                        "every coordinate must be a finite number");
+        if(!std::isfinite(x) && !soup_.non_finite)
+          soup_.non_finite.emplace("NON_FINITE_COORDINATE", file_,
+                                   "vertex " + std::to_string(i) + " of accessor " +
+                                     std::to_string(number_of_accessor) + " has the coordinate " + std::to_string(x),
+                                   non_finite_remedy);
       result.push_back(welded_.index_of(p));
     }
     return result;

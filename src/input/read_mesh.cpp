@@ -79,7 +79,7 @@ void check_corner(const std::string& file, std::size_t face, int corner, std::si
                   "the file is damaged; export it again");
 }
 
-Soup read_soup(const std::string& file, std::string bytes)
+Soup read_soup(const std::string& file, std::string bytes, Coordinates coordinates)
 {
   if(const Compression compression = compression_of_content(bytes); compression != Compression::NONE)
     bytes = decompressed(file, bytes, compression);
@@ -88,14 +88,17 @@ Soup read_soup(const std::string& file, std::string bytes)
     format = format_of_name(file);
   if(!format)
     refuse_unknown(file);
-  return read_format(*format, file, std::move(bytes));
+  Soup soup = read_format(*format, file, std::move(bytes));
+  if(soup.non_finite && coordinates == Coordinates::FINITE)
+    throw Refusal(*soup.non_finite);
+  return soup;
 }
 
-Soup read_triangles(const std::string& file)
+Soup read_triangles(const std::string& file, Coordinates coordinates)
 {
   check_readable(file);
   check_format(file);
-  return read_soup(file, read_file(file));
+  return read_soup(file, read_file(file), coordinates);
 }
 
 Input_mesh read_mesh(const std::string& file, Polygons polygons)

@@ -38,6 +38,7 @@ public:
                       "the file is damaged or is not an OBJ file; export it again");
     }
     check_counts();
+    soup_.non_finite = lines_.non_finite();
     return std::move(soup_);
   }
 

@@ -29,6 +29,7 @@ public:
       read_face();
     }
     check_rest();
+    soup_.non_finite = lines_.non_finite();
     return std::move(soup_);
   }
 

@@ -241,26 +241,27 @@ private:
       const double value = next(*property.type, element, row);
       for(std::size_t k = 0; k < 3; ++k)
         if(&property == coordinate_[k])
-          point[k] = finite(value, row, property.name);
+          point[k] = noted(value, row, property.name);
     }
     if(&element == vertices_)
       soup_.points.push_back(point);
   }
 
-  double finite(double coordinate, std::size_t vertex, const std::string& name) const
+  /// The same, noted if it is not finite.
+  double noted(double coordinate, std::size_t vertex, const std::string& name)
   {
-    if(!std::isfinite(coordinate))
-      throw Refusal("NON_FINITE_COORDINATE", file_,
-                    "vertex " + std::to_string(vertex) + " has the coordinate " + name + " = " +
-                      std::to_string(coordinate),
-                    "every coordinate must be a finite number");
+    if(!std::isfinite(coordinate) && !soup_.non_finite)
+      soup_.non_finite.emplace("NON_FINITE_COORDINATE", file_,
+                               "vertex " + std::to_string(vertex) + " has the coordinate " + name + " = " +
+                                 std::to_string(coordinate),
+                               non_finite_remedy);
     return coordinate;
   }
 
   void read_list(const Element& element, std::size_t row, const Property& property)
   {
     const double length = next(*property.count_type, element, row);
-    if(length < 0 || length * double(smallest_size(*property.type)) > double(rest_.size() + 1))
+    if(!(length >= 0) || length * double(smallest_size(*property.type)) > double(rest_.size() + 1))
       refuse_cut_short(element, row);
     const bool is_face = &property == corners_;
     const auto refuse_face = [&](const std::string& wrong) {
@@ -274,7 +275,7 @@ private:
       if(!is_face)
         continue;
       const std::size_t vertices = vertices_->count;
-      if(value < 0 || value >= double(vertices))
+      if(!(value >= 0 && value < double(vertices)))
         refuse_face("the vertex " + std::to_string(std::int64_t(value)) + ", which is not in the range 0.." +
                     std::to_string(std::int64_t(vertices) - 1));
       face_.push_back(static_cast<int>(value));
@@ -309,18 +310,17 @@ private:
     const std::string_view token = next_token(rest_);
     if(token.empty())
       refuse_cut_short(element, row);
-    const auto refuse = [&](const std::string& code, const std::string& wrong, const std::string& remedy) {
-      throw Refusal(code, file_, element.name + " " + std::to_string(row) + " has " + wrong + std::string(type.name),
-                    remedy);
+    const auto refuse = [&](const std::string& wrong, const std::string& remedy) {
+      throw Refusal(unreadable_file, file_,
+                    element.name + " " + std::to_string(row) + " has " + wrong + std::string(type.name), remedy);
     };
     double value = 0;
     const Number number = to_number(token, value);
     if(number == Number::NONE || (type.is_integer && !to_integer(token)))
-      refuse(unreadable_file, in_quotes(token) + " for a value of type ", damaged_);
-    if(number == Number::NOT_FINITE || value < type.smallest || value > type.largest)
-      refuse(type.is_integer ? unreadable_file : "NON_FINITE_COORDINATE",
-             "the value " + in_quotes(token) + ", which is not finite or too large for type ",
-             "every value must be a finite number");
+      refuse(in_quotes(token) + " for a value of type ", damaged_);
+    if(type.is_integer && (value < type.smallest || value > type.largest))
+      refuse("the value " + in_quotes(token) + ", which is too large for type ",
+             "the file is damaged; export it again");
     if(type.is_integer || type.size == 8)
       return value;
     float rounded = 0; // once, and not by way of a double

@@ -51,7 +51,9 @@ public:
       read_line();
     if(in_solid_ || in_facet_)
       lines_.refuse_cut_short("'endsolid' is missing, there are " + std::to_string(triangles_) + " triangles");
-    return std::move(soup_).soup();
+    Soup soup = std::move(soup_).soup();
+    soup.non_finite = lines_.non_finite();
+    return soup;
   }
 
 private:
@@ -125,19 +127,22 @@ Soup read_binary_stl(const std::string& file, const std::string& bytes)
     refuse("has more triangles than this program can index", "simplify the mesh");
 
   Soup_of_corners soup;
+  std::optional<Refusal> non_finite;
   for(std::uint32_t t = 0; t < triangles; ++t) {
     std::array<std::array<float, 3>, 3> corners;
     std::memcpy(&corners, &bytes[binary_header_size + triangle_size * t + 12], sizeof(corners));
     for(const auto& corner : corners) {
       for(const float x : corner)
-        if(!std::isfinite(x))
-          throw Refusal("NON_FINITE_COORDINATE", file,
-                        "triangle " + std::to_string(t) + " has the coordinate " + std::to_string(x),
-                        "every coordinate must be a finite number");
+        if(!std::isfinite(x) && !non_finite)
+          non_finite.emplace("NON_FINITE_COORDINATE", file,
+                             "triangle " + std::to_string(t) + " has the coordinate " + std::to_string(x),
+                             non_finite_remedy);
       soup.add_corner({corner[0], corner[1], corner[2]});
     }
   }
-  return std::move(soup).soup();
+  Soup result = std::move(soup).soup();
+  result.non_finite = non_finite;
+  return result;
 }
 
 } // namespace

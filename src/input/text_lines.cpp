@@ -10,6 +10,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <utility>
 
 namespace tool {
@@ -33,8 +34,10 @@ Number read_number(std::string_view token, Real& value)
     digits.remove_prefix(1);
   const char* const end = digits.data() + digits.size();
   const auto [stop, error] = std::from_chars(digits.data(), end, value);
-  if(stop != end || error == std::errc::invalid_argument)
+  if(stop != end || error == std::errc::invalid_argument) {
+    value = std::numeric_limits<Real>::quiet_NaN();
     return spells_non_finite(token) ? Number::NOT_FINITE : Number::NONE;
+  }
   if(error == std::errc::result_out_of_range) // too large or too small, and only this tells
     value = static_cast<Real>(std::strtod(std::string(digits).c_str(), nullptr));
   return std::isfinite(value) ? Number::FINITE : Number::NOT_FINITE;
@@ -144,12 +147,14 @@ std::array<double, 3> Text_lines::point(const char* what, std::size_t index)
     const std::string name = what + (" " + std::to_string(index));
     if(coordinate.empty())
       refuse(name + " has fewer than three coordinates", "the file is damaged or cut short; export it again");
-    if(number == Number::NOT_FINITE)
-      throw Refusal("NON_FINITE_COORDINATE", file_,
-                    "line " + std::to_string(number_) + ": " + name + " has the coordinate " + in_quotes(coordinate),
-                    "every coordinate must be a finite number");
-    refuse(name + " has the coordinate " + in_quotes(coordinate) + ", which is not a number",
-           "the file is damaged; export it again");
+    if(number == Number::NONE)
+      refuse(name + " has the coordinate " + in_quotes(coordinate) + ", which is not a number",
+             "the file is damaged; export it again");
+    if(!non_finite_)
+      non_finite_.emplace("NON_FINITE_COORDINATE", file_,
+                          "line " + std::to_string(number_) + ": " + name + " has the coordinate " +
+                            in_quotes(coordinate),
+                          non_finite_remedy);
   }
   return point;
 }

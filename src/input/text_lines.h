@@ -4,6 +4,8 @@
 #ifndef SPHERICAL_PARAMETERIZATION_TOOL_TEXT_LINES_H
 #define SPHERICAL_PARAMETERIZATION_TOOL_TEXT_LINES_H
 
+#include "system/refusal.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -15,7 +17,8 @@ namespace tool {
 
 std::string lower_case(std::string_view text);
 
-/// What a token says as a number. `NOT_FINITE` covers every spelling of NaN and infinity, and overflow.
+/// What a token says as a number. `NOT_FINITE` covers every spelling of NaN and infinity, and overflow; the value is
+/// then NaN or infinite.
 enum class Number { FINITE, NOT_FINITE, NONE };
 Number to_number(std::string_view token, double& value);
 Number to_number(std::string_view token, float& value);
@@ -49,8 +52,11 @@ public:
   /// The next token of the line; empty at its end.
   std::string_view token() { return next_token(tokens_); }
 
-  /// The next three tokens, checked to be finite numbers. `what` and `index` name their vertex in a refusal.
+  /// The next three tokens, checked to be numbers. `what` and `index` name their vertex in a refusal.
   std::array<double, 3> point(const char* what, std::size_t index);
+
+  /// Of the first coordinate of a point that was not finite, if there was one.
+  const std::optional<Refusal>& non_finite() const { return non_finite_; }
 
   /// Throws a `Refusal` that names this line.
   [[noreturn]] void refuse(const std::string& wrong, const std::string& remedy) const;
@@ -67,6 +73,7 @@ private:
   std::string_view line_;   ///< without its end and its comment
   std::string_view tokens_; ///< of the line, as far as they have not been read
   std::size_t number_ = 0;
+  std::optional<Refusal> non_finite_;
 };
 
 } // namespace tool

@@ -3,7 +3,7 @@
 
 #include "mapping/prepared_mesh.h"
 
-#include "preparation/hausdorff_distance.h"
+#include "preparation/surface_distance.h"
 #include "preparation/points.h"
 #include "system/error_code_names.h"
 #include "system/refusal.h"
@@ -46,13 +46,14 @@ std::array<double, 3> weights_of_place(const std::array<Vector, 3>& corners, con
 Input_mesh read_prepared_mesh(const std::string& file, Prepare how, std::optional<Prepared_mesh>& prepared)
 {
   prepared.emplace();
-  prepared->soup = read_triangles(file);
-  Preparation_settings settings;
-  settings.only_harmless = how == Prepare::HARMLESS;
-  prepared->preparation = prepare(file, prepared->soup, settings);
+  // map refuses what is no shape; for the others the faces there are left out
+  prepared->soup = read_triangles(file, how == Prepare::HARMLESS ? Coordinates::FINITE : Coordinates::ANY);
+  prepared->preparation =
+    prepare(file, prepared->soup, how == Prepare::HARMLESS ? Preparation_settings::harmless() : Preparation_settings());
   const Glued_surface& surface = prepared->preparation.parts.front();
   try {
-    return {Mesh(CGAL::Parallel_if_available_tag(), surface.points, surface.faces), prepared->soup.polygons};
+    return {Mesh(CGAL::Parallel_if_available_tag(), surface.points, surface.faces), prepared->soup.polygons,
+            prepared->soup.annotations};
   } catch(const CGAL::Spherical_parameterization::Error& error) {
     throw Refusal(name(error.code()), file, "has, prepared without a change of shape, " + error.detail(),
                   "the command 'prepare' does that");

@@ -59,15 +59,20 @@ Point normalized(Point p)
 
 } // namespace
 
-CGAL::Spherical_parameterization::Result certify(const Mesh& mesh, const std::vector<Point>& points)
+CGAL::Spherical_parameterization::Result certify(const Mesh& mesh, const std::vector<Point>& points, bool on_all_cores)
 {
   namespace SP = CGAL::Spherical_parameterization;
   SP::Result result;
   result.number_of_vertices = mesh.number_of_vertices();
   result.number_of_faces = mesh.number_of_faces();
-  const CGAL::Parallel_if_available_tag policy;
-  result.flipped_faces = SP::number_of_flipped_faces(policy, mesh, as_map(points));
-  result.degree = SP::degree_of_map(policy, mesh, as_map(points));
+  const auto measure = [&](const auto& policy) {
+    result.flipped_faces = SP::number_of_flipped_faces(policy, mesh, as_map(points));
+    result.degree = SP::degree_of_map(policy, mesh, as_map(points));
+  };
+  if(on_all_cores)
+    measure(CGAL::Parallel_if_available_tag());
+  else
+    measure(CGAL::Sequential_tag());
   if(result.flipped_faces > 0 || result.degree != 1) {
     result.error = SP::Error_code::NOT_BIJECTIVE;
     result.detail =

@@ -24,7 +24,8 @@ CGAL::Spherical_parameterization::Result map_to_sphere(const Mesh& mesh, Sphere&
 
 /// Sizes and certificate of a map, by exact predicates on the points as they are: these need not be unit vectors, the
 /// map is their projection from the origin. Flipped faces are an error of the result.
-CGAL::Spherical_parameterization::Result certify(const Mesh& mesh, const std::vector<Point>& points);
+CGAL::Spherical_parameterization::Result certify(const Mesh& mesh, const std::vector<Point>& points,
+                                                 bool on_all_cores = true);
 
 /// A sphere about the origin, of any radius.
 struct Given_sphere {

@@ -203,7 +203,7 @@ void add_prepare_option(CLI::App& command, Mapping_options& options, Prepare how
       ? "Mend IN first as the command 'prepare' does: holes, handles, components, ...; the result is for all faces of "
         "IN"
       : "Mend IN first where that does not change its shape: merge vertices at the same place, orient, remove what is "
-        "repeated or isolated. The sphere is then that of the mended mesh ('prepare --harmless' writes it)");
+        "repeated or isolated. The sphere is then that of the mended mesh ('prepare --steps merge,orient' writes it)");
 }
 
 void check_mapping_options(const Mapping_options& options)

@@ -15,6 +15,8 @@
 #include <exception>
 #include <iterator>
 #include <map>
+#include <queue>
+#include <tuple>
 #include <utility>
 
 namespace tool {
@@ -31,22 +33,73 @@ struct Disk {
   std::vector<Triangle> triangles;
 };
 
+/// Cuts triangles of two neighbouring edges off a polygon, those with the shortest third side first, until `most`
+/// vertices are left, which are returned.
+std::vector<int> cut_corners(const std::vector<Kernel::Point_3>& polygon, std::size_t most,
+                             std::vector<Triangle>& triangles)
+{
+  const int m = static_cast<int>(polygon.size());
+  std::vector<int> previous, next;
+  for(int i = 0; i < m; ++i) {
+    previous.push_back((i + m - 1) % m);
+    next.push_back((i + 1) % m);
+  }
+  struct Corner {
+    double side; ///< the third one, squared
+    int vertex, previous, next;
+    bool operator<(const Corner& other) const
+    {
+      return std::tie(side, vertex) > std::tie(other.side, other.vertex); // the shortest is on top of the queue
+    }
+  };
+  std::priority_queue<Corner> queue;
+  const auto add = [&](int i) {
+    const int p = previous[place(i)], n = next[place(i)];
+    queue.push({CGAL::squared_distance(polygon[place(p)], polygon[place(n)]), i, p, n});
+  };
+  for(int i = 0; i < m; ++i)
+    add(i);
+  std::vector<bool> is_cut(polygon.size(), false);
+  for(std::size_t left = polygon.size(); left > most;) {
+    const Corner corner = queue.top();
+    queue.pop();
+    const auto [side, i, p, n] = corner;
+    if(is_cut[place(i)] || previous[place(i)] != p || next[place(i)] != n) // a neighbour was cut off since
+      continue;
+    triangles.push_back({p, i, n});
+    is_cut[place(i)] = true;
+    next[place(p)] = n;
+    previous[place(n)] = p;
+    add(p);
+    add(n);
+    --left;
+  }
+  std::vector<int> rest;
+  for(int i = 0; i < m; ++i)
+    if(!is_cut[place(i)])
+      rest.push_back(i);
+  return rest;
+}
+
 /// Of a polygon without new points; empty if CGAL finds none.
 std::vector<Triangle> triangulated(const std::vector<Kernel::Point_3>& polygon)
 {
-  constexpr std::size_t most_for_cubic_time = 1000;
+  constexpr std::size_t most = 500; // for CGAL, which takes cubic time in the worst case, and quadratic memory
+  std::vector<Triangle> triangles;
+  const std::vector<int> rest = cut_corners(polygon, most, triangles);
+  std::vector<Kernel::Point_3> points;
+  for(const int i : rest)
+    points.push_back(polygon[place(i)]);
   std::vector<CGAL::Triple<int, int, int>> found;
   try {
-    PMP::triangulate_hole_polyline(polygon, std::back_inserter(found),
-                                   CGAL::parameters::do_not_use_cubic_algorithm(polygon.size() > most_for_cubic_time));
+    PMP::triangulate_hole_polyline(points, std::back_inserter(found));
   } catch(const std::exception&) { // a precondition of CGAL that a polygon through itself breaks
     found.clear();
   }
-  std::vector<Triangle> triangles;
-  for(const auto& t : found) {
-    triangles.push_back({t.first, t.second, t.third});
-    std::sort(triangles.back().begin(), triangles.back().end()); // in the direction of the polygon
-  }
+  for(const auto& t : found)
+    triangles.push_back({rest[place(t.first)], rest[place(t.second)], rest[place(t.third)]});
+  for(Triangle& t : triangles)
+    std::sort(t.begin(), t.end()); // in the direction of the polygon
   if(triangles.size() + 2 != polygon.size())
     triangles.clear();
   return triangles;

@@ -14,8 +14,9 @@ namespace tool {
 /// holes in meshes", 2003; CGAL's triangulate_hole_polyline), refined until its triangles are as large as those around
 /// it (CGAL's refine). A cone to the centre where there is none. The vertices have to be derived anew afterwards.
 ///
-/// Complexity: O(m^2) in most cases for a hole of m edges, at most O(m^3), and O(m) for a cone, which holes of more
-/// than 1000 edges get if their Delaunay triangulation has no disk.
+/// Of holes of more than 500 edges corners are cut off first, the smallest first, until 500 are left.
+///
+/// Complexity: O(m^2) in most cases for a hole of m edges, at most O(m^3), for up to 500; beyond that O(m log m) more.
 void fill_hole(Glued_surface& surface, const std::vector<int>& boundary);
 
 } // namespace tool

@@ -302,14 +302,15 @@ std::vector<bool> vertices_of_open_sides(const Gluing& gluing, std::size_t numbe
 
 } // namespace
 
-Glued_surface glue(const Soup& soup, double merge_distance, Gluing_defects& defects)
+Glued_surface glue(const Soup& soup, std::optional<double> merge_distance, Gluing_defects& defects)
 {
   Gluing gluing(soup.points, usable_faces(soup, defects));
   glue_pairs(gluing);
 
   // what is open may be continued by other vertices at the same place
-  const std::vector<bool> is_open = vertices_of_open_sides(gluing, soup.points.size());
-  const Places key(soup.points, is_open, merge_distance);
+  const std::vector<bool> is_open =
+    merge_distance ? vertices_of_open_sides(gluing, soup.points.size()) : std::vector<bool>(soup.points.size(), false);
+  const Places key(soup.points, is_open, merge_distance.value_or(0));
   for(std::size_t v = 0; v < soup.points.size(); ++v)
     if(is_open[v] && key(static_cast<int>(v)) != static_cast<int>(v))
       defects.merged_vertices.add(static_cast<int>(v));

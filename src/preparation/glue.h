@@ -8,6 +8,7 @@
 #include "preparation/glued_surface.h"
 
 #include <cstddef>
+#include <optional>
 
 namespace tool {
 
@@ -39,13 +40,13 @@ struct Gluing_defects {
 
 /// Glues the triangles of a file along their sides. Where two faces, and no more, have an edge in common by its
 /// vertices, they are neighbours. All other sides are compared by the places of their ends, as far as `merge_distance`
-/// apart; of more than two sides at a place those are glued that continue each other best: with opposite directions if
-/// there are such, and with the flattest angle, as in A. Guéziec et al., "Cutting and stitching" (2001), where nothing
-/// more is opened than needed. Then neighbours are turned to the same side, most faces of a component as they were;
-/// where that cannot be done, the surface is cut.
+/// apart (or by their vertices again, if there is none); of more than two sides at a place those are glued that
+/// continue each other best: with opposite directions if there are such, and with the flattest angle, as in A. Guéziec
+/// et al., "Cutting and stitching" (2001), where nothing more is opened than needed. Then neighbours are turned to the
+/// same side, most faces of a component as they were; where that cannot be done, the surface is cut.
 ///
 /// Vertices and faces keep their order. A mesh without defects is not changed. Complexity: O(n log n).
-Glued_surface glue(const Soup& soup, double merge_distance, Gluing_defects& defects);
+Glued_surface glue(const Soup& soup, std::optional<double> merge_distance, Gluing_defects& defects);
 
 } // namespace tool
 

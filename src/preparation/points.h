@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <vector>
 
 namespace tool {
 
@@ -27,6 +28,16 @@ inline double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] 
 inline double norm(const Vector& a) { return std::hypot(a[0], a[1], a[2]); }
 
 inline bool is_finite(const Vector& p) { return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); }
+
+/// Of finite points.
+inline double largest_coordinate(const std::vector<Vector>& points)
+{
+  double largest = 0;
+  for(const Vector& p : points)
+    if(is_finite(p))
+      largest = std::max({largest, std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
+  return largest;
+}
 
 /// The diagonal of the bounding box of the finite vertices that have faces.
 inline double diagonal(const Soup& soup)

@@ -3,6 +3,7 @@
 
 #include "preparation/prepare.h"
 
+#include "preparation/degenerate_faces.h"
 #include "preparation/fill_holes.h"
 #include "preparation/handles.h"
 #include "preparation/points.h"
@@ -94,11 +95,15 @@ std::vector<Piece> pieces_of(const Glued_surface& surface, std::vector<int>& pie
     order[i] = i;
   std::stable_sort(order.begin(), order.end(),
                    [&found](std::size_t a, std::size_t b) { return found[a].area > found[b].area; });
+  double area = 0;
+  for(const Component& component : found)
+    area += component.area;
   std::vector<Piece> pieces;
   for(const std::size_t i : order) {
     rank[i] = pieces.size();
     Piece piece;
     piece.size = found[i];
+    piece.share_of_area = area > 0 ? found[i].area / area : 1. / static_cast<double>(found.size());
     piece.vertex = surface.old_vertex[place(surface.faces[place(found[i].first_face)][0])];
     pieces.push_back(piece);
   }
@@ -154,20 +159,32 @@ void add(std::vector<std::string>& lines, const Defect& defect, const std::strin
          const std::string& many, const std::string& after, const std::string& where)
 {
   if(defect.count > 0)
-    lines.push_back(before + count(defect.count, one, many) + after + " (" + (defect.count == 1 ? "" : "first: ") +
-                    where + ' ' + std::to_string(defect.first) + ')');
+    lines.push_back(before + count(defect.count, one, many) + after +
+                    (defect.first == Glued_surface::none ? "" // none of the file
+                                                         : std::string(" (") + (defect.count == 1 ? "" : "first: ") +
+                                                             where + ' ' + std::to_string(defect.first) + ')'));
 }
 
 } // namespace
 
-bool Preparation::is_unchanged() const { return sentences(*this).empty(); }
-
-Preparation prepare(const std::string& file, const Soup& soup, const Preparation_settings& settings)
+/// Removes faces without area, and notes it.
+void remove_degenerate_faces(Glued_surface& surface, Preparation& preparation)
 {
+  const std::vector<int> faces = degenerate_faces(surface);
+  for(const int f : faces)
+    preparation.degenerate_faces.add(surface.old_face[place(f)]);
+  if(!faces.empty() && (!tool::remove_degenerate_faces(surface) || !degenerate_faces(surface).empty()))
+    preparation.has_degenerate_faces = true;
+}
+
+Preparation prepare_in_unit(const std::string& file, const Soup& soup, const Preparation_settings& settings)
+{
+  using Components = Preparation_settings::Components;
   Preparation result;
   Glued_surface surface = glue(soup, settings.merge_distance, result.defects);
   if(surface.faces.empty())
-    throw Refusal(name(Error_code::EMPTY_MESH), file, "has no face that can be used",
+    throw Refusal(name(Error_code::EMPTY_MESH), file,
+                  "has no face that can be used" + (soup.triangles.empty() ? "" : ": " + sentences(result).front()),
                   soup.triangles.empty() ? "reconstruct a surface from its points first" : "");
   stop_if_interrupted(file);
 
@@ -181,26 +198,30 @@ Preparation prepare(const std::string& file, const Soup& soup, const Preparation
   for(std::size_t f = 0; f < piece_of.size(); ++f)
     if(surface.old_face[f] != Glued_surface::none)
       result.piece_of_face[place(surface.old_face[f])] = piece_of[f];
-  if(!settings.only_harmless && !settings.keeps_all_components)
+  if(settings.components == Components::LARGEST)
     for(std::size_t i = 1; i < result.pieces.size(); ++i)
       result.pieces[i].is_kept = false;
-  if(settings.only_harmless || result.pieces.size() == 1)
+  const bool is_separated =
+    settings.components != Components::TOGETHER || settings.cuts_handles; // handles are those of a connected surface
+  if(!is_separated || result.pieces.size() == 1)
     result.parts.push_back(std::move(surface));
   else
     result.parts = separated(surface, result.pieces, piece_of);
 
   for(Glued_surface& part : result.parts) {
-    if(settings.fills_holes && !settings.only_harmless) {
+    if(settings.fills_holes) {
       fill_holes(part, result, file);
       result.is_filled = true;
     } else
       for(const std::vector<int>& boundary : boundary_cycles(part))
         result.holes.push_back(loop_of(part, boundary));
-    if(settings.cuts_handles && !settings.only_harmless && is_closed(part)) {
+    if(settings.cuts_handles && is_closed(part)) {
       cut_handles(part, result, file);
       result.is_cut = true;
     }
     result.split_edges += split_parallel_edges(part);
+    if(settings.removes_degenerate_faces)
+      remove_degenerate_faces(part, result);
     std::vector<int> unused;
     const std::vector<Component> left = components(part, unused);
     if(left.size() == 1 && left[0].holes == 0 && left[0].volume < 0) {
@@ -210,6 +231,57 @@ Preparation prepare(const std::string& file, const Soup& soup, const Preparation
   }
   std::stable_sort(result.holes.begin(), result.holes.end(),
                    [](const Loop& a, const Loop& b) { return a.length > b.length; });
+  return result;
+}
+
+double share_of_area_kept(const Preparation& preparation)
+{
+  double kept = 0;
+  for(const Piece& piece : preparation.pieces)
+    kept += piece.is_kept ? piece.share_of_area : 0;
+  return kept;
+}
+
+Preparation prepare(const std::string& file, const Soup& soup, const Preparation_settings& settings)
+{
+  // areas of coordinates beyond these are no numbers
+  constexpr double largest_harmless = 1e100;
+  const double largest = largest_coordinate(soup.points);
+  if(largest == 0 || (largest < largest_harmless && largest > 1 / largest_harmless))
+    return prepare_in_unit(file, soup, settings);
+
+  const int exponent = std::ilogb(largest);
+  const auto scale = [](std::vector<Vector>& points, int power) {
+    for(Vector& p : points)
+      for(double& x : p)
+        x = std::scalbn(x, power);
+  };
+  Soup scaled = soup;
+  scale(scaled.points, -exponent);
+  Preparation_settings in_unit = settings;
+  const auto scale_if_given = [](std::optional<double>& x, int power) {
+    if(x)
+      x = std::scalbn(*x, power);
+  };
+  scale_if_given(in_unit.merge_distance, -exponent);
+  if(in_unit.wrap) {
+    scale_if_given(in_unit.wrap->alpha, -exponent);
+    scale_if_given(in_unit.wrap->offset, -exponent);
+  }
+  Preparation result = prepare_in_unit(file, scaled, in_unit);
+  for(Glued_surface& part : result.parts)
+    scale(part.points, exponent);
+  for(Piece& piece : result.pieces) {
+    piece.size.area = std::scalbn(piece.size.area, 2 * exponent);
+    piece.size.volume = std::scalbn(piece.size.volume, 3 * exponent);
+  }
+  for(std::vector<Loop>* loops : {&result.holes, &result.handles})
+    for(Loop& loop : *loops)
+      loop.length = std::scalbn(loop.length, exponent);
+  if(result.wrap) {
+    scale_if_given(result.wrap->alpha, exponent);
+    scale_if_given(result.wrap->offset, exponent);
+  }
   return result;
 }
 
@@ -235,16 +307,11 @@ std::vector<std::string> sentences(const Preparation& preparation)
 
   const auto& pieces = preparation.pieces;
   if(pieces.size() > 1) {
-    double all = 0, kept = 0;
-    for(const Piece& piece : pieces) {
-      all += piece.size.area;
-      kept += piece.is_kept ? piece.size.area : 0;
-    }
     if(pieces.back().is_kept)
       lines.push_back("has " + count(pieces.size(), "component"));
     else
-      lines.push_back("kept the largest of " + count(pieces.size(), "component") + ", " + number(100 * kept / all) +
-                      " % of the area" + at(pieces.front().vertex));
+      lines.push_back("kept the largest of " + count(pieces.size(), "component") + ", " +
+                      number(100 * share_of_area_kept(preparation)) + " % of the area" + at(pieces.front().vertex));
   }
   if(!preparation.holes.empty())
     lines.push_back((preparation.is_filled ? "filled " : "has ") + count(preparation.holes.size(), "hole") +
@@ -260,6 +327,8 @@ std::vector<std::string> sentences(const Preparation& preparation)
     if(handles > 0)
       lines.push_back("has " + count(static_cast<std::size_t>(handles), "handle"));
   }
+  add(lines, preparation.degenerate_faces, preparation.has_degenerate_faces ? "did not remove all of " : "removed ",
+      "face", "faces", " without area", "face");
   if(preparation.split_edges > 0)
     lines.push_back("split " + count(preparation.split_edges, "edge") + " that had the same ends as others");
   if(preparation.is_turned_outwards)

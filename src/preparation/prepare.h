@@ -15,18 +15,33 @@
 
 namespace tool {
 
-/// How far a mesh is mended. The default is all that stands between it and a closed sphere.
+/// How far a mesh is mended. The default is all that stands between it and a closed sphere. In any case faces that are
+/// none are left out, faces with common vertices glued, neighbours oriented alike, and non-manifold vertices copied.
 struct Preparation_settings {
-  double merge_distance = 0; ///< up to which vertices at boundaries are merged
-  bool only_harmless =
-    false; ///< what does not change the shape: gluing and turning; components, holes and handles stay
-  bool keeps_all_components = false; ///< or only the one of largest area
+  enum class Components {
+    LARGEST, ///< only the one of largest area is kept
+    TOGETHER,
+    SPLIT ///< each is a part by itself
+  };
+
+  std::optional<double> merge_distance = 0; ///< up to which vertices at boundaries are merged; none: they are not
+  Components components = Components::LARGEST;
   bool fills_holes = true;
   bool cuts_handles = true; ///< of components without holes
+  bool removes_degenerate_faces = false;
   struct Wrap {
     std::optional<double> alpha, offset; ///< by default a 50th and a 1500th of the diagonal of the bounding box
   };
   std::optional<Wrap> wrap; ///< a surface around everything takes the place of the mesh
+
+  /// What does not change the shape.
+  static Preparation_settings harmless()
+  {
+    Preparation_settings settings;
+    settings.components = Components::TOGETHER;
+    settings.fills_holes = settings.cuts_handles = false;
+    return settings;
+  }
 };
 
 /// A closed path of edges: the boundary of a hole, or round a handle.
@@ -38,6 +53,7 @@ struct Loop {
 
 struct Piece {
   Component size;
+  double share_of_area = 1;
   int vertex = -1; ///< one of its vertices, by the number in the file
   bool is_kept = true;
 };
@@ -45,7 +61,7 @@ struct Piece {
 /// What was wrong with a mesh, what was done, and what has come out.
 struct Preparation {
   std::vector<Glued_surface>
-    parts; ///< one, unless all components are kept and mended: then one for each, the largest first
+    parts; ///< one; or one for each component, the largest first, if they are split or handles of several are cut
   Gluing_defects defects;
   std::vector<Piece> pieces;      ///< the components of the mesh, the largest first
   std::vector<int> piece_of_face; ///< by face of the file, its number in `pieces`; -1 if it was removed, or all wrapped
@@ -53,17 +69,19 @@ struct Preparation {
   std::vector<Loop> handles;      ///< of what is kept, each of them the shortest on what the ones before have left
   bool is_filled = false;         ///< the holes are closed
   bool is_cut = false;            ///< the handles are cut
-  bool is_turned_outwards = false;                ///< all faces were turned round
-  std::size_t split_edges = 0;                    ///< those that had the same ends as others
+  Defect degenerate_faces;        ///< those that were removed, or were to be
+  bool has_degenerate_faces = false; ///< they are still there, since nothing would be left, or less than a surface
+  bool is_turned_outwards = false;   ///< all faces were turned round
+  std::size_t split_edges = 0;       ///< those that had the same ends as others
   std::optional<Preparation_settings::Wrap> wrap; ///< what was used
-
-  /// Whether the mesh is as it was, its vertices and faces in their order.
-  bool is_unchanged() const;
 };
 
 /// Mends a mesh; `file` is what it was read from. Throws a `Refusal` if it has no face that can be used, and at an
 /// interruption.
 Preparation prepare(const std::string& file, const Soup& soup, const Preparation_settings& settings);
+
+/// Of the area of all components, what is kept.
+double share_of_area_kept(const Preparation& preparation);
 
 /// What was wrong and what was done about it, one sentence each: "filled 3 holes (longest: 80 edges, length 0.5, at
 /// vertex 17)". Empty if nothing was wrong.

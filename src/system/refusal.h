@@ -37,6 +37,9 @@ private:
   std::string log_;
 };
 
+/// What is wrong with NaN and infinity.
+inline const char* const non_finite_remedy = "every coordinate must be a finite number";
+
 /// The code of everything that keeps a file from being read at all.
 inline const char* const unreadable_file = "UNREADABLE_FILE";
 

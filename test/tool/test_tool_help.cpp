@@ -67,9 +67,9 @@ std::vector<double> defaults_by_method(const std::string& text)
 }
 
 /// What bash completes the last of the words to.
-Words completions(std::vector<std::string> words, const std::string& directory = ".")
+Words completions(std::vector<std::string> words, const std::string& directory = ".", const std::string& program = TOOL)
 {
-  words.insert(words.begin(), TOOL);
+  words.insert(words.begin(), program);
   const std::string script = ". \"$1\"; shift; COMP_WORDS=(\"$@\"); COMP_CWORD=$(($# - 1)); "
                              "_spherical_parameterization \"$1\" \"${COMP_WORDS[COMP_CWORD]}\" "
                              "\"${COMP_WORDS[COMP_CWORD - 1]}\"; printf '%s\\n' \"${COMPREPLY[@]}\"";
@@ -164,6 +164,17 @@ TEST_CASE("completion in bash: commands and options", "[tool]")
   CHECK(completions({"map", "in.off", "--max-"}) == Words{"--max-angle", "--max-time"});
 }
 
+TEST_CASE("completion in bash: what begins a line of a description is no option", "[tool]")
+{
+  Scratch scratch;
+  const std::string program = scratch / "program";
+  write_text(program, "#!/bin/sh\ncat <<'END'\nOptions:\n  -o,--output FILE            Numbers, or\n"
+                      "                              -1 if there is none\n  --number N                  See\n"
+                      "                              --output FILE\nEND\n");
+  std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+  CHECK(completions({"map", "-"}, ".", program) == Words{"-o", "--output", "--number"});
+}
+
 TEST_CASE("completion in bash: values", "[tool]")
 {
   CHECK(completions({"map", "--method", ""}) == Words{"automatic", "balanced", "isometric", "saddle-point"});
@@ -188,4 +199,5 @@ TEST_CASE("completion in bash: files", "[tool]")
   CHECK(completions({"map", "--triangulate", "a"}, here) == Words{"a mesh.off"});
   CHECK(completions({"map", "--fixed", ""}, here) == Words{"BIG.STL", "a mesh.off", "folder", "notes.txt"});
   CHECK(completions({"signature", "--list", "no"}, here) == Words{"notes.txt"});
+  CHECK(completions({"certify", "-o", "f"}, here) == Words{"folder"});
 }

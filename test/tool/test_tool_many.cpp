@@ -295,6 +295,62 @@ TEST_CASE("many: spheres that were written before", "[tool][many]")
   CHECK(says(again, ", 13 done by an earlier run"));
 }
 
+TEST_CASE("many: prepare mends a folder, and certify looks at spheres by their names", "[tool][many]")
+{
+  Scratch scratch;
+  const std::string folder = make_folder(scratch, 2), closed = scratch / "closed", spheres = scratch / "spheres",
+                    reports = scratch / "reports";
+  const Process_result only_said = run_tool({"prepare", folder});
+  CHECK(lines_of(only_said.out).size() == 15);
+  const Process_result prepared =
+    run_many({"prepare", "--vertex-map", "vertices.txt", "--report", "report.json"}, folder, closed);
+  CAPTURE(prepared.out, prepared.err);
+  CHECK(prepared.exit_code == 1); // one is broken
+  CHECK(mesh_lines(prepared) == mesh_lines(only_said));
+  CHECK(says(prepared, "torus.off: "));
+  CHECK(says(prepared, "cut 1 handle"));
+  CHECK(says(prepared, "0.off: 162 vertices, 320 faces, a closed surface of genus 0, as 'map' takes it; Hausdorff "
+                       "distance to IN 0; nothing to mend"));
+  CHECK(files_in(closed).count("torus.vertices.txt") == 1);
+  CHECK(files_in(closed).count("more/broken.report.json") == 1);
+  CHECK(files_in(closed).size() == 13 * 3 + 1);
+  CHECK(says(run_many({"prepare", "--vertex-map", "vertices.txt", "--report", "report.json"}, folder, closed),
+             "14 done by an earlier run"));
+
+  REQUIRE(run_many({"map"}, closed, spheres).exit_code == 0);
+  const std::vector<std::string> certify = {"certify", closed, spheres, "--report", "report.json", "-o", reports};
+  const Process_result valid = run_tool(certify);
+  CAPTURE(valid.out, valid.err);
+  CHECK(valid.exit_code == 0);
+  CHECK(lines_of(valid.out).size() == 14);
+  for(const std::string& line : mesh_lines(valid))
+    CHECK(line.find(": valid spherical map: 0 flipped faces, degree 1, ") != std::string::npos);
+  CHECK(files_in(reports).size() == 13);
+  CHECK(says(run_tool(certify), "13 done by an earlier run"));
+
+  // a sphere of another mesh, and one that is not there
+  fs::copy_file(spheres + "/torus.ply", spheres + "/0.ply", fs::copy_options::overwrite_existing);
+  fs::remove(spheres + "/more/1.ply");
+  const Process_result refused = run_tool(certify);
+  CAPTURE(refused.out, refused.err);
+  CHECK(refused.exit_code == 1);
+  CHECK(says(refused, "0.ply: has "));
+  CHECK(says(refused, "more/1.ply: does not exist"));
+  CHECK(says(refused, "13 meshes, 2 refused, 11 done by an earlier run"));
+
+  // without a folder nothing is remembered; a mesh and its sphere alone need none
+  const Process_result two = run_tool({"certify", closed + "/torus.ply", closed + "/1.ply", spheres, "-j", "2"});
+  CHECK(two.exit_code == 0);
+  CHECK(lines_of(two.out).size() == 3);
+  CHECK(run_tool({"certify", closed + "/torus.ply", spheres + "/torus.ply"}).exit_code == 0);
+  for(const std::vector<std::string>& wrong :
+      std::vector<std::vector<std::string>>{{"certify", closed + "/torus.ply"},
+                                            {"certify", closed + "/torus.ply", spheres + "/torus.ply", "-o", reports},
+                                            {"certify", closed, closed}})
+    CHECK(run_tool(wrong).exit_code == 2);
+  CHECK(run_tool({"certify", closed, spheres + "/torus.ply"}).exit_code == 1);
+}
+
 TEST_CASE("many: names of outputs", "[tool][many]")
 {
   Scratch scratch;

@@ -266,20 +266,20 @@ TEST_CASE("prepare: every defect is named and mended, and what comes out is mapp
     }
 }
 
-TEST_CASE("prepare --harmless and map --prepare change no shape", "[tool]")
+TEST_CASE("prepare --steps merge,orient and map --prepare change no shape", "[tool]")
 {
   for(const Broken& broken : broken_meshes())
     DYNAMIC_SECTION(broken.name)
     {
       Scratch scratch;
-      const Prepared prepared(scratch, broken.soup, {"--harmless"});
+      const Prepared prepared(scratch, broken.soup, {"--steps", "merge,orient"});
       CHECK(prepared.distance() <= 2e-4 * prepared.report["diagonal"].get<double>());
       const std::string in = scratch / "in.off";
       const Process_result mapped = run_tool({"map", in, "-o", scratch / "sphere.off", "--prepare"});
       CAPTURE(mapped.out, mapped.err);
       CHECK(mapped.exit_code == (broken.keeps_shape ? 0 : 1));
       if(broken.keeps_shape) {
-        CHECK((mapped.out.find("prepare --harmless") != std::string::npos || broken.name == "quadrangles"));
+        CHECK((mapped.out.find("prepare --steps merge,orient") != std::string::npos || broken.name == "quadrangles"));
         const Soup sphere = read(scratch / "sphere.off");
         CHECK(sphere.faces == prepared.out.faces);
         CHECK(count_flipped_faces(sphere, sphere.points) == 0);
@@ -311,7 +311,7 @@ TEST_CASE("prepare: options restrict what is done", "[tool]")
   SECTION("holes")
   {
     const Soup soup = open_sphere(2);
-    const Prepared prepared(scratch, soup, {"--keep-holes"});
+    const Prepared prepared(scratch, soup, {"--steps", "merge,orient,largest,handles"});
     CHECK(prepared.out.faces == soup.faces);
     CHECK(prepared.run.out.find("has 1 hole (") != std::string::npos);
     const auto& holes = prepared.report["preparation"]["holes"];
@@ -321,13 +321,13 @@ TEST_CASE("prepare: options restrict what is done", "[tool]")
   SECTION("handles")
   {
     const Soup soup = torus(9, 6);
-    const Prepared prepared(scratch, soup, {"--keep-handles"});
+    const Prepared prepared(scratch, soup, {"--steps", "merge,orient,largest,holes"});
     CHECK(prepared.out.faces == soup.faces);
     CHECK(prepared.run.out.find("has 1 handle") != std::string::npos);
   }
   SECTION("components in one file")
   {
-    const Prepared prepared(scratch, two_spheres(), {"--components", "all"});
+    const Prepared prepared(scratch, two_spheres(), {"--steps", "merge,orient,holes,handles"});
     CHECK(prepared.out.faces.size() == two_spheres().faces.size());
     check_maps(two_spheres(), prepared);
     CHECK(prepared.distance() == 0);
@@ -335,7 +335,7 @@ TEST_CASE("prepare: options restrict what is done", "[tool]")
   SECTION("components in a file each")
   {
     const Process_result run = run_tool(
-      {"prepare", write_off(scratch / "in.off", two_spheres()), "-o", scratch / "out.ply", "--components", "split"});
+      {"prepare", write_off(scratch / "in.off", two_spheres()), "-o", scratch / "out.ply", "--steps", "merge,split"});
     REQUIRE(run.exit_code == 0);
     CHECK(read(scratch / "out_1.ply").faces.size() == icosphere(2).faces.size());
     CHECK(read(scratch / "out_2.ply").faces.size() == icosphere(1).faces.size());
@@ -350,6 +350,48 @@ TEST_CASE("prepare: options restrict what is done", "[tool]")
     CHECK(prepared.out.points.size() == icosphere(2).points.size());
     check_mapped(scratch);
     CHECK(prepared.distance() < 1e-3);
+  }
+  SECTION("vertices at the same place")
+  {
+    const Soup soup = exploded(icosphere(1));
+    const Prepared prepared(scratch, soup, {"--steps", "orient"});
+    CHECK(prepared.out.points == soup.points);
+    CHECK(prepared.out.faces == soup.faces);
+    CHECK(prepared.run.out.find("has 80 components") != std::string::npos);
+  }
+  SECTION("faces without area")
+  {
+    const Soup whole = bumpy_sphere(2);
+    Soup soup = whole;
+    const auto a = soup.faces[7];
+    const auto add_corner = [&](std::size_t f, const Point& p) { // the face becomes three
+      const auto face = soup.faces[f];
+      soup.points.push_back(p);
+      const std::size_t n = soup.points.size() - 1;
+      soup.faces[f] = {face[0], face[1], n};
+      soup.faces.push_back({face[1], face[2], n});
+      soup.faces.push_back({face[2], face[0], n});
+    };
+    add_corner(7, soup.points[a[0]]);
+    add_corner(50, soup.points[soup.faces[50][1]]);
+    CHECK(Prepared(scratch, soup).out.faces == soup.faces); // maps do not mind them
+
+    const Prepared prepared(scratch, soup, {"--steps", "degenerate"});
+    CHECK(prepared.run.out.find("removed 4 faces without area (first: face 7)") != std::string::npos);
+    CHECK(prepared.report["preparation"]["degenerate_faces"]["count"] == 4);
+    CHECK(prepared.report["preparation"]["degenerate_faces_removed"] == true);
+    CHECK(prepared.out.points.size() == whole.points.size());
+    CHECK(prepared.out.faces.size() == whole.faces.size());
+    CHECK(prepared.distance() <= 1e-12);
+    check_maps(soup, prepared);
+    check_mapped(scratch);
+
+    Soup line = whole; // nothing would be left
+    for(Point& p : line.points)
+      p = Point(p.x(), 0, 0);
+    const Prepared of_line(scratch, line, {"--steps", "degenerate"});
+    CHECK(of_line.run.out.find("did not remove all of 320 faces without area") != std::string::npos);
+    CHECK(of_line.out.faces == line.faces);
   }
   SECTION("a surface around everything")
   {
@@ -367,6 +409,128 @@ TEST_CASE("prepare: options restrict what is done", "[tool]")
     CHECK(run.out.find("cut 1 handle") != std::string::npos);
     CHECK(scratch.number_of_files() == 1);
   }
+}
+
+TEST_CASE("prepare: vertices that are at no place are left out, and the holes closed", "[tool]")
+{
+  Scratch scratch;
+  const Soup ball = bumpy_sphere(2);
+  const std::string places[] = {"nan 0 inf", "1 1e999 1"};
+  const auto place = [&](std::size_t v) {
+    std::ostringstream text;
+    text.precision(17);
+    if(v == 7 || v == 90)
+      text << places[v == 90];
+    else
+      text << ball.points[v].x() << ' ' << ball.points[v].y() << ' ' << ball.points[v].z();
+    return text.str();
+  };
+  const auto file = [&](const std::string& name, const std::string& header, const char* of_vertex, const char* of_face,
+                        std::size_t first) {
+    std::string text = header;
+    for(std::size_t v = 0; v < ball.points.size(); ++v)
+      text += of_vertex + place(v) + '\n';
+    for(const auto& f : ball.faces)
+      text += of_face + std::to_string(f[0] + first) + ' ' + std::to_string(f[1] + first) + ' ' +
+              std::to_string(f[2] + first) + '\n';
+    write_text(scratch / name, text);
+    return scratch / name;
+  };
+  const std::string n = std::to_string(ball.points.size()), m = std::to_string(ball.faces.size());
+  const std::string files[] = {file("in.off", "OFF\n" + n + ' ' + m + " 0\n", "", "3 ", 0),
+                               file("in.obj", "", "v ", "f ", 1),
+                               file("in.ply",
+                                    "ply\nformat ascii 1.0\nelement vertex " + n +
+                                      "\nproperty double x\nproperty double y\nproperty double z\nelement face " + m +
+                                      "\nproperty list uchar int vertex_indices\nend_header\n",
+                                    "", "3 ", 0)};
+  for(const std::string& in : files) {
+    CAPTURE(in);
+    for(const std::string option : {"--ascii", "--prepare"}) {
+      const Process_result refused = run_tool({"map", in, "-o", scratch / "sphere.off", option});
+      CHECK(refused.exit_code == 1);
+      CHECK(is_one_line(refused.err));
+      CHECK(refused.err.find("vertex 7 has the coordinate") != std::string::npos);
+    }
+    const Process_result run =
+      run_tool({"prepare", in, "-o", scratch / "out.off", "--vertex-map", scratch / "vertices.txt"});
+    CAPTURE(run.out, run.err);
+    REQUIRE(run.exit_code == 0);
+    CHECK(run.out.find("removed 2 vertices whose coordinates are not finite, and all faces there (first: vertex 7)") !=
+          std::string::npos);
+    CHECK(run.out.find("filled 2 holes") != std::string::npos);
+    for(const int v : numbers_in(scratch / "vertices.txt"))
+      CHECK((v != 7 && v != 90));
+    check_mapped(scratch);
+
+    REQUIRE(run_tool({"segment", in, "-o", scratch / "segments.ply", "--labels", scratch / "labels.txt", "--prepare"})
+              .exit_code == 0);
+    CHECK(numbers_in(scratch / "labels.txt").size() == ball.faces.size());
+  }
+}
+
+TEST_CASE("prepare: the size of the numbers makes no difference", "[tool]")
+{
+  Scratch scratch;
+  Soup soup = torus(9, 6);
+  soup.faces.erase(soup.faces.begin());
+  soup = joined(joined(soup, open_sphere(2), Vector(9, 0, 0)), icosphere(1), Vector(0, 9, 0));
+  const Prepared as_it_is(scratch, soup);
+  for(const int power : {600, -600}) {
+    Soup scaled = soup;
+    for(Point& p : scaled.points)
+      p = Point(std::ldexp(p.x(), power), std::ldexp(p.y(), power), std::ldexp(p.z(), power));
+    const Prepared prepared(scratch, scaled);
+    CHECK(prepared.out.faces == as_it_is.out.faces);
+    CHECK(prepared.vertex_map == as_it_is.vertex_map);
+    REQUIRE(prepared.out.points.size() == as_it_is.out.points.size());
+    for(std::size_t v = 0; v < prepared.out.points.size(); ++v)
+      for(int k = 0; k < 3; ++k)
+        CHECK(prepared.out.points[v][k] == std::ldexp(as_it_is.out.points[v][k], power));
+    CHECK(prepared.distance() == Approx(std::ldexp(as_it_is.distance(), power)));
+    for(const char* loops : {"holes", "handle_loops"}) {
+      const auto &before = as_it_is.report["preparation"][loops], &after = prepared.report["preparation"][loops];
+      REQUIRE((before.size() == 1 && after.size() == 1));
+      CHECK(after[0]["length"].get<double>() == Approx(std::ldexp(before[0]["length"].get<double>(), power)));
+    }
+  }
+}
+
+TEST_CASE("prepare: a hole of many edges", "[tool]")
+{
+  Scratch scratch;
+  const int n = 3000;
+  const double pi = std::acos(-1.);
+  Soup soup; // a cone whose rim runs in and out
+  soup.points.emplace_back(0, 0, 1);
+  for(int i = 0; i < n; ++i) {
+    const double angle = 2 * pi * i / n, radius = 1 + 0.1 * std::sin(10 * angle);
+    soup.points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0);
+    soup.faces.push_back({0, std::size_t(i + 1), std::size_t((i + 1) % n + 1)});
+  }
+  const Prepared prepared(scratch, soup);
+  CHECK(prepared.report["preparation"]["holes"][0]["edges"] == n);
+  double area = 0; // of the flat filling, which does not overlap
+  for(std::size_t f = 0; f < prepared.out.faces.size(); ++f)
+    if(prepared.face_map[f] < 0) {
+      const auto& face = prepared.out.faces[f];
+      const Vector normal = CGAL::cross_product(prepared.out.points[face[1]] - prepared.out.points[face[0]],
+                                                prepared.out.points[face[2]] - prepared.out.points[face[0]]);
+      area += std::sqrt(normal.squared_length()) / 2;
+    }
+  CHECK(area == Approx(pi * (1 + 0.1 * 0.1 / 2)).epsilon(1e-3));
+  check_mapped(scratch);
+}
+
+TEST_CASE("prepare: what is left of little is said to be little", "[tool]")
+{
+  Scratch scratch;
+  Soup soup = exploded(icosphere(2)); // so that no two triangles meet
+  for(std::size_t i = 0; i < soup.points.size(); ++i)
+    soup.points[i] = soup.points[i] + 1e-6 * Vector(double(i % 3), double(i % 5), double(i % 7));
+  const std::string advice = "most of it was left out: --merge-distance";
+  CHECK(Prepared(scratch, soup).run.out.find(advice) != std::string::npos);
+  CHECK(Prepared(scratch, soup, {"--merge-distance", "1e-4"}).run.out.find(advice) == std::string::npos);
 }
 
 TEST_CASE("segment --prepare: a label for every face of the file", "[tool]")
@@ -454,9 +618,12 @@ TEST_CASE("prepare: wrong usage", "[tool]")
                                                        {"-o", out, "--alpha", "1"},
                                                        {"-o", out, "--wrap", "--offset", "0"},
                                                        {"-o", out, "--merge-distance", "-1"},
-                                                       {"-o", out, "--components", "some"},
-                                                       {"--components", "split"},
-                                                       {"-o", out, "--components", "split", "--face-map", "f.txt"}};
+                                                       {"-o", out, "--steps", "some"},
+                                                       {"-o", out, "--steps", "largest,split"},
+                                                       {"-o", out, "--steps", "holes", "--merge-distance", "1"},
+                                                       {"--steps", "split"},
+                                                       {"-o", out, "--steps", "split", "--face-map", "f.txt"},
+                                                       {"-o", scratch / "folder/", "--steps", "split"}};
   for(const auto& options : wrong) {
     const Process_result run = run_tool(with({"prepare", in}, options));
     CAPTURE(run.err, options.back());

@@ -355,3 +355,40 @@ TEST_CASE("signature: wrong usage, and outputs that cannot be written", "[tool][
   CHECK(run.exit_code == 1);
   CHECK(is_one_line(run.err));
 }
+
+TEST_CASE("signature --prepare: rows of meshes that have to be mended", "[tool][signature]")
+{
+  Scratch scratch;
+  const std::string folder = scratch / "meshes", index = scratch / "index.db";
+  fs::create_directories(folder);
+  write_off(folder + "/ball.off", bumpy_sphere(3));
+  write_off(folder + "/open.off", open_sphere(3));
+  write_off(folder + "/torus.off", torus(20, 10));
+  write_text(folder + "/broken.off", "OFF\n1 2");
+  const auto sign = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> command = {"signature", folder, "-o", index};
+    command.insert(command.end(), more.begin(), more.end());
+    const Process_result run = run_tool(command);
+    CHECK(run.exit_code == 0);
+    return run.out;
+  };
+  CHECK(sign({}) == index + ": 4 meshes, 1 signatures\n");
+  // what was refused without mending is tried again, what was not and what cannot be read is not
+  CHECK(sign({"--prepare"}) == index + ": 4 meshes, 3 signatures, 2 of mended meshes, 1 rows from an earlier run\n");
+  CHECK(sign({"--prepare"}) == index + ": 4 meshes, 3 signatures, 2 of mended meshes, 4 rows from an earlier run\n");
+
+  const auto first = [&](const std::string& query, const std::vector<std::string>& more) {
+    std::vector<std::string> command = {"search", query, "--index", index, "-k", "1"};
+    command.insert(command.end(), more.begin(), more.end());
+    const Process_result run = run_tool(command);
+    CAPTURE(run.err);
+    return run.exit_code == 0 ? lines_of(run.out).back() : "";
+  };
+  CHECK(first(folder + "/torus.off", {"--prepare"}) == "  0.0000  " + folder + "/torus.off");
+  CHECK(first(folder + "/torus.off", {}).empty());
+  // the signature is that of the mesh that the command prepare writes
+  REQUIRE(run_tool({"prepare", folder + "/open.off", "-o", scratch / "closed.off"}).exit_code == 0);
+  CHECK(first(scratch / "closed.off", {}) == "  0.0000  " + folder + "/open.off");
+
+  CHECK(sign({}) == index + ": 4 meshes, 1 signatures, 2 rows from an earlier run\n");
+}

@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#include "preparation/surface_distance.h"
+
+#include "preparation/points.h"
+
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <queue>
+#include <utility>
+
+namespace tool {
+namespace {
+
+namespace SP = CGAL::Spherical_parameterization;
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point_3 = Kernel::Point_3;
+using Triangle_3 = Kernel::Triangle_3;
+using Triangles = std::vector<Triangle_3>;
+
+/// A unit in which the squares of the coordinates are numbers. A power of 2: nothing is rounded.
+double unit_of(double largest_coordinate)
+{
+  return largest_coordinate > 0 && std::isfinite(largest_coordinate) ? std::ldexp(1., std::ilogb(largest_coordinate))
+                                                                     : 1;
+}
+
+Point_3 point_of(const Point& p, double unit) { return {p[0] / unit, p[1] / unit, p[2] / unit}; }
+
+Triangle_3 triangle(const std::vector<Point>& points, const std::array<int, 3>& corners, double unit)
+{
+  const auto corner = [&](std::size_t k) { return point_of(points[place(corners[k])], unit); };
+  return Triangle_3(corner(0), corner(1), corner(2));
+}
+
+/// The faces of `mesh` over `points`.
+Triangles triangles_of(const Mesh& mesh, const std::vector<Point>& points, double unit)
+{
+  Triangles result;
+  result.reserve(mesh.number_of_faces());
+  for(std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+    result.push_back(triangle(points, mesh.triangle(f), unit));
+  return result;
+}
+
+/// Triangles of which the nearest is asked.
+class Triangle_tree {
+public:
+  explicit Triangle_tree(const Triangles& triangles)
+  {
+    for(std::size_t i = 0; i < triangles.size(); ++i)
+      if(const Triangle_3& t = triangles[i]; CGAL::cross_product(t[1] - t[0], t[2] - t[0]) != CGAL::NULL_VECTOR) {
+        triangles_.push_back(t); // CGAL finds no nearest point in those without area
+        number_.push_back(i);
+      }
+    tree_.rebuild(triangles_.cbegin(), triangles_.cend());
+    if(!triangles_.empty())
+      tree_.accelerate_distance_queries(); // now: questions may come from several threads
+  }
+  Triangle_tree(const Triangle_tree&) = delete;
+  Triangle_tree& operator=(const Triangle_tree&) = delete;
+
+  bool is_empty() const { return triangles_.empty(); }
+  double squared_distance(const Point_3& p) const { return tree_.squared_distance(p); }
+
+  struct Nearest {
+    double distance;
+    const Triangle_3* triangle;
+    std::size_t number; ///< of the triangle
+  };
+  Nearest nearest(const Point_3& p) const
+  {
+    const auto [point, triangle] = tree_.closest_point_and_primitive(p);
+    return {std::sqrt(CGAL::squared_distance(p, point)), &*triangle,
+            number_[static_cast<std::size_t>(triangle - triangles_.cbegin())]};
+  }
+
+private:
+  using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
+
+  Triangles triangles_;
+  std::vector<std::size_t> number_;
+  CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> tree_;
+};
+
+bool has_finite_corners(const Soup& soup, const std::array<int, 3>& corners)
+{
+  return std::all_of(corners.begin(), corners.end(), [&soup](int v) { return is_finite(soup.points[place(v)]); });
+}
+
+bool is_same(const Triangle_3& s, const Triangle_3& t)
+{
+  for(int k = 0; k < 3; ++k)
+    if(s[k] != t[0] && s[k] != t[1] && s[k] != t[2])
+      return false;
+  return true;
+}
+
+/// A piece of a triangle, and an upper bound of the distance of its points.
+struct Candidate {
+  double bound;
+  Triangle_3 triangle;
+  friend bool operator<(const Candidate& a, const Candidate& b) { return a.bound < b.bound; }
+};
+
+/// The largest distance of points of the triangles from those of the tree.
+Bounds farthest(const Triangles& triangles, const Triangle_tree& tree, double tolerance,
+                const std::function<void()>& go_on)
+{
+  constexpr double relative_tolerance = 0.05;
+  const std::size_t most_looks = 20'000 + 20 * triangles.size();
+  Bounds result;
+  std::priority_queue<Candidate> queue;
+  const auto is_close = [&](double bound) {
+    return bound <= result.low + std::max(tolerance, relative_tolerance * result.low);
+  };
+  const auto look_at = [&](const Triangle_3& t) {
+    const Point_3 centre = CGAL::centroid(t);
+    const Triangle_tree::Nearest nearest = tree.nearest(centre);
+    double radius = 0, from_face = 0;
+    for(int k = 0; k < 3; ++k) {
+      radius = std::max(radius, CGAL::squared_distance(centre, t[k]));
+      from_face = std::max(from_face, CGAL::squared_distance(t[k], *nearest.triangle));
+    }
+    result.low = std::max(result.low, nearest.distance);
+    // no point is farther than by the radius; nor, since a face is convex, farther from that face than the corners are
+    if(const double bound = std::min(nearest.distance + std::sqrt(radius), std::sqrt(from_face)); !is_close(bound))
+      queue.push({bound, t});
+    else
+      result.high = std::max(result.high, bound);
+  };
+  std::size_t looks = 0;
+  for(const Triangle_3& t : triangles) {
+    if(looks++ % 1024 == 0)
+      go_on();
+    for(int k = 0; k < 3; ++k)
+      result.low = std::max(result.low, std::sqrt(tree.squared_distance(t[k])));
+    look_at(t);
+  }
+  while(!queue.empty()) {
+    const Candidate top = queue.top();
+    if(is_close(top.bound) || looks > most_looks) {
+      result.high = std::max(result.high, top.bound);
+      break;
+    }
+    if(looks++ % 1024 == 0)
+      go_on();
+    queue.pop();
+    int longest = 0;
+    for(int k = 1; k < 3; ++k)
+      if(CGAL::squared_distance(top.triangle[k], top.triangle[k + 1]) >
+         CGAL::squared_distance(top.triangle[longest], top.triangle[longest + 1]))
+        longest = k;
+    const Point_3 &a = top.triangle[longest], &b = top.triangle[longest + 1], &c = top.triangle[longest + 2];
+    const Point_3 middle = CGAL::midpoint(a, b);
+    look_at({a, middle, c});
+    look_at({middle, b, c});
+  }
+  result.high = std::max(result.high, result.low);
+  return result;
+}
+
+/// The largest squared distance of one of the points from the surface.
+double largest_square(const Triangles& surface, const std::vector<Point>& points, double unit,
+                      const SP::internal::Host_loop& loop)
+{
+  const Triangle_tree tree(surface);
+  if(tree.is_empty())
+    return 0;
+  const auto squares =
+    SP::internal::results_of_parts<1024>(loop, static_cast<int>(points.size()), [&](int begin, int end) {
+      double largest = 0;
+      for(int i = begin; i < end; ++i)
+        largest = (std::max)(largest, tree.squared_distance(point_of(points[place(i)], unit)));
+      return largest;
+    });
+  return *std::max_element(squares.begin(), squares.end());
+}
+
+CGAL::Bbox_3 box_of(const Triangles& triangles)
+{
+  CGAL::Bbox_3 box;
+  for(const auto& t : triangles)
+    box += t.bbox();
+  return box;
+}
+
+} // namespace
+
+Hausdorff_distance hausdorff_distance(const Soup& old, const std::vector<Glued_surface>& parts, double tolerance,
+                                      const std::function<void()>& go_on)
+{
+  double largest = largest_coordinate(old.points);
+  for(const Glued_surface& part : parts)
+    largest = std::max(largest, largest_coordinate(part.points));
+  const double unit = unit_of(largest);
+
+  std::vector<bool> is_there(old.triangles.size(), false);
+  Triangles all_new, only_new, all_old, only_old;
+  for(const Glued_surface& part : parts)
+    for(std::size_t f = 0; f < part.faces.size(); ++f) {
+      all_new.push_back(triangle(part.points, part.faces[f], unit));
+      const int number = part.old_face[f];
+      if(number != Glued_surface::none &&
+         is_same(all_new.back(), triangle(old.points, old.triangles[place(number)], unit)))
+        is_there[place(number)] = true;
+      else
+        only_new.push_back(all_new.back());
+    }
+  for(std::size_t f = 0; f < old.triangles.size(); ++f)
+    if(const auto& [a, b, c] = old.triangles[f];
+       a != b && b != c && c != a && has_finite_corners(old, old.triangles[f])) { // the others are no faces
+      all_old.push_back(triangle(old.points, old.triangles[f], unit));
+      if(!is_there[f])
+        only_old.push_back(all_old.back());
+    }
+
+  const auto between = [&](const Triangles& only_here, const Triangles& there) {
+    Bounds bounds;
+    if(only_here.empty())
+      return bounds;
+    const Triangle_tree tree(there);
+    if(!tree.is_empty())
+      bounds = farthest(only_here, tree, tolerance / unit, go_on);
+    return Bounds{unit * bounds.low, unit * bounds.high};
+  };
+  return {between(only_new, all_old), between(only_old, all_new)};
+}
+
+double hausdorff_distance(const Mesh& mesh, const std::vector<Point>& a, const std::vector<Point>& b, bool on_all_cores)
+{
+  const SP::internal::Host_loop loop(on_all_cores);
+  const double unit = unit_of((std::max)(largest_coordinate(a), largest_coordinate(b)));
+  return unit * std::sqrt((std::max)(largest_square(triangles_of(mesh, a, unit), b, unit, loop),
+                                     largest_square(triangles_of(mesh, b, unit), a, unit, loop)));
+}
+
+std::vector<int> nearest_faces(const Soup& old, const Glued_surface& surface)
+{
+  std::vector<int> result(old.triangles.size(), Glued_surface::none);
+  for(std::size_t f = 0; f < surface.faces.size(); ++f)
+    if(const int number = surface.old_face[f];
+       number != Glued_surface::none && result[place(number)] == Glued_surface::none)
+      result[place(number)] = static_cast<int>(f);
+  if(std::find(result.begin(), result.end(), Glued_surface::none) == result.end())
+    return result;
+
+  const double unit = unit_of(std::max(largest_coordinate(old.points), largest_coordinate(surface.points)));
+  Triangles triangles;
+  for(const auto& corners : surface.faces)
+    triangles.push_back(triangle(surface.points, corners, unit));
+  const Triangle_tree tree(triangles);
+  for(std::size_t f = 0; f < result.size(); ++f) {
+    if(result[f] != Glued_surface::none)
+      continue;
+    result[f] = 0;
+    if(has_finite_corners(old, old.triangles[f]) && !tree.is_empty())
+      result[f] = static_cast<int>(tree.nearest(CGAL::centroid(triangle(old.points, old.triangles[f], unit))).number);
+  }
+  return result;
+}
+
+Sampling_loss sampling_loss(const Mesh& mesh, const Mesh& sampled, const std::vector<Point>& points)
+{
+  constexpr std::size_t most_queries = 100000;
+  constexpr double share = 0.99;
+  const double unit = unit_of(largest_coordinate(mesh.points()));
+  const Triangles shape = triangles_of(mesh, mesh.points(), unit), samples = triangles_of(sampled, points, unit);
+
+  Sampling_loss loss;
+  const CGAL::Bbox_3 before = box_of(shape), after = box_of(samples);
+  double diagonal = 0;
+  for(int k = 0; k < 3; ++k) {
+    const double side = before.max(k) - before.min(k);
+    if(side > 0)
+      loss.bounding_box = std::max(loss.bounding_box, 1 - (after.max(k) - after.min(k)) / side);
+    diagonal = std::hypot(diagonal, side);
+  }
+
+  // The distances of the centres of faces, which count as much as their areas.
+  const Triangle_tree tree(samples);
+  if(tree.is_empty())
+    return loss;
+  std::vector<std::pair<double, double>> distances;
+  double whole = 0;
+  for(std::size_t f = 0; f < shape.size(); f += 1 + shape.size() / most_queries) {
+    const double area = std::sqrt(shape[f].squared_area());
+    distances.emplace_back(std::sqrt(tree.squared_distance(CGAL::centroid(shape[f]))), area);
+    whole += area;
+  }
+  std::sort(distances.begin(), distances.end());
+  double area = 0;
+  for(const auto& [distance, of_face] : distances) {
+    loss.distance = diagonal > 0 ? distance / diagonal : 0;
+    area += of_face;
+    if(area >= share * whole)
+      break;
+  }
+  return loss;
+}
+
+} // namespace tool

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef SPHERICAL_PARAMETERIZATION_TOOL_SURFACE_DISTANCE_H
+#define SPHERICAL_PARAMETERIZATION_TOOL_SURFACE_DISTANCE_H
+
+#include "input/mesh.h"
+#include "input/mesh_readers.h"
+#include "preparation/glued_surface.h"
+
+#include <functional>
+#include <vector>
+
+namespace tool {
+
+/// Bounds of a number.
+struct Bounds {
+  double low = 0, high = 0;
+};
+
+/// The Hausdorff distances of a mesh as it was read and what was made of it: how far points of one are from the other.
+struct Hausdorff_distance {
+  Bounds from_new; ///< from points of what was made
+  Bounds from_old; ///< from points of the mesh as it was
+};
+
+/// Triangles are halved until bounds are `tolerance` apart, or 5 % of the distance where that is more: the distance
+/// from a surface grows by no more than the way, and that from a face is largest at a corner (M. Tang, M. Lee, Y. J.
+/// Kim, "Interactive Hausdorff distance computation for general polygonal models", 2009). The upper bound holds in any
+/// case; where surfaces run along each other closer than `tolerance`, the work ends before the bounds are so close.
+/// Faces that are the same in both are at distance 0, and are not looked at. `go_on` is called now and then, and may
+/// throw.
+Hausdorff_distance hausdorff_distance(const Soup& old, const std::vector<Glued_surface>& parts, double tolerance,
+                                      const std::function<void()>& go_on);
+
+/// The Hausdorff distance of two surfaces with the same faces over different points, sampled at the vertices: the
+/// largest distance of a vertex of one from the other surface. O(n log n), on all cores if `on_all_cores`.
+double hausdorff_distance(const Mesh& mesh, const std::vector<Point>& a, const std::vector<Point>& b,
+                          bool on_all_cores);
+
+/// For faces of the mesh as it was that have no face in `surface`: the nearest one there, measured from the centre.
+/// For all others that face. Faces without finite coordinates get face 0.
+std::vector<int> nearest_faces(const Soup& old, const Glued_surface& surface);
+
+/// What of a shape is not in a mesh that was sampled from it.
+struct Sampling_loss {
+  double bounding_box = 0; ///< of its side that has lost most, in [0, 1]
+  double distance = 0;     ///< from the shape to the samples, that 99 % of the area keep; of the diagonal of the box
+};
+
+/// Compares `mesh` with the same shape sampled at the vertices of `sampled`.
+/// \param points  by vertex of `sampled`
+Sampling_loss sampling_loss(const Mesh& mesh, const Mesh& sampled, const std::vector<Point>& points);
+
+} // namespace tool
+
+#endif // SPHERICAL_PARAMETERIZATION_TOOL_SURFACE_DISTANCE_H

@@ -38,9 +38,8 @@ py::tuple register_maps(const Doubles& points_a, const py::array& triangles_a, c
     landmarks.emplace_back(Mesh::Vertex_index(i), Mesh::Vertex_index(j));
   Doubles registered = make_array<double>(a.number_of_vertices(), 3);
   const Written_sphere out(registered);
-  const SP::Registration_result r = on(policy, [&](const auto& p) {
-    return SP::register_maps(p, a, images_a, b, images_b, out, method, landmarks);
-  });
+  const SP::Registration_result r =
+    on(policy, [&](const auto& p) { return SP::register_maps(p, a, images_a, b, images_b, out, method, landmarks); });
   if(!r)
     throw SP::Error(r.error, r.detail);
   return py::make_tuple(registered, r.start, r.rotation, r.mismatch_before, r.mismatch, r.distortion,

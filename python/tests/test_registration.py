@@ -19,7 +19,7 @@ def test_a_turned_map_is_brought_back() -> None:
     points, triangles, sphere = mapped(1)
     turned = sphere[:, [1, 2, 0]]
     r = sp.register_maps(points, triangles, turned, points, triangles, sphere)
-    assert sp.certify(r.sphere, triangles).is_valid
+    assert sp.certify(triangles, r.sphere).is_valid
     assert np.abs(r.sphere - sphere).max() < 0.02
     assert r.mismatch <= r.mismatch_before and r.distortion < 4.05
 
@@ -30,7 +30,7 @@ def test_landmarks_are_put_onto_each_other() -> None:
     pairs = [[0, 5], [40, 50], [100, 90], [300, 310]]
     r = sp.register_maps(points, triangles, sphere, *other, landmarks=pairs)
     assert r.start == "landmarks"
-    assert sp.certify(r.sphere, triangles).is_valid
+    assert sp.certify(triangles, r.sphere).is_valid
     distance = np.linalg.norm(r.sphere[[i for i, _ in pairs]] - other[2][[j for _, j in pairs]], axis=1)
     assert distance.max() <= r.largest_landmark_distance + 1e-12 and distance.max() < 0.1
 

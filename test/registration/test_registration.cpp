@@ -76,7 +76,8 @@ Registered registered(const Mapped& a, const Mapped& b, const SP::Registration& 
 {
   std::map<Vertex, Point> out;
   Registered r;
-  r.result = SP::register_maps(a.mesh, a.map(), b.mesh, b.map(), Read_write_map<Vertex, Point>{&out}, method, landmarks);
+  r.result =
+    SP::register_maps(a.mesh, a.map(), b.mesh, b.map(), Read_write_map<Vertex, Point>{&out}, method, landmarks);
   for(const auto& [v, p] : out)
     r.sphere.push_back(p);
   return r;
@@ -220,8 +221,8 @@ TEST_CASE("centring brings the centroid of any masses to the centre", "[registra
     mass[v] = some(random);
   std::map<Vertex, Point> out;
   const auto of = [&](Vertex v) { return mass.at(v); };
-  CHECK(SP::moebius_centred_map(a.mesh, a.map(), Readable_map<Vertex, double>{of},
-                                Writable_map<Vertex, Point>{&out}) < 1e-12);
+  CHECK(SP::moebius_centred_map(a.mesh, a.map(), Readable_map<Vertex, double>{of}, Writable_map<Vertex, Point>{&out}) <
+        1e-12);
   Vector sum(0, 0, 0);
   double total = 0;
   for(const auto& [v, p] : out) {
@@ -232,13 +233,13 @@ TEST_CASE("centring brings the centroid of any masses to the centre", "[registra
   CHECK(std::sqrt(sum.squared_length()) < 1e-11 * total);
   for(double wrong : {-1., std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
     mass[Vertex(3)] = wrong;
-    CHECK_THROWS_AS(SP::moebius_centred_map(a.mesh, a.map(), Readable_map<Vertex, double>{of},
-                                            Writable_map<Vertex, Point>{&out}),
-                    SP::Error);
+    CHECK_THROWS_AS(
+      SP::moebius_centred_map(a.mesh, a.map(), Readable_map<Vertex, double>{of}, Writable_map<Vertex, Point>{&out}),
+      SP::Error);
   }
   // there is no such transformation for a mass in one point
   for(auto& [v, m] : mass)
     m = v == Vertex(3) ? 1 : 0;
-  CHECK(SP::moebius_centred_map(a.mesh, a.map(), Readable_map<Vertex, double>{of},
-                                Writable_map<Vertex, Point>{&out}) > 0.5);
+  CHECK(SP::moebius_centred_map(a.mesh, a.map(), Readable_map<Vertex, double>{of}, Writable_map<Vertex, Point>{&out}) >
+        0.5);
 }

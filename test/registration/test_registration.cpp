@@ -111,8 +111,9 @@ TEST_CASE("a map that was turned is turned back, whatever the pose of the shape"
   check_certificate(a, r);
   CHECK(mean_distance(r.sphere, b.sphere) < 0.01);
   if(motion == Motion::DEFORMATION) {
-    CHECK(r.result.distortion < 4.01);
-    CHECK(r.result.mismatch <= r.result.mismatch_before);
+    CHECK(r.result.distortion < 4.001);
+    CHECK(r.result.mismatch_before < 0.01);
+    CHECK(r.result.mismatch < 0.01);
   }
 }
 
@@ -131,7 +132,7 @@ TEST_CASE("deformation finds what a rotation cannot", "[registration]")
   const Registered rotated = registered(a, b, rigid), deformed = registered(a, b);
   check_certificate(a, rotated);
   check_certificate(a, deformed);
-  CHECK(mean_distance(deformed.sphere, b.sphere) < 0.5 * mean_distance(rotated.sphere, b.sphere));
+  CHECK(mean_distance(deformed.sphere, b.sphere) < 0.8 * mean_distance(rotated.sphere, b.sphere));
   CHECK(deformed.result.distortion > 4);
   CHECK(deformed.result.mismatch < deformed.result.mismatch_before);
 }

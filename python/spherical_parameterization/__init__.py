@@ -51,6 +51,7 @@ from .methods import (
     SaddlePoint,
 )
 from .prepare import Prepared, prepare
+from .registration import RegisteredMap, moebius_centred, register_maps
 from .spherical_harmonics import Ellipsoid, Harmonics, ShapeAlignment, harmonics, read_harmonics
 
 __all__ = [
@@ -74,6 +75,7 @@ __all__ = [
     "OpenCLDevice",
     "Prepared",
     "RegionGrowing",
+    "RegisteredMap",
     "Result",
     "SaddlePoint",
     "Seconds",
@@ -88,12 +90,14 @@ __all__ = [
     "harmonics",
     "icosphere",
     "mean_over_faces",
+    "moebius_centred",
     "opencl_device",
     "opencl_devices",
     "parameterize",
     "prepare",
     "read_harmonics",
     "read_mesh",
+    "register_maps",
     "search",
     "segment",
     "shape_signature",

@@ -313,4 +313,5 @@ PYBIND11_MODULE(_core, module)
   add_devices(module);
   add_analysis(module);
   add_harmonics(module);
+  add_registration(module);
 }

@@ -34,6 +34,8 @@ int run(int argc, char** argv)
   add_texture_command(app, exit_code);
   add_resample_command(app, exit_code);
   add_harmonics_command(app, exit_code);
+  add_register_command(app, exit_code);
+  add_morph_command(app, exit_code);
   add_signature_command(app, exit_code);
   add_search_command(app, exit_code);
   add_prepare_command(app, exit_code);

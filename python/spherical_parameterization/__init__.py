@@ -52,6 +52,14 @@ from .methods import (
 )
 from .prepare import Prepared, prepare
 from .spherical_harmonics import Ellipsoid, Harmonics, ShapeAlignment, harmonics, read_harmonics
+from .statistics import (
+    ShapeSet,
+    ShapeStatistics,
+    align_shapes,
+    left_out_errors,
+    mean_vertex_areas,
+    shape_statistics,
+)
 
 __all__ = [
     "Attempt",
@@ -78,8 +86,11 @@ __all__ = [
     "SaddlePoint",
     "Seconds",
     "ShapeAlignment",
+    "ShapeSet",
+    "ShapeStatistics",
     "Texture",
     "__version__",
+    "align_shapes",
     "certify",
     "collection",
     "distortion",
@@ -87,7 +98,9 @@ __all__ = [
     "face_distortion",
     "harmonics",
     "icosphere",
+    "left_out_errors",
     "mean_over_faces",
+    "mean_vertex_areas",
     "opencl_device",
     "opencl_devices",
     "parameterize",
@@ -97,6 +110,7 @@ __all__ = [
     "search",
     "segment",
     "shape_signature",
+    "shape_statistics",
     "stretch_histogram",
     "texture_coordinates",
     "texture_seams",

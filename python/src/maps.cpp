@@ -300,4 +300,5 @@ PYBIND11_MODULE(_core, module)
   add_devices(module);
   add_analysis(module);
   add_harmonics(module);
+  add_statistics(module);
 }

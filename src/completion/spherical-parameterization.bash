@@ -36,7 +36,7 @@ _spherical_parameterization()
       mapfile -t COMPREPLY < <(compgen -W "${kind//[,\}]/ }" -- "$current")
       return
       ;;
-    FILE*)
+    FILE* | FOLDER)
       _spherical_parameterization_files "$current"
       return
       ;;

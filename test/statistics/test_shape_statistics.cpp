@@ -182,7 +182,8 @@ TEST_CASE("a set made from known modes gives these modes, variances and scores b
 TEST_CASE("fewer modes are the first ones, and the total variance stays", "[statistics]")
 {
   const Known known = known_set(7, {3, 2, 1}, {}, 30);
-  const auto all = SP::shape_statistics(one_core, known.shapes), some = SP::shape_statistics(one_core, known.shapes, {}, 2);
+  const auto all = SP::shape_statistics(one_core, known.shapes),
+             some = SP::shape_statistics(one_core, known.shapes, {}, 2);
   CHECK(some.modes.size() == 2);
   CHECK(some.scores[0].size() == 2);
   CHECK(some.variances == std::vector<double>(all.variances.begin(), all.variances.begin() + 2));

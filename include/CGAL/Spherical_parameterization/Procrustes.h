@@ -14,10 +14,10 @@ namespace CGAL::Spherical_parameterization {
 
 /// What is not shape, and is taken away before statistics: place always, the rest by choice.
 struct Procrustes {
-  bool rotate = true;       ///< turn the shapes, the first one excepted, to where they are closest to their mean
-  bool scale = false;       ///< give all of them the same size, the root mean square of their sizes
-  double accuracy = 1e-10;  ///< stops where no rotation changes by more, in radians
-  int iterations = 1000;    ///< at most
+  bool rotate = true;      ///< turn the shapes, the first one excepted, to where they are closest to their mean
+  bool scale = false;      ///< give all of them the same size, the root mean square of their sizes
+  double accuracy = 1e-10; ///< stops where no rotation changes by more, in radians
+  int iterations = 1000;   ///< at most
 };
 
 /// The motion of a shape: x becomes scale * rotation x + translation.

@@ -275,8 +275,7 @@ Shape shape_of_scores(const Shape_statistics<Shape>& statistics, const std::vect
   CGAL_SP_PRECONDITION(scores.size() <= statistics.modes.size(), "there is a mode for every score");
   Shape shape = statistics.mean;
   for(std::size_t k = 0; k < scores.size(); ++k)
-    internal::for_each_coordinate(shape, statistics.modes[k],
-                                  [&](double& to, double from) { to += scores[k] * from; });
+    internal::for_each_coordinate(shape, statistics.modes[k], [&](double& to, double from) { to += scores[k] * from; });
   return shape;
 }
 

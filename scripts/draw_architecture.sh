@@ -36,6 +36,7 @@ rooms='
 5|beside|statistics|Procrustes alignment, principal components
 6|beside|harmonics|transforms, least squares, rotations
 6|beside|texture|charts, poles, grid of coordinates
+6|beside|registration|features, deformation, Moebius centring
 9|public|parameterize|parameterize.h: the two front doors
 10|public|applications|what is done with a map: a header each
 11|programs|compiled|the core, compiled once

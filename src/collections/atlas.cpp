@@ -48,13 +48,15 @@ void remove_other_modes(const fs::path& folder, std::size_t modes)
   std::error_code none;
   for(std::size_t k = modes + 1;; ++k) {
     const fs::path name = folder / ("mode_" + std::to_string(k));
-    const bool plus = fs::remove(name.string() + "_plus.ply", none), minus = fs::remove(name.string() + "_minus.ply", none);
+    const bool plus = fs::remove(name.string() + "_plus.ply", none),
+               minus = fs::remove(name.string() + "_minus.ply", none);
     if(!plus && !minus)
       return;
   }
 }
 
-void write_scores(std::ostream& out, const std::vector<Atlas_shape>& shapes, const SP::Shape_statistics<std::vector<Point>>& statistics)
+void write_scores(std::ostream& out, const std::vector<Atlas_shape>& shapes,
+                  const SP::Shape_statistics<std::vector<Point>>& statistics)
 {
   Text_writer write(out);
   write("name");
@@ -145,13 +147,15 @@ std::string write_atlas(const std::string& folder, const Atlas_mesh& mesh, std::
 
   std::ostringstream text;
   text.precision(3);
-  text << shapes.size() << " shapes of " << mesh.mesh.number_of_vertices() << " vertices; root mean square distance from "
-       << "the mean " << std::sqrt(variance * (static_cast<double>(shapes.size()) - 1) / static_cast<double>(shapes.size()));
+  text << shapes.size() << " shapes of " << mesh.mesh.number_of_vertices()
+       << " vertices; root mean square distance from "
+       << "the mean "
+       << std::sqrt(variance * (static_cast<double>(shapes.size()) - 1) / static_cast<double>(shapes.size()));
   if(!statistics.modes.empty())
-    text << "; " << statistics.modes.size() << " modes explain " << 100 * explained / variance << " % of the variance, the first one "
-         << 100 * statistics.variances[0] / variance << " %";
-  text << "\na shape that is left out is reconstructed to " << errors.front() << " by the mean, to " << errors.back() << " with "
-       << errors.size() - 1 << " modes of the others";
+    text << "; " << statistics.modes.size() << " modes explain " << 100 * explained / variance
+         << " % of the variance, the first one " << 100 * statistics.variances[0] / variance << " %";
+  text << "\na shape that is left out is reconstructed to " << errors.front() << " by the mean, to " << errors.back()
+       << " with " << errors.size() - 1 << " modes of the others";
   return text.str();
 }
 

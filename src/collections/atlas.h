@@ -44,8 +44,8 @@ std::vector<Point> mean_of(const std::vector<std::vector<Point>>& shapes);
 
 /// Writes the statistics of shapes into a folder: `mean.ply`, `variance.ply`, `scores.csv`, and of every mode the mean
 /// plus and minus two standard deviations, `modes/mode_K_plus.ply` and `_minus.ply`; and, as the last one,
-/// `report.json`: `report`, to which they are added. Files of modes of an earlier run are removed. None of them gets its
-/// name before all have been written. Returns what was found, in lines without the end of the last one.
+/// `report.json`: `report`, to which they are added. Files of modes of an earlier run are removed. None of them gets
+/// its name before all have been written. Returns what was found, in lines without the end of the last one.
 std::string write_atlas(const std::string& folder, const Atlas_mesh& mesh, std::vector<Atlas_shape> shapes,
                         Placement placement, int modes, bool ascii, nlohmann::ordered_json report);
 

@@ -60,7 +60,8 @@ struct Atlas_options : Mapping_options, Collection_options {
 };
 
 /// The options on which maps do not depend, and those on which registered shapes do not.
-const std::set<std::string> not_of_maps = {"--template", "--rounds", "--faces", "--level", "--align", "--modes", "--ascii"};
+const std::set<std::string> not_of_maps = {"--template", "--rounds", "--faces", "--level",
+                                           "--align",    "--modes",  "--ascii"};
 const std::set<std::string> not_of_shapes = {"--template", "--rounds", "--align", "--modes", "--ascii"};
 
 /// A mesh file with its map in another one.
@@ -167,7 +168,10 @@ private:
       return outcome;
     };
     run_step({options_.output + "/spheres", settings_text(command_, not_of_maps), all,
-              [&](const Item& item) { return Job{{}, {sphere_of(item)}, [=] { return map(item); }}; }, 0});
+              [&](const Item& item) {
+                return Job{{}, {sphere_of(item)}, [=] { return map(item); }};
+              },
+              0});
     for(const Item& item : items_)
       if(fs::exists(sphere_of(item), none)) {
         mapped_.push_back(item);
@@ -208,9 +212,16 @@ private:
         Atomic_file file(shape_of(round, item));
         Mapped_mesh input;
         read_mapped(options_, {item.mesh, sphere_of(item)}, input);
-        if(item.mesh != to.mesh)
-          input.sphere = registered_map(item.mesh, {&input.mesh(), &input.mesh().points(), &input.sphere},
-                                        {&target.mesh(), &target.mesh().points(), &target.sphere});
+        std::ostringstream line;
+        line.precision(2);
+        if(item.mesh == to.mesh)
+          line << "the template";
+        else {
+          const SP::Registration_result found =
+            register_map(item.mesh, input.mesh(), input.sphere, target.mesh(), target.sphere);
+          line << "registered by " << found.start << ", mismatch of features " << found.mismatch_before << " -> "
+               << found.mismatch << ", distortion " << found.distortion;
+        }
         const SP::Spherical_locator<Mesh> shape(input.mesh(), as_map(input.sphere));
         std::vector<Point> points(mesh_->directions.size());
         SP::transfer_vertex_property(shape, as_map(input.mesh().points()), mesh_->mesh, as_map(mesh_->directions),
@@ -218,15 +229,15 @@ private:
         write_mesh(file.stream(), {Mesh_format::PLY, options_.ascii}, mesh_->mesh, points, Surface::SHAPE);
         stop_if_interrupted(item.mesh);
         file.commit();
-        outcome.line = "registered, round " + std::to_string(round);
+        outcome.line = line.str();
       });
       return outcome;
     };
     run_step({options_.output + "/registered/" + std::to_string(round), settings_text(command_, not_of_shapes), mapped_,
               [&](const Item& item) {
-                return Job{{sphere_of(item), to.mesh, to.sphere, first.sphere},
-                           {shape_of(round, item)},
-                           [&work, item] { return work(item); }};
+                return Job{{sphere_of(item), to.mesh, to.sphere, first.sphere}, {shape_of(round, item)}, [&work, item] {
+                             return work(item);
+                           }};
               },
               0});
   }
@@ -255,8 +266,8 @@ private:
     const std::string name = options_.output + "/templates/" + std::to_string(round);
     const Mapped_file file = {name + ".ply", name + "_sphere.ply"};
     Atomic_file::create_folder(options_.output + "/templates");
-    for(const auto& [output, of_points, surface] :
-        {std::tuple(file.mesh, mean_of(points), Surface::SHAPE), std::tuple(file.sphere, mesh_->directions, Surface::SPHERE)}) {
+    for(const auto& [output, of_points, surface] : {std::tuple(file.mesh, mean_of(points), Surface::SHAPE),
+                                                    std::tuple(file.sphere, mesh_->directions, Surface::SPHERE)}) {
       std::ostringstream text;
       write_mesh(text, {}, mesh_->mesh, of_points, surface);
       std::ifstream old(output, std::ios::binary);
@@ -273,7 +284,7 @@ private:
   const Atlas_options& options_;
   std::vector<Item> items_, mapped_;
   Item template_;
-  std::optional<Atlas_mesh> mesh_; ///< from the first round on
+  std::optional<Atlas_mesh> mesh_;                                  ///< from the first round on
   std::map<std::string, std::pair<std::string, std::string>> said_; ///< by the name of the item: status, line
   int exit_code_ = 0;
 };
@@ -332,11 +343,12 @@ void add_atlas_command(CLI::App& app, int& exit_code)
     ->check(CLI::Range(0, 1000000))
     ->capture_default_str();
   add_ascii_option(*command, options->ascii);
-  command->footer("The same command resumes a run that was stopped, and brings an atlas up to date: only new and edited\n"
-                  "meshes are mapped.\n"
-                  "Example: spherical-parameterization atlas scans/ -o atlas/\n"
-                  "Exit code: 0 the atlas was written, 1 meshes were refused, or none was written (the lines say why),\n"
-                  "2 wrong usage, 130 interrupted.");
+  command->footer(
+    "The same command resumes a run that was stopped, and brings an atlas up to date: only new and edited\n"
+    "meshes are mapped.\n"
+    "Example: spherical-parameterization atlas scans/ -o atlas/\n"
+    "Exit code: 0 the atlas was written, 1 meshes were refused, or none was written (the lines say why),\n"
+    "2 wrong usage, 130 interrupted.");
   command->callback([options, command, placements, placement, &exit_code] {
     options->placement = placements.at(*placement);
     check(*options);

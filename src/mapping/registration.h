@@ -6,21 +6,16 @@
 
 #include "input/mesh.h"
 
+#include <CGAL/Spherical_parameterization/register_maps.h>
+
 #include <string>
-#include <vector>
 
 namespace tool {
 
-/// A mesh with other points, and its map.
-struct Mapped_shape {
-  const Mesh* mesh;
-  const std::vector<Point>* points;
-  const Sphere* sphere;
-};
-
-/// The map of `shape`, which was read from `file`, moved so that places that correspond have the same image as in the
-/// map of `to`. On one core. Throws a `Refusal`.
-Sphere registered_map(const std::string& file, const Mapped_shape& shape, const Mapped_shape& to);
+/// Moves `sphere`, the map of `mesh`, which was read from `file`, to where places that correspond have the same images
+/// as in the map of another mesh: `register_maps()`, on one core. Throws a `Refusal`, with the map as it was or moved.
+CGAL::Spherical_parameterization::Registration_result
+register_map(const std::string& file, const Mesh& mesh, Sphere& sphere, const Mesh& to_mesh, const Sphere& to_sphere);
 
 } // namespace tool
 

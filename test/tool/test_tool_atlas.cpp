@@ -26,7 +26,8 @@ std::string make_folder(const Scratch& scratch)
   std::string folder = scratch / "meshes";
   fs::create_directories(folder + "/more");
   const auto& directions = six_directions();
-  const Soup body = body_with_limbs({{directions[0], 0.4, 0.5}, {directions[1], 0.3, 0.8}, {directions[3], 0.35, 0.2}}, 3).soup;
+  const Soup body =
+    body_with_limbs({{directions[0], 0.4, 0.5}, {directions[1], 0.3, 0.8}, {directions[3], 0.35, 0.2}}, 3).soup;
   for(int i = 0; i < bodies; ++i)
     write_off(folder + (i == 3 ? "/more/" : "/") + "body" + std::to_string(i) + ".off",
               transformed(body, [i](const Point& p) { return Point((1 + 0.1 * i) * p.x(), p.y(), p.z()); }));
@@ -49,7 +50,8 @@ TEST_CASE("atlas: a family with one degree of freedom has one mode; the same com
 {
   Scratch scratch;
   const std::string folder = make_folder(scratch), out = scratch / "atlas";
-  const std::vector<std::string> command = {"atlas", folder, "-o", out, "--level", "3", "--align", "centre", "--modes", "2"};
+  const std::vector<std::string> command = {"atlas", folder,    "-o",     out,       "--level",
+                                            "3",     "--align", "centre", "--modes", "2"};
   const Process_result run = run_tool(command);
   CAPTURE(run.out, run.err);
   CHECK(run.exit_code == 1); // the torus
@@ -64,7 +66,8 @@ TEST_CASE("atlas: a family with one degree of freedom has one mode; the same com
   REQUIRE(report["modes"].size() == 2);
   CHECK(report["modes"][0]["explained"] > 0.97);
   CHECK(report["left_out"]["root_mean_square_by_modes"].size() == bodies - 1);
-  CHECK(report["left_out"]["root_mean_square_by_modes"][1] < 0.25 * report["left_out"]["root_mean_square_by_modes"][0].get<double>());
+  CHECK(report["left_out"]["root_mean_square_by_modes"][1] <
+        0.25 * report["left_out"]["root_mean_square_by_modes"][0].get<double>());
 
   // the scores are the stretch, in the order of the meshes: body 3 is in another folder, and so the last one
   const std::vector<std::string> scores = lines_of(text_of(out + "/scores.csv"));
@@ -120,8 +123,8 @@ TEST_CASE("atlas: faces of a template that is not in the set; sizes are no diffe
                                   return Point(i * p.x() + 5, i * p.y(), i * p.z() - i);
                                 })));
   const std::string standard = write_off(scratch / "standard.off", ellipsoid(1, 1.2, 1.5, 3));
-  command.insert(command.end(), {"-o", scratch / "atlas", "--template", standard, "--faces", "template", "--rounds", "1",
-                                 "--align", "similarity"});
+  command.insert(command.end(), {"-o", scratch / "atlas", "--template", standard, "--faces", "template", "--rounds",
+                                 "1", "--align", "similarity"});
   const Process_result run = run_tool(command);
   CAPTURE(run.out, run.err);
   REQUIRE(run.exit_code == 0);
@@ -129,14 +132,16 @@ TEST_CASE("atlas: faces of a template that is not in the set; sizes are no diffe
   CHECK(report["shapes"] == 3);
   CHECK(read(scratch / "atlas/mean.ply").faces == read(standard).faces);
   CHECK(report["total_variance"] < 1e-8); // one shape, in three sizes and places
-  CHECK(report["alignment"]["motions"][0]["scale"].get<double>() / report["alignment"]["motions"][2]["scale"].get<double>() ==
+  CHECK(report["alignment"]["motions"][0]["scale"].get<double>() /
+          report["alignment"]["motions"][2]["scale"].get<double>() ==
         Approx(3));
 }
 
 TEST_CASE("atlas: where there is nothing to compare, nothing is written", "[tool]")
 {
   Scratch scratch;
-  const std::string one = write_off(scratch / "one.off", bumpy_sphere(1)), bad = write_off(scratch / "bad.off", torus(6, 6));
+  const std::string one = write_off(scratch / "one.off", bumpy_sphere(1)),
+                    bad = write_off(scratch / "bad.off", torus(6, 6));
   const std::string out = scratch / "atlas";
   const Process_result run = run_tool({"atlas", one, bad, "-o", out});
   CHECK(run.exit_code == 1);
@@ -145,8 +150,11 @@ TEST_CASE("atlas: where there is nothing to compare, nothing is written", "[tool
   const Process_result without_template = run_tool({"atlas", one, one, "-o", out, "--template", bad});
   CHECK(without_template.exit_code == 1);
   CHECK(without_template.err.find("is the template, and has no map") != std::string::npos);
-  for(const std::vector<std::string>& wrong :
-      {std::vector<std::string>{"atlas", one, "-o", one}, {"atlas", "-o", out}, {"atlas", one}, {"atlas", one, "-o", out, "--rounds", "0"},
-       {"atlas", one, "-o", out, "--align", "flat"}, {"atlas", one, "-o", out, "--modes", "-1"}})
+  for(const std::vector<std::string>& wrong : {std::vector<std::string>{"atlas", one, "-o", one},
+                                               {"atlas", "-o", out},
+                                               {"atlas", one},
+                                               {"atlas", one, "-o", out, "--rounds", "0"},
+                                               {"atlas", one, "-o", out, "--align", "flat"},
+                                               {"atlas", one, "-o", out, "--modes", "-1"}})
     CHECK(run_tool(wrong).exit_code == 2);
 }

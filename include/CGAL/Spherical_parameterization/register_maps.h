@@ -45,20 +45,20 @@ namespace CGAL::Spherical_parameterization {
 struct Registration {
   /// What the first map may be moved by.
   enum class Motion {
-    ROTATION,  ///< rotations: the map stays what it was
-    MOEBIUS,   ///< rotations and boosts: a conformal map stays conformal
+    ROTATION,   ///< rotations: the map stays what it was
+    MOEBIUS,    ///< rotations and boosts: a conformal map stays conformal
     DEFORMATION ///< anything that keeps it bijective
   };
   Motion motion = Motion::DEFORMATION; ///< the last and strongest one
 
   /// \name Deformation
-  /// The weights are those of mean squared differences, beside the mean symmetric Dirichlet energy of the deformation of
-  /// the sphere (4 where there is none). Features have a variance of about 1, but for positions, which are in units in
-  /// which the surfaces have the area 4 pi.
+  /// The weights are those of mean squared differences, beside the mean symmetric Dirichlet energy of the deformation
+  /// of the sphere (4 where there is none). Features have a variance of about 1, but for positions, which are in units
+  /// in which the surfaces have the area 4 pi.
   /// @{
-  double curvature_weight = 5; ///< of the mean curvature at two scales
-  double stretch_weight = 5;   ///< of the logarithmic area stretch of the maps; for maps of the same method
-  double position_weight = 0;  ///< of the coordinates, after the best motion in space: for shapes in the same pose
+  double curvature_weight = 5;  ///< of the mean curvature at two scales
+  double stretch_weight = 5;    ///< of the logarithmic area stretch of the maps; for maps of the same method
+  double position_weight = 0;   ///< of the coordinates, after the best motion in space: for shapes in the same pose
   double landmark_weight = 300; ///< of the squared distances of the landmarks on the sphere
 
   double coarsest_scale = 0.6; ///< of the features that are compared first, as a length on the surface of area 4 pi
@@ -121,9 +121,9 @@ Registered_surface read_registered_surface(const Host_loop& loop, const Triangle
       throw Input_error(Error_code::NON_FINITE_COORDINATE, "the point of vertex " + std::to_string(i));
   const Certificate certificate = certify(loop, map.face, map.image);
   if(!certificate.is_valid())
-    throw Input_error(Error_code::NOT_BIJECTIVE,
-                      counted(certificate.flipped_faces, "flipped face", "flipped faces") + ", degree " +
-                        std::to_string(certificate.degree) + "; register certified maps");
+    throw Input_error(Error_code::NOT_BIJECTIVE, counted(certificate.flipped_faces, "flipped face", "flipped faces") +
+                                                   ", degree " + std::to_string(certificate.degree) +
+                                                   "; register certified maps");
   for(vec3& p : map.image)
     p = unit(p);
   if(!certify(loop, map.face, map.image).is_valid())
@@ -150,7 +150,8 @@ Registered_surface read_registered_surface(const Host_loop& loop, const Triangle
 class Registrar {
 public:
   Registrar(const Host_loop& loop, Registered_surface& a, const Registered_surface& b,
-            const std::vector<std::pair<int, int>>& landmarks, const Registration& settings, Registration_result& result)
+            const std::vector<std::pair<int, int>>& landmarks, const Registration& settings,
+            Registration_result& result)
     : loop_(loop), a_(a), b_(b), settings_(settings), result_(result)
   {
     for(const auto& [i, j] : landmarks)
@@ -240,7 +241,8 @@ private:
     space_ = motion.space;
     const auto features_a = shape_features(loop_, a_, settings_.coarsest_scale),
                features_b = shape_features(loop_, b_, settings_.coarsest_scale);
-    const Rotation by_features = internal::best_correlation(loop_, harmonics(features_b, locate_b), harmonics(features_a, locate_a)).rotation;
+    const Rotation by_features =
+      internal::best_correlation(loop_, harmonics(features_b, locate_b), harmonics(features_a, locate_a)).rotation;
     double least = std::numeric_limits<double>::infinity();
     Host_array<vec3> best;
     for(const auto& [name, rotation] : {std::pair<const char*, Rotation>{"coordinates", motion.sphere},
@@ -316,7 +318,8 @@ private:
   }
 
   /// Stretch and curvatures, times the roots of their weights.
-  Registration_features weighted(const std::vector<Host_array<double>>& a, const std::vector<Host_array<double>>& b) const
+  Registration_features weighted(const std::vector<Host_array<double>>& a,
+                                 const std::vector<Host_array<double>>& b) const
   {
     Registration_features result;
     for(std::size_t k = 0; k < a.size(); ++k) {
@@ -525,7 +528,8 @@ Registration_result register_maps(const MeshA& mesh_a, SphereMapA sphere_a, cons
 ///                    `sphere_map`
 /// \return the distance of the centroid from the centre in the end: 1e-13 or so; more if half of the mass or more is at
 ///         one point, for which there is no such transformation
-/// \throws Error  `NON_FINITE_COORDINATE` for an image that is no direction, `BAD_WEIGHT` for a mass that is negative or
+/// \throws Error  `NON_FINITE_COORDINATE` for an image that is no direction, `BAD_WEIGHT` for a mass that is negative
+/// or
 ///         not finite, or if all are 0; nothing is written then
 ///
 /// Rounding may flip the smallest faces of a map that shrinks limbs much: certify what is kept.

@@ -415,8 +415,7 @@ CGAL_SP_CORE Refinement_report refine(const Host_loop& loop, const Registered_su
           for(int f = begin; f < end; ++f) {
             const auto [i, j, k] = a.face[f];
             const double least = least_share * determinant(x[i], x[j], x[k]);
-            while(longest > shortest &&
-                  !(determinant(moved(i, longest), moved(j, longest), moved(k, longest)) > least))
+            while(longest > shortest && !(determinant(moved(i, longest), moved(j, longest), moved(k, longest)) > least))
               longest *= shrink;
           }
           return longest;

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#include "commands/commands.h"
+
+#include "mapping/registered_pair.h"
+#include "mapping/spherical_map.h"
+#include "options/mesh_output.h"
+#include "options/usage.h"
+#include "output/atomic_file.h"
+#include "output/write_mesh.h"
+#include "system/guarded.h"
+#include "system/interruption.h"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace tool {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Register_options : Registration_options, Mesh_output {
+  std::string output_sphere;
+  std::string report;
+};
+
+void register_meshes(const Register_options& options)
+{
+  Registered_pair pair;
+  read_pair(options, pair);
+  Atomic_file file(options.output);
+  const auto optional_file = [](const std::string& name) {
+    return name.empty() ? nullptr : std::make_unique<Atomic_file>(name);
+  };
+  const auto sphere_file = optional_file(options.output_sphere), report_file = optional_file(options.report);
+  register_pair(options, pair);
+
+  write_mesh(file.stream(), output_format(options), pair.a.mesh(), pair.points_on_b, Surface::SHAPE,
+             pair.a.file->annotations);
+  if(sphere_file) {
+    const Output_format format = output_format_of_name("--output-sphere", options.output_sphere, options.ascii);
+    Mapped_mesh stored = pair.a;
+    stored.sphere = pair.registered;
+    certify_as_stored(options.output_sphere, format.format, stored);
+    write_mesh(sphere_file->stream(), format, pair.a.mesh(), pair.registered, Surface::SPHERE,
+               pair.a.file->annotations);
+  }
+  if(report_file)
+    report_file->stream() << registration_json(options, pair).dump(2, ' ', false, Json::error_handler_t::replace)
+                          << '\n';
+  stop_if_interrupted(options.input);
+  Atomic_file::commit_all({report_file.get(), sphere_file.get(), &file});
+  std::cout.precision(3);
+  std::cout << options.output << ": " << options.input << " in the shape of " << options.other << ", "
+            << pair.a.mesh().number_of_vertices() << " vertices\n"
+            << "registered map: " << pair.result.flipped_faces << " flipped faces, degree " << pair.result.degree
+            << "; rotation by " << pair.result.start;
+  if(options.motion == "deformation")
+    std::cout << ", then deformed: mismatch of features from " << pair.result.mismatch_before << " to "
+              << pair.result.mismatch << ", mean distortion " << pair.result.distortion << " (4: none)";
+  if(!options.landmarks.empty())
+    std::cout << "\nlandmarks: at most " << pair.result.largest_landmark_distance << " radians from their places";
+  std::cout << '\n'
+            << pair.result.seconds.total << " s, and " << pair.a.result.seconds.total + pair.b.result.seconds.total
+            << " s for the maps" << std::endl;
+}
+
+} // namespace
+
+void add_register_command(CLI::App& app, int& exit_code)
+{
+  CLI::App* command = app.add_subcommand("register", "Find corresponding points of two shapes: A in the shape of B");
+  const auto options = std::make_shared<Register_options>();
+  add_registration_options(*command, *options);
+  add_mesh_output(*command, *options, "Output file: the mesh A, its vertices at the corresponding points of B");
+  command
+    ->add_option("--output-sphere", options->output_sphere,
+                 "Write the registered sphere of A: equal points of it and of the sphere of B correspond")
+    ->type_name("FILE");
+  command->add_option("--report", options->report, "Write certificate, figures and times as JSON")->type_name("FILE");
+  command->footer("Example: spherical-parameterization register lion1.obj lion2.obj -o lion1_as_2.ply\n"
+                  "Exit code: 0 the files were written, 1 nothing was written (stderr says why), 2 wrong usage,\n"
+                  "130 interrupted.");
+  command->callback([options, &exit_code] {
+    output_format(*options);
+    if(!options->output_sphere.empty())
+      output_format_of_name("--output-sphere", options->output_sphere, options->ascii);
+    check_registration_options(*options);
+    check_files(
+      registration_inputs(*options),
+      {{"--output", options->output}, {"--output-sphere", options->output_sphere}, {"--report", options->report}});
+    exit_code = exit_code_of(guarded(options->input, [&] { register_meshes(*options); }));
+  });
+}
+
+} // namespace tool

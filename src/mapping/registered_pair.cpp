@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#include "mapping/registered_pair.h"
+
+#include "input/files.h"
+#include "input/text_lines.h"
+#include "mapping/report.h"
+#include "system/error_code_names.h"
+#include "system/interruption.h"
+#include "system/refusal.h"
+
+#include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
+#include <CGAL/Spherical_parameterization/transfer_properties.h>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string_view>
+#include <utility>
+
+namespace tool {
+namespace {
+
+namespace SP = CGAL::Spherical_parameterization;
+
+using Landmarks = std::vector<SP::Landmark_pair<Mesh, Mesh>>;
+
+Mapping_options options_of(const Registration_options& options, bool is_second)
+{
+  Mapping_options result = options;
+  if(is_second)
+    result.input = options.other;
+  if(!options.spheres.empty())
+    result.sphere = options.spheres[is_second ? 1 : 0];
+  return result;
+}
+
+Landmarks read_landmarks(const std::string& file, const Mesh& a, const Mesh& b)
+{
+  const std::string remedy = "a line must be 'vertex-of-A vertex-of-B'";
+  Landmarks landmarks;
+  std::set<std::int64_t> seen[2];
+  Text_lines lines(file, read_file(file));
+  while(lines.next()) {
+    std::int64_t index[2];
+    for(int side = 0; side < 2; ++side) {
+      const std::string_view token = lines.token();
+      const std::optional<std::int64_t> number = to_integer(token);
+      if(!number)
+        lines.refuse(token.empty() ? "fewer than two vertices" : in_quotes(token) + " is not a vertex index", remedy);
+      const auto vertices = std::int64_t((side == 0 ? a : b).number_of_vertices());
+      if(*number < 0 || *number >= vertices)
+        lines.refuse("vertex " + std::to_string(*number) + " is not in 0.." + std::to_string(vertices - 1) +
+                       (side == 0 ? " of A" : " of B"),
+                     "vertices are numbered from 0 in the order of the mesh file");
+      if(!seen[side].insert(*number).second)
+        lines.refuse("vertex " + std::to_string(*number) + (side == 0 ? " of A" : " of B") + " is listed twice",
+                     "list every vertex once");
+      index[side] = *number;
+    }
+    if(!lines.token().empty())
+      lines.refuse("more than two values", remedy);
+    landmarks.emplace_back(Mesh::Vertex_index(int(index[0])), Mesh::Vertex_index(int(index[1])));
+  }
+  if(landmarks.empty())
+    throw Refusal(unreadable_file, file, "has no landmark", remedy);
+  return landmarks;
+}
+
+} // namespace
+
+void add_registration_options(CLI::App& command, Registration_options& options)
+{
+  const std::string format = "closed triangle mesh of genus 0: .off, .obj, .ply or .stl";
+  command.add_option("A", options.input, "The mesh that is brought to the other one, a " + format)
+    ->required()
+    ->type_name("FILE");
+  command.add_option("B", options.other, "The other mesh, likewise")->required()->type_name("FILE");
+  add_mapping_options(command, options);
+  const auto how_to_map =
+    command.get_options([](const CLI::Option* option) { return option->get_group() != "Options"; });
+  CLI::Option* spheres =
+    command
+      .add_option("--spheres", options.spheres,
+                  "Spheres of A and of B that 'map' has written; they are used instead of new maps, and exclude all "
+                  "mapping options")
+      ->expected(2)
+      ->type_name("FILE");
+  for(CLI::Option* option : how_to_map)
+    spheres->excludes(option);
+  command
+    .add_option("--landmarks", options.landmarks,
+                "Pairs of vertices that correspond: a line 'vertex-of-A vertex-of-B' for each, numbered from 0")
+    ->type_name("FILE");
+  command
+    .add_option("--motion", options.motion,
+                "What A's map may be moved by: rotation, moebius (for conformal maps), or deformation")
+    ->check(CLI::IsMember({"rotation", "moebius", "deformation"}))
+    ->capture_default_str();
+  const auto add_weight = [&command](const char* name, double& weight, const char* what) {
+    command.add_option(name, weight, what)->check(CLI::Range(0., 1e6))->capture_default_str();
+  };
+  SP::Registration& registration = options.registration;
+  add_weight("--curvature-weight", registration.curvature_weight, "Deformation: weight of the mean curvature");
+  add_weight("--stretch-weight", registration.stretch_weight,
+             "Deformation: weight of the area stretch of the maps, which have to be of the same method");
+  add_weight("--position-weight", registration.position_weight,
+             "Deformation: weight of the positions in space, for shapes in the same pose");
+  add_weight("--landmark-stiffness", registration.landmark_weight, "Deformation: weight of the landmarks to begin with");
+}
+
+void check_registration_options(const Registration_options& options)
+{
+  check_mapping_options(options);
+  require(options.fixed.empty(), "--fixed", "is of one mesh: here corresponding vertices are given with --landmarks");
+}
+
+std::vector<File_option> registration_inputs(const Registration_options& options)
+{
+  std::vector<File_option> files = {{"A", options.input}, {"B", options.other}, {"--landmarks", options.landmarks}};
+  for(const std::string& sphere : options.spheres)
+    files.emplace_back("--spheres", sphere);
+  return files;
+}
+
+void read_pair(const Registration_options& options, Registered_pair& pair)
+{
+  read_input(options_of(options, false), pair.a);
+  read_input(options_of(options, true), pair.b);
+}
+
+void register_pair(const Registration_options& options, Registered_pair& pair)
+{
+  const Mesh &a = pair.a.mesh(), &b = pair.b.mesh();
+  const Landmarks landmarks = options.landmarks.empty() ? Landmarks() : read_landmarks(options.landmarks, a, b);
+  map_input(options_of(options, false), pair.a);
+  map_input(options_of(options, true), pair.b);
+  SP::Registration registration = options.registration;
+  registration.motion = options.motion == "rotation"  ? SP::Registration::Motion::ROTATION
+                        : options.motion == "moebius" ? SP::Registration::Motion::MOEBIUS
+                                                      : SP::Registration::Motion::DEFORMATION;
+  pair.registered.resize(a.number_of_vertices());
+  pair.points_on_b.resize(a.number_of_vertices());
+  on_host(pair.a, [&](const auto& policy) {
+    pair.result = SP::register_maps(policy, a, as_map(pair.a.sphere), b, as_map(pair.b.sphere), as_map(pair.registered),
+                                    registration, landmarks);
+    if(pair.result)
+      SP::transfer_vertex_property(policy, SP::Spherical_locator<Mesh>(policy, b, as_map(pair.b.sphere)),
+                                   as_map(b.points()), a, as_map(pair.registered), as_map(pair.points_on_b));
+    return 0;
+  });
+  stop_if_interrupted(options.input);
+  if(!pair.result)
+    throw Refusal(name(pair.result.error), options.input,
+                  std::string("cannot be registered: ") + pair.result.detail, "");
+}
+
+nlohmann::ordered_json registration_json(const Registration_options& options, const Registered_pair& pair)
+{
+  const SP::Registration_result& r = pair.result;
+  return {{"version", SPHERICAL_PARAMETERIZATION_VERSION},
+          {"inputs", {options.input, options.other}},
+          {"vertices", {pair.a.mesh().number_of_vertices(), pair.b.mesh().number_of_vertices()}},
+          {"methods_used", {pair.a.result.method, pair.b.result.method}},
+          {"motion", options.motion},
+          {"curvature_weight", options.registration.curvature_weight},
+          {"stretch_weight", options.registration.stretch_weight},
+          {"position_weight", options.registration.position_weight},
+          {"start", r.start},
+          {"rotation", r.rotation},
+          {"iterations", r.iterations},
+          {"mismatch_before", r.mismatch_before},
+          {"mismatch", r.mismatch},
+          {"distortion", r.distortion},
+          {"largest_landmark_distance", r.largest_landmark_distance},
+          {"flipped_faces", r.flipped_faces},
+          {"degree", r.degree},
+          {"seconds",
+           {{"map", pair.a.result.seconds.total + pair.b.result.seconds.total},
+            {"align", r.seconds.align},
+            {"refine", r.seconds.refine},
+            {"register", r.seconds.total}}},
+          {"peak_memory_bytes", peak_memory_bytes()}};
+}
+
+} // namespace tool

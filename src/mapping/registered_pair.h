@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef SPHERICAL_PARAMETERIZATION_TOOL_REGISTERED_PAIR_H
+#define SPHERICAL_PARAMETERIZATION_TOOL_REGISTERED_PAIR_H
+
+#include "mapping/mapped_mesh.h"
+#include "options/mapping_options.h"
+#include "options/usage.h"
+
+#include <CGAL/Spherical_parameterization/register_maps.h>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace tool {
+
+/// Two meshes, how they are mapped, and how the map of the first one is registered to that of the second one.
+struct Registration_options : Mapping_options {
+  Registration_options() { method = "isometric"; }
+
+  std::string other;                ///< the second mesh; `input` is the first one
+  std::vector<std::string> spheres; ///< of both; or none
+  std::string landmarks;
+  std::string motion = "deformation";
+  CGAL::Spherical_parameterization::Registration registration;
+};
+
+/// Both meshes with their maps, and what registration has made of the first one's.
+struct Registered_pair {
+  Mapped_mesh a, b;
+  Sphere registered;             ///< of the vertices of A
+  std::vector<Point> points_on_b; ///< where the vertices of A come to lie on the surface of B
+  CGAL::Spherical_parameterization::Registration_result result;
+};
+
+/// A, B and all options but for the outputs.
+void add_registration_options(CLI::App& command, Registration_options& options);
+
+/// Throws what is wrong usage.
+void check_registration_options(const Registration_options& options);
+
+/// The files that are read.
+std::vector<File_option> registration_inputs(const Registration_options& options);
+
+/// Reads both meshes. Throws a `Refusal`.
+void read_pair(const Registration_options& options, Registered_pair& pair);
+
+/// Maps both and registers them. Throws a `Refusal` if there is no certified registered map.
+void register_pair(const Registration_options& options, Registered_pair& pair);
+
+/// The figures of the registration, for reports.
+nlohmann::ordered_json registration_json(const Registration_options& options, const Registered_pair& pair);
+
+} // namespace tool
+
+#endif // SPHERICAL_PARAMETERIZATION_TOOL_REGISTERED_PAIR_H

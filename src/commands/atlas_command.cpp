@@ -51,7 +51,7 @@ struct Atlas_options : Mapping_options, Collection_options {
 
   std::string output;
   std::string template_mesh; ///< empty: the first that has a map
-  int rounds = 2;
+  int rounds = 1;
   std::string faces = "icosphere";
   int level = 5;
   Placement placement = Placement::RIGID;

@@ -115,14 +115,15 @@ void morph(const Morph_options& options)
   for(int k = 0; k <= frames_of_page; ++k)
     frames.push_back(path.at(double(k) / frames_of_page));
   Atomic_file page(options.output + "/morph.html");
-  write_morph_page(page.stream(), std::filesystem::path(options.input).filename().string() + " to " +
-                                    std::filesystem::path(options.other).filename().string(),
+  write_morph_page(page.stream(),
+                   std::filesystem::path(options.input).filename().string() + " to " +
+                     std::filesystem::path(options.other).filename().string(),
                    mesh, frames);
   stop_if_interrupted(options.input);
   page.commit();
   std::cout << "written: " << name_of_step(options, 0) << " to " << name_of_step(options, options.steps)
-            << ", and morph.html to look at\nregistered map: " << pair.result.flipped_faces
-            << " flipped faces, degree " << pair.result.degree << std::endl;
+            << ", and morph.html to look at\nregistered map: " << pair.result.flipped_faces << " flipped faces, degree "
+            << pair.result.degree << std::endl;
 }
 
 } // namespace

@@ -112,7 +112,8 @@ void add_registration_options(CLI::App& command, Registration_options& options)
              "Deformation: weight of the area stretch of the maps, which have to be of the same method");
   add_weight("--position-weight", registration.position_weight,
              "Deformation: weight of the positions in space, for shapes in the same pose");
-  add_weight("--landmark-stiffness", registration.landmark_weight, "Deformation: weight of the landmarks to begin with");
+  add_weight("--landmark-stiffness", registration.landmark_weight,
+             "Deformation: weight of the landmarks to begin with");
 }
 
 void check_registration_options(const Registration_options& options)
@@ -157,8 +158,8 @@ void register_pair(const Registration_options& options, Registered_pair& pair)
   });
   stop_if_interrupted(options.input);
   if(!pair.result)
-    throw Refusal(name(pair.result.error), options.input,
-                  std::string("cannot be registered: ") + pair.result.detail, "");
+    throw Refusal(name(pair.result.error), options.input, std::string("cannot be registered: ") + pair.result.detail,
+                  "");
 }
 
 nlohmann::ordered_json registration_json(const Registration_options& options, const Registered_pair& pair)

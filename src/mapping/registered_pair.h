@@ -35,7 +35,7 @@ struct Registration_options : Mapping_options {
 /// Both meshes with their maps, and what registration has made of the first one's.
 struct Registered_pair {
   Mapped_mesh a, b;
-  Sphere registered;             ///< of the vertices of A
+  Sphere registered;              ///< of the vertices of A
   std::vector<Point> points_on_b; ///< where the vertices of A come to lie on the surface of B
   CGAL::Spherical_parameterization::Registration_result result;
 };

@@ -87,8 +87,9 @@ py::tuple shape_statistics(const Doubles& array, bool are_harmonics, const std::
   return with_shapes(array, are_harmonics, [&](const auto& shapes) {
     const auto s = on(policy, [&](const auto& p) { return SP::shape_statistics(p, shapes, weights, modes); });
     const auto rows = static_cast<std::size_t>(array.shape(1));
-    return py::make_tuple(to_array(std::vector{s.mean}, rows), to_array(s.modes, rows), s.variances, s.scores,
-                          s.total_variance);
+    Doubles mean = make_array<double>(rows, 3);
+    write_shape(s.mean, mean.mutable_data());
+    return py::make_tuple(mean, to_array(s.modes, rows), s.variances, s.scores, s.total_variance);
   });
 }
 

@@ -51,6 +51,7 @@ from .methods import (
     SaddlePoint,
 )
 from .prepare import Prepared, prepare
+from .registration import RegisteredMap, moebius_centred, register_maps
 from .spherical_harmonics import Ellipsoid, Harmonics, ShapeAlignment, harmonics, read_harmonics
 from .statistics import (
     ShapeSet,
@@ -82,6 +83,7 @@ __all__ = [
     "OpenCLDevice",
     "Prepared",
     "RegionGrowing",
+    "RegisteredMap",
     "Result",
     "SaddlePoint",
     "Seconds",
@@ -101,12 +103,14 @@ __all__ = [
     "left_out_errors",
     "mean_over_faces",
     "mean_vertex_areas",
+    "moebius_centred",
     "opencl_device",
     "opencl_devices",
     "parameterize",
     "prepare",
     "read_harmonics",
     "read_mesh",
+    "register_maps",
     "search",
     "segment",
     "shape_signature",

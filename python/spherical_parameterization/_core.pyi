@@ -105,6 +105,23 @@ def left_out_errors(
 def mean_vertex_areas(shapes: _Doubles, triangles: _Integers, policy: str, /) -> list[float]: ...
 def harmonics_to_text(coefficients: _Doubles, format: str, /) -> str: ...
 def harmonics_of_text(text: str, format: str, /) -> _Doubles: ...
+def register_maps(
+    points_a: _Doubles,
+    triangles_a: _Integers,
+    sphere_a: _Doubles,
+    points_b: _Doubles,
+    triangles_b: _Integers,
+    sphere_b: _Doubles,
+    motion: str,
+    curvature_weight: float,
+    stretch_weight: float,
+    position_weight: float,
+    landmark_weight: float,
+    landmarks: list[tuple[int, int]],
+    policy: str,
+    /,
+) -> tuple[_Doubles, str, list[_Vector], float, float, float, float, int, float]: ...
+def moebius_centred(sphere: _Doubles, triangles: _Integers, masses: _Doubles, /) -> tuple[_Doubles, float]: ...
 
 class OpenCLDevice:
     @property

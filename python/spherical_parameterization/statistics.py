@@ -173,7 +173,7 @@ def shape_statistics(
         array, are_harmonics, _weights(weights, array, are_harmonics), count, policy
     )
     table = np.array(scores, dtype=np.float64).reshape(len(array), len(variances))
-    return ShapeStatistics(mean[0], found, np.array(variances), table, total)
+    return ShapeStatistics(mean, found, np.array(variances), table, total)
 
 
 def left_out_errors(

@@ -301,4 +301,5 @@ PYBIND11_MODULE(_core, module)
   add_analysis(module);
   add_harmonics(module);
   add_statistics(module);
+  add_registration(module);
 }

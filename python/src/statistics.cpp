@@ -104,8 +104,8 @@ py::tuple left_out_errors(const Doubles& array, bool are_harmonics, const std::v
 std::vector<double> mean_vertex_areas(const Doubles& array, const py::array& triangles, const std::string& policy)
 {
   const auto shapes = read_shapes<Shape_points>(array);
-  const Doubles first =
-    to_array(std::vector{shapes.front()}, shapes.front().size()).reshape(std::vector<py::ssize_t>{array.shape(1), 3});
+  Doubles first = make_array<double>(array.shape(1), 3);
+  write_shape(shapes.front(), first.mutable_data());
   const Mesh mesh = make_mesh(first, triangles);
   return on(policy, [&](const auto& p) { return SP::mean_vertex_areas(p, mesh, shapes); });
 }

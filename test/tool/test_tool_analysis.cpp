@@ -277,6 +277,85 @@ TEST_CASE("harmonics: a degree that the vertices do not determine is refused", "
       .exit_code == 0);
 }
 
+TEST_CASE("register: one mesh in the shape of another, whose sphere is turned", "[tool]")
+{
+  Scratch scratch;
+  const Soup a = bumpy_sphere(3), round = icosphere(3);
+  const auto turn = [](const Point& p) { return Point(p.y(), p.z(), p.x()); };
+  const std::string input = write_off(scratch / "a.off", a), sphere = write_off(scratch / "sphere.off", round);
+  const std::string other = write_off(scratch / "b.off", transformed(a, [&](const Point& p) {
+                                        const Point q = turn(p);
+                                        return Point(2 * q.x() + 7, 2 * q.y(), 2 * q.z());
+                                      }));
+  const std::string turned = write_off(scratch / "turned.off", transformed(round, turn));
+  const std::string motion = GENERATE("rotation", "moebius", "deformation");
+  const Process_result run =
+    run_tool({"register", input, other, "--spheres", sphere, turned, "--motion", motion, "-o", scratch / "out.off",
+              "--output-sphere", scratch / "moved.off", "--report", scratch / "report.json"});
+  CAPTURE(run.err);
+  REQUIRE(run.exit_code == 0);
+  const Soup out = read(scratch / "out.off"), moved = read(scratch / "moved.off");
+  CHECK(out.faces == a.faces);
+  CHECK(moved.faces == a.faces);
+  CHECK(count_flipped_faces(a, moved.points) == 0);
+  for(std::size_t i = 0; i < a.points.size(); ++i) {
+    const Point q = turn(a.points[i]);
+    CHECK(std::sqrt((out.points[i] - Point(2 * q.x() + 7, 2 * q.y(), 2 * q.z())).squared_length()) < 0.1);
+  }
+  const auto report = nlohmann::json::parse(text_of(scratch / "report.json"));
+  CHECK(report["motion"] == motion);
+  CHECK(report["flipped_faces"] == 0);
+  CHECK(report["degree"] == 1);
+}
+
+TEST_CASE("register: landmarks are read, and wrong ones refused with their line", "[tool]")
+{
+  Scratch scratch;
+  const std::string input = write_off(scratch / "in.off", bumpy_sphere(2));
+  const std::string sphere = write_off(scratch / "sphere.off", icosphere(2));
+  const auto run_with = [&](const std::string& text) {
+    std::ofstream(scratch / "landmarks.txt") << text;
+    return run_tool({"register", input, input, "--spheres", sphere, sphere, "--landmarks", scratch / "landmarks.txt",
+                     "-o", scratch / "out.off"});
+  };
+  const Process_result run = run_with("# A B\n0 0\n50 50\n100 100\n");
+  CHECK(run.exit_code == 0);
+  CHECK(run.out.find("rotation by landmarks") != std::string::npos);
+  std::filesystem::remove(scratch / "out.off");
+  check_exit(run_with("0 0\n1 162\n"), "line 2: vertex 162 is not in 0..161 of B");
+  check_exit(run_with("0 0\n1 0\n"), "line 2: vertex 0 of B is listed twice");
+  check_exit(run_with("0\n"), "fewer than two vertices");
+  check_exit(run_with("0 0 0\n"), "more than two values");
+  check_exit(run_with("zero 0\n"), "'zero' is not a vertex index");
+  check_exit(run_with("\n"), "has no landmark");
+  CHECK(!std::filesystem::exists(scratch / "out.off"));
+}
+
+TEST_CASE("morph: from one mesh to the other, without shrinking on a turn", "[tool]")
+{
+  Scratch scratch;
+  const Soup a = bumpy_sphere(2);
+  const auto turn = [](const Point& p) { return Point(p.y(), p.z(), p.x()); };
+  const std::string input = write_off(scratch / "a.off", a), sphere = write_off(scratch / "sphere.off", icosphere(2));
+  const std::string other = write_off(scratch / "b.off", transformed(a, turn));
+  const std::string turned = write_off(scratch / "turned.off", transformed(icosphere(2), turn));
+  const Process_result run = run_tool({"morph", input, other, "--spheres", sphere, turned, "-o", scratch / "way",
+                                       "--steps", "2", "--format", "off", "--motion", "rotation"});
+  CAPTURE(run.err);
+  REQUIRE(run.exit_code == 0);
+  const Soup first = read(scratch / "way/step_0.off"), middle = read(scratch / "way/step_1.off"),
+             last = read(scratch / "way/step_2.off");
+  CHECK(first.points == a.points);
+  for(std::size_t i = 0; i < a.points.size(); ++i) {
+    CHECK(std::sqrt((last.points[i] - turn(a.points[i])).squared_length()) < 0.1);
+    CHECK(std::sqrt((middle.points[i] - CGAL::ORIGIN).squared_length()) ==
+          Approx(std::sqrt((a.points[i] - CGAL::ORIGIN).squared_length())).margin(0.15));
+  }
+  const std::string page = text_of(scratch / "way/morph.html");
+  CHECK(page.find("vertices: 162, faces: 320, frames: 9") != std::string::npos);
+  CHECK(page.find("</html>") != std::string::npos);
+}
+
 TEST_CASE("segment: one label per face, and colours for them", "[tool]")
 {
   Scratch scratch;
@@ -454,6 +533,15 @@ TEST_CASE("commands that use a map: wrong usage", "[tool]")
        {"harmonics", input, "-o", scratch / "out.csv", "--degree", "-1"},
        {"harmonics", input, "-o", scratch / "out.csv", "--fit", "lumped"},
        {"harmonics", input, "-o", scratch / "out.csv", "--reconstruct", scratch / "out.csv"},
+       {"register", input, input, "-o", scratch / "out.txt"},
+       {"register", input, input, "-o", input},
+       {"register", input, input, "-o", scratch / "out.off", "--motion", "shear"},
+       {"register", input, input, "-o", scratch / "out.off", "--curvature-weight", "-1"},
+       {"register", input, input, "-o", scratch / "out.off", "--spheres", input},
+       {"register", input, input, "-o", scratch / "out.off", "--spheres", input, input, "--weights", "conformal"},
+       {"register", input, input, "-o", scratch / "out.off", "--fixed", input},
+       {"morph", input, input, "-o", scratch / "way", "--steps", "0"},
+       {"morph", input, input, "-o", scratch / "way", "--format", "txt"},
        {"segment", input, "-o", scratch / "out.off"},
        {"segment", input, "-o", scratch / "out.ply", "--segments", "0"},
        {"segment", input, "-o", scratch / "out.ply", "--labels", input},

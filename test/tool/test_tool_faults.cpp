@@ -57,6 +57,9 @@ std::vector<Command> commands(const Scratch& scratch, const std::string& input)
           {{"harmonics", input, "--sphere", sphere, "--degree", "5", "-o", scratch / "out.csv", "--reconstruct",
             scratch / "smooth.off", "--report", scratch / "report.json"},
            {"out.csv", "smooth.off", "report.json"}},
+          {{"register", input, input, "--spheres", sphere, sphere, "-o", scratch / "out.off", "--output-sphere",
+            scratch / "moved.off", "--report", scratch / "report.json"},
+           {"out.off", "moved.off", "report.json"}},
           {{"signature", input, "-o", scratch / "index.csv"}, {"index.csv"}}};
 }
 

@@ -85,16 +85,18 @@ public:
   {
     constexpr Metric_bounds as_it_is = {1e100, 0};
     const int faces = static_cast<int>(a.face.size());
+    Host_array<double> twice_area(faces);
     for_each_index(loop, faces, [&](int f) {
       const auto [i, j, k] = a.face[f];
       metric_[f] = face_metric(sub(a.image[j], a.image[i]), sub(a.image[k], a.image[i]), as_it_is);
-      metric_[f].twice_area = determinant(a.image[i], a.image[j], a.image[k]); // which energies are measured by
+      twice_area[f] = metric_[f].twice_area;
+      metric_[f].twice_area = determinant(a.image[i], a.image[j], a.image[k]); // what determinants are compared with
     });
     for(int f = 0; f < faces; ++f)
       for(int i : a.face[f]) {
         ++corner_offset_[i + 1];
-        vertex_area_[i] += metric_[f].twice_area / 6;
-        area_ += metric_[f].twice_area / 6;
+        vertex_area_[i] += twice_area[f] / 6;
+        area_ += twice_area[f] / 6;
       }
     for(std::size_t i = 0; i < a.point.size(); ++i)
       corner_offset_[i + 1] += corner_offset_[i];

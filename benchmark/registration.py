@@ -1,0 +1,135 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Errors of `register` where the true correspondence is known: by rotation, by a Moebius transformation, by deformation.
+
+    benchmark/registration.py OUTPUT TOOL NAME:LEVEL:A:B...
+
+Each B has the vertices of A in their order: so the truth is known. What is registered is B sampled at an icosphere of LEVEL, a mesh
+that has nothing to do with that of A. NAME is the curve to which a pair belongs. For every vertex of A, the error is the distance on B
+from where it was carried to where it belongs: to the vertex of B that is nearest to the first, and on along edges and the diagonals of
+pairs of faces. That is not less than the geodesic distance. It is given over the square root of the area of B, as in V. Kim,
+Y. Lipman, T. Funkhouser, "Blended intrinsic maps", 2011.
+
+OUTPUT gets rows.csv (a line for each pair and motion), and registration.svg, the cumulative curves. Needs numpy, scipy, matplotlib.
+"""
+
+import csv
+import json
+import pathlib
+import subprocess
+import sys
+
+import matplotlib
+import numpy as np
+import scipy.sparse
+import scipy.sparse.csgraph
+import scipy.spatial
+
+matplotlib.use("Agg")
+from matplotlib import pyplot  # noqa: E402
+
+MOTIONS = ("rotation", "moebius", "deformation")
+
+
+def read_ply(file):
+    """Points and triangles of a binary PLY file of the tool."""
+    data = file.read_bytes()
+    end = data.index(b"end_header\n") + len(b"end_header\n")
+    header = data[:end].decode().split("\n")
+    count = {line.split()[1]: int(line.split()[2]) for line in header if line.startswith("element")}
+    number = "<f4" if any(line.startswith("property float x") for line in header) else "<f8"
+    points = np.frombuffer(data, number, 3 * count["vertex"], end).reshape(-1, 3)
+    faces = np.frombuffer(data, np.dtype([("n", "u1"), ("v", "<i4", 3)]), count["face"], end + points.nbytes)
+    return points.astype(float), faces["v"]
+
+
+def distances_on(points, triangles):
+    """From every vertex to every other one, along edges and along the unfolded diagonals of pairs of faces."""
+    edge = {}
+    for a, b, c in triangles:
+        for i, j, k in ((a, b, c), (b, c, a), (c, a, b)):
+            edge.setdefault((min(i, j), max(i, j)), []).append(k)
+    ends = np.array(list(edge))
+    apex = np.array(list(edge.values()))
+    p, q = points[ends[:, 0]], points[ends[:, 1]]
+    length = np.linalg.norm(q - p, axis=1)
+    along = (q - p) / length[:, None]
+    x, y = [], []
+    for side in (0, 1):
+        r = points[apex[:, side]] - p
+        x.append((r * along).sum(1))
+        y.append(np.linalg.norm(r - x[-1][:, None] * along, axis=1))
+    crossing = x[0] + (x[1] - x[0]) * y[0] / np.maximum(y[0] + y[1], 1e-300)
+    is_inside = (crossing >= 0) & (crossing <= length)
+    diagonal = np.hypot(x[1] - x[0], y[0] + y[1])
+    i = np.concatenate([ends[:, 0], apex[is_inside, 0]])
+    j = np.concatenate([ends[:, 1], apex[is_inside, 1]])
+    weight = np.concatenate([length, diagonal[is_inside]])
+    graph = scipy.sparse.csr_matrix((weight, (i, j)), (len(points), len(points)))
+    return graph
+
+
+def errors_of(carried, points, triangles, graph):
+    """Of all vertices, over the square root of the area."""
+    sides = points[triangles]
+    area = np.linalg.norm(np.cross(sides[:, 1] - sides[:, 0], sides[:, 2] - sides[:, 0]), axis=1).sum() / 2
+    near, vertex = scipy.spatial.cKDTree(points).query(carried)
+    result = np.empty(len(points))
+    for begin in range(0, len(points), 1000):
+        part = np.arange(begin, min(begin + 1000, len(points)))
+        way = scipy.sparse.csgraph.dijkstra(graph, directed=False, indices=vertex[part])
+        result[part] = near[part] + way[np.arange(len(part)), part]
+    return result / np.sqrt(area)
+
+
+def main(output, tool, *pairs):
+    output = pathlib.Path(output)
+    output.mkdir(parents=True, exist_ok=True)
+
+    def run(*arguments):
+        subprocess.run([tool, "-q", *map(str, arguments)], check=True)
+
+    rows, curves = [], {}
+    for pair in pairs:
+        name, level, a, b = pair.split(":")
+        run("prepare", b, "-o", output / "b.ply")  # the same mesh as PLY
+        points, triangles = read_ply(output / "b.ply")
+        run("resample", b, "--level", level, "-o", output / "b_sampled.ply")
+        for mesh, sphere in ((a, "a_sphere.ply"), (output / "b_sampled.ply", "b_sphere.ply")):
+            run("map", mesh, "--method", "isometric", "-o", output / sphere)
+        graph = distances_on(points, triangles)
+        for motion in MOTIONS:
+            run("register", a, output / "b_sampled.ply", "--spheres", output / "a_sphere.ply", output / "b_sphere.ply", "--motion",
+                motion, "-o", output / "carried.ply", "--report", output / "report.json")
+            report = json.loads((output / "report.json").read_text())
+            error = errors_of(read_ply(output / "carried.ply")[0], points, triangles, graph)
+            curves.setdefault((name, motion), []).append(error)
+            rows.append({"curve": name, "a": pathlib.Path(a).name, "b": pathlib.Path(b).name, "motion": motion,
+                         "mean": error.mean(), "median": np.median(error), "90 %": np.quantile(error, 0.9), "largest": error.max(),
+                         "below 0.05": (error < 0.05).mean(), "flipped faces": report["flipped_faces"],
+                         "start": report["start"], "distortion": report["distortion"],
+                         "seconds": report["seconds"]["register"]})
+            print({key: round(x, 4) if isinstance(x, float) else x for key, x in rows[-1].items()}, flush=True)
+    with open(output / "rows.csv", "w", newline="") as file:
+        writer = csv.DictWriter(file, rows[0])
+        writer.writeheader()
+        writer.writerows(rows)
+
+    names = list(dict.fromkeys(name for name, _ in curves))
+    figure, axes = pyplot.subplots(1, len(names), figsize=(5 * len(names), 3.6), squeeze=False)
+    for axis, name in zip(axes[0], names):
+        for motion, style in zip(MOTIONS, ("--", ":", "-")):
+            error = np.sort(np.concatenate(curves[name, motion]))
+            axis.plot(error, 100 * np.arange(1, len(error) + 1) / len(error), style, color="black", label=motion)
+        axis.set(title=name, xlabel="geodesic error / square root of the area", ylabel="% of the vertices",
+                 xlim=(0, 0.2 if axis is axes[0][0] else 0.04), ylim=(0, 100))
+        axis.legend(loc="lower right")
+        axis.grid(alpha=0.3)
+    figure.tight_layout()
+    figure.savefig(output / "registration.svg", metadata={"Date": None})
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 4:
+        sys.exit(__doc__)
+    main(*sys.argv[1:])

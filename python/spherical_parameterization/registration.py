@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Registration: corresponding points of two shapes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from .arrays import Doubles, index_triples, numbers, vectors
+from .methods import one_of
+
+
+@dataclass(frozen=True, eq=False)
+class RegisteredMap:
+    """A map of a mesh moved so that equal points of it and of the map of another mesh correspond. It is certified."""
+
+    sphere: Doubles  #: (n, 3), of the first mesh
+    start: str  #: what found the rotation: "landmarks", "coordinates" or "features"
+    rotation: Doubles  #: (3, 3), of the first map, to start with
+    mismatch_before: float  #: root mean square difference of curvature and stretch on the finest level, rotated
+    mismatch: float  #: and in the end
+    distortion: float  #: mean symmetric Dirichlet energy of the deformation of the sphere; 4: none
+    largest_landmark_distance: float  #: of a landmark from its place on the sphere, in radians
+    iterations: int  #: of all levels together
+    seconds: float  #: wall-clock
+
+
+def register_maps(
+    points: npt.ArrayLike,
+    triangles: npt.ArrayLike,
+    sphere: npt.ArrayLike,
+    other_points: npt.ArrayLike,
+    other_triangles: npt.ArrayLike,
+    other_sphere: npt.ArrayLike,
+    *,
+    motion: str = "deformation",
+    curvature_weight: float = 5,
+    stretch_weight: float = 5,
+    position_weight: float = 0,
+    landmarks: npt.ArrayLike | None = None,
+    landmark_weight: float = 300,
+    policy: str = "parallel",
+) -> RegisteredMap:
+    """Moves the map of a mesh on the sphere so that it corresponds to the map of another mesh.
+
+    Parameters
+    ----------
+    points : array_like (n, 3) of float
+    triangles : array_like (m, 3) of int
+    sphere : array_like (n, 3) of float
+        A valid map of this mesh; of low isometric distortion, and by the same method as the other one.
+    other_points, other_triangles, other_sphere : array_like
+        The other mesh, and its map, which stays where it is.
+    motion : {"deformation", "moebius", "rotation"}
+        What the map may be moved by.
+    curvature_weight, stretch_weight, position_weight : float
+        Of the deformation: of the mean squared differences of mean curvature, of the area stretch of the maps, and of
+        positions, for shapes in the same pose. Beside the mean symmetric Dirichlet energy of the deformation.
+    landmarks : array_like (k, 2) of int, optional
+        Pairs of vertices, of this mesh and of the other one, that correspond.
+    landmark_weight : float
+        Of the mean squared distance of the landmarks on the sphere, to begin with.
+    policy : {"parallel", "sequential"}
+
+    Returns
+    -------
+    RegisteredMap
+
+    Raises
+    ------
+    MeshError
+        If a map is not valid, or the registered one could not be kept so.
+
+    Examples
+    --------
+    >>> import spherical_parameterization as sp
+    >>> sphere, triangles = sp.icosphere(3)
+    >>> body = sphere * [3, 2, 1] + sphere**2
+    >>> registered = sp.register_maps(body, triangles, sphere, body[:, [1, 2, 0]], triangles, sphere[:, [1, 2, 0]])
+    >>> there = sp.Locator(triangles, sphere[:, [1, 2, 0]]).transfer(body[:, [1, 2, 0]], registered.sphere)
+    >>> bool(abs(there - body[:, [1, 2, 0]]).max() < 0.05)
+    True
+    """
+    one_of("motion", motion, "deformation", "moebius", "rotation")
+    for name, weight in (
+        ("curvature_weight", curvature_weight),
+        ("stretch_weight", stretch_weight),
+        ("position_weight", position_weight),
+        ("landmark_weight", landmark_weight),
+    ):
+        if not 0 <= weight < np.inf:
+            raise ValueError(f"{name}: a number from 0 on is needed, not {weight}")
+    a, b = vectors("points", points), vectors("other_points", other_points)
+    pairs = np.asarray([] if landmarks is None else landmarks)
+    if pairs.size == 0:
+        pairs = np.empty((0, 2), dtype=np.int64)
+    if pairs.ndim != 2 or pairs.shape[1] != 2 or pairs.dtype.kind not in "iu":
+        raise ValueError("landmarks: integers of shape (k, 2) are needed")
+    if pairs.size and (pairs.min() < 0 or pairs[:, 0].max() >= len(a) or pairs[:, 1].max() >= len(b)):
+        raise ValueError("landmarks: there is no such vertex")
+    registered, start, rotation, *figures = _core.register_maps(
+        a,
+        index_triples(triangles),
+        vectors("sphere", sphere, len(a)),
+        b,
+        index_triples(other_triangles),
+        vectors("other_sphere", other_sphere, len(b)),
+        motion,
+        curvature_weight,
+        stretch_weight,
+        position_weight,
+        landmark_weight,
+        [(int(i), int(j)) for i, j in pairs],
+        policy,
+    )
+    return RegisteredMap(registered, start, np.array(rotation), *figures)
+
+
+def moebius_centred(sphere: npt.ArrayLike, triangles: npt.ArrayLike, masses: npt.ArrayLike) -> Doubles:
+    """A map moved by the Moebius transformation that brings the centroid of masses to the centre of the sphere.
+
+    Conformal maps of a shape are the same after it, up to a rotation (A. Baden, K. Crane, M. Kazhdan, "Moebius
+    registration", 2018).
+
+    Parameters
+    ----------
+    sphere : array_like (n, 3) of float
+    triangles : array_like (m, 3) of int
+    masses : array_like (n,) of float
+        Of the vertices, such as their areas on the surface; not negative.
+
+    Returns
+    -------
+    ndarray (n, 3) of float64
+
+    Raises
+    ------
+    MeshError
+        For a mass that is negative or not finite, or if all are 0.
+    """
+    directions = vectors("sphere", sphere)
+    return _core.moebius_centred(directions, index_triples(triangles), numbers("masses", masses, len(directions)))[0]

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+//
+// Registration of two maps.
+
+#include "arrays.h"
+
+#include <CGAL/Spherical_parameterization/register_maps.h>
+
+#include <pybind11/stl.h>
+
+#include <utility>
+#include <vector>
+
+namespace {
+
+typedef Array_map<Mesh::Vertex_index, std::array<double, 3>> Written_sphere;
+
+/// The registered map and the figures, in the order of the fields of RegisteredMap.
+py::tuple register_maps(const Doubles& points_a, const py::array& triangles_a, const Doubles& sphere_a,
+                        const Doubles& points_b, const py::array& triangles_b, const Doubles& sphere_b,
+                        const std::string& motion, double curvature_weight, double stretch_weight,
+                        double position_weight, double landmark_weight, const std::vector<std::pair<int, int>>& pairs,
+                        const std::string& policy)
+{
+  const Mesh a = make_mesh(points_a, triangles_a), b = make_mesh(points_b, triangles_b);
+  const Sphere images_a = sphere_of(sphere_a), images_b = sphere_of(sphere_b);
+  SP::Registration method;
+  method.motion = motion == "rotation"  ? SP::Registration::Motion::ROTATION
+                  : motion == "moebius" ? SP::Registration::Motion::MOEBIUS
+                                        : SP::Registration::Motion::DEFORMATION;
+  method.curvature_weight = curvature_weight;
+  method.stretch_weight = stretch_weight;
+  method.position_weight = position_weight;
+  method.landmark_weight = landmark_weight;
+  std::vector<SP::Landmark_pair<Mesh, Mesh>> landmarks;
+  for(const auto& [i, j] : pairs)
+    landmarks.emplace_back(Mesh::Vertex_index(i), Mesh::Vertex_index(j));
+  Doubles registered = make_array<double>(a.number_of_vertices(), 3);
+  const Written_sphere out(registered);
+  const SP::Registration_result r =
+    on(policy, [&](const auto& p) { return SP::register_maps(p, a, images_a, b, images_b, out, method, landmarks); });
+  if(!r)
+    throw SP::Error(r.error, r.detail);
+  return py::make_tuple(registered, r.start, r.rotation, r.mismatch_before, r.mismatch, r.distortion,
+                        r.largest_landmark_distance, r.iterations, r.seconds.total);
+}
+
+std::pair<Doubles, double> moebius_centred(const Doubles& sphere, const py::array& triangles, const Doubles& masses)
+{
+  const Mesh mesh = make_mesh(sphere, triangles);
+  Doubles centred = make_array<double>(mesh.number_of_vertices(), 3);
+  const double distance =
+    SP::moebius_centred_map(mesh, sphere_of(sphere), Column{masses.data(), 1}, Written_sphere(centred));
+  return {centred, distance};
+}
+
+} // namespace
+
+void add_registration(py::module_& module)
+{
+  module.def("register_maps", register_maps);
+  module.def("moebius_centred", moebius_centred);
+}

@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Registration of maps."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import spherical_parameterization as sp
+from conftest import bumpy
+
+
+def mapped(seed: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    points, triangles = bumpy(3, seed)
+    return points, triangles, sp.parameterize(points, triangles, sp.Isometric()).sphere
+
+
+def test_a_turned_map_is_brought_back() -> None:
+    points, triangles, sphere = mapped(1)
+    turned = sphere[:, [1, 2, 0]]
+    r = sp.register_maps(points, triangles, turned, points, triangles, sphere)
+    assert sp.certify(triangles, r.sphere).is_valid
+    assert np.abs(r.sphere - sphere).max() < 0.02
+    assert max(r.mismatch_before, r.mismatch) < 0.01 and r.distortion < 4.001
+
+
+def test_landmarks_are_put_onto_each_other() -> None:
+    points, triangles, sphere = mapped(2)
+    other = mapped(3)
+    pairs = [[0, 0], [40, 40], [100, 100], [300, 300]]  # in the same directions
+    r = sp.register_maps(points, triangles, sphere, *other, landmarks=pairs)
+    assert r.start == "landmarks"
+    assert sp.certify(triangles, r.sphere).is_valid
+    distance = np.linalg.norm(r.sphere[[i for i, _ in pairs]] - other[2][[j for _, j in pairs]], axis=1)
+    assert distance.max() <= r.largest_landmark_distance + 1e-12 and distance.max() < 0.1
+
+
+def test_wrong_arguments() -> None:
+    a = mapped(1)
+    for wrong in ({"motion": "shear"}, {"curvature_weight": -1}, {"landmarks": [[0, 642]]}, {"landmarks": [0, 1]}):
+        with pytest.raises(ValueError):
+            sp.register_maps(*a, *a, **wrong)  # type: ignore[arg-type]
+    with pytest.raises(sp.MeshError) as flipped:
+        sp.register_maps(a[0], a[1], -a[2], *a)
+    assert flipped.value.code == "NOT_BIJECTIVE"
+
+
+def test_centring_undoes_a_boost() -> None:
+    points, triangles, sphere = mapped(1)
+    masses = np.random.default_rng(1).uniform(1, 2, len(points))
+    centred = sp.moebius_centred(sphere, triangles, masses)
+    assert np.abs(masses @ centred).max() < 1e-9 * masses.sum()
+    c = np.array([0.3, -0.2, 0.4])
+    d = sphere - c
+    boosted = (1 - c @ c) / (d * d).sum(axis=1)[:, None] * d - c
+    again = sp.moebius_centred(boosted, triangles, masses)
+    assert np.abs(again @ again.T - centred @ centred.T).max() < 1e-9  # the same but for a rotation
+    with pytest.raises(sp.MeshError):
+        sp.moebius_centred(sphere, triangles, -masses)

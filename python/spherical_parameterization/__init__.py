@@ -27,6 +27,7 @@ from .analysis import (
     texture_seams,
     vertex_log_area_stretch,
 )
+from .atlas import Atlas, atlas
 from .errors import DeviceError, ErrorCode, MapWarning, MeshError
 from .files import read_mesh
 from .maps import (
@@ -63,6 +64,7 @@ from .statistics import (
 )
 
 __all__ = [
+    "Atlas",
     "Attempt",
     "Automatic",
     "Balanced",
@@ -93,6 +95,7 @@ __all__ = [
     "Texture",
     "__version__",
     "align_shapes",
+    "atlas",
     "certify",
     "collection",
     "distortion",

@@ -89,3 +89,21 @@ def test_vertices_count_with_their_area():
 def test_what_makes_no_sense_is_refused(call):
     with pytest.raises(ValueError):
         call()
+
+
+def test_atlas_of_a_family():
+    points, triangles = sp.icosphere(3)
+    body = points * (1 + 0.3 * np.exp(4 * (points @ [0.6, 0.8, 0]) - 4) + 0.2 * np.exp(4 * points[:, 2] - 4))[:, None]
+    open_mesh = (points, triangles[1:])
+    family = [(body * [x, 1, 1], triangles) for x in (1, 1.15, 1.3)]
+    result = sp.atlas([open_mesh, *family], level=3, align="centre")
+    assert result.members == [1, 2, 3]
+    assert "closed" in result.refused[0]
+    assert result.statistics.explained[0] > 0.95
+    first = result.statistics.scores[:, 0]
+    assert (np.diff(first) > 0).all() or (np.diff(first) < 0).all()
+    assert result.shapes.shape == (3, len(result.sphere), 3)
+    with pytest.raises(ValueError, match="has no map"):
+        sp.atlas([open_mesh, *family], template=0)
+    with pytest.raises(ValueError, match="two or more"):
+        sp.atlas(family[:1])

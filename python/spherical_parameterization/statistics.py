@@ -137,10 +137,12 @@ def align_shapes(
     array, are_harmonics = _stack(shapes)
     if not accuracy >= 0 or iterations < 0:
         raise ValueError("accuracy, iterations: must not be negative")
-    found = _core.align_shapes(
+    aligned, scales, rotations, translations, deviation, has_converged, steps = _core.align_shapes(
         array, are_harmonics, _weights(weights, array, are_harmonics), rotate, scale, accuracy, iterations, policy
     )
-    return ShapeSet(found[0], *(np.array(part) for part in found[1:4]), *found[4:])
+    return ShapeSet(
+        aligned, np.array(scales), np.array(rotations), np.array(translations), deviation, has_converged, steps
+    )
 
 
 def shape_statistics(

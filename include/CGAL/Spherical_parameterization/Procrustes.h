@@ -22,9 +22,9 @@ struct Procrustes {
 
 /// The motion of a shape: x becomes scale * rotation x + translation.
 struct Similarity {
-  double scale = 1;
+  double scale = 1;                                                                    ///< positive
   std::array<std::array<double, 3>, 3> rotation = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}; ///< by rows
-  std::array<double, 3> translation = {0, 0, 0};
+  std::array<double, 3> translation = {0, 0, 0};                                       ///< comes last
 };
 
 /// What `align_shapes()` has done.
@@ -32,7 +32,7 @@ struct Procrustes_alignment {
   std::vector<Similarity> motions; ///< by shape
   double deviation = 0;            ///< root mean square distance from the mean, over vertices and shapes
   bool has_converged = true;       ///< whether the accuracy was reached in the iterations there were
-  int iterations = 0;
+  int iterations = 0;              ///< of rotations and mean by turns
 };
 
 /// @}

@@ -46,7 +46,7 @@ typedef std::vector<std::array<double, 3>> Shape_points;
 /// sum over k of scores[i][k] times modes[k].
 template <class Shape>
 struct Shape_statistics {
-  Shape mean;
+  Shape mean;                              ///< of the shapes as they stand
   std::vector<Shape> modes;                ///< principal components: orthonormal, root mean square 1
   std::vector<double> variances;           ///< by mode, largest first: of its scores, with n - 1 for n shapes
   std::vector<std::vector<double>> scores; ///< by shape, then by mode

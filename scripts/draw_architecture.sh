@@ -33,6 +33,7 @@ rooms='
 5|beside|inverse|kd-tree, barycentric coordinates
 5|beside|segmentation|girths, creases, regions
 5|beside|signature|conformal factor, intrinsic Laplacian
+5|beside|statistics|Procrustes alignment, principal components
 6|beside|harmonics|transforms, least squares, rotations
 6|beside|texture|charts, poles, grid of coordinates
 6|beside|registration|features, deformation, Moebius centring
@@ -62,7 +63,7 @@ includes() {
         if(index(file, package) != 1)
           return file ~ /^include/ ? "applications" : substr(file, 1, index(file, "/") - 1)
         name = substr(file, length(package) + 1)
-        if(name ~ /^(Error|Result|methods|harmonics_methods|segmentation_methods|texture_options|version|OpenCL_error|OpenCL_device_info)\.h$/)
+        if(name ~ /^(Error|Result|methods|harmonics_methods|Procrustes|segmentation_methods|texture_options|version|OpenCL_error|OpenCL_device_info)\.h$/)
           return "vocabulary"
         if(name ~ /^(edge_weights|Indexed_triangle_mesh|Harmonic_coefficients)\.h$/)
           return "inputs"

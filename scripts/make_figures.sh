@@ -3,6 +3,7 @@
 # make_figures.sh [FIGURE...]
 # Makes the figures of the manual and the README, doc/images/, with the package's own tool from CGAL's meshes: all, or
 # those named (strip method stretch density segmentation texture morph search harmonics scaling page).
+# The errors by degree of the harmonics are also drawn for the meshes in HARMONICS_MODELS, in place of CGAL's bear.
 # It installs what it needs, and builds in build/; TOOL=..., MORPH=... and SDF_SEGMENTS=... take programs built elsewhere.
 set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
@@ -232,10 +233,12 @@ figure_harmonics() {
   done
   row harmonics.png "${panels[@]}"
   finish harmonics.png harmonics.png
-  for mesh in armadillo bunny00 bear; do
+  local name
+  for mesh in armadillo.off bunny00.off ${HARMONICS_MODELS:-bear.off}; do
+    name=$(basename "$mesh" | sed -E 's/[0-9]*(_.*)?\..*//')
     for choice in isometric balanced; do
-      tool harmonics $mesh.off -o a.csv --method $choice --fit integrals --degree 128 --report report.json >/dev/null
-      printf '"%s, %s"\n' "${mesh%00}" "$(sed s/balanced/conformal/ <<<$choice)"
+      tool harmonics "$mesh" -o a.csv --method $choice --fit integrals --degree 128 --report report.json >/dev/null
+      printf '"%s, %s"\n' "$name" "$(sed s/balanced/conformal/ <<<$choice)"
       # the size is the root mean square over its ratio to the size
       awk -F'[:,]' '/"degree":/ { d = $2 } /"root_mean_square":/ { e = $2 } /"relative":/ { r = $2 }
                     /"hausdorff":/ { print d, r, $2 * r / e }' report.json

@@ -108,26 +108,33 @@ bool has_several_classes(const Models& models)
 /// 2. second tier: among the first 2k
 /// 3. E-measure: harmonic mean of precision and recall of the first 32
 /// 4. DCG: hits weighted with 1 / log2 of their rank, relative to the best possible
+/// 5. average precision: share of hits among the first r results, mean over the ranks r of the hits
 struct Retrieval_measures {
   std::size_t queries = 0;
-  std::array<double, 5> percent = {};
+  std::array<double, 6> percent = {};
 };
 
 /// `is_hit` says by rank, from 0 on, whether the result is of the query's class, which has so many other members.
-std::array<double, 5> measures_of_query(const std::vector<bool>& is_hit, std::size_t members)
+std::array<double, 6> measures_of_query(const std::vector<bool>& is_hit, std::size_t members)
 {
   constexpr std::size_t page = 32;
   const auto hits_among = [&](std::size_t n) {
     return static_cast<double>(std::count(is_hit.begin(), is_hit.begin() + std::min(n, is_hit.size()), true));
   };
-  double gain = 0, best_gain = 0;
+  double gain = 0, best_gain = 0, hits = 0, precisions = 0;
   for(std::size_t rank = 1; rank <= is_hit.size(); ++rank) {
     const double discount = rank <= 2 ? 1 : 1 / std::log2(static_cast<double>(rank));
     gain += is_hit[rank - 1] ? discount : 0;
     best_gain += rank <= members ? discount : 0;
+    if(is_hit[rank - 1])
+      precisions += ++hits / static_cast<double>(rank);
   }
-  return {is_hit[0] ? 1. : 0., hits_among(members) / members, hits_among(2 * members) / members,
-          2 * hits_among(page) / (std::min(page, is_hit.size()) + members), gain / best_gain};
+  return {is_hit[0] ? 1. : 0.,
+          hits_among(members) / members,
+          hits_among(2 * members) / members,
+          2 * hits_among(page) / (std::min(page, is_hit.size()) + members),
+          gain / best_gain,
+          precisions / members};
 }
 
 /// How well descriptor `d` of the queries finds models other than themselves.
@@ -147,7 +154,7 @@ Retrieval_measures search(const Models& queries, const Models& models, std::size
     if(members == 0)
       continue;
     ++result.queries;
-    const std::array<double, 5> measures = measures_of_query(is_hit, members);
+    const std::array<double, 6> measures = measures_of_query(is_hit, members);
     for(std::size_t i = 0; i < measures.size(); ++i)
       result.percent[i] += 100 * measures[i];
   }
@@ -159,11 +166,11 @@ Retrieval_measures search(const Models& queries, const Models& models, std::size
 void tabulate_groups(const Options& options, const std::map<std::string, Models>& groups, const Models& all,
                      const std::vector<Descriptor>& descriptors)
 {
-  Table table(
-    options.output, "retrieval", "Retrieval",
-    {"every model is a query among the others of its group; means over the queries, in percent",
-     "seconds: per mesh on one core, the map included where it is needed"},
-    {"group", "models", "descriptor", "nearest neighbour", "first tier", "second tier", "E-measure", "DCG", "seconds"});
+  Table table(options.output, "retrieval", "Retrieval",
+              {"every model is a query among the others of its group; means over the queries, in percent",
+               "seconds: per mesh on one core, the map included where it is needed"},
+              {"group", "models", "descriptor", "nearest neighbour", "first tier", "second tier", "E-measure", "DCG",
+               "average precision", "seconds"});
   const auto add_rows = [&](const std::string& group, const Models& models) {
     for(std::size_t d = 0; d < descriptors.size(); ++d) {
       const Retrieval_measures m = search(models, models, d);
@@ -171,7 +178,7 @@ void tabulate_groups(const Options& options, const std::map<std::string, Models>
       for(const Model& model : models)
         seconds += model.described.seconds[d] / models.size();
       table.add_row({group, models.size(), descriptors[d].name, m.percent[0], m.percent[1], m.percent[2], m.percent[3],
-                     m.percent[4], seconds});
+                     m.percent[4], m.percent[5], seconds});
     }
   };
   for(const auto& [group, models] : groups)

@@ -19,6 +19,7 @@
 #include <CGAL/Spherical_parameterization/resample.h>
 #include <CGAL/Spherical_parameterization/segmentation.h>
 #include <CGAL/Spherical_parameterization/shape_signature.h>
+#include <CGAL/Spherical_parameterization/shape_statistics.h>
 #include <CGAL/Spherical_parameterization/spherical_harmonics.h>
 #include <CGAL/Spherical_parameterization/stretch_histogram.h>
 #include <CGAL/Spherical_parameterization/texture_coordinates.h>

@@ -27,6 +27,7 @@ from .analysis import (
     texture_seams,
     vertex_log_area_stretch,
 )
+from .atlas import Atlas, atlas
 from .errors import DeviceError, ErrorCode, MapWarning, MeshError
 from .files import read_mesh
 from .maps import (
@@ -53,8 +54,17 @@ from .methods import (
 from .prepare import Prepared, prepare
 from .registration import RegisteredMap, moebius_centred, register_maps
 from .spherical_harmonics import Ellipsoid, Harmonics, ShapeAlignment, harmonics, read_harmonics
+from .statistics import (
+    ShapeSet,
+    ShapeStatistics,
+    align_shapes,
+    left_out_errors,
+    mean_vertex_areas,
+    shape_statistics,
+)
 
 __all__ = [
+    "Atlas",
     "Attempt",
     "Automatic",
     "Balanced",
@@ -80,8 +90,12 @@ __all__ = [
     "SaddlePoint",
     "Seconds",
     "ShapeAlignment",
+    "ShapeSet",
+    "ShapeStatistics",
     "Texture",
     "__version__",
+    "align_shapes",
+    "atlas",
     "certify",
     "collection",
     "distortion",
@@ -89,7 +103,9 @@ __all__ = [
     "face_distortion",
     "harmonics",
     "icosphere",
+    "left_out_errors",
     "mean_over_faces",
+    "mean_vertex_areas",
     "moebius_centred",
     "opencl_device",
     "opencl_devices",
@@ -101,6 +117,7 @@ __all__ = [
     "search",
     "segment",
     "shape_signature",
+    "shape_statistics",
     "stretch_histogram",
     "texture_coordinates",
     "texture_seams",

@@ -141,6 +141,7 @@ struct Column {
 
 void add_analysis(py::module_& module);
 void add_harmonics(py::module_& module);
+void add_statistics(py::module_& module);
 void add_registration(py::module_& module);
 
 #endif // SPHERICAL_PARAMETERIZATION_PYTHON_ARRAYS_H

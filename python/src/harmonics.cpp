@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 //
-// Spherical harmonics. Coefficients are arrays ((L + 1)^2, d): a row for every l and m, a column for every function.
+// Spherical harmonics.
 
-#include "arrays.h"
+#include "harmonic_arrays.h"
 
 #include <CGAL/Spherical_parameterization/harmonic_files.h>
 #include <CGAL/Spherical_parameterization/spherical_harmonics.h>
@@ -19,21 +19,13 @@ namespace {
 
 SP::Harmonic_coefficients of_array(const Doubles& array)
 {
-  const int rows = static_cast<int>(array.shape(0)), columns = static_cast<int>(array.shape(1));
-  SP::Harmonic_coefficients c(static_cast<int>(std::lround(std::sqrt(rows))) - 1, columns);
-  for(int i = 0; i < rows; ++i)
-    for(int k = 0; k < columns; ++k)
-      c.field_begin(k)[i] = array.data()[i * columns + k];
-  return c;
+  return harmonics_at(array.data(), static_cast<int>(array.shape(0)), static_cast<int>(array.shape(1)));
 }
 
 Doubles to_array(const SP::Harmonic_coefficients& c)
 {
   Doubles array = make_array<double>(c.size(), c.number_of_fields());
-  double* out = array.mutable_data();
-  for(int i = 0; i < c.size(); ++i)
-    for(int k = 0; k < c.number_of_fields(); ++k)
-      *out++ = c.field_begin(k)[i];
+  write_harmonics(c, array.mutable_data());
   return array;
 }
 

@@ -313,5 +313,6 @@ PYBIND11_MODULE(_core, module)
   add_devices(module);
   add_analysis(module);
   add_harmonics(module);
+  add_statistics(module);
   add_registration(module);
 }

@@ -290,6 +290,8 @@ int run_collection(const Collection& collection)
     throw Refusal("INTERRUPTED", collection.folder.empty() ? items.front().mesh : collection.folder,
                   "interrupted with " + std::to_string(done) + " of " + std::to_string(items.size()) + " meshes done",
                   collection.folder.empty() ? "" : "the same command resumes from there");
+  for(std::size_t i = 0; i < items.size() && collection.tell; ++i)
+    collection.tell(items[i], rows[i]->status, rows[i]->message);
   const auto refused =
     std::count_if(rows.begin(), rows.end(), [](const std::optional<Item_row>& row) { return row->status != "OK"; });
   std::cout << prefix << items.size() << (items.size() == 1 ? " mesh, " : " meshes, ") << refused << " refused";

@@ -47,6 +47,8 @@ struct Collection {
   std::vector<Item> items;
   std::function<Job(const Item&)> job; ///< cheap
   int threads;
+  /// Told, if it is there, of every item at the end: "OK", or the code of its refusal, and the line.
+  std::function<void(const Item&, const std::string& status, const std::string& line)> tell = nullptr;
 };
 
 /// Does the work that is not done: every item whose mesh, inputs, settings or outputs are not what the file `meshes.db`

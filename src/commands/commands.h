@@ -18,6 +18,7 @@ void add_segment_command(CLI::App& app, int& exit_code);   ///< the mesh coloure
 void add_texture_command(CLI::App& app, int& exit_code);   ///< the mesh with texture coordinates, material, a checker
 void add_resample_command(CLI::App& app, int& exit_code);  ///< the mesh sampled at an icosphere
 void add_harmonics_command(CLI::App& app, int& exit_code); ///< the shape in spherical harmonics
+void add_atlas_command(CLI::App& app, int& exit_code);     ///< mesh files in, their mean and principal components out
 void add_register_command(CLI::App& app, int& exit_code);  ///< one mesh in the shape of another one
 void add_morph_command(CLI::App& app, int& exit_code);     ///< meshes that lead from one shape to another one
 void add_signature_command(CLI::App& app, int& exit_code); ///< mesh files in, an index of their signatures out

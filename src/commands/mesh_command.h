@@ -17,6 +17,7 @@
 #include <iostream>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -51,7 +52,8 @@ struct Mesh_command {
 };
 
 /// What was given on the command line, and the version of the program: all that results depend on besides the files.
-std::string settings_text(const CLI::App& command);
+/// `left_out` are options, by their long names, on which they do not depend.
+std::string settings_text(const CLI::App& command, const std::set<std::string>& left_out = {});
 
 /// Throws what is wrong usage of a folder of outputs.
 void check_output_folder(const std::string& folder);

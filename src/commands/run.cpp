@@ -34,6 +34,7 @@ int run(int argc, char** argv)
   add_texture_command(app, exit_code);
   add_resample_command(app, exit_code);
   add_harmonics_command(app, exit_code);
+  add_atlas_command(app, exit_code);
   add_register_command(app, exit_code);
   add_morph_command(app, exit_code);
   add_signature_command(app, exit_code);

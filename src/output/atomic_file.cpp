@@ -83,7 +83,7 @@ void Atomic_file::remove_leftovers(const std::string& folder, const std::functio
 
 void Atomic_file::commit() { commit_all({this}); }
 
-void Atomic_file::commit_all(std::initializer_list<Atomic_file*> files)
+void Atomic_file::commit_all(const std::vector<Atomic_file*>& files)
 {
   for(Atomic_file* file : files)
     if(file)

@@ -6,11 +6,11 @@
 
 #include <fstream>
 #include <functional>
-#include <initializer_list>
 #include <ostream>
 #include <memory>
 #include <ostream>
 #include <string>
+#include <vector>
 
 namespace tool {
 
@@ -41,7 +41,7 @@ public:
 
   /// The same for files that belong together, those that are null left out: none gets its name before all of them have
   /// been written.
-  static void commit_all(std::initializer_list<Atomic_file*> files);
+  static void commit_all(const std::vector<Atomic_file*>& files);
 
 private:
   void remove();

@@ -151,6 +151,26 @@ void write_stretch_ply(std::ostream& out, bool ascii, const Mesh& mesh, const st
   write_ply(out, ascii, mesh, mesh.points(), extras);
 }
 
+void write_variance_ply(std::ostream& out, bool ascii, const Mesh& mesh, const std::vector<Point>& points,
+                        const std::vector<double>& variance)
+{
+  std::vector<double> deviation;
+  for(const double v : variance)
+    deviation.push_back(std::sqrt(v));
+  std::vector<double> sorted = deviation;
+  const double high = std::max(quantile(sorted, 0.98), std::numeric_limits<double>::min());
+  std::ostringstream comment;
+  comment.precision(std::numeric_limits<double>::max_digits10);
+  comment << "colours by standard_deviation: grey at 0, red at " << high;
+  std::vector<Colour> colours;
+  for(const double x : deviation)
+    colours.push_back(diverging(x / high));
+  Ply_extras extras = {comment.str(), columns_of(colours), {}};
+  extras.of_vertices.push_back(
+    {Ply_column::Type::DOUBLE, "standard_deviation", [&deviation](std::size_t v) { return deviation[v]; }});
+  write_ply(out, ascii, mesh, points, extras);
+}
+
 void write_segments_ply(std::ostream& out, bool ascii, const Mesh& mesh, const std::vector<std::size_t>& segments,
                         std::size_t number_of_segments)
 {

@@ -38,6 +38,11 @@ std::vector<Point> as_stored(Mesh_format format, Surface surface, std::vector<Po
 /// it: white where areas keep their share, red where the map shrinks them, blue where it enlarges them.
 void write_stretch_ply(std::ostream& out, bool ascii, const Mesh& mesh, const std::vector<double>& stretch);
 
+/// Writes the mean of shapes as a PLY file with `standard_deviation`, the root of the variance of every vertex, and
+/// coloured by it: grey where the shapes agree, red where they differ most.
+void write_variance_ply(std::ostream& out, bool ascii, const Mesh& mesh, const std::vector<Point>& points,
+                        const std::vector<double>& variance);
+
 /// Writes the mesh as PLY with the segment of every face, and faces coloured by it. Segment i has the same colour in
 /// every file.
 void write_segments_ply(std::ostream& out, bool ascii, const Mesh& mesh, const std::vector<std::size_t>& segments,

@@ -123,7 +123,8 @@ TEST_CASE("the man page has all commands and options", "[tool]")
   // and no others
   const Words sets[] = {options_of(""),         options_of("map"),       options_of("segment"),   options_of("texture"),
                         options_of("resample"), options_of("harmonics"), options_of("signature"), options_of("search"),
-                        options_of("certify"),  options_of("prepare"),   options_of("register"),  options_of("morph")};
+                        options_of("certify"),  options_of("prepare"),   options_of("register"),  options_of("morph"),
+                        options_of("atlas")};
   const std::regex option("[^-a-z](--[-a-z]+)");
   for(std::sregex_iterator i(page.begin(), page.end(), option), end; i != end; ++i) {
     const std::string name = (*i)[1];

@@ -81,18 +81,10 @@ inline std::array<double, 4> leading_eigenvector(std::array<std::array<double, 4
   return {v[0][largest], v[1][largest], v[2][largest], v[3][largest]};
 }
 
-/// The rotation R for which the sum of to_k . R from_k is largest: B. Horn, "Closed-form solution of absolute
-/// orientation using unit quaternions", JOSA A 4 (1987). `Range`: random access to vec3.
-template <class Range>
-Matrix_3 best_rotation(const Range& from, const Range& to)
+/// The rotation R for which the sum of to_k . R from_k is largest, of the matrix that is the sum of from_k to_k^T:
+/// B. Horn, "Closed-form solution of absolute orientation using unit quaternions", JOSA A 4 (1987).
+inline Matrix_3 rotation_of_products(const Matrix_3& s)
 {
-  Matrix_3 s = {}; // sum of from to^T
-  for(std::size_t k = 0; k < from.size(); ++k) {
-    const std::array<double, 3> f = {from[k].x, from[k].y, from[k].z}, t = {to[k].x, to[k].y, to[k].z};
-    for(int i = 0; i < 3; ++i)
-      for(int j = 0; j < 3; ++j)
-        s[i][j] += f[i] * t[j];
-  }
   const double trace = s[0][0] + s[1][1] + s[2][2];
   const std::array<double, 3> skew = {s[1][2] - s[2][1], s[2][0] - s[0][2], s[0][1] - s[1][0]};
   std::array<std::array<double, 4>, 4> n;
@@ -103,6 +95,20 @@ Matrix_3 best_rotation(const Range& from, const Range& to)
       n[i + 1][j + 1] = s[i][j] + s[j][i] - (i == j ? trace : 0);
   }
   return rotation_of_quaternion(leading_eigenvector(n));
+}
+
+/// The same of the vectors themselves. `Range`: random access to vec3.
+template <class Range>
+Matrix_3 best_rotation(const Range& from, const Range& to)
+{
+  Matrix_3 s = {};
+  for(std::size_t k = 0; k < from.size(); ++k) {
+    const std::array<double, 3> f = {from[k].x, from[k].y, from[k].z}, t = {to[k].x, to[k].y, to[k].z};
+    for(int i = 0; i < 3; ++i)
+      for(int j = 0; j < 3; ++j)
+        s[i][j] += f[i] * t[j];
+  }
+  return rotation_of_products(s);
 }
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+// Statistics of shapes.
+#include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
+#include <CGAL/Spherical_parameterization/internal/statistics/principal_components.h>
+#include <CGAL/Spherical_parameterization/internal/statistics/procrustes.h>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+template Procrustes_alignment superimpose(const Host_loop&, const Shape_set<double>&, const Procrustes&);
+template Principal_components principal_components(const Host_loop&, const Shape_set<const double>&);
+template std::vector<double> errors_of_left_out(const Host_loop&, const Shape_set<const double>&, int);
+
+} // namespace CGAL::Spherical_parameterization::internal

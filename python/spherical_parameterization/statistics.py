@@ -1,0 +1,228 @@
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Statistics of shapes that correspond: alignment, mean and principal components."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from .arrays import Doubles, index_triples, numbers
+from .spherical_harmonics import Harmonics
+
+Shapes = Union[npt.ArrayLike, Sequence[Harmonics]]
+
+
+@dataclass(frozen=True, eq=False)
+class ShapeStatistics:
+    """Mean and principal components of n shapes: shape i is `mean + tensordot(scores[i], modes, 1)`.
+
+    Of shapes that are `Harmonics`, mean and modes are their coefficients, ((L + 1)**2, 3) instead of (m, 3).
+
+    Examples
+    --------
+    >>> import spherical_parameterization as sp
+    >>> sphere, triangles = sp.icosphere(2)
+    >>> ellipsoids = [sphere * [1 + i, 2, 1] for i in range(5)]
+    >>> statistics = sp.shape_statistics(ellipsoids)
+    >>> statistics.explained.round(6).tolist()
+    [1.0]
+    """
+
+    mean: Doubles  #: (m, 3)
+    modes: Doubles  #: (k, m, 3), orthonormal: root mean square 1 over the vertices, or over the sphere
+    variances: Doubles  #: (k,), of the scores, with n - 1; largest first
+    scores: Doubles  #: (n, k)
+    total_variance: float  #: of all modes, also of those that were not asked for
+
+    @property
+    def explained(self) -> Doubles:
+        """(k,): the share of every mode in the total variance."""
+        return self.variances / self.total_variance if self.total_variance > 0 else self.variances
+
+    def shape(self, scores: npt.ArrayLike) -> Doubles:
+        """The shape with these scores.
+
+        Parameters
+        ----------
+        scores : array_like (j,) of float
+            Of the first modes; not more than there are.
+
+        Returns
+        -------
+        ndarray (m, 3) of float64
+        """
+        given = np.atleast_1d(np.asarray(scores, dtype=np.float64))
+        if given.ndim != 1 or len(given) > len(self.modes):
+            raise ValueError(f"scores: shape (j,) with j <= {len(self.modes)} is needed, not {given.shape}")
+        return self.mean + np.tensordot(given, self.modes[: len(given)], 1)
+
+
+@dataclass(frozen=True, eq=False)
+class ShapeSet:
+    """Shapes that have been aligned, and their motions: x has become `scales[i] * rotations[i] @ x + translations[i]`."""
+
+    shapes: Doubles  #: (n, m, 3): vertices, or coefficients of harmonics
+    scales: Doubles  #: (n,)
+    rotations: Doubles  #: (n, 3, 3)
+    translations: Doubles  #: (n, 3)
+    deviation: float  #: root mean square distance from the mean, over vertices and shapes
+    has_converged: bool
+    iterations: int
+
+
+def _stack(shapes: Shapes) -> tuple[Doubles, bool]:
+    are_harmonics = len(shapes) > 0 and isinstance(shapes[0], Harmonics)  # type: ignore[arg-type,index]
+    if are_harmonics:
+        tables: Any = [shape.coefficients for shape in shapes]  # type: ignore[union-attr]
+    else:
+        tables = shapes
+    try:
+        array = np.ascontiguousarray(tables, dtype=np.float64)
+    except ValueError as error:
+        raise ValueError("shapes: all have to have as many vertices, or coefficients") from error
+    if array.ndim != 3 or array.shape[2] != 3 or 0 in array.shape:
+        raise ValueError(f"shapes: shape (n, m, 3) is needed, not {array.shape}")
+    return array, are_harmonics
+
+
+def _weights(weights: npt.ArrayLike | None, shapes: Doubles, are_harmonics: bool) -> list[float]:
+    if weights is None:
+        return []
+    if are_harmonics:
+        raise ValueError("weights: coefficients have none: their mean is that over the sphere")
+    given = numbers("weights", weights, shapes.shape[1])
+    if not (np.isfinite(given).all() and given.min() >= 0 and given.sum() > 0):
+        raise ValueError("weights: finite numbers that are not negative are needed, not all of them 0")
+    result: list[float] = given.tolist()
+    return result
+
+
+def align_shapes(
+    shapes: Shapes,
+    *,
+    weights: npt.ArrayLike | None = None,
+    rotate: bool = True,
+    scale: bool = False,
+    accuracy: float = 1e-10,
+    iterations: int = 1000,
+    policy: str = "parallel",
+) -> ShapeSet:
+    """Generalized Procrustes alignment: moves shapes to where they are closest to their mean.
+
+    Parameters
+    ----------
+    shapes : array_like (n, m, 3) of float, or sequence of n Harmonics
+        Vertex, or coefficient, j of all of them corresponds.
+    weights : array_like (m,) of float
+        What each vertex counts, such as `mean_vertex_areas()`. Default: all alike.
+    rotate : bool
+        Turns the shapes, too, all but the first one, and does not only move their centres to the origin.
+    scale : bool
+        Gives all of them the same size.
+    accuracy : float
+        Stops where no rotation changes by more, in radians.
+    iterations : int
+        At most.
+    policy : {"parallel", "sequential"}
+
+    Returns
+    -------
+    ShapeSet
+    """
+    array, are_harmonics = _stack(shapes)
+    if not accuracy >= 0 or iterations < 0:
+        raise ValueError("accuracy, iterations: must not be negative")
+    aligned, scales, rotations, translations, deviation, has_converged, steps = _core.align_shapes(
+        array, are_harmonics, _weights(weights, array, are_harmonics), rotate, scale, accuracy, iterations, policy
+    )
+    return ShapeSet(
+        aligned, np.array(scales), np.array(rotations), np.array(translations), deviation, has_converged, steps
+    )
+
+
+def shape_statistics(
+    shapes: Shapes,
+    *,
+    weights: npt.ArrayLike | None = None,
+    modes: int | None = None,
+    policy: str = "parallel",
+) -> ShapeStatistics:
+    """Mean and principal components of shapes as they stand: `align_shapes()` comes before.
+
+    Parameters
+    ----------
+    shapes : array_like (n, m, 3) of float, or sequence of n Harmonics
+    weights : array_like (m,) of float
+        What each vertex counts. Default: all alike.
+    modes : int
+        At most so many. Default: all that are more than rounding, n - 1 or fewer.
+    policy : {"parallel", "sequential"}
+
+    Returns
+    -------
+    ShapeStatistics
+    """
+    array, are_harmonics = _stack(shapes)
+    count = len(array) if modes is None else modes
+    if count < 0:
+        raise ValueError("modes: must not be negative")
+    mean, found, variances, scores, total = _core.shape_statistics(
+        array, are_harmonics, _weights(weights, array, are_harmonics), count, policy
+    )
+    table = np.array(scores, dtype=np.float64).reshape(len(array), len(variances))
+    return ShapeStatistics(mean, found, np.array(variances), table, total)
+
+
+def left_out_errors(
+    shapes: Shapes,
+    *,
+    weights: npt.ArrayLike | None = None,
+    groups: int | None = None,
+    policy: str = "parallel",
+) -> Doubles:
+    """How well the modes of some shapes describe others: every shape is left out, and reconstructed from the rest.
+
+    Parameters
+    ----------
+    shapes : array_like (n, m, 3) of float, or sequence of n Harmonics
+        As they stand.
+    weights : array_like (m,) of float
+        What each vertex counts. Default: all alike.
+    groups : int
+        The shapes are left out in so many groups, 2 to n. Default: one by one.
+    policy : {"parallel", "sequential"}
+
+    Returns
+    -------
+    ndarray (k,) of float64
+        By the number of modes, from 0 on: the root mean square distance of the left out from their reconstructions.
+    """
+    array, are_harmonics = _stack(shapes)
+    if len(array) < 2 or (groups is not None and not 2 <= groups <= len(array)):
+        raise ValueError("groups: two shapes or more are needed, and 2 to n groups")
+    share = _weights(weights, array, are_harmonics)
+    return np.array(_core.left_out_errors(array, are_harmonics, share, groups or 0, policy)[0])
+
+
+def mean_vertex_areas(shapes: npt.ArrayLike, triangles: npt.ArrayLike, *, policy: str = "parallel") -> Doubles:
+    """What each vertex counts by the surface: a third of the areas of its faces, mean over the shapes.
+
+    Parameters
+    ----------
+    shapes : array_like (n, m, 3) of float
+    triangles : array_like (f, 3) of int
+        Those of all shapes.
+    policy : {"parallel", "sequential"}
+
+    Returns
+    -------
+    ndarray (m,) of float64
+        For `weights` of the functions above.
+    """
+    array, _ = _stack(shapes)
+    return np.array(_core.mean_vertex_areas(array, index_triples(triangles), policy))

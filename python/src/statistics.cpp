@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+//
+// Statistics of shapes. A set of n shapes is an array (n, m, 3): of vertices, or of coefficients of harmonics.
+
+#include "harmonic_arrays.h"
+
+#include <CGAL/Spherical_parameterization/shape_statistics.h>
+
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <tuple>
+
+namespace {
+
+using SP::Shape_points;
+
+void read_shape(const double* first, std::size_t rows, Shape_points& shape)
+{
+  const auto* points = reinterpret_cast<const std::array<double, 3>*>(first);
+  shape.assign(points, points + rows);
+}
+void read_shape(const double* first, std::size_t rows, SP::Harmonic_coefficients& shape)
+{
+  shape = harmonics_at(first, static_cast<int>(rows), 3);
+}
+
+void write_shape(const Shape_points& shape, double* out)
+{
+  for(const auto& p : shape)
+    out = std::copy(p.begin(), p.end(), out);
+}
+void write_shape(const SP::Harmonic_coefficients& shape, double* out) { write_harmonics(shape, out); }
+
+template <class Shape>
+std::vector<Shape> read_shapes(const Doubles& array)
+{
+  std::vector<Shape> shapes(static_cast<std::size_t>(array.shape(0)));
+  const auto rows = static_cast<std::size_t>(array.shape(1));
+  for(std::size_t i = 0; i < shapes.size(); ++i)
+    read_shape(array.data() + 3 * rows * i, rows, shapes[i]);
+  return shapes;
+}
+
+template <class Shape>
+Doubles to_array(const std::vector<Shape>& shapes, std::size_t rows)
+{
+  Doubles array = make_array<double>(shapes.size(), rows, 3);
+  for(std::size_t i = 0; i < shapes.size(); ++i)
+    write_shape(shapes[i], array.mutable_data() + 3 * rows * i);
+  return array;
+}
+
+/// Calls f with shapes of the kind.
+template <class F>
+py::tuple with_shapes(const Doubles& array, bool are_harmonics, F f)
+{
+  if(are_harmonics)
+    return f(read_shapes<SP::Harmonic_coefficients>(array));
+  return f(read_shapes<Shape_points>(array));
+}
+
+py::tuple align_shapes(const Doubles& array, bool are_harmonics, const std::vector<double>& weights, bool rotate,
+                       bool scale, double accuracy, int iterations, const std::string& policy)
+{
+  return with_shapes(array, are_harmonics, [&](auto shapes) {
+    const SP::Procrustes_alignment a = on(policy, [&](const auto& p) {
+      return SP::align_shapes(p, shapes, SP::Procrustes{rotate, scale, accuracy, iterations}, weights);
+    });
+    std::vector<double> scales;
+    std::vector<std::array<std::array<double, 3>, 3>> rotations;
+    std::vector<std::array<double, 3>> translations;
+    for(const SP::Similarity& motion : a.motions) {
+      scales.push_back(motion.scale);
+      rotations.push_back(motion.rotation);
+      translations.push_back(motion.translation);
+    }
+    return py::make_tuple(to_array(shapes, static_cast<std::size_t>(array.shape(1))), scales, rotations, translations,
+                          a.deviation, a.has_converged, a.iterations);
+  });
+}
+
+py::tuple shape_statistics(const Doubles& array, bool are_harmonics, const std::vector<double>& weights, int modes,
+                           const std::string& policy)
+{
+  return with_shapes(array, are_harmonics, [&](const auto& shapes) {
+    const auto s = on(policy, [&](const auto& p) { return SP::shape_statistics(p, shapes, weights, modes); });
+    const auto rows = static_cast<std::size_t>(array.shape(1));
+    Doubles mean = make_array<double>(rows, 3);
+    write_shape(s.mean, mean.mutable_data());
+    return py::make_tuple(mean, to_array(s.modes, rows), s.variances, s.scores, s.total_variance);
+  });
+}
+
+py::tuple left_out_errors(const Doubles& array, bool are_harmonics, const std::vector<double>& weights, int groups,
+                          const std::string& policy)
+{
+  return with_shapes(array, are_harmonics, [&](const auto& shapes) {
+    return py::make_tuple(on(policy, [&](const auto& p) { return SP::left_out_errors(p, shapes, weights, groups); }));
+  });
+}
+
+std::vector<double> mean_vertex_areas(const Doubles& array, const py::array& triangles, const std::string& policy)
+{
+  const auto shapes = read_shapes<Shape_points>(array);
+  Doubles first = make_array<double>(array.shape(1), 3);
+  write_shape(shapes.front(), first.mutable_data());
+  const Mesh mesh = make_mesh(first, triangles);
+  return on(policy, [&](const auto& p) { return SP::mean_vertex_areas(p, mesh, shapes); });
+}
+
+} // namespace
+
+void add_statistics(py::module_& module)
+{
+  module.def("align_shapes", align_shapes);
+  module.def("shape_statistics", shape_statistics);
+  module.def("left_out_errors", left_out_errors);
+  module.def("mean_vertex_areas", mean_vertex_areas);
+}

@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Alignment, mean and principal components of shapes."""
+
+import numpy as np
+import pytest
+import spherical_parameterization as sp
+
+
+def rotation(random):
+    q, _ = np.linalg.qr(random.normal(size=(3, 3)))
+    return q * np.linalg.det(q)
+
+
+def test_statistics_are_those_of_numpy():
+    random = np.random.default_rng(1)
+    shapes = random.normal(size=(7, 50, 3))
+    weights = random.uniform(0.1, 1, 50)
+    found = sp.shape_statistics(shapes, weights=weights)
+    share = np.sqrt(weights / weights.sum())[:, None]
+    centred = ((shapes - shapes.mean(axis=0)) * share).reshape(7, -1)
+    values = np.linalg.svd(centred, compute_uv=False)[:6]
+    np.testing.assert_allclose(found.variances, values**2 / 6)
+    np.testing.assert_allclose(found.mean, shapes.mean(axis=0), atol=1e-14)
+    np.testing.assert_allclose(found.scores.var(axis=0, ddof=1), found.variances)
+    gram = np.einsum("v,ivc,jvc->ij", weights / weights.sum(), found.modes, found.modes)
+    np.testing.assert_allclose(gram, np.eye(6), atol=1e-12)
+    for i in range(7):
+        np.testing.assert_allclose(found.shape(found.scores[i]), shapes[i], atol=1e-12)
+    assert found.explained.sum() == pytest.approx(1)
+    some = sp.shape_statistics(shapes, weights=weights, modes=2)
+    np.testing.assert_array_equal(some.modes, found.modes[:2])
+    assert some.total_variance == found.total_variance
+
+
+def test_alignment_undoes_motions():
+    random = np.random.default_rng(2)
+    body = random.normal(size=(40, 3))
+    shapes = [s * body @ rotation(random).T + random.normal(size=3) for s in (1, 2, 3)]
+    rigid = sp.align_shapes(shapes)
+    assert rigid.has_converged and rigid.deviation > 0.1
+    moved = np.einsum("n,nab,nvb->nva", rigid.scales, rigid.rotations, np.array(shapes))
+    np.testing.assert_allclose(moved + rigid.translations[:, None], rigid.shapes, atol=1e-12)
+    assert sp.align_shapes(shapes, scale=True).deviation < 1e-9
+    np.testing.assert_array_equal(rigid.rotations[0], np.eye(3))
+
+
+def test_statistics_of_harmonics():
+    random = np.random.default_rng(3)
+    shapes = [sp.Harmonics(random.normal(size=(16, 3))) for _ in range(5)]
+    found = sp.shape_statistics(shapes)
+    table = np.array([shape.coefficients for shape in shapes])
+    centred = (table - table.mean(axis=0)).reshape(5, -1) / np.sqrt(4 * np.pi)
+    np.testing.assert_allclose(found.variances, np.linalg.svd(centred, compute_uv=False)[:4] ** 2 / 4)
+    assert sp.Harmonics(found.mean).degree == 3
+    assert sp.align_shapes(shapes).shapes.shape == (5, 16, 3)
+    with pytest.raises(ValueError, match="coefficients have none"):
+        sp.shape_statistics(shapes, weights=np.ones(16))
+
+
+def test_errors_of_the_left_out():
+    random = np.random.default_rng(4)
+    shapes = random.normal(size=(6, 30, 3))
+    errors = sp.left_out_errors(shapes)
+    mean = [(shapes[i] - np.delete(shapes, i, axis=0).mean(axis=0)) for i in range(6)]
+    assert errors[0] == pytest.approx(np.sqrt((np.array(mean) ** 2).sum() / 30 / 6))
+    assert len(errors) == 5 and (np.diff(errors) <= 0).all()
+    assert len(sp.left_out_errors(shapes, groups=2)) == 3
+
+
+def test_vertices_count_with_their_area():
+    sphere, triangles = sp.icosphere(3)
+    areas = sp.mean_vertex_areas([sphere, 3 * sphere], triangles)
+    assert areas.sum() == pytest.approx(5 * 4 * np.pi, rel=0.02)
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda: sp.shape_statistics(np.zeros((3, 2))),
+        lambda: sp.shape_statistics([np.zeros((3, 3)), np.zeros((4, 3))]),
+        lambda: sp.shape_statistics(np.zeros((2, 4, 3)), weights=np.zeros(4)),
+        lambda: sp.shape_statistics(np.zeros((2, 4, 3)), modes=-1),
+        lambda: sp.left_out_errors(np.zeros((1, 4, 3))),
+        lambda: sp.align_shapes([]),
+        lambda: sp.align_shapes(np.full((2, 4, 3), np.nan)),
+        lambda: sp.shape_statistics(np.ones((2, 4, 3))).shape([1.0]),
+    ],
+)
+def test_what_makes_no_sense_is_refused(call):
+    with pytest.raises(ValueError):
+        call()
+
+
+def test_atlas_of_a_family():
+    points, triangles = sp.icosphere(3)
+    body = points * (1 + 0.3 * np.exp(4 * (points @ [0.6, 0.8, 0]) - 4) + 0.2 * np.exp(4 * points[:, 2] - 4))[:, None]
+    open_mesh = (points, triangles[1:])
+    family = [(body * [x, 1, 1], triangles) for x in (1, 1.15, 1.3)]
+    result = sp.atlas([open_mesh, *family], level=3, align="centre")
+    assert result.members == [1, 2, 3]
+    assert "closed" in result.refused[0]
+    assert result.statistics.explained[0] > 0.95
+    first = result.statistics.scores[:, 0]
+    assert (np.diff(first) > 0).all() or (np.diff(first) < 0).all()
+    assert result.shapes.shape == (3, len(result.sphere), 3)
+    with pytest.raises(ValueError, match="has no map"):
+        sp.atlas([open_mesh, *family], template=0)
+    with pytest.raises(ValueError, match="two or more"):
+        sp.atlas(family[:1])

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#include "collections/atlas.h"
+
+#include "output/atomic_file.h"
+#include "output/csv.h"
+#include "output/text_writer.h"
+#include "output/write_mesh.h"
+
+#include <CGAL/Spherical_parameterization/Any_policy.h>
+#include <CGAL/Spherical_parameterization/shape_statistics.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <sstream>
+#include <system_error>
+#include <utility>
+
+namespace tool {
+namespace {
+
+namespace SP = CGAL::Spherical_parameterization;
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using Shapes = std::vector<std::vector<Point>>;
+
+#ifdef CGAL_LINKED_WITH_TBB
+const CGAL::Parallel_tag policy;
+#else
+const CGAL::Sequential_tag policy;
+#endif
+
+/// Shapes are left out one by one as long as that takes no time: n groups cost n^4.
+constexpr std::size_t most_left_out_alone = 100;
+constexpr int groups_beyond = 20;
+
+/// Meshes of modes show so many standard deviations.
+constexpr double deviations_shown = 2;
+
+void remove_other_modes(const fs::path& folder, std::size_t modes)
+{
+  std::error_code none;
+  for(std::size_t k = modes + 1;; ++k) {
+    const fs::path name = folder / ("mode_" + std::to_string(k));
+    const bool plus = fs::remove(name.string() + "_plus.ply", none),
+               minus = fs::remove(name.string() + "_minus.ply", none);
+    if(!plus && !minus)
+      return;
+  }
+}
+
+void write_scores(std::ostream& out, const std::vector<Atlas_shape>& shapes,
+                  const SP::Shape_statistics<std::vector<Point>>& statistics)
+{
+  Text_writer write(out);
+  write("name");
+  for(std::size_t k = 1; k <= statistics.modes.size(); ++k)
+    write(",score_", k);
+  write('\n');
+  for(std::size_t i = 0; i < shapes.size(); ++i) {
+    write(csv_quoted(shapes[i].name));
+    for(const double score : statistics.scores[i])
+      write(',', score);
+    write('\n');
+  }
+}
+
+} // namespace
+
+SP::Procrustes_alignment align(const Atlas_mesh& mesh, Shapes& shapes, Placement placement)
+{
+  if(placement == Placement::AS_THEY_STAND)
+    return {};
+  SP::Procrustes method;
+  method.rotate = placement != Placement::CENTRED;
+  method.scale = placement == Placement::SIMILARITY;
+  return SP::align_shapes(policy, shapes, method, SP::mean_vertex_areas(policy, mesh.mesh, shapes));
+}
+
+std::vector<Point> mean_of(const Shapes& shapes) { return SP::shape_statistics(policy, shapes, {}, 0).mean; }
+
+std::string write_atlas(const std::string& folder, const Atlas_mesh& mesh, std::vector<Atlas_shape> named,
+                        Placement placement, int modes, bool ascii, Json report)
+{
+  Shapes shapes;
+  for(Atlas_shape& shape : named)
+    shapes.push_back(std::move(shape.points));
+  const SP::Procrustes_alignment alignment = align(mesh, shapes, placement);
+  const std::vector<double> weights = SP::mean_vertex_areas(policy, mesh.mesh, shapes);
+  const auto statistics = SP::shape_statistics(policy, shapes, weights, modes);
+  const int groups = shapes.size() <= most_left_out_alone ? static_cast<int>(shapes.size()) : groups_beyond;
+  const std::vector<double> errors = SP::left_out_errors(policy, shapes, weights, groups);
+  const double variance = statistics.total_variance;
+
+  report["alignment"] = {{"converged", alignment.has_converged}, {"iterations", alignment.iterations}};
+  Json motions = Json::array();
+  for(std::size_t i = 0; i < alignment.motions.size(); ++i) {
+    const SP::Similarity& motion = alignment.motions[i];
+    motions.push_back({{"name", named[i].name},
+                       {"scale", motion.scale},
+                       {"rotation", motion.rotation},
+                       {"translation", motion.translation}});
+  }
+  report["alignment"]["motions"] = std::move(motions);
+  report["total_variance"] = variance;
+  Json rows = Json::array();
+  double explained = 0;
+  for(const double v : statistics.variances) {
+    explained += v;
+    rows.push_back({{"variance", v},
+                    {"standard_deviation", std::sqrt(v)},
+                    {"explained", v / variance},
+                    {"explained_so_far", explained / variance}});
+  }
+  report["modes"] = std::move(rows);
+  report["left_out"] = {{"groups", groups}, {"root_mean_square_by_modes", errors}};
+
+  Atomic_file::create_folder(folder + "/modes");
+  const Output_format ply = {Mesh_format::PLY, ascii};
+  std::vector<std::unique_ptr<Atomic_file>> files;
+  const auto open = [&](const std::string& name) -> std::ostream& {
+    files.push_back(std::make_unique<Atomic_file>(folder + '/' + name));
+    return files.back()->stream();
+  };
+  write_mesh(open("mean.ply"), ply, mesh.mesh, statistics.mean, Surface::SHAPE);
+  write_variance_ply(open("variance.ply"), ascii, mesh.mesh, statistics.mean, SP::vertex_variances(policy, shapes));
+  for(std::size_t k = 0; k < statistics.modes.size(); ++k)
+    for(const auto& [word, sign] : {std::pair("plus", 1.), std::pair("minus", -1.)}) {
+      std::vector<double> scores(k + 1, 0);
+      scores[k] = sign * deviations_shown * std::sqrt(statistics.variances[k]);
+      write_mesh(open("modes/mode_" + std::to_string(k + 1) + '_' + word + ".ply"), ply, mesh.mesh,
+                 SP::shape_of_scores(statistics, scores), Surface::SHAPE);
+    }
+  write_scores(open("scores.csv"), named, statistics);
+  open("report.json") << report.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+  std::vector<Atomic_file*> all;
+  for(const auto& file : files)
+    all.push_back(file.get());
+  Atomic_file::commit_all(all);
+  remove_other_modes(folder + "/modes", statistics.modes.size());
+
+  std::ostringstream text;
+  text.precision(3);
+  text << shapes.size() << " shapes of " << mesh.mesh.number_of_vertices()
+       << " vertices; root mean square distance from "
+       << "the mean "
+       << std::sqrt(variance * (static_cast<double>(shapes.size()) - 1) / static_cast<double>(shapes.size()));
+  if(!statistics.modes.empty())
+    text << "; " << statistics.modes.size() << " modes explain " << 100 * explained / variance
+         << " % of the variance, the first one " << 100 * statistics.variances[0] / variance << " %";
+  text << "\na shape that is left out is reconstructed to " << errors.front() << " by the mean, to " << errors.back()
+       << " with " << errors.size() - 1 << " modes of the others";
+  return text.str();
+}
+
+} // namespace tool

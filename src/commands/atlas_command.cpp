@@ -1,0 +1,359 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#include "commands/commands.h"
+#include "commands/mesh_command.h"
+
+#include "collections/atlas.h"
+#include "collections/mesh_collection.h"
+#include "input/files.h"
+#include "mapping/mapped_mesh.h"
+#include "mapping/registration.h"
+#include "mapping/spherical_map.h"
+#include "options/collection_options.h"
+#include "options/usage.h"
+#include "output/atomic_file.h"
+#include "output/write_mesh.h"
+#include "system/guarded.h"
+#include "system/interruption.h"
+
+#include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
+#include <CGAL/Spherical_parameterization/resample.h>
+#include <CGAL/Spherical_parameterization/transfer_properties.h>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+namespace tool {
+namespace {
+
+namespace SP = CGAL::Spherical_parameterization;
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+struct Atlas_options : Mapping_options, Collection_options {
+  Atlas_options() { method = "isometric"; }
+
+  std::string output;
+  std::string template_mesh; ///< empty: the first that has a map
+  int rounds = 1;
+  std::string faces = "icosphere";
+  int level = 5;
+  Placement placement = Placement::RIGID;
+  int modes = 5;
+  bool ascii = false;
+};
+
+/// The options on which maps do not depend, and those on which registered shapes do not.
+const std::set<std::string> not_of_maps = {"--template", "--rounds", "--faces", "--level",
+                                           "--align",    "--modes",  "--ascii"};
+const std::set<std::string> not_of_shapes = {"--template", "--rounds", "--align", "--modes", "--ascii"};
+
+/// A mesh file with its map in another one.
+struct Mapped_file {
+  std::string mesh, sphere;
+};
+
+/// Reads the mesh and the certified map of the file.
+void read_mapped(const Atlas_options& options, const Mapped_file& file, Mapped_mesh& input)
+{
+  Atlas_options one = options;
+  one.input = file.mesh;
+  one.sphere = file.sphere;
+  one.policy = "sequential"; // the other cores have meshes of their own
+  read_input(one, input);
+  map_input(one, input);
+}
+
+/// The steps of a run, and where their files are.
+class Atlas {
+public:
+  Atlas(const CLI::App& command, const Atlas_options& options) : command_(command), options_(options) {}
+
+  /// Returns the exit code.
+  int run()
+  {
+    const SP::internal::Stopwatch total;
+    map_meshes();
+    const Mapped_file first = {template_.mesh, sphere_of(template_)};
+    std::vector<Atlas_shape> shapes;
+    Mapped_file to = first;
+    for(int round = 1; round <= options_.rounds; ++round) {
+      if(round > 1)
+        to = write_template(round, std::move(shapes));
+      register_meshes(round, to, first);
+      shapes = read_shapes(round);
+    }
+    Json report = {{"version", SPHERICAL_PARAMETERIZATION_VERSION},
+                   {"settings", settings_text(command_)},
+                   {"template", template_.mesh},
+                   {"rounds", options_.rounds},
+                   {"shapes", shapes.size()},
+                   {"vertices", mesh_->mesh.number_of_vertices()},
+                   {"faces", mesh_->mesh.number_of_faces()},
+                   {"meshes", Json::array()}};
+    for(const Item& item : items_) {
+      const auto& [status, line] = said_.at(item.name);
+      report["meshes"].push_back({{"name", item.name}, {"mesh", item.mesh}, {"status", status}, {"line", line}});
+    }
+    stop_if_interrupted(options_.output);
+    const std::string text = write_atlas(options_.output, *mesh_, std::move(shapes), options_.placement, options_.modes,
+                                         options_.ascii, std::move(report));
+    std::cout << options_.output << ": " << text << '\n' << total.seconds() << " s" << std::endl;
+    return exit_code_;
+  }
+
+private:
+  std::string sphere_of(const Item& item) const { return options_.output + "/spheres/" + item.name + ".ply"; }
+  std::string shape_of(int round, const Item& item) const
+  {
+    return options_.output + "/registered/" + std::to_string(round) + '/' + item.name + ".ply";
+  }
+
+  /// Runs a step on meshes, and notes what was said of them.
+  void run_step(Collection collection)
+  {
+    collection.threads = options_.number_of_jobs();
+    collection.tell = [this](const Item& item, const std::string& status, const std::string& line) {
+      said_[item.name] = {status, line};
+    };
+    exit_code_ = std::max(exit_code_, run_collection(collection));
+  }
+
+  /// The maps of all meshes, and of the template, which need not be one of them.
+  void map_meshes()
+  {
+    items_ = items_of(options_, {{"--output", options_.output}});
+    std::vector<Item> all = items_;
+    template_ = {options_.template_mesh, ""};
+    std::error_code none;
+    for(const Item& item : items_)
+      if(!options_.template_mesh.empty() && fs::equivalent(item.mesh, options_.template_mesh, none))
+        template_ = item;
+    if(!template_.mesh.empty() && template_.name.empty()) {
+      template_.name = "template of the atlas";
+      all.push_back(template_);
+    }
+    const auto map = [this](const Item& item) {
+      Outcome outcome;
+      outcome.refusal = guarded(item.mesh, [&] {
+        Atlas_options one = options_;
+        one.input = item.mesh;
+        if(options_.number_of_jobs() > 1)
+          one.policy = "sequential";
+        Mapped_mesh input;
+        read_input(one, input);
+        Atomic_file file(sphere_of(item));
+        map_input(one, input);
+        write_mesh(file.stream(), {}, input.mesh(), input.sphere, Surface::SPHERE);
+        stop_if_interrupted(item.mesh);
+        file.commit();
+        outcome.line = std::to_string(input.mesh().number_of_vertices()) + " vertices, " + input.result.method + " map";
+      });
+      return outcome;
+    };
+    run_step({options_.output + "/spheres", settings_text(command_, not_of_maps), all,
+              [&](const Item& item) {
+                return Job{{}, {sphere_of(item)}, [=] { return map(item); }};
+              },
+              0});
+    for(const Item& item : items_)
+      if(fs::exists(sphere_of(item), none)) {
+        mapped_.push_back(item);
+        if(template_.mesh.empty())
+          template_ = item;
+      }
+    if(!template_.mesh.empty() && !fs::exists(sphere_of(template_), none))
+      throw Refusal(said_.at(template_.name).first, template_.mesh, "is the template, and has no map",
+                    "name another --template");
+    check_number(mapped_.size(), "could be mapped");
+  }
+
+  void check_number(std::size_t meshes, const std::string& what) const
+  {
+    if(meshes < 2)
+      throw Refusal("EMPTY_MESH", options_.output,
+                    "of " + std::to_string(items_.size()) + " meshes " + std::to_string(meshes) + ' ' + what,
+                    "statistics need two or more; the lines of the others say why not");
+  }
+
+  /// The meshes that have a map, sampled where their registered maps have the directions of the atlas. `first` is the
+  /// template of the first round, whose map gives the directions if the atlas has its faces.
+  void register_meshes(int round, const Mapped_file& to, const Mapped_file& first)
+  {
+    Mapped_mesh target;
+    read_mapped(options_, to, target);
+    if(round == 1) {
+      if(options_.faces == "icosphere") {
+        const SP::internal::Icosphere icosphere(options_.level);
+        const Mesh mesh(icosphere.points, icosphere.triangles);
+        mesh_ = Atlas_mesh{mesh, mesh.points()};
+      } else
+        mesh_ = Atlas_mesh{target.mesh(), target.sphere};
+    }
+    const auto work = [&](const Item& item) {
+      Outcome outcome;
+      outcome.refusal = guarded(item.mesh, [&] {
+        Atomic_file file(shape_of(round, item));
+        Mapped_mesh input;
+        read_mapped(options_, {item.mesh, sphere_of(item)}, input);
+        std::ostringstream line;
+        line.precision(2);
+        if(item.mesh == to.mesh)
+          line << "the template";
+        else {
+          const SP::Registration_result found =
+            register_map(item.mesh, input.mesh(), input.sphere, target.mesh(), target.sphere);
+          line << "registered by " << found.start << ", mismatch of features " << found.mismatch_before << " -> "
+               << found.mismatch << ", distortion " << found.distortion;
+        }
+        const SP::Spherical_locator<Mesh> shape(input.mesh(), as_map(input.sphere));
+        std::vector<Point> points(mesh_->directions.size());
+        SP::transfer_vertex_property(shape, as_map(input.mesh().points()), mesh_->mesh, as_map(mesh_->directions),
+                                     as_map(points));
+        write_mesh(file.stream(), {Mesh_format::PLY, options_.ascii}, mesh_->mesh, points, Surface::SHAPE);
+        stop_if_interrupted(item.mesh);
+        file.commit();
+        outcome.line = line.str();
+      });
+      return outcome;
+    };
+    run_step({options_.output + "/registered/" + std::to_string(round), settings_text(command_, not_of_shapes), mapped_,
+              [&](const Item& item) {
+                return Job{{sphere_of(item), to.mesh, to.sphere, first.sphere}, {shape_of(round, item)}, [&work, item] {
+                             return work(item);
+                           }};
+              },
+              0});
+  }
+
+  std::vector<Atlas_shape> read_shapes(int round)
+  {
+    std::vector<Atlas_shape> shapes;
+    std::error_code none;
+    for(const Item& item : mapped_)
+      if(const std::string file = shape_of(round, item); fs::exists(file, none)) {
+        shapes.push_back({item.name, read_mesh(file).mesh.points()});
+        stop_if_interrupted(options_.output);
+      }
+    check_number(shapes.size(), "could be registered");
+    return shapes;
+  }
+
+  /// The mean of the shapes of the round before. Files that have these contents stay as they are, so that what was
+  /// registered to them does, too.
+  Mapped_file write_template(int round, std::vector<Atlas_shape> shapes) const
+  {
+    std::vector<std::vector<Point>> points;
+    for(Atlas_shape& shape : shapes)
+      points.push_back(std::move(shape.points));
+    align(*mesh_, points, options_.placement);
+    const std::string name = options_.output + "/templates/" + std::to_string(round);
+    const Mapped_file file = {name + ".ply", name + "_sphere.ply"};
+    Atomic_file::create_folder(options_.output + "/templates");
+    for(const auto& [output, of_points, surface] : {std::tuple(file.mesh, mean_of(points), Surface::SHAPE),
+                                                    std::tuple(file.sphere, mesh_->directions, Surface::SPHERE)}) {
+      std::ostringstream text;
+      write_mesh(text, {}, mesh_->mesh, of_points, surface);
+      std::ifstream old(output, std::ios::binary);
+      if(std::string(std::istreambuf_iterator<char>(old), {}) == text.str())
+        continue;
+      Atomic_file out(output);
+      out.stream() << text.str();
+      out.commit();
+    }
+    return file;
+  }
+
+  const CLI::App& command_;
+  const Atlas_options& options_;
+  std::vector<Item> items_, mapped_;
+  Item template_;
+  std::optional<Atlas_mesh> mesh_;                                  ///< from the first round on
+  std::map<std::string, std::pair<std::string, std::string>> said_; ///< by the name of the item: status, line
+  int exit_code_ = 0;
+};
+
+void check(Atlas_options& options)
+{
+  check_collection_options(options);
+  check_output_folder(options.output);
+  while(options.output.size() > 1 && options.output.back() == '/')
+    options.output.pop_back();
+  check_mapping_options(options);
+}
+
+} // namespace
+
+void add_atlas_command(CLI::App& app, int& exit_code)
+{
+  CLI::App* command = app.add_subcommand("atlas", "Mean shape and principal components of many meshes");
+  const auto options = std::make_shared<Atlas_options>();
+  add_collection_options(*command, *options);
+  add_mapping_options(*command, *options);
+  command
+    ->add_option("-o,--output", options->output,
+                 "Output folder: mean.ply; variance.ply, coloured; modes/, the mean plus and minus two standard\n"
+                 "deviations of each mode; scores.csv; report.json; and the steps before, spheres/ and registered/")
+    ->required()
+    ->type_name("FOLDER");
+  command
+    ->add_option("--template", options->template_mesh,
+                 "The mesh that all are registered to first, one of IN or another one [the first of IN that has a map]")
+    ->type_name("FILE");
+  command
+    ->add_option("--rounds", options->rounds,
+                 "How often they are registered: from the second time on to the mean of the time before")
+    ->check(CLI::Range(1, 100))
+    ->capture_default_str();
+  command
+    ->add_option("--faces", options->faces, "All shapes get the vertices and faces of an icosphere, or of the template")
+    ->check(CLI::IsMember({"icosphere", "template"}))
+    ->capture_default_str();
+  command->add_option("--level", options->level, "The icosphere has 10 * 4^LEVEL + 2 vertices")
+    ->check(CLI::Range(0, SP::largest_icosphere_level))
+    ->capture_default_str();
+  const std::map<std::string, Placement> placements = {{"none", Placement::AS_THEY_STAND},
+                                                       {"centre", Placement::CENTRED},
+                                                       {"rigid", Placement::RIGID},
+                                                       {"similarity", Placement::SIMILARITY}};
+  const auto placement = std::make_shared<std::string>("rigid");
+  command
+    ->add_option("--align", *placement,
+                 "What is no difference of shapes: nothing, their place, rotations, too (generalized Procrustes\n"
+                 "alignment), or sizes as well")
+    ->check(CLI::IsMember({"none", "centre", "rigid", "similarity"}))
+    ->capture_default_str();
+  command->add_option("--modes", options->modes, "How many principal components are written at most")
+    ->check(CLI::Range(0, 1000000))
+    ->capture_default_str();
+  add_ascii_option(*command, options->ascii);
+  command->footer(
+    "The same command resumes a run that was stopped, and brings an atlas up to date: only new and edited\n"
+    "meshes are mapped.\n"
+    "Example: spherical-parameterization atlas scans/ -o atlas/\n"
+    "Exit code: 0 the atlas was written, 1 meshes were refused, or none was written (the lines say why),\n"
+    "2 wrong usage, 130 interrupted.");
+  command->callback([options, command, placements, placement, &exit_code] {
+    options->placement = placements.at(*placement);
+    check(*options);
+    exit_code = Atlas(*command, *options).run();
+  });
+}
+
+} // namespace tool

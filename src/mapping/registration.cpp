@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#include "mapping/registration.h"
+
+#include "system/error_code_names.h"
+#include "system/refusal.h"
+
+namespace tool {
+
+namespace SP = CGAL::Spherical_parameterization;
+
+SP::Registration_result register_map(const std::string& file, const Mesh& mesh, Sphere& sphere, const Mesh& to_mesh,
+                                     const Sphere& to_sphere)
+{
+  SP::Registration_result result = SP::register_maps(mesh, as_map(sphere), to_mesh, as_map(to_sphere), as_map(sphere));
+  if(!result)
+    throw Refusal(name(result.error), file, "could not be registered: " + result.detail, "");
+  return result;
+}
+
+} // namespace tool

@@ -1,0 +1,451 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// shape_statistics.h
+
+#include "helpers/meshes.h"
+#include "helpers/solve.h"
+
+#include <CGAL/Spherical_parameterization/shape_statistics.h>
+#include <CGAL/Spherical_parameterization/spherical_harmonics.h>
+
+#include <CGAL/tags.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <random>
+#include <vector>
+
+using namespace test;
+
+namespace {
+
+using SP::Shape_points;
+using Coefficients = SP::Harmonic_coefficients;
+using Shapes = std::vector<Shape_points>;
+
+const CGAL::Sequential_tag one_core;
+
+constexpr double pi = 3.14159265358979323846;
+
+Shape_points points_of(const Soup& soup)
+{
+  Shape_points shape;
+  for(const Point& p : soup.points)
+    shape.push_back({p.x(), p.y(), p.z()});
+  return shape;
+}
+
+Shape_points random_shape(std::size_t vertices, std::mt19937& random)
+{
+  std::normal_distribution<double> normal;
+  Shape_points shape(vertices);
+  for(auto& p : shape)
+    for(double& x : p)
+      x = normal(random);
+  return shape;
+}
+
+/// The mean over the vertices of the inner product.
+double inner(const Shape_points& a, const Shape_points& b, const std::vector<double>& weights)
+{
+  double sum = 0, all = 0;
+  for(std::size_t j = 0; j < a.size(); ++j) {
+    const double w = weights.empty() ? 1 : weights[j];
+    all += w;
+    for(std::size_t c = 0; c < 3; ++c)
+      sum += w * a[j][c] * b[j][c];
+  }
+  return sum / all;
+}
+
+void add(Shape_points& a, double factor, const Shape_points& b)
+{
+  for(std::size_t j = 0; j < a.size(); ++j)
+    for(std::size_t c = 0; c < 3; ++c)
+      a[j][c] += factor * b[j][c];
+}
+
+double distance(Shape_points a, const Shape_points& b, const std::vector<double>& weights = {})
+{
+  add(a, -1, b);
+  return std::sqrt(inner(a, a, weights));
+}
+
+/// Shapes of which everything is known: the mean, modes that are orthonormal, and scores whose mean is 0.
+struct Known {
+  Shape_points mean;
+  std::vector<Shape_points> modes;
+  std::vector<std::vector<double>> scores; ///< by shape
+  std::vector<double> variances;
+  Shapes shapes;
+};
+
+Known known_set(int shapes, const std::vector<double>& deviations, const std::vector<double>& weights,
+                std::size_t vertices)
+{
+  std::mt19937 random(1);
+  Known known;
+  known.mean = random_shape(vertices, random);
+  for(std::size_t k = 0; k < deviations.size(); ++k) { // Gram and Schmidt
+    Shape_points mode = random_shape(vertices, random);
+    for(const Shape_points& other : known.modes)
+      add(mode, -inner(mode, other, weights), other);
+    const double length = std::sqrt(inner(mode, mode, weights));
+    add(mode, 1 / length - 1, Shape_points(mode));
+    known.modes.push_back(mode);
+    known.variances.push_back(deviations[k] * deviations[k] * shapes / (shapes - 1.));
+  }
+  for(int i = 0; i < shapes; ++i) { // waves of different lengths
+    std::vector<double> row;
+    for(std::size_t k = 0; k < deviations.size(); ++k)
+      row.push_back(deviations[k] * std::sqrt(2.) * std::cos(2 * pi * (k + 1.) * (i + .3) / shapes));
+    Shape_points shape = known.mean;
+    for(std::size_t k = 0; k < row.size(); ++k)
+      add(shape, row[k], known.modes[k]);
+    known.scores.push_back(row);
+    known.shapes.push_back(shape);
+  }
+  return known;
+}
+
+/// Random shapes near a body without symmetry, all in poses and places of their own.
+Shapes scattered_set(int shapes, double noise, unsigned seed)
+{
+  std::mt19937 random(seed);
+  const Shape_points body = points_of(bumpy_sphere(2));
+  Shapes set;
+  for(int i = 0; i < shapes; ++i) {
+    Shape_points shape = body;
+    add(shape, noise, random_shape(body.size(), random));
+    const auto rows = random_rotation(seed + i);
+    for(auto& p : shape) {
+      const Point q = test::apply(rows, Point(p[0], p[1], p[2]));
+      p = {q.x() + i, q.y() - 2 * i, q.z() + 3};
+    }
+    set.push_back(shape);
+  }
+  return set;
+}
+
+std::vector<double> variances_of(Shapes shapes, const SP::Procrustes& method = {})
+{
+  SP::align_shapes(one_core, shapes, method);
+  return SP::shape_statistics(one_core, shapes).variances;
+}
+
+std::vector<double> random_weights(std::size_t vertices)
+{
+  std::mt19937 random(5);
+  std::vector<double> weights(vertices);
+  for(double& w : weights)
+    w = std::uniform_real_distribution<double>(0, 3)(random);
+  weights[7] = 0;
+  return weights;
+}
+
+} // namespace
+
+TEST_CASE("a set made from known modes gives these modes, variances and scores back", "[statistics]")
+{
+  const bool is_weighted = GENERATE(false, true);
+  const std::size_t vertices = GENERATE(20, 3000); // one block of rows, many
+  const std::vector<double> weights = is_weighted ? random_weights(vertices) : std::vector<double>();
+  const Known known = known_set(11, {2, 1, .01, 1e-5}, weights, vertices);
+  const auto found = SP::shape_statistics(one_core, known.shapes, weights);
+  CHECK(distance(found.mean, known.mean, weights) < 1e-12);
+  REQUIRE(found.variances.size() == 4);
+  CHECK(found.total_variance ==
+        Approx(std::accumulate(known.variances.begin(), known.variances.end(), 0.)).epsilon(1e-12));
+  for(std::size_t k = 0; k < 4; ++k) {
+    const double rounding = 1e-13 * std::sqrt(known.variances[0] / known.variances[k]);
+    CHECK(found.variances[k] == Approx(known.variances[k]).epsilon(10 * rounding));
+    CHECK(inner(found.modes[k], found.modes[k], weights) == Approx(1).epsilon(10 * rounding));
+    const double sign = inner(found.modes[k], known.modes[k], weights) < 0 ? -1 : 1;
+    Shape_points difference = found.modes[k];
+    add(difference, -sign, known.modes[k]);
+    CHECK(std::sqrt(inner(difference, difference, weights)) < 10 * rounding);
+    double longest = 0;
+    for(std::size_t i = 0; i < known.shapes.size(); ++i) {
+      CHECK(found.scores[i][k] == Approx(sign * known.scores[i][k]).margin(1e-12));
+      longest = std::abs(found.scores[i][k]) > std::abs(longest) ? found.scores[i][k] : longest;
+    }
+    CHECK(longest > 0);
+  }
+  for(std::size_t i = 0; i < known.shapes.size(); ++i)
+    CHECK(distance(SP::shape_of_scores(found, found.scores[i]), known.shapes[i], weights) < 1e-12);
+}
+
+TEST_CASE("fewer modes are the first ones, and the total variance stays", "[statistics]")
+{
+  const Known known = known_set(7, {3, 2, 1}, {}, 30);
+  const auto all = SP::shape_statistics(one_core, known.shapes),
+             some = SP::shape_statistics(one_core, known.shapes, {}, 2);
+  CHECK(some.modes.size() == 2);
+  CHECK(some.scores[0].size() == 2);
+  CHECK(some.variances == std::vector<double>(all.variances.begin(), all.variances.begin() + 2));
+  CHECK(some.total_variance == all.total_variance);
+  CHECK(SP::shape_statistics(one_core, known.shapes, {}, 0).modes.empty());
+}
+
+TEST_CASE("more shapes than coordinates have no more modes than coordinates", "[statistics]")
+{
+  std::mt19937 random(3);
+  Shapes shapes;
+  for(int i = 0; i < 50; ++i)
+    shapes.push_back(random_shape(4, random));
+  const auto found = SP::shape_statistics(one_core, shapes);
+  CHECK(found.variances.size() == 12);
+  CHECK(std::accumulate(found.variances.begin(), found.variances.end(), 0.) == Approx(found.total_variance));
+}
+
+TEST_CASE("equal shapes, and one alone, have no modes", "[statistics]")
+{
+  const Shape_points shape = points_of(icosphere(1));
+  for(int n : {1, 5}) {
+    const auto found = SP::shape_statistics(one_core, Shapes(n, shape));
+    CHECK(found.modes.empty());
+    CHECK(found.total_variance < 1e-28);
+    CHECK(distance(found.mean, shape) < 1e-15);
+  }
+  CHECK(SP::left_out_errors(one_core, Shapes(3, shape)).at(1) < 1e-15);
+}
+
+TEST_CASE("rotating, moving and reordering shapes changes nothing but the order", "[statistics]")
+{
+  Shapes still = scattered_set(8, 0.05, 10);
+  SP::Procrustes_alignment alignment;
+  Shapes aligned = still;
+  alignment = SP::align_shapes(one_core, aligned);
+  REQUIRE(alignment.has_converged);
+  const auto expected = SP::shape_statistics(one_core, aligned);
+  REQUIRE(expected.variances.size() == 7);
+  // what noise there is: the poses are gone
+  CHECK(alignment.deviation == Approx(0.05 * std::sqrt(3.)).epsilon(0.1));
+
+  Shapes moved = still;
+  for(std::size_t i = 0; i < moved.size(); ++i) {
+    const auto rows = random_rotation(static_cast<unsigned>(100 + i));
+    for(auto& p : moved[i]) {
+      const Point q = test::apply(rows, Point(p[0], p[1], p[2]));
+      p = {q.x() + 5, q.y(), q.z() - double(i)};
+    }
+  }
+  std::rotate(moved.begin(), moved.begin() + 3, moved.end());
+  std::swap(moved[0], moved[5]);
+  const std::vector<double> found = variances_of(moved);
+  REQUIRE(found.size() == expected.variances.size());
+  for(std::size_t k = 0; k < found.size(); ++k)
+    CHECK(found[k] == Approx(expected.variances[k]).epsilon(1e-7));
+}
+
+TEST_CASE("the motions of an alignment lead to the aligned shapes, and the first keeps its rotation", "[statistics]")
+{
+  const bool scale = GENERATE(false, true);
+  const Shapes before = scattered_set(5, 0.1, 20);
+  Shapes after = before;
+  const auto alignment = SP::align_shapes(one_core, after, SP::Procrustes{true, scale});
+  CHECK(alignment.motions[0].rotation == SP::Similarity().rotation);
+  for(std::size_t i = 0; i < before.size(); ++i) {
+    const SP::Similarity& motion = alignment.motions[i];
+    CHECK((motion.scale == 1) == !scale);
+    for(std::size_t j = 0; j < before[i].size(); ++j)
+      for(std::size_t a = 0; a < 3; ++a) {
+        double x = motion.translation[a];
+        for(std::size_t b = 0; b < 3; ++b)
+          x += motion.scale * motion.rotation[a][b] * before[i][j][b];
+        CHECK(after[i][j][a] == Approx(x).margin(1e-12));
+      }
+  }
+}
+
+TEST_CASE("no small rotation of a shape brings the set closer together", "[statistics]")
+{
+  Shapes shapes = scattered_set(6, 0.2, 30);
+  SP::align_shapes(one_core, shapes);
+  const double least = SP::shape_statistics(one_core, shapes).total_variance;
+  for(std::size_t i = 0; i < shapes.size(); ++i)
+    for(int axis = 0; axis < 3; ++axis)
+      for(double angle : {-1e-3, 1e-3}) {
+        Shapes changed = shapes;
+        for(auto& p : changed[i]) {
+          double &x = p[(axis + 1) % 3], &y = p[(axis + 2) % 3];
+          const double turned = std::cos(angle) * x - std::sin(angle) * y;
+          y = std::sin(angle) * x + std::cos(angle) * y;
+          x = turned;
+        }
+        CHECK(SP::shape_statistics(one_core, changed).total_variance > least);
+      }
+}
+
+TEST_CASE("with scaling, sizes are no differences", "[statistics]")
+{
+  Shapes shapes(4, points_of(bumpy_sphere(1)));
+  for(std::size_t i = 0; i < shapes.size(); ++i)
+    for(auto& p : shapes[i])
+      for(double& x : p)
+        x *= 1. + double(i);
+  CHECK(variances_of(shapes).size() == 1);
+  SP::Procrustes method;
+  method.scale = true;
+  const auto alignment = SP::align_shapes(one_core, shapes, method);
+  CHECK(alignment.deviation < 1e-14);
+  CHECK(alignment.motions[0].scale == Approx(std::sqrt(30. / 4)));
+}
+
+TEST_CASE("errors of the left out are those of statistics of the others", "[statistics]")
+{
+  const int groups = GENERATE(0, 3);
+  std::mt19937 random(8);
+  Shapes shapes;
+  for(int i = 0; i < 7; ++i)
+    shapes.push_back(random_shape(40, random));
+  const std::vector<double> weights = random_weights(40);
+  const std::vector<double> errors = SP::left_out_errors(one_core, shapes, weights, groups);
+  REQUIRE(errors.size() == (groups == 0 ? 6 : 4));
+  std::vector<double> square(errors.size(), 0);
+  for(std::size_t i = 0; i < shapes.size(); ++i) {
+    Shapes others;
+    for(std::size_t j = 0; j < shapes.size(); ++j)
+      if(groups == 0 ? j != i : j % 3 != i % 3)
+        others.push_back(shapes[j]);
+    const auto statistics = SP::shape_statistics(one_core, others, weights);
+    Shape_points rest = shapes[i];
+    add(rest, -1, statistics.mean);
+    for(std::size_t k = 0; k < errors.size(); ++k) {
+      if(k > 0 && k <= statistics.modes.size())
+        add(rest, -inner(rest, statistics.modes[k - 1], weights), statistics.modes[k - 1]);
+      square[k] += inner(rest, rest, weights) / 7;
+    }
+  }
+  for(std::size_t k = 0; k < errors.size(); ++k)
+    CHECK(errors[k] == Approx(std::sqrt(square[k])).epsilon(1e-10));
+}
+
+TEST_CASE("one component is enough for shapes on a line", "[statistics]")
+{
+  const Known known = known_set(9, {1}, {}, 50);
+  const std::vector<double> errors = SP::left_out_errors(one_core, known.shapes);
+  REQUIRE(errors.size() == 8);
+  CHECK(errors[0] == Approx(9. / 8)); // the mean of the others is farther away than that of all
+  CHECK(*std::max_element(errors.begin() + 1, errors.end()) < 1e-13);
+}
+
+TEST_CASE("statistics of coefficients are those of the shapes, over the sphere", "[statistics]")
+{
+  constexpr int degree = 6;
+  std::mt19937 random(2);
+  std::normal_distribution<double> normal;
+  std::vector<Coefficients> coefficients;
+  for(int i = 0; i < 6; ++i) {
+    Coefficients c(degree, 3);
+    for(double& x : c.values())
+      x = normal(random);
+    c(1, 1, 0) += 20; // about a sphere, so that there is one best rotation
+    c(1, -1, 1) += 15;
+    c(1, 0, 2) += 10;
+    coefficients.push_back(c);
+  }
+  const auto grid = SP::Latitude_longitude_grid::gauss_legendre(2 * degree);
+  std::vector<std::array<double, 3>> directions;
+  std::vector<double> weights;
+  for(int row = 0; row < grid.rows(); ++row)
+    for(int column = 0; column < grid.columns(); ++column) {
+      directions.push_back(grid.direction(row, column));
+      weights.push_back(grid.weight(row));
+    }
+  const auto on_grid = [&](const Coefficients& c) {
+    const std::vector<double> values = SP::harmonic_values(one_core, c, directions);
+    Shape_points points;
+    for(std::size_t j = 0; j < directions.size(); ++j)
+      points.push_back({values[3 * j], values[3 * j + 1], values[3 * j + 2]});
+    return points;
+  };
+  Shapes shapes;
+  for(const Coefficients& c : coefficients)
+    shapes.push_back(on_grid(c));
+  const auto of_coefficients = SP::align_shapes(one_core, coefficients);
+  const auto of_points = SP::align_shapes(one_core, shapes, {}, weights);
+  CHECK(of_coefficients.deviation == Approx(of_points.deviation).epsilon(1e-10));
+  for(std::size_t i = 0; i < shapes.size(); ++i)
+    for(std::size_t a = 0; a < 3; ++a)
+      CHECK(of_coefficients.motions[i].translation[a] == Approx(of_points.motions[i].translation[a]).margin(1e-8));
+  const auto a = SP::shape_statistics(one_core, coefficients);
+  const auto b = SP::shape_statistics(one_core, shapes, weights);
+  REQUIRE(a.variances.size() == 5);
+  REQUIRE(b.variances.size() == 5);
+  CHECK(distance(on_grid(a.mean), b.mean) < 1e-8);
+  for(std::size_t k = 0; k < 5; ++k) {
+    CHECK(a.variances[k] == Approx(b.variances[k]).epsilon(1e-8));
+    CHECK(distance(on_grid(a.modes[k]), b.modes[k]) < 1e-7);
+  }
+  const auto errors_a = SP::left_out_errors(one_core, coefficients);
+  const auto errors_b = SP::left_out_errors(one_core, shapes, weights);
+  for(std::size_t k = 0; k < errors_a.size(); ++k)
+    CHECK(errors_a[k] == Approx(errors_b[k]).epsilon(1e-8));
+}
+
+TEST_CASE("the variance of the set is the mean of those of its vertices", "[statistics]")
+{
+  std::mt19937 random(4);
+  Shapes shapes;
+  for(int i = 0; i < 5; ++i)
+    shapes.push_back(random_shape(100, random));
+  const std::vector<double> variance = SP::vertex_variances(one_core, shapes);
+  CHECK(std::accumulate(variance.begin(), variance.end(), 0.) / 100 ==
+        Approx(SP::shape_statistics(one_core, shapes).total_variance));
+  CHECK(SP::vertex_variances(one_core, {shapes[0]}) == std::vector<double>(100, 0.));
+}
+
+TEST_CASE("vertices count with their area, mean over the shapes", "[statistics]")
+{
+  const Soup soup = flat_octahedron(2);
+  const Shape_points unit = points_of(soup);
+  Shape_points larger = unit;
+  add(larger, 1, unit);
+  const std::vector<double> area = SP::mean_vertex_areas(one_core, make_mesh(soup), {unit, larger});
+  CHECK(std::accumulate(area.begin(), area.end(), 0.) == Approx((1 + 4) / 2. * 8 * std::sqrt(3.) / 2));
+}
+
+#ifdef CGAL_LINKED_WITH_TBB
+TEST_CASE("statistics have the same bits on one core and on all", "[statistics]")
+{
+  const CGAL::Parallel_tag all_cores;
+  std::mt19937 random(6);
+  Shapes a;
+  for(int i = 0; i < 5; ++i)
+    a.push_back(random_shape(20000, random));
+  Shapes b = a;
+  CHECK(SP::align_shapes(one_core, a).deviation == SP::align_shapes(all_cores, b).deviation);
+  CHECK(a == b);
+  const auto of_a = SP::shape_statistics(one_core, a), of_b = SP::shape_statistics(all_cores, b);
+  CHECK(of_a.variances == of_b.variances);
+  CHECK(of_a.modes == of_b.modes);
+  CHECK(SP::left_out_errors(one_core, a) == SP::left_out_errors(all_cores, b));
+  CHECK(SP::vertex_variances(one_core, a) == SP::vertex_variances(all_cores, b));
+}
+#endif
+
+TEST_CASE("wrong sets of shapes are refused", "[statistics]")
+{
+  const Shape_points shape = points_of(icosphere(0));
+  Shapes none, two = {shape, Shape_points(shape.begin(), shape.end() - 1)}, nan = {shape, shape};
+  nan[1][3][2] = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THROWS_AS(SP::shape_statistics(one_core, none), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(SP::shape_statistics(one_core, two), CGAL::Precondition_exception);
+  CHECK_THROWS_WITH(SP::align_shapes(one_core, nan), Catch::Contains("vertex 3 of shape 1"));
+  const Shapes good(3, shape);
+  CHECK_THROWS_AS(SP::shape_statistics(one_core, good, {1, 2}), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(SP::shape_statistics(one_core, good, std::vector<double>(12, 0.)), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(SP::shape_statistics(one_core, good, std::vector<double>(12, -1.)), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(SP::left_out_errors(one_core, Shapes{shape}), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(SP::left_out_errors(one_core, good, {}, 4), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(SP::shape_of_scores(SP::shape_statistics(one_core, good), {1.}), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(SP::mean_vertex_areas(one_core, make_mesh(icosphere(1)), good), CGAL::Precondition_exception);
+  std::vector<Coefficients> unlike = {Coefficients(2, 3), Coefficients(3, 3)}, flat = {Coefficients(2, 2)};
+  CHECK_THROWS_AS(SP::align_shapes(one_core, unlike), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(SP::align_shapes(one_core, flat), CGAL::Precondition_exception);
+}

@@ -232,7 +232,7 @@ TEST_CASE("untangling moves the vertices of flipped faces, and no fixed ones", "
   std::vector<char> is_moved(v.size(), 0);
   SECTION("few")
   {
-    REQUIRE(I::untangle(loop, faces, {}, v, is_moved));
+    REQUIRE(I::untangle(loop, faces, whole, {}, v, is_moved));
     CHECK(count_flipped_faces(soup, sphere_of(v)) == 0);
     CHECK(std::count(is_moved.begin(), is_moved.end(), 1) < 50);
     for(std::size_t i = 0; i < v.size(); ++i)
@@ -242,14 +242,14 @@ TEST_CASE("untangling moves the vertices of flipped faces, and no fixed ones", "
   SECTION("what is fixed where it contradicts its ring is not mended")
   {
     std::vector<char> is_fixed(v.size(), 1);
-    CHECK_FALSE(I::untangle(loop, faces, is_fixed, v, is_moved));
+    CHECK_FALSE(I::untangle(loop, faces, whole, is_fixed, v, is_moved));
   }
   SECTION("a mirrored map is another map")
   {
     for(auto& p : v)
       p.x = -p.x;
     const Positions before = v;
-    CHECK_FALSE(I::untangle(loop, faces, {}, v, is_moved));
+    CHECK_FALSE(I::untangle(loop, faces, whole, {}, v, is_moved));
     CHECK(sphere_of(v) == sphere_of(before));
     CHECK(std::count(is_moved.begin(), is_moved.end(), 1) == 0);
   }

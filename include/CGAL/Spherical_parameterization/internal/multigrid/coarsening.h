@@ -202,8 +202,8 @@ inline Weighted_graph galerkin_product(const Host_loop& loop, const Weighted_gra
 
 /// Drops the edges of a coarse graph with |w_ij| < threshold min(a_ii, a_jj), which matter to neither end, and of which
 /// Galerkin products have many, where a detour over a third vertex is stronger in both of its edges. So no part of the
-/// graph gets lost that hangs on weak edges only: of the edges that leave it the strongest one stays. The row sums stay,
-/// and with them the kernel.
+/// graph gets lost that hangs on weak edges only: of the edges that leave it the strongest one stays. The row sums
+/// stay, and with them the kernel.
 inline void drop_weak_edges(const Host_loop& loop, double threshold, Weighted_graph& a)
 {
   constexpr double detour = 10; // times stronger than the edge

@@ -86,14 +86,20 @@ inline Certificate certify_as_stored(const Host_loop& loop, const Problem& probl
 }
 
 /// Mends what flipped faces of a conformal map can be mended; then `solution` has the positions. Returns whether none
-/// is flipped any more.
+/// is flipped any more, and the sphere is covered once.
 inline bool mend(const Host_loop& loop, const Problem& problem, Host_array<vec3>&& v, Solution& solution)
 {
-  solution.is_moved.assign(problem.size(), 0);
-  if(!problem.is_intrinsic() || !untangle(loop, problem.face, problem.is_fixed, v, solution.is_moved))
+  if(!problem.is_intrinsic() || solution.certificate.degree != 1)
     return false;
-  solution.certificate = certify_as_stored(loop, problem, v);
+  std::vector<char> is_moved(problem.size(), 0);
+  if(!untangle(loop, problem.face, problem.point, problem.is_fixed, v, is_moved))
+    return false;
+  const Certificate certificate = certify_as_stored(loop, problem, v);
+  if(certificate.degree != 1) // where next to all vertices have been moved
+    return false;
+  solution.certificate = certificate;
   solution.position = std::move(v);
+  solution.is_moved = std::move(is_moved);
   return true;
 }
 

@@ -138,7 +138,7 @@ CGAL_SP_CORE bool untangle(const Host_loop& loop, const Host_array<std::array<in
   std::vector<int> flipped = bad_faces(loop, number_of_faces, is_flipped);
   if(flipped.empty())
     return true;
-  if(flipped.size() > largest_share * number_of_faces + few || 
+  if(flipped.size() > largest_share * number_of_faces + few ||
      !std::all_of(v.begin(), v.end(), [](vec3 x) { return is_finite(x); }))
     return false;
 

@@ -47,10 +47,9 @@ public:
       const Distortion::Psi psi = weight(ratio);
       const double areas = 1 + ratio * ratio;
       // derivatives of the energy in the determinant, the Dirichlet energy held
-      const double slope =
-        dirichlet * psi.first + share_of_areas * (2 * ratio * psi.value + areas * psi.first);
-      const double bend = dirichlet * psi.second +
-                          share_of_areas * (2 * psi.value + 4 * ratio * psi.first + areas * psi.second);
+      const double slope = dirichlet * psi.first + share_of_areas * (2 * ratio * psi.value + areas * psi.first);
+      const double bend =
+        dirichlet * psi.second + share_of_areas * (2 * psi.value + 4 * ratio * psi.first + areas * psi.second);
       const vec3 pull = scale(per_area, add_scaled(scale(-f.cot_j, sub(f.k, x)), -f.cot_k, sub(f.j, x)));
       const Planar l = tangents.products(pull), d = tangents.products(scale(per_area, outer(f.j, f.k)));
       const double stiffness = per_area * (f.cot_j + f.cot_k) * psi.value;

@@ -239,7 +239,7 @@ CGAL_SP_CORE void polish(const Host_loop& loop, const Host_array<std::array<int,
                          std::vector<char>& is_moved)
 {
   constexpr double bound = 2; // of the energy: stretches in the ratio 3.7
-  constexpr int sweeps = 30, in_a_part = 64;
+  constexpr int sweeps = 100, in_a_part = 64;
   constexpr double sufficient_gain = 1e-4; // of the energy of a star, for which another step follows
   constexpr Metric_bounds bounds = {1e6, 1e-30};
   const int n = static_cast<int>(v.size());

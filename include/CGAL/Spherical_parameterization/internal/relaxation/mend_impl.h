@@ -124,12 +124,12 @@ CGAL_SP_CORE bool untangle(const Host_loop& loop, const Host_array<std::array<in
                            std::vector<char>& is_moved)
 {
   constexpr double largest_share = 0.05; // of the faces: with more flipped it is another map that is needed
-  constexpr int few = 10, most_rings = 32, sweeps_per_patch = 200, in_a_part = 64;
+  constexpr int few = 10, most_rings = 32, sweeps_per_patch = 200, finishing_sweeps = 15, in_a_part = 64;
   constexpr std::int64_t moves_per_vertex = 50, moves_of_few = 200000; // the most work
   constexpr Metric_bounds bounds = {30, 1e-30};                        // needles are untangled as if they were better
   constexpr double largest_start = 1e-3, least_regularization = 1e-7, share_of_worst = 0.2; // of the energy
   constexpr double sufficient_gain = 1e-3, slowest = 0.5, fastest = 0.1; // when, and how fast, it is regularized less
-  constexpr double smallest_face = 1e-18;                                // what doubles tell apart on the sphere
+  constexpr double smallest_face = 1e-24;                                // what doubles tell apart on the sphere
   const int n = static_cast<int>(v.size()), number_of_faces = static_cast<int>(face.size());
   const auto is_flipped = [&](int f) {
     const vec3 a = v[face[f][0]], b = v[face[f][1]], c = v[face[f][2]];
@@ -188,10 +188,24 @@ CGAL_SP_CORE bool untangle(const Host_loop& loop, const Host_array<std::array<in
 
     double regularization = (std::max)(find_flipped(), largest_start);
     const std::size_t flipped_at_first = flipped.size();
-    const Host_array<vec3> at_first = v;
     sort_worst_first([&](int i) { return Untangling_energy(regularization).value(star_of(i), v[i]); }, patch);
     const std::vector<std::vector<int>> classes = colour_classes(face, corners, patch, n);
-    for(int sweep = 0; sweep < sweeps_per_patch && !flipped.empty() && regularization > least_regularization; ++sweep) {
+    const auto of_patch = [&] {
+      Host_array<vec3> positions;
+      for(int i : patch)
+        positions.push_back(v[i]);
+      return positions;
+    };
+    const auto put_back = [&](const Host_array<vec3>& positions) {
+      for(std::size_t k = 0; k < patch.size(); ++k)
+        v[patch[k]] = positions[k];
+    };
+    const Host_array<vec3> at_first = of_patch();
+    // Once no face is flipped, some sweeps make the faces better that are only just positive.
+    Host_array<vec3> valid;
+    int finishing = 0;
+    for(int sweep = 0;
+        sweep < sweeps_per_patch && finishing < finishing_sweeps && regularization > least_regularization; ++sweep) {
       const Untangling_energy untangling(regularization);
       double energy = 0, gain = 0;
       for(const std::vector<int>& of_colour : classes) {
@@ -214,13 +228,21 @@ CGAL_SP_CORE bool untangle(const Host_loop& loop, const Host_array<std::array<in
       }
       moves += static_cast<std::int64_t>(patch.size());
       const double next = find_flipped();
+      if(flipped.empty()) {
+        valid = of_patch();
+        ++finishing;
+      }
       if(gain < sufficient_gain * energy)
         regularization = std::clamp(next, fastest * regularization, slowest * regularization);
+    }
+    if(!valid.empty()) {
+      put_back(valid);
+      flipped.clear();
     }
     if(moves > moves_per_vertex * n + moves_of_few)
       break;
     if(flipped.size() > flipped_at_first) { // the patch is too small
-      v = at_first;
+      put_back(at_first);
       find_flipped();
     }
   }

@@ -7,6 +7,7 @@
 
 #include <CGAL/Spherical_parameterization/distortion_summary.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Source_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/multigrid/coarsening.h>
 #include <CGAL/Spherical_parameterization/internal/relaxation/mend.h>
 #include <CGAL/Spherical_parameterization/parameterize.h>
 
@@ -232,7 +233,7 @@ TEST_CASE("untangling moves the vertices of flipped faces, and no fixed ones", "
   std::vector<char> is_moved(v.size(), 0);
   SECTION("few")
   {
-    REQUIRE(I::untangle(loop, faces, {}, v, is_moved));
+    REQUIRE(I::untangle(loop, faces, whole, {}, v, is_moved));
     CHECK(count_flipped_faces(soup, sphere_of(v)) == 0);
     CHECK(std::count(is_moved.begin(), is_moved.end(), 1) < 50);
     for(std::size_t i = 0; i < v.size(); ++i)
@@ -242,17 +243,60 @@ TEST_CASE("untangling moves the vertices of flipped faces, and no fixed ones", "
   SECTION("what is fixed where it contradicts its ring is not mended")
   {
     std::vector<char> is_fixed(v.size(), 1);
-    CHECK_FALSE(I::untangle(loop, faces, is_fixed, v, is_moved));
+    CHECK_FALSE(I::untangle(loop, faces, whole, is_fixed, v, is_moved));
   }
   SECTION("a mirrored map is another map")
   {
     for(auto& p : v)
       p.x = -p.x;
     const Positions before = v;
-    CHECK_FALSE(I::untangle(loop, faces, {}, v, is_moved));
+    CHECK_FALSE(I::untangle(loop, faces, whole, {}, v, is_moved));
     CHECK(sphere_of(v) == sphere_of(before));
     CHECK(std::count(is_moved.begin(), is_moved.end(), 1) == 0);
   }
+}
+
+TEST_CASE("untangling brings a limb back that has collapsed to a point", "[conformal]")
+{
+  namespace I = SP::internal;
+  const Soup soup = icosphere(3);
+  const Faces faces = faces_of(soup);
+  const Positions whole = positions_of(soup.points);
+  Positions v = whole;
+  for(auto& p : v) // a cap
+    if(I::inner(p, whole[7]) > std::cos(0.25))
+      p = whole[7];
+  REQUIRE(count_flipped_faces(soup, sphere_of(v)) > 10);
+  std::vector<char> is_moved(v.size(), 0);
+  REQUIRE(I::untangle(I::Host_loop(), faces, whole, {}, v, is_moved));
+  CHECK(count_flipped_faces(soup, sphere_of(v)) == 0);
+  CHECK(dilatation(soup, sphere_of(v)) < 1.5);
+  CHECK(std::count(is_moved.begin(), is_moved.end(), 1) < int(v.size()) / 2);
+}
+
+TEST_CASE("coarse matrices keep what hangs on weak edges only", "[multigrid]")
+{
+  namespace I = SP::internal;
+  // two squares with diagonals, tied together by weak edges of unequal weights
+  I::Weighted_graph graph;
+  for(int i = 0; i < 8; ++i) {
+    for(int j = 0; j < 8; ++j)
+      if(j != i && (j / 4 == i / 4 || j % 4 == i % 4)) {
+        graph.target.push_back(j);
+        graph.weight.push_back(j / 4 == i / 4 ? 1 : i % 4 == 2 ? 1e-5 : 1e-7);
+      }
+    graph.offset.push_back(int(graph.target.size()));
+  }
+  graph.update_diagonal({});
+  I::drop_weak_edges(I::Host_loop(), 0.01, graph);
+  int ties = 0;
+  for(int i = 0; i < 8; ++i)
+    for(int k = graph.offset[i]; k < graph.offset[i + 1]; ++k) {
+      const int j = graph.target[k];
+      ties += j / 4 != i / 4;
+      CHECK(std::count(graph.target.begin() + graph.offset[j], graph.target.begin() + graph.offset[j + 1], i) == 1);
+    }
+  CHECK(ties >= 2);
 }
 
 TEST_CASE("polishing makes bad faces more conformal and leaves the others alone", "[conformal]")

@@ -139,6 +139,8 @@ TEST_CASE("automatic: fixed vertices are kept where only the isometric method ca
   CAPTURE(result);
   CHECK(bool(result));
   CHECK(result.method == "isometric");
+  CHECK(result.attempts.size() == 2); // the larger exponent is not tried
+  CHECK(result.fallback_reason.find("balanced: ") == 0);
   CHECK(sphere[100] == Point(0, 1, 0));
 }
 

@@ -131,7 +131,8 @@ struct Isometric {
 
 /// Tries several methods and returns the first map that is valid and of use:
 /// 1. `Balanced{spring_exponent}`;
-/// 2. `Balanced` with the exponent `larger_spring_exponent`, if that is larger and the first map is not valid;
+/// 2. `Balanced` with the exponent `larger_spring_exponent`, if that is larger, the first map is not valid,
+///    and no vertex is fixed;
 /// 3. `Isometric{area_exponent}`.
 ///
 /// So it keeps fixed vertices, too, wherever they are: see `Isometric`.

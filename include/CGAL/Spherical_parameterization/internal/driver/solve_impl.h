@@ -115,8 +115,9 @@ Solution Method_solver<Automatic>::solve(const Backend& backend, const Problem& 
     if(problem.missing_weights.empty()) {
       if(try_method(Method_solver<Balanced>(Balanced{method_.spring_exponent}), effort, 0, 0.5))
         return;
-      // what the larger exponent gives to limbs that are next to nothing is never enough: it is for other faults
-      if(method_.larger_spring_exponent > method_.spring_exponent && !is_best_extreme) {
+      // What the larger exponent gives to limbs that are next to nothing is never enough: it is for other faults. To
+      // hold landmarks takes it longer than the last method.
+      if(method_.larger_spring_exponent > method_.spring_exponent && !is_best_extreme && !problem.has_fixed()) {
         Effort limited = effort;
         limited.number_of_iterations = (std::min)(effort.number_of_iterations.value_or(patience), patience);
         if(try_method(Method_solver<Balanced>(Balanced{method_.larger_spring_exponent}), limited, 0.5, 0.75))

@@ -67,9 +67,9 @@ public:
   Solver_report solve(const Descent_options& options, Monitor& monitor, Vectors& v,
                       const std::function<void(Vectors&)>& refer = nullptr) const
   {
-    constexpr double longest_step = 0.25;      // root mean square over the sphere of the angles by which vertices move
-    constexpr double progress = 0.8;           // at the limit of rounding the residual falls no more
-    constexpr double balance_tolerance = 1e-4; // the steps undo what is left
+    constexpr double longest_step = 0.25; // root mean square over the sphere of the angles by which vertices move
+    constexpr double progress = 0.8;      // at the limit of rounding the residual falls no more
+    constexpr double balance_tolerance = 1e-4, per_residual = 1e-2; // the steps undo what is left
     constexpr int balance_steps = 10;
     constexpr double fall_between_references = 0.3, largest_rise = 100;
     constexpr int most_references = 16;
@@ -83,10 +83,10 @@ public:
 
     Moments moments{};
     std::array<double, 4> sums;
-    const auto begin = [&] {
+    const auto begin = [&](double tolerance) {
       moments = backend_.moments(mass_, v);
       if(gauge_ == Gauge::BALANCED)
-        balance(backend_, mass_, balance_tolerance, balance_steps, v, w, moments);
+        balance(backend_, mass_, tolerance, balance_steps, v, w, moments);
       sums = backend_.gradient(matrix_, exponent_, v, g, density);
     };
     Symmetric_solver<3> boosts = boost_matrix({});
@@ -98,7 +98,7 @@ public:
       report.energy = sums[0] / exponent_;
       report.residual = std::sqrt(backend_.balance_gradient(matrix_, mass_, mu, v, g));
     };
-    begin();
+    begin(balance_tolerance);
     double gs = 0;
     double first = 0, best = 0;
     std::size_t best_at = 0;
@@ -109,7 +109,7 @@ public:
         next_reference = fall_between_references * before;
         ++references;
         refer(v);
-        begin();
+        begin((std::min)(balance_tolerance, per_residual * before));
         balance_forces();
         if(report.residual > largest_rise * before) // the map collapses, and each reference is another one
           references = most_references;

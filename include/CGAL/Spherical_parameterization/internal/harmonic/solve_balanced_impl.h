@@ -29,6 +29,7 @@ constexpr double accuracy_refinement = 1e-2;
 constexpr double finest_accuracy = 1e-15;
 
 /// Solves from `start(v)`, and does what can be done where faces are flipped in the end:
+/// - mends them, if the map is conformal, and they are few or get no fewer;
 /// - tightens the accuracy;
 /// - starts again with short steps: on coarse meshes the balanced critical point may be a degenerate map, with faces on
 ///   a great circle, that a careful descent approaches from the valid side, and an eager one from both.
@@ -40,7 +41,23 @@ bool solve_until_valid(const Backend& backend, const Problem& problem, Start sta
                        Solution& solution)
 {
   constexpr std::size_t patience_at_the_limit = 3;
-  const auto is_settled = [&] { return certify_and_settle(backend, problem, v, solution); };
+  // More than few flipped faces are of limbs that are not right yet. These are not mended as long as their number
+  // falls.
+  constexpr double few = 1e-3, least_fall = 0.5; // of the faces; of their number
+  std::size_t flipped_before = 0;
+  bool is_hopeless = false; // fixed vertices contradict each other: what they flip does not depend on the accuracy
+  const auto is_settled = [&](bool is_last) {
+    return certify_and_settle(
+      backend, problem, v,
+      [&](const Certificate& certificate) {
+        const std::size_t before = std::exchange(flipped_before, certificate.flipped_faces);
+        const bool are_few = certificate.flipped_faces < few * problem.face.size();
+        const bool are_no_fewer = before > 0 && certificate.flipped_faces > least_fall * before;
+        is_hopeless = problem.has_fixed() && are_no_fewer && !are_few;
+        return is_last || are_few || are_no_fewer;
+      },
+      solution);
+  };
 
   std::size_t done = 0;
   Solver_report& report = solution.report;
@@ -55,8 +72,10 @@ bool solve_until_valid(const Backend& backend, const Problem& problem, Start sta
     report.iterations = done;
     options.patience = patience_at_the_limit;
     is_certified = report.has_converged;
-    bool settled = is_certified && is_settled();
-    for(Solver_report refined = report; refined.has_converged && options.accuracy > finest_accuracy && !settled;) {
+    flipped_before = 0;
+    bool settled = is_certified && is_settled(options.accuracy <= finest_accuracy);
+    for(Solver_report refined = report;
+        refined.has_converged && options.accuracy > finest_accuracy && !settled && !is_hopeless;) {
       options.accuracy *= accuracy_refinement;
       options.maximum_iterations = maximum_iterations - done;
       refined = descend(options, v);
@@ -64,9 +83,9 @@ bool solve_until_valid(const Backend& backend, const Problem& problem, Start sta
       report.iterations = done;
       report.residual = refined.residual;
       report.energy = refined.energy;
-      settled = is_settled();
+      settled = is_settled(!refined.has_converged || options.accuracy <= finest_accuracy);
     }
-    if(settled || done >= maximum_iterations || monitor.is_interrupted())
+    if(settled || is_hopeless || done >= maximum_iterations || monitor.is_interrupted())
       break;
   }
   report.has_converged = report.residual <= accuracy;
@@ -144,7 +163,8 @@ bool solve_stiffening(const Backend& backend, const Problem& problem, double exp
         break;
       if(is_accurate) {
         is_certified = true;
-        if(certify_and_settle(backend, problem, v, solution))
+        if(certify_and_settle(
+             backend, problem, v, [](const Certificate&) { return true; }, solution))
           break;
       }
       goal *= is_accurate ? accuracy_refinement : 0.1;

@@ -201,23 +201,40 @@ inline Weighted_graph galerkin_product(const Host_loop& loop, const Weighted_gra
 }
 
 /// Drops the edges of a coarse graph with |w_ij| < threshold min(a_ii, a_jj), which matter to neither end, and of which
-/// Galerkin products have many. The row sums stay, and with them the kernel.
+/// Galerkin products have many, where a detour over a third vertex is stronger in both of its edges. So no part of the
+/// graph gets lost that hangs on weak edges only: of the edges that leave it the strongest one stays. The row sums
+/// stay, and with them the kernel.
 inline void drop_weak_edges(const Host_loop& loop, double threshold, Weighted_graph& a)
 {
+  constexpr double detour = 10; // times stronger than the edge
   Host_array<double> inverse(a.size());
   Sparse_matrix rows = build_rows(loop, a.size(), [&](int begin, int end, Sparse_matrix& out) {
+    Host_array<double> weight_to(a.size(), 0.); // from the vertex of the row
     for(int i = begin; i < end; ++i) {
+      for(int k = a.offset[i]; k < a.offset[i + 1]; ++k)
+        weight_to[a.target[k]] = a.weight[k];
+      // Both ends of an edge come to the same decision: they see the same numbers.
+      const auto has_detour = [&](int j, double w) {
+        for(int k = a.offset[j]; k < a.offset[j + 1]; ++k)
+          if((std::min)(weight_to[a.target[k]], a.weight[k]) > detour * w)
+            return true;
+        return false;
+      };
       double diagonal = a.excess.empty() ? 0 : a.excess[i];
       for(int k = a.offset[i]; k < a.offset[i + 1]; ++k) {
+        const int j = a.target[k];
         const double w = a.weight[k];
-        if(std::abs(w) * (std::max)(a.inverse_diagonal[i], a.inverse_diagonal[a.target[k]]) < threshold)
+        if(std::abs(w) * (std::max)(a.inverse_diagonal[i], a.inverse_diagonal[j]) < threshold &&
+           has_detour(j, std::abs(w)))
           continue;
         diagonal += w;
-        out.column.push_back(a.target[k]);
+        out.column.push_back(j);
         out.value.push_back(w);
       }
       out.offset.push_back(static_cast<int>(out.column.size()));
       inverse[i] = diagonal > 0 ? 1 / diagonal : 0;
+      for(int k = a.offset[i]; k < a.offset[i + 1]; ++k)
+        weight_to[a.target[k]] = 0;
     }
   });
   a.offset = std::move(rows.offset);

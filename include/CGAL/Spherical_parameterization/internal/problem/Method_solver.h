@@ -86,22 +86,29 @@ inline Certificate certify_as_stored(const Host_loop& loop, const Problem& probl
 }
 
 /// Mends what flipped faces of a conformal map can be mended; then `solution` has the positions. Returns whether none
-/// is flipped any more.
+/// is flipped any more, and the sphere is covered once.
 inline bool mend(const Host_loop& loop, const Problem& problem, Host_array<vec3>&& v, Solution& solution)
 {
-  solution.is_moved.assign(problem.size(), 0);
-  if(!problem.is_intrinsic() || !untangle(loop, problem.face, problem.is_fixed, v, solution.is_moved))
+  if(!problem.is_intrinsic() || solution.certificate.degree != 1)
     return false;
-  solution.certificate = certify_as_stored(loop, problem, v);
+  std::vector<char> is_moved(problem.size(), 0);
+  if(!untangle(loop, problem.face, problem.point, problem.is_fixed, v, is_moved))
+    return false;
+  const Certificate certificate = certify_as_stored(loop, problem, v);
+  if(certificate.degree != 1) // where next to all vertices have been moved
+    return false;
+  solution.certificate = certificate;
   solution.position = std::move(v);
+  solution.is_moved = std::move(is_moved);
   return true;
 }
 
-/// Certifies a map on the backend as it will be stored, into `solution`, and mends it where that is needed. Returns
-/// whether a solver is done with it: it is valid, or what is wrong with it is rounding only, which no solver can help.
-template <class Backend>
+/// Certifies a map on the backend as it will be stored, into `solution`, and mends it where that is needed and
+/// `is_to_be_mended(certificate)` holds. Returns whether a solver is done with it: it is valid, or what is wrong with
+/// it is rounding only, which no solver can help.
+template <class Backend, class Is_to_be_mended>
 bool certify_and_settle(const Backend& backend, const Problem& problem, const typename Backend::Vectors& v,
-                        Solution& solution)
+                        Is_to_be_mended is_to_be_mended, Solution& solution)
 {
   const Stopwatch watch;
   const auto& loop = backend.host_loop();
@@ -109,7 +116,7 @@ bool certify_and_settle(const Backend& backend, const Problem& problem, const ty
   solution.certificate = certify_as_stored(loop, problem, x);
   const bool is_settled = solution.certificate.is_valid() ||
                           (problem.as_stored && certify(loop, problem.face, x).is_valid()) ||
-                          mend(loop, problem, std::move(x), solution);
+                          (is_to_be_mended(solution.certificate) && mend(loop, problem, std::move(x), solution));
   solution.seconds.certify += watch.seconds();
   return is_settled;
 }

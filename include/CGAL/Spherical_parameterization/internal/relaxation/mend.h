@@ -23,12 +23,14 @@ namespace CGAL::Spherical_parameterization::internal {
 /// set for those that are moved. The results are the same for any number of threads, and depend on the numbers of
 /// vertices and faces by rounding only.
 
-/// Mends a map that few flipped faces keep from being valid: their vertices move to the means of their neighbours until
-/// no face is flipped; where that does not help, the vertices around them move, too, ring by ring. (A patch with a
-/// convex boundary has no flipped face then: W. Tutte, "How to draw a graph", 1963.) Returns whether all faces are
-/// positively oriented now, by the exact predicate; if not, v and is_moved are as they were.
+/// Mends a map that few flipped faces keep from being valid: their vertices, and those one edge away, move until no
+/// face is flipped, down the gradient of an energy that tells flipped faces the way back (`Untangling_energy`), with
+/// less and less regularization. Where that does not help, those two, four, eight edges away move, too. \param point
+/// the mesh, whose shapes the faces that move are drawn to \return whether all faces are positively oriented now, by
+/// the exact predicate; if not, v and is_moved are as they were
 CGAL_SP_CORE bool untangle(const Host_loop& loop, const Host_array<std::array<int, 3>>& face,
-                           const std::vector<char>& is_fixed, Host_array<vec3>& v, std::vector<char>& is_moved);
+                           const Host_array<vec3>& point, const std::vector<char>& is_fixed, Host_array<vec3>& v,
+                           std::vector<char>& is_moved);
 
 /// Makes the worst faces of a valid map more conformal: Newton's method for the energy MIPS, (s/t + t/s) / 2 of the
 /// principal stretches s, t, at the vertices of faces where that is above 2. Valid maps stay valid.

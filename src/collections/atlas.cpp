@@ -152,10 +152,10 @@ std::string write_atlas(const std::string& folder, const Atlas_mesh& mesh, std::
        << "the mean "
        << std::sqrt(variance * (static_cast<double>(shapes.size()) - 1) / static_cast<double>(shapes.size()));
   if(!statistics.modes.empty())
-    text << "; " << statistics.modes.size() << " modes explain " << 100 * explained / variance
-         << " % of the variance, the first one " << 100 * statistics.variances[0] / variance << " %";
-  text << "\na shape that is left out is reconstructed to " << errors.front() << " by the mean, to " << errors.back()
-       << " with " << errors.size() - 1 << " modes of the others";
+    text << "; the first mode explains " << 100 * statistics.variances[0] / variance << " % of the variance, all "
+         << statistics.modes.size() << " that are written " << 100 * explained / variance << " %";
+  text << "\na shape that is left out is reconstructed to " << errors.front() << " by the mean of the others, to "
+       << errors.back() << " with all of their modes (" << errors.size() - 1 << ')';
   return text.str();
 }
 

@@ -82,7 +82,7 @@ def prepare(
     Raises
     ------
     MeshError
-        If there is no triangle that can be used, or a coordinate is not finite.
+        If there is no triangle that can be used. Those at points that are not finite cannot.
     FileNotFoundError
         If the tool is not there.
     RuntimeError
@@ -91,8 +91,6 @@ def prepare(
     points, triangles = vectors("points", points), index_triples(triangles)
     if components not in ("largest", "all"):
         raise ValueError(f"components: 'largest' or 'all' is needed, not {components!r}")
-    if not np.isfinite(points).all():
-        raise MeshError(ErrorCode.NON_FINITE_COORDINATE, f"vertex {int(np.argmin(np.isfinite(points).all(axis=1)))}")
     if triangles.size and (triangles.min() < 0 or triangles.max() >= len(points)):
         raise MeshError(ErrorCode.BAD_INDEX, "a triangle names a point that is not there; points are numbered from 0 on")
     steps = ["merge", "orient"]

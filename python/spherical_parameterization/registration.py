@@ -101,7 +101,7 @@ def register_maps(
         raise ValueError("landmarks: integers of shape (k, 2) are needed")
     if pairs.size and (pairs.min() < 0 or pairs[:, 0].max() >= len(a) or pairs[:, 1].max() >= len(b)):
         raise ValueError("landmarks: there is no such vertex")
-    registered, start, rotation, *figures = _core.register_maps(
+    registered, start, rotation, before, after, distortion, distance, iterations, seconds = _core.register_maps(
         a,
         index_triples(triangles),
         vectors("sphere", sphere, len(a)),
@@ -116,7 +116,9 @@ def register_maps(
         [(int(i), int(j)) for i, j in pairs],
         policy,
     )
-    return RegisteredMap(registered, start, np.array(rotation), *figures)
+    return RegisteredMap(
+        registered, start, np.array(rotation), before, after, distortion, distance, iterations, seconds
+    )
 
 
 def moebius_centred(sphere: npt.ArrayLike, triangles: npt.ArrayLike, masses: npt.ArrayLike) -> Doubles:

@@ -20,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -47,7 +48,8 @@ public:
                      Monitor& monitor, int landmark_size, bool is_last_attempt)
     : loop_(loop), landmark_size_(landmark_size), is_last_attempt_(is_last_attempt), method_(method),
       exponent_((std::min)(method.area_exponent, largest_coarse_exponent)), distortion_(exponent_), problem_(problem),
-      effort_(effort), monitor_(monitor), source_area_(area_of_source()), mesh_(loop, problem.face, problem.size()),
+      effort_(effort), monitor_(monitor), source_area_(area_of_source()),
+      mesh_(loop, faces_in_order(problem), problem.size()),
       level_(loop, problem.size()), map_{Host_array<vec3>(problem.size(), vec3{0, 0, 0}),
                                          std::vector<int>(problem.size(), -1)}
   {
@@ -85,6 +87,23 @@ private:
   static constexpr int coarse_size = 20000;       ///< the largest meshes that are relaxed after every round
   static constexpr int growth_of_fine_levels = 3;
   static constexpr double least_gain = 1e-4; ///< of the energy, for which a Newton step is worth while
+
+  /// The faces by their smallest vertices, so that those of a star lie close together in memory, as the vertices do:
+  /// where a mesh is larger than the caches, that is half of the time of the decimation. Others are left as they are.
+  static Host_array<std::array<int, 3>> faces_in_order(const Problem& problem)
+  {
+    if(problem.size() <= coarse_size)
+      return problem.face;
+    const auto smallest = [](const std::array<int, 3>& f) { return (std::min)({f[0], f[1], f[2]}); };
+    std::vector<int> begin(problem.size() + 1, 0);
+    for(const std::array<int, 3>& f : problem.face)
+      ++begin[smallest(f) + 1];
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    Host_array<std::array<int, 3>> faces(problem.face.size());
+    for(const std::array<int, 3>& f : problem.face)
+      faces[begin[smallest(f)]++] = f;
+    return faces;
+  }
 
   /// The smallest area that faces count with is a share of this. So it has needles as good as they will count: were the
   /// whole surface needles, and their true areas added up, then the share would be nothing to any of them.

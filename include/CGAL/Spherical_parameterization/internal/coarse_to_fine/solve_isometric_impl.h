@@ -331,7 +331,7 @@ private:
     level_.relax_distorted(distortion_, bad_factor * mean_distortion_, rings, sweeps_of_regions);
     if(!is_level_coarse()) {
       Solver_report report;
-      descend(number_of_steps(level_.size()), report);
+      descend(number_of_steps(), report);
       if(monitor_.is_interrupted())
         give_up();
     }
@@ -364,7 +364,7 @@ private:
     for(int s = 0; s < (is_level_coarse() ? sweeps : sweeps_of_fine_level) && advance(); ++s)
       level_.relax(distortion_);
     place_landmarks(true);
-    descend(effort_.number_of_iterations.value_or(number_of_steps(level_.size())), report);
+    descend(number_of_steps(), report);
     while(exponent_ < method_.area_exponent) {
       exponent_ = (std::min)(method_.area_exponent, growth_of_exponent * exponent_);
       distortion_ = Distortion(exponent_);
@@ -394,12 +394,14 @@ private:
     }
   }
 
-  /// The most Newton steps for a level, if the user has no wish. On fine ones they are dear, and coarser ones have done
-  /// the most of it.
-  static std::size_t number_of_steps(int size)
+  /// The most Newton steps for a level: on large ones a share of what the user allows, since they are dear and the
+  /// levels before have done the most of it.
+  std::size_t number_of_steps() const
   {
-    constexpr std::size_t least = 5, work = Isometric::default_number_of_iterations * 60000;
-    return std::clamp(work / std::size_t(size), least, Isometric::default_number_of_iterations);
+    constexpr double full_size = 100000, least_share = 0.25;
+    const auto steps = effort_.number_of_iterations.value_or(Isometric::default_number_of_iterations);
+    return static_cast<std::size_t>(
+      std::ceil(double(steps) * std::clamp(full_size / double(level_.size()), least_share, 1.)));
   }
 
   /// Tells the user about the progress; returns whether to go on.

@@ -80,11 +80,12 @@ struct Saddle_point {
 /// Maps of low symmetric Dirichlet energy, coarse to fine, bijective by construction.
 ///
 /// The mesh is decimated to a tetrahedron, which is mapped to a regular one. The vertices are inserted again, round by
-/// round, each into the kernel of its star, and the distortion is relaxed after every round. A vertex is moved only to
-/// positions where all of its faces are positively oriented by an exact predicate. The energy is the symmetric
-/// Dirichlet energy s^2 + t^2 + 1/s^2 + 1/t^2 of the principal stretches s, t, integrated over the source (with
-/// `area_exponent` 1). E. Praun and H. Hoppe, "Spherical parametrization and remeshing", SIGGRAPH 2003; X. Hu, X.-M.
-/// Fu, L. Liu, "Advanced hierarchical spherical parameterizations", TVCG 2018. See \ref isometric_method.
+/// round, each into the kernel of its star, and the distortion is relaxed after every round, or, above 20,000 vertices,
+/// each time the mesh has grown by three. A vertex is moved only to positions where all of its faces are positively
+/// oriented by an exact predicate. The energy is the symmetric Dirichlet energy s^2 + t^2 + 1/s^2 + 1/t^2 of the
+/// principal stretches s, t, integrated over the source (with `area_exponent` 1). E. Praun and H. Hoppe, "Spherical
+/// parametrization and remeshing", SIGGRAPH 2003; X. Hu, X.-M. Fu, L. Liu, "Advanced hierarchical spherical
+/// parameterizations", TVCG 2018. See \ref isometric_method.
 ///
 /// Guarantee: the map is bijective in doubles, if there is one. If doubles have no position for a vertex, the result is
 /// `NOT_BIJECTIVE` and there is no map. The energy is not claimed to be minimal. Faces without area count as small ones
@@ -102,8 +103,10 @@ struct Saddle_point {
 /// 2024). Stretches are then those against the mesh whose faces have the wanted areas and their own angles, and
 /// everything that is said here holds for that. How near areas come is `Result::density_deviation`; see \ref densities.
 ///
-/// Named parameters: `number_of_iterations` bounds the Newton steps for the whole mesh, `accuracy` is the relative gain
-/// of energy that such a step has to promise for another one to follow.
+/// Named parameters: `number_of_iterations` bounds the Newton steps for the whole mesh (in proportion fewer above
+/// 100,000 vertices, but a quarter at least), `accuracy` is the relative gain of energy that such a step has to promise
+/// for another one to follow (above 20,000 vertices, that it has to leave: a quarter of what it promised, if it could
+/// be taken in full).
 ///
 /// \cgalModels{SphericalParameterizationMethod}
 struct Isometric {

@@ -227,11 +227,11 @@ public:
     for_each_vertex([&](int i) { relax_vertex(distortion, i); });
   }
 
-  /// So many such steps for the vertices whose stars are distorted more than `factor` times as much as the map in the
-  /// mean, and for those up to `rings` edges away.
-  void relax_distorted(const Distortion& distortion, double factor, int rings, int sweeps)
+  /// So many such steps for the vertices whose stars are distorted more than `bound` in the mean, and for those up to
+  /// `rings` edges away.
+  void relax_distorted(const Distortion& distortion, double bound, int rings, int sweeps)
   {
-    const std::vector<int> region = distorted_region(distortion, factor, rings);
+    const std::vector<int> region = distorted_region(distortion, bound, rings);
     for(int s = 0; s < sweeps && !region.empty(); ++s) {
       auto begin = region.begin();
       for(int end_of_colour : colour_begin_) {
@@ -303,9 +303,8 @@ private:
   }
 
   /// In ascending order, hence by colour.
-  std::vector<int> distorted_region(const Distortion& distortion, double factor, int rings) const
+  std::vector<int> distorted_region(const Distortion& distortion, double bound, int rings) const
   {
-    const double bound = factor * energy(distortion);
     std::vector<char> is_in_region(size());
     for_each_vertex([&](int i) {
       const Star faces = star(i);

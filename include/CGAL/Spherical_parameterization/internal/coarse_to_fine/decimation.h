@@ -92,7 +92,12 @@ public:
       std::vector<Candidate> across;
       for(const Band& b : bands)
         across.insert(across.end(), b.across.begin(), b.across.end());
-      bands.push_back({select(std::move(across)), {}});
+      for_each_index<steps_of_a_task>(loop_, static_cast<int>(across.size()), [&](int i) {
+        const int u = across[i].second;
+        if(is_outdated_[u] && is_untouched(u))
+          update(u);
+      });
+      bands.push_back({select(std::move(across), bound), {}});
       loop_.for_each(static_cast<int>(bands.size()) - 1, [&](int b) { apply(bands[b].collapsed); });
       apply(bands.back().collapsed);
       for(const Band& b : bands)
@@ -133,6 +138,7 @@ private:
   static constexpr double flip_penalty = 1e3;   ///< for a normal that turns by more than 78 degrees
   static constexpr int good_degree = 9;         ///< each neighbour more doubles the cost
   static constexpr double share_of_candidates = 0.4;
+  static constexpr int steps_of_a_task = 256;
 
   /// Bands are long, since what lies across their borders is collapsed one by one, but four or more, for as many
   /// threads.
@@ -177,21 +183,32 @@ private:
       ring.push_back({c, point_[mesh_.target(c)], point_[mesh_.apex(c)], face_normal(c)});
       area += std::sqrt(inner(ring.back().normal, ring.back().normal)) / 2;
     });
-    boost::container::small_vector<Collapse, 24> collapses;
+    // Few are the cheapest by a lower bound of their cost: only these are computed exactly.
+    struct Estimate {
+      Collapse collapse;
+      std::size_t number; ///< in the ring
+      bool is_exact;
+    };
+    boost::container::small_vector<Estimate, 24> estimates;
     for(std::size_t i = 0; i < ring.size(); ++i)
-      collapses.push_back({cost(u, ring, i, area), ring[i].corner});
-    const auto is_cheaper = [](const Collapse& a, const Collapse& b) { return a.cost < b.cost; };
-    while(!collapses.empty()) {
-      const auto cheapest = std::min_element(collapses.begin(), collapses.end(), is_cheaper);
-      if(mesh_.is_collapsible(cheapest->half_edge))
-        return *cheapest;
-      collapses.erase(cheapest);
+      estimates.push_back({{cost(u, ring, i, area, false), ring[i].corner}, i, false});
+    const auto is_cheaper = [](const Estimate& a, const Estimate& b) { return a.collapse.cost < b.collapse.cost; };
+    while(!estimates.empty()) {
+      const auto cheapest = std::min_element(estimates.begin(), estimates.end(), is_cheaper);
+      if(!cheapest->is_exact) {
+        cheapest->collapse.cost = cost(u, ring, cheapest->number, area, true);
+        cheapest->is_exact = true;
+      } else if(mesh_.is_collapsible(cheapest->collapse.half_edge))
+        return cheapest->collapse;
+      else
+        estimates.erase(cheapest);
     }
     return Collapse();
   }
 
+  /// Of moving u to the first point of ring[i]; a lower bound, unless it is to be exact.
   template <class Ring>
-  double cost(int u, const Ring& ring, std::size_t i, double area) const
+  double cost(int u, const Ring& ring, std::size_t i, double area, bool is_exact) const
   {
     const int v = mesh_.target(ring[i].corner);
     const vec3 p = ring[i].a, edge = sub(p, point_[u]);
@@ -199,8 +216,9 @@ private:
     const double degree_factor = degree > good_degree ? std::ldexp(1, (std::min)(degree - good_degree, 200))
                                  : degree < 4         ? 0.5
                                                       : 1;
-    return (quadric_[u](p) + quadric_[v](p) + length_weight * area * inner(edge, edge) + least_cost_) * degree_factor *
-           shape_factor(ring, i);
+    const double distances = is_exact ? quadric_[u](p) + quadric_[v](p) : quadric_[u](p);
+    return (distances + length_weight * area * inner(edge, edge) + least_cost_) * degree_factor *
+           (is_exact ? shape_factor(ring, i) : 1);
   }
 
   /// What badly shaped or turned triangles multiply the cost by when u moves to the first point of ring[i].
@@ -226,17 +244,24 @@ private:
     return (1 + aspect * aspect / aspect_scale2) * (is_turned ? flip_penalty : 1);
   }
 
+  /// On large meshes most costs stay outdated until their vertices may be taken: see select().
   void update_costs()
   {
+    constexpr int small_size = 20000;
     remaining_.erase(std::remove_if(remaining_.begin(), remaining_.end(), [&](int v) { return mesh_.is_removed(v); }),
                      remaining_.end());
-    constexpr int steps_of_a_task = 256;
+    const bool is_small = mesh_.number_of_vertices() <= small_size;
     for_each_index<steps_of_a_task>(loop_, static_cast<int>(remaining_.size()), [&](int i) {
       const int v = remaining_[i];
-      if(is_outdated_[v])
-        best_[v] = best_collapse(v);
-      is_outdated_[v] = false;
+      if(is_outdated_[v] && (is_small || best_[v].half_edge < 0))
+        update(v);
     });
+  }
+
+  void update(int v)
+  {
+    best_[v] = best_collapse(v);
+    is_outdated_[v] = false;
   }
 
   /// What the dearest candidate of this round may cost, from a sample of all collapses. Infinite if there is none.
@@ -279,32 +304,40 @@ private:
       const bool is_across = mesh_.any_neighbour(*it, [&](int w) { return w < begin || w >= end; });
       (is_across ? band.across : within).emplace_back(best.cost, *it);
     }
-    band.collapsed = select(std::move(within));
+    band.collapsed = select(std::move(within), bound);
   }
 
   /// Takes the collapses of independent candidates, the cheapest ones first. At least four vertices remain: each
   /// collapse has two vertices for itself, and two neighbours that are in none.
-  std::vector<int> select(std::vector<Candidate> candidates)
+  ///
+  /// The collapse of u touches no face of another one of this round and cannot break its link condition, nor the other
+  /// way round: u and its target take no part in others, and its other neighbours are only neighbours.
+  std::vector<int> select(std::vector<Candidate> candidates, double bound)
   {
     std::sort(candidates.begin(), candidates.end());
     std::vector<int> collapsed;
-    for(const auto& [cost, u] : candidates)
-      if(is_independent(u)) {
-        if(mesh_.is_collapsible(best_[u].half_edge)) {
-          occupy(u);
-          collapsed.push_back(best_[u].half_edge);
-        } else // since an edge has come into being nearby
-          is_outdated_[u] = true;
-      }
+    for(const auto& [cost, u] : candidates) {
+      if(!is_untouched(u))
+        continue;
+      const bool is_up_to_date = !is_outdated_[u];
+      if(!is_up_to_date)
+        update(u);
+      const Collapse& best = best_[u];
+      if(best.half_edge < 0 || best.cost > bound || role_[mesh_.target(best.half_edge)] != FREE)
+        continue;
+      if(!is_up_to_date || mesh_.is_collapsible(best.half_edge)) {
+        occupy(u);
+        collapsed.push_back(best.half_edge);
+      } else // since an edge has come into being nearby
+        is_outdated_[u] = true;
+    }
     return collapsed;
   }
 
-  /// Whether the collapse of u neither touches a face of another one of this round nor can break its link condition,
-  /// nor the other way round: u and its target take no part in others, and its other neighbours are only neighbours.
-  bool is_independent(int u) const
+  /// Whether u takes no part in a collapse of this round, nor does a neighbour more than as one.
+  bool is_untouched(int u) const
   {
-    return role_[u] == FREE && role_[mesh_.target(best_[u].half_edge)] == FREE &&
-           !mesh_.any_neighbour(u, [&](int w) { return role_[w] == BUSY; });
+    return role_[u] == FREE && !mesh_.any_neighbour(u, [&](int w) { return role_[w] == BUSY; });
   }
 
   void occupy(int u)

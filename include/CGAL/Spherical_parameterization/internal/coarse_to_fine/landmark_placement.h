@@ -102,7 +102,7 @@ private:
     constexpr double bad_factor = 20; // times the mean distortion
     constexpr int rings = 2, sweeps = 3;
     level_.relax(distortion_);
-    level_.relax_distorted(distortion_, bad_factor, rings, sweeps);
+    level_.relax_distorted(distortion_, bad_factor * level_.energy(distortion_), rings, sweeps);
   }
 
   /// After some landmarks got stuck: relaxes the map without springs. Returns whether the energy comes down to not much

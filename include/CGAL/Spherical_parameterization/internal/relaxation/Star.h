@@ -209,8 +209,9 @@ inline vec3 kernel_point(const Star& star, vec3 v)
 /// not empty, since v sees its whole ring, but which doubles may not resolve. Returns whether there is a position x
 /// such that all faces of the star are positively oriented, exactly.
 ///
-/// The best of some candidates is improved by Newton's method.
-inline bool insert_vertex(const Distortion& distortion, const Star& star, vec3 v, vec3& x)
+/// The best of some candidates is improved by Newton's method. The first one with which the star is distorted no more
+/// than `sufficient` in the mean will do.
+inline bool insert_vertex(const Distortion& distortion, const Star& star, vec3 v, double sufficient, vec3& x)
 {
   constexpr int maximum_steps = 6;
   constexpr double sufficient_gain = 1e-2;
@@ -224,23 +225,27 @@ inline bool insert_vertex(const Distortion& distortion, const Star& star, vec3 v
   };
 
   vec3 centroid = {0, 0, 0}, harmonic = {0, 0, 0};
+  double twice_area = 0;
   for(const Star_face& f : star) {
     constexpr double least = 0.05;
+    twice_area += f.twice_area;
     centroid = add(centroid, f.j);
     harmonic = add_scaled(harmonic, (std::max)(least, f.cot_j), f.k);
     harmonic = add_scaled(harmonic, (std::max)(least, f.cot_k), f.j);
   }
-  const vec3 in_kernel = kernel_point(star, v);
-  for(vec3 candidate : {centroid, harmonic})
-    if(inner(candidate, candidate) > 0)
+  for(vec3 candidate : {harmonic, centroid})
+    if(inner(candidate, candidate) > 0 && best > sufficient * twice_area / 2)
       consider(unit(candidate));
-  consider(in_kernel);
-  // Towards v the kernel never ends.
-  constexpr int least_approach = 6, longest_approach = 52;
-  double t = 0.5;
-  for(int i = 0; i < longest_approach && (i < least_approach || !std::isfinite(best)); ++i, t /= 2)
-    for(vec3 far : {unit(centroid), in_kernel})
-      consider(unit(add_scaled(v, t, sub(far, v))));
+  if(best > sufficient * twice_area / 2) {
+    const vec3 in_kernel = kernel_point(star, v);
+    consider(in_kernel);
+    // Towards v the kernel never ends.
+    constexpr int least_approach = 6, longest_approach = 52;
+    double t = 0.5;
+    for(int i = 0; i < longest_approach && (i < least_approach || !std::isfinite(best)); ++i, t /= 2)
+      for(vec3 far : {unit(centroid), in_kernel})
+        consider(unit(add_scaled(v, t, sub(far, v))));
+  }
   if(!std::isfinite(best))
     return false;
   for(int step = 0; step < maximum_steps; ++step)

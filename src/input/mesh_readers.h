@@ -6,6 +6,8 @@
 
 #include "input/annotations.h"
 
+#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
+
 #include <array>
 #include <cstddef>
 #include <string>
@@ -16,10 +18,11 @@ namespace tool {
 /// A mesh as a file has it: nothing is known yet about how the faces fit together.
 struct Soup {
   std::vector<std::array<double, 3>> points;
-  std::vector<std::array<int, 3>> triangles; ///< polygons are cut into fans, which is right for convex ones
-  std::size_t faces = 0;                     ///< in the file
-  std::size_t polygons = 0;                  ///< those of more than three vertices
-  std::size_t first_polygon = 0;             ///< its number, counted from 0
+  CGAL::Spherical_parameterization::internal::Host_array<std::array<int, 3>>
+    triangles;                   ///< polygons are cut into fans, which is right for convex ones
+  std::size_t faces = 0;         ///< in the file
+  std::size_t polygons = 0;      ///< those of more than three vertices
+  std::size_t first_polygon = 0; ///< its number, counted from 0
   std::size_t size_of_first_polygon = 0;
   Annotations annotations;
 

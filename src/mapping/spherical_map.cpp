@@ -37,7 +37,7 @@ Weights weights_of(const Mesh& mesh, Mean_value_weights) { return function_of(SP
 } // namespace
 
 SP::Result map_to_sphere(const Mesh& mesh, Sphere& sphere, const Map_settings& settings,
-                         const std::function<bool(double)>& go_on)
+                         const std::function<bool(double)>& go_on, const std::function<void()>& after_reading)
 {
   const std::size_t n = mesh.number_of_vertices();
   std::vector<bool> is_fixed(n, false);
@@ -70,7 +70,12 @@ SP::Result map_to_sphere(const Mesh& mesh, Sphere& sphere, const Map_settings& s
           .number_of_iterations(settings.iterations.value_or(Method::default_number_of_iterations))
           .maximum_running_time(settings.max_time.value_or(std::numeric_limits<double>::infinity()))
           .callback(go_on);
-      return SP::parameterize(policy, mesh, method, sphere_map, parameters);
+      return SP::internal::run(policy, method, parameters, sphere_map, [&](const auto& read) {
+        auto problem =
+          read(mesh, SP::internal::Mesh_inputs<Mesh, std::decay_t<decltype(parameters)>>{mesh, parameters});
+        after_reading();
+        return problem;
+      });
     },
     settings.policy, settings.method);
 }

@@ -36,7 +36,8 @@ Faces random_faces(int n, int count, unsigned seed)
   std::mt19937 random(seed);
   Faces faces;
   while(int(faces.size()) < count) {
-    const std::array<int, 3> f = {int(random() % unsigned(n)), int(random() % unsigned(n)), int(random() % unsigned(n))};
+    const std::array<int, 3> f = {int(random() % unsigned(n)), int(random() % unsigned(n)),
+                                  int(random() % unsigned(n))};
     if(f[0] != f[1] && f[1] != f[2] && f[2] != f[0])
       faces.push_back(f);
   }
@@ -82,8 +83,8 @@ void check_matching(const Faces& faces, int n)
 
 TEST_CASE("halfedges match wherever an edge has two faces of one orientation", "[mesh]")
 {
-  check_matching(random_faces(8, 30, 1), 8);        // crowded edges
-  check_matching(random_faces(60, 300, 2), 60);     // edges of all kinds
+  check_matching(random_faces(8, 30, 1), 8);         // crowded edges
+  check_matching(random_faces(60, 300, 2), 60);      // edges of all kinds
   check_matching(random_faces(5000, 9000, 3), 6000); // several blocks of vertices, many of them isolated
   check_matching(faces_of(open_sphere(3)), int(open_sphere(3).points.size()));
   check_matching(faces_of(icosphere(4)), int(icosphere(4).points.size()));

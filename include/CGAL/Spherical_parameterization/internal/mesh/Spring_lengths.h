@@ -8,7 +8,7 @@
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/base/vec3.h>
 
-#include <cstddef>
+#include <algorithm>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -17,11 +17,11 @@ namespace CGAL::Spherical_parameterization::internal {
 /// the others are listed, since few methods need lengths at all.
 struct Spring_lengths {
   struct Length {
-    int spring; ///< its entry in the graph
+    int spring; ///< its entry in the row of its smaller end
     double length;
   };
 
-  double slack = 0; ///< by which all edges are longer than their ends are apart
+  double slack = 0;           ///< by which all edges are longer than their ends are apart
   std::vector<Length> others; ///< by ascending springs
 
   static double of_edge(vec3 p, vec3 q, double slack) { return norm(sub(q, p)) + slack; }
@@ -33,8 +33,14 @@ struct Spring_lengths {
     for(int i = 0; i < graph.size(); ++i)
       for(int k = graph.offset[i]; k < graph.offset[i + 1]; ++k)
         result[k] = of_edge(point[i], point[graph.target[k]], slack);
-    for(const Length& other : others)
-      result[other.spring] = other.length;
+    int i = 0; // whose row it is
+    for(const Length& other : others) {
+      while(other.spring >= graph.offset[i + 1])
+        ++i;
+      const auto row = graph.target.begin() + graph.offset[graph.target[other.spring]];
+      const auto end = graph.target.begin() + graph.offset[graph.target[other.spring] + 1];
+      result[other.spring] = result[std::lower_bound(row, end, i) - graph.target.begin()] = other.length;
+    }
     return result;
   }
 };

@@ -13,6 +13,7 @@
 #include <CGAL/Spherical_parameterization/internal/mesh/fans.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -74,7 +75,7 @@ inline Weighted_graph conformal_graph(const Host_loop& loop, Corner_table table,
         continue;
       graph.target[k] = j;
       graph.weight[k] = sum;
-      if(length != Spring_lengths::of_edge(point[fan.vertex], point[j], slack))
+      if(fan.vertex < j && length != Spring_lengths::of_edge(point[fan.vertex], point[j], slack))
         part.others.push_back({fan.vertex, {k - fan.first, length}});
       ++k;
     }
@@ -96,6 +97,10 @@ inline Weighted_graph conformal_graph(const Host_loop& loop, Corner_table table,
   graph.target.resize(end);
   graph.weight.resize(end);
   lengths.slack = slack;
+  std::size_t others = 0;
+  for(const Part& part : parts)
+    others += part.others.size();
+  lengths.others.reserve(others);
   for(const Part& part : parts)
     for(const auto& [i, other] : part.others)
       lengths.others.push_back({graph.offset[i] + other.spring, other.length});

@@ -123,7 +123,9 @@ public:
       if(faces == 2 && !edge[0].comes_in && edge[1].comes_in)
         twin[edge[0].number] = edge[1].number;
       else if(edge->other_end > fan_.vertex)
-        (faces > 2 ? troubles.crowded : faces == 1 ? troubles.boundary : troubles.opposed)
+        (faces > 2    ? troubles.crowded
+         : faces == 1 ? troubles.boundary
+                      : troubles.opposed)
           .add({1, {fan_.vertex, edge->other_end}});
     }
   }

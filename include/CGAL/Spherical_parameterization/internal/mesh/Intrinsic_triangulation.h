@@ -47,6 +47,9 @@ public:
   /// Length of halfedge h, inside the surface.
   double length(int h) const { return length_[h]; }
 
+  /// False where the halfedge is one of the mesh for sure, and not one of a flipped edge.
+  bool may_be_new(int h) const { return is_to_be_seen_[h] != 0; }
+
   /// By how much all edges were lengthened, so that every triangle has an area.
   double slack() const { return slack_; }
 
@@ -115,8 +118,9 @@ private:
   /// Delaunay from the start.
   void make_delaunay(const Host_loop& loop)
   {
-    std::vector<char> is_to_be_seen(number_of_halfedges()), is_to_be_seen_again(number_of_halfedges(), 0);
-    for_each_index(loop, number_of_halfedges(), [&](int h) { is_to_be_seen[h] = h < twin[h] && !is_delaunay(h); });
+    std::vector<char> is_to_be_seen_again(number_of_halfedges(), 0);
+    is_to_be_seen_.resize(number_of_halfedges());
+    for_each_index(loop, number_of_halfedges(), [&](int h) { is_to_be_seen_[h] = h < twin[h] && !is_delaunay(h); });
     std::vector<int> again;
     int before = number_of_halfedges(); // those from here on have been looked at
     const auto is_open = [&](int h) { return h < before || is_to_be_seen_again[h]; };
@@ -129,7 +133,7 @@ private:
       }
       do
         --before;
-      while(before >= 0 && !is_to_be_seen[before]);
+      while(before >= 0 && !is_to_be_seen_[before]);
       return before;
     };
     for(int h = take_next(); h >= 0; h = take_next()) {
@@ -139,7 +143,7 @@ private:
       for(int f : {h / 3, t / 3}) {
         set_cotangents(f);
         for(int e = 3 * f; e < 3 * f + 3; ++e)
-          is_to_be_seen[e] = is_to_be_seen[twin[e]] = 1;
+          is_to_be_seen_[e] = is_to_be_seen_[twin[e]] = 1;
       }
       for(int e : {next(h), next(next(h)), next(t), next(next(t))})
         if(!is_open(e)) {
@@ -189,7 +193,8 @@ private:
   }
 
   Host_array<double> length_;
-  Host_array<double> cotangent_; ///< of the angle opposite to a halfedge
+  Host_array<double> cotangent_;   ///< of the angle opposite to a halfedge
+  Host_array<char> is_to_be_seen_; ///< by halfedge: not Delaunay from the start, or one of a face that was flipped
   double slack_ = 0;
   int number_of_vertices_;
 };

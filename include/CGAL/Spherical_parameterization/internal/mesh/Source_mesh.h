@@ -76,15 +76,6 @@ inline bool is_simplicial(const Host_loop& loop, const Weighted_graph& graph)
          }) == graph.size();
 }
 
-/// Whether a mesh has been checked when it was made, and knows a breadth-first order of its vertices: the one in which
-/// a walk round each vertex from its halfedge on meets its neighbours.
-template <class TriangleMesh, class = void>
-struct Has_breadth_first_order : std::false_type {};
-template <class TriangleMesh>
-struct Has_breadth_first_order<TriangleMesh,
-                               std::void_t<decltype(std::declval<const TriangleMesh&>().breadth_first_order())>>
-  : std::true_type {};
-
 /// A face graph as arrays, checked to be a closed, connected triangle mesh of genus 0 with finite points.
 ///
 /// Vertices are renumbered in breadth-first order: neighbours then lie close together in memory, which more than halves
@@ -112,7 +103,7 @@ public:
   Source_mesh(const TriangleMesh& mesh, VertexPointMap points, const Host_loop& loop = Host_loop())
   {
     check_size(mesh);
-    const auto numbering = numbering_of(mesh);
+    const auto numbering = numbering_of<vertex_descriptor>(mesh, vertices(mesh));
     const std::vector<face_descriptor> face_descriptors(faces(mesh).begin(), faces(mesh).end());
     const std::vector<vertex_descriptor> vertex_descriptors(vertices(mesh).begin(), vertices(mesh).end());
     if constexpr(Has_breadth_first_order<TriangleMesh>::value)
@@ -138,7 +129,7 @@ public:
   void set_weights(const TriangleMesh& mesh, EdgeWeightMap weights, const Host_loop& loop)
   {
     const int n = graph->size();
-    const auto numbering = numbering_of(mesh);
+    const auto numbering = numbering_of<vertex_descriptor>(mesh, vertices(mesh));
     const Host_array<int> index = inverse_permutation(loop, position);
     const Host_array<int>&offset = graph->offset, &target = graph->target;
     Host_array<double>& weight = graph->weight;
@@ -190,15 +181,6 @@ public:
   }
 
 private:
-  /// The number of every vertex in vertices(mesh). A mesh that has been checked when it was made numbers them itself.
-  static auto numbering_of(const TriangleMesh& mesh)
-  {
-    if constexpr(Has_breadth_first_order<TriangleMesh>::value)
-      return [](vertex_descriptor v) { return v.idx(); };
-    else
-      return Vertex_numbering<TriangleMesh>(vertices(mesh));
-  }
-
   template <class VertexPointMap>
   void read_points(VertexPointMap points, const Host_loop& loop)
   {

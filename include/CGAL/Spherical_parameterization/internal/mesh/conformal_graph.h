@@ -33,10 +33,14 @@ inline Weighted_graph conformal_graph(const Host_loop& loop, Corner_table table,
   const int n = static_cast<int>(point.size());
   const Intrinsic_triangulation surface(std::move(table), point, loop);
   const int m = surface.number_of_halfedges();
-  const auto weight = [&](int h) {
-    const double cotangents = surface.cotangent(h) + surface.cotangent(surface.twin[h]);
-    return (std::max)(smallest_weight, cotangents / 2); // also where all points are one: 0/0
-  };
+  Host_array<double> weight(m);
+  for_each_index(loop, m, [&](int h) {
+    const int t = surface.twin[h];
+    if(h < t) {
+      const double cotangents = surface.cotangent(h) + surface.cotangent(t);
+      weight[h] = weight[t] = (std::max)(smallest_weight, cotangents / 2); // also where all points are one: 0/0
+    }
+  });
 
   // Every halfedge is an entry of the row of its origin. Rows are in order of their targets; equal ones in an order
   // that both ends see alike.
@@ -65,9 +69,10 @@ inline Weighted_graph conformal_graph(const Host_loop& loop, Corner_table table,
     int k = fan.first;
     for(auto it = row.begin(); it != row.end();) {
       const int j = it->first;
-      double sum = weight(it->second), length = surface.length(it->second);
+      const bool is_edge = !surface.may_be_new(it->second) && (it + 1 == row.end() || it[1].first != j);
+      double sum = weight[it->second], length = is_edge ? 0 : surface.length(it->second);
       for(++it; it != row.end() && it->first == j; ++it) {
-        const double its_weight = weight(it->second), new_sum = sum + its_weight;
+        const double its_weight = weight[it->second], new_sum = sum + its_weight;
         length = (sum * length + its_weight * surface.length(it->second)) / new_sum;
         sum = new_sum;
       }
@@ -75,7 +80,7 @@ inline Weighted_graph conformal_graph(const Host_loop& loop, Corner_table table,
         continue;
       graph.target[k] = j;
       graph.weight[k] = sum;
-      if(fan.vertex < j && length != Spring_lengths::of_edge(point[fan.vertex], point[j], slack))
+      if(!is_edge && fan.vertex < j && length != Spring_lengths::of_edge(point[fan.vertex], point[j], slack))
         part.others.push_back({fan.vertex, {k - fan.first, length}});
       ++k;
     }

@@ -7,6 +7,8 @@
 #include "input/annotations.h"
 #include "system/refusal.h"
 
+#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
+
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -18,10 +20,11 @@ namespace tool {
 /// A mesh as a file has it: nothing is known yet about how the faces fit together.
 struct Soup {
   std::vector<std::array<double, 3>> points;
-  std::vector<std::array<int, 3>> triangles; ///< polygons are cut into fans, which is right for convex ones
-  std::size_t faces = 0;                     ///< in the file
-  std::size_t polygons = 0;                  ///< those of more than three vertices
-  std::size_t first_polygon = 0;             ///< its number, counted from 0
+  CGAL::Spherical_parameterization::internal::Host_array<std::array<int, 3>>
+    triangles;                   ///< polygons are cut into fans, which is right for convex ones
+  std::size_t faces = 0;         ///< in the file
+  std::size_t polygons = 0;      ///< those of more than three vertices
+  std::size_t first_polygon = 0; ///< its number, counted from 0
   std::size_t size_of_first_polygon = 0;
   std::optional<Refusal> non_finite; ///< of the first coordinate that is no finite number, if there is one
   Annotations annotations;

@@ -107,7 +107,7 @@ Input_mesh read_mesh(const std::string& file, Polygons polygons)
   if(polygons == Polygons::REFUSE)
     check_triangles(file, soup);
   try {
-    return {Mesh(CGAL::Parallel_if_available_tag(), soup.points, soup.triangles), soup.polygons,
+    return {Mesh(CGAL::Parallel_if_available_tag(), std::move(soup.points), std::move(soup.triangles)), soup.polygons,
             std::move(soup.annotations)};
   } catch(const CGAL::Spherical_parameterization::Error& error) {
     throw Refusal(name(error.code()), file, "has " + error.detail(), "");

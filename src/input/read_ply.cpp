@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
+#include "input/binary.h"
 #include "input/mesh_readers.h"
 #include "input/text_lines.h"
 #include "system/refusal.h"
+
+#include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
+#include <CGAL/Spherical_parameterization/internal/backend/execution.h>
+
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cfloat>
@@ -70,8 +76,9 @@ public:
     soup_.points.reserve(vertices_->count);
     soup_.triangles.reserve(faces_->count);
     for(const Element& element : elements_)
-      for(std::size_t row = 0; row < element.count; ++row)
-        read_row(element, row);
+      if(!read_plain_vertices(element) && !read_plain_triangles(element))
+        for(std::size_t row = 0; row < element.count; ++row)
+          read_row(element, row);
     if(is_text() ? !next_token(rest_).empty() : rest_.size() >= smallest_size(elements_.back()))
       throw Refusal(unreadable_file, file_, "has more data than the header announces",
                     "the counts in the header are wrong; export it again");
@@ -228,6 +235,80 @@ private:
     if(&element == faces_)
       size += 3 * smallest_size(*corners_->type);
     return std::max<std::size_t>(size, 1);
+  }
+
+  /// Reads the vertices of a binary file on all cores, if all is well with them and they have no lists. Otherwise
+  /// nothing has happened.
+  bool read_plain_vertices(const Element& element)
+  {
+    if(&element != vertices_ || format_ != Format::LITTLE_ENDIAN_BINARY)
+      return false;
+    std::size_t size = 0;
+    std::array<std::size_t, 3> place = {};
+    for(const Property& property : element.properties) {
+      if(property.count_type)
+        return false;
+      for(std::size_t k = 0; k < 3; ++k)
+        if(&property == coordinate_[k])
+          place[k] = size;
+      size += property.type->size;
+    }
+    if(rest_.size() / size < element.count)
+      return false;
+    soup_.points.resize(element.count);
+    const bool are_finite = for_all_rows(element.count, [&](std::size_t row) {
+      for(std::size_t k = 0; k < 3; ++k) {
+        const char* const bytes = rest_.data() + row * size + place[k];
+        double& x = soup_.points[row][k];
+        x = coordinate_[k]->type->size == 4 ? double(number_at<float>(bytes)) : number_at<double>(bytes);
+        if(!std::isfinite(x))
+          return false;
+      }
+      return true;
+    });
+    if(are_finite)
+      rest_.remove_prefix(element.count * size);
+    else
+      soup_.points.clear();
+    return are_finite;
+  }
+
+  /// The same for faces that are triangles and have no other properties, by far the most common ones.
+  bool read_plain_triangles(const Element& element)
+  {
+    if(&element != faces_ || format_ != Format::LITTLE_ENDIAN_BINARY || element.properties.size() != 1 ||
+       corners_->count_type->size != 1 || corners_->type->size != 4)
+      return false;
+    constexpr std::size_t size = 1 + 3 * sizeof(std::uint32_t);
+    if(rest_.size() / size < element.count)
+      return false;
+    soup_.triangles.resize(element.count);
+    const bool are_good = for_all_rows(element.count, [&](std::size_t row) {
+      const char* const bytes = rest_.data() + row * size;
+      for(std::size_t k = 0; k < 3; ++k) {
+        const auto corner = number_at<std::uint32_t>(bytes + 1 + k * sizeof(std::uint32_t));
+        if(corner >= vertices_->count) // so is every negative one
+          return false;
+        soup_.triangles[row][k] = static_cast<int>(corner);
+      }
+      return *bytes == 3;
+    });
+    if(are_good) {
+      rest_.remove_prefix(element.count * size);
+      soup_.faces = element.count;
+    } else
+      soup_.triangles.clear();
+    return are_good;
+  }
+
+  /// Calls read(row) for all rows below `count` on all cores. Returns whether all of these calls returned true.
+  template <class Read>
+  static bool for_all_rows(std::size_t count, Read read)
+  {
+    namespace SP = CGAL::Spherical_parameterization;
+    const auto loop = SP::internal::loop_of<CGAL::Parallel_if_available_tag>();
+    const int n = static_cast<int>(count);
+    return SP::internal::first_index(loop, n, [&](int row) { return !read(static_cast<std::size_t>(row)); }) == n;
   }
 
   void read_row(const Element& element, std::size_t row)

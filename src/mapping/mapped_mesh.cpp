@@ -41,9 +41,13 @@ void compute_map(const Mapping_options& options, Mapped_mesh& input)
       read_densities(options.density, input.mesh().number_of_vertices(), input.mesh().number_of_faces());
 
   Progress_bar bar("mapping");
-  input.result = map_to_sphere(input.mesh(), input.sphere, *input.settings, [&bar](double fraction) {
+  const auto go_on = [&bar](double fraction) {
     bar.show(fraction);
     return !was_interrupted();
+  };
+  input.result = map_to_sphere(input.mesh(), input.sphere, *input.settings, go_on, [&input] {
+    if(!input.needs_neighbours)
+      input.file->mesh.forget_neighbours();
   });
   input.seconds_read += input.result.seconds.read; // the library checks, too
 }

@@ -35,7 +35,8 @@ struct Mapped_mesh {
   Sphere sphere;                                   ///< unit vectors
   CGAL::Spherical_parameterization::Result result; ///< of mapping; with --sphere nothing but sizes and certificate
   std::shared_ptr<Map_settings> settings;
-  double seconds_read = 0; ///< reading and checking
+  bool needs_neighbours = true; ///< after mapping; without them the mesh takes less memory
+  double seconds_read = 0;      ///< reading and checking
 };
 
 /// Reads the mesh, and from here on watches for interruption. Throws a `Refusal`, and what `make_policy()` throws.

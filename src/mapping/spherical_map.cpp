@@ -38,7 +38,7 @@ Weights weights_of(const Mesh& mesh, Mean_value_weights) { return function_of(SP
 } // namespace
 
 SP::Result map_to_sphere(const Mesh& mesh, Sphere& sphere, const Map_settings& settings,
-                         const std::function<bool(double)>& go_on)
+                         const std::function<bool(double)>& go_on, const std::function<void()>& after_reading)
 {
   const std::size_t n = mesh.number_of_vertices();
   std::vector<bool> is_fixed(n, false);
@@ -73,16 +73,21 @@ SP::Result map_to_sphere(const Mesh& mesh, Sphere& sphere, const Map_settings& s
   return std::visit(
     [&](const auto& policy, const auto& method) {
       using Method = std::decay_t<decltype(method)>;
-      const auto parameters =
+      const auto common =
         CGAL::parameters::edge_weight_map(weights)
           .vertex_is_constrained_map(is_fixed_map)
           .accuracy(settings.accuracy.value_or(Method::default_accuracy))
           .number_of_iterations(settings.iterations.value_or(Method::default_number_of_iterations))
           .maximum_running_time(settings.max_time.value_or(std::numeric_limits<double>::infinity()))
           .callback(go_on);
-      return SP::parameterize(
-        policy, mesh, method, sphere_map,
-        CGAL::parameters::vertex_density_map(of_vertices, CGAL::parameters::face_density_map(of_faces, parameters)));
+      const auto parameters =
+        CGAL::parameters::vertex_density_map(of_vertices, CGAL::parameters::face_density_map(of_faces, common));
+      return SP::internal::run(policy, method, parameters, sphere_map, [&](const auto& read) {
+        auto problem =
+          read(mesh, SP::internal::Mesh_inputs<Mesh, std::decay_t<decltype(parameters)>>{mesh, parameters});
+        after_reading();
+        return problem;
+      });
     },
     settings.policy, settings.method);
 }

@@ -16,11 +16,13 @@
 
 namespace tool {
 
-/// Calls `parameterize()` as `settings` say: the one place where it is instantiated, and where names and numbers
-/// become types. `go_on` is told the fraction of the work done, and stops it by returning `false`.
-/// `sphere` gets the size that it needs.
-CGAL::Spherical_parameterization::Result map_to_sphere(const Mesh& mesh, Sphere& sphere, const Map_settings& settings,
-                                                       const std::function<bool(double)>& go_on);
+/// Does what `parameterize()` does, as `settings` say: the one place where it is instantiated, and where names and
+/// numbers become types. `go_on` is told the fraction of the work done, and stops it by returning `false`. `sphere`
+/// gets the size that it needs. From the call of `after_reading` on, the neighbours of the mesh are not needed any
+/// more.
+CGAL::Spherical_parameterization::Result map_to_sphere(
+  const Mesh& mesh, Sphere& sphere, const Map_settings& settings, const std::function<bool(double)>& go_on,
+  const std::function<void()>& after_reading = [] {});
 
 /// Sizes and certificate of a map, by exact predicates on the points as they are: these need not be unit vectors, the
 /// map is their projection from the origin. Flipped faces are an error of the result.

@@ -250,7 +250,7 @@ std::vector<bool> orient(Gluing& gluing, const Key& key, Gluing_defects& defects
 Faces usable_faces(const Soup& soup, Gluing_defects& defects)
 {
   Faces faces;
-  faces.triangles = soup.triangles;
+  faces.triangles.assign(soup.triangles.begin(), soup.triangles.end());
   faces.number.resize(soup.triangles.size());
   std::iota(faces.number.begin(), faces.number.end(), 0);
 

@@ -177,6 +177,7 @@ TEST_CASE("conformal springs: cotangents of a Delaunay mesh, positive and symmet
 {
   namespace I = SP::internal;
   const auto graph_of = [](const Soup& soup, I::Host_array<double>& length) {
+    I::Spring_lengths lengths;
     const Mesh mesh = make_mesh(soup);
     I::Source_mesh<Mesh> source(mesh, mesh.points());
     I::Corner_table table = I::corner_table_of(mesh, source.face, I::Host_loop());
@@ -184,7 +185,10 @@ TEST_CASE("conformal springs: cotangents of a Delaunay mesh, positive and symmet
     for(auto& f : table.face)
       for(int& i : f)
         i = source.position[i];
-    return I::conformal_graph(I::Host_loop(), table, positions_of(soup.points), length);
+    const auto points = positions_of(soup.points);
+    I::Weighted_graph graph = I::conformal_graph(I::Host_loop(), table, points, lengths);
+    length = lengths.of_all(graph, points);
+    return graph;
   };
   I::Host_array<double> length;
   const Soup good = icosphere(2); // all angles are acute

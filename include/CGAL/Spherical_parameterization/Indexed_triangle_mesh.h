@@ -42,7 +42,7 @@ namespace CGAL::Spherical_parameterization {
 /// numbers they have in the arrays: `v.idx()`, `f.idx()`.
 ///
 /// Maps are the same bit for bit as those of a `CGAL::Surface_mesh` to which the same faces are added one by one.
-/// Memory: 76 bytes per vertex.
+/// Memory: 80 bytes per vertex.
 class Indexed_triangle_mesh {
 public:
   /// \cond SKIP_IN_MANUAL
@@ -111,14 +111,35 @@ public:
   {
     static_assert(internal::is_supported_policy<ExecutionPolicy>(), "not an execution policy of this package");
     read(points, triangles);
-    const internal::Host_loop loop = internal::loop_of<ExecutionPolicy>();
-    const internal::Soup_trouble trouble = internal::check_soup(
-      loop, table_, static_cast<int>(point_.size()), last_corner_, [&] { return number_of_different_points(); });
-    if(trouble.code != Error_code::OK)
-      throw internal::Input_error(trouble.code, trouble.wrong + "; " + trouble.remedy);
+    check(internal::loop_of<ExecutionPolicy>());
   }
 
   /// \cond SKIP_IN_MANUAL
+  /// The same of arrays that are not copied.
+  template <class ExecutionPolicy>
+  Indexed_triangle_mesh(const ExecutionPolicy&, std::vector<Point>&& points,
+                        internal::Host_array<std::array<int, 3>>&& triangles)
+    : point_(std::move(points))
+  {
+    static_assert(internal::is_supported_policy<ExecutionPolicy>(), "not an execution policy of this package");
+    const internal::Host_loop loop = internal::loop_of<ExecutionPolicy>();
+    table_.face = std::move(triangles);
+    check_sizes(point_.size(), table_.face.size());
+    const int n = static_cast<int>(point_.size()), m = static_cast<int>(table_.face.size());
+    const int bad_point =
+      internal::first_index(loop, n, [&](int i) { return !internal::is_finite(internal::coordinates(point_[i])); });
+    if(bad_point < n)
+      refuse_point(static_cast<std::size_t>(bad_point));
+    const auto is_bad = [&](int i) { return i < 0 || i >= n; };
+    const int bad_triangle = internal::first_index(
+      loop, m, [&](int f) { return std::any_of(table_.face[f].begin(), table_.face[f].end(), is_bad); });
+    if(bad_triangle < m) {
+      const std::array<int, 3>& face = table_.face[bad_triangle];
+      refuse_index(static_cast<std::size_t>(bad_triangle), *std::find_if(face.begin(), face.end(), is_bad));
+    }
+    check(loop);
+  }
+
   /// Any triangles, checked for nothing but the range of their indices: to be written to a file, or looked at face by
   /// face. There are no opposite halfedges, and no halfedges of vertices.
   struct Unchecked {};
@@ -127,6 +148,14 @@ public:
     : point_(std::move(points))
   {
     read_triangles(triangles);
+  }
+
+  /// Gives back the memory of all but points and triangles. The mesh is then as if it had not been checked.
+  void forget_neighbours()
+  {
+    table_.twin = {};
+    last_corner_ = {};
+    breadth_first_ = {};
   }
   /// \endcond
 
@@ -142,6 +171,8 @@ public:
 
   /// \cond SKIP_IN_MANUAL
   const internal::Corner_table& corner_table() const { return table_; }
+  /// The numbers of the vertices in breadth-first order, as `internal::Source_mesh` wants them.
+  const internal::Host_array<int>& breadth_first_order() const { return breadth_first_; }
 
   typedef Indexed_triangle_mesh Self;
   friend auto vertices(const Self& m) { return range<Vertex_index>(m.point_.size()); }
@@ -204,24 +235,52 @@ public:
   /// \endcond
 
 private:
+  static void check_sizes(std::size_t number_of_points, std::size_t number_of_triangles)
+  {
+    constexpr std::size_t most = (std::numeric_limits<int>::max)() / 3;
+    if(number_of_points > most || number_of_triangles > most)
+      throw internal::Input_error(Error_code::TOO_LARGE, std::to_string(number_of_points) + " points and " +
+                                                           std::to_string(number_of_triangles) +
+                                                           " triangles; at most 715,827,882 of each are supported");
+  }
+
+  [[noreturn]] static void refuse_point(std::size_t point)
+  {
+    throw internal::Input_error(Error_code::NON_FINITE_COORDINATE, "vertex " + std::to_string(point));
+  }
+
+  template <class Number>
+  [[noreturn]] void refuse_index(std::size_t triangle, Number index) const
+  {
+    throw internal::Input_error(Error_code::BAD_INDEX,
+                                "triangle " + std::to_string(triangle) + " names point " + std::to_string(index) +
+                                  " of " + std::to_string(point_.size()) + "; points are numbered from 0 on");
+  }
+
+  void check(const internal::Host_loop& loop)
+  {
+    internal::Checked_soup soup =
+      internal::check_soup(loop, table_, static_cast<int>(point_.size()), [&] { return number_of_different_points(); });
+    const internal::Soup_trouble& trouble = soup.trouble;
+    if(trouble.code != Error_code::OK)
+      throw internal::Input_error(trouble.code, trouble.wrong + "; " + trouble.remedy);
+    last_corner_ = std::move(soup.last_corner);
+    breadth_first_ = std::move(soup.breadth_first);
+  }
+
   template <class PointRange, class TriangleRange>
   void read(const PointRange& points, const TriangleRange& triangles)
   {
-    using internal::Input_error;
     const auto size = [](const auto& range) {
       return static_cast<std::size_t>(std::distance(std::begin(range), std::end(range)));
     };
     const std::size_t number_of_points = size(points), number_of_triangles = size(triangles);
-    constexpr std::size_t most = (std::numeric_limits<int>::max)() / 3;
-    if(number_of_points > most || number_of_triangles > most)
-      throw Input_error(Error_code::TOO_LARGE, std::to_string(number_of_points) + " points and " +
-                                                 std::to_string(number_of_triangles) +
-                                                 " triangles; at most 715,827,882 of each are supported");
+    check_sizes(number_of_points, number_of_triangles);
     point_.reserve(number_of_points);
     for(const auto& p : points) {
       const internal::vec3 c = internal::coordinates(p);
       if(!internal::is_finite(c))
-        throw Input_error(Error_code::NON_FINITE_COORDINATE, "vertex " + std::to_string(point_.size()));
+        refuse_point(point_.size());
       point_.push_back({c.x, c.y, c.z});
     }
     table_.face.reserve(number_of_triangles);
@@ -239,9 +298,7 @@ private:
       for(const auto& i : t) {
         const auto index = static_cast<std::size_t>(i);
         if(index >= number_of_points)
-          throw Input_error(Error_code::BAD_INDEX, "triangle " + std::to_string(table_.face.size()) + " names point " +
-                                                     std::to_string(i) + " of " + std::to_string(number_of_points) +
-                                                     "; points are numbered from 0 on");
+          refuse_index(table_.face.size(), i);
         if(corner < 3)
           face[corner] = static_cast<int>(index);
         ++corner;
@@ -263,7 +320,8 @@ private:
 
   std::vector<Point> point_;
   internal::Corner_table table_;
-  internal::Host_array<int> last_corner_; ///< by vertex
+  internal::Host_array<int> last_corner_;   ///< by vertex
+  internal::Host_array<int> breadth_first_; ///< the vertices in this order
 };
 
 /// @}

@@ -7,6 +7,7 @@
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Corner_table.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/match_halfedges.h>
 
 #include <boost/container/small_vector.hpp>
 

@@ -239,7 +239,7 @@ read_problem(const TriangleMesh& mesh, const Solver& solver, VertexSphereMap sph
   problem.area = std::move(source.area);
   problem.position = std::move(source.position);
   problem.graph = std::move(source.graph);
-  problem.spring_length = std::move(source.spring_length);
+  problem.spring_lengths = std::move(source.spring_lengths);
   problem.weight_unit = source.weight_unit;
   problem.effort = effort;
   if(are_positions_rounded<Sphere_point>())

@@ -99,10 +99,11 @@ inline Weighted_graph stiffening_springs(const Problem& problem, double exponent
   const double area = std::accumulate(problem.area.begin(), problem.area.end(), 0.);
   const double unit_length = std::sqrt(area / (4 * std::acos(-1.)));
   Weighted_graph springs = *problem.graph;
+  const Host_array<double> lengths =
+    (problem.is_intrinsic() ? *problem.spring_lengths : Spring_lengths()).of_all(springs, problem.point);
   for(int i = 0; i < springs.size(); ++i)
     for(int k = springs.offset[i]; k < springs.offset[i + 1]; ++k) {
-      const vec3 e = sub(problem.point[i], problem.point[springs.target[k]]);
-      const double length = (problem.is_intrinsic() ? problem.spring_length[k] : std::sqrt(inner(e, e))) / unit_length;
+      const double length = lengths[k] / unit_length;
       springs.weight[k] *= length > 0 && std::isfinite(length) ? power(length, 2 - exponent) : length;
       if(!(springs.weight[k] > 0 && std::isfinite(springs.weight[k])))
         throw Input_error(Error_code::DEGENERATE_FACE, "an edge has no length, which spring exponents above 2 need");

@@ -6,12 +6,12 @@
 
 #include <CGAL/Spherical_parameterization/internal/base/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Corner_table.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -27,14 +27,18 @@ class Intrinsic_triangulation : public Corner_table {
 public:
   /// \param table  the triangles
   /// \param points by vertex
-  Intrinsic_triangulation(Corner_table table, const Host_array<vec3>& points)
-    : Corner_table(std::move(table)), number_of_vertices_(static_cast<int>(points.size()))
+  /// \param loop   runs all but the flips
+  Intrinsic_triangulation(Corner_table table, const Host_array<vec3>& points, const Host_loop& loop = Host_loop())
+    : Corner_table(std::move(table)), length_(number_of_halfedges()), cotangent_(number_of_halfedges()),
+      number_of_vertices_(static_cast<int>(points.size()))
   {
-    length_.reserve(number_of_halfedges());
-    for(int h = 0; h < number_of_halfedges(); ++h)
-      length_.push_back(norm(sub(points[target(h)], points[origin(h)])));
-    mollify();
-    make_delaunay();
+    for_each_index(loop, number_of_faces(), [&](int f) {
+      for(int h = 3 * f; h < 3 * f + 3; ++h)
+        length_[h] = norm(sub(points[target(h)], points[origin(h)]));
+    });
+    mollify(loop);
+    for_each_index(loop, number_of_faces(), [&](int f) { set_cotangents(f); });
+    make_delaunay(loop);
   }
 
   int number_of_vertices() const { return number_of_vertices_; }
@@ -42,6 +46,12 @@ public:
 
   /// Length of halfedge h, inside the surface.
   double length(int h) const { return length_[h]; }
+
+  /// False where the halfedge is one of the mesh for sure, and not one of a flipped edge.
+  bool may_be_new(int h) const { return is_to_be_seen_[h] != 0; }
+
+  /// By how much all edges were lengthened, so that every triangle has an area.
+  double slack() const { return slack_; }
 
   /// Area of the triangle of halfedge h, by Heron's formula as W. Kahan writes it: accurate for needles, too.
   double area(int h) const
@@ -58,7 +68,7 @@ public:
   }
 
   /// Cotangent of the angle opposite to halfedge h.
-  double cotangent(int h) const { return twice_cosine(h) / (4 * area(h)); }
+  double cotangent(int h) const { return cotangent_[h]; }
 
   /// The angle opposite to halfedge h.
   double angle(int h) const { return std::atan2(4 * area(h), twice_cosine(h)); }
@@ -73,37 +83,72 @@ private:
 
   /// Lengthens all edges by the same little, so that every triangle has an area: N. Sharp, K. Crane, "A Laplacian for
   /// nonmanifold triangle meshes", SGP 2020.
-  void mollify()
+  void mollify(const Host_loop& loop)
   {
     constexpr double relative_slack = 1e-6; // of the triangle inequality, in mean edge lengths
     double mean = 0;
     for(double l : length_)
       mean += l / number_of_halfedges();
-    double excess = 0;
-    for(int h = 0; h < number_of_halfedges(); ++h)
-      excess = (std::max)(excess, relative_slack * mean + length_[h] - length_[next(h)] - length_[next(next(h))]);
-    for(double& l : length_)
-      l += excess;
+    const std::vector<double> excesses = results_of_parts(loop, number_of_halfedges(), [&](int begin, int end) {
+      double excess = 0;
+      for(int h = begin; h < end; ++h)
+        excess = (std::max)(excess, relative_slack * mean + length_[h] - length_[next(h)] - length_[next(next(h))]);
+      return excess;
+    });
+    slack_ = *std::max_element(excesses.begin(), excesses.end());
+    if(slack_ > 0)
+      for_each_index(loop, number_of_halfedges(), [&](int h) { length_[h] += slack_; });
   }
 
-  void make_delaunay()
+  void set_cotangents(int f)
+  {
+    const double four_areas = 4 * area(3 * f);
+    for(int h = 3 * f; h < 3 * f + 3; ++h)
+      cotangent_[h] = twice_cosine(h) / four_areas;
+  }
+
+  bool is_delaunay(int h) const
   {
     constexpr double tolerance = 1e-10; // cocircular points may be triangulated in either way
-    std::vector<int> open(number_of_halfedges());
-    std::iota(open.begin(), open.end(), 0);
-    std::vector<char> is_open(number_of_halfedges(), 1);
-    while(!open.empty()) {
-      const int h = open.back();
-      open.pop_back();
-      is_open[h] = 0;
-      if(h > twin[h] && is_open[twin[h]])
-        continue; // it will come up again
-      if(cotangent(h) + cotangent(twin[h]) >= -tolerance || !flip(h))
+    return cotangent(h) + cotangent(twin[h]) >= -tolerance;
+  }
+
+  /// Looks at all halfedges, from the last one down to the first one, and before it goes on once more at those that a
+  /// flip has made edges of other triangles. All but the edges that are flipped and those around them are known to be
+  /// Delaunay from the start.
+  void make_delaunay(const Host_loop& loop)
+  {
+    std::vector<char> is_to_be_seen_again(number_of_halfedges(), 0);
+    is_to_be_seen_.resize(number_of_halfedges());
+    for_each_index(loop, number_of_halfedges(), [&](int h) { is_to_be_seen_[h] = h < twin[h] && !is_delaunay(h); });
+    std::vector<int> again;
+    int before = number_of_halfedges(); // those from here on have been looked at
+    const auto is_open = [&](int h) { return h < before || is_to_be_seen_again[h]; };
+    const auto take_next = [&] { // -1 at the end
+      if(!again.empty()) {
+        const int h = again.back();
+        again.pop_back();
+        is_to_be_seen_again[h] = 0;
+        return h;
+      }
+      do
+        --before;
+      while(before >= 0 && !is_to_be_seen_[before]);
+      return before;
+    };
+    for(int h = take_next(); h >= 0; h = take_next()) {
+      const int t = twin[h];
+      if((h > t && is_open(t)) || is_delaunay(h) || !flip(h)) // an open one will come up again
         continue;
-      for(int e : {next(h), next(next(h)), next(twin[h]), next(next(twin[h]))})
-        if(!is_open[e]) {
-          is_open[e] = 1;
-          open.push_back(e);
+      for(int f : {h / 3, t / 3}) {
+        set_cotangents(f);
+        for(int e = 3 * f; e < 3 * f + 3; ++e)
+          is_to_be_seen_[e] = is_to_be_seen_[twin[e]] = 1;
+      }
+      for(int e : {next(h), next(next(h)), next(t), next(next(t))})
+        if(!is_open(e)) {
+          is_to_be_seen_again[e] = 1;
+          again.push_back(e);
         }
     }
   }
@@ -147,7 +192,10 @@ private:
     return true;
   }
 
-  std::vector<double> length_;
+  Host_array<double> length_;
+  Host_array<double> cotangent_;   ///< of the angle opposite to a halfedge
+  Host_array<char> is_to_be_seen_; ///< by halfedge: not Delaunay from the start, or one of a face that was flipped
+  double slack_ = 0;
   int number_of_vertices_;
 };
 

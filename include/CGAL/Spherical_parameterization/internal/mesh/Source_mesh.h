@@ -12,9 +12,11 @@
 #include <CGAL/Spherical_parameterization/internal/base/text.h>
 #include <CGAL/Spherical_parameterization/internal/base/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Vertex_numbering.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/breadth_first.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/check_face_graph.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/conformal_graph.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/corner_table_of.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/fans.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/point_coordinates.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 
@@ -30,7 +32,10 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -44,22 +49,6 @@ inline void scale_to_unit_box(Host_array<vec3>& point)
   const double divisor = box.half_size();
   for(vec3& p : point)
     p = {(p.x / 2 - low.x / 2) / divisor, (p.y / 2 - low.y / 2) / divisor, (p.z / 2 - low.z / 2) / divisor};
-}
-
-/// Every vertex's third of the areas of its faces.
-inline Host_array<double> vertex_areas(const Host_loop& loop, const Host_array<std::array<int, 3>>& face,
-                                       const Host_array<vec3>& point)
-{
-  Host_array<double> twice_area(face.size());
-  for_each_index(loop, static_cast<int>(face.size()), [&](int f) {
-    const vec3 n = normal(point, face[f]);
-    twice_area[f] = std::sqrt(inner(n, n));
-  });
-  Host_array<double> area(point.size(), 0.);
-  for(std::size_t f = 0; f < face.size(); ++f)
-    for(int i : face[f])
-      area[i] += twice_area[f] / 6;
-  return area;
 }
 
 /// Weights whose products would overflow or underflow are taken in another unit, which maps do not depend on. Returns
@@ -105,35 +94,33 @@ public:
   Host_array<std::array<int, 3>> face; ///< in the order of faces(mesh)
   Host_array<double> area;             ///< every vertex's third of the areas of its faces
   std::shared_ptr<Weighted_graph> graph =
-    std::make_shared<Weighted_graph>(); ///< neighbours in ascending order; weights are left to set_weights()
-  double weight_unit = 1;               ///< what a weight of 1 in the graph is to the caller
-  Host_array<double> spring_length;     ///< by entry of the graph, if that is not of edges of the mesh; else empty
+    std::make_shared<Weighted_graph>();         ///< neighbours in ascending order; weights are left to set_weights()
+  double weight_unit = 1;                       ///< what a weight of 1 in the graph is to the caller
+  std::optional<Spring_lengths> spring_lengths; ///< if the graph is not of edges of the mesh
 
   /// Throws Error.
   template <class VertexPointMap>
   Source_mesh(const TriangleMesh& mesh, VertexPointMap points, const Host_loop& loop = Host_loop())
   {
     check_size(mesh);
-    const Vertex_numbering<TriangleMesh> numbering(vertices(mesh));
+    const auto numbering = numbering_of<vertex_descriptor>(mesh, vertices(mesh));
     const std::vector<face_descriptor> face_descriptors(faces(mesh).begin(), faces(mesh).end());
     const std::vector<vertex_descriptor> vertex_descriptors(vertices(mesh).begin(), vertices(mesh).end());
-    Neighbours neighbours;
-    if(!are_triangles(mesh, face_descriptors, loop) ||
-       !read_neighbours(mesh, numbering, vertex_descriptors, face_descriptors.size(), loop, neighbours))
-      explain_what_is_wrong(mesh, numbering);
-    const Host_array<int> index = number_breadth_first(neighbours, position);
-    check_topology(position.size(), face_descriptors.size());
-    vertex.reserve(position.size());
-    for(int p : position)
-      vertex.push_back(vertex_descriptors[p]);
+    if constexpr(Has_breadth_first_order<TriangleMesh>::value)
+      position = mesh.breadth_first_order();
+    else
+      position = checked_breadth_first_order(mesh, numbering, vertex_descriptors, face_descriptors, loop);
+    const int n = static_cast<int>(position.size());
+    vertex.resize(position.size());
+    for_each_index(loop, n, [&](int i) { vertex[i] = vertex_descriptors[position[i]]; });
     read_points(points, loop);
     scale_to_unit_box(point);
     face.resize(face_descriptors.size());
+    const Host_array<int> index = inverse_permutation(loop, position);
     const auto number = [&](vertex_descriptor v) { return index[numbering(v)]; };
     for_each_index(loop, static_cast<int>(face.size()),
                    [&](int f) { face[f] = corners_of_face(mesh, number, face_descriptors[f]); });
-    area = vertex_areas(loop, face, point);
-    renumber(loop, neighbours, index, position, *graph);
+    read_edges_and_areas(loop);
   }
 
   /// Reads the weight of every edge once, and writes it into both rows of the graph. Throws Error if a weight is not
@@ -142,10 +129,8 @@ public:
   void set_weights(const TriangleMesh& mesh, EdgeWeightMap weights, const Host_loop& loop)
   {
     const int n = graph->size();
-    const Vertex_numbering<TriangleMesh> numbering(vertices(mesh));
-    Host_array<int> index(n); // of a vertex by its position in vertices(mesh)
-    for(int i = 0; i < n; ++i)
-      index[position[i]] = i;
+    const auto numbering = numbering_of<vertex_descriptor>(mesh, vertices(mesh));
+    const Host_array<int> index = inverse_permutation(loop, position);
     const Host_array<int>&offset = graph->offset, &target = graph->target;
     Host_array<double>& weight = graph->weight;
     weight.resize(target.size());
@@ -191,7 +176,8 @@ public:
   /// Replaces the edges of the mesh by those of its intrinsic Delaunay triangulation, with cotangent weights.
   void set_conformal_weights(const TriangleMesh& mesh, const Host_loop& loop)
   {
-    *graph = conformal_graph(loop, corner_table_of(mesh, face, loop), point, spring_length);
+    *graph = Weighted_graph(); // its memory is needed
+    *graph = conformal_graph(loop, corner_table_of(mesh, face, loop), point, spring_lengths.emplace());
   }
 
 private:
@@ -204,6 +190,33 @@ private:
       first_index(loop, n, [&](int i) { return !is_finite(point[i] = coordinates(get(points, vertex[i]))); });
     if(bad < n)
       throw Input_error(Error_code::NON_FINITE_COORDINATE, "vertex " + std::to_string(position[bad]));
+  }
+
+  /// The rows of the graph, and every vertex's share of the areas.
+  void read_edges_and_areas(const Host_loop& loop)
+  {
+    const int n = static_cast<int>(point.size()), m = static_cast<int>(face.size());
+    Host_array<double> twice_area(m);
+    for_each_index(loop, m, [&](int f) {
+      const vec3 normal_vector = normal(point, face[f]);
+      twice_area[f] = std::sqrt(inner(normal_vector, normal_vector));
+    });
+    area.resize(n);
+    graph->offset.resize(n + 1);
+    graph->offset[n] = 3 * m;
+    graph->target.resize(3 * face.size());
+    for_each_fan(loop, face, n, [&](const Fan& fan) {
+      const auto row = graph->target.begin() + fan.first;
+      auto end = row;
+      double sum = 0;
+      for(int c : fan) {
+        sum += twice_area[c / 3] / 6;
+        *end++ = face[c / 3][(c + 1) % 3];
+      }
+      std::sort(row, end);
+      area[fan.vertex] = sum;
+      graph->offset[fan.vertex] = fan.first;
+    });
   }
 
   /// Throws the Error for the weight w of the edge h from vertex j to vertex i.

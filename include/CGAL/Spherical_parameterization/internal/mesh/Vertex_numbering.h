@@ -74,6 +74,26 @@ using Vertex_numbering = Numbering<typename boost::graph_traits<TriangleMesh>::v
 template <class TriangleMesh>
 using Face_numbering = Numbering<typename boost::graph_traits<TriangleMesh>::face_descriptor>;
 
+/// Whether a mesh has been checked when it was made, and knows a breadth-first order of its vertices: the one in which
+/// a walk round each vertex from its halfedge on meets its neighbours.
+template <class TriangleMesh, class = void>
+struct Has_breadth_first_order : std::false_type {};
+template <class TriangleMesh>
+struct Has_breadth_first_order<TriangleMesh,
+                               std::void_t<decltype(std::declval<const TriangleMesh&>().breadth_first_order())>>
+  : std::true_type {};
+
+/// The numbering of all vertices or all faces of a mesh. One that has been checked when it was made numbers them
+/// itself.
+template <class Descriptor, class TriangleMesh, class Range>
+auto numbering_of(const TriangleMesh&, const Range& descriptors)
+{
+  if constexpr(Has_breadth_first_order<TriangleMesh>::value)
+    return [](Descriptor d) { return d.idx(); };
+  else
+    return Numbering<Descriptor>(descriptors);
+}
+
 } // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_VERTEX_NUMBERING_H

@@ -5,11 +5,11 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_CHECK_FACE_GRAPH_H
 
 #include <CGAL/Spherical_parameterization/Error.h>
-#include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/base/text.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Vertex_numbering.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/breadth_first.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -22,11 +22,6 @@
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
-
-/// The neighbours of every vertex in the order of vertices(mesh), in compressed rows.
-struct Neighbours {
-  Host_array<int> offset, target;
-};
 
 /// All numbers of vertices and halfedges are of type int. Looks at no element, and allocates nothing.
 template <class TriangleMesh>
@@ -126,36 +121,6 @@ void explain_what_is_wrong(const TriangleMesh& mesh, const Vertex_numbering<Tria
   }
 }
 
-/// Numbers the vertices of a connected mesh in breadth-first order. Fills `position`, by new number; returns the new
-/// number by position.
-inline Host_array<int> number_breadth_first(const Neighbours& neighbours, Host_array<int>& position)
-{
-  const int n = static_cast<int>(neighbours.offset.size()) - 1;
-  Host_array<int> index(n, -1);
-  position.reserve(n);
-  const auto visit = [&](int p) {
-    if(index[p] < 0) {
-      index[p] = static_cast<int>(position.size());
-      position.push_back(p);
-    }
-  };
-  std::size_t components = 0;
-  for(int seed = 0; seed < n; ++seed) {
-    if(index[seed] >= 0)
-      continue;
-    ++components;
-    std::size_t head = position.size();
-    visit(seed);
-    for(; head < position.size(); ++head)
-      for(int k = neighbours.offset[position[head]]; k < neighbours.offset[position[head] + 1]; ++k)
-        visit(neighbours.target[k]);
-  }
-  if(components > 1)
-    throw Input_error(Error_code::SEVERAL_COMPONENTS,
-                      counted(components, "component", "components") + "; map them one by one");
-  return index;
-}
-
 /// Throws Error unless the surface is of genus 0.
 inline void check_topology(std::size_t number_of_vertices, std::size_t number_of_faces)
 {
@@ -167,21 +132,24 @@ inline void check_topology(std::size_t number_of_vertices, std::size_t number_of
                                                  "; only surfaces without handles map to the sphere");
 }
 
-/// Fills the rows of `graph`, in ascending order.
-inline void renumber(const Host_loop& loop, const Neighbours& neighbours, const Host_array<int>& index,
-                     const Host_array<int>& position, Weighted_graph& graph)
+/// Checks a face graph. Returns the positions of its vertices in vertices(mesh), in breadth-first order. Throws Error
+/// for what is no closed, connected triangle mesh of genus 0.
+template <class TriangleMesh, class Vertex, class Face>
+Host_array<int> checked_breadth_first_order(const TriangleMesh& mesh, const Vertex_numbering<TriangleMesh>& numbering,
+                                            const std::vector<Vertex>& vertex_descriptors,
+                                            const std::vector<Face>& face_descriptors, const Host_loop& loop)
 {
-  const int n = static_cast<int>(position.size());
-  graph.offset.resize(n + 1);
-  for(int i = 0; i < n; ++i)
-    graph.offset[i + 1] = graph.offset[i] + neighbours.offset[position[i] + 1] - neighbours.offset[position[i]];
-  graph.target.resize(neighbours.target.size());
-  for_each_index(loop, n, [&](int i) {
-    const auto row = graph.target.begin() + graph.offset[i];
-    const auto from = neighbours.target.begin();
-    std::sort(row, std::transform(from + neighbours.offset[position[i]], from + neighbours.offset[position[i] + 1], row,
-                                  [&](int p) { return index[p]; }));
-  });
+  Neighbours neighbours;
+  if(!are_triangles(mesh, face_descriptors, loop) ||
+     !read_neighbours(mesh, numbering, vertex_descriptors, face_descriptors.size(), loop, neighbours))
+    explain_what_is_wrong(mesh, numbering);
+  std::size_t components = 0;
+  Host_array<int> order = breadth_first_order(neighbours, components);
+  if(components > 1)
+    throw Input_error(Error_code::SEVERAL_COMPONENTS,
+                      counted(components, "component", "components") + "; map them one by one");
+  check_topology(order.size(), face_descriptors.size());
+  return order;
 }
 
 } // namespace CGAL::Spherical_parameterization::internal

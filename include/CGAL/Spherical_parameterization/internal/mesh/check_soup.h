@@ -33,15 +33,22 @@ struct Soup_trouble {
   }
 };
 
+/// A soup that has been checked. The arrays are of use if there is no trouble.
+struct Checked_soup {
+  Soup_trouble trouble;
+  Host_array<int> last_corner;   ///< at every vertex
+  Host_array<int> breadth_first; ///< the vertices in this order
+};
+
 /// Looks for all that keeps the triangles table.face, whose corners are below n, from being a closed, connected,
 /// oriented surface without handles: triangles with a repeated vertex, vertices without triangles, edges with more than
 /// two triangles, neighbouring triangles of opposite orientation, boundary edges, non-manifold vertices, several
 /// components, handles. The first trouble gives the code and the remedy; the code is `OK` if there is none, and then
-/// table.twin is filled, and last_corner[v] is the last corner at every vertex.
+/// table.twin is filled.
 ///
 /// `number_of_different_points()` is asked for where there is a boundary: vertices at the same place are a common
 /// cause.
-CGAL_SP_CORE Soup_trouble check_soup(const Host_loop& loop, Corner_table& table, int n, Host_array<int>& last_corner,
+CGAL_SP_CORE Checked_soup check_soup(const Host_loop& loop, Corner_table& table, int n,
                                      const std::function<std::size_t()>& number_of_different_points);
 
 } // namespace CGAL::Spherical_parameterization::internal

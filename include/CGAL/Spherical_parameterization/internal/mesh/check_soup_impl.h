@@ -5,7 +5,9 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_CHECK_SOUP_IMPL_H
 
 #include <CGAL/Spherical_parameterization/internal/base/text.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/breadth_first.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/check_soup.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/match_halfedges.h>
 
 #include <boost/iterator/counting_iterator.hpp>
 #include <boost/pending/disjoint_sets.hpp>
@@ -15,11 +17,11 @@
 #include <cstddef>
 #include <functional>
 #include <string>
-#include <vector>
+#include <utility>
 
 namespace CGAL::Spherical_parameterization::internal {
 
-inline void add_edge_troubles(Soup_trouble& trouble, const Edge_troubles& edges, int n,
+inline void add_edge_troubles(Soup_trouble& trouble, const Matching_troubles& edges, int n,
                               const std::function<std::size_t()>& number_of_different_points)
 {
   const auto first = [](const Edge_trouble& t) {
@@ -48,38 +50,6 @@ inline void add_edge_troubles(Soup_trouble& trouble, const Edge_troubles& edges,
   }
 }
 
-/// The triangles round a vertex of a closed oriented surface form one cycle; returns whether they do.
-/// \pre the halfedges are matched
-inline bool are_vertices_manifold(const Host_loop& loop, Soup_trouble& trouble, const Corner_table& table, int n,
-                                  const Host_array<int>& last_corner)
-{
-  std::vector<int> degree(n, 0);
-  for(const std::array<int, 3>& f : table.face)
-    for(int v : f)
-      ++degree[v];
-  const auto is_pinched = [&](int v) {
-    if(last_corner[v] < 0)
-      return false;
-    int walked = 0, h = last_corner[v];
-    do {
-      ++walked;
-      h = Corner_table::next(table.twin[h]);
-    } while(h != last_corner[v]);
-    return walked < degree[v];
-  };
-  const int first = first_index(loop, n, is_pinched);
-  if(first == n)
-    return true;
-  std::size_t pinched = 0;
-  for(int v = first; v < n; ++v)
-    pinched += is_pinched(v);
-  trouble.add(Error_code::NON_MANIFOLD,
-              counted(pinched, "non-manifold vertex", "non-manifold vertices") +
-                ", where parts of the surface only touch (first: vertex " + std::to_string(first) + ")",
-              "split such vertices");
-  return false;
-}
-
 inline std::size_t number_of_components(const Host_array<std::array<int, 3>>& face, int n)
 {
   boost::disjoint_sets_with_storage<> sets(n);
@@ -90,14 +60,15 @@ inline std::size_t number_of_components(const Host_array<std::array<int, 3>>& fa
   return static_cast<std::size_t>(sets.count_sets(Vertex(0), Vertex(n)));
 }
 
-CGAL_SP_CORE Soup_trouble check_soup(const Host_loop& loop, Corner_table& table, int n, Host_array<int>& last_corner,
+CGAL_SP_CORE Checked_soup check_soup(const Host_loop& loop, Corner_table& table, int n,
                                      const std::function<std::size_t()>& number_of_different_points)
 {
-  Soup_trouble trouble;
+  Checked_soup result;
+  Soup_trouble& trouble = result.trouble;
   const int m = static_cast<int>(table.face.size());
   if(m == 0) {
     trouble.add(Error_code::EMPTY_MESH, "no faces", "check that the mesh was exported");
-    return trouble;
+    return result;
   }
   const auto repeats = [&](int f) {
     const auto [a, b, c] = table.face[f];
@@ -112,31 +83,39 @@ CGAL_SP_CORE Soup_trouble check_soup(const Host_loop& loop, Corner_table& table,
                 counted(count, "face that has a vertex twice", "faces that have a vertex twice") + " (first: face " +
                   std::to_string(first_repeating) + ")",
                 "remove the degenerate faces");
-    return trouble; // the rest presumes triangles
+    return result; // the rest presumes triangles
   }
 
-  last_corner.assign(n, -1);
-  for(int h = 0; h < 3 * m; ++h)
-    last_corner[table.origin(h)] = h;
-  const auto isolated = static_cast<std::size_t>(std::count(last_corner.begin(), last_corner.end(), -1));
+  Vertex_walks walks;
+  const Matching_troubles found = match_halfedges(loop, table.face, n, table.twin, &walks);
+  const std::size_t isolated = found.isolated.count;
   if(isolated > 0)
     trouble.add(Error_code::ISOLATED_VERTEX,
                 counted(isolated, "isolated vertex", "isolated vertices") + " without faces (first: vertex " +
-                  std::to_string(std::find(last_corner.begin(), last_corner.end(), -1) - last_corner.begin()) + ")",
+                  std::to_string(found.isolated.first) + ")",
                 "remove the unreferenced vertices");
-  const Edge_troubles edges = match_halfedges(loop, table.face, n, table.twin);
-  add_edge_troubles(trouble, edges, n, number_of_different_points);
-  const bool is_manifold = edges.none() && are_vertices_manifold(loop, trouble, table, n, last_corner);
-  const std::size_t components = number_of_components(table.face, n) - isolated;
+  add_edge_troubles(trouble, found, n, number_of_different_points);
+  const bool is_pinched = !found.has_bad_edge() && found.pinched.count > 0;
+  if(is_pinched)
+    trouble.add(Error_code::NON_MANIFOLD,
+                counted(found.pinched.count, "non-manifold vertex", "non-manifold vertices") +
+                  ", where parts of the surface only touch (first: vertex " + std::to_string(found.pinched.first) + ")",
+                "split such vertices");
+  std::size_t components = 0;
+  if(found.none())
+    result.breadth_first = breadth_first_order(walks.neighbours, components);
+  else
+    components = number_of_components(table.face, n) - isolated;
   // V - E + F = 2 - 2 genus, and E = 3/2 F
   const std::size_t genus = (table.face.size() / 2 + 2 - (n - isolated)) / 2;
   if(components > 1)
     trouble.add(Error_code::SEVERAL_COMPONENTS, std::to_string(components) + " connected components",
                 "map them one by one, each from a file of its own");
-  else if(is_manifold && genus > 0)
+  else if(!found.has_bad_edge() && !is_pinched && genus > 0)
     trouble.add(Error_code::WRONG_GENUS, "genus " + std::to_string(genus),
                 "only surfaces without handles (genus 0) can be mapped to the sphere: cut and fill the handles");
-  return trouble;
+  result.last_corner = std::move(walks.last_corner);
+  return result;
 }
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -9,9 +9,13 @@
 #include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Corner_table.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Intrinsic_triangulation.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/Spring_lengths.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/fans.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 
@@ -21,68 +25,90 @@ namespace CGAL::Spherical_parameterization::internal {
 ///
 /// Two edges between the same vertices are one spring of their mean length; an edge from a vertex to itself pulls at
 /// nothing. The edges of cocircular points have weight 0 and get `smallest_weight`, which keeps the graph connected.
-/// \param length  gets the length of every spring, inside the surface
+/// \param lengths  gets the lengths of the springs
 inline Weighted_graph conformal_graph(const Host_loop& loop, Corner_table table, const Host_array<vec3>& point,
-                                      Host_array<double>& length)
+                                      Spring_lengths& lengths)
 {
   constexpr double smallest_weight = 1e-6;
   const int n = static_cast<int>(point.size());
-  const Intrinsic_triangulation surface(std::move(table), point);
+  const Intrinsic_triangulation surface(std::move(table), point, loop);
   const int m = surface.number_of_halfedges();
-
-  Host_array<int> first(n + 1, 0), halfedge(m); // the halfedges from every vertex
-  for(int h = 0; h < m; ++h)
-    ++first[surface.origin(h) + 1];
-  for(int i = 0; i < n; ++i)
-    first[i + 1] += first[i];
-  Host_array<int> place(first.begin(), first.end() - 1);
-  for(int h = 0; h < m; ++h)
-    halfedge[place[surface.origin(h)]++] = h;
-
   Host_array<double> weight(m);
   for_each_index(loop, m, [&](int h) {
     const int t = surface.twin[h];
-    const double cotangents = surface.cotangent((std::min)(h, t)) + surface.cotangent((std::max)(h, t));
-    weight[h] = (std::max)(smallest_weight, cotangents / 2); // also where all points are one: 0/0
-  });
-
-  // Rows in order of their targets; equal ones in an order that both ends see alike.
-  Weighted_graph graph;
-  graph.offset.assign(n + 1, 0);
-  const auto is_new = [&](int i, int k) { // spring, or part of the one before
-    const int j = surface.target(halfedge[k]);
-    return j != i && (k == first[i] || surface.target(halfedge[k - 1]) != j);
-  };
-  for_each_index(loop, n, [&](int i) {
-    std::sort(halfedge.begin() + first[i], halfedge.begin() + first[i + 1], [&](int g, int h) {
-      return std::make_pair(surface.target(g), (std::min)(g, surface.twin[g])) <
-             std::make_pair(surface.target(h), (std::min)(h, surface.twin[h]));
-    });
-    for(int k = first[i]; k < first[i + 1]; ++k)
-      graph.offset[i + 1] += is_new(i, k);
-  });
-  for(int i = 0; i < n; ++i)
-    graph.offset[i + 1] += graph.offset[i];
-  graph.target.resize(graph.offset[n]);
-  graph.weight.resize(graph.offset[n]);
-  length.resize(graph.offset[n]);
-  for_each_index(loop, n, [&](int i) {
-    int last = graph.offset[i] - 1;
-    for(int k = first[i]; k < first[i + 1]; ++k) {
-      const int h = halfedge[k];
-      if(surface.target(h) == i)
-        continue;
-      if(is_new(i, k)) {
-        graph.target[++last] = surface.target(h);
-        graph.weight[last] = weight[h];
-        length[last] = surface.length(h);
-      } else {
-        const double sum = graph.weight[last] + weight[h];
-        length[last] = (graph.weight[last] * length[last] + weight[h] * surface.length(h)) / sum;
-        graph.weight[last] = sum;
-      }
+    if(h < t) {
+      const double cotangents = surface.cotangent(h) + surface.cotangent(t);
+      weight[h] = weight[t] = (std::max)(smallest_weight, cotangents / 2); // also where all points are one: 0/0
     }
   });
+
+  // Every halfedge is an entry of the row of its origin. Rows are in order of their targets; equal ones in an order
+  // that both ends see alike.
+  Weighted_graph graph;
+  graph.offset.resize(n + 1);
+  graph.offset[n] = m;
+  graph.target.resize(m);
+  graph.weight.resize(m);
+  Host_array<int> springs(n); // in a row, whose other entries are of no use
+  struct Part {
+    std::vector<std::pair<int, int>> row;                       // targets, halfedges
+    std::vector<std::pair<int, Spring_lengths::Length>> others; // by row, springs counted from its begin on
+  };
+  const double slack = surface.slack();
+  const auto parts = parts_of_fans<Part>(loop, surface.face, n, [&](Part& part, const Fan& fan) {
+    auto& row = part.row;
+    row.clear();
+    for(int h : fan)
+      row.emplace_back(surface.target(h), h);
+    std::sort(row.begin(), row.end(), [&](const auto& g, const auto& h) {
+      return g.first != h.first
+               ? g.first < h.first
+               : (std::min)(g.second, surface.twin[g.second]) < (std::min)(h.second, surface.twin[h.second]);
+    });
+    graph.offset[fan.vertex] = fan.first;
+    int k = fan.first;
+    for(auto it = row.begin(); it != row.end();) {
+      const int j = it->first;
+      const bool is_edge = !surface.may_be_new(it->second) && (it + 1 == row.end() || it[1].first != j);
+      double sum = weight[it->second], length = is_edge ? 0 : surface.length(it->second);
+      for(++it; it != row.end() && it->first == j; ++it) {
+        const double its_weight = weight[it->second], new_sum = sum + its_weight;
+        length = (sum * length + its_weight * surface.length(it->second)) / new_sum;
+        sum = new_sum;
+      }
+      if(j == fan.vertex)
+        continue;
+      graph.target[k] = j;
+      graph.weight[k] = sum;
+      if(!is_edge && fan.vertex < j && length != Spring_lengths::of_edge(point[fan.vertex], point[j], slack))
+        part.others.push_back({fan.vertex, {k - fan.first, length}});
+      ++k;
+    }
+    springs[fan.vertex] = k - fan.first;
+  });
+
+  // Rows move together where some are shorter.
+  int end = 0;
+  for(int i = 0; i < n; ++i) {
+    const int begin = std::exchange(graph.offset[i], end);
+    if(begin != end)
+      for(int k = 0; k < springs[i]; ++k) {
+        graph.target[end + k] = graph.target[begin + k];
+        graph.weight[end + k] = graph.weight[begin + k];
+      }
+    end += springs[i];
+  }
+  graph.offset[n] = end;
+  graph.target.resize(end);
+  graph.weight.resize(end);
+  lengths.slack = slack;
+  std::size_t others = 0;
+  for(const Part& part : parts)
+    others += part.others.size();
+  lengths.others.reserve(others);
+  for(const Part& part : parts)
+    for(const auto& [i, other] : part.others)
+      lengths.others.push_back({graph.offset[i] + other.spring, other.length});
   return graph;
 }
 

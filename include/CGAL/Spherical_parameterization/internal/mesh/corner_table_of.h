@@ -54,7 +54,7 @@ template <class TriangleMesh>
 Corner_table corner_table_of(const TriangleMesh& mesh, Host_array<std::array<int, 3>> corners, const Host_loop& loop)
 {
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
-  const Face_numbering<TriangleMesh> numbering(faces(mesh));
+  const auto numbering = numbering_of<typename Graph_traits::face_descriptor>(mesh, faces(mesh));
   const std::vector<typename Graph_traits::face_descriptor> descriptor(faces(mesh).begin(), faces(mesh).end());
   Corner_table table;
   table.face = std::move(corners);

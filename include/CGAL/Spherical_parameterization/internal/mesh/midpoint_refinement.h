@@ -6,6 +6,7 @@
 
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Corner_table.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/match_halfedges.h>
 #include <CGAL/Spherical_parameterization/internal/base/vec3.h>
 
 #include <algorithm>

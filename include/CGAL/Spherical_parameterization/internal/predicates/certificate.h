@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -48,16 +49,24 @@ inline double covering(vec3 a, vec3 b, vec3 c, vec3 q)
   return least == largest ? of_face : on_border;
 }
 
+/// Directions in which the degree may be counted. No great circle meets (1, t, t^2) in more than two points, so some of
+/// them is on no border.
+inline vec3 direction_of_degree(int k)
+{
+  const double t = k + 773. / 1024;
+  return make_vec3(1, t, t * t);
+}
+
 /// The degree of a map: how many faces lie over a direction, counted with orientation. It is the same for all
 /// directions that are on no border, and exact, which the sum of the areas is not: of a face with all corners near one
 /// great circle rounding cannot tell whether it is half a sphere or nothing.
-/// \param sum_of_coverings  given a direction q, the sum of `covering()` over all faces
+/// \param sum_of_coverings  given a direction q, the sum of `covering()` over all faces; it is asked for
+///                          `direction_of_degree(0)` first
 template <class Sum_of_coverings>
 int degree(Sum_of_coverings sum_of_coverings)
 {
-  // No great circle meets (1, t, t^2) in more than two points, so some of these directions is on no border.
-  for(double t = 773. / 1024;; t += 1) {
-    const double sum = sum_of_coverings(make_vec3(1, t, t * t));
+  for(int k = 0;; ++k) {
+    const double sum = sum_of_coverings(direction_of_degree(k));
     if(std::abs(sum) < on_border / 2)
       return static_cast<int>(sum);
   }
@@ -80,32 +89,40 @@ struct Certificate {
 template <class Loop>
 Certificate certify(const Loop& loop, const Host_array<std::array<int, 3>>& faces, const Host_array<vec3>& v)
 {
-  const std::vector<Certificate> parts =
-    results_of_parts(loop, static_cast<int>(faces.size()), [&](int begin, int end) {
-      Certificate part; // edges squared
-      for(int f = begin; f < end; ++f) {
-        const vec3 a = v[faces[f][0]], b = v[faces[f][1]], c = v[faces[f][2]];
-        if(!is_finite(a, b, c)) {
-          ++part.flipped_faces;
-          continue;
-        }
-        if(!is_positively_oriented(a, b, c))
-          ++part.flipped_faces;
-        part.smallest_area = (std::min)(part.smallest_area, std::abs(spherical_area(a, b, c)));
-        for(vec3 edge : {sub(b, a), sub(c, b), sub(a, c)})
-          part.smallest_edge = (std::min)(part.smallest_edge, inner(edge, edge));
+  struct Part : Certificate { // edges squared
+    double coverings = 0;     // in the first direction
+  };
+  const vec3 direction = direction_of_degree(0);
+  const std::vector<Part> parts = results_of_parts(loop, static_cast<int>(faces.size()), [&](int begin, int end) {
+    Part part;
+    for(int f = begin; f < end; ++f) {
+      const vec3 a = v[faces[f][0]], b = v[faces[f][1]], c = v[faces[f][2]];
+      if(!is_finite(a, b, c)) {
+        ++part.flipped_faces;
+        continue;
       }
-      return part;
-    });
+      if(!is_positively_oriented(a, b, c))
+        ++part.flipped_faces;
+      part.smallest_area = (std::min)(part.smallest_area, std::abs(spherical_area(a, b, c)));
+      for(vec3 edge : {sub(b, a), sub(c, b), sub(a, c)})
+        part.smallest_edge = (std::min)(part.smallest_edge, inner(edge, edge));
+      part.coverings += covering(a, b, c, direction);
+    }
+    return part;
+  });
 
   Certificate result;
-  for(const Certificate& part : parts) {
+  double coverings = 0; // exact: a sum of integers
+  for(const Part& part : parts) {
+    coverings += part.coverings;
     result.flipped_faces += part.flipped_faces;
     result.smallest_area = (std::min)(result.smallest_area, part.smallest_area);
     result.smallest_edge = (std::min)(result.smallest_edge, part.smallest_edge);
   }
   result.smallest_edge = std::sqrt(result.smallest_edge);
-  result.degree = degree([&](vec3 q) {
+  result.degree = degree([&, is_first = true](vec3 q) mutable {
+    if(std::exchange(is_first, false))
+      return coverings;
     return sum_by_parts(loop, static_cast<int>(faces.size()), [&](int f) {
       const vec3 a = v[faces[f][0]], b = v[faces[f][1]], c = v[faces[f][2]];
       return is_finite(a, b, c) ? covering(a, b, c, q) : 0;

@@ -7,6 +7,7 @@
 #include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Corner_table.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/Spring_lengths.h>
 
 #include <array>
 #include <cstddef>
@@ -32,16 +33,16 @@ struct Problem {
   Host_array<int> position;            ///< the caller's number of every vertex, for messages
   bool is_simplicial = true; ///< of the edges of the mesh none ends where it begins, no two have the same ends
   Shared_graph graph;        ///< the springs, in ascending order; the weights, with the diagonal of free vertices
-  Host_array<double> spring_length; ///< by entry of `graph`, of conformal springs; else empty: those are edges
-  std::string missing_weights;      ///< why there are no weights though the method could use them; else empty
-  double weight_unit = 1;           ///< what a weight of 1 in the graph is to the caller
-  std::vector<char> is_fixed;       ///< empty: no fixed vertex
-  Host_array<vec3> given;           ///< unit vectors the caller's map held on entry, where they are needed; else empty
+  std::optional<Spring_lengths> spring_lengths; ///< of conformal springs; others are edges of the faces
+  std::string missing_weights; ///< why there are no weights though the method could use them; else empty
+  double weight_unit = 1;      ///< what a weight of 1 in the graph is to the caller
+  std::vector<char> is_fixed;  ///< empty: no fixed vertex
+  Host_array<vec3> given;      ///< unit vectors the caller's map held on entry, where they are needed; else empty
   Effort effort;
   vec3 (*as_stored)(vec3) = nullptr; ///< what the caller's map makes of a position; null: it keeps every double
 
   /// Whether the springs are those of the intrinsic triangulation, and not the edges of the faces.
-  bool is_intrinsic() const { return !spring_length.empty(); }
+  bool is_intrinsic() const { return spring_lengths.has_value(); }
   bool has_fixed() const { return !is_fixed.empty(); }
   int size() const { return static_cast<int>(point.size()); }
 };

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_SPRING_LENGTHS_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_SPRING_LENGTHS_H
+
+#include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
+#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/base/vec3.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+/// The lengths of conformal springs inside the surface. Most are edges of the mesh, whose ends tell their lengths: only
+/// the others are listed, since few methods need lengths at all.
+struct Spring_lengths {
+  struct Length {
+    int spring; ///< its entry in the row of its smaller end
+    double length;
+  };
+
+  double slack = 0;           ///< by which all edges are longer than their ends are apart
+  std::vector<Length> others; ///< by ascending springs
+
+  static double of_edge(vec3 p, vec3 q, double slack) { return norm(sub(q, p)) + slack; }
+
+  /// By entry of the graph. `point` has the ends.
+  Host_array<double> of_all(const Weighted_graph& graph, const Host_array<vec3>& point) const
+  {
+    Host_array<double> result(graph.target.size());
+    for(int i = 0; i < graph.size(); ++i)
+      for(int k = graph.offset[i]; k < graph.offset[i + 1]; ++k)
+        result[k] = of_edge(point[i], point[graph.target[k]], slack);
+    int i = 0; // whose row it is
+    for(const Length& other : others) {
+      while(other.spring >= graph.offset[i + 1])
+        ++i;
+      const auto row = graph.target.begin() + graph.offset[graph.target[other.spring]];
+      const auto end = graph.target.begin() + graph.offset[graph.target[other.spring] + 1];
+      result[other.spring] = result[std::lower_bound(row, end, i) - graph.target.begin()] = other.length;
+    }
+    return result;
+  }
+};
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MESH_SPRING_LENGTHS_H

@@ -20,9 +20,9 @@ using tool::Shape_index;
 std::string good_index()
 {
   const Input_file file(".db", nullptr, 0);
-  Shape_index(file.name(), Database::Access::WRITE).put({"bad.off", {}, 0, "BOUNDARY", "", "it has a hole", {}});
+  Shape_index(file.name(), Database::Access::WRITE).put({"bad.off", {}, 0, "BOUNDARY", "", "it has a hole", {}, {}});
   for(const char* name : {"a.off", "b.off", "c.off"}) {
-    tool::Signature_row row = {name, {7, 8, "9"}, 12, "OK", "clamped", "", tool::Shape_signature()};
+    tool::Signature_row row = {name, {7, 8, "9"}, 12, "OK", "clamped", "", {}, tool::Shape_signature()};
     row.signature->values.fill(0.01 * name[0]);
     Shape_index(file.name(), Database::Access::WRITE).put(row);
   }

@@ -73,13 +73,12 @@ SP::Result map_to_sphere(const Mesh& mesh, Sphere& sphere, const Map_settings& s
   return std::visit(
     [&](const auto& policy, const auto& method) {
       using Method = std::decay_t<decltype(method)>;
-      const auto common =
-        CGAL::parameters::edge_weight_map(weights)
-          .vertex_is_constrained_map(is_fixed_map)
-          .accuracy(settings.accuracy.value_or(Method::default_accuracy))
-          .number_of_iterations(settings.iterations.value_or(Method::default_number_of_iterations))
-          .maximum_running_time(settings.max_time.value_or(std::numeric_limits<double>::infinity()))
-          .callback(go_on);
+      const auto common = CGAL::parameters::edge_weight_map(weights)
+                            .vertex_is_constrained_map(is_fixed_map)
+                            .accuracy(settings.accuracy.value_or(Method::default_accuracy))
+                            .number_of_iterations(settings.iterations.value_or(Method::default_number_of_iterations))
+                            .maximum_running_time(settings.max_time.value_or(std::numeric_limits<double>::infinity()))
+                            .callback(go_on);
       const auto parameters =
         CGAL::parameters::vertex_density_map(of_vertices, CGAL::parameters::face_density_map(of_faces, common));
       return SP::internal::run(policy, method, parameters, sphere_map, [&](const auto& read) {

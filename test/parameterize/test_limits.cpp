@@ -69,13 +69,11 @@ CGAL::Iterator_range<Iterator<Halfedge>> halfedges(const Vast_mesh& m) { return 
 CGAL::Iterator_range<Iterator<Face>> faces(const Vast_mesh& m) { return range<Face>(m.faces); }
 Halfedge halfedge(Vertex, const Vast_mesh&) { walk(); }
 Halfedge halfedge(Face, const Vast_mesh&) { walk(); }
-Halfedge halfedge(Edge, const Vast_mesh&) { walk(); }
 Halfedge next(Halfedge, const Vast_mesh&) { walk(); }
 Halfedge opposite(Halfedge, const Vast_mesh&) { walk(); }
 Vertex source(Halfedge, const Vast_mesh&) { walk(); }
 Vertex target(Halfedge, const Vast_mesh&) { walk(); }
 Face face(Halfedge, const Vast_mesh&) { walk(); }
-Edge edge(Halfedge, const Vast_mesh&) { walk(); }
 std::size_t degree(Face, const Vast_mesh&) { walk(); }
 
 struct No_points {

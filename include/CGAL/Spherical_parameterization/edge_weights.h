@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_EDGE_WEIGHTS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_EDGE_WEIGHTS_H
 
+#include <CGAL/Spherical_parameterization/internal/base/pi.h>
 #include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/base/precondition.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/point_coordinates.h>
@@ -87,7 +88,7 @@ public:
   }
 
 private:
-  static double cotangent_of_degrees(double angle) { return 1 / std::tan(angle * std::acos(-1.) / 180); }
+  static double cotangent_of_degrees(double angle) { return 1 / std::tan(angle * internal::pi / 180); }
 
   double opposite_cotangent(typename Graph_traits::halfedge_descriptor h) const
   {

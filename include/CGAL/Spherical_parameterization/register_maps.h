@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_REGISTER_MAPS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_REGISTER_MAPS_H
 
+#include <CGAL/Spherical_parameterization/internal/base/pi.h>
 #include <CGAL/Spherical_parameterization/Error.h>
 #include <CGAL/Spherical_parameterization/align_maps.h>
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
@@ -139,7 +140,7 @@ Registered_surface read_registered_surface(const Host_loop& loop, const Triangle
   }
   if(!(area > 0) || !std::isfinite(area))
     throw Input_error(Error_code::DEGENERATE_FACE, "the area of the surface is " + std::to_string(area));
-  const double factor = std::sqrt(4 * std::acos(-1.) / area);
+  const double factor = std::sqrt(4 * internal::pi / area);
   for(const vec3& p : map.point)
     surface.point.push_back(scale(factor, add_scaled(p, -1 / area, centre)));
   surface.image = std::move(map.image);

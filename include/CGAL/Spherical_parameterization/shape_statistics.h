@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_SHAPE_STATISTICS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_SHAPE_STATISTICS_H
 
+#include <CGAL/Spherical_parameterization/internal/base/pi.h>
 #include <CGAL/Spherical_parameterization/Error.h>
 #include <CGAL/Spherical_parameterization/Harmonic_coefficients.h>
 #include <CGAL/Spherical_parameterization/Procrustes.h>
@@ -123,7 +124,7 @@ inline std::vector<double> checked_weights(const std::vector<Harmonic_coefficien
       if(!std::isfinite(c))
         throw Input_error(Error_code::NON_FINITE_COORDINATE, "a coefficient of shape " + std::to_string(i));
   }
-  return {1 / (4 * std::acos(-1.))};
+  return {1 / (4 * internal::pi)};
 }
 
 /// The shapes as arrays: `Number` is double for those that are to be changed, else const double.
@@ -158,7 +159,7 @@ inline std::array<double, 3> centred(Harmonic_coefficients& shape, const std::ve
 {
   std::array<double, 3> centre;
   for(int c = 0; c < 3; ++c) {
-    centre[c] = shape(0, 0, c) / std::sqrt(4 * std::acos(-1.));
+    centre[c] = shape(0, 0, c) / std::sqrt(4 * internal::pi);
     shape(0, 0, c) = 0;
   }
   return centre;

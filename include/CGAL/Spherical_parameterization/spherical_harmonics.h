@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_SPHERICAL_HARMONICS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_SPHERICAL_HARMONICS_H
 
+#include <CGAL/Spherical_parameterization/internal/base/pi.h>
 #include <CGAL/Spherical_parameterization/Error.h>
 #include <CGAL/Spherical_parameterization/Harmonic_coefficients.h>
 #include <CGAL/Spherical_parameterization/harmonics_methods.h>
@@ -280,7 +281,7 @@ public:
   /// \return the unit vector
   std::array<double, 3> direction(int row, int column) const
   {
-    const double longitude = 2 * std::acos(-1.) * column / columns();
+    const double longitude = 2 * internal::pi * column / columns();
     return {grid_.sin[row] * std::cos(longitude), grid_.sin[row] * std::sin(longitude), grid_.cos[row]};
   }
 

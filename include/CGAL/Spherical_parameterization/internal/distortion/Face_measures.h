@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DISTORTION_FACE_MEASURES_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DISTORTION_FACE_MEASURES_H
 
+#include <CGAL/Spherical_parameterization/internal/base/pi.h>
 #include <CGAL/Spherical_parameterization/internal/base/Bounding_box.h>
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
@@ -102,7 +103,7 @@ public:
   double log_area_stretch(int f) const
   {
     const auto [a, b, c] = faces_.on_sphere(f);
-    return log_of_share(source_area(f) / source_total_) - log_of_share(spherical_area(a, b, c) / (4 * std::acos(-1.)));
+    return log_of_share(source_area(f) / source_total_) - log_of_share(spherical_area(a, b, c) / (4 * pi));
   }
 
   double angle_distortion(int f) const { return internal::angle_distortion(faces_.in_source(f), faces_.on_sphere(f)); }

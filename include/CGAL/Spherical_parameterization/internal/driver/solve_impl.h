@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DRIVER_SOLVE_IMPL_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DRIVER_SOLVE_IMPL_H
 
+#include <CGAL/Spherical_parameterization/internal/base/pi.h>
 #include <CGAL/Spherical_parameterization/internal/backend/Host_backend.h>
 #include <CGAL/Spherical_parameterization/internal/driver/solve.h>
 
@@ -65,7 +66,7 @@ inline double shrunk_share(const Host_loop& loop, const Problem& problem, const 
     return std::sqrt(inner(n, n)) / 2;
   };
   const double whole = sum_by_parts(loop, number_of_faces, area);
-  const double least = 4 * std::acos(-1.) / whole / times / times; // area on the sphere, per area of the surface
+  const double least = 4 * pi / whole / times / times; // area on the sphere, per area of the surface
   return sum_by_parts(loop, number_of_faces,
                       [&](int f) {
                         const auto [i, j, k] = problem.face[f];

@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_HARMONIC_SOLVE_BALANCED_IMPL_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_HARMONIC_SOLVE_BALANCED_IMPL_H
 
+#include <CGAL/Spherical_parameterization/internal/base/pi.h>
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/harmonic/solve_balanced.h>
 #include <CGAL/Spherical_parameterization/internal/multigrid/Multigrid.h>
@@ -97,7 +98,7 @@ bool solve_until_valid(const Backend& backend, const Problem& problem, Start sta
 inline Weighted_graph stiffening_springs(const Problem& problem, double exponent)
 {
   const double area = std::accumulate(problem.area.begin(), problem.area.end(), 0.);
-  const double unit_length = std::sqrt(area / (4 * std::acos(-1.)));
+  const double unit_length = std::sqrt(area / (4 * pi));
   Weighted_graph springs = *problem.graph;
   const Host_array<double> lengths =
     (problem.is_intrinsic() ? *problem.spring_lengths : Spring_lengths()).of_all(springs, problem.point);

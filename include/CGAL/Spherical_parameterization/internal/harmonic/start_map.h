@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_HARMONIC_START_MAP_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_HARMONIC_START_MAP_H
 
+#include <CGAL/Spherical_parameterization/internal/base/pi.h>
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/problem/Method_solver.h>
 #include <CGAL/Spherical_parameterization/internal/multigrid/Multigrid.h>
@@ -44,7 +45,7 @@ Host_array<vec3> planar_map(const Backend& backend, Multigrid<Backend>& multigri
   // all other faces come out counter-clockwise.
   const vec3 origin = z[corners[2]];
   const vec3 a = sub(z[corners[0]], origin), b = sub(z[corners[1]], origin);
-  const double angle = 2 * std::acos(-1.) / 3;
+  const double angle = 2 * pi / 3;
   const double cosine = std::cos(-angle * 2), sine = std::sin(-angle * 2);
   const vec3 to_a = {1 - cosine, -sine, 0}, to_b = {std::cos(-angle) - cosine, std::sin(-angle) - sine, 0};
   const double inverse = 1 / (a.x * b.y - a.y * b.x);

@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_HARMONICS_GRID_TRANSFORM_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_HARMONICS_GRID_TRANSFORM_H
 
+#include <CGAL/Spherical_parameterization/internal/base/pi.h>
 #include <CGAL/Spherical_parameterization/Harmonic_coefficients.h>
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/harmonics/Legendre_transform.h>
@@ -18,8 +19,6 @@
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
-
-constexpr double pi = 3.14159265358979323846;
 
 /// Runs f(begin, end) on ranges of 0 ... n-1 that are worth a Fourier transform's tables.
 template <class Loop, class F>

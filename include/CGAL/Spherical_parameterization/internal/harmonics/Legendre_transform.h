@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_HARMONICS_LEGENDRE_TRANSFORM_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_HARMONICS_LEGENDRE_TRANSFORM_H
 
+#include <CGAL/Spherical_parameterization/internal/base/pi.h>
 #include <CGAL/Spherical_parameterization/Harmonic_coefficients.h>
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 
@@ -56,7 +57,7 @@ public:
     seed_.resize(static_cast<std::size_t>(degree + 1) * blocks_ * lanes);
     for(int i = 0; i < pairs_; ++i) {
       cos_[i] = north[i].cos;
-      Seed seed = {std::sqrt(1 / (4 * 3.14159265358979323846)), 0};
+      Seed seed = {std::sqrt(1 / (4 * pi)), 0};
       for(int m = 0; m <= degree; ++m) {
         if(m > 0)
           seed.value *= std::sqrt((2. * m + 1) / (2. * m)) * north[i].sin * (m == 1 ? std::sqrt(2.) : 1);

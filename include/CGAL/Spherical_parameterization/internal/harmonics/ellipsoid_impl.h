@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_HARMONICS_ELLIPSOID_IMPL_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_HARMONICS_ELLIPSOID_IMPL_H
 
+#include <CGAL/Spherical_parameterization/internal/base/pi.h>
 #include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/harmonics/analysis.h>
 #include <CGAL/Spherical_parameterization/internal/harmonics/ellipsoid.h>
@@ -27,7 +28,7 @@ inline std::array<double, 3> skewness(const Harmonic_coefficients& shape, const 
   const Latitude_rows grid = gauss_legendre_rows(3 * smooth.degree() / 2 + 1, 3 * smooth.degree() + 1);
   const Host_array<double> value = synthesize_on_rows(Host_loop(), smooth, grid);
   const std::size_t n = grid.cos.size() * static_cast<std::size_t>(grid.columns);
-  const double scale = 1 / std::sqrt(4 * std::acos(-1.));
+  const double scale = 1 / std::sqrt(4 * pi);
   const Eigen::Vector3d centre(scale * shape(0, 0, 0), scale * shape(0, 0, 1), scale * shape(0, 0, 2));
   std::array<double, 3> result = {};
   for(std::size_t i = 0; i < n; ++i) {
@@ -42,7 +43,7 @@ CGAL_SP_CORE Ellipsoid ellipsoid_of(const Harmonic_coefficients& shape)
 {
   Ellipsoid result;
   Eigen::Matrix3d a;
-  const double constant = 1 / std::sqrt(4 * std::acos(-1.)), linear = std::sqrt(3.) * constant;
+  const double constant = 1 / std::sqrt(4 * pi), linear = std::sqrt(3.) * constant;
   for(int k = 0; k < 3; ++k) {
     result.centre[k] = constant * shape(0, 0, k);
     a.row(k) << linear * shape(1, 1, k), linear * shape(1, -1, k), linear * shape(1, 0, k);

@@ -259,8 +259,8 @@ public:
     for(const auto& f : surface.face)
       for(int i : f)
         area_[i] += norm(normal(surface.point, f)) / 6;
-    Host_array<double> length;
-    laplacian_ = conformal_graph(loop, surface, surface.point, length);
+    Spring_lengths lengths;
+    laplacian_ = conformal_graph(loop, surface, surface.point, lengths);
   }
 
   const Host_array<double>& area() const { return area_; }
@@ -367,8 +367,8 @@ CGAL_SP_CORE Refinement_report refine(const Host_loop& loop, const Registered_su
   const int n = static_cast<int>(x.size());
   Registration_energy energy(loop, a, b, features, landmarks, settings.landmark_weight, x);
 
-  Host_array<double> length;
-  Weighted_graph laplacian = conformal_graph(loop, a, a.image, length);
+  Spring_lengths lengths;
+  Weighted_graph laplacian = conformal_graph(loop, a, a.image, lengths);
   for(double& w : laplacian.weight)
     w *= stiffness;
   laplacian.excess.resize(n);

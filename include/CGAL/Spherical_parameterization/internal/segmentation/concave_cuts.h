@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SEGMENTATION_CONCAVE_CUTS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SEGMENTATION_CONCAVE_CUTS_H
 
+#include <CGAL/Spherical_parameterization/internal/base/pi.h>
 #include <CGAL/Spherical_parameterization/internal/backend/Host_backend.h>
 #include <CGAL/Spherical_parameterization/internal/multigrid/Multigrid.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/Region_graph.h>
@@ -94,7 +95,7 @@ inline Side_costs cutting_costs(const Segmentation_mesh& mesh, const Side_costs&
   for(int f = 0; f < mesh.number_of_faces(); ++f)
     for(int k = 0; k < 3; ++k) {
       const double valley = fine[f][k] - 0.5 * (std::max)(0., wide[f][k]);
-      const double share = valley > 0 ? std::pow((std::max)(0., 1 - valley / std::acos(-1.)), sharpness) : 1;
+      const double share = valley > 0 ? std::pow((std::max)(0., 1 - valley / pi), sharpness) : 1;
       const double length = mesh.side_length(f, k);
       cost[f][k] = (std::max)(share, least) * length;
       total_cost += cost[f][k];

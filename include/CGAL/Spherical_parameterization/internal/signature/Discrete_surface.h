@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SIGNATURE_DISCRETE_SURFACE_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SIGNATURE_DISCRETE_SURFACE_H
 
+#include <CGAL/Spherical_parameterization/internal/base/pi.h>
 #include <CGAL/Spherical_parameterization/Error.h>
 #include <CGAL/Spherical_parameterization/internal/backend/Host_backend.h>
 #include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
@@ -32,13 +33,13 @@ public:
 
   explicit Discrete_surface(Intrinsic_triangulation triangulation)
     : triangulation_(std::move(triangulation)), size_(triangulation_.number_of_vertices()), mass_(Vector::Zero(size_)),
-      defect_(Vector::Constant(size_, 2 * pi())), laplacian_(size_, size_)
+      defect_(Vector::Constant(size_, 2 * pi)), laplacian_(size_, size_)
   {
     const Intrinsic_triangulation& t = triangulation_;
     double total = 0;
     for(int f = 0; f < t.number_of_faces(); ++f)
       total += t.area(3 * f);
-    area_unit_ = total / (4 * pi());
+    area_unit_ = total / (4 * pi);
     std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(4 * t.number_of_halfedges());
     for(int h = 0; h < t.number_of_halfedges(); ++h) {
@@ -54,7 +55,6 @@ public:
     laplacian_.setFromTriplets(entries.begin(), entries.end());
   }
 
-  static double pi() { return std::acos(-1.); }
   int size() const { return size_; }
   const Vector& mass() const { return mass_; }           ///< a third of the area round every vertex
   const Vector& defect() const { return defect_; }       ///< the curvature of every vertex, 4 pi in all

@@ -44,7 +44,6 @@ struct Conformal_factor {
     const double total = b.sum();
     if(!(total > 0) || !std::isfinite(total))
       throw Input_error(Error_code::NOT_BIJECTIVE, "the sphere map has no area");
-    const double pi = Discrete_surface::pi();
     Surface_solver<Loop> solve(loop, surface);
     Discrete_surface::Vector curvature = b * (4 * pi / total);
     for(int step = 0; step <= corrections; ++step) {

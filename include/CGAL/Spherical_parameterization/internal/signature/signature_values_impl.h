@@ -56,8 +56,7 @@ inline void add_limbs(const Discrete_surface& surface, const Discrete_surface::V
   for(const Basin& limb : limbs) {
     const double excess = (std::max)(limb.persistence - shortest, 0.);
     *length++ = std::sqrt(excess) / limb_unit;
-    *mass++ =
-      mass_weight * std::sqrt(limb.mass / (4 * Discrete_surface::pi())) * (std::min)(excess / shortest, 1.) / limb_unit;
+    *mass++ = mass_weight * std::sqrt(limb.mass / (4 * pi)) * (std::min)(excess / shortest, 1.) / limb_unit;
   }
   std::sort(signature.end() - Signature_sizes::limbs, signature.end(), std::greater<double>());
 }

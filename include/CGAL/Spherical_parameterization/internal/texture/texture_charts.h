@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_TEXTURE_TEXTURE_CHARTS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_TEXTURE_TEXTURE_CHARTS_H
 
+#include <CGAL/Spherical_parameterization/internal/base/pi.h>
 #include <CGAL/Spherical_parameterization/internal/base/plane.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 
@@ -61,7 +62,6 @@ struct Latitude_longitude_chart {
 
   Charted_face operator()(const std::array<vec3, 3>& p) const
   {
-    constexpr double pi = 3.14159265358979323846;
     Charted_face face;
     std::array<double, 3> longitude;
     int pole = -1; // the corner that is one

@@ -33,14 +33,14 @@ using tool::Mesh;
 using Points = tool::Sphere;
 
 /// The numbers as an array of JavaScript, which owns them.
-template <class Number, std::size_t N>
-val to_array(const std::vector<std::array<Number, N>>& rows)
+template <class Number, std::size_t N, class Allocator>
+val to_array(const std::vector<std::array<Number, N>, Allocator>& rows)
 {
   return val(emscripten::typed_memory_view(N * rows.size(), rows.empty() ? nullptr : rows.front().data()))
     .call<val>("slice");
 }
-template <class Number>
-val to_array(const std::vector<Number>& numbers)
+template <class Number, class Allocator>
+val to_array(const std::vector<Number, Allocator>& numbers)
 {
   return val(emscripten::typed_memory_view(numbers.size(), numbers.data())).call<val>("slice");
 }

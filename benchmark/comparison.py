@@ -8,7 +8,7 @@ The tool maps every mesh in five ways, on one core, in turn, N times. FOLDER has
 for NAME.off with the same vertices and faces in the same order, and, where they are known, their seconds in
 NAME.PROGRAM.seconds. All spheres are judged by `certify --report`, and valid ones measured once more here, by other formulas:
 where both do not agree the script stops. OUTPUT gets the spheres, rows.csv, and tables.md. Other formats are converted by
-`spherical-parameterization prepare IN --harmless -o MESH.off`.
+`spherical-parameterization prepare IN --steps merge -o MESH.off`.
 
 Seconds are user and system time of the whole process, the least of N runs: busy machines lengthen them by little. A mesh costs
 some seconds. Needs NumPy.

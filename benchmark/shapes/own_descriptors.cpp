@@ -72,7 +72,7 @@ Descriptor_values first_version(const Mesh& mesh, Sphere_map sphere)
   std::vector<double> masses;
   for(const auto& basin : basins) {
     values.push_back(std::sqrt(basin.persistence) / SP::internal::limb_unit);
-    masses.push_back(6 * std::sqrt(basin.mass / (4 * Discrete_surface::pi())) / SP::internal::limb_unit);
+    masses.push_back(6 * std::sqrt(basin.mass / (4 * SP::internal::pi)) / SP::internal::limb_unit);
   }
   std::sort(masses.rbegin(), masses.rend());
   values.insert(values.end(), masses.begin(), masses.end());

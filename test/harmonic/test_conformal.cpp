@@ -8,7 +8,10 @@
 #include <CGAL/Spherical_parameterization/distortion_summary.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Source_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/multigrid/coarsening.h>
+#include <CGAL/Spherical_parameterization/internal/relaxation/Face_hessian.h>
+#include <CGAL/Spherical_parameterization/internal/relaxation/Sparse_cholesky.h>
 #include <CGAL/Spherical_parameterization/internal/relaxation/mend.h>
+#include <CGAL/Spherical_parameterization/internal/relaxation/untangling_energy.h>
 #include <CGAL/Spherical_parameterization/parameterize.h>
 
 #include <catch2/catch.hpp>
@@ -111,6 +114,24 @@ TEST_CASE("conformal weights: faces that come out flipped are mended, and the ve
   CHECK(result.moved_vertices < soup.points.size() / 2);
   CHECK(solve(soup, sphere, with(Weights::CLAMPED)).moved_vertices == 0);
   CHECK(solve(icosphere(2), sphere, with(Weights::CONFORMAL)).moved_vertices == 0);
+}
+
+TEST_CASE("conformal weights: renumbering permutes a map that has been mended", "[conformal]")
+{
+  const Soup soup = GENERATE(0, 1) == 0 ? twisted(icosphere(3), 6) : twisted(spiky_star(3, 1.5), 4);
+  Sphere sphere, other;
+  const Result result = solve(soup, sphere, with(Weights::CONFORMAL));
+  CAPTURE(result);
+  REQUIRE((result && result.moved_vertices > 0));
+  for(unsigned seed : {1, 2}) {
+    std::vector<std::size_t> order;
+    const Soup shuffled = renumbered(soup, seed, order);
+    CHECK(solve(shuffled, other, with(Weights::CONFORMAL)).moved_vertices == result.moved_vertices);
+    Sphere permuted;
+    for(std::size_t i : order)
+      permuted.push_back(sphere[i]);
+    CHECK(distance_up_to_rotation(permuted, other) < 1e-8);
+  }
 }
 
 TEST_CASE("conformal weights: larger spring exponents have the lengths of the intrinsic edges", "[conformal]")
@@ -221,23 +242,42 @@ TEST_CASE("conformal springs: cotangents of a Delaunay mesh, positive and symmet
   }
 }
 
-TEST_CASE("untangling moves the vertices of flipped faces, and no fixed ones", "[conformal]")
+namespace {
+
+constexpr double usual_bound = 2; // of MIPS
+
+bool mend(const Soup& soup, const Positions& points, Positions& v, std::vector<char>& is_moved,
+          const std::vector<char>& is_fixed = {}, double resolution = 0)
+{
+  is_moved.assign(v.size(), 0);
+  return SP::internal::mend(SP::internal::Host_loop(), faces_of(soup), points, is_fixed, usual_bound, resolution, v,
+                            is_moved);
+}
+
+/// Moves a corner of a face towards another one, or beyond it.
+int drag_corner(const Soup& soup, double share, Positions& v)
 {
   namespace I = SP::internal;
+  const auto face = faces_of(soup)[100];
+  v[face[0]] = I::unit(I::add_scaled(v[face[0]], share, I::sub(v[face[1]], v[face[0]])));
+  return face[0];
+}
+
+} // namespace
+
+TEST_CASE("mending moves the vertices of flipped faces, and no fixed ones", "[conformal]")
+{
   const Soup soup = icosphere(3);
-  const Faces faces = faces_of(soup);
   const Positions whole = positions_of(soup.points);
   Positions v = whole;
-  const int centre = faces[100][0], neighbour = faces[100][1];
-  v[centre] = I::unit(I::add_scaled(v[centre], 2.5, I::sub(v[neighbour], v[centre]))); // beyond its ring
+  drag_corner(soup, 2.5, v); // beyond its ring
   REQUIRE(count_flipped_faces(soup, sphere_of(v)) > 0);
   const Positions tangled = v;
-  const I::Host_loop loop;
 
-  std::vector<char> is_moved(v.size(), 0);
+  std::vector<char> is_moved;
   SECTION("few")
   {
-    REQUIRE(I::untangle(loop, faces, whole, {}, v, is_moved));
+    REQUIRE(mend(soup, whole, v, is_moved));
     CHECK(count_flipped_faces(soup, sphere_of(v)) == 0);
     CHECK(std::count(is_moved.begin(), is_moved.end(), 1) < 50);
     for(std::size_t i = 0; i < v.size(); ++i)
@@ -246,36 +286,167 @@ TEST_CASE("untangling moves the vertices of flipped faces, and no fixed ones", "
   }
   SECTION("what is fixed where it contradicts its ring is not mended")
   {
-    std::vector<char> is_fixed(v.size(), 1);
-    CHECK_FALSE(I::untangle(loop, faces, whole, is_fixed, v, is_moved));
+    const std::vector<char> is_fixed(v.size(), 1);
+    CHECK_FALSE(mend(soup, whole, v, is_moved, is_fixed));
+  }
+  SECTION("what is smaller than positions are known is not mended")
+  {
+    CHECK_FALSE(mend(soup, whole, v, is_moved, {}, 1.));
+    CHECK(sphere_of(v) == sphere_of(tangled));
+    CHECK(mend(soup, whole, v, is_moved, {}, 1e-3));
   }
   SECTION("a mirrored map is another map")
   {
     for(auto& p : v)
       p.x = -p.x;
     const Positions before = v;
-    CHECK_FALSE(I::untangle(loop, faces, whole, {}, v, is_moved));
+    CHECK_FALSE(mend(soup, whole, v, is_moved));
     CHECK(sphere_of(v) == sphere_of(before));
     CHECK(std::count(is_moved.begin(), is_moved.end(), 1) == 0);
   }
 }
 
-TEST_CASE("untangling brings a limb back that has collapsed to a point", "[conformal]")
+TEST_CASE("mending ends at a minimum: no vertex that was moved has a better place", "[conformal]")
+{
+  namespace I = SP::internal;
+  const Soup soup = twisted(icosphere(3), 6);
+  const Positions points = positions_of(soup.points);
+  Sphere sphere;
+  const Result result = solve(soup, sphere, with(Weights::CONFORMAL));
+  REQUIRE(result);
+  Positions v = positions_of(sphere);
+  std::vector<char> is_moved;
+  REQUIRE(mend(soup, points, v, is_moved)); // a map that has been mended, once more: some of its faces are still bad
+  REQUIRE(std::count(is_moved.begin(), is_moved.end(), 1) > 0);
+
+  const Faces faces = faces_of(soup);
+  const I::Distortion mips(0);
+  for(int i = 0; i < int(v.size()); ++i) {
+    if(!is_moved[i])
+      continue;
+    I::Star star;
+    for(const auto& f : faces)
+      for(int k = 0; k < 3; ++k)
+        if(f[k] == i) {
+          const int j = f[(k + 1) % 3], l = f[(k + 2) % 3];
+          const auto metric =
+            I::face_metric(I::sub(points[j], points[i]), I::sub(points[l], points[i]), I::Metric_bounds{1e6, 1e-30});
+          star.emplace_back(v[j], v[l], metric, 1);
+        }
+    double energy = I::star_energy(mips, star, v[i]);
+    I::vec3 x = v[i];
+    const double before = energy;
+    CHECK(I::relax_centre(mips, star, x, energy) < 1e-9 * before);
+  }
+}
+
+TEST_CASE("mending brings a limb back that has collapsed to a point", "[conformal]")
 {
   namespace I = SP::internal;
   const Soup soup = icosphere(3);
-  const Faces faces = faces_of(soup);
   const Positions whole = positions_of(soup.points);
   Positions v = whole;
   for(auto& p : v) // a cap
     if(I::inner(p, whole[7]) > std::cos(0.25))
       p = whole[7];
   REQUIRE(count_flipped_faces(soup, sphere_of(v)) > 10);
-  std::vector<char> is_moved(v.size(), 0);
-  REQUIRE(I::untangle(I::Host_loop(), faces, whole, {}, v, is_moved));
+  std::vector<char> is_moved;
+  REQUIRE(mend(soup, whole, v, is_moved));
   CHECK(count_flipped_faces(soup, sphere_of(v)) == 0);
   CHECK(dilatation(soup, sphere_of(v)) < 1.5);
   CHECK(std::count(is_moved.begin(), is_moved.end(), 1) < int(v.size()) / 2);
+}
+
+TEST_CASE("mending makes bad faces more conformal and leaves the others alone", "[conformal]")
+{
+  const Soup soup = icosphere(3);
+  const Positions points = positions_of(soup.points);
+  Positions v = points;
+  const int centre = drag_corner(soup, 0.9, v), neighbour = faces_of(soup)[100][1];
+  REQUIRE(count_flipped_faces(soup, sphere_of(v)) == 0);
+  const double before = dilatation(soup, sphere_of(v));
+  REQUIRE(before > 1.01);
+
+  std::vector<char> is_fixed(v.size(), 0), is_moved;
+  is_fixed[neighbour] = 1;
+  REQUIRE(mend(soup, points, v, is_moved, is_fixed));
+  CHECK(count_flipped_faces(soup, sphere_of(v)) == 0);
+  CHECK(dilatation(soup, sphere_of(v)) - 1 < (before - 1) / 2);
+  CHECK((v[neighbour].x == points[neighbour].x && !is_moved[neighbour]));
+  std::set<int> concerned; // the corners of the faces at the vertex that was moved
+  for(const auto& f : faces_of(soup))
+    if(std::find(f.begin(), f.end(), centre) != f.end())
+      concerned.insert(f.begin(), f.end());
+  for(int i = 0; i < int(v.size()); ++i)
+    CHECK((!is_moved[i] || concerned.count(i) > 0));
+}
+
+TEST_CASE("Newton's matrix of a face is the derivative of its gradient, flipped or not", "[conformal]")
+{
+  namespace I = SP::internal;
+  const double e = 0.1, h = 1e-6;
+  const bool is_flipped = GENERATE(false, true);
+  const I::Untangling_energy energy(e);
+  const Positions x = {I::unit({0.1, 0.2, 1}), I::unit({is_flipped ? -0.1 : 0.5, 0.1, 1}), I::unit({0.1, 0.6, 1})};
+  const auto metric = I::face_metric({1, 0, 0}, {0.3, 0.8, 0}, I::Metric_bounds{30, 1e-30});
+  const auto gradient = [&](const Positions& p, int corner) {
+    I::Star_face f(p[1], p[2], metric, 0.1);
+    return I::Face_hessian(energy, p[0], f, 0).gradient(corner);
+  };
+  const I::Star_face f(x[1], x[2], metric, 0.1);
+  REQUIRE((f.determinant(x[0]) < 0) == is_flipped);
+  const I::Face_hessian hessian(energy, x[0], f, 0);
+  for(int m = 0; m < 3; ++m)
+    for(int n = 0; n < 3; ++n) {
+      const I::Tangents at_m = I::tangents_at(x[m]), at_n = I::tangents_at(x[n]);
+      const I::Block block = hessian.block(m, hessian.frame(m, at_m), n, hessian.frame(n, at_n));
+      Positions ahead = x, behind = x;
+      ahead[n] = I::add_scaled(x[n], h, at_n.s);
+      behind[n] = I::add_scaled(x[n], -h, at_n.s);
+      const I::vec3 slope = I::scale(1 / (2 * h), I::sub(gradient(ahead, m), gradient(behind, m)));
+      CAPTURE(m, n);
+      CHECK(block.ss == Approx(I::inner(slope, at_m.s)).epsilon(1e-5).margin(1e-5));
+      CHECK(block.ts == Approx(I::inner(slope, at_m.t)).epsilon(1e-5).margin(1e-5));
+    }
+}
+
+TEST_CASE("the sparse factorization solves what is positive definite, and refuses what is not", "[conformal]")
+{
+  namespace I = SP::internal;
+  // the edges of an icosphere, each with a block; diagonals as large as needed, or a little less
+  const Soup soup = icosphere(2);
+  const Faces faces = faces_of(soup);
+  const int n = int(soup.points.size());
+  std::vector<std::vector<int>> neighbours(n);
+  for(const auto& f : faces)
+    for(int k = 0; k < 3; ++k)
+      neighbours[f[k]].push_back(f[(k + 1) % 3]);
+  I::Sparse_cholesky matrix(neighbours);
+  const auto assemble = [&](double diagonal) {
+    matrix.set_zero();
+    for(int i = 0; i < n; ++i) {
+      matrix.add(i, i, {diagonal, 0.1, 0.1, diagonal});
+      for(int j : neighbours[i])
+        if(i < j)
+          matrix.add(i, j, {-1, 0.5, 0, -1});
+    }
+  };
+  assemble(9);
+  REQUIRE(matrix.factorize());
+  std::vector<I::Planar> b(n);
+  for(int i = 0; i < n; ++i)
+    b[i] = {std::sin(i), std::cos(2. * i)};
+  const std::vector<I::Planar> x = matrix.solve(b);
+  for(int i = 0; i < n; ++i) {
+    I::Planar sum = {9 * x[i].s + 0.1 * x[i].t - b[i].s, 0.1 * x[i].s + 9 * x[i].t - b[i].t};
+    for(int j : neighbours[i]) {
+      sum.s += -x[j].s + (i < j ? 0.5 * x[j].t : 0);
+      sum.t += -x[j].t + (i < j ? 0 : 0.5 * x[j].s);
+    }
+    CHECK(std::abs(sum.s) + std::abs(sum.t) < 1e-13);
+  }
+  assemble(5); // less than the largest eigenvalue of the rest
+  CHECK_FALSE(matrix.factorize());
 }
 
 TEST_CASE("coarse matrices keep what hangs on weak edges only", "[multigrid]")
@@ -301,31 +472,4 @@ TEST_CASE("coarse matrices keep what hangs on weak edges only", "[multigrid]")
       CHECK(std::count(graph.target.begin() + graph.offset[j], graph.target.begin() + graph.offset[j + 1], i) == 1);
     }
   CHECK(ties >= 2);
-}
-
-TEST_CASE("polishing makes bad faces more conformal and leaves the others alone", "[conformal]")
-{
-  namespace I = SP::internal;
-  const Soup soup = icosphere(3);
-  const Faces faces = faces_of(soup);
-  const Positions points = positions_of(soup.points);
-  Positions v = points;
-  const int centre = faces[100][0], neighbour = faces[100][1];
-  v[centre] = I::unit(I::add_scaled(v[centre], 0.9, I::sub(v[neighbour], v[centre])));
-  REQUIRE(count_flipped_faces(soup, sphere_of(v)) == 0);
-  const double before = dilatation(soup, sphere_of(v));
-  REQUIRE(before > 1.01);
-
-  std::vector<char> is_fixed(v.size(), 0), is_moved(v.size(), 0);
-  is_fixed[neighbour] = 1;
-  I::polish(I::Host_loop(), faces, points, is_fixed, v, is_moved);
-  CHECK(count_flipped_faces(soup, sphere_of(v)) == 0);
-  CHECK(dilatation(soup, sphere_of(v)) - 1 < (before - 1) / 2);
-  CHECK((v[neighbour].x == points[neighbour].x && !is_moved[neighbour]));
-  std::set<int> concerned; // the corners of the faces at the vertex that was moved
-  for(const auto& f : faces)
-    if(std::find(f.begin(), f.end(), centre) != f.end())
-      concerned.insert(f.begin(), f.end());
-  for(int i = 0; i < int(v.size()); ++i)
-    CHECK((!is_moved[i] || concerned.count(i) > 0));
 }

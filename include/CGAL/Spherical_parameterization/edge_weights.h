@@ -33,9 +33,9 @@ namespace CGAL::Spherical_parameterization {
 /// Laplace-Beltrami operator for simplicial surfaces", Discrete & Computational Geometry 38 (2007).
 ///
 /// The map is a bijection of the intrinsic triangles. Where the faces of the mesh are far worse than these, a few of
-/// them may come out flipped: their vertices are moved, as few as possible, until none is (`Balanced` and
-/// `Saddle_point`). Then vertices of faces that are not conformal at all (ratio of the principal stretches above 3.7)
-/// are moved to where their faces are more so (spring exponent 2). `Result::moved_vertices` counts both.
+/// them may come out flipped, or not conformal at all (ratio of the principal stretches above 3.7; spring exponent 2).
+/// Their vertices, and as few others as possible, are moved to the minimum of the conformal energy MIPS, where none is
+/// flipped (`Balanced` and `Saddle_point`). `Result::moved_vertices` counts them.
 ///
 /// No property map, since the springs are not the edges of the mesh: `parameterize()` takes it in the place of one, and
 /// `parameterize_triangle_soup()`, too. The points are those of the call. Programs that choose at run time give a

@@ -5,8 +5,8 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_NEWTON_RELAXATION_H
 
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
-#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Face_hessian.h>
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Map_level.h>
+#include <CGAL/Spherical_parameterization/internal/relaxation/Face_hessian.h>
 
 #include <boost/container/small_vector.hpp>
 
@@ -80,7 +80,7 @@ private:
     for(int c = begin; c < end; ++c) {
       const Star_face f = level_.star_face(level_.corner(c));
       const Face_hessian hessian(distortion_, x, f, lift);
-      gradient = add(gradient, hessian.gradient());
+      gradient = add(gradient, hessian.gradient(0));
       const Face_hessian::Frame frame = hessian.frame(0, tangents);
       add_to(diagonal, hessian.block(0, frame, 0, frame));
       add_to(block[c - begin], hessian.block(0, frame, 1, hessian.frame(1, tangents_at(f.j))));

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <numeric>
 #include <string>
@@ -30,7 +31,7 @@ constexpr double accuracy_refinement = 1e-2;
 constexpr double finest_accuracy = 1e-15;
 
 /// Solves from `start(v)`, and does what can be done where faces are flipped in the end:
-/// - mends them, if the map is conformal, and they are few or get no fewer;
+/// - mends them, if the map is conformal, and they are few or get no fewer, and other bad faces with them;
 /// - tightens the accuracy;
 /// - starts again with short steps: on coarse meshes the balanced critical point may be a degenerate map, with faces on
 ///   a great circle, that a careful descent approaches from the valid side, and an eager one from both.
@@ -43,21 +44,25 @@ bool solve_until_valid(const Backend& backend, const Problem& problem, Start sta
 {
   constexpr std::size_t patience_at_the_limit = 3;
   // More than few flipped faces are of limbs that are not right yet. These are not mended as long as their number
-  // falls.
+  // falls. Bad faces are mended where they are large beside the accuracy, or that is as fine as is of use.
   constexpr double few = 1e-3, least_fall = 0.5; // of the faces; of their number
+  constexpr double large = 100, finest_of_use = 1e-12;
+  const bool is_rough = backend.best_accuracy(problem.size()) > 0;
   std::size_t flipped_before = 0;
   bool is_hopeless = false; // fixed vertices contradict each other: what they flip does not depend on the accuracy
-  const auto is_settled = [&](bool is_last) {
-    return certify_and_settle(
-      backend, problem, v,
-      [&](const Certificate& certificate) {
-        const std::size_t before = std::exchange(flipped_before, certificate.flipped_faces);
-        const bool are_few = certificate.flipped_faces < few * problem.face.size();
-        const bool are_no_fewer = before > 0 && certificate.flipped_faces > least_fall * before;
-        is_hopeless = problem.has_fixed() && are_no_fewer && !are_few;
-        return is_last || are_few || are_no_fewer;
-      },
-      solution);
+  const auto is_settled = [&](double current, bool is_last) {
+    const auto resolution = [&](const Certificate& certificate) {
+      const std::size_t before = std::exchange(flipped_before, certificate.flipped_faces);
+      const bool are_few = certificate.flipped_faces < few * problem.face.size();
+      const bool are_no_fewer = before > 0 && certificate.flipped_faces > least_fall * before;
+      is_hopeless = problem.has_fixed() && are_no_fewer && !are_few;
+      if(is_last)
+        return 0.;
+      if(!are_few && !are_no_fewer)
+        return std::numeric_limits<double>::infinity();
+      return current > finest_of_use && !is_rough ? large * current : 0.;
+    };
+    return certify_and_settle(backend, problem, v, true, resolution, solution);
   };
 
   std::size_t done = 0;
@@ -74,7 +79,7 @@ bool solve_until_valid(const Backend& backend, const Problem& problem, Start sta
     options.patience = patience_at_the_limit;
     is_certified = report.has_converged;
     flipped_before = 0;
-    bool settled = is_certified && is_settled(options.accuracy <= finest_accuracy);
+    bool settled = is_certified && is_settled(options.accuracy, options.accuracy <= finest_accuracy);
     for(Solver_report refined = report;
         refined.has_converged && options.accuracy > finest_accuracy && !settled && !is_hopeless;) {
       options.accuracy *= accuracy_refinement;
@@ -84,7 +89,7 @@ bool solve_until_valid(const Backend& backend, const Problem& problem, Start sta
       report.iterations = done;
       report.residual = refined.residual;
       report.energy = refined.energy;
-      settled = is_settled(!refined.has_converged || options.accuracy <= finest_accuracy);
+      settled = is_settled(options.accuracy, !refined.has_converged || options.accuracy <= finest_accuracy);
     }
     if(settled || is_hopeless || done >= maximum_iterations || monitor.is_interrupted())
       break;
@@ -166,7 +171,7 @@ bool solve_stiffening(const Backend& backend, const Problem& problem, double exp
       if(is_accurate) {
         is_certified = true;
         if(certify_and_settle(
-             backend, problem, v, [](const Certificate&) { return true; }, solution))
+             backend, problem, v, false, [](const Certificate&) { return 0.; }, solution))
           break;
       }
       goal *= is_accurate ? accuracy_refinement : 0.1;

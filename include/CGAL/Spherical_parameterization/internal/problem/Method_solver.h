@@ -11,6 +11,7 @@
 #include <CGAL/Spherical_parameterization/internal/relaxation/mend.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -85,44 +86,53 @@ inline Certificate certify_as_stored(const Host_loop& loop, const Problem& probl
   return certify(loop, problem.face, stored);
 }
 
-/// Mends what flipped faces of a conformal map can be mended; then `solution` has the positions. Returns whether none
-/// is flipped any more, and the sphere is covered once.
-inline bool mend(const Host_loop& loop, const Problem& problem, Host_array<vec3>&& v, Solution& solution)
+/// Mends the bad faces of a conformal map; then `solution` has the positions. Returns false where they cannot be
+/// mended, or are not known well enough: see `mend()` of the relaxation. \param is_harmonic  whether the springs have
+/// the exponent 2. If not, they trade angles for areas, and none but
+///                     flipped faces are bad
+inline bool mend(const Host_loop& loop, const Problem& problem, bool is_harmonic, double resolution,
+                 Host_array<vec3>&& v, Solution& solution)
 {
+  constexpr double tolerated = 2; // MIPS: stretches in the ratio 3.7
   if(!problem.is_intrinsic() || solution.certificate.degree != 1)
     return false;
+  const double bound = is_harmonic ? tolerated : std::numeric_limits<double>::infinity();
   std::vector<char> is_moved(problem.size(), 0);
-  if(!untangle(loop, problem.face, problem.point, problem.is_fixed, v, is_moved))
+  if(!mend(loop, problem.face, problem.point, problem.is_fixed, bound, resolution, v, is_moved))
     return false;
   const Certificate certificate = certify_as_stored(loop, problem, v);
   if(certificate.degree != 1) // where next to all vertices have been moved
     return false;
-  solution.certificate = certificate;
-  solution.position = std::move(v);
-  solution.is_moved = std::move(is_moved);
+  if(certificate.is_valid() || !solution.certificate.is_valid()) { // rounding to floats may flip what was valid
+    solution.certificate = certificate;
+    solution.position = std::move(v);
+    solution.is_moved = std::move(is_moved);
+  }
   return true;
 }
 
-/// Certifies a map on the backend as it will be stored, into `solution`, and mends it where that is needed and
-/// `is_to_be_mended(certificate)` holds. Returns whether a solver is done with it: it is valid, or what is wrong with
-/// it is rounding only, which no solver can help.
-template <class Backend, class Is_to_be_mended>
+/// Certifies a map on the backend as it will be stored, into `solution`, and mends it. Returns whether a solver is done
+/// with it: it is valid, or what is wrong with it is rounding only, which no solver can help.
+/// \param resolution  of a certificate: how small faces may be that are mended, infinite for none. While it is not 0, a
+///                    valid map with bad faces below it is not done with, either
+template <class Backend, class Resolution>
 bool certify_and_settle(const Backend& backend, const Problem& problem, const typename Backend::Vectors& v,
-                        Is_to_be_mended is_to_be_mended, Solution& solution)
+                        bool is_harmonic, Resolution resolution, Solution& solution)
 {
   const Stopwatch watch;
   const auto& loop = backend.host_loop();
   Host_array<vec3> x = in_doubles(backend, problem, v);
   solution.certificate = certify_as_stored(loop, problem, x);
-  const bool is_settled = solution.certificate.is_valid() ||
-                          (problem.as_stored && certify(loop, problem.face, x).is_valid()) ||
-                          (is_to_be_mended(solution.certificate) && mend(loop, problem, std::move(x), solution));
+  const bool is_valid =
+    solution.certificate.is_valid() || (problem.as_stored && certify(loop, problem.face, x).is_valid());
+  const double smallest = resolution(solution.certificate);
+  const bool is_settled = mend(loop, problem, is_harmonic, smallest, std::move(x), solution) ||
+                          (is_valid && !(problem.is_intrinsic() && smallest > 0));
   solution.seconds.certify += watch.seconds();
   return is_settled;
 }
 
 /// Hands the map over, certified and mended if that has not been done yet.
-/// \param is_harmonic  whether the springs have the exponent 2: then a conformal map has its worst faces polished
 template <class Backend>
 void finish(const Backend& backend, const Problem& problem, typename Backend::Vectors&& v, bool is_certified,
             bool is_harmonic, Solution& solution)
@@ -133,20 +143,8 @@ void finish(const Backend& backend, const Problem& problem, typename Backend::Ve
     solution.position = in_doubles(backend, problem, std::move(v));
   if(!is_certified) {
     solution.certificate = certify_as_stored(loop, problem, solution.position);
-    if(solution.report.has_converged && !solution.certificate.is_valid())
-      mend(loop, problem, Host_array<vec3>(solution.position), solution);
-  }
-  if(problem.is_intrinsic() && is_harmonic && solution.certificate.is_valid()) {
-    Host_array<vec3> polished = solution.position;
-    std::vector<char> is_moved = solution.is_moved;
-    is_moved.resize(problem.size(), 0);
-    polish(loop, problem.face, problem.point, problem.is_fixed, polished, is_moved);
-    const Certificate certificate = certify_as_stored(loop, problem, polished);
-    if(certificate.is_valid()) { // also after rounding
-      solution.position = std::move(polished);
-      solution.is_moved = std::move(is_moved);
-      solution.certificate = certificate;
-    }
+    if(solution.report.has_converged)
+      mend(loop, problem, is_harmonic, 0, Host_array<vec3>(solution.position), solution);
   }
   make_storable(loop, problem, solution.position);
   solution.seconds.certify += watch.seconds();

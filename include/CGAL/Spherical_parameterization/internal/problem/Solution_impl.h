@@ -15,23 +15,23 @@
 namespace CGAL::Spherical_parameterization::internal {
 
 /// Why the solver may have converged to what is no map, and what to do about it.
-inline std::string reason_for_flips(const Problem& problem, double smallest_area)
+inline std::string reason_for_flips(const Problem& problem, const Certificate& certificate)
 {
-  // A triangle of this area has corners 1e-13 apart or, if it is a sliver, a height near the rounding of unit vectors.
-  constexpr double area_of_rounding = 1e-26;
+  // Corners at this distance have three digits of their own; the area of triangles that are as small.
+  constexpr double edge_of_rounding = 1e-12, area_of_rounding = 1e-26;
   // The same for the 24 bits of floats, which are what maps that do not keep doubles are made of.
   constexpr double area_of_float_rounding = 1e-9;
-  if(problem.as_stored && smallest_area < area_of_float_rounding)
+  if(problem.as_stored && certificate.smallest_area < area_of_float_rounding)
     return "the sphere map rounds the coordinates to fewer digits than doubles have; use a sphere map of doubles, or "
            "the isometric method";
   if(problem.has_fixed())
     return "a harmonic map does not hold these fixed vertices: they contradict each other, or are too few; use the "
            "automatic or the isometric method, which keep landmarks anywhere, or fix more vertices, better spread";
-  if(smallest_area < area_of_rounding)
+  if(certificate.smallest_area < area_of_rounding && certificate.smallest_edge < edge_of_rounding)
     return "limbs shrink below the resolution of the coordinates; use the automatic or the isometric method, a "
            "larger spring exponent, or barycentric weights";
-  return "the critical point found is degenerate; use the automatic or the isometric method, a larger spring "
-         "exponent, or other weights";
+  return "the critical point found is degenerate, as it may be where large parts of the surface have no vertices "
+         "inside; use the automatic or the isometric method, a larger spring exponent, or other weights";
 }
 
 CGAL_SP_CORE void pass_verdict(const Problem& problem, const Monitor& monitor, Solution& solution)
@@ -53,7 +53,7 @@ CGAL_SP_CORE void pass_verdict(const Problem& problem, const Monitor& monitor, S
     solution.detail = after(report.has_stalled ? "no progress" : "stopped") + state;
   } else if(!certificate.is_valid()) {
     solution.error = Error_code::NOT_BIJECTIVE;
-    solution.detail = state + ": " + reason_for_flips(problem, certificate.smallest_area);
+    solution.detail = state + ": " + reason_for_flips(problem, certificate);
   }
 }
 

@@ -26,6 +26,8 @@ public:
     double value, first, second; ///< psi and its derivatives
   };
 
+  static constexpr bool needs_positive_faces = true;
+
   explicit Distortion(double theta) : theta_(theta) {}
 
   double value(double ratio) const
@@ -50,6 +52,8 @@ public:
     const double psi = value(ratio);
     return {psi, slope * psi, (slope * slope + bend) * psi};
   }
+
+  Psi phi(double) const { return {0, 0, 0}; } ///< of the areas alone: nothing
 
 private:
   double theta_;

@@ -14,30 +14,34 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-/// \file
 /// A conformal map is a bijection of the intrinsic Delaunay triangles. The faces of the mesh are other triangles with
-/// the same vertices: where they are bad, few of them may come out flipped, or far from conformal. What follows moves
-/// the vertices of those, and no others.
+/// the same vertices: where they are bad, few of them may come out flipped, or far from conformal. The vertices of
+/// those are moved to the minimum of the energy MIPS, (s/t + t/s) / 2 of the principal stretches s, t, integrated over
+/// their faces. No other vertices move, but for those around flipped faces that cannot be untangled without them.
 ///
-/// `is_fixed` is empty, or says which vertices stay where they are; `is_moved` has an entry for every vertex, and is
-/// set for those that are moved. The results are the same for any number of threads, and depend on the numbers of
-/// vertices and faces by rounding only.
-
-/// Mends a map that few flipped faces keep from being valid: their vertices, and those one edge away, move until no
-/// face is flipped, down the gradient of an energy that tells flipped faces the way back (`Untangling_energy`), with
-/// less and less regularization. Where that does not help, those two, four, eight edges away move, too. \param point
-/// the mesh, whose shapes the faces that move are drawn to \return whether all faces are positively oriented now, by
-/// the exact predicate; if not, v and is_moved are as they were
-CGAL_SP_CORE bool untangle(const Host_loop& loop, const Host_array<std::array<int, 3>>& face,
-                           const Host_array<vec3>& point, const std::vector<char>& is_fixed, Host_array<vec3>& v,
-                           std::vector<char>& is_moved);
-
-/// Makes the worst faces of a valid map more conformal: Newton's method for the energy MIPS, (s/t + t/s) / 2 of the
-/// principal stretches s, t, at the vertices of faces where that is above 2. Valid maps stay valid.
-/// \param point  the mesh
-CGAL_SP_CORE void polish(const Host_loop& loop, const Host_array<std::array<int, 3>>& face,
-                         const Host_array<vec3>& point, const std::vector<char>& is_fixed, Host_array<vec3>& v,
-                         std::vector<char>& is_moved);
+/// 1. The bad faces are those that are flipped, and those with MIPS above `bound`. (So a face that rounding flips is
+/// bad
+///    in any case.) What is connected of their vertices is a patch.
+/// 2. A patch with flipped faces moves down an energy that tells them the way back (`Untangling_energy`), with less and
+///    less regularization, until none is flipped. Where that does not help, the vertices one, two, four ... edges
+///    around move, too.
+/// 3. The patch moves to the minimum. That does not depend on the way there: the map depends on the mesh, and not on
+/// the
+///    numbers of its vertices and faces.
+///
+/// \param face       by vertices
+/// \param point      the mesh
+/// \param is_fixed   empty, or says which vertices stay where they are
+/// \param bound      of MIPS; infinite: flipped faces are the only bad ones
+/// \param resolution where a bad face is smaller on the sphere, positions are not known well enough to mend them: the
+///                   result would depend on their errors. 0: whatever they are
+/// \param v          the map
+/// \param is_moved   an entry for every vertex, which is set for those that are moved
+/// \return whether all faces are positively oriented now, by the exact predicate; if not, v and is_moved are as they
+/// were. The same bits for any number of threads.
+CGAL_SP_CORE bool mend(const Host_loop& loop, const Host_array<std::array<int, 3>>& face, const Host_array<vec3>& point,
+                       const std::vector<char>& is_fixed, double bound, double resolution, Host_array<vec3>& v,
+                       std::vector<char>& is_moved);
 
 } // namespace CGAL::Spherical_parameterization::internal
 

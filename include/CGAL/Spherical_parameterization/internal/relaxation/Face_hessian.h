@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_FACE_HESSIAN_H
-#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_FACE_HESSIAN_H
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RELAXATION_FACE_HESSIAN_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RELAXATION_FACE_HESSIAN_H
 
 #include <CGAL/Spherical_parameterization/internal/relaxation/Distortion.h>
 #include <CGAL/Spherical_parameterization/internal/relaxation/Star.h>
@@ -24,8 +24,9 @@ inline Block product(const Block& a, const Block& b)
   return {a.ss * b.ss + a.st * b.ts, a.ss * b.st + a.st * b.tt, a.ts * b.ss + a.tt * b.ts, a.ts * b.st + a.tt * b.tt};
 }
 
-/// The second derivative of the distortion of a face by the positions of its corners, d = det and L as in `Distortion`
-/// and `Star_face`:  psi L'' + psi' (L' d' + d' L') + L psi'' d' d' + L psi' d''.
+/// The second derivative of the energy of a face by the positions of its corners. Per source area the energy is
+/// (s^2 + t^2) psi(J) + phi(J), see `Distortion`; in terms of L and d = det, see `Star_face`, its second derivative is
+///   psi L'' + psi' (L' d' + d' L') + L psi'' d' d' + L psi' d'',  and phi'' d' d' + phi' d''.
 ///
 /// A share `lift` of what would make it indefinite is taken off: the negative eigenvalues of the same for the flat
 /// triangle, whose eigensystem is known (B. Smith, F. de Goes, T. Kim, "Analytic eigensystems for isotropic distortion
@@ -41,26 +42,29 @@ public:
     Planar pull, turn; ///< L' and d'
   };
 
-  /// \pre the triangle x, f.j, f.k is not degenerate
-  Face_hessian(const Distortion& distortion, vec3 x, const Star_face& f, double lift)
+  /// The face may be flipped, where psi and phi are finite there.
+  template <class Energy>
+  Face_hessian(const Energy& energy, vec3 x, const Star_face& f, double lift)
     : x_{x, f.j, f.k}, cotangent_{f.cot_x, f.cot_j, f.cot_k}
   {
     const double determinant = f.determinant(x), dirichlet = f.dirichlet(x);
-    const Distortion::Psi psi = distortion.psi(determinant / f.twice_area);
+    const double ratio = determinant / f.twice_area;
+    const Distortion::Psi psi = energy.psi(ratio), phi = energy.phi(ratio);
     psi_ = psi.value;
     slope_ = psi.first / f.twice_area;
-    twist_force_ = dirichlet * slope_;
-    bend_ = dirichlet * psi.second / (f.twice_area * f.twice_area);
+    twist_force_ = dirichlet * slope_ + phi.first / 2;
+    bend_ = dirichlet * psi.second / (f.twice_area * f.twice_area) + phi.second / (2 * f.twice_area);
     for(int k = 0; k < 3; ++k) {
       const int m = (k + 1) % 3, n = (k + 2) % 3;
       pull_[k] = add_scaled(scale(-cotangent_[m], sub(x_[n], x_[k])), -cotangent_[n], sub(x_[m], x_[k]));
-      turn_[k] = outer(x_[m], x_[n]);
+      turn_[k] = outer(x_[m], sub(x_[n], x_[m])); // exact relative to the size of the triangle
     }
-    analyse_flat_triangle(distortion, f, dirichlet, lift);
+    is_lifted_ = lift > 0;
+    if(is_lifted_)
+      analyse_flat_triangle(energy, f, dirichlet, lift);
   }
 
-  /// The gradient at the first corner
-  vec3 gradient() const { return add_scaled(scale(psi_, pull_[0]), twist_force_, turn_[0]); }
+  vec3 gradient(int corner) const { return add_scaled(scale(psi_, pull_[corner]), twist_force_, turn_[corner]); }
 
   Frame frame(int corner, const Tangents& at) const
   {
@@ -108,19 +112,26 @@ private:
   }
 
   /// The negative eigenvalues of the flat triangle, if there are any, and their eigenvectors.
-  void analyse_flat_triangle(const Distortion& distortion, const Star_face& f, double dirichlet, double share)
+  template <class Energy>
+  void analyse_flat_triangle(const Energy& energy, const Star_face& f, double dirichlet, double share)
   {
     const vec3 first = sub(x_[1], x_[0]), second = sub(x_[2], x_[0]), area_vector = outer(first, second);
-    const double twice_area = std::sqrt(inner(area_vector, area_vector));
+    const double absolute_area = std::sqrt(inner(area_vector, area_vector));
+    const double twice_area = inner(area_vector, x_[0]) < 0 ? -absolute_area : absolute_area;
+    is_lifted_ = absolute_area > 0;
+    if(!is_lifted_)
+      return;
     // the determinant and the sum of the squares of the singular values, and the eigenvalues
     const double ratio = twice_area / f.twice_area, sum = 2 * dirichlet / f.twice_area;
-    const Distortion::Psi psi = distortion.psi(ratio);
+    const Distortion::Psi psi = energy.psi(ratio), phi = energy.phi(ratio);
+    const double slope = sum * psi.first + phi.first;
     const auto excess = [](double e) { return e < 0 ? -e : 0; };
-    const double twist = excess(2 * psi.value + sum * psi.first), flip = excess(2 * psi.value - sum * psi.first);
+    const double twist = excess(2 * psi.value + slope), flip = excess(2 * psi.value - slope);
     const double common = 2 * psi.value + 4 * ratio * psi.first;
-    const double mean = common + sum * sum * psi.second / 2;
+    const double mean = common + sum * sum * psi.second / 2 + sum * phi.second / 2;
     const double half = std::sqrt((std::max)(0., sum * sum / 4 - ratio * ratio)); // of the difference of the squares
-    const double s12 = 3 * sum * psi.first + sum * ratio * psi.second, s_half = -half * sum * psi.second;
+    const double s12 = 3 * sum * psi.first + sum * ratio * psi.second + phi.first + ratio * phi.second;
+    const double s_half = -half * sum * psi.second - half * phi.second;
     const double spread = std::sqrt(s_half * s_half + s12 * s12);
     const double lift = excess(mean - spread), lift_all = excess(mean + spread); // of the smaller one, and of both
     is_lifted_ = twist > 0 || flip > 0 || lift > 0;
@@ -169,4 +180,4 @@ private:
 
 } // namespace CGAL::Spherical_parameterization::internal
 
-#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_COARSE_TO_FINE_FACE_HESSIAN_H
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RELAXATION_FACE_HESSIAN_H

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RELAXATION_PATCH_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RELAXATION_PATCH_H
+
+#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
+#include <CGAL/Spherical_parameterization/internal/relaxation/Face_hessian.h>
+#include <CGAL/Spherical_parameterization/internal/relaxation/Sparse_cholesky.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+/// A connected set of vertices, and all faces that have one of them as a corner: Newton's method for an energy of the
+/// faces, in which these vertices move and no others do. The linear systems are solved by a Cholesky factorization.
+///
+/// An energy has psi(J) and phi(J), see `Face_hessian`, and `needs_positive_faces`: whether it is infinite where J <= 0.
+class Patch {
+public:
+  struct Face {
+    std::array<int, 3> corner; ///< vertices of the mesh
+    std::array<int, 3> moving; ///< their places in the patch, or -1 for those that do not move
+    Face_metric metric;        ///< what it is in the source
+    double twice_area;         ///< ... and how large it shall be thought of
+    double weight = 1;         ///< of its energy
+  };
+
+  /// What a step has done
+  struct Step {
+    double energy; ///< before
+    double gain;   ///< of energy; 0: there is no step
+    /// The longest step of a vertex, in the norm in which its faces' energy is 1: what is left to go after a Newton step
+    /// is of the order of its square.
+    double length;
+    double length_on_sphere; ///< the longest step of a vertex as an angle
+  };
+
+  /// \param vertices  of the mesh, by their places in the patch
+  /// \param v         all positions of the mesh; those of the patch are changed
+  Patch(std::vector<int> vertices, std::vector<Face> faces, Host_array<vec3>& v)
+    : vertex_(std::move(vertices)), face_(std::move(faces)), v_(v), matrix_(neighbours()), tangents_(size()),
+      diagonal_(size()), gradient_(size()), around_(size())
+  {}
+
+  int size() const { return static_cast<int>(vertex_.size()); }
+  const std::vector<int>& vertices() const { return vertex_; }
+  std::vector<Face>& faces() { return face_; }
+  vec3 position(int i) const { return v_[i]; } ///< of any vertex of the mesh
+  std::int64_t number_of_moves() const { return moves_; } ///< of single vertices, in all steps
+
+  std::vector<vec3> positions() const
+  {
+    std::vector<vec3> result;
+    for(int i : vertex_)
+      result.push_back(v_[i]);
+    return result;
+  }
+
+  void set_positions(const std::vector<vec3>& positions)
+  {
+    for(int i = 0; i < size(); ++i)
+      v_[vertex_[i]] = positions[i];
+  }
+
+  bool is_positive(const Face& f) const
+  {
+    return is_positively_oriented(v_[f.corner[0]], v_[f.corner[1]], v_[f.corner[2]]);
+  }
+
+  /// By the exact predicate
+  bool has_positive_faces() const
+  {
+    return std::all_of(face_.begin(), face_.end(), [&](const Face& f) { return is_positive(f); });
+  }
+
+  /// The face as it is seen from its first corner.
+  Star_face star_face(const Face& f) const
+  {
+    Star_face result(v_[f.corner[1]], v_[f.corner[2]], f.metric, 1);
+    result.twice_area = f.twice_area;
+    return result;
+  }
+
+  /// One step of Newton's method, taken only if the energy falls (Armijo), and faces that have to be positive stay it.
+  /// \param damping  share of the diagonal that is added to Newton's matrix, at least
+  template <class Energy>
+  Step step(const Energy& energy, double damping)
+  {
+    constexpr double longest_step = 0.5; // as an angle
+    moves_ += size();
+    find_tangents();
+    Step result = {0, 0, 0, 0};
+    bool is_positive_definite = false;
+    const int first_attempt = attempt_;
+    while(!is_positive_definite && attempt_ < number_of_attempts) {
+      result.energy = assemble(energy, lifts[attempt_], (std::max)(damping, dampings[attempt_]));
+      is_positive_definite = matrix_.factorize();
+      if(!is_positive_definite)
+        ++attempt_;
+    }
+    if(!is_positive_definite) {
+      attempt_ = first_attempt;
+      return result;
+    }
+    if(attempt_ == first_attempt) // the next step may do with less
+      attempt_ = (std::max)(0, attempt_ - 1);
+    const std::vector<Planar> x = matrix_.solve(negative_gradient());
+    double slope = 0;
+    double& longest = result.length_on_sphere;
+    std::vector<vec3> direction(size());
+    for(int i = 0; i < size(); ++i) {
+      const Block& d = diagonal_[i];
+      slope += inner(gradient_[i], x[i]);
+      const double square = d.ss * x[i].s * x[i].s + 2 * d.st * x[i].s * x[i].t + d.tt * x[i].t * x[i].t;
+      result.length = (std::max)(result.length, std::sqrt(square / around_[i]));
+      direction[i] = tangents_[i].combined(x[i]);
+      longest = (std::max)(longest, norm(direction[i]));
+    }
+    if(!(slope < 0))
+      return result;
+    double t = longest > longest_step ? longest_step / longest : 1;
+    if(energy.needs_positive_faces)
+      t = feasible_step(direction, t);
+    result.gain = search(energy, direction, t, slope, result.energy);
+    return result;
+  }
+
+private:
+  // Newton's matrix; where that is indefinite, what makes it positive face by face, or even more
+  static constexpr int number_of_attempts = 8;
+  static constexpr double lifts[number_of_attempts] = {0, 0.01, 0.1, 0.5, 1, 1, 1, 1};
+  static constexpr double dampings[number_of_attempts] = {0, 0, 0, 0, 0, 1e-3, 0.1, 10};
+
+  std::vector<std::vector<int>> neighbours() const
+  {
+    std::vector<std::vector<int>> result(size());
+    for(const Face& f : face_)
+      for(int i : f.moving)
+        for(int j : f.moving)
+          if(i >= 0 && j >= 0 && i != j)
+            result[i].push_back(j);
+    return result;
+  }
+
+  void find_tangents()
+  {
+    for(int i = 0; i < size(); ++i)
+      tangents_[i] = tangents_at(v_[vertex_[i]]);
+  }
+
+  /// Gradient and matrix. Returns the energy.
+  template <class Energy>
+  double assemble(const Energy& energy, double lift, double damping)
+  {
+    double sum = 0;
+    matrix_.set_zero();
+    std::vector<vec3> gradient(size(), vec3{0, 0, 0});
+    std::fill(around_.begin(), around_.end(), 0);
+    for(const Face& f : face_) {
+      const Star_face star_face = this->star_face(f);
+      const vec3 x = v_[f.corner[0]];
+      const double value = face_value(energy, f);
+      sum += value;
+      const Face_hessian hessian(energy, x, star_face, lift);
+      std::array<Face_hessian::Frame, 3> frame;
+      for(int m = 0; m < 3; ++m)
+        if(const int i = f.moving[m]; i >= 0) {
+          frame[m] = hessian.frame(m, tangents_[i]);
+          gradient[i] = add_scaled(gradient[i], f.weight, hessian.gradient(m));
+          around_[i] += value;
+          for(int n = 0; n <= m; ++n)
+            if(const int j = f.moving[n]; j >= 0) {
+              const Block b = hessian.block(m, frame[m], n, frame[n]);
+              matrix_.add(i, j, {f.weight * b.ss, f.weight * b.st, f.weight * b.ts, f.weight * b.tt});
+            }
+        }
+    }
+    for(int i = 0; i < size(); ++i) {
+      gradient_[i] = tangents_[i].products(gradient[i]);
+      const Block& d = matrix_.diagonal(i);
+      const double bend = damping * (std::max)(d.ss, d.tt) - inner(gradient[i], v_[vertex_[i]]);
+      matrix_.add(i, i, {bend, 0, 0, bend});
+      diagonal_[i] = d;
+    }
+    return sum;
+  }
+
+  template <class Energy>
+  double face_value(const Energy& energy, const Face& f) const
+  {
+    const Star_face star_face = this->star_face(f);
+    const vec3 x = v_[f.corner[0]];
+    const double determinant = star_face.determinant(x);
+    if(energy.needs_positive_faces && !(determinant > 0))
+      return std::numeric_limits<double>::infinity();
+    const double ratio = determinant / f.twice_area;
+    return f.weight * (star_face.dirichlet(x) * energy.psi(ratio).value + f.twice_area / 2 * energy.phi(ratio).value);
+  }
+
+  template <class Energy>
+  double value(const Energy& energy) const
+  {
+    double sum = 0;
+    for(const Face& f : face_)
+      sum += face_value(energy, f);
+    return sum;
+  }
+
+  std::vector<Planar> negative_gradient() const
+  {
+    std::vector<Planar> result;
+    for(Planar g : gradient_)
+      result.push_back({-g.s, -g.t});
+    return result;
+  }
+
+  /// The longest step up to t with which no face shrinks to less than a twentieth at once.
+  double feasible_step(const std::vector<vec3>& direction, double t) const
+  {
+    constexpr double least_share = 0.05, shrink = 0.7, smallest_step = 1e-10;
+    for(const Face& f : face_) {
+      const auto after = [&](double s) {
+        vec3 x[3];
+        for(int k = 0; k < 3; ++k) {
+          x[k] = v_[f.corner[k]];
+          if(f.moving[k] >= 0)
+            x[k] = add_scaled(x[k], s, direction[f.moving[k]]);
+        }
+        return determinant(x[0], x[1], x[2]);
+      };
+      const double least = least_share * after(0);
+      while(t > smallest_step && !(after(t) > least))
+        t *= shrink;
+    }
+    return t;
+  }
+
+  template <class Energy>
+  double search(const Energy& energy, const std::vector<vec3>& direction, double t, double slope, double before)
+  {
+    constexpr double armijo = 1e-4;
+    constexpr int maximum_halvings = 30;
+    const std::vector<vec3> start = positions();
+    for(int halving = 0; halving < maximum_halvings; ++halving, t /= 2) {
+      for(int i = 0; i < size(); ++i)
+        v_[vertex_[i]] = unit(add_scaled(start[i], t, direction[i]));
+      const double after = value(energy);
+      if(after <= before + armijo * t * slope && (!energy.needs_positive_faces || has_positive_faces()))
+        return before - after;
+    }
+    set_positions(start);
+    return 0;
+  }
+
+  std::vector<int> vertex_;
+  std::vector<Face> face_;
+  Host_array<vec3>& v_;
+  Sparse_cholesky matrix_;
+  std::vector<Tangents> tangents_;
+  std::vector<Block> diagonal_;   ///< of the matrix
+  std::vector<Planar> gradient_;
+  std::vector<double> around_; ///< the energy of the faces at a vertex
+  int attempt_ = 0;            ///< with which the next step begins
+  std::int64_t moves_ = 0;
+};
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RELAXATION_PATCH_H

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <utility>
@@ -22,7 +23,8 @@ namespace CGAL::Spherical_parameterization::internal {
 /// A connected set of vertices, and all faces that have one of them as a corner: Newton's method for an energy of the
 /// faces, in which these vertices move and no others do. The linear systems are solved by a Cholesky factorization.
 ///
-/// An energy has psi(J) and phi(J), see `Face_hessian`, and `needs_positive_faces`: whether it is infinite where J <= 0.
+/// An energy has psi(J) and phi(J), see `Face_hessian`, and `needs_positive_faces`: whether flipped faces make it
+/// infinite.
 class Patch {
 public:
   struct Face {
@@ -37,8 +39,8 @@ public:
   struct Step {
     double energy; ///< before
     double gain;   ///< of energy; 0: there is no step
-    /// The longest step of a vertex, in the norm in which its faces' energy is 1: what is left to go after a Newton step
-    /// is of the order of its square.
+    /// The longest step of a vertex, in the norm in which its faces' energy is 1: what is left to go after a Newton
+    /// step is of the order of its square.
     double length;
     double length_on_sphere; ///< the longest step of a vertex as an angle
   };
@@ -53,7 +55,7 @@ public:
   int size() const { return static_cast<int>(vertex_.size()); }
   const std::vector<int>& vertices() const { return vertex_; }
   std::vector<Face>& faces() { return face_; }
-  vec3 position(int i) const { return v_[i]; } ///< of any vertex of the mesh
+  vec3 position(int i) const { return v_[i]; }            ///< of any vertex of the mesh
   std::int64_t number_of_moves() const { return moves_; } ///< of single vertices, in all steps
 
   std::vector<vec3> positions() const
@@ -79,6 +81,10 @@ public:
   bool has_positive_faces() const
   {
     return std::all_of(face_.begin(), face_.end(), [&](const Face& f) { return is_positive(f); });
+  }
+  std::ptrdiff_t number_of_flipped_faces() const
+  {
+    return std::count_if(face_.begin(), face_.end(), [&](const Face& f) { return !is_positive(f); });
   }
 
   /// The face as it is seen from its first corner.
@@ -265,10 +271,10 @@ private:
   Host_array<vec3>& v_;
   Sparse_cholesky matrix_;
   std::vector<Tangents> tangents_;
-  std::vector<Block> diagonal_;   ///< of the matrix
+  std::vector<Block> diagonal_; ///< of the matrix
   std::vector<Planar> gradient_;
   std::vector<double> around_; ///< the energy of the faces at a vertex
-  int attempt_ = 0;            ///< with which the next step begins
+  int attempt_ = 3;            ///< with which the next step begins; the first one is far from a minimum
   std::int64_t moves_ = 0;
 };
 

@@ -20,14 +20,12 @@ namespace CGAL::Spherical_parameterization::internal {
 /// their faces. No other vertices move, but for those around flipped faces that cannot be untangled without them.
 ///
 /// 1. The bad faces are those that are flipped, and those with MIPS above `bound`. (So a face that rounding flips is
-/// bad
-///    in any case.) What is connected of their vertices is a patch.
-/// 2. A patch with flipped faces moves down an energy that tells them the way back (`Untangling_energy`), with less and
-///    less regularization, until none is flipped. Where that does not help, the vertices one, two, four ... edges
-///    around move, too.
-/// 3. The patch moves to the minimum. That does not depend on the way there: the map depends on the mesh, and not on
-/// the
-///    numbers of its vertices and faces.
+///    bad in any case.) What is connected of their vertices is a patch.
+/// 2. A patch with flipped faces moves down an energy that tells them the way back (`Untangling_energy`), with less
+///    and less regularization, until none is flipped. Where some stay, the vertices one, two, four ... edges around
+///    these try again.
+/// 3. All vertices that have tried move to the minimum. That does not depend on the way there: the map depends on the
+///    mesh, and not on the numbers of its vertices and faces.
 ///
 /// \param face       by vertices
 /// \param point      the mesh

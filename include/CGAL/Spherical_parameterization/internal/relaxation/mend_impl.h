@@ -120,7 +120,7 @@ inline bool untangle(const Host_array<vec3>& point, Patch& patch)
 {
   constexpr int most_steps = 200;
   constexpr Metric_bounds bounds = {30, 1e-30}; // needles are untangled as if they were better
-  constexpr double largest_start = 1e-3, least_regularization = 1e-9, share_of_worst = 0.2;
+  constexpr double largest_start = 1e-3, least_regularization = 1e-7, share_of_worst = 0.2;
   constexpr double sufficient_gain = 1e-2, slowest = 0.5, fastest = 0.1; // when, and how fast, it is regularized less
   constexpr double smallest_face = 1e-24;                                // what doubles tell apart on the sphere
   constexpr double damping = 1e-8;
@@ -210,41 +210,42 @@ CGAL_SP_CORE bool mend(const Host_loop& loop, const Host_array<std::array<int, 3
   if(bad.empty())
     return true;
 
-  std::vector<char> is_moving(n, 0);
-  const auto let_move = [&](const std::vector<int>& faces) {
-    bool are_more = false;
+  // The vertices that try to untangle now, and those that have tried, which are polished in the end.
+  std::vector<char> tries(n, 0), is_moving(n, 0);
+  const auto let_try = [&](const std::vector<int>& faces) {
     for(int f : faces)
       for(int i : face[f])
         if(is_fixed.empty() || !is_fixed[i])
-          are_more |= !std::exchange(is_moving[i], 1);
-    return are_more;
+          tries[i] = is_moving[i] = 1;
   };
-  let_move(bad);
+  let_try(bad);
   const Host_array<vec3> before = v;
+  std::vector<int> tangled;
   std::int64_t moves = 0;
   for(int rings = 1; flipped > 0; rings *= 2) {
-    std::vector<char> is_tangled(n, 0);
-    moves += for_each_patch(loop, face, is_moving, v, [&](Patch& patch) {
-      if(!patch.has_positive_faces() && !untangle(point, patch))
-        for(int i : patch.vertices()) {
-          v[i] = before[i];
-          is_tangled[i] = 1;
-        }
+    moves += for_each_patch(loop, face, tries, v, [&](Patch& patch) {
+      const std::vector<vec3> start = patch.positions();
+      const auto at_first = patch.number_of_flipped_faces();
+      if(at_first > 0 && !untangle(point, patch) && patch.number_of_flipped_faces() >= at_first)
+        patch.set_positions(start);
       return patch.number_of_moves();
     });
-    std::vector<int> tangled = faces_where(loop, number_of_faces, is_flipped);
+    tangled = faces_where(loop, number_of_faces, is_flipped);
     if(tangled.empty())
       break;
-    for(int ring = 0; ring <= rings; ++ring) {
-      for(int f : tangled)
-        for(int i : face[f])
-          is_tangled[i] = 1;
-      tangled = faces_at(loop, face, is_tangled);
-    }
-    if(rings > most_rings || moves > moves_per_vertex * n + moves_of_few || !let_move(tangled)) {
+    if(rings > most_rings || moves > moves_per_vertex * n + moves_of_few) {
       v = before;
       return false;
     }
+    std::fill(tries.begin(), tries.end(), 0);
+    std::vector<char> is_near(n, 0);
+    for(int ring = 0; ring <= rings; ++ring) {
+      for(int f : tangled)
+        for(int i : face[f])
+          is_near[i] = 1;
+      tangled = faces_at(loop, face, is_near);
+    }
+    let_try(tangled);
   }
   for_each_patch(loop, face, is_moving, v, [&](Patch& patch) {
     polish(point, patch);

@@ -425,10 +425,10 @@ TEST_CASE("the sparse factorization solves what is positive definite, and refuse
   const auto assemble = [&](double diagonal) {
     matrix.set_zero();
     for(int i = 0; i < n; ++i) {
-      matrix.add(i, i, {diagonal, 0.1, 0.1, diagonal});
+      matrix.add(matrix.place(i, i), {diagonal, 0.1, 0.1, diagonal});
       for(int j : neighbours[i])
         if(i < j)
-          matrix.add(i, j, {-1, 0.5, 0, -1});
+          matrix.add(matrix.place(i, j), {-1, 0.5, 0, -1});
     }
   };
   assemble(9);

@@ -54,6 +54,7 @@ public:
     slope_ = psi.first / f.twice_area;
     twist_force_ = dirichlet * slope_ + phi.first / 2;
     bend_ = dirichlet * psi.second / (f.twice_area * f.twice_area) + phi.second / (2 * f.twice_area);
+    value_ = dirichlet * psi.value + f.twice_area / 2 * phi.value;
     for(int k = 0; k < 3; ++k) {
       const int m = (k + 1) % 3, n = (k + 2) % 3;
       pull_[k] = add_scaled(scale(-cotangent_[m], sub(x_[n], x_[k])), -cotangent_[n], sub(x_[m], x_[k]));
@@ -63,6 +64,8 @@ public:
     if(is_lifted_)
       analyse_flat_triangle(energy, f, dirichlet, lift);
   }
+
+  double value() const { return value_; } ///< of the energy
 
   vec3 gradient(int corner) const { return add_scaled(scale(psi_, pull_[corner]), twist_force_, turn_[corner]); }
 
@@ -87,16 +90,17 @@ public:
       force = (n - m + 3) % 3 == 1 ? twist_force_ : -twist_force_;
       apex = x_[3 - m - n];
     }
-    const auto exact = [&](vec3 u, double pull_u, double turn_u, vec3 v, double pull_v, double turn_v) {
-      return slope_ * (pull_u * turn_v + turn_u * pull_v) + bend_ * turn_u * turn_v + stiffness * inner(u, v) +
-             force * inner(u, outer(v, apex));
-    };
     const auto [as, at] = a.tangents;
     const auto [bs, bt] = b.tangents;
-    result.ss += exact(as, a.pull.s, a.turn.s, bs, b.pull.s, b.turn.s);
-    result.st += exact(as, a.pull.s, a.turn.s, bt, b.pull.t, b.turn.t);
-    result.ts += exact(at, a.pull.t, a.turn.t, bs, b.pull.s, b.turn.s);
-    result.tt += exact(at, a.pull.t, a.turn.t, bt, b.pull.t, b.turn.t);
+    const vec3 turned_s = outer(bs, apex), turned_t = outer(bt, apex);
+    const auto exact = [&](vec3 u, double pull_u, double turn_u, vec3 v, double pull_v, double turn_v, vec3 turned) {
+      return slope_ * (pull_u * turn_v + turn_u * pull_v) + bend_ * turn_u * turn_v + stiffness * inner(u, v) +
+             force * inner(u, turned);
+    };
+    result.ss += exact(as, a.pull.s, a.turn.s, bs, b.pull.s, b.turn.s, turned_s);
+    result.st += exact(as, a.pull.s, a.turn.s, bt, b.pull.t, b.turn.t, turned_t);
+    result.ts += exact(at, a.pull.t, a.turn.t, bs, b.pull.s, b.turn.s, turned_s);
+    result.tt += exact(at, a.pull.t, a.turn.t, bt, b.pull.t, b.turn.t, turned_t);
     return result;
   }
 
@@ -171,7 +175,7 @@ private:
   vec3 x_[3];
   double cotangent_[3];
   vec3 pull_[3], turn_[3];
-  double psi_, slope_, twist_force_, bend_;
+  double psi_, slope_, twist_force_, bend_, value_;
   bool is_lifted_;     ///< there are negative eigenvalues; else the rest is not set
   vec3 axis_[2];       ///< principal directions of the image
   Planar gradient_[3]; ///< of the hat functions, along those of the source

@@ -50,7 +50,13 @@ public:
   Patch(std::vector<int> vertices, std::vector<Face> faces, Host_array<vec3>& v)
     : vertex_(std::move(vertices)), face_(std::move(faces)), v_(v), matrix_(neighbours()), tangents_(size()),
       diagonal_(size()), gradient_(size()), around_(size())
-  {}
+  {
+    for(const Face& f : face_)
+      for(int m = 0; m < 3; ++m)
+        for(int n = 0; n <= m; ++n)
+          if(f.moving[m] >= 0 && f.moving[n] >= 0)
+            place_.push_back(matrix_.place(f.moving[m], f.moving[n]));
+  }
 
   int size() const { return static_cast<int>(vertex_.size()); }
   const std::vector<int>& vertices() const { return vertex_; }
@@ -167,15 +173,16 @@ private:
   double assemble(const Energy& energy, double lift, double damping)
   {
     double sum = 0;
+    auto place = place_.begin();
     matrix_.set_zero();
     std::vector<vec3> gradient(size(), vec3{0, 0, 0});
     std::fill(around_.begin(), around_.end(), 0);
     for(const Face& f : face_) {
       const Star_face star_face = this->star_face(f);
       const vec3 x = v_[f.corner[0]];
-      const double value = face_value(energy, f);
-      sum += value;
       const Face_hessian hessian(energy, x, star_face, lift);
+      const double value = f.weight * hessian.value();
+      sum += value;
       std::array<Face_hessian::Frame, 3> frame;
       for(int m = 0; m < 3; ++m)
         if(const int i = f.moving[m]; i >= 0) {
@@ -183,9 +190,9 @@ private:
           gradient[i] = add_scaled(gradient[i], f.weight, hessian.gradient(m));
           around_[i] += value;
           for(int n = 0; n <= m; ++n)
-            if(const int j = f.moving[n]; j >= 0) {
+            if(f.moving[n] >= 0) {
               const Block b = hessian.block(m, frame[m], n, frame[n]);
-              matrix_.add(i, j, {f.weight * b.ss, f.weight * b.st, f.weight * b.ts, f.weight * b.tt});
+              matrix_.add(*place++, {f.weight * b.ss, f.weight * b.st, f.weight * b.ts, f.weight * b.tt});
             }
         }
     }
@@ -193,7 +200,7 @@ private:
       gradient_[i] = tangents_[i].products(gradient[i]);
       const Block& d = matrix_.diagonal(i);
       const double bend = damping * (std::max)(d.ss, d.tt) - inner(gradient[i], v_[vertex_[i]]);
-      matrix_.add(i, i, {bend, 0, 0, bend});
+      matrix_.add(matrix_.place(i, i), {bend, 0, 0, bend});
       diagonal_[i] = d;
     }
     return sum;
@@ -270,6 +277,7 @@ private:
   std::vector<Face> face_;
   Host_array<vec3>& v_;
   Sparse_cholesky matrix_;
+  std::vector<Sparse_cholesky::Place> place_; ///< of the blocks of the faces, in the order in which they are added
   std::vector<Tangents> tangents_;
   std::vector<Block> diagonal_; ///< of the matrix
   std::vector<Planar> gradient_;

@@ -67,17 +67,27 @@ public:
       std::fill(column.begin(), column.end(), Block{0, 0, 0, 0});
   }
 
-  /// Adds b to the block of vertices i, j, and its transpose to that of j, i. \pre i == j, or they are neighbours
-  void add(int i, int j, Block b)
+  /// Where the block of two vertices is kept; of i, j and j, i only one is.
+  struct Place {
+    int column, at;
+    bool is_transposed;
+  };
+
+  /// \pre i == j, or they are neighbours
+  Place place(int i, int j) const
   {
-    int row = place_[i], column = place_[j];
-    if(row < column) {
-      std::swap(row, column);
-      b = transposed(b);
-    }
+    const int row = (std::max)(place_[i], place_[j]), column = (std::min)(place_[i], place_[j]);
     const auto at = std::lower_bound(rows_[column].begin(), rows_[column].end(), row) - rows_[column].begin();
-    Block& entry = blocks_[column][at];
-    entry = {entry.ss + b.ss, entry.st + b.st, entry.ts + b.ts, entry.tt + b.tt};
+    return {column, static_cast<int>(at), place_[i] < place_[j]};
+  }
+
+  void add(const Place& place, const Block& b)
+  {
+    Block& entry = blocks_[place.column][place.at];
+    entry.ss += b.ss;
+    entry.st += place.is_transposed ? b.ts : b.st;
+    entry.ts += place.is_transposed ? b.st : b.ts;
+    entry.tt += b.tt;
   }
 
   const Block& diagonal(int i) const { return blocks_[place_[i]].front(); }

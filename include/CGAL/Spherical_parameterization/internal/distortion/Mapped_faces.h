@@ -5,10 +5,14 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DISTORTION_MAPPED_FACES_H
 
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Vertex_numbering.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/corner_table_of.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/point_coordinates.h>
 
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
 #include <array>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -23,6 +27,26 @@ struct Mapped_faces {
   std::array<vec3, 3> in_source(int f) const { return corners(point, f); }
   std::array<vec3, 3> on_sphere(int f) const { return corners(image, f); }
 
+  /// Calls f(face, its corners in the source, those on the sphere) for all faces, in any order. Corners are fetched for
+  /// some faces at a time, since processors wait for many at once no longer than for one.
+  template <class Loop, class F>
+  void for_each_face(const Loop& loop, F f) const
+  {
+    constexpr int together = 32;
+    for_each_part(loop, number_of_faces(), [&](int begin, int end) {
+      std::array<std::array<vec3, 3>, together> p, v;
+      for(int first = begin; first < end; first += together) {
+        const int count = (std::min)(together, end - first);
+        for(int i = 0; i < count; ++i) {
+          p[i] = in_source(first + i);
+          v[i] = on_sphere(first + i);
+        }
+        for(int i = 0; i < count; ++i)
+          f(first + i, p[i], v[i]);
+      }
+    });
+  }
+
 private:
   std::array<vec3, 3> corners(const Host_array<vec3>& at, int f) const
   {
@@ -35,6 +59,7 @@ template <class TriangleMesh, class VertexMap>
 Host_array<vec3> read_vectors(const TriangleMesh& mesh, VertexMap map)
 {
   Host_array<vec3> result;
+  result.reserve(num_vertices(mesh));
   for(auto v : vertices(mesh))
     result.push_back(coordinates(get(map, v)));
   return result;
@@ -44,7 +69,8 @@ Host_array<vec3> read_vectors(const TriangleMesh& mesh, VertexMap map)
 template <class TriangleMesh, class VertexSphereMap, class Loop>
 Mapped_faces read_images(const TriangleMesh& mesh, VertexSphereMap sphere_map, const Loop& loop)
 {
-  const Vertex_numbering<TriangleMesh> numbering(vertices(mesh));
+  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
+  const auto numbering = numbering_of<vertex_descriptor>(mesh, vertices(mesh));
   return {corners_of_faces(mesh, numbering, loop), {}, read_vectors(mesh, sphere_map)};
 }
 

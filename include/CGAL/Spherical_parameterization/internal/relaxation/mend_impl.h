@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RELAXATION_MEND_IMPL_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RELAXATION_MEND_IMPL_H
 
+#include <CGAL/Spherical_parameterization/internal/mesh/fans.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 #include <CGAL/Spherical_parameterization/internal/relaxation/Star.h>
 #include <CGAL/Spherical_parameterization/internal/relaxation/mend.h>
@@ -21,17 +22,14 @@ namespace CGAL::Spherical_parameterization::internal {
 struct Corners_of_vertices {
   Host_array<int> offset, corner;
 
-  Corners_of_vertices(const Host_array<std::array<int, 3>>& face, int number_of_vertices)
-    : offset(number_of_vertices + 1, 0), corner(3 * face.size())
+  Corners_of_vertices(const Host_loop& loop, const Host_array<std::array<int, 3>>& face, int number_of_vertices)
+    : offset(number_of_vertices + 1), corner(3 * face.size())
   {
-    for(const auto& f : face)
-      for(int i : f)
-        ++offset[i + 1];
-    for(int i = 0; i < number_of_vertices; ++i)
-      offset[i + 1] += offset[i];
-    Host_array<int> place(offset.begin(), offset.end() - 1);
-    for(int c = 0; c < static_cast<int>(corner.size()); ++c)
-      corner[place[face[c / 3][c % 3]]++] = c;
+    offset[number_of_vertices] = static_cast<int>(corner.size());
+    for_each_fan(loop, face, number_of_vertices, [&](const Fan& fan) {
+      offset[fan.vertex] = fan.first;
+      std::copy(fan.begin(), fan.end(), corner.begin() + fan.first);
+    });
   }
 
   /// f(corner) for the corners at vertex i
@@ -142,7 +140,7 @@ CGAL_SP_CORE bool untangle(const Host_loop& loop, const Host_array<std::array<in
      !std::all_of(v.begin(), v.end(), [](vec3 x) { return is_finite(x); }))
     return false;
 
-  const Corners_of_vertices corners(face, n);
+  const Corners_of_vertices corners(loop, face, n);
   const Host_array<vec3> before = v;
   const auto metric_at = [&](int c) {
     const auto& f = face[c / 3];
@@ -287,7 +285,7 @@ CGAL_SP_CORE void polish(const Host_loop& loop, const Host_array<std::array<int,
   if(list.empty())
     return;
 
-  const Corners_of_vertices corners(face, n);
+  const Corners_of_vertices corners(loop, face, n);
   const auto star_of = [&](int i) {
     Star star;
     corners.for_each(i, [&](int c) { star.push_back(face_at(c)); });

@@ -5,6 +5,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DISTORTION_MAPPED_FACES_H
 
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/base/for_each_face.h>
 #include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Vertex_numbering.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/corner_table_of.h>
@@ -12,7 +13,6 @@
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <algorithm>
 #include <array>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -27,24 +27,12 @@ struct Mapped_faces {
   std::array<vec3, 3> in_source(int f) const { return corners(point, f); }
   std::array<vec3, 3> on_sphere(int f) const { return corners(image, f); }
 
-  /// Calls f(face, its corners in the source, those on the sphere) for all faces, in any order. Corners are fetched for
-  /// some faces at a time, since processors wait for many at once no longer than for one.
+  /// Calls f(face, its corners in the source, those on the sphere) for all faces, in any order.
   template <class Loop, class F>
   void for_each_face(const Loop& loop, F f) const
   {
-    constexpr int together = 32;
-    for_each_part(loop, number_of_faces(), [&](int begin, int end) {
-      std::array<std::array<vec3, 3>, together> p, v;
-      for(int first = begin; first < end; first += together) {
-        const int count = (std::min)(together, end - first);
-        for(int i = 0; i < count; ++i) {
-          p[i] = in_source(first + i);
-          v[i] = on_sphere(first + i);
-        }
-        for(int i = 0; i < count; ++i)
-          f(first + i, p[i], v[i]);
-      }
-    });
+    for_each_part(loop, number_of_faces(),
+                  [&](int begin, int end) { internal::for_each_face(face, begin, end, f, point, image); });
   }
 
 private:

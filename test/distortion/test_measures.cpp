@@ -16,6 +16,9 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <random>
+#include <utility>
+#include <vector>
 
 using namespace test;
 
@@ -155,11 +158,14 @@ TEST_CASE("measures per vertex are means over faces", "[measures]")
 
 TEST_CASE("quantiles count faces by their area", "[measures]")
 {
-  std::vector<std::pair<double, double>> values; // value, weight
-  for(int k = 100; k > 0; --k)
-    values.emplace_back(k, 1);
-  values.emplace_back(1000, 100); // half of all
-  const SP::Distribution d = SP::internal::distribution(values);
+  SP::internal::Host_array<double> values, weights;
+  for(int k = 100; k > 0; --k) {
+    values.push_back(k);
+    weights.push_back(1);
+  }
+  values.insert(values.end(), {1000, -1}); // half of all, and nothing
+  weights.insert(weights.end(), {100, 0});
+  const SP::Distribution d = SP::internal::distribution(SP::internal::Host_loop(), values, weights);
   CHECK(d.min == 1);
   CHECK(d.max == 1000);
   CHECK(d.percentile_1 == 2);
@@ -168,6 +174,44 @@ TEST_CASE("quantiles count faces by their area", "[measures]")
   CHECK(d.percentile_95 == 1000);
   CHECK(d.percentile_99 == 1000);
   CHECK(d.mean == Approx((5050 + 100000) / 200.));
+}
+
+TEST_CASE("quantiles of many values are those of the sorted ones", "[measures]")
+{
+  const int n = GENERATE(1, 2, 100, 5000, 100000);
+  const int different = GENERATE(1, 3, 1000000); // values
+  std::mt19937 random(n);
+  SP::internal::Host_array<double> values(n), weights(n);
+  std::vector<std::pair<double, double>> sorted;
+  double total = 0;
+  for(int i = 0; i < n; ++i) {
+    values[i] = std::exp(double(random() % different) / different * 50);
+    weights[i] = 1 + random() % 8; // whole numbers, whose sums are exact
+    if(i % 7 == 1)
+      values[i] = std::numeric_limits<double>::infinity();
+    if(i % 5 == 2)
+      weights[i] = 0;
+    if(weights[i] > 0)
+      sorted.emplace_back(values[i], weights[i]);
+    total += weights[i];
+  }
+  std::sort(sorted.begin(), sorted.end());
+  const auto quantile = [&](double share) {
+    double sum = 0;
+    for(const auto& [value, weight] : sorted)
+      if((sum += weight) >= share * total)
+        return value;
+    return sorted.back().first;
+  };
+  CAPTURE(n, different);
+  const SP::Distribution d = SP::internal::distribution(SP::internal::Host_loop(), values, weights);
+  CHECK(d.min == sorted.front().first);
+  CHECK(d.percentile_1 == quantile(.01));
+  CHECK(d.percentile_5 == quantile(.05));
+  CHECK(d.median == quantile(.5));
+  CHECK(d.percentile_95 == quantile(.95));
+  CHECK(d.percentile_99 == quantile(.99));
+  CHECK(d.max == sorted.back().first);
 }
 
 TEST_CASE("faces without area do not count", "[measures]")

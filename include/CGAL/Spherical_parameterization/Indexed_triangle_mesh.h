@@ -153,9 +153,8 @@ public:
   /// Gives back the memory of all but points and triangles. The mesh is then as if it had not been checked.
   void forget_neighbours()
   {
-    table_.twin = {};
-    last_corner_ = {};
-    breadth_first_ = {};
+    for(internal::Host_array<int>* array : {&table_.twin, &last_corner_, &breadth_first_})
+      internal::Host_array<int>().swap(*array); // which clear() and {} do not do
   }
   /// \endcond
 

@@ -84,7 +84,7 @@ Result run(const ExecutionPolicy& policy, const Method& method, const NamedParam
       });
       result.seconds.read = total.seconds();
       const Solution solution = solve<Host_loop>(policy, method, input.problem, monitor);
-      write_solution(solution, input.vertex, sphere_map, result);
+      write_solution(solution, input, sphere_map, result);
       monitor.begin_stage(1, 1);
       monitor.advance(1);
     } catch(const Input_error& error) { // of reading

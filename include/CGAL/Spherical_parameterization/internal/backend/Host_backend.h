@@ -50,10 +50,11 @@ public:
 
   Vectors vectors(int n) const { return filled<vec3>(n, {0, 0, 0}); }
   Scalars scalars(int n) const { return filled<double>(n, 0); }
+  /// What the caller keeps is not copied: `const Scalars& x = upload(y)` is `y`.
   template <class T>
-  T upload(T host) const
+  T upload(T&& host) const
   {
-    return host;
+    return std::forward<T>(host);
   }
   const Vectors& download(const Vectors& x) const { return x; }
   Vectors download(Vectors&& x) const { return std::move(x); }

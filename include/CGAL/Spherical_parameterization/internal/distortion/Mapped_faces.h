@@ -5,9 +5,13 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DISTORTION_MAPPED_FACES_H
 
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/base/for_each_face.h>
+#include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Vertex_numbering.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/corner_table_of.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/point_coordinates.h>
+
+#include <boost/graph/graph_traits.hpp>
 
 #include <array>
 
@@ -23,6 +27,14 @@ struct Mapped_faces {
   std::array<vec3, 3> in_source(int f) const { return corners(point, f); }
   std::array<vec3, 3> on_sphere(int f) const { return corners(image, f); }
 
+  /// Calls f(face, its corners in the source, those on the sphere) for all faces, in any order.
+  template <class Loop, class F>
+  void for_each_face(const Loop& loop, F f) const
+  {
+    for_each_part(loop, number_of_faces(),
+                  [&](int begin, int end) { internal::for_each_face(face, begin, end, f, point, image); });
+  }
+
 private:
   std::array<vec3, 3> corners(const Host_array<vec3>& at, int f) const
   {
@@ -35,6 +47,7 @@ template <class TriangleMesh, class VertexMap>
 Host_array<vec3> read_vectors(const TriangleMesh& mesh, VertexMap map)
 {
   Host_array<vec3> result;
+  result.reserve(num_vertices(mesh));
   for(auto v : vertices(mesh))
     result.push_back(coordinates(get(map, v)));
   return result;
@@ -44,7 +57,8 @@ Host_array<vec3> read_vectors(const TriangleMesh& mesh, VertexMap map)
 template <class TriangleMesh, class VertexSphereMap, class Loop>
 Mapped_faces read_images(const TriangleMesh& mesh, VertexSphereMap sphere_map, const Loop& loop)
 {
-  const Vertex_numbering<TriangleMesh> numbering(vertices(mesh));
+  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
+  const auto numbering = numbering_of<vertex_descriptor>(mesh, vertices(mesh));
   return {corners_of_faces(mesh, numbering, loop), {}, read_vectors(mesh, sphere_map)};
 }
 

@@ -39,10 +39,20 @@
 namespace CGAL::Spherical_parameterization::internal {
 
 /// A problem, and where its vertices are in the mesh of the caller.
-template <class Vertex>
+template <class TriangleMesh>
 struct Input {
-  std::vector<Vertex> vertex;
+  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
+
   Problem problem;
+  std::vector<vertex_descriptor> vertices; ///< empty for meshes that number their vertices themselves
+
+  vertex_descriptor vertex(int i) const
+  {
+    if constexpr(Has_breadth_first_order<TriangleMesh>::value)
+      return vertex_descriptor(problem.position[i]);
+    else
+      return vertices[i];
+  }
 };
 
 /// A position as points of this type hold it.
@@ -197,9 +207,8 @@ void read_weights(const TriangleMesh& mesh, const std::variant<Conformal_weights
 /// Reads mesh and property maps, each once, and checks them. Sets the sizes of `result`. Throws Error. Numbers that
 /// several threads may read at once are read on the threads of the policy.
 template <class ExecutionPolicy, class TriangleMesh, class Solver, class VertexSphereMap, class Inputs>
-Input<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>
-read_problem(const TriangleMesh& mesh, const Solver& solver, VertexSphereMap sphere_map, const Effort& effort,
-             const Inputs& inputs, Result& result)
+Input<TriangleMesh> read_problem(const TriangleMesh& mesh, const Solver& solver, VertexSphereMap sphere_map,
+                                 const Effort& effort, const Inputs& inputs, Result& result)
 {
   const bool has_face_density = inputs.face_densities().has_value();
   const bool has_density = has_face_density || inputs.vertex_densities().has_value();
@@ -244,18 +253,22 @@ read_problem(const TriangleMesh& mesh, const Solver& solver, VertexSphereMap sph
   problem.effort = effort;
   if(are_positions_rounded<Sphere_point>())
     problem.as_stored = position_as_stored<Sphere_point>;
-  return {std::move(source.vertex), std::move(problem)};
+  if constexpr(Has_breadth_first_order<TriangleMesh>::value)
+    return {std::move(problem), {}};
+  else
+    return {std::move(problem), std::move(source.vertex)};
 }
 
 /// Writes the positions, which are certified as the map stores them, and says what was done.
-template <class Vertex, class VertexSphereMap>
-void write_solution(const Solution& solution, const std::vector<Vertex>& vertex, VertexSphereMap sphere_map,
+template <class TriangleMesh, class VertexSphereMap>
+void write_solution(const Solution& solution, const Input<TriangleMesh>& input, VertexSphereMap sphere_map,
                     Result& result)
 {
   typedef typename boost::property_traits<VertexSphereMap>::value_type Sphere_point;
   const Stopwatch watch;
-  for(std::size_t i = 0; i < solution.position.size(); ++i)
-    put(sphere_map, vertex[i], stored_point<Sphere_point>(solution.position[i]));
+  const int n = static_cast<int>(solution.position.size());
+  for(int i = 0; i < n; ++i)
+    put(sphere_map, input.vertex(i), stored_point<Sphere_point>(solution.position[i]));
   describe(solution, result);
   result.seconds.certify += watch.seconds();
 }

@@ -211,7 +211,7 @@ bool solve_harmonic(const Backend& backend, const Problem& problem, double accur
     positions = start_positions(backend, problem, monitor, solution.report.start_iterations);
   Multigrid<Backend> multigrid(backend, with_fixed_vertices(backend.host_loop(), problem));
   const typename Backend::Matrix& matrix = multigrid.matrix(0);
-  const typename Backend::Scalars area = backend.upload(problem.area);
+  const typename Backend::Scalars& area = backend.upload(problem.area);
   typename Backend::Scalars mass = backend.scalars(problem.size());
   const auto refer_to = [&](typename Backend::Vectors& x) {
     if(is_free)

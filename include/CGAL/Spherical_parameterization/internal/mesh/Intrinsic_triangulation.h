@@ -6,6 +6,7 @@
 
 #include <CGAL/Spherical_parameterization/internal/base/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/base/for_each_face.h>
 #include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Corner_table.h>
 
@@ -32,9 +33,14 @@ public:
     : Corner_table(std::move(table)), length_(number_of_halfedges()), cotangent_(number_of_halfedges()),
       number_of_vertices_(static_cast<int>(points.size()))
   {
-    for_each_index(loop, number_of_faces(), [&](int f) {
-      for(int h = 3 * f; h < 3 * f + 3; ++h)
-        length_[h] = norm(sub(points[target(h)], points[origin(h)]));
+    for_each_part(loop, number_of_faces(), [&](int begin, int end) {
+      for_each_face(
+        face, begin, end,
+        [&](int f, const std::array<vec3, 3>& p) {
+          for(int k = 0; k < 3; ++k)
+            length_[3 * f + k] = norm(sub(p[(k + 1) % 3], p[k]));
+        },
+        points);
     });
     mollify(loop);
     for_each_index(loop, number_of_faces(), [&](int f) { set_cotangents(f); });

@@ -9,6 +9,7 @@
 #include <CGAL/Spherical_parameterization/internal/base/vec3.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -16,13 +17,9 @@ namespace CGAL::Spherical_parameterization::internal {
 /// The lengths of conformal springs inside the surface. Most are edges of the mesh, whose ends tell their lengths: only
 /// the others are listed, since few methods need lengths at all.
 struct Spring_lengths {
-  struct Length {
-    int spring; ///< its entry in the row of its smaller end
-    double length;
-  };
-
   double slack = 0;           ///< by which all edges are longer than their ends are apart
-  std::vector<Length> others; ///< by ascending springs
+  std::vector<int> spring;    ///< the others, in ascending order: each by its entry in the row of its smaller end
+  std::vector<double> length; ///< of these
 
   static double of_edge(vec3 p, vec3 q, double slack) { return norm(sub(q, p)) + slack; }
 
@@ -34,12 +31,13 @@ struct Spring_lengths {
       for(int k = graph.offset[i]; k < graph.offset[i + 1]; ++k)
         result[k] = of_edge(point[i], point[graph.target[k]], slack);
     int i = 0; // whose row it is
-    for(const Length& other : others) {
-      while(other.spring >= graph.offset[i + 1])
+    for(std::size_t s = 0; s < spring.size(); ++s) {
+      const int k = spring[s];
+      while(k >= graph.offset[i + 1])
         ++i;
-      const auto row = graph.target.begin() + graph.offset[graph.target[other.spring]];
-      const auto end = graph.target.begin() + graph.offset[graph.target[other.spring] + 1];
-      result[other.spring] = result[std::lower_bound(row, end, i) - graph.target.begin()] = other.length;
+      const auto row = graph.target.begin() + graph.offset[graph.target[k]];
+      const auto end = graph.target.begin() + graph.offset[graph.target[k] + 1];
+      result[k] = result[std::lower_bound(row, end, i) - graph.target.begin()] = length[s];
     }
     return result;
   }

@@ -50,9 +50,13 @@ inline Weighted_graph conformal_graph(const Host_loop& loop, Corner_table table,
   graph.target.resize(m);
   graph.weight.resize(m);
   Host_array<int> springs(n); // in a row, whose other entries are of no use
+  struct Other {              // a spring that is no edge
+    int row, place;
+    double length;
+  };
   struct Part {
-    std::vector<std::pair<int, int>> row;                       // targets, halfedges
-    std::vector<std::pair<int, Spring_lengths::Length>> others; // by row, springs counted from its begin on
+    std::vector<std::pair<int, int>> row; // targets, halfedges
+    std::vector<Other> others;
   };
   const double slack = surface.slack();
   const auto parts = parts_of_fans<Part>(loop, surface.face, n, [&](Part& part, const Fan& fan) {
@@ -81,7 +85,7 @@ inline Weighted_graph conformal_graph(const Host_loop& loop, Corner_table table,
       graph.target[k] = j;
       graph.weight[k] = sum;
       if(!is_edge && fan.vertex < j && length != Spring_lengths::of_edge(point[fan.vertex], point[j], slack))
-        part.others.push_back({fan.vertex, {k - fan.first, length}});
+        part.others.push_back({fan.vertex, k - fan.first, length});
       ++k;
     }
     springs[fan.vertex] = k - fan.first;
@@ -105,10 +109,13 @@ inline Weighted_graph conformal_graph(const Host_loop& loop, Corner_table table,
   std::size_t others = 0;
   for(const Part& part : parts)
     others += part.others.size();
-  lengths.others.reserve(others);
+  lengths.spring.reserve(others);
+  lengths.length.reserve(others);
   for(const Part& part : parts)
-    for(const auto& [i, other] : part.others)
-      lengths.others.push_back({graph.offset[i] + other.spring, other.length});
+    for(const Other& other : part.others) {
+      lengths.spring.push_back(graph.offset[other.row] + other.place);
+      lengths.length.push_back(other.length);
+    }
   return graph;
 }
 

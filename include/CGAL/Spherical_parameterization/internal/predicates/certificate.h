@@ -5,6 +5,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PREDICATES_CERTIFICATE_H
 
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/base/for_each_face.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 #include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/base/vec3.h>
@@ -95,19 +96,22 @@ Certificate certify(const Loop& loop, const Host_array<std::array<int, 3>>& face
   const vec3 direction = direction_of_degree(0);
   const std::vector<Part> parts = results_of_parts(loop, static_cast<int>(faces.size()), [&](int begin, int end) {
     Part part;
-    for(int f = begin; f < end; ++f) {
-      const vec3 a = v[faces[f][0]], b = v[faces[f][1]], c = v[faces[f][2]];
-      if(!is_finite(a, b, c)) {
-        ++part.flipped_faces;
-        continue;
-      }
-      if(!is_positively_oriented(a, b, c))
-        ++part.flipped_faces;
-      part.smallest_area = (std::min)(part.smallest_area, std::abs(spherical_area(a, b, c)));
-      for(vec3 edge : {sub(b, a), sub(c, b), sub(a, c)})
-        part.smallest_edge = (std::min)(part.smallest_edge, inner(edge, edge));
-      part.coverings += covering(a, b, c, direction);
-    }
+    for_each_face(
+      faces, begin, end,
+      [&](int, const std::array<vec3, 3>& corners) {
+        const auto& [a, b, c] = corners;
+        if(!is_finite(a, b, c)) {
+          ++part.flipped_faces;
+          return;
+        }
+        if(!is_positively_oriented(a, b, c))
+          ++part.flipped_faces;
+        part.smallest_area = (std::min)(part.smallest_area, std::abs(spherical_area(a, b, c)));
+        for(vec3 edge : {sub(b, a), sub(c, b), sub(a, c)})
+          part.smallest_edge = (std::min)(part.smallest_edge, inner(edge, edge));
+        part.coverings += covering(a, b, c, direction);
+      },
+      v);
     return part;
   });
 

@@ -43,7 +43,7 @@ std::vector<Fixed_vertex> read_fixed_vertices(const std::string& file, std::size
     const double length = std::hypot(direction[0], direction[1], direction[2]);
     if(length == 0 || !std::isfinite(length))
       lines.refuse("the coordinates are too small or too large for a direction", "give a point near the unit sphere");
-    fixed.push_back({index, {direction[0] / length, direction[1] / length, direction[2] / length}});
+    fixed.push_back({index, {direction[0], direction[1], direction[2]}});
   }
   if(fixed.empty())
     throw Refusal(unreadable_file, file, "has no fixed vertex", remedy);

@@ -84,7 +84,7 @@ Soup read_gltf(const std::string& file, const std::string& text); ///< the same;
 
 struct Fixed_vertex {
   std::size_t index;
-  std::array<double, 3> position; ///< on the unit sphere
+  std::array<double, 3> position; ///< a direction, to be taken as it is if its length is 1
 };
 
 /// Reads a positive number for every vertex or every face. Throws a `Refusal` that names the first word that is none,

@@ -7,6 +7,7 @@
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/coarse_to_fine/Progressive_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
+#include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 
 #include <boost/container/small_vector.hpp>
 
@@ -61,13 +62,15 @@ private:
 /// touch each other, one after the other: first those within broad bands of the surface, all bands at once, then those
 /// across their borders. The result is the same for any number of threads.
 ///
-/// Vertices can be kept until only so many are left.
+/// Vertices can be kept until only so many are left. With a map of the mesh to the sphere, that is the end, and the map
+/// stays a bijection: no collapse is taken that would flip a face of it, nor one that makes kept vertices adjacent.
 class Decimation {
 public:
   /// \param is_kept  which vertices are to be kept while there are more than `kept_until`; empty: none
+  /// \param map      null, or positions on the sphere for which all faces are positively oriented; then some are kept
   Decimation(const Host_loop& loop, const Host_array<vec3>& points, Progressive_mesh& mesh, std::vector<char> is_kept,
-             int kept_until)
-    : loop_(loop), point_(points), mesh_(mesh), quadric_(points.size()), best_(points.size()),
+             int kept_until, const Host_array<vec3>* map = nullptr)
+    : loop_(loop), point_(points), map_(map), mesh_(mesh), quadric_(points.size()), best_(points.size()),
       role_(points.size(), FREE), remaining_(points.size()), is_outdated_(points.size(), true),
       is_kept_(std::move(is_kept)), kept_until_(kept_until), band_size_(size_of_bands(mesh.capacity()))
   {
@@ -78,11 +81,11 @@ public:
   }
 
   /// Collapses edges until a share of the vertices is removed, or no more can be at once. Returns the half-edges, in
-  /// their order; empty if only a tetrahedron is left.
+  /// their order; empty if only a tetrahedron is left, or, with a map, as few vertices as asked for or possible.
   std::vector<int> round()
   {
     std::vector<int> collapsed;
-    while(mesh_.number_of_vertices() > 4 && collapsed.empty()) {
+    while(mesh_.number_of_vertices() > (map_ ? kept_until_ : 4) && collapsed.empty()) {
       if(keeps_vertices() && mesh_.number_of_vertices() <= kept_until_)
         release();
       update_costs();
@@ -103,6 +106,8 @@ public:
       for(const Band& b : bands)
         collapsed.insert(collapsed.end(), b.collapsed.begin(), b.collapsed.end());
       mesh_.count_collapses(static_cast<int>(collapsed.size()));
+      if(collapsed.empty() && map_ && !has_candidates())
+        break;
       if(collapsed.empty() && !has_candidates()) { // all that is left has a high degree, or is kept
         if(keeps_vertices())
           release();
@@ -198,12 +203,24 @@ private:
       if(!cheapest->is_exact) {
         cheapest->collapse.cost = cost(u, ring, cheapest->number, area, true);
         cheapest->is_exact = true;
-      } else if(mesh_.is_collapsible(cheapest->collapse.half_edge))
+      } else if(mesh_.is_collapsible(cheapest->collapse.half_edge) && keeps_map_valid(cheapest->collapse.half_edge))
         return cheapest->collapse;
       else
         estimates.erase(cheapest);
     }
     return Collapse();
+  }
+
+  /// Whether the target of the half-edge sees the whole ring of its other end in the map, and gets no kept vertex for a
+  /// neighbour if it is one: an edge between two that do not move would be a wall to others.
+  bool keeps_map_valid(int half_edge) const
+  {
+    const int u = mesh_.vertex(half_edge), v = mesh_.target(half_edge);
+    return !map_ || !mesh_.any_corner(u, [&](int c) {
+      const int j = mesh_.target(c), k = mesh_.apex(c);
+      return (j != v && k != v && !is_positively_oriented((*map_)[v], (*map_)[j], (*map_)[k])) ||
+             (j != v && is_kept_[v] && is_kept_[j]);
+    });
   }
 
   /// Of moving u to the first point of ring[i]; a lower bound, unless it is to be exact.
@@ -367,6 +384,7 @@ private:
 
   const Host_loop& loop_;
   const Host_array<vec3>& point_;
+  const Host_array<vec3>* const map_; ///< to be kept a bijection, or null
   Progressive_mesh& mesh_;
   std::vector<Quadric> quadric_;
   std::vector<Collapse> best_;    ///< of every vertex

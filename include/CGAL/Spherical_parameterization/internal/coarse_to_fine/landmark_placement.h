@@ -44,6 +44,20 @@ inline void pin_placed(const Landmarks& landmarks, Map_level& level)
       level.pin(level.index(l.vertex));
 }
 
+/// What may be spent on bringing landmarks home, by all attempts together: so many steps of Newton's method, times the
+/// vertices that each of them moves.
+class Landmark_budget {
+public:
+  explicit Landmark_budget(int number_of_vertices) : left_(least + per_vertex * number_of_vertices) {}
+
+  void spend(int vertices) { left_ -= vertices; }
+  bool is_spent() const { return left_ <= 0; }
+
+private:
+  static constexpr double least = 2e6, per_vertex = 200;
+  double left_;
+};
+
 /// Moves the landmarks of a level to their places, with the mesh round them, and pins them there. The map stays
 /// bijective.
 ///
@@ -53,12 +67,15 @@ inline void pin_placed(const Landmarks& landmarks, Map_level& level)
 /// softer.
 ///
 /// At first the springs pull straight to the places. That brings landmarks home whose places fit the shape, and leaves
-/// others stuck head to head. These follow paths that do not meet, a few edges at a time; after each step the mesh is
-/// relaxed while the landmarks are held.
+/// others stuck head to head. Then areas count less: so the mesh gives way at the tips of limbs, where it is small on
+/// the sphere, and has to grow before landmarks can pass each other. Those that are stuck even so follow paths that do
+/// not meet, a few edges at a time; after each step the mesh is relaxed while the landmarks are held.
 class Landmark_placement {
 public:
-  Landmark_placement(const Host_loop& loop, const Distortion& distortion, Map_level& level, Landmarks& landmarks)
-    : loop_(loop), distortion_(distortion), level_(level), landmarks_(landmarks)
+  Landmark_placement(const Host_loop& loop, const Distortion& distortion, Map_level& level, Landmarks& landmarks,
+                     Landmark_budget& budget)
+    : loop_(loop), full_distortion_(distortion), distortion_(distortion), level_(level), landmarks_(landmarks),
+      budget_(budget)
   {}
 
   /// Returns whether all landmarks are placed. Those that are placed though others are not stay so only if the map is
@@ -66,15 +83,22 @@ public:
   template <class Advance>
   bool run(Advance advance)
   {
-    for(bool is_straight : {true, false}) {
-      is_straight_ = is_straight;
-      path_ = is_straight ? straight_paths() : Landmark_paths(level_, landmarks_).find();
+    struct Stage {
+      bool is_straight;
+      double share_of_area_exponent;
+    };
+    for(const Stage stage : {Stage{true, 1}, Stage{true, 0.5}, Stage{false, 0.5}}) {
+      is_straight_ = stage.is_straight;
+      path_ = is_straight_ ? straight_paths() : Landmark_paths(level_, landmarks_).find();
       if(path_.empty())
         return false;
       const Host_array<vec3> position = level_.position();
       const Landmarks landmarks = landmarks_;
-      const double energy = level_.energy(distortion_);
-      if(follow_paths(advance))
+      const double energy = level_.energy(full_distortion_);
+      distortion_ = full_distortion_.with_share_of_area(stage.share_of_area_exponent);
+      const bool are_placed = follow_paths(advance);
+      distortion_ = full_distortion_;
+      if(are_placed)
         return true;
       if(!relax(advance, energy)) {
         level_.position() = position;
@@ -97,6 +121,12 @@ private:
     return paths;
   }
 
+  double step(Newton_relaxation& newton)
+  {
+    budget_.spend(level_.size());
+    return newton.step(maximum_iterations, linear_tolerance);
+  }
+
   void relax_locally()
   {
     constexpr double bad_factor = 20; // times the mean distortion
@@ -115,7 +145,7 @@ private:
     pin_placed(landmarks_, level_);
     Newton_relaxation newton(loop_, distortion_, level_);
     for(int s = 0; s < maximum_steps && advance(); ++s) {
-      const double gain = newton.step(maximum_iterations, linear_tolerance);
+      const double gain = step(newton);
       level_.relax(distortion_);
       if(gain < least_gain && newton.promised_gain() < least_gain)
         break;
@@ -136,8 +166,8 @@ private:
     const double whole_way = way_to_go();
     double before = whole_way, milestone = whole_way;
     Newton_relaxation newton(loop_, distortion_, level_);
-    for(int s = 0, since = 0; s < maximum_steps && !put_in_place(stiffness) && advance(); ++s) {
-      newton.step(maximum_iterations, linear_tolerance);
+    for(int s = 0, since = 0; s < maximum_steps && !put_in_place(stiffness) && !budget_.is_spent() && advance(); ++s) {
+      step(newton);
       const double length = newton.step_length();
       relax_locally();
       if(!is_straight_)
@@ -167,7 +197,7 @@ private:
     for(const Landmark& l : landmarks_)
       level_.pin(level_.index(l.vertex));
     for(int s = 0; s < maximum_steps; ++s) {
-      newton.step(maximum_iterations, linear_tolerance);
+      step(newton);
       relax_locally();
       if(newton.promised_gain() < sufficient)
         break;
@@ -241,9 +271,11 @@ private:
   }
 
   const Host_loop& loop_;
-  const Distortion& distortion_;
+  const Distortion full_distortion_;
+  Distortion distortion_; ///< at the moment
   Map_level& level_;
   Landmarks& landmarks_;
+  Landmark_budget& budget_;
   std::vector<Path> path_;           ///< of every landmark
   std::vector<std::size_t> reached_; ///< the point of its path where a landmark is
   bool is_straight_ = true;          ///< the paths are but their ends

@@ -43,11 +43,17 @@ namespace CGAL::Spherical_parameterization::internal {
 /// is too coarse, on one of the next. From then on they do not move.
 class Coarse_to_fine_map {
 public:
-  /// \param landmark_size    the size of the mesh, about, on which the landmarks are brought to their places
-  /// \param is_last_attempt  whether it goes on to the finest mesh where they do not get there
+  /// How landmarks are brought to their places.
+  struct Attempt {
+    int size;                                   ///< of the mesh, about, on which that is begun
+    bool is_last;                               ///< whether it goes on to the finest mesh where they do not get there
+    Landmark_budget* budget;                    ///< for all attempts
+    const Host_array<vec3>* free_map = nullptr; ///< without landmarks, to begin with instead of a tetrahedron
+  };
+
   Coarse_to_fine_map(const Host_loop& loop, const Isometric& method, const Problem& problem, const Effort& effort,
-                     Monitor& monitor, int landmark_size, bool is_last_attempt)
-    : loop_(loop), landmark_size_(landmark_size), is_last_attempt_(is_last_attempt), method_(method),
+                     Monitor& monitor, const Attempt& attempt)
+    : loop_(loop), attempt_(attempt), method_(method),
       last_exponent_(method.area_exponent.value_or(problem.density.empty() ? Isometric::default_area_exponent
                                                                            : Isometric::area_exponent_of_densities)),
       exponent_((std::min)(last_exponent_, largest_coarse_exponent)), distortion_(exponent_), problem_(problem),
@@ -67,7 +73,10 @@ public:
   Host_array<vec3> run(Solver_report& report)
   {
     decimate();
-    embed_tetrahedron();
+    if(attempt_.free_map)
+      take_free_map();
+    else
+      embed_tetrahedron();
     for(; !rounds_.empty(); rounds_.pop_back()) {
       insert(std::move(rounds_.back()));
       are_landmarks_present_ = rounds_.size() <= rounds_with_landmarks_ + 1;
@@ -131,7 +140,7 @@ private:
 
   void decimate()
   {
-    Decimation decimation(loop_, problem_.point, mesh_, problem_.is_fixed, landmark_size_);
+    Decimation decimation(loop_, problem_.point, mesh_, problem_.is_fixed, attempt_.size, attempt_.free_map);
     for(;;) {
       std::vector<int> round = decimation.round();
       if(round.empty())
@@ -146,6 +155,19 @@ private:
       if(!monitor_.advance(share_of_decimation * done))
         give_up();
     }
+  }
+
+  /// The map without landmarks, restricted to the vertices that are left: all landmarks are among them.
+  void take_free_map()
+  {
+    for(int v = 0; v < problem_.size(); ++v)
+      if(!mesh_.is_removed(v)) {
+        map_.position[v] = (*attempt_.free_map)[v];
+        map_.colour[v] = free_colour(v);
+      }
+    are_landmarks_present_ = true;
+    if(!rounds_.empty())
+      relax_level();
   }
 
   void embed_tetrahedron()
@@ -271,11 +293,12 @@ private:
       return;
     last_placement_ = level_.size();
     last_newton_ = 0;
-    if(Landmark_placement(loop_, distortion_, level_, landmarks_).run([&] { return advance(); }))
+    if(Landmark_placement(loop_, distortion_, level_, landmarks_, *attempt_.budget).run([&] { return advance(); }))
       return;
     if(monitor_.is_interrupted())
       give_up();
-    if(is_last_level || (!is_last_attempt_ && level_.size() > levels_of_attempt * landmark_size_))
+    if(is_last_level || attempt_.budget->is_spent() ||
+       (!attempt_.is_last && level_.size() > levels_of_attempt * attempt_.size))
       refuse_landmarks();
   }
 
@@ -293,7 +316,9 @@ private:
       if(!l.is_placed && ++count <= most)
         pairs += (count > 1 ? ", " : "") + name(l.vertex) + " and " + name(nearest_landmark(l.vertex, is_landmark));
     throw Input_error(Error_code::BAD_CONSTRAINTS,
-                      "the mesh is too coarse to be bent as far as they ask for between the fixed vertices " + pairs +
+                      (attempt_.budget->is_spent() ? std::string("the mesh could not be bent with reasonable effort")
+                                                   : std::string("the mesh is too coarse to be bent")) +
+                        " as far as they ask for between the fixed vertices " + pairs +
                         (count > most ? ", and near " + counted(count - most, "other", "others") : "") +
                         "; refine it there, or free some of them");
   }
@@ -446,8 +471,7 @@ private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
   const Host_loop& loop_;
-  int landmark_size_;
-  bool is_last_attempt_;
+  Attempt attempt_;
   Isometric method_;
   double last_exponent_; ///< of the area
   double exponent_;      ///< of the area, at the moment
@@ -498,22 +522,42 @@ inline void check_fixed_faces(const Problem& problem)
   }
 }
 
-/// Runs `Coarse_to_fine_map`. Where landmarks get stuck, they do so by how the coarse mesh happens to be: then again,
-/// with landmarks brought to their places on a finer one.
+/// Runs `Coarse_to_fine_map`. Where landmarks get stuck, they do so by how the coarse mesh happens to be, or since the
+/// map of it is far from the map of the whole mesh, which they may have been taken from. Then again, from the map
+/// without landmarks, on coarse meshes that grow up to the whole mesh.
 inline Host_array<vec3> coarse_to_fine_map(const Host_loop& loop, const Isometric& method, const Problem& problem,
                                            const Effort& effort, Monitor& monitor, Solver_report& report)
 {
+  typedef Coarse_to_fine_map::Attempt Attempt;
   constexpr int least_size = 500, vertices_per_landmark = 8, growth = 3;
   const auto landmarks = std::count(problem.is_fixed.begin(), problem.is_fixed.end(), 1);
-  double size = (std::max)(least_size, vertices_per_landmark * static_cast<int>(landmarks));
-  for(; growth * size < problem.size() && landmarks > 0; size *= growth)
+  double size = (std::max)(double(least_size), vertices_per_landmark * double(landmarks));
+  Landmark_budget budget(problem.size());
+  const auto run = [&](const Problem& of, const Attempt& attempt) {
+    report = Solver_report();
+    return Coarse_to_fine_map(loop, method, of, effort, monitor, attempt).run(report);
+  };
+  const auto is_next_worth_while = [&](const Input_error& error) {
+    return !budget.is_spent() &&
+           (error.code() == Error_code::BAD_CONSTRAINTS || error.code() == Error_code::NOT_BIJECTIVE);
+  };
+  try {
+    return run(problem, {static_cast<int>((std::min)(size, double(problem.size()))), false, &budget});
+  } catch(const Input_error& error) {
+    if(landmarks == 0 || !is_next_worth_while(error))
+      throw;
+  }
+  Problem free = problem;
+  free.is_fixed.clear();
+  const Host_array<vec3> free_map = run(free, {0, true, &budget});
+  for(; growth * size < problem.size(); size *= growth)
     try {
-      return Coarse_to_fine_map(loop, method, problem, effort, monitor, static_cast<int>(size), false).run(report);
+      return run(problem, {static_cast<int>(size), false, &budget, &free_map});
     } catch(const Input_error& error) {
-      if(error.code() != Error_code::BAD_CONSTRAINTS)
+      if(!is_next_worth_while(error))
         throw;
     }
-  return Coarse_to_fine_map(loop, method, problem, effort, monitor, static_cast<int>(size), true).run(report);
+  return run(problem, {problem.size(), true, &budget, &free_map});
 }
 
 /// See `Result::density_deviation`.

@@ -30,6 +30,9 @@ public:
 
   explicit Distortion(double theta) : theta_(theta) {}
 
+  /// With so much of the exponent of the area
+  Distortion with_share_of_area(double share) const { return Distortion(share * theta_); }
+
   double value(double ratio) const
   {
     const double inverse = 1 / ratio;

@@ -81,10 +81,10 @@ std::vector<int> cut_corners(const std::vector<Kernel::Point_3>& polygon, std::s
   return rest;
 }
 
-/// Of a polygon without new points; empty if CGAL finds none.
-std::vector<Triangle> triangulated(const std::vector<Kernel::Point_3>& polygon)
+/// Of a polygon without new points, from whose corners all but `most` were cut off; empty if CGAL finds none.
+/// `all_edges` are looked at, not only those of the Delaunay triangulation.
+std::vector<Triangle> triangulated(const std::vector<Kernel::Point_3>& polygon, std::size_t most, bool all_edges)
 {
-  constexpr std::size_t most = 500; // for CGAL, which takes cubic time in the worst case, and quadratic memory
   std::vector<Triangle> triangles;
   const std::vector<int> rest = cut_corners(polygon, most, triangles);
   std::vector<Kernel::Point_3> points;
@@ -92,7 +92,8 @@ std::vector<Triangle> triangulated(const std::vector<Kernel::Point_3>& polygon)
     points.push_back(polygon[place(i)]);
   std::vector<CGAL::Triple<int, int, int>> found;
   try {
-    PMP::triangulate_hole_polyline(points, std::back_inserter(found));
+    PMP::triangulate_hole_polyline(points, std::back_inserter(found),
+                                   CGAL::parameters::do_not_use_cubic_algorithm(!all_edges));
   } catch(const std::exception&) { // a precondition of CGAL that a polygon through itself breaks
     found.clear();
   }
@@ -102,6 +103,16 @@ std::vector<Triangle> triangulated(const std::vector<Kernel::Point_3>& polygon)
     std::sort(t.begin(), t.end()); // in the direction of the polygon
   if(triangles.size() + 2 != polygon.size())
     triangles.clear();
+  return triangles;
+}
+
+std::vector<Triangle> triangulated(const std::vector<Kernel::Point_3>& polygon)
+{
+  constexpr std::size_t most = 500;              // quadratic memory
+  constexpr std::size_t most_of_all_edges = 200; // cubic time: .4 s
+  std::vector<Triangle> triangles = triangulated(polygon, most, false);
+  if(triangles.empty())
+    triangles = triangulated(polygon, most_of_all_edges, true);
   return triangles;
 }
 

@@ -44,19 +44,11 @@ void fill_holes(Glued_surface& surface, Preparation& preparation, const std::str
   derive_vertices(surface);
 }
 
-/// Every cut takes a handle away.
 void cut_handles(Glued_surface& surface, Preparation& preparation, const std::string& file)
 {
-  for(;;) {
-    const std::vector<int> loop = shortest_handle_loop(surface, [&file] { stop_if_interrupted(file); });
-    if(loop.empty())
-      return;
-    preparation.handles.push_back(loop_of(surface, loop));
-    cut_along(surface, loop);
-    for(const std::vector<int>& boundary : boundary_cycles(surface))
-      fill_hole(surface, boundary);
-    derive_vertices(surface);
-  }
+  cut_handles(
+    surface, [&](const std::vector<int>& loop) { preparation.handles.push_back(loop_of(surface, loop)); },
+    [&file] { stop_if_interrupted(file); });
 }
 
 void turn_round(Glued_surface& surface)

@@ -53,25 +53,51 @@ Triangles triangles_of(const Mesh& mesh, const std::vector<Point>& points, doubl
   return result;
 }
 
-/// Triangles of which the nearest is asked.
+/// The vertex at which the longest edge begins.
+int longest_edge(const Triangle_3& t)
+{
+  int longest = 0;
+  for(int k = 1; k < 3; ++k)
+    if(CGAL::squared_distance(t[k], t[k + 1]) > CGAL::squared_distance(t[longest], t[longest + 1]))
+      longest = k;
+  return longest;
+}
+
+std::array<Triangle_3, 2> halves(const Triangle_3& t)
+{
+  const int k = longest_edge(t);
+  const Point_3 middle = CGAL::midpoint(t[k], t[k + 1]);
+  return {Triangle_3(t[k], middle, t[k + 2]), Triangle_3(middle, t[k + 1], t[k + 2])};
+}
+
+bool has_area(const Triangle_3& t) { return CGAL::cross_product(t[1] - t[0], t[2] - t[0]) != CGAL::NULL_VECTOR; }
+
+/// Triangles of which the nearest is asked. They have to stay where they are.
 class Triangle_tree {
 public:
-  explicit Triangle_tree(const Triangles& triangles)
+  explicit Triangle_tree(const Triangles& triangles) : triangles_(triangles)
   {
     for(std::size_t i = 0; i < triangles.size(); ++i)
-      if(const Triangle_3& t = triangles[i]; CGAL::cross_product(t[1] - t[0], t[2] - t[0]) != CGAL::NULL_VECTOR) {
-        triangles_.push_back(t); // CGAL finds no nearest point in those without area
+      if(has_area(triangles[i])) { // CGAL finds no nearest point in the others
+        pieces_.push_back(triangles[i]);
         number_.push_back(i);
       }
-    tree_.rebuild(triangles_.cbegin(), triangles_.cend());
-    if(!triangles_.empty())
+    halve_long_ones();
+    tree_.rebuild(pieces_.cbegin(), pieces_.cend());
+    if(!pieces_.empty())
       tree_.accelerate_distance_queries(); // now: questions may come from several threads
   }
   Triangle_tree(const Triangle_tree&) = delete;
   Triangle_tree& operator=(const Triangle_tree&) = delete;
 
-  bool is_empty() const { return triangles_.empty(); }
+  bool is_empty() const { return pieces_.empty(); }
   double squared_distance(const Point_3& p) const { return tree_.squared_distance(p); }
+
+  /// Whether a sphere meets a triangle.
+  bool is_met_by(const Point_3& centre, double radius) const
+  {
+    return tree_.do_intersect(Kernel::Sphere_3(centre, radius * radius));
+  }
 
   struct Nearest {
     double distance;
@@ -80,16 +106,59 @@ public:
   };
   Nearest nearest(const Point_3& p) const
   {
-    const auto [point, triangle] = tree_.closest_point_and_primitive(p);
-    return {std::sqrt(CGAL::squared_distance(p, point)), &*triangle,
-            number_[static_cast<std::size_t>(triangle - triangles_.cbegin())]};
+    const auto [point, piece] = tree_.closest_point_and_primitive(p);
+    const std::size_t number = number_[static_cast<std::size_t>(piece - pieces_.cbegin())];
+    return {std::sqrt(CGAL::squared_distance(p, point)), &triangles_[number], number};
   }
 
 private:
   using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
 
-  Triangles triangles_;
-  std::vector<std::size_t> number_;
+  /// A point is in the boxes of all long triangles that run across the shape, and each has to be looked at. So they are
+  /// cut down (M. Ernst and G. Greiner, "Early split clipping for bounding volume hierarchies", 2007).
+  void halve_long_ones()
+  {
+    constexpr double long_ones = 4;                    // times the median
+    constexpr std::size_t most = 8, most_new = 300000; // pieces, times the triangles; and those added
+    std::vector<std::pair<double, std::size_t>> queue; // square of the longest edge, and the piece
+    const auto entry = [this](std::size_t i) {
+      const Triangle_3& t = pieces_[i];
+      const int k = longest_edge(t);
+      return std::make_pair(CGAL::squared_distance(t[k], t[k + 1]), i);
+    };
+    for(std::size_t i = 0; i < pieces_.size(); ++i)
+      queue.push_back(entry(i));
+    if(queue.empty())
+      return;
+    const auto median = queue.begin() + static_cast<std::ptrdiff_t>(queue.size() / 2);
+    std::nth_element(queue.begin(), median, queue.end());
+    const double limit = long_ones * long_ones * median->first;
+    const std::size_t most_pieces = std::min(most * pieces_.size(), pieces_.size() + most_new);
+    queue.erase(
+      std::remove_if(queue.begin(), queue.end(), [limit](const auto& piece) { return !(piece.first > limit); }),
+      queue.end());
+    std::make_heap(queue.begin(), queue.end());
+    while(!queue.empty() && pieces_.size() < most_pieces) {
+      std::pop_heap(queue.begin(), queue.end());
+      const std::size_t i = queue.back().second;
+      queue.pop_back();
+      const auto [first, second] = halves(pieces_[i]);
+      if(!has_area(first) || !has_area(second)) // too thin for its numbers
+        continue;
+      pieces_[i] = first;
+      pieces_.push_back(second);
+      number_.push_back(std::size_t(number_[i]));
+      for(const std::size_t half : {i, pieces_.size() - 1})
+        if(const auto piece = entry(half); piece.first > limit) {
+          queue.push_back(piece);
+          std::push_heap(queue.begin(), queue.end());
+        }
+    }
+  }
+
+  const Triangles& triangles_;
+  Triangles pieces_;
+  std::vector<std::size_t> number_; ///< by piece: of the triangle
   CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> tree_;
 };
 
@@ -126,15 +195,19 @@ Bounds farthest(const Triangles& triangles, const Triangle_tree& tree, double to
   };
   const auto look_at = [&](const Triangle_3& t) {
     const Point_3 centre = CGAL::centroid(t);
+    double square = 0;
+    for(int k = 0; k < 3; ++k)
+      square = std::max(square, CGAL::squared_distance(centre, t[k]));
+    const double radius = std::sqrt(square);
+    if(radius < result.low && tree.is_met_by(centre, result.low - radius)) // no point is farther than one that is known
+      return;
     const Triangle_tree::Nearest nearest = tree.nearest(centre);
-    double radius = 0, from_face = 0;
-    for(int k = 0; k < 3; ++k) {
-      radius = std::max(radius, CGAL::squared_distance(centre, t[k]));
+    double from_face = 0;
+    for(int k = 0; k < 3; ++k)
       from_face = std::max(from_face, CGAL::squared_distance(t[k], *nearest.triangle));
-    }
     result.low = std::max(result.low, nearest.distance);
     // no point is farther than by the radius; nor, since a face is convex, farther from that face than the corners are
-    if(const double bound = std::min(nearest.distance + std::sqrt(radius), std::sqrt(from_face)); !is_close(bound))
+    if(const double bound = std::min(nearest.distance + radius, std::sqrt(from_face)); !is_close(bound))
       queue.push({bound, t});
     else
       result.high = std::max(result.high, bound);
@@ -156,15 +229,8 @@ Bounds farthest(const Triangles& triangles, const Triangle_tree& tree, double to
     if(looks++ % 1024 == 0)
       go_on();
     queue.pop();
-    int longest = 0;
-    for(int k = 1; k < 3; ++k)
-      if(CGAL::squared_distance(top.triangle[k], top.triangle[k + 1]) >
-         CGAL::squared_distance(top.triangle[longest], top.triangle[longest + 1]))
-        longest = k;
-    const Point_3 &a = top.triangle[longest], &b = top.triangle[longest + 1], &c = top.triangle[longest + 2];
-    const Point_3 middle = CGAL::midpoint(a, b);
-    look_at({a, middle, c});
-    look_at({middle, b, c});
+    for(const Triangle_3& half : halves(top.triangle))
+      look_at(half);
   }
   result.high = std::max(result.high, result.low);
   return result;

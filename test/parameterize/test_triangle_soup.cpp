@@ -208,3 +208,17 @@ TEST_CASE("an indexed mesh is a FaceGraph whose halfedges fit together", "[soup]
   }
   CHECK(number_of_edges == num_edges(mesh));
 }
+
+TEST_CASE("an indexed mesh that forgets its neighbours has points and triangles, and no memory of the rest", "[soup]")
+{
+  const Soup soup = bumpy_sphere(2);
+  SP::Indexed_triangle_mesh mesh(points_of(soup), triangles_of(soup));
+  REQUIRE(mesh.corner_table().twin.size() == 3 * soup.faces.size());
+  mesh.forget_neighbours();
+  CHECK(mesh.corner_table().twin.capacity() == 0);
+  CHECK(mesh.breadth_first_order().capacity() == 0);
+  CHECK(mesh.points() == points_of(soup));
+  for(std::size_t f = 0; f < soup.faces.size(); ++f)
+    for(std::size_t k = 0; k < 3; ++k)
+      CHECK(std::size_t(mesh.triangle(f)[k]) == soup.faces[f][k]);
+}

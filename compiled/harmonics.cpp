@@ -17,7 +17,8 @@ template Harmonic_coefficients integrate_harmonics(const Host_loop&, const Mappe
 template Host_array<double> evaluate_harmonics(const Host_loop&, const Harmonic_coefficients&, const Host_array<vec3>&);
 template Host_array<double> synthesize_on_rows(const Host_loop&, const Harmonic_coefficients&, const Latitude_rows&);
 template Harmonic_coefficients analyze_rows(const Host_loop&, const Latitude_rows&, const Sampled_fields&, int);
-template Correlation best_correlation(const Host_loop&, const Harmonic_coefficients&, const Harmonic_coefficients&);
+template std::vector<Correlation> best_correlations(const Host_loop&, const Harmonic_coefficients&,
+                                                    const Harmonic_coefficients&);
 template Motion best_motion(const Host_loop&, const Harmonic_coefficients&, const Harmonic_coefficients&);
 
 } // namespace CGAL::Spherical_parameterization::internal

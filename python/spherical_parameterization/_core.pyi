@@ -116,12 +116,15 @@ def register_maps(
     motion: str,
     curvature_weight: float,
     stretch_weight: float,
+    isometry_weight: float,
     position_weight: float,
     landmark_weight: float,
     landmarks: list[tuple[int, int]],
     policy: str,
+    maximum_running_time: float,
+    progress: object,
     /,
-) -> tuple[_Doubles, str, list[_Vector], float, float, float, float, int, float]: ...
+) -> tuple[bool, _Doubles, bool, str, list[_Vector], float, float, float, float, float, int, float]: ...
 def moebius_centred(sphere: _Doubles, triangles: _Integers, masses: _Doubles, /) -> tuple[_Doubles, float]: ...
 
 class OpenCLDevice:

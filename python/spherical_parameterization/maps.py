@@ -240,7 +240,7 @@ def opencl_devices() -> list[dict[str, Any]]:
     return _core.opencl_devices()
 
 
-def _callback(progress: object) -> object:
+def callback_of(progress: object) -> object:
     """A callable; a bar of tqdm is told by how much the fraction has grown."""
     if progress is None or callable(progress):
         return progress
@@ -366,7 +366,7 @@ def parameterize(
         iterations,
         maximum_running_time,
         verbose,
-        _callback(progress),
+        callback_of(progress),
     )
     error = _CODES[fields.pop("error")]
     attempts = tuple(Attempt(a[0], _CODES[a[1]], a[2], Seconds(*a[3])) for a in fields.pop("attempts"))

@@ -10,6 +10,7 @@ import numpy.typing as npt
 
 from . import _core
 from .arrays import Doubles, index_triples, numbers, vectors
+from .maps import callback_of
 from .methods import one_of
 
 
@@ -18,10 +19,12 @@ class RegisteredMap:
     """A map of a mesh moved so that equal points of it and of the map of another mesh correspond. It is certified."""
 
     sphere: Doubles  #: (n, 3), of the first mesh
+    is_complete: bool  #: False: `progress` or the time limit has ended it, and this is how far it came
     start: str  #: what found the rotation: "landmarks", "coordinates" or "features"
     rotation: Doubles  #: (3, 3), of the first map, to start with
     mismatch_before: float  #: root mean square difference of curvature and stretch on the finest level, rotated
     mismatch: float  #: and in the end
+    stretching: float  #: mean stretching of the surface onto the other one; 4: none. 0: not deformed
     distortion: float  #: mean symmetric Dirichlet energy of the deformation of the sphere; 4: none
     largest_landmark_distance: float  #: of a landmark from its place on the sphere, in radians
     iterations: int  #: of all levels together
@@ -39,10 +42,13 @@ def register_maps(
     motion: str = "deformation",
     curvature_weight: float = 5,
     stretch_weight: float = 5,
+    isometry_weight: float = 1,
     position_weight: float = 0,
     landmarks: npt.ArrayLike | None = None,
     landmark_weight: float = 300,
     policy: str = "parallel",
+    maximum_running_time: float = float("inf"),
+    progress: object = None,
 ) -> RegisteredMap:
     """Moves the map of a mesh on the sphere so that it corresponds to the map of another mesh.
 
@@ -56,14 +62,20 @@ def register_maps(
         The other mesh, and its map, which stays where it is.
     motion : {"deformation", "moebius", "rotation"}
         What the map may be moved by.
-    curvature_weight, stretch_weight, position_weight : float
-        Of the deformation: of the mean squared differences of mean curvature, of the area stretch of the maps, and of
-        positions, for shapes in the same pose. Beside the mean symmetric Dirichlet energy of the deformation.
+    curvature_weight, stretch_weight, isometry_weight, position_weight : float
+        Of the deformation: of the mean squared differences of mean curvature, and of the area stretch of the maps; of how
+        much the one surface is stretched onto the other; and of the mean squared differences of positions, for shapes in
+        the same pose. Beside the mean symmetric Dirichlet energy of the deformation.
     landmarks : array_like (k, 2) of int, optional
         Pairs of vertices, of this mesh and of the other one, that correspond.
     landmark_weight : float
         Of the mean squared distance of the landmarks on the sphere, to begin with.
     policy : {"parallel", "sequential"}
+    maximum_running_time : float
+        Seconds after which the map is returned as far as it came, certified, too.
+    progress : callable, or bar of tqdm
+        Called with the fraction of the work done, up to 20 times a second. If it returns False, the call ends as by the
+        time limit.
 
     Returns
     -------
@@ -73,6 +85,8 @@ def register_maps(
     ------
     MeshError
         If a map is not valid, or the registered one could not be kept so.
+    KeyboardInterrupt
+        By Ctrl-C, within a fraction of a second. Other threads of Python go on meanwhile.
 
     Examples
     --------
@@ -85,9 +99,12 @@ def register_maps(
     True
     """
     one_of("motion", motion, "deformation", "moebius", "rotation")
+    if maximum_running_time != maximum_running_time:
+        raise ValueError("maximum_running_time: a number is needed, not nan")
     for name, weight in (
         ("curvature_weight", curvature_weight),
         ("stretch_weight", stretch_weight),
+        ("isometry_weight", isometry_weight),
         ("position_weight", position_weight),
         ("landmark_weight", landmark_weight),
     ):
@@ -101,7 +118,7 @@ def register_maps(
         raise ValueError("landmarks: integers of shape (k, 2) are needed")
     if pairs.size and (pairs.min() < 0 or pairs[:, 0].max() >= len(a) or pairs[:, 1].max() >= len(b)):
         raise ValueError("landmarks: there is no such vertex")
-    registered, start, rotation, before, after, distortion, distance, iterations, seconds = _core.register_maps(
+    was_ctrl_c, registered, is_complete, start, rotation, *figures = _core.register_maps(
         a,
         index_triples(triangles),
         vectors("sphere", sphere, len(a)),
@@ -111,14 +128,17 @@ def register_maps(
         motion,
         curvature_weight,
         stretch_weight,
+        isometry_weight,
         position_weight,
         landmark_weight,
         [(int(i), int(j)) for i, j in pairs],
         policy,
+        maximum_running_time,
+        callback_of(progress),
     )
-    return RegisteredMap(
-        registered, start, np.array(rotation), before, after, distortion, distance, iterations, seconds
-    )
+    if was_ctrl_c:
+        raise KeyboardInterrupt
+    return RegisteredMap(registered, is_complete, start, np.array(rotation), *figures)
 
 
 def moebius_centred(sphere: npt.ArrayLike, triangles: npt.ArrayLike, masses: npt.ArrayLike) -> Doubles:

@@ -5,6 +5,7 @@
 // map.
 
 #include "arrays.h"
+#include "watch.h"
 
 #include <CGAL/Spherical_parameterization/edge_weights.h>
 #include <CGAL/Spherical_parameterization/parameterize.h>
@@ -137,34 +138,6 @@ SP::Any_policy policy_of(const py::object& policy)
 #endif
   return std::visit([](auto host) -> SP::Any_policy { return host; }, host_policy(py::str(policy)));
 }
-
-/// The callback of a call: asks Python now and then whether to go on.
-struct Watch {
-  py::object progress; ///< None, or a callable
-  bool was_ctrl_c = false;
-  Clock::time_point last = Clock::now();
-
-  bool go_on(double fraction)
-  {
-    constexpr std::chrono::milliseconds interval(50); // the lock may be some way off
-    const bool is_last = fraction >= 1;
-    if((is_last && progress.is_none()) || (!is_last && Clock::now() - last < interval))
-      return true;
-    const py::gil_scoped_acquire lock;
-    try {
-      if(PyErr_CheckSignals() != 0)
-        throw py::error_already_set();
-      const bool is_stopped = !progress.is_none() && progress(fraction).is(py::bool_(false));
-      last = Clock::now();
-      return !is_stopped;
-    } catch(py::error_already_set& error) {
-      if(!error.matches(PyExc_KeyboardInterrupt))
-        throw;
-      was_ctrl_c = true;
-      return false;
-    }
-  }
-};
 
 py::tuple to_python(const SP::Result::Seconds& s)
 {

@@ -4,6 +4,7 @@
 // Registration of two maps.
 
 #include "arrays.h"
+#include "watch.h"
 
 #include <CGAL/Spherical_parameterization/register_maps.h>
 
@@ -16,12 +17,13 @@ namespace {
 
 typedef Array_map<Mesh::Vertex_index, std::array<double, 3>> Written_sphere;
 
-/// The registered map and the figures, in the order of the fields of RegisteredMap.
+/// Whether Ctrl-C has ended the call; the registered map and the figures, in the order of the fields of RegisteredMap.
 py::tuple register_maps(const Doubles& points_a, const py::array& triangles_a, const Doubles& sphere_a,
                         const Doubles& points_b, const py::array& triangles_b, const Doubles& sphere_b,
                         const std::string& motion, double curvature_weight, double stretch_weight,
-                        double position_weight, double landmark_weight, const std::vector<std::pair<int, int>>& pairs,
-                        const std::string& policy)
+                        double isometry_weight, double position_weight, double landmark_weight,
+                        const std::vector<std::pair<int, int>>& pairs, const std::string& policy,
+                        double maximum_running_time, const py::object& progress)
 {
   const Mesh a = make_mesh(points_a, triangles_a), b = make_mesh(points_b, triangles_b);
   const Sphere images_a = sphere_of(sphere_a), images_b = sphere_of(sphere_b);
@@ -31,6 +33,7 @@ py::tuple register_maps(const Doubles& points_a, const py::array& triangles_a, c
                                         : SP::Registration::Motion::DEFORMATION;
   method.curvature_weight = curvature_weight;
   method.stretch_weight = stretch_weight;
+  method.isometry_weight = isometry_weight;
   method.position_weight = position_weight;
   method.landmark_weight = landmark_weight;
   std::vector<SP::Landmark_pair<Mesh, Mesh>> landmarks;
@@ -38,12 +41,19 @@ py::tuple register_maps(const Doubles& points_a, const py::array& triangles_a, c
     landmarks.emplace_back(Mesh::Vertex_index(i), Mesh::Vertex_index(j));
   Doubles registered = make_array<double>(a.number_of_vertices(), 3);
   const Written_sphere out(registered);
-  const SP::Registration_result r =
-    on(policy, [&](const auto& p) { return SP::register_maps(p, a, images_a, b, images_b, out, method, landmarks); });
-  if(!r)
+  Watch watch{progress};
+  const auto parameters =
+    CGAL::parameters::maximum_running_time(maximum_running_time).callback([&watch](double fraction) {
+      return watch.go_on(fraction);
+    });
+  const SP::Registration_result r = on(policy, [&](const auto& p) {
+    return SP::register_maps(p, a, images_a, b, images_b, out, method, landmarks, parameters);
+  });
+  const bool is_complete = r.error != SP::Error_code::INTERRUPTED;
+  if(!r && is_complete)
     throw SP::Error(r.error, r.detail);
-  return py::make_tuple(registered, r.start, r.rotation, r.mismatch_before, r.mismatch, r.distortion,
-                        r.largest_landmark_distance, r.iterations, r.seconds.total);
+  return py::make_tuple(watch.was_ctrl_c, registered, is_complete, r.start, r.rotation, r.mismatch_before, r.mismatch,
+                        r.stretching, r.distortion, r.largest_landmark_distance, r.iterations, r.seconds.total);
 }
 
 std::pair<Doubles, double> moebius_centred(const Doubles& sphere, const py::array& triangles, const Doubles& masses)

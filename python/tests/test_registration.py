@@ -57,3 +57,14 @@ def test_centring_undoes_a_boost() -> None:
     assert np.abs(again @ again.T - centred @ centred.T).max() < 1e-9  # the same but for a rotation
     with pytest.raises(sp.MeshError):
         sp.moebius_centred(sphere, triangles, -masses)
+
+
+def test_progress_and_time_limit_end_it_with_a_certified_map() -> None:
+    a, b = mapped(1), mapped(2)
+    fractions: list[float] = []
+    assert sp.register_maps(*a, *b, progress=fractions.append).is_complete
+    assert fractions == sorted(fractions) and all(0 <= x <= 1 for x in fractions)
+    stopped = sp.register_maps(*a, *b, maximum_running_time=0)
+    assert not stopped.is_complete and sp.certify(a[1], stopped.sphere).is_valid
+    with pytest.raises(ValueError):
+        sp.register_maps(*a, *b, maximum_running_time=float("nan"))

@@ -6,6 +6,7 @@
 #include "output/atomic_file.h"
 #include "output/csv.h"
 #include "output/text_writer.h"
+#include "output/write_json.h"
 #include "output/write_mesh.h"
 
 #include <CGAL/Spherical_parameterization/Any_policy.h>
@@ -138,7 +139,7 @@ std::string write_atlas(const std::string& folder, const Atlas_mesh& mesh, std::
                  SP::shape_of_scores(statistics, scores), Surface::SHAPE);
     }
   write_scores(open("scores.csv"), named, statistics);
-  open("report.json") << report.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+  write_json(open("report.json"), report);
   std::vector<Atomic_file*> all;
   for(const auto& file : files)
     all.push_back(file.get());

@@ -9,6 +9,7 @@
 #include "preparation/surface_distance.h"
 #include "options/usage.h"
 #include "output/atomic_file.h"
+#include "output/write_json.h"
 #include "output/write_mesh.h"
 #include "system/interruption.h"
 
@@ -140,7 +141,7 @@ void write_harmonics_report(std::ostream& out, const Harmonics_options& options,
                               {"sphere_axes", ellipsoid.sphere_axes}};
   }
   json["harmonics"] = std::move(harmonics);
-  out << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+  write_json(out, json);
 }
 
 void harmonics(const Harmonics_options& options, Outcome& outcome)

@@ -9,6 +9,7 @@
 #include "options/mesh_output.h"
 #include "options/usage.h"
 #include "output/atomic_file.h"
+#include "output/write_json.h"
 #include "output/write_mesh.h"
 #include "preparation/points.h"
 #include "preparation/prepare.h"
@@ -267,7 +268,7 @@ void write_report(const Prepare_options& options, const Prepared& prepared)
     {"error", prepared.refusal ? Json(prepared.refusal->what()) : Json(nullptr)},
     {"error_code", prepared.refusal ? prepared.refusal->code() : "OK"}};
   Atomic_file out(options.report);
-  out.stream() << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+  write_json(out.stream(), json);
   out.commit();
 }
 

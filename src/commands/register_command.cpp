@@ -8,12 +8,12 @@
 #include "options/mesh_output.h"
 #include "options/usage.h"
 #include "output/atomic_file.h"
+#include "output/write_json.h"
 #include "output/write_mesh.h"
 #include "system/guarded.h"
 #include "system/interruption.h"
 
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 
 #include <iostream>
 #include <memory>
@@ -22,8 +22,6 @@
 
 namespace tool {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct Register_options : Registration_options, Mesh_output {
   std::string output_sphere;
@@ -52,8 +50,7 @@ void register_meshes(const Register_options& options)
                pair.a.file->annotations);
   }
   if(report_file)
-    report_file->stream() << registration_json(options, pair).dump(2, ' ', false, Json::error_handler_t::replace)
-                          << '\n';
+    write_json(report_file->stream(), registration_json(options, pair));
   stop_if_interrupted(options.input);
   Atomic_file::commit_all({report_file.get(), sphere_file.get(), &file});
   std::cout.precision(3);

@@ -2,6 +2,7 @@
 // Part of CGAL Spherical Parameterization.
 
 #include "commands/commands.h"
+#include "input/binary.h"
 #include "mapping/mapped_mesh.h"
 #include "mapping/report.h"
 #include "options/usage.h"
@@ -15,8 +16,6 @@
 
 #include <CLI/CLI.hpp>
 #include <boost/algorithm/string/replace.hpp>
-#include <boost/archive/iterators/base64_from_binary.hpp>
-#include <boost/archive/iterators/transform_width.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -76,12 +75,9 @@ void write_page(std::ostream& out, const View_options& options, const Mapped_mes
   report.distortion = on_host(input, [&](const auto& policy) { return SP::distortion_summary(policy, mesh, sphere); });
   header["report"] = report_json(options, input, report);
 
-  using namespace boost::archive::iterators;
-  using Base64 = base64_from_binary<transform_width<std::string::const_iterator, 6, 8>>;
-  bytes.append((3 - bytes.size() % 3) % 3, '\0'); // four letters for three bytes
   const std::string text = header.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   out << view_page_before_header() << boost::replace_all_copy(text, "<", "\\u003c") // no end of the element
-      << view_page_before_data() << std::string(Base64(bytes.begin()), Base64(bytes.end())) << view_page_after_data();
+      << view_page_before_data() << to_base64(bytes) << view_page_after_data();
 }
 
 void view(const View_options& options)

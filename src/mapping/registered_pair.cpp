@@ -8,6 +8,7 @@
 #include "mapping/report.h"
 #include "system/error_code_names.h"
 #include "system/interruption.h"
+#include "system/progress_bar.h"
 #include "system/refusal.h"
 
 #include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
@@ -19,6 +20,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -110,6 +112,8 @@ void add_registration_options(CLI::App& command, Registration_options& options)
   add_weight("--curvature-weight", registration.curvature_weight, "Deformation: weight of the mean curvature");
   add_weight("--stretch-weight", registration.stretch_weight,
              "Deformation: weight of the area stretch of the maps, which have to be of the same method");
+  add_weight("--isometry-weight", registration.isometry_weight,
+             "Deformation: weight of how much the surface of A is stretched onto that of B");
   add_weight("--position-weight", registration.position_weight,
              "Deformation: weight of the positions in space, for shapes in the same pose");
   add_weight("--landmark-stiffness", registration.landmark_weight,
@@ -148,18 +152,27 @@ void register_pair(const Registration_options& options, Registered_pair& pair)
                                                       : SP::Registration::Motion::DEFORMATION;
   pair.registered.resize(a.number_of_vertices());
   pair.points_on_b.resize(a.number_of_vertices());
+  Progress_bar bar("registering");
+  const auto go_on = [&bar](double fraction) {
+    bar.show(fraction);
+    return !was_interrupted();
+  };
+  const auto watched =
+    CGAL::parameters::maximum_running_time(pair.a.settings->max_time.value_or(std::numeric_limits<double>::infinity()))
+      .callback(go_on);
   on_host(pair.a, [&](const auto& policy) {
     pair.result = SP::register_maps(policy, a, as_map(pair.a.sphere), b, as_map(pair.b.sphere), as_map(pair.registered),
-                                    registration, landmarks);
+                                    registration, landmarks, watched);
     if(pair.result)
       SP::transfer_vertex_property(policy, SP::Spherical_locator<Mesh>(policy, b, as_map(pair.b.sphere)),
                                    as_map(b.points()), a, as_map(pair.registered), as_map(pair.points_on_b));
     return 0;
   });
+  bar.hide();
   stop_if_interrupted(options.input);
   if(!pair.result)
     throw Refusal(name(pair.result.error), options.input, std::string("cannot be registered: ") + pair.result.detail,
-                  "");
+                  pair.result.error == SP::Error_code::INTERRUPTED ? "allow more --max-time" : "");
 }
 
 nlohmann::ordered_json registration_json(const Registration_options& options, const Registered_pair& pair)
@@ -172,12 +185,14 @@ nlohmann::ordered_json registration_json(const Registration_options& options, co
           {"motion", options.motion},
           {"curvature_weight", options.registration.curvature_weight},
           {"stretch_weight", options.registration.stretch_weight},
+          {"isometry_weight", options.registration.isometry_weight},
           {"position_weight", options.registration.position_weight},
           {"start", r.start},
           {"rotation", r.rotation},
           {"iterations", r.iterations},
           {"mismatch_before", r.mismatch_before},
           {"mismatch", r.mismatch},
+          {"stretching", r.stretching},
           {"distortion", r.distortion},
           {"largest_landmark_distance", r.largest_landmark_distance},
           {"flipped_faces", r.flipped_faces},

@@ -4,6 +4,7 @@
 #include "mapping/registration.h"
 
 #include "system/error_code_names.h"
+#include "system/interruption.h"
 #include "system/refusal.h"
 
 namespace tool {
@@ -13,7 +14,10 @@ namespace SP = CGAL::Spherical_parameterization;
 SP::Registration_result register_map(const std::string& file, const Mesh& mesh, Sphere& sphere, const Mesh& to_mesh,
                                      const Sphere& to_sphere)
 {
-  SP::Registration_result result = SP::register_maps(mesh, as_map(sphere), to_mesh, as_map(to_sphere), as_map(sphere));
+  const SP::Registration_result result =
+    SP::register_maps(mesh, as_map(sphere), to_mesh, as_map(to_sphere), as_map(sphere), {}, {},
+                      CGAL::parameters::callback([](double) { return !was_interrupted(); }));
+  stop_if_interrupted(file);
   if(!result)
     throw Refusal(name(result.error), file, "could not be registered: " + result.detail, "");
   return result;

@@ -5,6 +5,7 @@
 
 #include "options/map_settings.h"
 #include "output/atomic_file.h"
+#include "output/write_json.h"
 #include "system/error_code_names.h"
 #include "system/guarded.h"
 
@@ -180,7 +181,7 @@ void write_report(const std::string& file, const Mapping_options& options, const
                   const Report& report)
 {
   Atomic_file out(file);
-  out.stream() << report_json(options, input, report).dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+  write_json(out.stream(), report_json(options, input, report));
   out.commit();
 }
 

@@ -3,9 +3,9 @@
 
 #include "output/morph_page.h"
 
+#include "input/binary.h"
+
 #include <boost/algorithm/string/replace.hpp>
-#include <boost/archive/iterators/base64_from_binary.hpp>
-#include <boost/archive/iterators/transform_width.hpp>
 
 #include <algorithm>
 #include <array>
@@ -129,10 +129,7 @@ void write_morph_page(std::ostream& out, const std::string& title, const Mesh& m
   for(std::size_t f = 0; f < mesh.number_of_faces(); ++f)
     for(int v : mesh.triangle(f))
       add(v, 4);
-  bytes.append((3 - bytes.size() % 3) % 3, '\0'); // four letters for three bytes
 
-  using namespace boost::archive::iterators;
-  using Base64 = base64_from_binary<transform_width<std::string::const_iterator, 6, 8>>;
   std::string name = title;
   for(const auto& [from, to] : {std::pair("&", "&amp;"), std::pair("<", "&lt;"), std::pair(">", "&gt;")})
     boost::replace_all(name, from, to);
@@ -147,8 +144,7 @@ void write_morph_page(std::ostream& out, const std::string& title, const Mesh& m
       << "<button>play / stop</button><input type=\"range\" min=\"0\" max=\"1\" step=\"any\" value=\"0\" "
          "aria-label=\"time\"></footer>\n<script>\nconst page = { vertices: "
       << mesh.number_of_vertices() << ", faces: " << mesh.number_of_faces() << ", frames: " << frames.size()
-      << ", data: '" << std::string(Base64(bytes.begin()), Base64(bytes.end())) << "' };" << script
-      << "</script>\n</html>\n";
+      << ", data: '" << to_base64(bytes) << "' };" << script << "</script>\n</html>\n";
 }
 
 } // namespace tool

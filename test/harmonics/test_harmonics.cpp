@@ -234,6 +234,46 @@ TEST_CASE("least squares give back what was synthesized at vertices, and synthes
   CHECK_FALSE(SP::harmonic_analysis(mesh, mesh.points(), x, 40, hasty).has_converged);
 }
 
+TEST_CASE("icospheres find single harmonics of every degree up to 64", "[harmonics]")
+{
+  double error = 0;
+  for(int l = 0; l <= 64; ++l) {
+    Coefficients c(l, 3); // of the orders -l and l, and one between
+    c(l, -l, 0) = 1;
+    c(l, l / 2, 1) = 1;
+    c(l, l, 2) = 1;
+    const Mesh mesh = make_mesh(icosphere(l < 20 ? 3 : l < 40 ? 4 : 5));
+    std::map<Vertex, Point> points;
+    SP::harmonic_synthesis(c, mesh, mesh.points(), Writable_map<Vertex, Point>{&points});
+    const SP::Harmonic_analysis found =
+      SP::harmonic_analysis(mesh, mesh.points(), Read_write_map<Vertex, Point>{&points}, l, tight());
+    CHECK(found.has_converged);
+    error = (std::max)(error, difference(found.coefficients, c));
+  }
+  CHECK(error < 1e-10);
+}
+
+TEST_CASE("integrals of what is not linear on faces have an error of second order in the length of edges",
+          "[harmonics]")
+{
+  Coefficients ellipsoid(4, 3);
+  ellipsoid(1, 1, 0) = 3 * std::sqrt(4 * pi / 3);
+  ellipsoid(1, -1, 1) = 2 * std::sqrt(4 * pi / 3);
+  ellipsoid(1, 0, 2) = std::sqrt(4 * pi / 3);
+  ellipsoid(0, 0, 2) = 5 * std::sqrt(4 * pi);
+  double before = 0;
+  for(int level = 2; level <= 5; ++level) {
+    const Sphere_with_points shape(level, [](const Point& p) { return Point(3 * p.x(), 2 * p.y(), 5 + p.z()); });
+    const double error =
+      difference(SP::harmonic_analysis(shape.mesh, shape.mesh.points(), shape.map(), 4, SP::Integration()).coefficients,
+                 ellipsoid);
+    if(level > 2)
+      CHECK(before / error == Approx(4).epsilon(0.1));
+    before = error;
+  }
+  CHECK(before < 2e-3); // of 6
+}
+
 TEST_CASE("least squares are the best approximation at the vertices", "[harmonics]")
 {
   const Sphere_with_points shape(4, [](const Point& p) { // not band-limited

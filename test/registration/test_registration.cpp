@@ -244,3 +244,49 @@ TEST_CASE("centring brings the centroid of any masses to the centre", "[registra
   CHECK(SP::moebius_centred_map(a.mesh, a.map(), Readable_map<Vertex, double>{of}, Writable_map<Vertex, Point>{&out}) >
         0.5);
 }
+
+TEST_CASE("callback and time limit end a registration with a certified map", "[registration]")
+{
+  const Mapped a(limbs(1.4)), b(limbs(1.8));
+  std::map<Vertex, Point> out;
+  const auto run = [&](const auto& parameters) {
+    out.clear();
+    return SP::register_maps(a.mesh, a.map(), b.mesh, b.map(), Read_write_map<Vertex, Point>{&out}, {}, {}, parameters);
+  };
+  const auto check_stored = [&](const SP::Registration_result& r) {
+    CHECK(r.error == Error_code::INTERRUPTED);
+    CHECK(!r.detail.empty());
+    Sphere sphere;
+    for(const auto& [v, p] : out)
+      sphere.push_back(p);
+    CHECK(r.flipped_faces == 0);
+    CHECK(count_flipped_faces(a.soup, sphere) == 0);
+    CHECK(degree(a.soup, sphere) == 1);
+  };
+
+  std::vector<double> fractions;
+  const auto note = [&](double fraction) {
+    fractions.push_back(fraction);
+    return true;
+  };
+  CHECK(run(CGAL::parameters::callback(note)));
+  CHECK(std::is_sorted(fractions.begin(), fractions.end()));
+  CHECK(fractions.front() >= 0);
+  CHECK(fractions.back() <= 1);
+  CHECK(fractions.back() > 0.8); // the last level may be short
+
+  for(const double last : {0., 0.2, 0.6}) {
+    std::size_t calls_after_no = 0;
+    bool has_said_no = false;
+    const auto say_no = [&](double fraction) {
+      calls_after_no += has_said_no;
+      has_said_no = has_said_no || fraction >= last;
+      return !has_said_no;
+    };
+    check_stored(run(CGAL::parameters::callback(say_no)));
+    CHECK(calls_after_no == 0);
+  }
+  check_stored(run(CGAL::parameters::maximum_running_time(0)));
+  CHECK_THROWS_AS(run(CGAL::parameters::maximum_running_time(std::numeric_limits<double>::quiet_NaN())),
+                  CGAL::Precondition_exception);
+}

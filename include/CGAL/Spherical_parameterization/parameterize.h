@@ -9,6 +9,7 @@
 #include <CGAL/Spherical_parameterization/edge_weights.h>
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
 #include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
+#include <CGAL/Spherical_parameterization/internal/base/make_monitor.h>
 #include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/base/precondition.h>
 #include <CGAL/Spherical_parameterization/internal/driver/arguments.h>
@@ -19,29 +20,12 @@
 #include <CGAL/tags.h>
 
 #include <cstddef>
-#include <functional>
-#include <limits>
 #include <type_traits>
 #include <utility>
 
 namespace CGAL::Spherical_parameterization {
 
 namespace internal {
-
-/// The monitor that the named parameters ask for.
-template <class NamedParameters>
-Monitor make_monitor(const NamedParameters& np)
-{
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  std::function<bool(double)> callback;
-  if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::callback_t>::value)
-    callback = get_parameter(np, internal_np::callback);
-  const double longest =
-    choose_parameter(get_parameter(np, internal_np::maximum_running_time), std::numeric_limits<double>::infinity());
-  CGAL_SP_PRECONDITION(longest == longest, "maximum_running_time has to be a number");
-  return Monitor(longest, std::move(callback), choose_parameter(get_parameter(np, internal_np::verbose), false));
-}
 
 /// The accuracy and the number of iterations that the named parameters ask for.
 template <class NamedParameters>

@@ -10,6 +10,7 @@
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
 #include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
+#include <CGAL/Spherical_parameterization/internal/base/make_monitor.h>
 #include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/base/precondition.h>
 #include <CGAL/Spherical_parameterization/internal/base/rotations.h>
@@ -55,11 +56,13 @@ struct Registration {
   /// \name Deformation
   /// The weights are those of mean squared differences, beside the mean symmetric Dirichlet energy of the deformation
   /// of the sphere (4 where there is none). Features have a variance of about 1, but for positions, which are in units
-  /// in which the surfaces have the area 4 pi.
+  /// in which the surfaces have the area 4 pi. Stretching is the mean symmetric Dirichlet energy of the
+  /// faces of the first surface, carried to the second one (4 where that is isometric).
   /// @{
-  double curvature_weight = 5;  ///< of the mean curvature at two scales
-  double stretch_weight = 5;    ///< of the logarithmic area stretch of the maps; for maps of the same method
-  double position_weight = 0;   ///< of the coordinates, after the best motion in space: for shapes in the same pose
+  double curvature_weight = 5; ///< of the mean curvature at two scales
+  double stretch_weight = 5;   ///< of the logarithmic area stretch of the maps; for maps of the same method
+  double isometry_weight = 1; ///< of the mean stretching of the first surface onto the second, from the second level on
+  double position_weight = 0; ///< of the coordinates, after the best motion in space: for shapes in the same pose
   double landmark_weight = 300; ///< of the squared distances of the landmarks on the sphere
 
   double coarsest_scale = 0.6; ///< of the features that are compared first, as a length on the surface of area 4 pi
@@ -76,7 +79,7 @@ using Landmark_pair = std::pair<typename boost::graph_traits<MeshA>::vertex_desc
 
 /// What `register_maps()` has found.
 struct Registration_result {
-  Error_code error = Error_code::OK; ///< `OK` if and only if the registered map is certified
+  Error_code error = Error_code::OK; ///< `OK` if and only if the registered map is complete and certified
   std::string detail;                ///< what is wrong; empty if `OK`
 
   std::size_t flipped_faces = 0; ///< of the registered map, exactly, as it is stored
@@ -87,6 +90,7 @@ struct Registration_result {
   double mismatch_before = 0; ///< root mean square difference of curvature and stretch on the finest level, rotated
   double mismatch = 0;        ///< and in the end
   double distortion = 4;      ///< mean symmetric Dirichlet energy of the deformation of the sphere; 4: none
+  double stretching = 0;      ///< mean stretching of the first surface onto the second; 4: none. 0: not deformed
   double largest_landmark_distance = 0; ///< of a landmark from its place on the sphere, in radians
   std::size_t iterations = 0;           ///< of all levels together
 
@@ -98,7 +102,7 @@ struct Registration_result {
   };
   Seconds seconds; ///< wall-clock
 
-  /// \return `true` iff the registered map is certified
+  /// \return `true` iff the registered map is complete and certified
   explicit operator bool() const { return error == Error_code::OK; }
 };
 
@@ -151,9 +155,9 @@ Registered_surface read_registered_surface(const Host_loop& loop, const Triangle
 class Registrar {
 public:
   Registrar(const Host_loop& loop, Registered_surface& a, const Registered_surface& b,
-            const std::vector<std::pair<int, int>>& landmarks, const Registration& settings,
+            const std::vector<std::pair<int, int>>& landmarks, const Registration& settings, Monitor& monitor,
             Registration_result& result)
-    : loop_(loop), a_(a), b_(b), settings_(settings), result_(result)
+    : loop_(loop), a_(a), b_(b), settings_(settings), monitor_(monitor), result_(result)
   {
     for(const auto& [i, j] : landmarks)
       landmarks_.push_back({i, b.image[j]});
@@ -176,7 +180,8 @@ public:
   }
 
 private:
-  static constexpr int degree = 31; ///< of what is correlated
+  static constexpr int degree = 31;             ///< of what is correlated
+  static constexpr double share_to_align = 0.3; ///< of the work, for the callback
 
   Host_array<vec3> turned(const Rotation& rotation) const
   {
@@ -219,8 +224,32 @@ private:
     return result;
   }
 
-  /// The best rotation, by landmarks if there are enough of them; else of those that coordinates and features propose
-  /// the one with the smaller mismatch after a coarse deformation.
+  /// A rotation that may be the best one.
+  struct Proposal {
+    const char* name;
+    Rotation rotation;
+  };
+
+  /// By the coordinates in any pose, and by the features, whose correlation has several maxima where a shape is nearly
+  /// symmetric, as bodies are in front and behind.
+  std::vector<Proposal> proposals(const Rotation& by_coordinates, const Harmonic_coefficients& a,
+                                  const Harmonic_coefficients& b) const
+  {
+    constexpr double least_share = 0.75; // of the largest correlation
+    constexpr std::size_t most = 5;
+    std::vector<Proposal> result = {{"coordinates", by_coordinates}};
+    const std::vector<Correlation> correlations = best_correlations(loop_, b, a);
+    double constant = 0; // that no rotation changes
+    for(int k = 0; k < a.number_of_fields(); ++k)
+      constant += a(0, 0, k) * b(0, 0, k);
+    for(const Correlation& c : correlations)
+      if(result.size() < most && c.value - constant >= least_share * (correlations.front().value - constant))
+        result.push_back({"features", c.rotation});
+    return result;
+  }
+
+  /// The best rotation, by landmarks if there are enough of them; else the proposal that is the best one after a coarse
+  /// deformation.
   template <class Locate, class LocateB>
   Host_array<vec3> align(const Locate& locate_a, const LocateB& locate_b)
   {
@@ -240,25 +269,29 @@ private:
     }
     const Shape_alignment motion = best_motion(locate_a, locate_b);
     space_ = motion.space;
-    const auto features_a = shape_features(loop_, a_, settings_.coarsest_scale),
-               features_b = shape_features(loop_, b_, settings_.coarsest_scale);
-    const Rotation by_features =
-      internal::best_correlation(loop_, harmonics(features_b, locate_b), harmonics(features_a, locate_a)).rotation;
+    const auto features_a = features_of(a_, settings_.coarsest_scale),
+               features_b = features_of(b_, settings_.coarsest_scale);
+    const std::vector<Proposal> proposed =
+      proposals(motion.sphere, harmonics(features_a, locate_a), harmonics(features_b, locate_b));
+    const Registration_features features = weighted(features_a, features_b);
+    const double all = settings_.motion == Registration::Motion::DEFORMATION ? share_to_align : 1;
     double least = std::numeric_limits<double>::infinity();
     Host_array<vec3> best;
-    for(const auto& [name, rotation] : {std::pair<const char*, Rotation>{"coordinates", motion.sphere},
-                                        std::pair<const char*, Rotation>{"features", by_features}}) {
-      Host_array<vec3> x = turned(rotation), start = x;
-      Monitor monitor(std::numeric_limits<double>::infinity(), nullptr, false);
-      const double energy = refine(loop_, a_, b_, weighted(features_a, features_b), landmarks_,
-                                   {settings_.landmark_weight, settings_.iterations, settings_.accuracy}, monitor, x)
-                              .energy;
+    for(std::size_t k = 0; k < proposed.size(); ++k) {
+      Host_array<vec3> x = turned(proposed[k].rotation), start = x;
+      monitor_.begin_stage(all * k / proposed.size(), all * (k + 1) / proposed.size());
+      const double energy =
+        refine(loop_, a_, b_, features, landmarks_,
+               {settings_.landmark_weight, 0, settings_.iterations, settings_.accuracy}, monitor_, x)
+          .energy;
       if(energy < least) {
         least = energy;
         best = std::move(start);
-        result_.start = name;
-        result_.rotation = rotation;
+        result_.start = proposed[k].name;
+        result_.rotation = proposed[k].rotation;
       }
+      if(monitor_.is_interrupted())
+        break;
     }
     return best;
   }
@@ -297,10 +330,11 @@ private:
         Registered_surface centred_surface = s;
         for(vec3& p : centred_surface.image)
           p = centring(p);
-        return shape_features(loop_, centred_surface, settings_.coarsest_scale);
+        return features_of(centred_surface, settings_.coarsest_scale);
       };
-      result_.rotation = internal::best_correlation(loop_, harmonics(fields(b_, centring_b), centred_b),
-                                                    harmonics(fields(a_, centring_a), centred_a))
+      result_.rotation = best_correlations(loop_, harmonics(fields(b_, centring_b), centred_b),
+                                           harmonics(fields(a_, centring_a), centred_a))
+                           .front()
                            .rotation;
     }
     Host_array<vec3> x = a_.image;
@@ -316,6 +350,11 @@ private:
       for(int i : f)
         area[i] += norm(normal(s.point, f)) / 6;
     return area;
+  }
+
+  std::vector<Host_array<double>> features_of(const Registered_surface& surface, double scale) const
+  {
+    return shape_features(loop_, surface, scale, monitor_);
   }
 
   /// Stretch and curvatures, times the roots of their weights.
@@ -355,26 +394,32 @@ private:
   {
     const Host_array<vec3> start = x;
     double size = settings_.coarsest_scale;
-    Refinement refinement = {settings_.landmark_weight, settings_.iterations, settings_.accuracy};
+    Refinement refinement = {settings_.landmark_weight, 0, settings_.iterations, settings_.accuracy};
     Registration_features features;
     for(int level = 0; level < settings_.levels; ++level, size /= 2) {
-      const Registration_features shape = weighted(shape_features(loop_, a_, size), shape_features(loop_, b_, size));
+      const double share = (1 - share_to_align) / settings_.levels;
+      monitor_.begin_stage(share_to_align + level * share, share_to_align + (level + 1) * share);
+      const Registration_features shape = weighted(features_of(a_, size), features_of(b_, size));
       features = shape;
       if(settings_.position_weight > 0)
         append_positions(features);
       const Refinement_report report = refined(features, refinement, x);
-      if(level + 1 == settings_.levels) {
+      refinement.isometry_weight = settings_.isometry_weight; // what is far off must not be in its way
+      if(level + 1 == settings_.levels || monitor_.is_interrupted()) {
         Host_array<vec3> rigid = start, bent = x;
-        Refinement nothing = {0, 0, 0};
+        const Refinement nothing = {0, 1, 0, 0};
         result_.mismatch_before = std::sqrt(refined(shape, nothing, rigid).mismatch);
-        result_.mismatch = std::sqrt(refined(shape, nothing, bent).mismatch);
+        const Refinement_report in_the_end = refined(shape, nothing, bent);
+        result_.mismatch = std::sqrt(in_the_end.mismatch);
+        result_.stretching = in_the_end.stretching;
         result_.distortion = report.distortion;
+        break;
       }
     }
     if(!landmarks_.empty()) { // stiffer springs, until landmarks can be put where they belong
       constexpr int rounds = 4;
       constexpr double stiffer = 10;
-      for(int round = 0; round < rounds && !place(x); ++round) {
+      for(int round = 0; round < rounds && !monitor_.is_interrupted() && !place(x); ++round) {
         refinement.landmark_weight *= stiffer;
         result_.distortion = refined(features, refinement, x).distortion;
       }
@@ -384,8 +429,7 @@ private:
 
   Refinement_report refined(const Registration_features& features, const Refinement& refinement, Host_array<vec3>& x)
   {
-    Monitor monitor(std::numeric_limits<double>::infinity(), nullptr, false);
-    const Refinement_report report = refine(loop_, a_, b_, features, landmarks_, refinement, monitor, x);
+    const Refinement_report report = refine(loop_, a_, b_, features, landmarks_, refinement, monitor_, x);
     result_.iterations += static_cast<std::size_t>(report.iterations);
     return report;
   }
@@ -402,6 +446,7 @@ private:
   Registered_surface& a_;
   const Registered_surface& b_;
   const Registration& settings_;
+  Monitor& monitor_;
   Registration_result& result_;
   std::vector<Registration_landmark> landmarks_;
   Rotation space_ = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
@@ -414,12 +459,12 @@ private:
 /// corresponding points of the shapes. With the registered map any property is carried over
 /// (`transfer_vertex_property()`), shapes are sampled at one icosphere (`resample()`), and meshes are morphed.
 ///
-/// First the best rotation: by three or more landmarks; else those for which the coordinates in any pose
-/// (`best_alignment()`), and for which curvature and stretch are correlated best (`best_rotation()`), of which the one
-/// is taken that a coarse deformation makes more alike. Then the map is deformed, coarse features first: the mean
-/// symmetric Dirichlet energy of the deformation and the mean squared differences of features are minimized (see
-/// `Registration`). The features, area stretch and curvatures, hardly depend on the pose: the maps should be
-/// of low isometric distortion (`Isometric`) and of the same method.
+/// First the best rotation: by three or more landmarks; else that for which the coordinates in any pose
+/// (`best_alignment()`), and up to four for which curvature and stretch are correlated best, of which the one is taken
+/// that a coarse deformation makes most alike. Then the map is deformed, coarse features first: the mean symmetric
+/// Dirichlet energy of the deformation, the mean squared differences of features, and the stretching of the one surface
+/// onto the other are minimized (see `Registration`). The features, area stretch and curvatures, hardly depend on the
+/// pose: the maps should be of low isometric distortion (`Isometric`) and of the same method.
 ///
 /// Guarantee: the registered map is without flips and of degree 1, exactly, as stored, or the result says that it is
 /// not. That corresponding points are found there is no guarantee of: `Registration_result` has the figures.
@@ -434,12 +479,13 @@ private:
 /// \param method      how far to go, and the weights
 /// \param landmarks   pairs of vertices that correspond. Springs pull them together, and they are put exactly onto each
 ///                    other where that flips no face; with fewer than three the rotation is found without them.
-/// \param np_a,np_b   optional named parameters: `vertex_point_map`, by default the meshes' own
+/// \param np_a,np_b   optional named parameters: `vertex_point_map`, by default the meshes' own; those of the first
+///                    mesh may have `callback`, `maximum_running_time` and `verbose`, too, as in `parameterize()`
 /// \return the certificate, and what was reached; `NOT_BIJECTIVE` and the like for maps and meshes that cannot be
-///         registered
+///         registered; `INTERRUPTED` if callback or time limit ended it: what is stored then is a certified map, too
 /// \pre weights are not negative; there is a level or more; scale and accuracy are positive
 ///
-/// Complexity: about 200 iterations, each linear in the size of the first mesh; two meshes of 10,000 vertices take 2.5
+/// Complexity: about 200 iterations, each linear in the size of the first mesh; two meshes of 10,000 vertices take 4
 /// seconds on one core.
 template <class ExecutionPolicy, class MeshA, class SphereMapA, class MeshB, class SphereMapB, class RegisteredMap,
           class NamedParametersA = parameters::Default_named_parameters,
@@ -453,12 +499,13 @@ Registration_result register_maps(const ExecutionPolicy& policy, const MeshA& me
 {
   using namespace internal;
   CGAL_SP_PRECONDITION(method.curvature_weight >= 0 && method.stretch_weight >= 0 && method.position_weight >= 0 &&
-                         method.landmark_weight >= 0,
+                         method.landmark_weight >= 0 && method.isometry_weight >= 0,
                        "the weights of a registration must not be negative");
   CGAL_SP_PRECONDITION(method.levels >= 1 && method.iterations >= 0, "a registration has a level or more");
   CGAL_SP_PRECONDITION(method.coarsest_scale > 0 && method.accuracy > 0, "scale and accuracy have to be positive");
   const Stopwatch total;
   const Host_loop loop = host_loop(policy);
+  Monitor monitor = make_monitor(np_a);
   Registration_result result;
   try {
     Registered_surface a = read_registered_surface(loop, mesh_a, vertex_points(mesh_a, np_a), sphere_a);
@@ -476,8 +523,8 @@ Registration_result register_maps(const ExecutionPolicy& policy, const MeshA& me
     };
     const Spherical_locator<MeshA> locator_a(policy, mesh_a, sphere_a);
     const Spherical_locator<MeshB> locator_b(policy, mesh_b, sphere_b);
-    const Host_array<vec3> x =
-      Registrar(loop, a, b, pairs, method, result).run(locate(locator_a, number_a), locate(locator_b, number_b));
+    const Host_array<vec3> x = Registrar(loop, a, b, pairs, method, monitor, result)
+                                 .run(locate(locator_a, number_a), locate(locator_b, number_b));
     typedef typename boost::property_traits<RegisteredMap>::value_type Point;
     std::size_t i = 0;
     for(auto v : vertices(mesh_a)) {
@@ -492,6 +539,9 @@ Registration_result register_maps(const ExecutionPolicy& policy, const MeshA& me
       result.error = Error_code::NOT_BIJECTIVE;
       result.detail = counted(certificate.flipped_faces, "flipped face", "flipped faces") + ", degree " +
                       std::to_string(certificate.degree) + ", as the registered map is stored";
+    } else if(monitor.is_interrupted()) {
+      result.error = Error_code::INTERRUPTED;
+      result.detail = monitor.reason();
     }
   } catch(const Input_error& error) {
     result.error = error.code();

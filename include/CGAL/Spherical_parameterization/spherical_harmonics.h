@@ -451,7 +451,8 @@ Rotation best_rotation(const ExecutionPolicy& policy, const Harmonic_coefficient
   CGAL_SP_PRECONDITION(f.number_of_fields() == g.number_of_fields() && f.degree() >= 0 && g.degree() >= 0,
                        "functions to be correlated are as many on each side");
   const int degree = (std::min)(f.degree(), g.degree());
-  return internal::best_correlation(internal::host_loop(policy), with_degree(f, degree), with_degree(g, degree))
+  return internal::best_correlations(internal::host_loop(policy), with_degree(f, degree), with_degree(g, degree))
+    .front()
     .rotation;
 }
 

@@ -8,6 +8,8 @@
 #include <CGAL/Spherical_parameterization/internal/base/compiled.h>
 #include <CGAL/Spherical_parameterization/internal/base/rotations.h>
 
+#include <vector>
+
 namespace CGAL::Spherical_parameterization::internal {
 
 /// The coefficients of f(R^-1 x). O(L^3) per function.
@@ -19,11 +21,13 @@ struct Correlation {
   double value; ///< the integral over the sphere of f(x) g(R^-1 x), summed over the functions
 };
 
-/// The rotation R for which f and g turned by R are correlated best: of all rotations, by their correlation as a
-/// trigonometric polynomial of Euler's angles, and Newton's method from its largest values on a grid.
+/// The rotations R for which f and g turned by R are correlated best, the best one first: of all rotations, by their
+/// correlation as a trigonometric polynomial of Euler's angles, and Newton's method from its eight largest values on a
+/// grid that are some way apart. At least one.
 /// \pre as many functions in g as in f; of the larger degree, what the other one has not got is not used
 template <class Loop>
-Correlation best_correlation(const Loop& loop, const Harmonic_coefficients& f, const Harmonic_coefficients& g);
+std::vector<Correlation> best_correlations(const Loop& loop, const Harmonic_coefficients& f,
+                                           const Harmonic_coefficients& g);
 
 /// Rotations of space and of the sphere, and what they are worth.
 struct Motion {

@@ -237,7 +237,8 @@ private:
 };
 
 template <class Loop>
-Correlation best_correlation(const Loop& loop, const Harmonic_coefficients& f, const Harmonic_coefficients& g)
+std::vector<Correlation> best_correlations(const Loop& loop, const Harmonic_coefficients& f,
+                                           const Harmonic_coefficients& g)
 {
   constexpr std::size_t refined = 8; // a peak between grid points may seem lower than another one
   constexpr double apart = 0.98;     // cosine of half of the angle between two rotations that count as the same start
@@ -256,8 +257,8 @@ Correlation best_correlation(const Loop& loop, const Harmonic_coefficients& f, c
       starts.push_back(start);
   }
   loop.for_each(static_cast<int>(starts.size()), [&](int i) { starts[i] = search.refined(starts[i]); });
-  return *std::max_element(starts.begin(), starts.end(),
-                           [](const auto& x, const auto& y) { return x.value < y.value; });
+  std::stable_sort(starts.begin(), starts.end(), [](const auto& x, const auto& y) { return x.value > y.value; });
+  return starts;
 }
 
 /// The first degrees of three functions without their constants, turned in space.
@@ -296,7 +297,7 @@ Motion alternated(const Loop& loop, const Harmonic_coefficients& f, const Harmon
   for(int step = 0; step < most_steps; ++step) {
     const double before = motion.value;
     const Harmonic_coefficients turned_source = turned_in_space(source, motion.space, degree);
-    motion.sphere = among == Among::ALL ? best_correlation(loop, target, turned_source).rotation
+    motion.sphere = among == Among::ALL ? best_correlations(loop, target, turned_source).front().rotation
                                         : Rotation_search(target, turned_source).refined({motion.sphere, 0}).rotation;
     const Harmonic_coefficients turned = rotated_harmonics(source, motion.sphere);
     motion.space = best_turn_in_space(target, turned);

@@ -21,6 +21,7 @@ namespace CGAL::Spherical_parameterization::internal {
 ///   the mean symmetric Dirichlet energy of x, from the map that A came with: 4 where nothing is bent, infinite where a
 ///   face flips
 ///   + the mean squared differences of features, those of B being looked up at x
+///   + how much the surface of A is stretched onto that of B (Carried_face)
 ///   + springs between landmarks.
 /// Features are linear between the vertices. Coarse features first, then finer ones, as B. Fischl, M. Sereno, A. Dale,
 /// "Cortical surface-based analysis II", 1999, and B. Yeo et al., "Spherical demons", 2010; the barrier in place of
@@ -47,6 +48,7 @@ struct Registration_features {
 /// Weights and limits of `refine()`.
 struct Refinement {
   double landmark_weight; ///< of the mean squared distance of the landmarks
+  double isometry_weight; ///< of the mean stretching of surface A onto surface B
   int iterations;
   double accuracy; ///< the share of the energy above 4 that ten iterations have to gain for others to follow
 };
@@ -57,14 +59,16 @@ struct Refinement_report {
   bool has_converged = false;
   double energy_before = 0, energy = 0;
   double mismatch_before = 0, mismatch = 0; ///< the part of the features
+  double stretching = 0;                    ///< of surface A onto surface B: 4 where there is none
   double distortion = 0;                    ///< the part of the symmetric Dirichlet energy
 };
 
 /// What a surface looks like at a scale, given as a length on the surface of area 4 pi: the logarithm of its area by
 /// that on the sphere, and its mean curvature at that scale and at half of it, all smoothed by the heat flow of the
-/// surface. They do not change where a surface is bent without stretching, but for curvature at the joints.
+/// surface. They do not change where a surface is bent without stretching, but for curvature at the joints. If the
+/// monitor says no they are less smooth.
 CGAL_SP_CORE std::vector<Host_array<double>> shape_features(const Host_loop& loop, const Registered_surface& surface,
-                                                            double scale_of_details);
+                                                            double scale_of_details, Monitor& monitor);
 
 /// Moves x, the images of the vertices of A, which are without flips and stay so: nonlinear conjugate gradients,
 /// preconditioned by a multigrid cycle of the Laplacian on the sphere. No step lets a face shrink to less than a fifth.

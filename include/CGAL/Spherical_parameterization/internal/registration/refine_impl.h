@@ -6,9 +6,11 @@
 
 #include <CGAL/Spherical_parameterization/internal/backend/Host_backend.h>
 #include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
+#include <CGAL/Spherical_parameterization/internal/base/pi.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/conformal_graph.h>
 #include <CGAL/Spherical_parameterization/internal/multigrid/Multigrid.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
+#include <CGAL/Spherical_parameterization/internal/registration/Carried_face.h>
 #include <CGAL/Spherical_parameterization/internal/registration/refine.h>
 #include <CGAL/Spherical_parameterization/internal/relaxation/Star.h>
 
@@ -77,11 +79,12 @@ class Registration_energy {
 public:
   Registration_energy(const Host_loop& loop, const Registered_surface& a, const Registered_surface& b,
                       const Registration_features& features, const std::vector<Registration_landmark>& landmarks,
-                      double landmark_weight, const Host_array<vec3>& x)
+                      const Refinement& settings, const Host_array<vec3>& x)
     : loop_(loop), a_(a), b_(b), features_(features), landmarks_(landmarks),
-      landmark_stiffness_(landmarks.empty() ? 0 : landmark_weight / double(landmarks.size())), walk_(b),
-      metric_(a.face.size()), corner_offset_(a.point.size() + 1, 0), corner_(3 * a.face.size()),
-      vertex_area_(a.point.size(), 0.), face_of_(a.point.size(), -1)
+      landmark_stiffness_(landmarks.empty() ? 0 : settings.landmark_weight / double(landmarks.size())),
+      isometry_weight_(settings.isometry_weight), walk_(b), metric_(a.face.size()),
+      corner_offset_(a.point.size() + 1, 0), corner_(3 * a.face.size()), vertex_area_(a.point.size(), 0.),
+      face_of_(a.point.size(), -1)
   {
     constexpr Metric_bounds as_it_is = {1e100, 0};
     const int faces = static_cast<int>(a.face.size());
@@ -113,6 +116,7 @@ public:
   /// The terms at the x of the last `value()`
   double distortion() const { return distortion_; }
   double mismatch() const { return mismatch_; }
+  double stretching() const { return stretching_; }
 
   /// Infinite where a face is flipped.
   double value(const Host_array<vec3>& x)
@@ -126,6 +130,12 @@ public:
     locate(x);
     mismatch_ = sum_by_parts(loop_, n, [&](int i) { return vertex_area_[i] * mismatch_at(i); }) / area_;
     double energy = distortion_ + mismatch_;
+    if(isometry_weight_ > 0) {
+      stretching_ =
+        sum_by_parts(loop_, static_cast<int>(a_.face.size()), [&](int f) { return carried(3 * f).energy(); }) /
+        surface_area;
+      energy += isometry_weight_ * stretching_;
+    }
     for(const Registration_landmark& l : landmarks_) {
       const vec3 d = sub(x[l.vertex], l.place);
       energy += landmark_stiffness_ * inner(d, d);
@@ -147,6 +157,13 @@ public:
         const double force = 2 * vertex_area_[i] / area_ * difference(k, i);
         for(int c = 0; c < 3; ++c)
           g = add_scaled(g, force * of_b(k, corner[c]), slope_[i][c]);
+      }
+      if(isometry_weight_ > 0) {
+        vec3 force = {0, 0, 0};
+        for(int k = corner_offset_[i]; k < corner_offset_[i + 1]; ++k)
+          force = add_scaled(force, isometry_weight_ / surface_area, carried(corner_[k]).gradient());
+        for(int c = 0; c < 3; ++c)
+          g = add_scaled(g, inner(b_.point[corner[c]], force), slope_[i][c]);
       }
       result[i] = g;
     });
@@ -190,6 +207,12 @@ private:
     return {{m.cotangent[k], m.cotangent[(k + 1) % 3], m.cotangent[(k + 2) % 3]}, m.twice_area};
   }
 
+  Carried_face carried(int corner) const
+  {
+    const int i = a_.origin(corner), j = a_.target(corner), k = a_.apex(corner);
+    return {a_.point[i], a_.point[j], a_.point[k], place_[i], place_[j], place_[k]};
+  }
+
   double of_b(int k, int vertex) const { return features_.b[k * b_.point.size() + vertex]; }
   double difference(int k, int i) const
   {
@@ -228,9 +251,14 @@ private:
     const int n = static_cast<int>(x.size());
     weight_.resize(n);
     slope_.resize(n);
+    place_.resize(n);
     for_each_index(loop_, n, [&](int i) {
       walk_.walk(x[i], face_of_[i]);
       walk_.weights(x[i], face_of_[i], weight_[i], slope_[i]);
+      const std::array<int, 3>& corner = b_.face[face_of_[i]];
+      place_[i] = {0, 0, 0};
+      for(int c = 0; c < 3; ++c)
+        place_[i] = add_scaled(place_[i], weight_[i][c], b_.point[corner[c]]);
     });
   }
 
@@ -239,15 +267,17 @@ private:
   const Registered_surface& b_;
   const Registration_features& features_;
   const std::vector<Registration_landmark>& landmarks_;
-  double landmark_stiffness_;
+  static constexpr double surface_area = 4 * pi; ///< of A and of B
+  double landmark_stiffness_, isometry_weight_;
   Face_walk walk_;
   Host_array<Face_metric> metric_;         ///< of the map that A came with
   Host_array<int> corner_offset_, corner_; ///< of every vertex
   Host_array<double> vertex_area_;         ///< on the sphere
-  double area_ = 0, distortion_ = 0, mismatch_ = 0;
+  double area_ = 0, distortion_ = 0, mismatch_ = 0, stretching_ = 0;
   Host_array<int> face_of_; ///< of B, by vertex of A
   Host_array<std::array<double, 3>> weight_;
   Host_array<std::array<vec3, 3>> slope_;
+  Host_array<vec3> place_; ///< on the surface of B
 };
 
 /// Fields of a surface by vertex, smoothed by the heat flow of the surface for a time: M f' + time L f' = M f.
@@ -267,9 +297,9 @@ public:
   const Weighted_graph& laplacian() const { return laplacian_; }
 
   /// Smooths three fields at a time.
-  void smooth(double time, std::vector<Host_array<double>>& fields) const
+  void smooth(double time, std::vector<Host_array<double>>& fields, Monitor& monitor) const
   {
-    constexpr double accuracy = 1e-3;
+    constexpr double accuracy = 1e-3, share_of_work = 0; // that of `refine()` counts
     if(!(time > 0))
       return;
     const int n = static_cast<int>(area_.size());
@@ -284,8 +314,7 @@ public:
       Host_array<vec3> b(n), x(n, make_vec3(0, 0, 0));
       for(int i = 0; i < n; ++i)
         b[i] = scale(area_[i], make_vec3(value(0, i), value(1, i), value(2, i)));
-      Monitor monitor(std::numeric_limits<double>::infinity(), nullptr, false);
-      conjugate_gradients(backend_, multigrid, 0, std::move(b), accuracy, monitor, 1., x);
+      conjugate_gradients(backend_, multigrid, 0, std::move(b), accuracy, monitor, share_of_work, x);
       for(int i = 0; i < n; ++i) {
         const double smooth_value[3] = {x[i].x, x[i].y, x[i].z};
         for(std::size_t j = 0; j < 3 && k + j < fields.size(); ++j)
@@ -305,7 +334,7 @@ private:
 inline double bounded(double x) { return 2 * std::tanh(x / 2); }
 
 CGAL_SP_CORE std::vector<Host_array<double>> shape_features(const Host_loop& loop, const Registered_surface& surface,
-                                                            double scale_of_details)
+                                                            double scale_of_details, Monitor& monitor)
 {
   const int n = static_cast<int>(surface.point.size());
   const Heat_flow flow(loop, surface);
@@ -335,8 +364,8 @@ CGAL_SP_CORE std::vector<Host_array<double>> shape_features(const Host_loop& loo
   });
   const double time = scale_of_details * scale_of_details;
   std::vector<Host_array<double>> fine = {field[1]};
-  flow.smooth(time / 4, fine);
-  flow.smooth(time, field);
+  flow.smooth(time / 4, fine, monitor);
+  flow.smooth(time, field, monitor);
   field.push_back(std::move(fine[0]));
   for(double& x : field[0])
     x = bounded(x);
@@ -365,7 +394,7 @@ CGAL_SP_CORE Refinement_report refine(const Host_loop& loop, const Registered_su
   constexpr double isometric = 4;
   constexpr int maximum_halvings = 25, window = 10;
   const int n = static_cast<int>(x.size());
-  Registration_energy energy(loop, a, b, features, landmarks, settings.landmark_weight, x);
+  Registration_energy energy(loop, a, b, features, landmarks, settings, x);
 
   Spring_lengths lengths;
   Weighted_graph laplacian = conformal_graph(loop, a, a.image, lengths);
@@ -451,6 +480,7 @@ CGAL_SP_CORE Refinement_report refine(const Host_loop& loop, const Registered_su
   report.energy = energy.value(x);
   report.mismatch = energy.mismatch();
   report.distortion = energy.distortion();
+  report.stretching = energy.stretching();
   return report;
 }
 
@@ -458,7 +488,7 @@ CGAL_SP_CORE void place_landmarks(const Host_loop& loop, const Registered_surfac
                                   const std::vector<Registration_landmark>& landmarks, Host_array<vec3>& x)
 {
   const Registration_features none;
-  const Registration_energy energy(loop, a, a, none, landmarks, 0, a.image);
+  const Registration_energy energy(loop, a, a, none, landmarks, {}, a.image);
   for(const Registration_landmark& l : landmarks)
     if(is_valid_centre(energy.star(l.vertex, x), l.place))
       x[l.vertex] = l.place;

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef SPHERICAL_PARAMETERIZATION_PYTHON_WATCH_H
+#define SPHERICAL_PARAMETERIZATION_PYTHON_WATCH_H
+
+#include "arrays.h"
+
+#include <chrono>
+
+/// The callback of a call: asks Python now and then whether to go on.
+struct Watch {
+  py::object progress; ///< None, or a callable
+  bool was_ctrl_c = false;
+  std::chrono::steady_clock::time_point last = std::chrono::steady_clock::now();
+
+  bool go_on(double fraction)
+  {
+    constexpr std::chrono::milliseconds interval(50); // the lock may be some way off
+    const bool is_last = fraction >= 1;
+    if((is_last && progress.is_none()) || (!is_last && std::chrono::steady_clock::now() - last < interval))
+      return true;
+    const py::gil_scoped_acquire lock;
+    try {
+      if(PyErr_CheckSignals() != 0)
+        throw py::error_already_set();
+      const bool is_stopped = !progress.is_none() && progress(fraction).is(py::bool_(false));
+      last = std::chrono::steady_clock::now();
+      return !is_stopped;
+    } catch(py::error_already_set& error) {
+      if(!error.matches(PyExc_KeyboardInterrupt))
+        throw;
+      was_ctrl_c = true;
+      return false;
+    }
+  }
+};
+
+#endif // SPHERICAL_PARAMETERIZATION_PYTHON_WATCH_H

@@ -179,6 +179,7 @@ bool is_same(const Triangle_3& s, const Triangle_3& t)
 struct Candidate {
   double bound;
   Triangle_3 triangle;
+  int blind; ///< so often it may be halved before the nearest face is asked for again
   friend bool operator<(const Candidate& a, const Candidate& b) { return a.bound < b.bound; }
 };
 
@@ -193,7 +194,7 @@ Bounds farthest(const Triangles& triangles, const Triangle_tree& tree, double to
   const auto is_close = [&](double bound) {
     return bound <= result.low + std::max(tolerance, relative_tolerance * result.low);
   };
-  const auto look_at = [&](const Triangle_3& t) {
+  const auto look_at = [&](const Triangle_3& t, double bound_of_whole, int blind) {
     const Point_3 centre = CGAL::centroid(t);
     double square = 0;
     for(int k = 0; k < 3; ++k)
@@ -201,14 +202,20 @@ Bounds farthest(const Triangles& triangles, const Triangle_tree& tree, double to
     const double radius = std::sqrt(square);
     if(radius < result.low && tree.is_met_by(centre, result.low - radius)) // no point is farther than one that is known
       return;
+    if(radius >= result.low && blind > 0) {
+      queue.push({bound_of_whole, t, blind - 1});
+      return;
+    }
     const Triangle_tree::Nearest nearest = tree.nearest(centre);
     double from_face = 0;
     for(int k = 0; k < 3; ++k)
       from_face = std::max(from_face, CGAL::squared_distance(t[k], *nearest.triangle));
     result.low = std::max(result.low, nearest.distance);
     // no point is farther than by the radius; nor, since a face is convex, farther from that face than the corners are
-    if(const double bound = std::min(nearest.distance + radius, std::sqrt(from_face)); !is_close(bound))
-      queue.push({bound, t});
+    const double by_radius = nearest.distance + radius, by_face = std::sqrt(from_face);
+    constexpr int across = 2; // it does not run along the face, and will not until it is small
+    if(const double bound = std::min(by_radius, by_face); !is_close(bound))
+      queue.push({bound, t, by_radius < by_face ? across : 0});
     else
       result.high = std::max(result.high, bound);
   };
@@ -218,7 +225,7 @@ Bounds farthest(const Triangles& triangles, const Triangle_tree& tree, double to
       go_on();
     for(int k = 0; k < 3; ++k)
       result.low = std::max(result.low, std::sqrt(tree.squared_distance(t[k])));
-    look_at(t);
+    look_at(t, 0, 0);
   }
   while(!queue.empty()) {
     const Candidate top = queue.top();
@@ -230,7 +237,7 @@ Bounds farthest(const Triangles& triangles, const Triangle_tree& tree, double to
       go_on();
     queue.pop();
     for(const Triangle_3& half : halves(top.triangle))
-      look_at(half);
+      look_at(half, top.bound, top.blind);
   }
   result.high = std::max(result.high, result.low);
   return result;

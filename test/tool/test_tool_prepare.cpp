@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <iterator>
@@ -121,6 +122,38 @@ Soup exploded(const Soup& soup)
     }
   }
   return result;
+}
+
+/// The boundary of unit cubes, whose vertices are shared by place.
+Soup voxels(const std::set<std::array<int, 3>>& cells)
+{
+  Soup soup;
+  std::map<std::array<int, 3>, std::size_t> number;
+  const auto vertex = [&](const std::array<int, 3>& c) {
+    const auto [entry, is_new] = number.emplace(c, soup.points.size());
+    if(is_new)
+      soup.points.emplace_back(c[0], c[1], c[2]);
+    return entry->second;
+  };
+  for(const auto& cell : cells)
+    for(std::size_t k = 0; k < 3; ++k)
+      for(const int step : {-1, 1}) {
+        std::array<int, 3> neighbour = cell, a = cell;
+        neighbour[k] += step;
+        if(cells.count(neighbour) > 0)
+          continue;
+        a[k] += step > 0 ? 1 : 0;
+        std::array<int, 3> b = a, c = a, d = a;
+        for(auto* const corner : {&b, &c})
+          ++(*corner)[(k + 1) % 3];
+        for(auto* const corner : {&c, &d})
+          ++(*corner)[(k + 2) % 3];
+        if(step < 0)
+          std::swap(b, d);
+        soup.faces.push_back({vertex(a), vertex(b), vertex(c)});
+        soup.faces.push_back({vertex(a), vertex(c), vertex(d)});
+      }
+  return soup;
 }
 
 /// Vertices at the same place become one.
@@ -303,6 +336,72 @@ TEST_CASE("prepare: a shortest loop of every handle", "[tool]")
 
   const Prepared two(scratch, joined(double_torus(), double_torus(), Vector(0, 0, 0)));
   CHECK(two.report["preparation"]["components"][0]["handles"] == 2);
+}
+
+TEST_CASE("prepare: of many handles each loop is the shortest that the cuts have left", "[tool]")
+{
+  Scratch scratch;
+  // square rings in a row, thin ones and thick ones, with a bar from each to the next: round a ring of thickness t
+  // the shortest way is 4 t
+  const std::vector<int> thickness = {2, 1, 3, 1};
+  std::set<std::array<int, 3>> cells;
+  int begin = 0;
+  for(const int t : thickness) {
+    const int size = 5 * t;
+    for(int x = 0; x < size; ++x)
+      for(int y = 0; y < size; ++y)
+        for(int z = 0; z < t; ++z)
+          if(std::min({x, y, size - 1 - x, size - 1 - y}) < t)
+            cells.insert({begin + x, y, z});
+    cells.insert({begin + size, 0, 0});
+    begin += size + 1;
+  }
+  const Prepared prepared(scratch, voxels(cells));
+  std::vector<double> lengths;
+  for(const auto& loop : prepared.report["preparation"]["handle_loops"])
+    lengths.push_back(loop["length"]);
+  CHECK(lengths == std::vector<double>{4, 4, 8, 12});
+  CHECK(prepared.run.out.find("a closed surface of genus 0") != std::string::npos);
+  check_maps(voxels(cells), prepared);
+  check_mapped(scratch);
+}
+
+TEST_CASE("prepare: distances where long faces run across each other", "[tool]")
+{
+  Scratch scratch;
+  Soup soup = bumpy_sphere(3);
+  for(std::size_t v = 0; v < soup.points.size(); v += 9) // many long faces
+    soup.points[v] = soup.points[(v * 7 + 100) % soup.points.size()];
+  soup.faces.pop_back();
+  const Prepared prepared(scratch, soup);
+  CHECK(prepared.report["preparation"]["holes"].size() >= 1);
+  const auto &low = prepared.report["distance_from_output_to_input"][0],
+             &high = prepared.report["distance_from_output_to_input"][1];
+  const double diagonal = prepared.report["diagonal"];
+  CHECK(low.get<double>() <= high.get<double>());
+  CHECK(high.get<double>() <= low.get<double>() + std::max(1e-4 * diagonal, 0.05 * low.get<double>()) * (1 + 1e-9));
+  // the faces of the filling, sampled, against all faces of IN, one by one
+  double sampled = 0;
+  for(std::size_t f = 0; f < prepared.out.faces.size(); ++f) {
+    if(prepared.face_map[f] >= 0)
+      continue;
+    const auto corner = [&](int k) { return prepared.out.points[prepared.out.faces[f][std::size_t(k)]]; };
+    const int n = 12;
+    for(int i = 0; i <= n; ++i)
+      for(int j = 0; i + j <= n; ++j) {
+        const Point p =
+          corner(0) + (corner(1) - corner(0)) * (double(i) / n) + (corner(2) - corner(0)) * (double(j) / n);
+        double nearest = 1e300;
+        for(const auto& face : soup.faces) {
+          const CGAL::Triangle_3<Kernel> t(soup.points[face[0]], soup.points[face[1]], soup.points[face[2]]);
+          if(!t.is_degenerate())
+            nearest = std::min(nearest, std::sqrt(CGAL::squared_distance(p, t)));
+        }
+        sampled = std::max(sampled, nearest);
+      }
+  }
+  CHECK(sampled <= high.get<double>() + 1e-9);
+  CHECK(sampled >= 0.8 * low.get<double>());
 }
 
 TEST_CASE("prepare: options restrict what is done", "[tool]")

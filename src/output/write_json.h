@@ -10,7 +10,8 @@
 
 namespace tool {
 
-/// Writes a file for people and programs: indented, with a line end. Bytes of file names that are no UTF-8 are replaced.
+/// Writes a file for people and programs: indented, with a line end. Bytes of file names that are no UTF-8 are
+/// replaced.
 inline void write_json(std::ostream& out, const nlohmann::ordered_json& json)
 {
   out << json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';

@@ -485,7 +485,7 @@ private:
 ///         registered; `INTERRUPTED` if callback or time limit ended it: what is stored then is a certified map, too
 /// \pre weights are not negative; there is a level or more; scale and accuracy are positive
 ///
-/// Complexity: about 200 iterations, each linear in the size of the first mesh; two meshes of 10,000 vertices take 4
+/// Complexity: about 200 iterations, each linear in the size of the first mesh; two meshes of 10,000 vertices take 3
 /// seconds on one core.
 template <class ExecutionPolicy, class MeshA, class SphereMapA, class MeshB, class SphereMapB, class RegisteredMap,
           class NamedParametersA = parameters::Default_named_parameters,

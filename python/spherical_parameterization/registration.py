@@ -118,27 +118,31 @@ def register_maps(
         raise ValueError("landmarks: integers of shape (k, 2) are needed")
     if pairs.size and (pairs.min() < 0 or pairs[:, 0].max() >= len(a) or pairs[:, 1].max() >= len(b)):
         raise ValueError("landmarks: there is no such vertex")
-    was_ctrl_c, registered, is_complete, start, rotation, *figures = _core.register_maps(
-        a,
-        index_triples(triangles),
-        vectors("sphere", sphere, len(a)),
-        b,
-        index_triples(other_triangles),
-        vectors("other_sphere", other_sphere, len(b)),
-        motion,
-        curvature_weight,
-        stretch_weight,
-        isometry_weight,
-        position_weight,
-        landmark_weight,
-        [(int(i), int(j)) for i, j in pairs],
-        policy,
-        maximum_running_time,
-        callback_of(progress),
+    was_ctrl_c, registered, is_complete, start, rotation, before, after, stretching, distortion, distance, steps, seconds = (
+        _core.register_maps(
+            a,
+            index_triples(triangles),
+            vectors("sphere", sphere, len(a)),
+            b,
+            index_triples(other_triangles),
+            vectors("other_sphere", other_sphere, len(b)),
+            motion,
+            curvature_weight,
+            stretch_weight,
+            isometry_weight,
+            position_weight,
+            landmark_weight,
+            [(int(i), int(j)) for i, j in pairs],
+            policy,
+            maximum_running_time,
+            callback_of(progress),
+        )
     )
     if was_ctrl_c:
         raise KeyboardInterrupt
-    return RegisteredMap(registered, is_complete, start, np.array(rotation), *figures)
+    return RegisteredMap(
+        registered, is_complete, start, np.array(rotation), before, after, stretching, distortion, distance, steps, seconds
+    )
 
 
 def moebius_centred(sphere: npt.ArrayLike, triangles: npt.ArrayLike, masses: npt.ArrayLike) -> Doubles:

@@ -115,7 +115,7 @@ void map(const Map_options& options, Mapped_mesh& input, Report& report, Outcome
   const auto stretch_file = options.stretch_ply.empty() ? nullptr : std::make_unique<Atomic_file>(options.stretch_ply);
   if(!options.report.empty())
     Atomic_file(options.report); // it is written at the end, also if there is no map
-  input.needs_neighbours = false;
+  input.needs_neighbours = !options.stretch_ply.empty();
   map_input(options, input);
   const Output_format format = output_format(options);
   if(stores_floats(format.format))

@@ -148,6 +148,13 @@ TEST_CASE("landmarks that a coarse mesh cannot keep are refused by name", "[land
     CAPTURE(result);
     CHECK(result.error == Error_code::BAD_CONSTRAINTS);
     CHECK(result.detail.find("corners of face") != std::string::npos);
+
+    Settings automatic = with_landmarks(mirrored);
+    automatic.method = SP::Automatic();
+    const Result last = solve(soup, sphere, automatic);
+    CAPTURE(last);
+    CHECK(last.attempts.size() > 1); // the harmonic map has flipped faces
+    CHECK(last.detail == result.detail);
   }
   SECTION("edges that would cross")
   {

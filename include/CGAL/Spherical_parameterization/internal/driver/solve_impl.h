@@ -106,7 +106,9 @@ Solution Method_solver<Automatic>::solve(const Backend& backend, const Problem& 
       attempts.back().detail = "valid, but lengths shrink more than " + to_string(method_.largest_shrinkage) +
                                " times on " + to_string(100 * shrunk) + " % of the surface";
     const bool is_better = solution.has_map() && !is_best_extreme && badness(solution) < badness(best);
-    if((is_valid && !is_extreme) || !best.has_map() || is_better) {
+    // Which landmarks contradict the mesh is of more use than a map that is not valid.
+    const bool is_refusal = solution.error == Error_code::BAD_CONSTRAINTS && best.error != Error_code::OK;
+    if((is_valid && !is_extreme) || !best.has_map() || is_better || is_refusal) {
       best = std::move(solution);
       is_best_extreme = is_extreme;
     }

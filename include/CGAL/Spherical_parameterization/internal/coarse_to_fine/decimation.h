@@ -106,9 +106,9 @@ public:
       for(const Band& b : bands)
         collapsed.insert(collapsed.end(), b.collapsed.begin(), b.collapsed.end());
       mesh_.count_collapses(static_cast<int>(collapsed.size()));
-      if(collapsed.empty() && map_ && !has_candidates())
-        break;
       if(collapsed.empty() && !has_candidates()) { // all that is left has a high degree, or is kept
+        if(map_)
+          break;
         if(keeps_vertices())
           release();
         else {

@@ -8,6 +8,7 @@
 #include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
 #include <CGAL/Spherical_parameterization/internal/base/pi.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/conformal_graph.h>
+#include <CGAL/Spherical_parameterization/internal/mesh/fans.h>
 #include <CGAL/Spherical_parameterization/internal/multigrid/Multigrid.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 #include <CGAL/Spherical_parameterization/internal/registration/Carried_face.h>
@@ -82,9 +83,8 @@ public:
                       const Refinement& settings, const Host_array<vec3>& x)
     : loop_(loop), a_(a), b_(b), features_(features), landmarks_(landmarks),
       landmark_stiffness_(landmarks.empty() ? 0 : settings.landmark_weight / double(landmarks.size())),
-      isometry_weight_(settings.isometry_weight), walk_(b), metric_(a.face.size()),
-      corner_offset_(a.point.size() + 1, 0), corner_(3 * a.face.size()), vertex_area_(a.point.size(), 0.),
-      face_of_(a.point.size(), -1)
+      isometry_weight_(settings.isometry_weight), walk_(b), metric_(a.face.size()), corner_offset_(a.point.size() + 1),
+      corner_(3 * a.face.size()), vertex_area_(a.point.size(), 0.), face_of_(a.point.size(), -1)
   {
     constexpr Metric_bounds as_it_is = {1e100, 0};
     const int faces = static_cast<int>(a.face.size());
@@ -97,15 +97,14 @@ public:
     });
     for(int f = 0; f < faces; ++f)
       for(int i : a.face[f]) {
-        ++corner_offset_[i + 1];
         vertex_area_[i] += twice_area[f] / 6;
         area_ += twice_area[f] / 6;
       }
-    for(std::size_t i = 0; i < a.point.size(); ++i)
-      corner_offset_[i + 1] += corner_offset_[i];
-    Host_array<int> place(corner_offset_.begin(), corner_offset_.end() - 1);
-    for(int c = 0; c < 3 * faces; ++c)
-      corner_[place[a.face[c / 3][c % 3]]++] = c;
+    corner_offset_.back() = 3 * faces;
+    for_each_fan(loop, a.face, static_cast<int>(a.point.size()), [&](const Fan& fan) {
+      corner_offset_[fan.vertex] = fan.first;
+      std::copy(fan.begin(), fan.end(), corner_.begin() + fan.first);
+    });
     find_faces(x);
   }
 

@@ -59,7 +59,6 @@ public:
   }
 
   int size() const { return static_cast<int>(vertex_.size()); }
-  const std::vector<int>& vertices() const { return vertex_; }
   std::vector<Face>& faces() { return face_; }
   vec3 position(int i) const { return v_[i]; }            ///< of any vertex of the mesh
   std::int64_t number_of_moves() const { return moves_; } ///< of single vertices, in all steps

@@ -9,6 +9,8 @@
 #include <CGAL/Spherical_parameterization/internal/relaxation/mend.h>
 #include <CGAL/Spherical_parameterization/internal/relaxation/untangling_energy.h>
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -51,7 +53,7 @@ inline std::vector<int> faces_at(const Host_loop& loop, const Host_array<std::ar
 }
 
 /// Calls f(patch) for every patch of the vertices that move, on all cores: the sets of them that faces connect. Returns
-/// the sum of what it returns.
+/// the number of moves that this has taken.
 template <class F>
 std::int64_t for_each_patch(const Host_loop& loop, const Host_array<std::array<int, 3>>& face,
                             const std::vector<char>& is_moving, Host_array<vec3>& v, F f)
@@ -69,26 +71,20 @@ std::int64_t for_each_patch(const Host_loop& loop, const Host_array<std::array<i
         moving.push_back(i);
       }
 
-  std::vector<int> parent(moving.size()); // in a tree for each patch
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](int k) {
-    while(parent[k] != k)
-      k = parent[k] = parent[parent[k]];
-    return k;
-  };
+  boost::disjoint_sets_with_storage<> sets(moving.size());
   for(int g : concerned)
     for(int m = 0; m < 3; ++m)
       if(const int i = face[g][m], j = face[g][(m + 1) % 3]; is_moving[i] && is_moving[j])
-        parent[root(number[i])] = root(number[j]);
+        sets.union_set(number[i], number[j]);
 
   struct Parts {
     std::vector<int> vertices;
     std::vector<Patch::Face> faces;
   };
   std::vector<Parts> patches;
-  std::vector<int> patch_of(moving.size(), -1), place(moving.size()); // the former by root
+  std::vector<int> patch_of(moving.size(), -1), place(moving.size()); // the former by set
   for(std::size_t k = 0; k < moving.size(); ++k) {
-    int& patch = patch_of[root(static_cast<int>(k))];
+    int& patch = patch_of[sets.find_set(k)];
     if(patch < 0) {
       patch = static_cast<int>(patches.size());
       patches.emplace_back();
@@ -102,16 +98,17 @@ std::int64_t for_each_patch(const Host_loop& loop, const Host_array<std::array<i
     for(int m = 0; m < 3; ++m)
       if(const int i = face[g][m]; is_moving[i]) {
         of_patch.moving[m] = place[number[i]];
-        patch = patch_of[root(number[i])];
+        patch = patch_of[sets.find_set(number[i])];
       }
     patches[patch].faces.push_back(of_patch);
   }
-  std::vector<std::int64_t> results(patches.size());
+  std::vector<std::int64_t> moves(patches.size());
   loop.for_each(static_cast<int>(patches.size()), [&](int k) {
     Patch patch(std::move(patches[k].vertices), std::move(patches[k].faces), v);
-    results[k] = f(patch);
+    f(patch);
+    moves[k] = patch.number_of_moves();
   });
-  return std::accumulate(results.begin(), results.end(), std::int64_t(0));
+  return std::accumulate(moves.begin(), moves.end(), std::int64_t(0));
 }
 
 /// Makes all faces of a patch positive, if it can, by Newton's method for energies that are regularized less and less.
@@ -228,7 +225,6 @@ CGAL_SP_CORE bool mend(const Host_loop& loop, const Host_array<std::array<int, 3
       const auto at_first = patch.number_of_flipped_faces();
       if(at_first > 0 && !untangle(point, patch) && patch.number_of_flipped_faces() >= at_first)
         patch.set_positions(start);
-      return patch.number_of_moves();
     });
     tangled = faces_where(loop, number_of_faces, is_flipped);
     if(tangled.empty())
@@ -247,10 +243,7 @@ CGAL_SP_CORE bool mend(const Host_loop& loop, const Host_array<std::array<int, 3
     }
     let_try(tangled);
   }
-  for_each_patch(loop, face, is_moving, v, [&](Patch& patch) {
-    polish(point, patch);
-    return patch.number_of_moves();
-  });
+  for_each_patch(loop, face, is_moving, v, [&](Patch& patch) { polish(point, patch); });
   for(int i = 0; i < n; ++i)
     if(!is_equal(v[i], before[i]))
       is_moved[i] = 1;

@@ -27,8 +27,13 @@ Descriptor_values d2(const Mesh& mesh, Sphere_map)
   std::vector<double> distances;
   distances.reserve(pairs);
   double mean = 0;
+  const auto next = [&] {
+    const Point_3 point = *generator;
+    ++generator; // generator++ would copy the areas of all faces
+    return point;
+  };
   for(std::size_t k = 0; k < pairs; ++k) {
-    const Point_3 p = *generator++, q = *generator++;
+    const Point_3 p = next(), q = next();
     distances.push_back(std::sqrt(CGAL::squared_distance(p, q)));
     mean += distances.back() / pairs;
   }

@@ -85,13 +85,14 @@ void add_registration_options(CLI::App& command, Registration_options& options)
     ->type_name("FILE");
   command.add_option("B", options.other, "The other mesh, likewise")->required()->type_name("FILE");
   add_mapping_options(command, options);
-  const auto how_to_map =
-    command.get_options([](const CLI::Option* option) { return option->get_group() != "Options"; });
+  const auto how_to_map = command.get_options([](const CLI::Option* option) {
+    return option->get_group() != "Options" && option->get_name() != "--max-time"; // which limits registration, too
+  });
   CLI::Option* spheres =
     command
       .add_option("--spheres", options.spheres,
                   "Spheres of A and of B that 'map' has written; they are used instead of new maps, and exclude all "
-                  "mapping options")
+                  "mapping options but --max-time")
       ->expected(2)
       ->type_name("FILE");
   for(CLI::Option* option : how_to_map)

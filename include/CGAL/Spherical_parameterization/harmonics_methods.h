@@ -20,11 +20,13 @@ enum class Vertex_weights {
 /// Analysis by weighted least squares: the coefficients for which the weighted sum of the squares of the errors at the
 /// vertices is least. Where the data are harmonics of this degree it finds them, whatever the triangles.
 ///
-/// Conjugate gradients on the normal equations (CGLS) with fast transforms: O(L^3 + n) per iteration for degree L and
-/// n vertices. The number of iterations depends on how evenly the weights cover the sphere, and on how many more
-/// vertices there are than coefficients: 5 to 15 with sphere areas and ten times as many, hundreds with twice as many.
+/// Conjugate gradients on the normal equations. Their matrix and right-hand side are taken from the vertices once, with
+/// a relative error of 1e-13, and applied by fast transforms: O(n) for n vertices, and O(L^3) per iteration for degree
+/// L. The number of iterations depends on how evenly the weights cover the sphere, and on how many more vertices there
+/// are than coefficients: 5 to 15 with sphere areas and ten times as many, hundreds with twice as many.
 ///
-/// A. Bjorck, "Numerical Methods for Least Squares Problems", 1996, 7.4.
+/// A. Bjorck, "Numerical Methods for Least Squares Problems", 1996, 7.4; H. Feichtinger, K. Groechenig, T. Strohmer,
+/// "Efficient numerical methods in non-uniform sampling theory", Numer. Math. 69, 1995.
 struct Least_squares {
   Vertex_weights weights = Vertex_weights::SPHERE_AREA; ///< how much each vertex counts
   double accuracy = 1e-10;                              ///< stops where the gradient is this part of that at 0

@@ -106,6 +106,7 @@ Harmonic_analysis analyze_fields(const Loop& loop, const TriangleMesh& mesh, con
   CGAL_SP_PRECONDITION(method.iterations >= 0, "the number of iterations must not be negative");
   CGAL_SP_PRECONDITION(static_cast<std::size_t>(degree + 1) * static_cast<std::size_t>(degree + 1) <= map.image.size(),
                        "least squares need (degree + 1)^2 vertices or more: take a smaller degree, or Integration");
+  CGAL_SP_PRECONDITION(2 * degree <= largest_harmonic_degree, "the degree of least squares is at most 8191");
   Host_array<double> weights;
   if(method.weights == Vertex_weights::SPHERE_AREA)
     weights = vertex_areas(loop, map, [&](int f) {
@@ -150,10 +151,9 @@ Harmonic_analysis analyze_fields(const Loop& loop, const TriangleMesh&, const Ma
 ///                    `Vertex_weights::SURFACE_AREA`
 /// \return the coefficients of one or of three functions, and how least squares went
 /// \throws Error  `NON_FINITE_COORDINATE` for an image that is no direction, or a value that is not finite
-/// \pre for `Least_squares` there are (degree + 1)^2 vertices or more
+/// \pre for `Least_squares` there are (degree + 1)^2 vertices or more, and the degree is at most 8191
 ///
-/// Complexity: O(L^3 + L^2 log L + n) times the number of iterations, or for integrals with the number of quadrature
-/// points as n. One million vertices and degree 85: a quarter of a second per iteration on two cores.
+/// Complexity: O(n) and O(L^3) for every iteration, or O(L^3) and the number of quadrature points for integrals.
 template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class VertexMap,
           class Method = Least_squares, class CGAL_NP_TEMPLATE_PARAMETERS, internal::If_policy<ExecutionPolicy> = 0>
 Harmonic_analysis harmonic_analysis(const ExecutionPolicy& policy, const TriangleMesh& mesh, VertexSphereMap sphere_map,

@@ -88,8 +88,12 @@ struct Angular_grid {
 /// functions on equidistant rows instead of a fast polynomial transform).
 class Grid_transform {
 public:
-  explicit Grid_transform(int degree)
-    : coarse_(fourier_size(2 * degree + 2)), n_(fourier_size((std::max)(2 * coarse_, 2 * Kernel::width))),
+  explicit Grid_transform(int degree) : Grid_transform(degree, degree) {}
+
+  /// \param degree_of_grid  of which a transform has the same grid; not less than the degree
+  Grid_transform(int degree, int degree_of_grid)
+    : coarse_(fourier_size(2 * degree + 2)),
+      n_(fourier_size((std::max)(2 * fourier_size(2 * degree_of_grid + 2), 2 * Kernel::width))),
       legendre_(degree, latitudes(coarse_), coarse_ / 2 + 1), correction_(Kernel::corrections(degree, n_))
   {}
 

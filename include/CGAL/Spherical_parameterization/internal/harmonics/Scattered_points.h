@@ -30,7 +30,7 @@ public:
     : n_(static_cast<int>(direction.size())), place_(direction.size()), weight_(direction.size())
   {
     Host_array<Place> place(direction.size());
-    for_each_index(loop, n_, [&](int i) { place[i] = place_of(grid.n, i, direction[i]); });
+    for_each_index<1024>(loop, n_, [&](int i) { place[i] = place_of(grid.n, i, direction[i]); });
     const int bands = (grid.n / 2 + 1) / Kernel::width + 1;
     band_begin_.assign(static_cast<std::size_t>(bands) + 1, 0);
     for(const Place& p : place)
@@ -40,7 +40,7 @@ public:
     std::vector<int> next(band_begin_.begin(), band_begin_.end() - 1);
     for(const Place& p : place)
       place_[next[band(p)]++] = p;
-    for_each_index(loop, n_, [&](int i) {
+    for_each_index<1024>(loop, n_, [&](int i) {
       const auto [row, column] = position(grid.n, direction[place_[i].point]);
       for(int j = 0; j < Kernel::width; ++j) {
         weight_[i].row[j] = Kernel::value(row - (place_[i].row + j));

@@ -25,8 +25,7 @@ template <class Loop>
 Fit fit_harmonics(const Loop& loop, const Host_array<vec3>& directions, const Sampled_fields& fields,
                   const Host_array<double>& weights, int degree, const Least_squares& method)
 {
-  Host_array<double> values = fields.value;
-  return Conjugate_gradients<Loop>(loop, directions, weights, degree, fields.number_of_fields).solve(values, method);
+  return conjugate_gradients(Normal_equations<Loop>(loop, directions, fields, weights, degree), method);
 }
 
 template <class Loop>

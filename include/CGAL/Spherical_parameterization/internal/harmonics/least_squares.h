@@ -12,101 +12,111 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 
-/// Conjugate gradients for least squares (CGLS): every field for itself, in step, so that they share the transforms.
+/// The normal equations of least squares at points x_i with weights w_i, in coefficients alone. The product of two
+/// harmonics of degree L is a function of degree 2L; so what the normal matrix has of the points are the inner products
+/// of their weights with the harmonics of degree up to 2L. They make up a density on the sphere, and the matrix is:
+/// synthesis on a grid, times the density there, analysis, exact to rounding by a quadrature for degree 4L. The points
+/// are looked at once, not in every iteration (H. Feichtinger, K. Groechenig, T. Strohmer, "Efficient numerical methods
+/// in non-uniform sampling theory", Numer. Math. 69, 1995, on the circle).
 template <class Loop>
-class Conjugate_gradients {
+class Normal_equations {
 public:
-  Conjugate_gradients(const Loop& loop, const Host_array<vec3>& directions, const Host_array<double>& weights,
-                      int degree, int fields)
-    : loop_(loop), transform_(degree), grid_(transform_.grid(fields)), points_(loop, grid_, directions),
-      weights_(weights), n_(points_.size()), fields_(fields),
-      scratch_(static_cast<std::size_t>(n_) * static_cast<std::size_t>(fields))
-  {}
-
-  /// \param values  field after field; becomes the residual
-  Fit solve(Host_array<double>& values, const Least_squares& method)
+  Normal_equations(const Loop& loop, const Host_array<vec3>& directions, const Sampled_fields& fields,
+                   const Host_array<double>& weights, int degree)
+    : loop_(loop), rows_(gauss_legendre_rows(2 * degree + 1, 4 * degree + 2)),
+      right_hand_side_(degree, fields.number_of_fields)
   {
-    Fit fit;
-    fit.coefficients = Harmonic_coefficients(transform_.degree(), fields_);
-    Harmonic_coefficients& x = fit.coefficients;
-    Harmonic_coefficients s = x;
-    gradient(values, s);
-    Harmonic_coefficients p = s;
-    const std::vector<double> first = squares(s);
-    std::vector<double> square = first;
-    Host_array<double> q(values.size());
-    const auto goes_on = [&](int field) { return square[field] > method.accuracy * method.accuracy * first[field]; };
-    const auto any_goes_on = [&] {
-      for(int field = 0; field < fields_; ++field)
-        if(goes_on(field))
-          return true;
-      return false;
+    const int n = static_cast<int>(directions.size());
+    const Grid_transform of_density(2 * degree), of_fields(degree, 2 * degree);
+    Angular_grid grid = of_density.grid(1); // one field at a time: for high degrees this is the most memory
+    const Scattered_points points(loop, grid, directions);
+    const auto inner_products = [&](const Host_array<double>& values, const Grid_transform& transform) {
+      Harmonic_coefficients c(transform.degree(), 1);
+      std::fill(grid.value.begin(), grid.value.end(), 0);
+      points.spread(loop, values.data(), grid);
+      transform.analyze(loop, grid, c);
+      return c;
     };
-    while(any_goes_on()) {
-      if(fit.iterations == method.iterations) {
-        fit.has_converged = false;
-        break;
-      }
-      ++fit.iterations;
-      transform_.synthesize(loop_, p, grid_);
-      points_.interpolate(loop_, grid_, q.data());
-      for(int field = 0; field < fields_; ++field) {
-        double* const r = values.data() + static_cast<std::size_t>(field) * n_;
-        const double* const qf = q.data() + static_cast<std::size_t>(field) * n_;
-        const double curvature = sum_by_parts(loop_, n_, [&](int i) { return weights_[i] * qf[i] * qf[i]; });
-        const double step = goes_on(field) && curvature > 0 ? square[field] / curvature : 0;
-        for(int i = 0; i < x.size(); ++i)
-          x.field_begin(field)[i] += step * p.field_begin(field)[i];
-        for_each_index(loop_, n_, [&](int i) { r[i] -= step * qf[i]; });
-      }
-      gradient(values, s);
-      const std::vector<double> now = squares(s);
-      for(int field = 0; field < fields_; ++field) {
-        const double share = square[field] > 0 ? now[field] / square[field] : 0;
-        for(int i = 0; i < p.size(); ++i)
-          p.field_begin(field)[i] = s.field_begin(field)[i] + share * p.field_begin(field)[i];
-      }
-      square = now;
+    density_ = synthesize_on_rows(loop, inner_products(weights, of_density), rows_);
+    Host_array<double> weighted(weights.size());
+    for(int field = 0; field < fields.number_of_fields; ++field) {
+      const double* const value = fields.value.data() + static_cast<std::size_t>(field) * n;
+      for_each_index(loop, n, [&](int i) { weighted[i] = weights[i] * value[i]; });
+      const Harmonic_coefficients c = inner_products(weighted, of_fields);
+      std::copy_n(c.field_begin(0), c.size(), right_hand_side_.field_begin(field));
     }
-    return fit;
+  }
+
+  const Harmonic_coefficients& right_hand_side() const { return right_hand_side_; }
+
+  /// The matrix times every field.
+  Harmonic_coefficients operator*(const Harmonic_coefficients& x) const
+  {
+    Sampled_fields values = {x.number_of_fields(), synthesize_on_rows(loop_, x, rows_)};
+    for(std::size_t i = 0; i < values.value.size(); ++i)
+      values.value[i] *= density_[i % density_.size()];
+    return analyze_rows(loop_, rows_, values, x.degree());
   }
 
 private:
-  /// The inner products of the weighted residual with the harmonics.
-  void gradient(const Host_array<double>& residual, Harmonic_coefficients& s)
-  {
-    for_each_index(loop_, n_, [&](int i) {
-      for(int field = 0; field < fields_; ++field) {
-        const std::size_t at = static_cast<std::size_t>(field) * n_ + i;
-        scratch_[at] = weights_[i] * residual[at];
-      }
-    });
-    std::fill(grid_.value.begin(), grid_.value.end(), 0);
-    points_.spread(loop_, scratch_.data(), grid_);
-    transform_.analyze(loop_, grid_, s);
-  }
-
-  static std::vector<double> squares(const Harmonic_coefficients& s)
-  {
-    std::vector<double> result;
-    for(int field = 0; field < s.number_of_fields(); ++field)
-      result.push_back(
-        std::inner_product(s.field_begin(field), s.field_begin(field) + s.size(), s.field_begin(field), 0.));
-    return result;
-  }
-
   const Loop& loop_;
-  Grid_transform transform_;
-  Angular_grid grid_;
-  Scattered_points points_;
-  const Host_array<double>& weights_;
-  int n_, fields_;
-  Host_array<double> scratch_;
+  Latitude_rows rows_;
+  Host_array<double> density_;
+  Harmonic_coefficients right_hand_side_;
 };
+
+/// Conjugate gradients: every field for itself, in step, so that they share the transforms.
+template <class Matrix>
+Fit conjugate_gradients(const Matrix& matrix, const Least_squares& method)
+{
+  const int fields = matrix.right_hand_side().number_of_fields(), size = matrix.right_hand_side().size();
+  const auto inner = [=](const Harmonic_coefficients& a, const Harmonic_coefficients& b, int field) {
+    return std::inner_product(a.field_begin(field), a.field_begin(field) + size, b.field_begin(field), 0.);
+  };
+  Fit fit;
+  fit.coefficients = Harmonic_coefficients(matrix.right_hand_side().degree(), fields);
+  Harmonic_coefficients residual = matrix.right_hand_side(), direction = residual;
+  std::vector<double> square;
+  for(int field = 0; field < fields; ++field)
+    square.push_back(inner(residual, residual, field));
+  const std::vector<double> first = square;
+  const auto goes_on = [&](int field) { return square[field] > method.accuracy * method.accuracy * first[field]; };
+  const auto any_goes_on = [&] {
+    for(int field = 0; field < fields; ++field)
+      if(goes_on(field))
+        return true;
+    return false;
+  };
+  for(; any_goes_on(); ++fit.iterations) {
+    if(fit.iterations == method.iterations) {
+      fit.has_converged = false;
+      break;
+    }
+    const Harmonic_coefficients product = matrix * direction;
+    for(int field = 0; field < fields; ++field) {
+      double* const x = fit.coefficients.field_begin(field);
+      double* const r = residual.field_begin(field);
+      double* const p = direction.field_begin(field);
+      const double curvature = inner(direction, product, field);
+      const double step = goes_on(field) && curvature > 0 ? square[field] / curvature : 0;
+      for(int i = 0; i < size; ++i) {
+        x[i] += step * p[i];
+        r[i] -= step * product.field_begin(field)[i];
+      }
+      const double before = std::exchange(square[field], inner(residual, residual, field));
+      const double share = before > 0 ? square[field] / before : 0;
+      for(int i = 0; i < size; ++i)
+        p[i] = r[i] + share * p[i];
+    }
+  }
+  return fit;
+}
 
 } // namespace CGAL::Spherical_parameterization::internal
 

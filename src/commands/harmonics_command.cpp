@@ -6,7 +6,7 @@
 
 #include "mapping/mapped_mesh.h"
 #include "mapping/report.h"
-#include "preparation/surface_distance.h"
+#include "preparation/sampled_hausdorff.h"
 #include "options/usage.h"
 #include "output/atomic_file.h"
 #include "output/write_json.h"
@@ -106,27 +106,25 @@ Json errors_by_degree(const Harmonics_options& options, const Mapped_mesh& input
                       const SP::Harmonic_coefficients& coefficients)
 {
   Json rows = Json::array();
+  const Sampled_hausdorff hausdorff(input.mesh(), input.mesh().points(), options.policy != "sequential");
   for(int degree = 1;; degree = (std::min)(2 * degree, options.degree)) {
     degree = (std::min)(degree, options.degree);
     const std::vector<Point> points = reconstructed(input, SP::with_degree(coefficients, degree));
     const SP::Reconstruction_error error =
       SP::reconstruction_error(input.mesh(), as_map(input.mesh().points()), as_map(points));
-    rows.push_back(
-      {{"degree", degree},
-       {"root_mean_square", error.root_mean_square},
-       {"relative", error.relative},
-       {"largest", error.largest},
-       {"hausdorff", hausdorff_distance(input.mesh(), input.mesh().points(), points, options.policy != "sequential")}});
+    rows.push_back({{"degree", degree},
+                    {"root_mean_square", error.root_mean_square},
+                    {"relative", error.relative},
+                    {"largest", error.largest},
+                    {"hausdorff", hausdorff.distance(points)}});
     stop_if_interrupted(options.input);
     if(degree == options.degree)
       return rows;
   }
 }
 
-void write_harmonics_report(std::ostream& out, const Harmonics_options& options, const Mapped_mesh& input,
-                            const SP::Harmonic_analysis& analysis, const Report& report)
+Json harmonics_json(const Harmonics_options& options, const Mapped_mesh& input, const SP::Harmonic_analysis& analysis)
 {
-  Json json = report_json(options, input, report);
   Json harmonics = {{"degree", options.degree},
                     {"fit", options.fit},
                     {"iterations", analysis.iterations},
@@ -140,8 +138,7 @@ void write_harmonics_report(std::ostream& out, const Harmonics_options& options,
                               {"axes", ellipsoid.axes},
                               {"sphere_axes", ellipsoid.sphere_axes}};
   }
-  json["harmonics"] = std::move(harmonics);
-  write_json(out, json);
+  return harmonics;
 }
 
 void harmonics(const Harmonics_options& options, Outcome& outcome)
@@ -160,20 +157,28 @@ void harmonics(const Harmonics_options& options, Outcome& outcome)
   const SP::internal::Stopwatch analyzing;
   const SP::Harmonic_analysis analysis = analyzed(options, input);
   Report report;
-  report.seconds_measure = analyzing.seconds();
+  const double seconds_analysis = analyzing.seconds();
   const std::vector<Point> points = reconstructed(input, analysis.coefficients);
   const SP::Reconstruction_error error =
     SP::reconstruction_error(input.mesh(), as_map(input.mesh().points()), as_map(points));
+  Json json = report_file ? harmonics_json(options, input, analysis) : Json();
+  report.seconds_measure = analyzing.seconds();
+  json["seconds"] = {{"analysis", seconds_analysis}, {"errors", report.seconds_measure - seconds_analysis}};
   stop_if_interrupted(options.input);
+  const SP::internal::Stopwatch writing;
   SP::write_coefficients(file.stream(),
                          options.align ? SP::aligned_to_ellipsoid(analysis.coefficients) : analysis.coefficients,
                          format_of(options.output));
   if(mesh_file)
     write_mesh(mesh_file->stream(), output_format_of_name("--reconstruct", options.reconstruct, options.ascii),
                input.mesh(), points, Surface::SHAPE, input.file->annotations);
+  report.seconds_write = writing.seconds();
   report.seconds_total = total.seconds();
-  if(report_file)
-    write_harmonics_report(report_file->stream(), options, input, analysis, report);
+  if(report_file) {
+    Json whole = report_json(options, input, report);
+    whole["harmonics"] = std::move(json);
+    write_json(report_file->stream(), whole);
+  }
   stop_if_interrupted(options.input);
   Atomic_file::commit_all({report_file.get(), mesh_file.get(), &file});
   std::ostringstream line, text;
@@ -186,7 +191,8 @@ void harmonics(const Harmonics_options& options, Outcome& outcome)
          << " iterations, short of their accuracy: there are few vertices for this degree; --fit integrals is safer\n";
   text << "error at the vertices: root mean square " << error.root_mean_square << " (" << error.relative
        << " of the size), at most " << error.largest << '\n'
-       << report.seconds_total << " s: map " << input.result.seconds.total << ", harmonics " << report.seconds_measure;
+       << report.seconds_total << " s: map " << input.result.seconds.total << ", harmonics " << seconds_analysis
+       << ", errors " << report.seconds_measure - seconds_analysis;
   outcome.text = options.output + ": " + line.str() + '\n' + text.str();
   line << ", relative error " << error.relative << (analysis.has_converged ? "" : ", short of its accuracy");
   outcome.line = line.str();

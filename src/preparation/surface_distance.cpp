@@ -10,7 +10,6 @@
 #include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
 
 #include <algorithm>
 #include <array>
@@ -22,7 +21,6 @@
 namespace tool {
 namespace {
 
-namespace SP = CGAL::Spherical_parameterization;
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point_3 = Kernel::Point_3;
 using Triangle_3 = Kernel::Triangle_3;
@@ -243,23 +241,6 @@ Bounds farthest(const Triangles& triangles, const Triangle_tree& tree, double to
   return result;
 }
 
-/// The largest squared distance of one of the points from the surface.
-double largest_square(const Triangles& surface, const std::vector<Point>& points, double unit,
-                      const SP::internal::Host_loop& loop)
-{
-  const Triangle_tree tree(surface);
-  if(tree.is_empty())
-    return 0;
-  const auto squares =
-    SP::internal::results_of_parts<1024>(loop, static_cast<int>(points.size()), [&](int begin, int end) {
-      double largest = 0;
-      for(int i = begin; i < end; ++i)
-        largest = (std::max)(largest, tree.squared_distance(point_of(points[place(i)], unit)));
-      return largest;
-    });
-  return *std::max_element(squares.begin(), squares.end());
-}
-
 CGAL::Bbox_3 box_of(const Triangles& triangles)
 {
   CGAL::Bbox_3 box;
@@ -308,14 +289,6 @@ Hausdorff_distance hausdorff_distance(const Soup& old, const std::vector<Glued_s
     return Bounds{unit * bounds.low, unit * bounds.high};
   };
   return {between(only_new, all_old), between(only_old, all_new)};
-}
-
-double hausdorff_distance(const Mesh& mesh, const std::vector<Point>& a, const std::vector<Point>& b, bool on_all_cores)
-{
-  const SP::internal::Host_loop loop(on_all_cores);
-  const double unit = unit_of((std::max)(largest_coordinate(a), largest_coordinate(b)));
-  return unit * std::sqrt((std::max)(largest_square(triangles_of(mesh, a, unit), b, unit, loop),
-                                     largest_square(triangles_of(mesh, b, unit), a, unit, loop)));
 }
 
 std::vector<int> nearest_faces(const Soup& old, const Glued_surface& surface)

@@ -33,11 +33,6 @@ struct Hausdorff_distance {
 Hausdorff_distance hausdorff_distance(const Soup& old, const std::vector<Glued_surface>& parts, double tolerance,
                                       const std::function<void()>& go_on);
 
-/// The Hausdorff distance of two surfaces with the same faces over different points, sampled at the vertices: the
-/// largest distance of a vertex of one from the other surface. O(n log n), on all cores if `on_all_cores`.
-double hausdorff_distance(const Mesh& mesh, const std::vector<Point>& a, const std::vector<Point>& b,
-                          bool on_all_cores);
-
 /// For faces of the mesh as it was that have no face in `surface`: the nearest one there, measured from the centre.
 /// For all others that face. Faces without finite coordinates get face 0.
 std::vector<int> nearest_faces(const Soup& old, const Glued_surface& surface);

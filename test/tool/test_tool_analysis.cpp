@@ -241,6 +241,37 @@ TEST_CASE("harmonics: coefficients, reconstruction and report of an ellipsoid", 
   }
 }
 
+TEST_CASE("harmonics: the Hausdorff distance is that of the vertices from the faces", "[tool]")
+{
+  Scratch scratch;
+  Soup shape = icosphere(2);
+  for(Point& p : shape.points) // with a spike, and as flat as a pancake
+    p = Point(p.x(), p.y() * (p.x() > 0.9 ? 3 : 1), 0.1 * p.z() + (p.y() > 0.8 ? 1 : 0));
+  const std::string input = write_off(scratch / "in.off", shape),
+                    round = write_off(scratch / "round.off", icosphere(2));
+  const Process_result run =
+    run_tool({"harmonics", input, "--sphere", round, "-o", scratch / "out.csv", "--degree", "5", "--reconstruct",
+              scratch / "smooth.off", "--report", scratch / "report.json"});
+  CAPTURE(run.err);
+  REQUIRE(run.exit_code == 0);
+  const Soup smooth = read(scratch / "smooth.off");
+  double square = 0;
+  for(const auto& [from, to] : {std::pair(&shape, &smooth), std::pair(&smooth, &shape)})
+    for(const Point& p : from->points) {
+      double nearest = 1e300;
+      for(const auto& f : to->faces)
+        nearest = (std::min)(
+          nearest, CGAL::squared_distance(p, Kernel::Triangle_3(to->points[f[0]], to->points[f[1]], to->points[f[2]])));
+      square = (std::max)(square, nearest);
+    }
+  const auto report = nlohmann::json::parse(text_of(scratch / "report.json"));
+  const auto last = report["harmonics"]["errors"].back();
+  CHECK(last["hausdorff"].get<double>() == Approx(std::sqrt(square)).epsilon(1e-9));
+  CHECK(last["hausdorff"].get<double>() < 0.9 * last["largest"].get<double>()); // else the test could not tell
+  CHECK(report["harmonics"]["seconds"]["errors"].get<double>() <= report["seconds"]["measure"].get<double>());
+  CHECK(report["seconds"]["measure"].get<double>() <= report["seconds"]["total"].get<double>());
+}
+
 TEST_CASE("harmonics: aligned coefficients do not depend on the pose, and the map is isometric by default", "[tool]")
 {
   Scratch scratch;

@@ -107,6 +107,12 @@ void add_commands(CLI::App& app)
   Map_command locate(app, "locate", "The inverse map: queries per second, error of the round trip", tabulate_locate);
   locate.add_subdivisions("How often the meshes are subdivided");
   locate.add_positive("--queries", &Options::queries, "Random directions");
+  Command rotations(app, "rotations", "The rotation between two maps of a shape: how well it is found",
+                    tabulate_rotations);
+  rotations.add_positive("--rotations", &Options::rotations, "Of every mesh");
+  rotations.add("meshes", &Options::meshes, "Closed triangle meshes of genus 0, or folders of them")
+    ->required()
+    ->check(CLI::ExistingPath);
   Command mass(app, "mass",
                "Maps every mesh with every method and weight, meshes in parallel; goes on where it was stopped",
                tabulate_mass);

@@ -25,6 +25,7 @@ struct Options {
   std::size_t maximum_vertices = 500000;                       ///< scaling
   std::size_t queries = 1000000;                               ///< locate
   std::size_t rows = 1000000;                                  ///< index
+  int rotations = 100;                                         ///< rotations
   bool skips_sdf = false;                                      ///< segmentation
   std::vector<std::string> variants_of;                        ///< retrieval: groups
   std::string order;                                           ///< sweep
@@ -48,6 +49,7 @@ void tabulate_scaling(const Options& options);
 void tabulate_checks(const Options& options);
 void tabulate_texture(const Options& options);
 void tabulate_locate(const Options& options);
+void tabulate_rotations(const Options& options);
 void tabulate_mass(const Options& options);
 void tabulate_foreign(const Options& options);
 void tabulate_retrieval(const Options& options);

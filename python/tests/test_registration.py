@@ -3,6 +3,9 @@
 
 from __future__ import annotations
 
+import os
+import signal
+
 import numpy as np
 import pytest
 
@@ -68,3 +71,16 @@ def test_progress_and_time_limit_end_it_with_a_certified_map() -> None:
     assert not stopped.is_complete and sp.certify(a[1], stopped.sphere).is_valid
     with pytest.raises(ValueError):
         sp.register_maps(*a, *b, maximum_running_time=float("nan"))
+
+
+def test_ctrl_c_ends_it() -> None:
+    a, b = mapped(1), mapped(2)
+    fractions: list[float] = []
+
+    def progress(fraction: float) -> None:
+        fractions.append(fraction)
+        os.kill(os.getpid(), signal.SIGINT)
+
+    with pytest.raises(KeyboardInterrupt):
+        sp.register_maps(*a, *b, progress=progress)
+    assert len(fractions) == 1 and fractions[0] < 1

@@ -164,9 +164,10 @@ double Sampled_hausdorff::distance(const std::vector<Point>& others) const
   for(const auto& [from, to] : {std::pair(&a, &b), std::pair(&b, &a)}) {
     const Boxes boxes(loop_, faces_, *to);
     int size = 256; // together: their results are known to the next ones
-    for(int begin = 0; begin < n && bounds[place(begin)].first > square; begin += size, size = (std::min)(2 * size, n)) {
-      const auto farthest = SP::internal::results_of_parts<64>(
-        loop_, (std::min)(size, n - begin), [&, from = from](int first, int last) {
+    for(int begin = 0; begin < n && bounds[place(begin)].first > square;
+        begin += size, size = (std::min)(2 * size, n)) {
+      const auto farthest =
+        SP::internal::results_of_parts<64>(loop_, (std::min)(size, n - begin), [&, from = from](int first, int last) {
           double result = square;
           for(int i = begin + first; i < begin + last; ++i) {
             const auto& [bound, v] = bounds[place(i)];

@@ -87,7 +87,8 @@ struct Registration_result {
 
   std::string start;          ///< what found the rotation: "landmarks", "coordinates" or "features"
   Rotation rotation = {};     ///< of the first map, to start with
-  double mismatch_before = 0; ///< root mean square difference of curvature and stretch on the finest level, rotated
+  double mismatch_before = 0; ///< root mean square difference of curvature and stretch on the finest level, rotated;
+                              ///< 0 if the call ended before the map was deformed
   double mismatch = 0;        ///< and in the end
   double distortion = 4;      ///< mean symmetric Dirichlet energy of the deformation of the sphere; 4: none
   double stretching = 0;      ///< mean stretching of the first surface onto the second; 4: none. 0: not deformed
@@ -170,7 +171,7 @@ public:
     const Stopwatch watch;
     Host_array<vec3> x = align(locate_a, locate_b);
     result_.seconds.align = watch.seconds();
-    if(settings_.motion == Registration::Motion::DEFORMATION)
+    if(settings_.motion == Registration::Motion::DEFORMATION && !monitor_.is_interrupted())
       deform(x);
     result_.seconds.refine = watch.seconds() - result_.seconds.align;
     for(const Registration_landmark& l : landmarks_)
@@ -267,8 +268,12 @@ private:
         space_ = best_motion(locate_a, locate_b).space;
       return turned(result_.rotation);
     }
+    if(!monitor_.advance(0))
+      return a_.image;
     const Shape_alignment motion = best_motion(locate_a, locate_b);
     space_ = motion.space;
+    if(!monitor_.advance(0))
+      return a_.image;
     const auto features_a = features_of(a_, settings_.coarsest_scale),
                features_b = features_of(b_, settings_.coarsest_scale);
     const std::vector<Proposal> proposed =

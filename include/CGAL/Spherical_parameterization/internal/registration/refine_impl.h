@@ -394,6 +394,19 @@ CGAL_SP_CORE Refinement_report refine(const Host_loop& loop, const Registered_su
   constexpr int maximum_halvings = 25, window = 10;
   const int n = static_cast<int>(x.size());
   Registration_energy energy(loop, a, b, features, landmarks, settings, x);
+  Refinement_report report;
+  double now = energy.value(x);
+  report.energy_before = now;
+  report.mismatch_before = energy.mismatch();
+  const auto complete = [&] {
+    report.energy = energy.value(x);
+    report.mismatch = energy.mismatch();
+    report.distortion = energy.distortion();
+    report.stretching = energy.stretching();
+    return report;
+  };
+  if(settings.iterations == 0)
+    return complete();
 
   Spring_lengths lengths;
   Weighted_graph laplacian = conformal_graph(loop, a, a.image, lengths);
@@ -407,10 +420,6 @@ CGAL_SP_CORE Refinement_report refine(const Host_loop& loop, const Registered_su
   const Host_backend<Host_loop> backend{loop};
   Multigrid<Host_backend<Host_loop>> multigrid(backend, std::make_shared<const Weighted_graph>(std::move(laplacian)));
 
-  Refinement_report report;
-  double now = energy.value(x);
-  report.energy_before = now;
-  report.mismatch_before = energy.mismatch();
   Host_array<vec3> g, d(n, make_vec3(0, 0, 0)), smooth(n), previous, y(n);
   double previous_product = 0, milestone = now;
   while(report.iterations < settings.iterations && monitor.advance(double(report.iterations) / settings.iterations)) {
@@ -476,11 +485,7 @@ CGAL_SP_CORE Refinement_report refine(const Host_loop& loop, const Registered_su
       milestone = now;
     }
   }
-  report.energy = energy.value(x);
-  report.mismatch = energy.mismatch();
-  report.distortion = energy.distortion();
-  report.stretching = energy.stretching();
-  return report;
+  return complete();
 }
 
 CGAL_SP_CORE void place_landmarks(const Host_loop& loop, const Registered_surface& a,

@@ -37,11 +37,12 @@ void benchmark::tabulate_rotations(const Options& options)
 {
   constexpr int level = 5; // 10,242 vertices
   constexpr double noise = 0.01, wrong = 0.5;
-  Table table(options.output, "rotations", "Rotation between two maps",
-              {"isometric map; the shape resampled at an icosphere that is rotated at random, with normal noise of 1 % of "
-               "the root mean square distance from the centre in every coordinate",
-               "error of aligning_rotation() in degrees; CPU milliseconds of one core, without maps and locators"},
-              {"model", "vertices", "rotations", "above 0.5 degree", "mean error", "largest error", "ms"});
+  Table table(
+    options.output, "rotations", "Rotation between two maps",
+    {"isometric map; the shape resampled at an icosphere that is rotated at random, with normal noise of 1 % of "
+     "the root mean square distance from the centre in every coordinate",
+     "error of aligning_rotation() in degrees; CPU milliseconds of one core, without maps and locators"},
+    {"model", "vertices", "rotations", "above 0.5 degree", "mean error", "largest error", "ms"});
   std::mt19937_64 random(1);
   std::normal_distribution<double> normal;
   for_each_mesh(options.meshes, [&](const std::string& model, Mesh& mesh, Sphere_map sphere) {
@@ -70,8 +71,7 @@ void benchmark::tabulate_rotations(const Options& options)
         auto h = mesh.halfedge(face);
         for(std::size_t c = 0; c < 3; ++c, h = mesh.next(h))
           p += weight[c] * (mesh.point(mesh.source(h)) - CGAL::ORIGIN);
-        other.point(v) = CGAL::ORIGIN + p +
-                         deviation * Vector_3(normal(random), normal(random), normal(random));
+        other.point(v) = CGAL::ORIGIN + p + deviation * Vector_3(normal(random), normal(random), normal(random));
         const SP::internal::vec3 q = SP::internal::rotated(turn, {images[v].x(), images[v].y(), images[v].z()});
         images[v] = Point_3(q.x, q.y, q.z);
       }

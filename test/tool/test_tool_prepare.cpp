@@ -319,7 +319,7 @@ TEST_CASE("prepare --steps merge,orient and map --prepare change no shape", "[to
         CHECK(run_tool({"certify", scratch / "out.off", scratch / "sphere.off"}).exit_code == 0);
       } else {
         CHECK(is_one_line(mapped.err));
-        CHECK(mapped.err.find("the command 'prepare' does that") != std::string::npos);
+        CHECK(mapped.err.find("; the command 'prepare' mends that, too\n") != std::string::npos);
       }
     }
 }
@@ -649,6 +649,15 @@ TEST_CASE("segment --prepare: a label for every face of the file", "[tool]")
     CHECK(*different.rbegin() == int(different.size()) - 1);
     CHECK(read(scratch / "out.ply").faces == soup.faces);
   }
+  // balanced has no answer, so the others are asked; not if the user insists
+  const std::string wild = write_off(scratch / "in.off", torus(3, 3));
+  const Process_result balanced =
+    run_tool({"segment", wild, "-o", scratch / "wild.ply", "--prepare", "--method", "balanced"});
+  CHECK(balanced.exit_code == 1);
+  CHECK(is_one_line(balanced.err));
+  const Process_result others = run_tool({"segment", wild, "-o", scratch / "wild.ply", "--prepare"});
+  CHECK(others.exit_code == 0);
+  CHECK(others.out.find("automatic: balanced: ") != std::string::npos);
   // the component that was left out is a segment by itself
   REQUIRE(run_tool({"segment", write_off(scratch / "in.off", soups[2]), "-o", scratch / "out.ply", "--labels",
                     scratch / "labels.txt", "--prepare"})

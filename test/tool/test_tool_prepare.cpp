@@ -202,6 +202,28 @@ Soup moebius(int n)
   return soup;
 }
 
+/// The faces of one half have others on the sides of which they have vertices.
+Soup refined_by_halves(const Soup& soup, std::size_t pieces)
+{
+  Soup result = soup;
+  result.faces.clear();
+  for(const auto& face : soup.faces) {
+    if(soup.points[face[0]].x() > 0) {
+      result.faces.push_back(face);
+      continue;
+    }
+    const std::size_t first = result.points.size();
+    for(std::size_t k = 0; k < 3; ++k)
+      for(std::size_t i = 0; i < pieces; ++i)
+        result.points.push_back(soup.points[face[k]] +
+                                double(i) / double(pieces) * (soup.points[face[(k + 1) % 3]] - soup.points[face[k]]));
+    result.points.push_back(CGAL::centroid(soup.points[face[0]], soup.points[face[1]], soup.points[face[2]]));
+    for(std::size_t i = 0; i < 3 * pieces; ++i)
+      result.faces.push_back({first + i, first + (i + 1) % (3 * pieces), result.points.size() - 1});
+  }
+  return result;
+}
+
 struct Broken {
   std::string name;
   Soup soup;
@@ -241,6 +263,9 @@ std::vector<Broken> broken_meshes()
   add("two balls that share a vertex", make_soup(hourglass()), "kept the largest of 2 components", false);
   add("a vertex glued to another", make_soup(pinched_sphere()), "made 1 copy of non-manifold vertices", true);
   add("two cubes at an edge", cubes_at_an_edge(), "glued the faces in pairs at 1 non-manifold edge", false);
+  add("sides with vertices of others", refined_by_halves(ball, 2), " slits along sides on which other faces", true);
+  add("sides with many vertices of others", refined_by_halves(ball, 5), " slits along sides on which other faces",
+      true);
   add("hole", open_sphere(2), "filled 1 hole (", false);
   soup = ball;
   soup.faces.erase(soup.faces.begin() + 100, soup.faces.begin() + 103);

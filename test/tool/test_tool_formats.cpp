@@ -205,6 +205,30 @@ TEST_CASE("formats: a sphere that floats cannot hold is refused, not written", "
   }
 }
 
+TEST_CASE("formats: shapes beyond the range of floats are refused, not written", "[tool][formats]")
+{
+  Scratch scratch;
+  const double size = GENERATE(1e-300, 1e-30, 1e30, 1e300);
+  Soup soup = bumpy_sphere(1);
+  for(Point& p : soup.points)
+    p = Point(size * p.x(), size * p.y(), size * p.z());
+  const std::string input = write_off(scratch / "in.off", soup);
+  CHECK(run_tool({"prepare", input, "-o", scratch / "out.obj"}).exit_code == 0);
+  for(const char* name : {"out.gii", "out.glb", "out.gltf", "lh.out", "texture.glb"}) {
+    const std::string command = contains(name, "texture") ? "texture" : "prepare";
+    const Process_result run = run_tool({command, input, "-o", scratch / name});
+    CAPTURE(size, name, run.out, run.err);
+    const bool has_floats = size > 1e-38 && size < 1e38;
+    CHECK(run.exit_code == (has_floats ? 0 : 1));
+    CHECK(fs::exists(scratch / name) == has_floats);
+    if(!has_floats) {
+      CHECK(is_one_line(run.err));
+      CHECK(contains(run.err, size < 1 ? "is below their range; write .ply, .off or .obj\n"
+                                       : "is above their range; write .ply, .off or .obj\n"));
+    }
+  }
+}
+
 TEST_CASE("formats: textured glTF has the image inside", "[tool][formats]")
 {
   Scratch scratch;

@@ -213,10 +213,15 @@ Soup refined_by_halves(const Soup& soup, std::size_t pieces)
       continue;
     }
     const std::size_t first = result.points.size();
-    for(std::size_t k = 0; k < 3; ++k)
-      for(std::size_t i = 0; i < pieces; ++i)
-        result.points.push_back(soup.points[face[k]] +
-                                double(i) / double(pieces) * (soup.points[face[(k + 1) % 3]] - soup.points[face[k]]));
+    for(std::size_t k = 0; k < 3; ++k) {
+      const std::size_t a = face[k], b = face[(k + 1) % 3];
+      result.points.push_back(soup.points[a]);
+      for(std::size_t i = 1; i < pieces; ++i) { // counted from the same end on both sides
+        const double share = double(a < b ? i : pieces - i) / double(pieces);
+        result.points.push_back(soup.points[std::min(a, b)] +
+                                share * (soup.points[std::max(a, b)] - soup.points[std::min(a, b)]));
+      }
+    }
     result.points.push_back(CGAL::centroid(soup.points[face[0]], soup.points[face[1]], soup.points[face[2]]));
     for(std::size_t i = 0; i < 3 * pieces; ++i)
       result.faces.push_back({first + i, first + (i + 1) % (3 * pieces), result.points.size() - 1});

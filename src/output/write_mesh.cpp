@@ -133,8 +133,10 @@ std::vector<Point> as_stored(Mesh_format format, Surface surface, std::vector<Po
   if(stores_floats(format)) {
     const double radius = surface == Surface::SPHERE ? radius_of_spheres(format) : 1;
     for(Point& p : points)
-      for(double& x : p)
-        x = static_cast<float>(radius * x);
+      for(double& x : p) {
+        const volatile float rounded = static_cast<float>(radius * x); // g++ 12.2 -O3 would not round in all lanes
+        x = rounded;
+      }
   }
   return points;
 }

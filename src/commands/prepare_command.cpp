@@ -223,6 +223,7 @@ Json to_json(const Preparation& preparation)
                {"merged_vertices", to_json(d.merged_vertices)},
                {"non_manifold_edges", to_json(d.non_manifold_edges)},
                {"copies_of_non_manifold_vertices", to_json(d.non_manifold_vertices)},
+               {"slits", to_json(d.slits)},
                {"reversed_faces", to_json(d.reversed_faces)},
                {"cut_edges", to_json(d.cut_edges)},
                {"components", to_json(preparation.pieces)},

@@ -78,6 +78,10 @@ void segment(const Segment_options& options, Outcome& outcome)
   const std::string name_of_input = shown(options.input, "standard input");
   outcome.line = std::to_string(number_of_segments) + " segments";
   outcome.text = preparation_text(name_of_input, input.prepared) + name_of_input + ": " + outcome.line;
+  if(!input.result.fallback_reason.empty()) {
+    outcome.line += ", " + input.result.method;
+    outcome.text += "\nautomatic: " + input.result.fallback_reason;
+  }
 }
 
 const Mesh_command<Segment_options> segment_command = {
@@ -109,8 +113,10 @@ void add_segment_command(CLI::App& app, int& exit_code)
   command->footer("Example: spherical-parameterization segment bunny.ply -o segments.ply --labels labels.txt\n"
                   "Exit code: 0 the files were written, 1 nothing was written (stderr says why), 2 wrong usage,\n"
                   "130 interrupted.");
-  command->callback(
-    [options, command, &exit_code] { exit_code = run_mesh_command(*command, segment_command, *options); });
+  command->callback([options, command, &exit_code] {
+    options->falls_back = command->count("--method") == 0;
+    exit_code = run_mesh_command(*command, segment_command, *options);
+  });
 }
 
 } // namespace tool

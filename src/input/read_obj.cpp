@@ -3,6 +3,7 @@
 
 #include "input/mesh_readers.h"
 #include "input/text_lines.h"
+#include "input/text_pieces.h"
 #include "system/refusal.h"
 
 #include <algorithm>
@@ -25,6 +26,40 @@ public:
 
   Soup read()
   {
+    if(std::optional<Soup> soup = read_lines_by_themselves())
+      return std::move(*soup);
+    read_lines();
+    check_counts();
+    soup_.non_finite = lines_.non_finite();
+    return std::move(soup_);
+  }
+
+private:
+  /// The whole, if no line is continued and no index counts back from its line; else nothing.
+  std::optional<Soup> read_lines_by_themselves() const
+  {
+    const std::string_view text = lines_.rest();
+    const std::vector<std::string_view> pieces = pieces_of(text);
+    if(pieces.size() < 2 || text.find('\\') != std::string_view::npos)
+      return std::nullopt;
+    std::vector<std::size_t> largest_number(pieces.size());
+    std::optional<Soup> soup = read_pieces(pieces.size(), [&](std::size_t i) -> std::optional<Soup> {
+      Obj_reader piece(file_, std::string(pieces[i]));
+      piece.read_lines();
+      if(piece.has_relative_index_)
+        return std::nullopt;
+      largest_number[i] = piece.largest_number_;
+      piece.soup_.non_finite = piece.lines_.non_finite();
+      return std::move(piece.soup_);
+    });
+    const std::size_t largest = *std::max_element(largest_number.begin(), largest_number.end());
+    const bool is_right =
+      soup && soup->faces > 0 && largest <= soup->points.size() && soup->points.size() <= largest_count;
+    return is_right ? std::move(soup) : std::nullopt;
+  }
+
+  void read_lines()
+  {
     while(lines_.next()) {
       lines_.join_continued();
       const std::string_view keyword = lines_.token();
@@ -37,12 +72,8 @@ public:
         lines_.refuse("begins with " + in_quotes(keyword) + ", which is not a statement of the OBJ format",
                       "the file is damaged or is not an OBJ file; export it again");
     }
-    check_counts();
-    soup_.non_finite = lines_.non_finite();
-    return std::move(soup_);
   }
 
-private:
   void read_vertex()
   {
     soup_.points.push_back(lines_.point("vertex", soup_.points.size()));
@@ -61,6 +92,7 @@ private:
       if(!index || *index == 0)
         refuse("the vertex " + in_quotes(token) + ", which is not an index (the first is 1)",
                "the file is damaged; export it again");
+      has_relative_index_ = has_relative_index_ || *index < 0;
       const std::int64_t number = *index > 0 ? *index : std::int64_t(soup_.points.size()) + 1 + *index;
       if(number < 1 || number > std::int64_t(largest_count))
         refuse("the vertex " + in_quotes(token) + ", which does not exist",
@@ -97,7 +129,8 @@ private:
   Text_lines lines_;
   std::size_t largest_number_ = 0; ///< of a vertex in a face, counted from 1
   std::size_t face_of_largest_number_ = 0;
-  std::vector<int> corners_; ///< of a face
+  bool has_relative_index_ = false; ///< one that counts back from its line
+  std::vector<int> corners_;        ///< of a face
   Soup soup_;
 };
 

@@ -3,8 +3,11 @@
 
 #include "input/mesh_readers.h"
 #include "input/text_lines.h"
+#include "input/text_pieces.h"
 #include "system/refusal.h"
 
+#include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace tool {
@@ -18,6 +21,8 @@ public:
   Soup read()
   {
     read_header();
+    if(std::optional<Soup> soup = read_plain_lines())
+      return std::move(*soup);
     soup_.points.reserve(vertices_);
     soup_.triangles.reserve(faces_);
     while(soup_.points.size() < vertices_) {
@@ -34,6 +39,43 @@ public:
   }
 
 private:
+  /// Behind the header, if nothing else is there than a line for each vertex and face; else nothing.
+  std::optional<Soup> read_plain_lines() const
+  {
+    std::string_view text = lines_.rest();
+    text = text.substr(0, text.find_last_not_of(" \t\r\n") + 1);
+    const std::vector<std::string_view> pieces = pieces_of(text);
+    std::vector<std::size_t> first_line = {0};
+    for(const std::size_t lines : numbers_of_lines(pieces))
+      first_line.push_back(first_line.back() + lines);
+    if(pieces.size() < 2 || first_line.back() != vertices_ + faces_)
+      return std::nullopt;
+    return read_pieces(pieces.size(), [&](std::size_t i) {
+      Off_reader piece(file_, std::string(pieces[i]));
+      piece.vertices_ = vertices_;
+      return piece.read_lines(first_line[i], first_line[i + 1]);
+    });
+  }
+
+  std::optional<Soup> read_lines(std::size_t first, std::size_t end)
+  {
+    const std::size_t first_face = std::clamp(vertices_, first, end);
+    soup_.points.reserve(first_face - first);
+    soup_.triangles.reserve(end - first_face);
+    for(std::size_t line = first; line < end; ++line) {
+      if(!lines_.next())
+        return std::nullopt; // some were blank, or comments
+      if(line < vertices_)
+        soup_.points.push_back(lines_.point("vertex", line));
+      else
+        read_face();
+    }
+    if(lines_.next()) // some ended with CR
+      return std::nullopt;
+    soup_.non_finite = lines_.non_finite();
+    return std::move(soup_);
+  }
+
   void read_header()
   {
     const std::string no_off = "does not begin with 'OFF'";

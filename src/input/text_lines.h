@@ -49,6 +49,9 @@ public:
   std::string_view line() const { return line_; }
   std::size_t number_of_bytes() const { return text_.size(); }
 
+  /// The lines that follow.
+  std::string_view rest() const { return std::string_view(text_).substr(end_); }
+
   /// The next token of the line; empty at its end.
   std::string_view token() { return next_token(tokens_); }
 

@@ -22,7 +22,7 @@ namespace {
 /// Which options may help. Empty where the detail of the library says what to do.
 std::string remedy(const Mapping_options& options, Error_code code)
 {
-  const bool has_fall_back = options.method != "automatic" && options.method != "isometric";
+  const bool has_fall_back = options.method != "automatic" && options.method != "isometric" && !options.falls_back;
   switch(code) {
   case Error_code::NOT_CONVERGED:
     return std::string("allow more --iterations, or try ") + (has_fall_back ? "--method automatic" : "other --weights");
@@ -52,6 +52,12 @@ void compute_map(const Mapping_options& options, Mapped_mesh& input)
   input.seconds_read += input.result.seconds.read; // the library checks, too
 }
 
+/// Whether the method has no answer where another one may have one.
+bool asks_for_another_method(Error_code code)
+{
+  return code == Error_code::NOT_CONVERGED || code == Error_code::DEGENERATE_FACE || code == Error_code::BAD_WEIGHT;
+}
+
 } // namespace
 
 void read_input(const Mapping_options& options, Mapped_mesh& input)
@@ -73,12 +79,20 @@ void map_input(const Mapping_options& options, Mapped_mesh& input, Map_quality q
 {
   if(!options.sphere.empty())
     input.result = read_sphere(options.sphere, options.input, input.mesh(), input.sphere);
-  else
+  else {
     compute_map(options, input);
+    if(options.falls_back && asks_for_another_method(input.result.error) && !was_interrupted()) {
+      Mapping_options others = options;
+      others.method = "automatic";
+      input.settings->method = map_settings(others).method;
+      compute_map(options, input);
+    }
+  }
   stop_if_interrupted(options.input);
 
   const CGAL::Spherical_parameterization::Result& result = input.result;
-  const bool is_accepted = result || (quality == Map_quality::CONVERGED && result.error == Error_code::NOT_BIJECTIVE);
+  const bool is_accepted =
+    result || (quality == Map_quality::CONVERGED && result.error == Error_code::NOT_BIJECTIVE && !input.sphere.empty());
   if(!is_accepted) {
     const std::string& file = result.error == Error_code::BAD_CONSTRAINTS ? options.fixed
                               : result.error == Error_code::BAD_DENSITY   ? options.density

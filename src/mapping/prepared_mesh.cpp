@@ -55,8 +55,10 @@ Input_mesh read_prepared_mesh(const std::string& file, Prepare how, std::optiona
     return {Mesh(CGAL::Parallel_if_available_tag(), surface.points, surface.faces), prepared->soup.polygons,
             prepared->soup.annotations};
   } catch(const CGAL::Spherical_parameterization::Error& error) {
-    throw Refusal(name(error.code()), file, "has, prepared without a change of shape, " + error.detail(),
-                  "the command 'prepare' does that");
+    const std::string wrong =
+      error.detail().substr(0, error.detail().find("; ")); // without advice for those who have no 'prepare'
+    throw Refusal(name(error.code()), file, "has, prepared without a change of shape, " + wrong,
+                  "the command 'prepare' mends that, too");
   }
 }
 

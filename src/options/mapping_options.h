@@ -43,6 +43,7 @@ struct Mapping_options {
   std::optional<double> max_angle;
 
   std::string method = "automatic";
+  bool falls_back = false; ///< to what "automatic" does, where the method has no answer
   std::optional<double> spring_exponent;
   std::optional<double> area_exponent;
   std::optional<double> largest_shrinkage;

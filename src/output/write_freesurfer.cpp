@@ -20,7 +20,7 @@ void write_freesurfer(std::ostream& out, const Mesh& mesh, const std::vector<Poi
     write(static_cast<std::int32_t>(mesh.number_of_faces()));
     for(const Point& p : points)
       for(const double x : p)
-        write(as_float(x));
+        write(static_cast<float>(x));
     for(std::size_t f = 0; f < mesh.number_of_faces(); ++f)
       write(mesh.triangle(f));
   }

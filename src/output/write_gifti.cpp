@@ -86,7 +86,7 @@ void write_gifti(std::ostream& out, const Mesh& mesh, const std::vector<Point>& 
   std::string bytes;
   for(const Point& p : points)
     for(const double x : p)
-      append_number(bytes, as_float(x));
+      append_number(bytes, static_cast<float>(x));
   begin_array(out, "NIFTI_INTENT_POINTSET", "NIFTI_TYPE_FLOAT32", points.size());
   write_metadata(out, metadata_of_points(gifti_points_with_geometry(annotations), surface));
   auto transforms = annotations.gifti_transforms;

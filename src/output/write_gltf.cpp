@@ -65,7 +65,7 @@ public:
       std::array<float, 3> low = {infinity, infinity, infinity}, high = {-infinity, -infinity, -infinity};
       for(const int v : vertices)
         for(std::size_t k = 0; k < 3; ++k) {
-          const float x = as_float(of_vertices[std::size_t(v)][k]);
+          const float x = static_cast<float>(of_vertices[std::size_t(v)][k]);
           append_number(bytes_, x);
           low[k] = std::min(low[k], x);
           high[k] = std::max(high[k], x);
@@ -189,6 +189,7 @@ void write_gltf(std::ostream& out, Mesh_format format, const Mesh& mesh, const s
 void write_textured_gltf(std::ostream& out, Mesh_format format, const Mesh& mesh, const std::vector<Uv>& uv,
                          const std::string& image)
 {
+  check_float_range(mesh.points());
   const Texture_places places(mesh, uv);
   std::vector<std::uint32_t> corners;
   for(const Mesh::Face_index f : faces(mesh))

@@ -98,6 +98,8 @@ void write_mesh(std::ostream& out, const Output_format& format, const Mesh& mesh
         x *= radius;
   }
   const std::vector<Point>& written = radius == 1 ? points : scaled;
+  if(stores_floats(format.format))
+    check_float_range(written);
   switch(format.format) {
   case Mesh_format::OFF: return write_off(out, mesh, written);
   case Mesh_format::OBJ: return write_obj(out, mesh, written);
@@ -110,13 +112,20 @@ void write_mesh(std::ostream& out, const Output_format& format, const Mesh& mesh
   }
 }
 
-float as_float(double x)
+void check_float_range(const std::vector<Point>& points)
 {
-  if(!(std::abs(x) <= std::numeric_limits<float>::max()))
-    throw Refusal("NON_FINITE_COORDINATE", "the output",
-                  "the format holds floats, and the coordinate " + std::to_string(x) + " exceeds their range",
-                  "write .ply, .off or .obj");
-  return static_cast<float>(x);
+  double largest = 0;
+  for(const Point& p : points)
+    largest = std::max({largest, std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
+  using Float = std::numeric_limits<float>;
+  const bool is_too_large = largest > Float::max();
+  if(!is_too_large && (largest == 0 || largest >= Float::min()))
+    return;
+  std::ostringstream wrong;
+  wrong.precision(3);
+  wrong << "the format holds floats, and the largest coordinate, " << largest << ", is "
+        << (is_too_large ? "above" : "below") << " their range";
+  throw Refusal("NON_FINITE_COORDINATE", "the output", wrong.str(), "write .ply, .off or .obj");
 }
 
 std::vector<Point> as_stored(Mesh_format format, Surface surface, std::vector<Point> points)
@@ -124,8 +133,10 @@ std::vector<Point> as_stored(Mesh_format format, Surface surface, std::vector<Po
   if(stores_floats(format)) {
     const double radius = surface == Surface::SPHERE ? radius_of_spheres(format) : 1;
     for(Point& p : points)
-      for(double& x : p)
-        x = as_float(radius * x);
+      for(double& x : p) {
+        const volatile float rounded = static_cast<float>(radius * x); // g++ 12.2 -O3 would not round in all lanes
+        x = rounded;
+      }
   }
   return points;
 }

@@ -28,8 +28,8 @@ enum class Surface { SHAPE, SPHERE };
 void write_mesh(std::ostream& out, const Output_format& format, const Mesh& mesh, const std::vector<Point>& points,
                 Surface surface, const Annotations& annotations = {});
 
-/// A coordinate for a format that holds floats. Throws a `Refusal` if it exceeds their range.
-float as_float(double x);
+/// Throws a `Refusal` if floats cannot hold the points: the largest coordinate is beyond their range, above or below.
+void check_float_range(const std::vector<Point>& points);
 
 /// The coordinates that are read from a file of that format, which may hold floats and other radii.
 std::vector<Point> as_stored(Mesh_format format, Surface surface, std::vector<Point> points);

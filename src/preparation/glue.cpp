@@ -141,6 +141,7 @@ public:
 
   const Faces& faces() const { return faces_; }
   std::vector<int>& twin() { return twin_; }
+  const std::vector<int>& twin() const { return twin_; }
 
   std::vector<int> open_sides() const
   {
@@ -158,6 +159,16 @@ public:
   }
 
   int corner(int side, int step = 0) const { return faces_.triangles[place(side / 3)][place((side + step) % 3)]; }
+
+  /// The number of its first side.
+  int add_face(const Triangle& corners)
+  {
+    const int side = static_cast<int>(twin_.size());
+    faces_.triangles.push_back(corners);
+    faces_.number.push_back(Glued_surface::none);
+    twin_.resize(twin_.size() + 3, Glued_surface::none);
+    return side;
+  }
 
   /// Glues sides that meet at an edge in pairs, the flattest first.
   template <class Key>
@@ -242,7 +253,7 @@ std::vector<bool> orient(Gluing& gluing, const Key& key, Gluing_defects& defects
         is_reversed[place(f)] = !is_reversed[place(f)];
   }
   for(std::size_t f = 0; f < n; ++f)
-    if(is_reversed[f])
+    if(is_reversed[f] && gluing.faces().number[f] != Glued_surface::none)
       defects.reversed_faces.add(gluing.faces().number[f]);
   return is_reversed;
 }
@@ -291,6 +302,96 @@ void glue_pairs(Gluing& gluing)
       gluing.glue(sides[0], sides[1]);
   });
 }
+
+/// Closes slits between an open side and others that run along it, from vertex to vertex on it, from its one end to the
+/// other: with triangles on that line.
+template <class Key>
+class Slits {
+public:
+  Slits(const std::vector<Point>& points, const Key& key, double distance, Gluing& gluing)
+    : points_(points), key_(key), distance_(distance), gluing_(gluing)
+  {
+    for(const int side : gluing.open_sides()) {
+      steps_[key(gluing.corner(side))].push_back({side, 0});
+      steps_[key(gluing.corner(side, 1))].push_back({side, 1});
+    }
+  }
+
+  void close(Defect& defect)
+  {
+    for(const int side : gluing_.open_sides()) {
+      if(!is_open(side))
+        continue;
+      const std::vector<Step> steps = along(side);
+      if(steps.size() < 2)
+        continue;
+      defect.add(origin(steps[1]));
+      const int end = gluing_.corner(side, 1);
+      int last = side;
+      for(std::size_t i = 0; i + 1 < steps.size(); ++i) {
+        const int added = gluing_.add_face({origin(steps[i]), origin(steps[i + 1]), end});
+        gluing_.glue(added + 2, last);
+        gluing_.glue(added, steps[i].side);
+        last = added + 1;
+      }
+      gluing_.glue(last, steps.back().side);
+    }
+  }
+
+private:
+  /// Along a side, from its corner `from` to the other one.
+  struct Step {
+    int side, from;
+  };
+
+  bool is_open(int side) const { return gluing_.twin()[place(side)] == Glued_surface::none; }
+  int origin(const Step& step) const { return gluing_.corner(step.side, step.from); }
+
+  /// The way from the origin of `side` to its target; empty if there is none. The side alone is none.
+  std::vector<Step> along(int side) const
+  {
+    constexpr std::size_t most = 200;   // at a vertex; so many are no shape
+    constexpr double rounding = 2.4e-7; // a few units of the last place of a float
+    const int end = key_(gluing_.corner(side, 1));
+    int at = key_(gluing_.corner(side));
+    const Point &a = points_[place(at)], edge = minus(points_[place(end)], a);
+    const double squared_length = dot(edge, edge);
+    const double tolerance =
+      std::max({distance_, rounding * largest_coordinate({a, points_[place(end)]}), 1e-6 * std::sqrt(squared_length)});
+    double t = 0;
+    std::vector<Step> steps;
+    while(at != end) {
+      const auto found = steps_.find(at);
+      double nearest = 2;
+      Step best = {Glued_surface::none, 0};
+      for(std::size_t i = 0; found != steps_.end() && i < std::min(found->second.size(), most); ++i) {
+        const Step& step = found->second[i];
+        if(!is_open(step.side) || step.side / 3 == side / 3)
+          continue;
+        const int other = key_(gluing_.corner(step.side, 1 - step.from));
+        const Point from_a = minus(points_[place(other)], a);
+        const double u = other == end ? 1 : dot(from_a, edge) / squared_length;
+        const Point off = {from_a[0] - u * edge[0], from_a[1] - u * edge[1], from_a[2] - u * edge[2]};
+        if(u > t && u < nearest && (u < 1 || other == end) && norm(off) <= tolerance) {
+          nearest = u;
+          best = step;
+        }
+      }
+      if(best.side == Glued_surface::none)
+        return {};
+      steps.push_back(best);
+      t = nearest;
+      at = key_(gluing_.corner(best.side, 1 - best.from));
+    }
+    return steps;
+  }
+
+  const std::vector<Point>& points_;
+  const Key& key_;
+  double distance_;
+  Gluing& gluing_;
+  std::unordered_map<int, std::vector<Step>> steps_; ///< by the vertex where they begin
+};
 
 std::vector<bool> vertices_of_open_sides(const Gluing& gluing, std::size_t number_of_vertices)
 {
@@ -347,6 +448,8 @@ Glued_surface glue(const Soup& soup, std::optional<double> merge_distance, Gluin
       gluing.glue_flattest(sides, key);
     }
   });
+  if(merge_distance)
+    Slits<Places>(soup.points, key, *merge_distance, gluing).close(defects.slits);
   const std::vector<bool> is_reversed = orient(gluing, key, defects);
 
   // side k of a face that is turned round becomes side 2 - k

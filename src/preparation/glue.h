@@ -34,6 +34,7 @@ struct Gluing_defects {
   Defect merged_vertices;       ///< at boundaries, at the same place as another
   Defect non_manifold_edges;    ///< of more than two faces, which were glued in pairs
   Defect non_manifold_vertices; ///< copied, so that every part of the surface has its own
+  Defect slits;                 ///< along a side on which other faces have vertices (T-junctions), closed
   Defect reversed_faces;        ///< turned round, so that neighbours agree
   Defect cut_edges;             ///< at which a surface with one side only was cut; the place is a vertex
 };
@@ -42,7 +43,8 @@ struct Gluing_defects {
 /// vertices, they are neighbours. All other sides are compared by the places of their ends, as far as `merge_distance`
 /// apart (or by their vertices again, if there is none); of more than two sides at a place those are glued that
 /// continue each other best: with opposite directions if there are such, and with the flattest angle, as in A. Guéziec
-/// et al., "Cutting and stitching" (2001), where nothing more is opened than needed. Then neighbours are turned to the
+/// et al., "Cutting and stitching" (2001), where nothing more is opened than needed. With a merge distance, slits along
+/// a side on which other faces have vertices are closed by triangles on that line. Then neighbours are turned to the
 /// same side, most faces of a component as they were; where that cannot be done, the surface is cut.
 ///
 /// Vertices and faces keep their order. A mesh without defects is not changed. Complexity: O(n log n).

@@ -291,6 +291,7 @@ std::vector<std::string> sentences(const Preparation& preparation)
   add(lines, defects.non_manifold_edges, "glued the faces in pairs at ", "non-manifold edge", "non-manifold edges", "",
       "vertex");
   add(lines, defects.non_manifold_vertices, "made ", "copy", "copies", " of non-manifold vertices", "vertex");
+  add(lines, defects.slits, "closed ", "slit", "slits", " along sides on which other faces have vertices", "vertex");
   add(lines, defects.reversed_faces, "reversed ", "face", "faces", " that did not agree with their neighbours", "face");
   add(lines, defects.cut_edges, "cut a surface that has one side only, at ", "edge", "edges", "", "vertex");
   if(preparation.wrap)

@@ -7,6 +7,8 @@
 #include "input/binary.h"
 #include "input/mesh.h"
 #include "input/mesh_format.h"
+#include "input/mesh_readers.h"
+#include "input/text_pieces.h"
 #include "output/atomic_file.h"
 #include "output/write_mesh.h"
 #include "system/refusal.h"
@@ -14,6 +16,8 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -126,6 +130,80 @@ TEST_CASE("formats: the volume geometry goes from FreeSurfer's files to GIFTI an
   CHECK((tool::read_mesh(scratch / "rh.white").annotations.freesurfer == mesh.annotations.freesurfer));
 }
 
+TEST_CASE("formats: long texts are read in pieces, with the same result", "[tool][formats]")
+{
+  Scratch scratch;
+  const bool is_off = GENERATE(true, false);
+  const auto read = [&](const std::string& text) {
+    return is_off ? tool::read_off("file", text) : tool::read_obj("file", text);
+  };
+  const auto text_of_refusal = [&](const std::string& text) {
+    try {
+      read(text);
+    } catch(const tool::Refusal& refusal) {
+      return std::string(refusal.what());
+    }
+    return std::string("none");
+  };
+  const tool::Input_mesh mesh = input_of(icosphere(6));
+  const std::string name = scratch / (is_off ? "in.off" : "in.obj");
+  write(name, {is_off ? tool::Mesh_format::OFF : tool::Mesh_format::OBJ}, mesh);
+  const std::string text = text_of(name);
+  REQUIRE(tool::pieces_of(text).size() > 3);
+  const auto end_of_line = [&](std::size_t share) { return text.find('\n', text.size() / 8 * share); };
+  const auto with = [&](std::size_t share, const std::string& more) {
+    return std::string(text).insert(end_of_line(share) + 1, more);
+  };
+  const auto with_ends = [&](const std::string& end) {
+    std::string result;
+    for(const std::string& line : lines_of(text))
+      result += line + end;
+    return result;
+  };
+  const auto check_same = [&](const tool::Soup& soup) {
+    CHECK(soup.points == mesh.mesh.points());
+    CHECK(soup.faces == mesh.mesh.number_of_faces());
+    bool is_same = soup.triangles.size() == soup.faces;
+    for(std::size_t f = 0; is_same && f < soup.faces; ++f)
+      is_same = soup.triangles[f] == mesh.mesh.triangle(f);
+    CHECK(is_same);
+  };
+  check_same(read(text));
+  check_same(read(with(7, "# a comment\n")));
+  check_same(read(with(1, "\n") + "\n\n"));
+  check_same(read(with_ends("\r\n")));
+  check_same(read(with_ends("\r")));
+
+  const std::size_t line =
+    static_cast<std::size_t>(std::count(text.begin(), text.begin() + std::ptrdiff_t(end_of_line(7)), '\n')) + 2;
+  CHECK(contains(text_of_refusal(with(7, "?\n")), "line " + std::to_string(line) + ": "));
+  CHECK(contains(text_of_refusal(text.substr(0, end_of_line(7)) + " 4\n3 1\n"), "line "));
+  std::string not_finite = text;
+  const std::size_t minus = not_finite.find(" -", text.size() / 8) + 1;
+  not_finite.replace(minus, not_finite.find_first_of(" \n", minus) - minus, "nan");
+  REQUIRE(read(not_finite).non_finite);
+  CHECK(contains(read(not_finite).non_finite->what(), "has the coordinate 'nan'"));
+
+  if(!is_off) {
+    check_same(read(text + "g of \\\nno faces\n"));
+    const std::size_t n = mesh.mesh.number_of_vertices();
+    const tool::Soup more = read(text + "f 1 2 3 4\nf -1 -2 -3 -4 -5\n");
+    CHECK(more.polygons == 2);
+    CHECK(more.first_polygon == mesh.mesh.number_of_faces());
+    CHECK((more.triangles.back() == std::array<int, 3>{int(n) - 1, int(n) - 4, int(n) - 5}));
+    CHECK(contains(text_of_refusal(text + "f 1 2 " + std::to_string(n + 1) + "\n"), "there are only"));
+  }
+  const tool::Soup polygons = read([&] {
+    std::string result = text;
+    const std::string four = is_off ? "\n4 5 6 7 8" : "\nf 6 7 8 9";
+    const std::size_t begin = end_of_line(6);
+    return result.replace(begin, result.find('\n', begin + 1) - begin, four);
+  }());
+  CHECK(polygons.polygons == 1);
+  CHECK(polygons.triangles.size() == polygons.faces + 1);
+  CHECK((polygons.triangles[polygons.first_polygon + 1] == std::array<int, 3>{5, 7, 8}));
+}
+
 TEST_CASE("formats: the content decides, whatever the name says", "[tool][formats]")
 {
   Scratch scratch;
@@ -202,6 +280,30 @@ TEST_CASE("formats: a sphere that floats cannot hold is refused, not written", "
     CHECK(is_one_line(run.err));
     CHECK(contains(run.err, "faces flip when the sphere is rounded to the floats"));
     CHECK_FALSE(fs::exists(scratch / name));
+  }
+}
+
+TEST_CASE("formats: shapes beyond the range of floats are refused, not written", "[tool][formats]")
+{
+  Scratch scratch;
+  const double size = GENERATE(1e-300, 1e-30, 1e30, 1e300);
+  Soup soup = bumpy_sphere(1);
+  for(Point& p : soup.points)
+    p = Point(size * p.x(), size * p.y(), size * p.z());
+  const std::string input = write_off(scratch / "in.off", soup);
+  CHECK(run_tool({"prepare", input, "-o", scratch / "out.obj"}).exit_code == 0);
+  for(const char* name : {"out.gii", "out.glb", "out.gltf", "lh.out", "texture.glb"}) {
+    const std::string command = contains(name, "texture") ? "texture" : "prepare";
+    const Process_result run = run_tool({command, input, "-o", scratch / name});
+    CAPTURE(size, name, run.out, run.err);
+    const bool has_floats = size > 1e-38 && size < 1e38;
+    CHECK(run.exit_code == (has_floats ? 0 : 1));
+    CHECK(fs::exists(scratch / name) == has_floats);
+    if(!has_floats) {
+      CHECK(is_one_line(run.err));
+      CHECK(contains(run.err, size < 1 ? "is below their range; write .ply, .off or .obj\n"
+                                       : "is above their range; write .ply, .off or .obj\n"));
+    }
   }
 }
 

@@ -202,6 +202,33 @@ Soup moebius(int n)
   return soup;
 }
 
+/// The faces of one half have others on the sides of which they have vertices.
+Soup refined_by_halves(const Soup& soup, std::size_t pieces)
+{
+  Soup result = soup;
+  result.faces.clear();
+  for(const auto& face : soup.faces) {
+    if(soup.points[face[0]].x() > 0) {
+      result.faces.push_back(face);
+      continue;
+    }
+    const std::size_t first = result.points.size();
+    for(std::size_t k = 0; k < 3; ++k) {
+      const std::size_t a = face[k], b = face[(k + 1) % 3];
+      result.points.push_back(soup.points[a]);
+      for(std::size_t i = 1; i < pieces; ++i) { // counted from the same end on both sides
+        const double share = double(a < b ? i : pieces - i) / double(pieces);
+        result.points.push_back(soup.points[std::min(a, b)] +
+                                share * (soup.points[std::max(a, b)] - soup.points[std::min(a, b)]));
+      }
+    }
+    result.points.push_back(CGAL::centroid(soup.points[face[0]], soup.points[face[1]], soup.points[face[2]]));
+    for(std::size_t i = 0; i < 3 * pieces; ++i)
+      result.faces.push_back({first + i, first + (i + 1) % (3 * pieces), result.points.size() - 1});
+  }
+  return result;
+}
+
 struct Broken {
   std::string name;
   Soup soup;
@@ -241,6 +268,9 @@ std::vector<Broken> broken_meshes()
   add("two balls that share a vertex", make_soup(hourglass()), "kept the largest of 2 components", false);
   add("a vertex glued to another", make_soup(pinched_sphere()), "made 1 copy of non-manifold vertices", true);
   add("two cubes at an edge", cubes_at_an_edge(), "glued the faces in pairs at 1 non-manifold edge", false);
+  add("sides with vertices of others", refined_by_halves(ball, 2), " slits along sides on which other faces", true);
+  add("sides with many vertices of others", refined_by_halves(ball, 5), " slits along sides on which other faces",
+      true);
   add("hole", open_sphere(2), "filled 1 hole (", false);
   soup = ball;
   soup.faces.erase(soup.faces.begin() + 100, soup.faces.begin() + 103);
@@ -319,7 +349,7 @@ TEST_CASE("prepare --steps merge,orient and map --prepare change no shape", "[to
         CHECK(run_tool({"certify", scratch / "out.off", scratch / "sphere.off"}).exit_code == 0);
       } else {
         CHECK(is_one_line(mapped.err));
-        CHECK(mapped.err.find("the command 'prepare' does that") != std::string::npos);
+        CHECK(mapped.err.find("; the command 'prepare' mends that, too\n") != std::string::npos);
       }
     }
 }
@@ -649,6 +679,15 @@ TEST_CASE("segment --prepare: a label for every face of the file", "[tool]")
     CHECK(*different.rbegin() == int(different.size()) - 1);
     CHECK(read(scratch / "out.ply").faces == soup.faces);
   }
+  // balanced has no answer, so the others are asked; not if the user insists
+  const std::string wild = write_off(scratch / "in.off", torus(3, 3));
+  const Process_result balanced =
+    run_tool({"segment", wild, "-o", scratch / "wild.ply", "--prepare", "--method", "balanced"});
+  CHECK(balanced.exit_code == 1);
+  CHECK(is_one_line(balanced.err));
+  const Process_result others = run_tool({"segment", wild, "-o", scratch / "wild.ply", "--prepare"});
+  CHECK(others.exit_code == 0);
+  CHECK(others.out.find("automatic: balanced: ") != std::string::npos);
   // the component that was left out is a segment by itself
   REQUIRE(run_tool({"segment", write_off(scratch / "in.off", soups[2]), "-o", scratch / "out.ply", "--labels",
                     scratch / "labels.txt", "--prepare"})

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#include "input/text_pieces.h"
+
+#include "system/refusal.h"
+
+#include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace tool {
+namespace {
+
+template <class F>
+void for_each_piece(std::size_t number, const F& f)
+{
+  const CGAL::Spherical_parameterization::internal::Host_loop all_cores(true);
+  all_cores.for_each(static_cast<int>(number), [&f](int i) { f(static_cast<std::size_t>(i)); });
+}
+
+} // namespace
+
+std::vector<std::string_view> pieces_of(std::string_view text)
+{
+  constexpr std::size_t least = 1 << 19; // bytes
+  std::vector<std::string_view> pieces;
+  while(!text.empty()) {
+    const std::size_t end = text.find('\n', least);
+    pieces.push_back(text.substr(0, end == std::string_view::npos ? end : end + 1));
+    text.remove_prefix(pieces.back().size());
+  }
+  return pieces;
+}
+
+std::vector<std::size_t> numbers_of_lines(const std::vector<std::string_view>& pieces)
+{
+  std::vector<std::size_t> numbers(pieces.size());
+  for_each_piece(pieces.size(), [&](std::size_t i) {
+    const std::string_view piece = pieces[i];
+    numbers[i] = static_cast<std::size_t>(std::count(piece.begin(), piece.end(), '\n')) +
+                 (!piece.empty() && piece.back() != '\n' ? 1 : 0);
+  });
+  return numbers;
+}
+
+std::optional<Soup> read_pieces(std::size_t number, const std::function<std::optional<Soup>(std::size_t)>& read)
+{
+  std::vector<std::optional<Soup>> pieces(number);
+  for_each_piece(number, [&](std::size_t i) {
+    try {
+      pieces[i] = read(i);
+    } catch(const Refusal&) { // whoever reads the whole text will throw it
+    }
+  });
+  if(!std::all_of(pieces.begin(), pieces.end(), [](const auto& piece) { return piece && !piece->non_finite; }))
+    return std::nullopt;
+
+  Soup soup;
+  std::vector<std::size_t> first_point, first_triangle;
+  std::size_t points = 0, triangles = 0;
+  for(const auto& piece : pieces) {
+    first_point.push_back(points);
+    first_triangle.push_back(triangles);
+    points += piece->points.size();
+    triangles += piece->triangles.size();
+    if(soup.polygons == 0 && piece->polygons > 0) {
+      soup.first_polygon = soup.faces + piece->first_polygon;
+      soup.size_of_first_polygon = piece->size_of_first_polygon;
+    }
+    soup.polygons += piece->polygons;
+    soup.faces += piece->faces;
+  }
+  soup.points.resize(points);
+  soup.triangles.resize(triangles);
+  for_each_piece(number, [&](std::size_t i) {
+    std::copy(pieces[i]->points.begin(), pieces[i]->points.end(), soup.points.data() + first_point[i]);
+    std::copy(pieces[i]->triangles.begin(), pieces[i]->triangles.end(), soup.triangles.data() + first_triangle[i]);
+    pieces[i].reset();
+  });
+  return soup;
+}
+
+} // namespace tool

@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <vector>
 
@@ -408,6 +409,39 @@ TEST_CASE("Newton's matrix of a face is the derivative of its gradient, flipped 
       CHECK(block.ss == Approx(I::inner(slope, at_m.s)).epsilon(1e-5).margin(1e-5));
       CHECK(block.ts == Approx(I::inner(slope, at_m.t)).epsilon(1e-5).margin(1e-5));
     }
+}
+
+TEST_CASE("what is taken off a face's matrix leaves nothing negative of a small face, flipped or not", "[conformal]")
+{
+  namespace I = SP::internal;
+  const bool is_flipped = GENERATE(false, true);
+  const double size = 1e-4, e = 0.1;
+  const I::vec3 first = I::make_vec3(0.3 * size, 0.2 * size, 1), second = I::make_vec3(0.9 * size, 0.8 * size, 1),
+                third = I::make_vec3(-0.2 * size, 0.5 * size, 1);
+  const Positions x = {I::unit(first), I::unit(is_flipped ? third : second), I::unit(is_flipped ? second : third)};
+  const auto metric = I::face_metric({1, 0, 0}, {0.3, 0.1, 0}, I::Metric_bounds{30, 1e-30});
+  const I::Star_face f(x[1], x[2], metric, size * size);
+  REQUIRE((f.determinant(x[0]) < 0) == is_flipped);
+  const auto smallest = [&](double lift) { // of the second derivatives in some directions
+    const I::Face_hessian hessian(I::Untangling_energy(e), x[0], f, lift);
+    double result = std::numeric_limits<double>::infinity(), largest = 0;
+    for(int trial = 0; trial < 1000; ++trial) {
+      double second_derivative = 0;
+      const auto direction = [trial](int k) { return I::Planar{std::sin(7. * trial + k), std::cos(5. * trial * k)}; };
+      for(int m = 0; m < 3; ++m)
+        for(int n = 0; n < 3; ++n) {
+          const I::Block b =
+            hessian.block(m, hessian.frame(m, I::tangents_at(x[m])), n, hessian.frame(n, I::tangents_at(x[n])));
+          const I::Planar u = direction(m), v = direction(n);
+          second_derivative += u.s * (b.ss * v.s + b.st * v.t) + u.t * (b.ts * v.s + b.tt * v.t);
+        }
+      result = (std::min)(result, second_derivative);
+      largest = (std::max)(largest, second_derivative);
+    }
+    return result / largest;
+  };
+  CHECK(smallest(0) < -1e-3);
+  CHECK(smallest(1) > -1e-6);
 }
 
 TEST_CASE("the sparse factorization solves what is positive definite, and refuses what is not", "[conformal]")

@@ -47,6 +47,8 @@ public:
   Psi psi(double ratio) const
   {
     const double inverse = 1 / ratio, inverse2 = inverse * inverse;
+    if(theta_ == 0)
+      return {2 * inverse, -2 * inverse2, 4 * inverse * inverse2};
     const double area = ratio + inverse;            // 2 E_a
     const double log_slope = (1 - inverse2) / area; // (log E_a)'
     const double log_bend = 2 * inverse2 * inverse / area - log_slope * log_slope;
@@ -56,7 +58,7 @@ public:
     return {psi, slope * psi, (slope * slope + bend) * psi};
   }
 
-  Psi phi(double) const { return {0, 0, 0}; } ///< of the areas alone: nothing
+  Psi phi(double, const Psi&) const { return {0, 0, 0}; } ///< of the areas alone: nothing
 
 private:
   double theta_;

@@ -109,27 +109,33 @@ public:
     moves_ += size();
     find_tangents();
     Step result = {0, 0, 0, 0};
-    bool is_positive_definite = false;
     const int first_attempt = attempt_;
-    while(!is_positive_definite && attempt_ < number_of_attempts) {
-      result.energy = assemble(energy, lifts[attempt_], (std::max)(damping, dampings[attempt_]));
-      is_positive_definite = matrix_.factorize();
-      if(!is_positive_definite)
-        ++attempt_;
+    for(bool has_lift = false; attempt_ < number_of_attempts; ++attempt_) {
+      const double lift = lifts[attempt_];
+      if(attempt_ == first_attempt || (lift > 0 && !has_lift)) {
+        has_lift = lift > 0;
+        result.energy = assemble(energy, has_lift);
+      }
+      set_matrix(lift, (std::max)(damping, dampings[attempt_]));
+      if(matrix_.factorize())
+        break;
     }
-    if(!is_positive_definite) {
+    if(attempt_ == number_of_attempts) {
       attempt_ = first_attempt;
       return result;
     }
     if(attempt_ == first_attempt) // the next step may do with less
       attempt_ = (std::max)(0, attempt_ - 1);
-    const std::vector<Planar> x = matrix_.solve(negative_gradient());
+    std::vector<Planar> slopes(size()); // along the tangents, downwards
+    for(int i = 0; i < size(); ++i)
+      slopes[i] = scaled(-1, tangents_[i].products(gradient_[i]));
+    const std::vector<Planar> x = matrix_.solve(slopes);
     double slope = 0;
     double& longest = result.length_on_sphere;
     std::vector<vec3> direction(size());
     for(int i = 0; i < size(); ++i) {
       const Block& d = diagonal_[i];
-      slope += inner(gradient_[i], x[i]);
+      slope -= inner(slopes[i], x[i]);
       const double square = d.ss * x[i].s * x[i].s + 2 * d.st * x[i].s * x[i].t + d.tt * x[i].t * x[i].t;
       result.length = (std::max)(result.length, std::sqrt(square / around_[i]));
       direction[i] = tangents_[i].combined(x[i]);
@@ -145,10 +151,11 @@ public:
   }
 
 private:
-  // Newton's matrix; where that is indefinite, what makes it positive face by face, or even more
-  static constexpr int number_of_attempts = 8;
-  static constexpr double lifts[number_of_attempts] = {0, 0.01, 0.1, 0.5, 1, 1, 1, 1};
-  static constexpr double dampings[number_of_attempts] = {0, 0, 0, 0, 0, 1e-3, 0.1, 10};
+  // Newton's matrix; where that is indefinite, some of what makes it positive face by face, the matrix of absolute
+  // eigenvalues, or even more
+  static constexpr int number_of_attempts = 9;
+  static constexpr double lifts[number_of_attempts] = {0, 0.01, 0.1, 0.5, 1, 2, 2, 2, 2};
+  static constexpr double dampings[number_of_attempts] = {0, 0, 0, 0, 0, 0, 1e-3, 0.1, 10};
 
   std::vector<std::vector<int>> neighbours() const
   {
@@ -167,42 +174,50 @@ private:
       tangents_[i] = tangents_at(v_[vertex_[i]]);
   }
 
-  /// Gradient and matrix. Returns the energy.
+  /// The gradient, the second derivatives, and what lifts their negative eigenvalues. Returns the energy.
   template <class Energy>
-  double assemble(const Energy& energy, double lift, double damping)
+  double assemble(const Energy& energy, bool has_lift)
   {
     double sum = 0;
     auto place = place_.begin();
-    matrix_.set_zero();
-    std::vector<vec3> gradient(size(), vec3{0, 0, 0});
+    hessian_ = matrix_.no_blocks();
+    lift_ = matrix_.no_blocks();
+    std::fill(gradient_.begin(), gradient_.end(), vec3{0, 0, 0});
     std::fill(around_.begin(), around_.end(), 0);
     for(const Face& f : face_) {
       const Star_face star_face = this->star_face(f);
       const vec3 x = v_[f.corner[0]];
-      const Face_hessian hessian(energy, x, star_face, lift);
+      const Face_hessian hessian(energy, x, star_face, has_lift);
       const double value = f.weight * hessian.value();
       sum += value;
       std::array<Face_hessian::Frame, 3> frame;
       for(int m = 0; m < 3; ++m)
         if(const int i = f.moving[m]; i >= 0) {
           frame[m] = hessian.frame(m, tangents_[i]);
-          gradient[i] = add_scaled(gradient[i], f.weight, hessian.gradient(m));
+          gradient_[i] = add_scaled(gradient_[i], f.weight, hessian.gradient(m));
           around_[i] += value;
           for(int n = 0; n <= m; ++n)
             if(f.moving[n] >= 0) {
-              const Block b = hessian.block(m, frame[m], n, frame[n]);
-              matrix_.add(*place++, {f.weight * b.ss, f.weight * b.st, f.weight * b.ts, f.weight * b.tt});
+              Sparse_cholesky::add(hessian_, *place, scaled(f.weight, hessian.exact_block(m, frame[m], n, frame[n])));
+              if(has_lift)
+                Sparse_cholesky::add(lift_, *place, scaled(f.weight, hessian.lift(frame[m], frame[n])));
+              ++place;
             }
         }
     }
+    return sum;
+  }
+
+  /// Newton's matrix. \param lift  multiple of what lifts negative eigenvalues \param damping  share of the diagonal
+  void set_matrix(double lift, double damping)
+  {
+    matrix_.set_sum(hessian_, lift, lift_);
     for(int i = 0; i < size(); ++i) {
-      gradient_[i] = tangents_[i].products(gradient[i]);
       const Block& d = matrix_.diagonal(i);
-      const double bend = damping * (std::max)(d.ss, d.tt) - inner(gradient[i], v_[vertex_[i]]);
+      const double bend = damping * (std::max)(d.ss, d.tt) - inner(gradient_[i], v_[vertex_[i]]);
       matrix_.add(matrix_.place(i, i), {bend, 0, 0, bend});
       diagonal_[i] = d;
     }
-    return sum;
   }
 
   template <class Energy>
@@ -214,7 +229,8 @@ private:
     if(energy.needs_positive_faces && !(determinant > 0))
       return std::numeric_limits<double>::infinity();
     const double ratio = determinant / f.twice_area;
-    return f.weight * (star_face.dirichlet(x) * energy.psi(ratio).value + f.twice_area / 2 * energy.phi(ratio).value);
+    const Distortion::Psi psi = energy.psi(ratio);
+    return f.weight * (star_face.dirichlet(x) * psi.value + f.twice_area / 2 * energy.phi(ratio, psi).value);
   }
 
   template <class Energy>
@@ -224,14 +240,6 @@ private:
     for(const Face& f : face_)
       sum += face_value(energy, f);
     return sum;
-  }
-
-  std::vector<Planar> negative_gradient() const
-  {
-    std::vector<Planar> result;
-    for(Planar g : gradient_)
-      result.push_back({-g.s, -g.t});
-    return result;
   }
 
   /// The longest step up to t with which no face shrinks to less than a twentieth at once.
@@ -279,7 +287,8 @@ private:
   std::vector<Sparse_cholesky::Place> place_; ///< of the blocks of the faces, in the order in which they are added
   std::vector<Tangents> tangents_;
   std::vector<Block> diagonal_; ///< of the matrix
-  std::vector<Planar> gradient_;
+  Sparse_cholesky::Blocks hessian_, lift_;
+  std::vector<vec3> gradient_;
   std::vector<double> around_; ///< the energy of the faces at a vertex
   int attempt_ = 3;            ///< with which the next step begins; the first one is far from a minimum
   std::int64_t moves_ = 0;

@@ -9,8 +9,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <iterator>
-#include <set>
+#include <queue>
 #include <utility>
 #include <vector>
 
@@ -24,52 +25,54 @@ namespace CGAL::Spherical_parameterization::internal {
 class Sparse_cholesky {
 public:
   /// \param neighbours  of every vertex; equal ones may be there several times
-  explicit Sparse_cholesky(std::vector<std::vector<int>> neighbours)
-    : place_(neighbours.size()), rows_(neighbours.size()), blocks_(neighbours.size())
+  explicit Sparse_cholesky(std::vector<std::vector<int>> neighbours) : place_(neighbours.size(), -1)
   {
     const int n = static_cast<int>(neighbours.size());
-    std::set<std::pair<int, int>> by_degree;
+    typedef std::pair<int, int> Candidate; // degree, which may have changed since, and vertex
+    std::priority_queue<Candidate, std::vector<Candidate>, std::greater<Candidate>> queue;
+    const auto enqueue = [&](int i) { queue.emplace(static_cast<int>(neighbours[i].size()), i); };
     for(int i = 0; i < n; ++i) {
-      sort_and_unite(neighbours[i]);
-      by_degree.emplace(static_cast<int>(neighbours[i].size()), i);
+      std::sort(neighbours[i].begin(), neighbours[i].end());
+      neighbours[i].erase(std::unique(neighbours[i].begin(), neighbours[i].end()), neighbours[i].end());
+      enqueue(i);
     }
-    std::vector<int> united;
-    for(int k = 0; k < n; ++k) {
-      const int i = by_degree.begin()->second;
-      by_degree.erase(by_degree.begin());
-      place_[i] = k;
-      rows_[k] = std::move(neighbours[i]);
-      for(int j : rows_[k]) { // which become neighbours of each other
-        by_degree.erase({static_cast<int>(neighbours[j].size()), j});
+    std::vector<int> order, united;
+    while(!queue.empty()) {
+      const auto [degree, i] = queue.top();
+      queue.pop();
+      if(place_[i] >= 0 || degree != static_cast<int>(neighbours[i].size()))
+        continue;
+      place_[i] = static_cast<int>(order.size());
+      order.push_back(i);
+      const std::vector<int>& around = neighbours[i];
+      for(int j : around) { // which become neighbours of each other
         united.clear();
-        std::set_union(neighbours[j].begin(), neighbours[j].end(), rows_[k].begin(), rows_[k].end(),
+        std::set_union(neighbours[j].begin(), neighbours[j].end(), around.begin(), around.end(),
                        std::back_inserter(united));
-        united.erase(std::remove_if(united.begin(), united.end(), [&](int v) { return v == i || v == j; }),
+        united.erase(std::remove_if(united.begin(), united.end(), [i = i, j](int v) { return v == i || v == j; }),
                      united.end());
         neighbours[j] = united;
-        by_degree.emplace(static_cast<int>(united.size()), j);
+        enqueue(j);
       }
     }
-    for(int k = 0; k < n; ++k) {
-      for(int& i : rows_[k])
-        i = place_[i];
-      rows_[k].push_back(k);
-      std::sort(rows_[k].begin(), rows_[k].end());
-      blocks_[k].resize(rows_[k].size());
+    for(int i : order) {
+      first_.push_back(static_cast<int>(row_.size()));
+      row_.push_back(place_[i]);
+      for(int j : neighbours[i])
+        row_.push_back(place_[j]);
+      std::sort(row_.begin() + first_.back(), row_.end());
     }
+    first_.push_back(static_cast<int>(row_.size()));
+    block_.resize(row_.size());
   }
 
-  int size() const { return static_cast<int>(rows_.size()); }
+  int size() const { return static_cast<int>(place_.size()); }
 
-  void set_zero()
-  {
-    for(auto& column : blocks_)
-      std::fill(column.begin(), column.end(), Block{0, 0, 0, 0});
-  }
+  void set_zero() { std::fill(block_.begin(), block_.end(), Block{0, 0, 0, 0}); }
 
   /// Where the block of two vertices is kept; of i, j and j, i only one is.
   struct Place {
-    int column, at;
+    int at;
     bool is_transposed;
   };
 
@@ -77,20 +80,30 @@ public:
   Place place(int i, int j) const
   {
     const int row = (std::max)(place_[i], place_[j]), column = (std::min)(place_[i], place_[j]);
-    const auto at = std::lower_bound(rows_[column].begin(), rows_[column].end(), row) - rows_[column].begin();
-    return {column, static_cast<int>(at), place_[i] < place_[j]};
+    const auto begin = row_.begin() + first_[column], end = row_.begin() + first_[column + 1];
+    return {static_cast<int>(std::lower_bound(begin, end, row) - row_.begin()), place_[i] < place_[j]};
   }
 
-  void add(const Place& place, const Block& b)
+  /// The blocks on and below the diagonal, for matrices that are summed up elsewhere; see `Place`
+  typedef std::vector<Block> Blocks;
+  Blocks no_blocks() const { return Blocks(block_.size(), Block{0, 0, 0, 0}); }
+
+  static void add(Blocks& blocks, const Place& place, const Block& b)
   {
-    Block& entry = blocks_[place.column][place.at];
-    entry.ss += b.ss;
-    entry.st += place.is_transposed ? b.ts : b.st;
-    entry.ts += place.is_transposed ? b.st : b.ts;
-    entry.tt += b.tt;
+    Block& entry = blocks[place.at];
+    entry = sum(entry, place.is_transposed ? transposed(b) : b);
   }
 
-  const Block& diagonal(int i) const { return blocks_[place_[i]].front(); }
+  void add(const Place& place, const Block& b) { add(block_, place, b); }
+
+  /// The matrix becomes a + r b.
+  void set_sum(const Blocks& a, double r, const Blocks& b)
+  {
+    for(std::size_t k = 0; k < block_.size(); ++k)
+      block_[k] = sum(a[k], scaled(r, b[k]));
+  }
+
+  const Block& diagonal(int i) const { return block_[first_[place_[i]]]; }
 
   /// Puts the factor L, A = L L^T, in the place of the matrix; of the blocks on the diagonal, the inverse. Returns
   /// whether the matrix is positive definite by more than rounding; if not, it is destroyed.
@@ -98,24 +111,21 @@ public:
   {
     std::vector<Block> original(size());
     for(int k = 0; k < size(); ++k)
-      original[k] = blocks_[k].front();
+      original[k] = block_[first_[k]];
     for(int k = 0; k < size(); ++k) {
-      std::vector<Block>& column = blocks_[k];
-      const std::vector<int>& rows = rows_[k];
-      if(!invert_factor(original[k], column[0]))
+      const int begin = first_[k], end = first_[k + 1];
+      if(!invert_factor(original[k], block_[begin]))
         return false;
-      const Block inverse = transposed(column[0]);
-      for(std::size_t a = 1; a < column.size(); ++a)
-        column[a] = product(column[a], inverse);
-      for(std::size_t a = 1; a < column.size(); ++a) {
-        const std::vector<int>& rows_of_other = rows_[rows[a]];
-        std::vector<Block>& other = blocks_[rows[a]];
-        const Block y = column[a];
-        for(std::size_t b = a, at = 0; b < column.size(); ++b, ++at) {
-          while(rows_of_other[at] != rows[b])
+      const Block inverse = transposed(block_[begin]);
+      for(int a = begin + 1; a < end; ++a)
+        block_[a] = product(block_[a], inverse);
+      for(int a = begin + 1; a < end; ++a) {
+        const Block y = block_[a];
+        for(int b = a, at = first_[row_[a]]; b < end; ++b, ++at) {
+          while(row_[at] != row_[b])
             ++at;
-          const Block x = column[b];
-          Block& entry = other[at];
+          const Block x = block_[b];
+          Block& entry = block_[at];
           entry.ss -= x.ss * y.ss + x.st * y.st;
           entry.st -= x.ss * y.ts + x.st * y.tt;
           entry.ts -= x.ts * y.ss + x.tt * y.st;
@@ -133,14 +143,14 @@ public:
     for(int i = 0; i < size(); ++i)
       x[place_[i]] = b[i];
     for(int k = 0; k < size(); ++k) {
-      x[k] = times(blocks_[k][0], x[k]);
-      for(std::size_t a = 1; a < rows_[k].size(); ++a)
-        x[rows_[k][a]] = add_scaled(x[rows_[k][a]], -1, times(blocks_[k][a], x[k]));
+      x[k] = times(block_[first_[k]], x[k]);
+      for(int a = first_[k] + 1; a < first_[k + 1]; ++a)
+        x[row_[a]] = add_scaled(x[row_[a]], -1, times(block_[a], x[k]));
     }
     for(int k = size() - 1; k >= 0; --k) {
-      for(std::size_t a = 1; a < rows_[k].size(); ++a)
-        x[k] = add_scaled(x[k], -1, times(transposed(blocks_[k][a]), x[rows_[k][a]]));
-      x[k] = times(transposed(blocks_[k][0]), x[k]);
+      for(int a = first_[k] + 1; a < first_[k + 1]; ++a)
+        x[k] = add_scaled(x[k], -1, times(transposed(block_[a]), x[row_[a]]));
+      x[k] = times(transposed(block_[first_[k]]), x[k]);
     }
     std::vector<Planar> result(size());
     for(int i = 0; i < size(); ++i)
@@ -150,12 +160,6 @@ public:
 
 private:
   static Planar times(const Block& a, Planar x) { return {a.ss * x.s + a.st * x.t, a.ts * x.s + a.tt * x.t}; }
-
-  static void sort_and_unite(std::vector<int>& list)
-  {
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-  }
 
   /// Replaces a block on the diagonal, or what the elimination has left of it, by the inverse of its Cholesky factor.
   static bool invert_factor(const Block& original, Block& a)
@@ -171,9 +175,10 @@ private:
     return true;
   }
 
-  std::vector<int> place_;                 ///< of every vertex in the order of the elimination
-  std::vector<std::vector<int>> rows_;     ///< of every column from the diagonal on down, ascending
-  std::vector<std::vector<Block>> blocks_; ///< in these
+  std::vector<int> place_; ///< of every vertex in the order of the elimination
+  std::vector<int> first_; ///< of every column: where it begins, and in the end where the last one ends
+  std::vector<int> row_;   ///< of every block; in a column from the diagonal on down, ascending
+  Blocks block_;           ///< by columns
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

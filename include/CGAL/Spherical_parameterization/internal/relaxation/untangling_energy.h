@@ -31,11 +31,11 @@ public:
     return {value, -first * value * value, (2 * first * first * value - second) * value * value};
   }
 
-  /// The share of the areas and its derivatives
-  Distortion::Psi phi(double ratio) const
+  /// The share of the areas and its derivatives. \param psi  of the same ratio
+  Distortion::Psi phi(double ratio, const Distortion::Psi& psi) const
   {
     constexpr double share_of_areas = 0.05;
-    const auto [value, first, second] = psi(ratio);
+    const auto [value, first, second] = psi;
     const double areas = 2 * share_of_areas * (1 + ratio * ratio);
     const double slope = 4 * share_of_areas * ratio, bend = 4 * share_of_areas;
     return {areas * value, slope * value + areas * first, bend * value + 2 * slope * first + areas * second};

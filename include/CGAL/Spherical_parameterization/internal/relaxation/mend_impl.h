@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RELAXATION_MEND_IMPL_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RELAXATION_MEND_IMPL_H
 
+#include <CGAL/Spherical_parameterization/internal/base/for_each_face.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 #include <CGAL/Spherical_parameterization/internal/relaxation/Patch.h>
 #include <CGAL/Spherical_parameterization/internal/relaxation/mend.h>
@@ -28,16 +29,21 @@ inline Face_metric metric_of(const Host_array<vec3>& point, const std::array<int
 
 constexpr Metric_bounds bounds_of_mending = {1e6, 1e-30};
 
-/// The faces for which `holds(f)`, in their order.
-template <class Holds>
-std::vector<int> faces_where(const Host_loop& loop, int number_of_faces, Holds holds)
+/// The faces f, in their order, for which `holds(f, corners...)`, given their corners in every one of the arrays `at`.
+template <class Holds, class... Arrays>
+std::vector<int> faces_where(const Host_loop& loop, const Host_array<std::array<int, 3>>& face, Holds holds,
+                             const Arrays&... at)
 {
   std::vector<int> result;
-  for(const std::vector<int>&part : results_of_parts(loop, number_of_faces, [&](int begin, int end) {
+  for(const std::vector<int>&part : results_of_parts(loop, static_cast<int>(face.size()), [&](int begin, int end) {
         std::vector<int> of_part;
-        for(int f = begin; f < end; ++f)
-          if(holds(f))
-            of_part.push_back(f);
+        for_each_face(
+          face, begin, end,
+          [&](int f, const auto&... corners) {
+            if(holds(f, corners...))
+              of_part.push_back(f);
+          },
+          at...);
         return of_part;
       }))
     result.insert(result.end(), part.begin(), part.end());
@@ -48,7 +54,7 @@ std::vector<int> faces_where(const Host_loop& loop, int number_of_faces, Holds h
 inline std::vector<int> faces_at(const Host_loop& loop, const Host_array<std::array<int, 3>>& face,
                                  const std::vector<char>& is_in_set)
 {
-  return faces_where(loop, static_cast<int>(face.size()),
+  return faces_where(loop, face,
                      [&](int f) { return is_in_set[face[f][0]] || is_in_set[face[f][1]] || is_in_set[face[f][2]]; });
 }
 
@@ -192,11 +198,11 @@ CGAL_SP_CORE bool mend(const Host_loop& loop, const Host_array<std::array<int, 3
     return false;
 
   const auto is_flipped = [&](int f) { return !is_positively_oriented(v[face[f][0]], v[face[f][1]], v[face[f][2]]); };
-  const std::vector<int> bad = faces_where(loop, number_of_faces, [&](int f) {
-    const Star_face s(v[face[f][1]], v[face[f][2]], metric_of(point, face[f], bounds_of_mending), 1);
-    const vec3 x = v[face[f][0]];
-    return !(s.dirichlet(x) <= bound * s.determinant(x)) || is_flipped(f);
-  });
+  const auto is_bad = [&](int f, const std::array<vec3, 3>& x, const std::array<vec3, 3>& p) {
+    const Star_face s(x[1], x[2], face_metric(sub(p[1], p[0]), sub(p[2], p[0]), bounds_of_mending), 1);
+    return !(s.dirichlet(x[0]) <= bound * s.determinant(x[0])) || is_flipped(f);
+  };
+  const std::vector<int> bad = faces_where(loop, face, is_bad, v, point);
   const auto flipped = std::count_if(bad.begin(), bad.end(), is_flipped);
   const auto is_unknown = [&](int f) {
     const vec3 a = v[face[f][0]], b = v[face[f][1]], c = v[face[f][2]];
@@ -226,7 +232,7 @@ CGAL_SP_CORE bool mend(const Host_loop& loop, const Host_array<std::array<int, 3
       if(at_first > 0 && !untangle(point, patch) && patch.number_of_flipped_faces() >= at_first)
         patch.set_positions(start);
     });
-    tangled = faces_where(loop, number_of_faces, is_flipped);
+    tangled = faces_where(loop, face, is_flipped);
     if(tangled.empty())
       break;
     if(rings > most_rings || moves > moves_per_vertex * n + moves_of_few) {

@@ -31,10 +31,18 @@ KERNEL sp_stiffening_gradient(int n, MATRIX(a), real p, vec3_in v, vec3_out g, r
   ADD_UP(4);
 }
 
-KERNEL sp_spring_masses(int n, MATRIX(a), vec3 tilt, vec3_in v, real_out m)
+KERNEL sp_spring_masses(int n, MATRIX(a), vec3_in v, real_out m)
 {
   FOR_EACH(i, n)
-  spring_masses_at(i, VIEW(a), tilt, v, m);
+  spring_masses_at(i, VIEW(a), v, m);
+}
+
+KERNEL sp_tilt_masses(int n, real_in density, vec3 tilt, vec3_in v, real_out m, real_out partial)
+{
+  SUMS(9);
+  FOR_EACH_OF_BLOCK(i, n)
+  tilt_masses_at(i, density, tilt, v, m, s);
+  ADD_UP(9);
 }
 
 KERNEL sp_curvature(int n, MATRIX(a), real_in mass, vec3 mu, vec3_in v, vec3_in d, real_in density, real_out partial)

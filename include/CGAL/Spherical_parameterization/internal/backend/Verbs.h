@@ -109,9 +109,14 @@ public:
                   : sum(Verb<stiffening_gradient_at, 4>{"sp_stiffening_gradient"}, v.size(), a, p, v, g, density);
   }
 
-  void spring_masses(const Matrix& a, vec3 tilt, const Vectors& v, Scalars& m) const
+  void spring_masses(const Matrix& a, const Vectors& v, Scalars& m) const
   {
-    run(Verb<spring_masses_at>{"sp_spring_masses"}, v.size(), a, tilt, v, m);
+    run(Verb<spring_masses_at>{"sp_spring_masses"}, v.size(), a, v, m);
+  }
+
+  Moments tilt_masses(const Scalars& density, vec3 tilt, const Vectors& v, Scalars& m) const
+  {
+    return sum(Verb<tilt_masses_at, 9>{"sp_tilt_masses"}, v.size(), density, tilt, v, m);
   }
 
   std::array<double, 5> curvature(const Matrix& a, double p, const Scalars& mass, vec3 mu, const Vectors& v,

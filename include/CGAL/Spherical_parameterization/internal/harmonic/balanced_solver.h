@@ -13,7 +13,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <utility>
 #include <vector>
 
@@ -56,16 +55,16 @@ public:
   /// `matrix`: the springs on level k of the hierarchy, which preconditions; `mass`: areas on the sphere, which bound
   /// the steps, and define the balance.
   Balanced_solver(const Backend& backend, const typename Backend::Matrix& matrix, Multigrid<Backend>& multigrid,
-                  std::size_t k, double spring_exponent, Gauge gauge, const Scalars& mass)
+                  std::size_t k, double spring_exponent, Gauge gauge, Scalars& mass)
     : backend_(backend), matrix_(matrix), multigrid_(multigrid), level_(k), exponent_(spring_exponent), gauge_(gauge),
       mass_(mass)
   {}
 
-  /// Descends from v, unit vectors that need not be balanced. Calls `refer(v)`, if given, when the residual has come
-  /// down to 1e-2, and whenever it has fallen to a third since. It may move v a little along a Moebius transformation,
-  /// and change the masses.
-  Solver_report solve(const Descent_options& options, Monitor& monitor, Vectors& v,
-                      const std::function<void(Vectors&)>& refer = nullptr) const
+  /// Descends from v, unit vectors that need not be balanced. Given the areas of the source, the masses are those of
+  /// references (exponent 2): v itself, at the start, when the residual has come down to 1e-2, and whenever it has
+  /// fallen to a third since. There v is boosted until the centroid of the area is at the centre, the masses become its
+  /// spring densities, and a linear factor balances them.
+  Solver_report solve(const Descent_options& options, Monitor& monitor, Vectors& v, const Scalars* area = nullptr) const
   {
     constexpr double longest_step = 0.25; // root mean square over the sphere of the angles by which vertices move
     constexpr double progress = 0.8;      // at the limit of rounding the residual falls no more
@@ -89,6 +88,13 @@ public:
         balance(backend_, mass_, tolerance, balance_steps, v, w, moments);
       sums = backend_.gradient(matrix_, exponent_, v, g, density);
     };
+    const auto refer = [&](double tolerance) {
+      centre(backend_, *area, tolerance, v, w);
+      sums = backend_.gradient(matrix_, exponent_, v, g, density);
+      moments = backend_.tilt_masses(density, balancing_tilt(backend_.moments(density, v)), v, mass_);
+      if(norm(first_moment(moments)) > tolerance * total_mass(moments)) // no factor balances masses so uneven
+        begin(tolerance);
+    };
     Symmetric_solver<3> boosts = boost_matrix({});
     vec3 mu = {0, 0, 0};
     const auto balance_forces = [&] {
@@ -98,18 +104,17 @@ public:
       report.energy = sums[0] / exponent_;
       report.residual = std::sqrt(backend_.balance_gradient(matrix_, mass_, mu, v, g));
     };
-    begin(balance_tolerance);
+    area ? refer(balance_tolerance) : begin(balance_tolerance);
     double gs = 0;
     double first = 0, best = 0;
     std::size_t best_at = 0;
     for(;; ++report.iterations) {
       balance_forces();
-      if(refer && references < most_references && report.residual <= next_reference) {
+      if(area && references < most_references && report.residual <= next_reference) {
         const double before = report.residual;
         next_reference = fall_between_references * before;
         ++references;
-        refer(v);
-        begin((std::min)(balance_tolerance, per_residual * before));
+        refer((std::min)(balance_tolerance, per_residual * before));
         balance_forces();
         if(report.residual > largest_rise * before) // the map collapses, and each reference is another one
           references = most_references;
@@ -206,7 +211,7 @@ private:
   std::size_t level_;
   double exponent_;
   Gauge gauge_;
-  const Scalars& mass_;
+  Scalars& mass_;
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -9,6 +9,7 @@
 #include <CGAL/Spherical_parameterization/internal/base/rotations.h>
 #include <CGAL/Spherical_parameterization/internal/base/symmetric_solver.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -71,13 +72,14 @@ void balance(const Backend& backend, const typename Backend::Scalars& mass, doub
   }
 }
 
-/// Boosts v, unit vectors, until the centroid of `area` is at the centre of the sphere. `scratch` has the size of v.
+/// Boosts v, unit vectors, until the centroid of `area` is so near to the centre of the sphere, or as near as rounding
+/// allows. `scratch` has the size of v.
 template <class Backend>
-void centre(const Backend& backend, const typename Backend::Scalars& area, typename Backend::Vectors& v,
-            typename Backend::Vectors& scratch)
+void centre(const Backend& backend, const typename Backend::Scalars& area, double tolerance,
+            typename Backend::Vectors& v, typename Backend::Vectors& scratch)
 {
   constexpr int maximum_steps = 50;
-  const double tolerance = backend.rounding();
+  tolerance = (std::max)(tolerance, backend.rounding());
   Moments moments = backend.moments(area, v);
   balance(backend, area, tolerance, maximum_steps, v, scratch, moments);
 }

@@ -180,7 +180,7 @@ bool solve_stiffening(const Backend& backend, const Problem& problem, double exp
       break;
     springs->inverse_diagonal = current->inverse_diagonal;
     const typename Backend::Matrix matrix = backend.upload(Shared_graph(springs));
-    backend.spring_masses(backend.upload(problem.graph), {0, 0, 0}, v, mass);
+    backend.spring_masses(backend.upload(problem.graph), v, mass);
     Balanced_solver<Backend> solver(backend, matrix, multigrid, 0, exponent, gauge, mass);
     const std::size_t round = (std::min)(iterations_per_hierarchy(report.residual), maximum_iterations - done);
     is_certified = false;
@@ -213,13 +213,6 @@ bool solve_harmonic(const Backend& backend, const Problem& problem, double accur
   const typename Backend::Matrix& matrix = multigrid.matrix(0);
   const typename Backend::Scalars& area = backend.upload(problem.area);
   typename Backend::Scalars mass = backend.scalars(problem.size());
-  const auto refer_to = [&](typename Backend::Vectors& x) {
-    if(is_free)
-      centre(backend, area, x, multigrid.scratch(0));
-    backend.spring_masses(matrix, {0, 0, 0}, x, mass);
-    if(is_free)
-      backend.spring_masses(matrix, balancing_tilt(backend.moments(mass, x)), x, mass);
-  };
   const Gauge gauge = is_free ? Gauge::BALANCED : Gauge::FIXED;
   Balanced_solver<Backend> solver(backend, matrix, multigrid, 0, 2, gauge, mass);
   solution.seconds.start_map = watch.seconds();
@@ -228,11 +221,12 @@ bool solve_harmonic(const Backend& backend, const Problem& problem, double accur
     const Stopwatch start_watch;
     x = is_free ? start_map(backend, multigrid, problem, monitor, solution.report.start_iterations)
                 : backend.upload(positions);
-    refer_to(x);
+    if(!is_free)
+      backend.spring_masses(matrix, x, mass);
     solution.seconds.start_map += start_watch.seconds();
   };
   const auto descend = [&](const Descent_options& options, typename Backend::Vectors& x) {
-    return is_free ? solver.solve(options, monitor, x, refer_to) : solver.solve(options, monitor, x);
+    return solver.solve(options, monitor, x, is_free ? &area : nullptr);
   };
   // The residual of eq. (2) is that of the descent times D_i / |sum w_ij v_j|: 1 on fine meshes, up to 3 on coarse
   // ones.

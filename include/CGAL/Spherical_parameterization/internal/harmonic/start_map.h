@@ -175,7 +175,7 @@ std::size_t coarse_start_map(const Backend& backend, Multigrid<Backend>& multigr
     for(int i = 0; i < problem.size(); ++i)
       area[mesh.vertex_of[i]] += problem.area[i];
     v = backend.upload(std::move(z));
-    centre(backend, backend.upload(std::move(area)), v, multigrid.scratch(k));
+    centre(backend, backend.upload(std::move(area)), 0, v, multigrid.scratch(k));
     return k;
   }
 }
@@ -193,7 +193,7 @@ typename Backend::Vectors start_map(const Backend& backend, Multigrid<Backend>& 
   typename Backend::Vectors v;
   for(std::size_t k = coarse_start_map(backend, multigrid, problem, monitor, iterations, v); k > 0; --k) {
     typename Backend::Scalars mass = backend.scalars(multigrid.size(k));
-    backend.spring_masses(multigrid.matrix(k), {0, 0, 0}, v, mass);
+    backend.spring_masses(multigrid.matrix(k), v, mass);
     Balanced_solver<Backend> solver(backend, multigrid.matrix(k), multigrid, k, 2, Gauge::BALANCED, mass);
     iterations += solver.solve(coarse_descent, monitor, v).iterations;
     typename Backend::Vectors& finer = multigrid.scratch(k - 1);

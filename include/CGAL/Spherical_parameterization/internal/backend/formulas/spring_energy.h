@@ -68,11 +68,10 @@ CGAL_SP_FUNCTION void gradient_at(int i, graph_view a, vec3_in v, vec3_out g, re
   stiffening_gradient_at(i, a, 2, v, g, density, s);
 }
 
-/* m = (1 + tilt . v) times the spring density of exponent 2, or 0 where negative weights (of coarse levels) or a large
- * tilt make it negative */
-CGAL_SP_FUNCTION void spring_masses_at(int i, graph_view a, vec3 tilt, vec3_in v, real_out m)
+/* m = the spring density of exponent 2, or 0 where negative weights (of coarse levels) make it negative */
+CGAL_SP_FUNCTION void spring_masses_at(int i, graph_view a, vec3_in v, real_out m)
 {
-  const real mass = (1 + inner(tilt, v[i])) * spring_density(i, a, 2, v);
+  const real mass = spring_density(i, a, 2, v);
   m[i] = mass > 0 ? mass : 0;
 }
 
@@ -164,6 +163,14 @@ CGAL_SP_FUNCTION void add_moments(real m, vec3 v, real* s)
 
 /* s[0] ... s[8]: the moments of v */
 CGAL_SP_FUNCTION void moments_at(int i, real_in mass, vec3_in v, real* s) { add_moments(mass[i], v[i], s); }
+
+/* m = (1 + tilt . v) density, or 0 where rounding or a large tilt make it negative; s[0] ... s[8]: the moments of v */
+CGAL_SP_FUNCTION void tilt_masses_at(int i, real_in density, vec3 tilt, vec3_in v, real_out m, real* s)
+{
+  const real mass = (1 + inner(tilt, v[i])) * density[i];
+  m[i] = mass > 0 ? mass : 0;
+  add_moments(m[i], v[i], s);
+}
 
 /* w = (v + alpha d - 2 P_v c) / |...|: v moved by alpha d and, to first order, a small boost with centre c;
  * s[0] ... s[8]: the moments of w */

@@ -115,6 +115,28 @@ TEST_CASE("landmarks on limbs and thin bars are kept", "[landmarks]")
   }
 }
 
+TEST_CASE("landmarks that get stuck are brought home from the map without them", "[landmarks]")
+{
+  const Soup soup = comb(6, 8);
+  const Sphere free = solve_or_throw(soup, with_landmarks({}));
+  check_kept(soup, moved(free, 6, 0.3, [](std::size_t i) { return i; }));
+}
+
+TEST_CASE("three hundred landmarks follow a smooth deformation of the sphere", "[landmarks]")
+{
+  const Soup soup = bumpy_sphere(4);
+  const Sphere free = solve_or_throw(soup, with_landmarks({}));
+  constexpr std::size_t number = 300;
+  Landmarks landmarks;
+  for(std::size_t i = 0; i < number; ++i) { // a twist about the axis z
+    const std::size_t v = i * free.size() / number;
+    const Point p = free[v];
+    const double c = std::cos(p.z()), s = std::sin(p.z());
+    landmarks[v] = on_sphere(c * p.x() - s * p.y(), s * p.x() + c * p.y(), p.z());
+  }
+  check_kept(soup, landmarks);
+}
+
 TEST_CASE("all vertices fixed at a valid map: that is the map", "[landmarks]")
 {
   const Soup soup = ellipsoid(1, 2, 3, 2);

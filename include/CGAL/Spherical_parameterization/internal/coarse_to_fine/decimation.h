@@ -62,8 +62,8 @@ private:
 /// touch each other, one after the other: first those within broad bands of the surface, all bands at once, then those
 /// across their borders. The result is the same for any number of threads.
 ///
-/// Vertices can be kept until only so many are left. With a map of the mesh to the sphere, that is the end, and the map
-/// stays a bijection: no collapse is taken that would flip a face of it, nor one that makes kept vertices adjacent.
+/// Vertices can be kept until only so many are left; no collapse makes them adjacent. With a map of the mesh to the
+/// sphere, that is the end, and the map stays a bijection: no collapse is taken that would flip a face of it.
 class Decimation {
 public:
   /// \param is_kept  which vertices are to be kept while there are more than `kept_until`; empty: none
@@ -203,7 +203,7 @@ private:
       if(!cheapest->is_exact) {
         cheapest->collapse.cost = cost(u, ring, cheapest->number, area, true);
         cheapest->is_exact = true;
-      } else if(mesh_.is_collapsible(cheapest->collapse.half_edge) && keeps_map_valid(cheapest->collapse.half_edge))
+      } else if(mesh_.is_collapsible(cheapest->collapse.half_edge) && is_allowed(cheapest->collapse.half_edge))
         return cheapest->collapse;
       else
         estimates.erase(cheapest);
@@ -211,15 +211,18 @@ private:
     return Collapse();
   }
 
-  /// Whether the target of the half-edge sees the whole ring of its other end in the map, and gets no kept vertex for a
-  /// neighbour if it is one: an edge between two that do not move would be a wall to others.
-  bool keeps_map_valid(int half_edge) const
+  /// Whether the target of the half-edge sees the whole ring of its other end in the map, if there is one, and gets no
+  /// kept vertex for a neighbour if it is one: an edge between two that do not move would be a wall to others.
+  bool is_allowed(int half_edge) const
   {
+    if(!map_ && !keeps_vertices())
+      return true;
     const int u = mesh_.vertex(half_edge), v = mesh_.target(half_edge);
-    return !map_ || !mesh_.any_corner(u, [&](int c) {
+    const bool is_kept = keeps_vertices() && is_kept_[v];
+    return !mesh_.any_corner(u, [&](int c) {
       const int j = mesh_.target(c), k = mesh_.apex(c);
-      return (j != v && k != v && !is_positively_oriented((*map_)[v], (*map_)[j], (*map_)[k])) ||
-             (j != v && is_kept_[v] && is_kept_[j]);
+      return j != v && ((is_kept && is_kept_[j]) ||
+                        (map_ && k != v && !is_positively_oriented((*map_)[v], (*map_)[j], (*map_)[k])));
     });
   }
 

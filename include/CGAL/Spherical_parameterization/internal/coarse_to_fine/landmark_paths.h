@@ -28,6 +28,20 @@ struct Landmark {
 };
 typedef std::vector<Landmark> Landmarks;
 
+/// What may be spent on bringing landmarks home, by all attempts together: so many steps of Newton's method, times the
+/// vertices that each of them moves.
+class Landmark_budget {
+public:
+  explicit Landmark_budget(int number_of_vertices) : left_(least + per_vertex * number_of_vertices) {}
+
+  void spend(double steps) { left_ -= steps; }
+  bool is_spent() const { return left_ <= 0; }
+
+private:
+  static constexpr double least = 3e6, per_vertex = 60;
+  double left_;
+};
+
 inline double distance(vec3 a, vec3 b) { return norm(sub(a, b)); }
 
 /// A curve on the sphere, by points that are near each other.
@@ -52,15 +66,16 @@ inline void append_arc(Path& path, vec3 end)
 /// One that finds no way crosses others, as few as possible, and these are laid anew.
 class Landmark_paths {
 public:
-  Landmark_paths(const Map_level& level, const Landmarks& landmarks)
-    : level_(level), landmarks_(landmarks), owner_(level.size(), nobody), cost_(level.size(), 1.),
+  Landmark_paths(const Map_level& level, const Landmarks& landmarks, Landmark_budget& budget)
+    : level_(level), landmarks_(landmarks), budget_(budget), owner_(level.size(), nobody), cost_(level.size(), 1.),
       goal_(landmarks.size(), nobody), route_(landmarks.size())
   {}
 
-  /// The path of every landmark; just where it is, if it is placed. None at all if the level is too coarse.
+  /// The path of every landmark; just where it is, if it is placed. None at all if the level is too coarse, or too much
+  /// work is needed.
   std::vector<Path> find()
   {
-    constexpr int attempts_per_landmark = 20;
+    constexpr double most_searches = 100; // as if each went through the whole level
     const int size = static_cast<int>(landmarks_.size());
     for(int l = 0; l < size; ++l)
       occupy(start(l), l);
@@ -77,10 +92,11 @@ public:
     const auto way = [&](int l) { return distance(level_.position()[start(l)], landmarks_[l].place); };
     std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return way(a) < way(b); });
     waiting_.assign(order.begin(), order.end());
+    steps_left_ = most_searches * level_.size();
     for(attempts_ = 0; !waiting_.empty(); ++attempts_) {
       const int l = waiting_.front();
       waiting_.pop_front();
-      if(attempts_ > attempts_per_landmark * size || !lay(l))
+      if(steps_left_ < 0 || budget_.is_spent() || !lay(l))
         return {};
     }
     std::vector<Path> paths;
@@ -159,8 +175,9 @@ private:
   }
 
   /// By Dijkstra's algorithm, from the start to the goal, not through the ends of other paths. Empty if there is none.
-  std::vector<int> cheapest_route(int l) const
+  std::vector<int> cheapest_route(int l)
   {
+    constexpr double share_of_newton_step = 0.125; // of the time that it takes for a vertex
     constexpr double crossing = 50, growth = 0.01; // of the cost; it grows, lest two paths take up each other for ever
     typedef std::pair<double, int> Item;
     std::priority_queue<Item, std::vector<Item>, std::greater<Item>> queue;
@@ -168,7 +185,8 @@ private:
     std::vector<int> before(level_.size(), nobody);
     cost[start(l)] = 0;
     queue.push({0, start(l)});
-    while(!queue.empty() && queue.top().second != goal_[l]) {
+    int steps = 0;
+    for(; !queue.empty() && queue.top().second != goal_[l]; ++steps) {
       const auto [cost_of_i, i] = queue.top();
       queue.pop();
       for(int c = level_.offset(i); cost_of_i <= cost[i] && c < level_.offset(i + 1); ++c) {
@@ -185,6 +203,8 @@ private:
         }
       }
     }
+    steps_left_ -= steps;
+    budget_.spend(share_of_newton_step * steps);
     std::vector<int> route;
     if(!queue.empty())
       for(int i = goal_[l]; i != nobody; i = before[i])
@@ -195,12 +215,14 @@ private:
 
   const Map_level& level_;
   const Landmarks& landmarks_;
+  Landmark_budget& budget_;
   std::vector<int> owner_;   ///< of a vertex: the landmark whose path goes through it
   std::vector<double> cost_; ///< of a vertex: what the way to it costs, per length
   std::vector<int> goal_;    ///< of a landmark: the last vertex of its path
   std::vector<std::vector<int>> route_;
   std::deque<int> waiting_; ///< landmarks without a path
   int attempts_ = 0;
+  double steps_left_ = 0; ///< of searches
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

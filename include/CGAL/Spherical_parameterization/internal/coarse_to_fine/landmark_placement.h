@@ -44,20 +44,6 @@ inline void pin_placed(const Landmarks& landmarks, Map_level& level)
       level.pin(level.index(l.vertex));
 }
 
-/// What may be spent on bringing landmarks home, by all attempts together: so many steps of Newton's method, times the
-/// vertices that each of them moves.
-class Landmark_budget {
-public:
-  explicit Landmark_budget(int number_of_vertices) : left_(least + per_vertex * number_of_vertices) {}
-
-  void spend(int vertices) { left_ -= vertices; }
-  bool is_spent() const { return left_ <= 0; }
-
-private:
-  static constexpr double least = 2e6, per_vertex = 200;
-  double left_;
-};
-
 /// Moves the landmarks of a level to their places, with the mesh round them, and pins them there. The map stays
 /// bijective.
 ///
@@ -89,7 +75,7 @@ public:
     };
     for(const Stage stage : {Stage{true, 1}, Stage{true, 0.5}, Stage{false, 0.5}}) {
       is_straight_ = stage.is_straight;
-      path_ = is_straight_ ? straight_paths() : Landmark_paths(level_, landmarks_).find();
+      path_ = is_straight_ ? straight_paths() : Landmark_paths(level_, landmarks_, budget_).find();
       if(path_.empty())
         return false;
       const Host_array<vec3> position = level_.position();

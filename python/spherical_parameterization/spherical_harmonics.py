@@ -57,7 +57,7 @@ class Harmonics:
     >>> ellipsoid.ellipsoid().radii.round(6).tolist()
     [3.0, 2.0, 1.0]
     >>> ellipsoid.at([[1, 0, 0]]).round(6).tolist()
-    [[3.0, -0.0, 0.0]]
+    [[3.0, 0.0, 0.0]]
     """
 
     coefficients: Doubles

@@ -20,7 +20,7 @@ for mesh in "${meshes[@]}"; do
   for ((i = 0; i < repetitions; ++i)); do
     for tool in "${!tools[@]}"; do
       /usr/bin/time -f 'kB %M' "${tools[tool]}" map "$mesh" -o "$folder/out.${mesh##*.}" "${options[@]}" >"$folder/log" 2>&1 </dev/null
-      # "... 1664002 vertices, ..." and "5.3 s: read 1.9, start map 0.6, solve 1.6, certify 0.6, write 0.1"
+      # "... 1664002 vertices, ..." and "5.3 s: read 1.0, weights 0.8, start map 0.6, solve 1.6, certify 0.6, write 0.1"
       awk '/ vertices, /  { for(k = 2; k <= NF; ++k) if($k == "vertices,") vertices = $(k - 1) }
            / s: read /    { total = $1; for(k = 2; k < NF; ++k) { value = $(k + 1); sub(",", "", value); seconds[$k] = value } }
            $1 == "kB"     { kB = $2 }

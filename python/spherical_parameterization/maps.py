@@ -25,6 +25,7 @@ class Seconds:
     """Wall-clock seconds of the phases of a call; they add up to `total`."""
 
     read: float  #: reading the arrays, with all checks of the mesh
+    weights: float  #: edge weights; of conformal ones the intrinsic Delaunay triangulation, too
     start_map: float  #: set-up of the multigrid hierarchy, and the start map
     solve: float  #: from the start map to the result
     certify: float  #: certificates of all attempts

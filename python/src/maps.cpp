@@ -141,7 +141,7 @@ SP::Any_policy policy_of(const py::object& policy)
 
 py::tuple to_python(const SP::Result::Seconds& s)
 {
-  return py::make_tuple(s.read, s.start_map, s.solve, s.certify, s.total);
+  return py::make_tuple(s.read, s.weights, s.start_map, s.solve, s.certify, s.total);
 }
 
 py::dict to_python(const SP::Result& r)

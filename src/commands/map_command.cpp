@@ -90,8 +90,9 @@ void say(const Map_options& options, const Mapped_mesh& input, const Report& rep
     text << "smallest area " << result.smallest_area << ", smallest edge " << result.smallest_edge
          << " roundings; peak memory " << double(peak_memory_bytes()) / 1e6 << " MB\n";
   }
-  text << report.seconds_total << " s: read " << input.seconds_read << ", start map " << result.seconds.start_map
-       << ", solve " << result.seconds.solve << ", certify " << result.seconds.certify;
+  text << report.seconds_total << " s: read " << input.seconds_read << ", weights " << result.seconds.weights
+       << ", start map " << result.seconds.start_map << ", solve " << result.seconds.solve << ", certify "
+       << result.seconds.certify;
   if(report.seconds_measure > 0)
     text << ", measure " << report.seconds_measure;
   text << ", write " << report.seconds_write << '\n'

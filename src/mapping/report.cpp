@@ -166,6 +166,7 @@ Json report_json(const Mapping_options& options, const Mapped_mesh& input, const
           {"distortion", report.distortion ? to_json(*report.distortion) : Json(nullptr)},
           {"seconds",
            {{"read", input.seconds_read},
+            {"weights", result.seconds.weights},
             {"start_map", result.seconds.start_map},
             {"solve", result.seconds.solve},
             {"certify", result.seconds.certify},

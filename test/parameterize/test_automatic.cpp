@@ -200,7 +200,7 @@ TEST_CASE("automatic: every second of every attempt is accounted for", "[automat
   }
   const Result::Seconds& s = result.seconds;
   CHECK(s.start_map + s.solve + s.certify == Approx(of_attempts).epsilon(0.02).margin(1e-3));
-  CHECK(s.read + s.start_map + s.solve + s.certify == Approx(s.total).epsilon(0.02).margin(2e-3));
+  CHECK(s.read + s.weights + s.start_map + s.solve + s.certify == Approx(s.total).epsilon(0.02).margin(2e-3));
 }
 
 TEST_CASE("automatic: the report is that of the map that is handed over", "[automatic]")

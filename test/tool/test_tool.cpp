@@ -136,7 +136,7 @@ TEST_CASE("map: the report says what was done and how good the map is", "[tool]"
   CHECK(report.at("distortion").at("degenerate_faces") == 0);
   CHECK(report.at("peak_memory_bytes") > 1000 * 1000);
   double sum = 0;
-  for(const char* phase : {"read", "start_map", "solve", "certify", "measure", "write"}) {
+  for(const char* phase : {"read", "weights", "start_map", "solve", "certify", "measure", "write"}) {
     CHECK(report.at("seconds").at(phase) >= 0);
     sum += report.at("seconds").at(phase).get<double>();
   }

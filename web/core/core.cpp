@@ -159,6 +159,7 @@ val seconds_of(const SP::Result& result, double read, double measured)
 {
   val seconds = val::object();
   seconds.set("read", read + result.seconds.read);
+  seconds.set("weights", result.seconds.weights);
   seconds.set("start_map", result.seconds.start_map);
   seconds.set("solve", result.seconds.solve);
   seconds.set("certify", result.seconds.certify);

@@ -71,6 +71,7 @@ export function facts(report: Report): HTMLElement {
   add("Before", report.fallback_reason);
   const names: Record<string, string> = {
     read: "read",
+    weights: "weights",
     start_map: "start map",
     solve: "solve",
     certify: "certify",

@@ -57,6 +57,7 @@ struct Result {
   /// Wall-clock time of each phase, in seconds. The phases add up to the total.
   struct Seconds {
     double read = 0;      ///< reading the mesh into arrays, with all checks of the input
+    double weights = 0;   ///< edge weights; of conformal ones the intrinsic Delaunay triangulation, too
     double start_map = 0; ///< set-up of the multigrid hierarchy, and the start map; of all attempts
     double solve = 0;     ///< from the start map to the result; of all attempts
     double certify = 0;   ///< certificates of all attempts, moving vertices for them, and writing the property map
@@ -67,7 +68,7 @@ struct Result {
     std::string method;                ///< its name
     Error_code error = Error_code::OK; ///< its verdict
     std::string detail;                ///< what is wrong, where, and what to do; of `OK`: why the map is of no use
-    Seconds seconds;                   ///< how long it took; `read` is 0
+    Seconds seconds;                   ///< how long it took; `read` and `weights` are 0
   };
   Seconds seconds;               ///< of all attempts together
   std::vector<Attempt> attempts; ///< all methods that were tried, in order: `Automatic` tries up to three

@@ -66,7 +66,7 @@ Result run(const ExecutionPolicy& policy, const Method& method, const NamedParam
       const auto input = with_input([&](const auto& mesh, const auto& inputs) {
         return read_problem<ExecutionPolicy>(mesh, solver, sphere_map, effort, inputs, result);
       });
-      result.seconds.read = total.seconds();
+      result.seconds.read = total.seconds() - result.seconds.weights;
       const Solution solution = solve<Host_loop>(policy, method, input.problem, monitor);
       write_solution(solution, input, sphere_map, result);
       monitor.begin_stage(1, 1);
@@ -74,7 +74,7 @@ Result run(const ExecutionPolicy& policy, const Method& method, const NamedParam
     } catch(const Input_error& error) { // of reading
       result.error = error.code();
       result.detail = error.detail();
-      result.seconds.read = total.seconds();
+      result.seconds.read = total.seconds() - result.seconds.weights;
     }
   result.seconds.total = total.seconds();
   return result;

@@ -204,8 +204,8 @@ void read_weights(const TriangleMesh& mesh, const std::variant<Conformal_weights
   std::visit([&](const auto& chosen) { read_weights(mesh, chosen, loop, source); }, weights);
 }
 
-/// Reads mesh and property maps, each once, and checks them. Sets the sizes of `result`. Throws Error. Numbers that
-/// several threads may read at once are read on the threads of the policy.
+/// Reads mesh and property maps, each once, and checks them. Sets the sizes and `seconds.weights` of `result`. Throws
+/// Error. Numbers that several threads may read at once are read on the threads of the policy.
 template <class ExecutionPolicy, class TriangleMesh, class Solver, class VertexSphereMap, class Inputs>
 Input<TriangleMesh> read_problem(const TriangleMesh& mesh, const Solver& solver, VertexSphereMap sphere_map,
                                  const Effort& effort, const Inputs& inputs, Result& result)
@@ -226,16 +226,19 @@ Input<TriangleMesh> read_problem(const TriangleMesh& mesh, const Solver& solver,
   Problem problem;
   problem.is_simplicial = is_simplicial(loop, *source.graph);
   problem.density = face_densities(mesh, inputs, source.face, source.position);
+  const Stopwatch weights_watch;
   if(has_density)
     problem.missing_weights = "springs do not follow densities";
   else if(solver.weights() != Weights::UNUSED)
     try {
       read_weights(mesh, inputs.weights(), loop, source);
     } catch(const Input_error& error) {
+      result.seconds.weights = weights_watch.seconds();
       if(solver.weights() == Weights::NEEDED || error.code() != Error_code::DEGENERATE_FACE)
         throw;
       problem.missing_weights = error.detail();
     }
+  result.seconds.weights = weights_watch.seconds();
   problem.is_fixed = fixed_vertices(source.vertex, inputs.constraints());
   const bool needs_start = solver.needs_given_start();
   if(problem.has_fixed() || needs_start)

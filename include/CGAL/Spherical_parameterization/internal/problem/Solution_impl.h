@@ -78,9 +78,10 @@ CGAL_SP_CORE void describe(const Solution& solution, Result& result)
   result.device = solution.device;
   result.attempts = solution.attempts;
   result.fallback_reason = solution.fallback_reason;
-  const double read = result.seconds.read;
+  const Result::Seconds before = result.seconds;
   result.seconds = solution.seconds;
-  result.seconds.read = read;
+  result.seconds.read = before.read;
+  result.seconds.weights = before.weights;
 }
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -411,7 +411,7 @@ TEST_CASE("vertices count with their area, mean over the shapes", "[statistics]"
 }
 
 #ifdef CGAL_LINKED_WITH_TBB
-TEST_CASE("statistics have the same bits on one core and on all", "[statistics]")
+TEST_CASE("statistics are the same bits on several threads", "[statistics]")
 {
   const CGAL::Parallel_tag all_cores;
   std::mt19937 random(6);

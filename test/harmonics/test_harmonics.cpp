@@ -4,6 +4,7 @@
 #include "helpers/certificate.h"
 #include "helpers/meshes.h"
 #include "helpers/property_maps.h"
+#include "helpers/solve.h"
 
 #include <CGAL/Spherical_parameterization/harmonic_files.h>
 #include <CGAL/Spherical_parameterization/locate.h>

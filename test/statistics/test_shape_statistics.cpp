@@ -90,14 +90,14 @@ Known known_set(int shapes, const std::vector<double>& deviations, const std::ve
   std::mt19937 random(1);
   Known known;
   known.mean = random_shape(vertices, random);
-  for(std::size_t k = 0; k < deviations.size(); ++k) { // Gram and Schmidt
+  for(const double deviation : deviations) { // Gram and Schmidt
     Shape_points mode = random_shape(vertices, random);
     for(const Shape_points& other : known.modes)
       add(mode, -inner(mode, other, weights), other);
     const double length = std::sqrt(inner(mode, mode, weights));
     add(mode, 1 / length - 1, Shape_points(mode));
     known.modes.push_back(mode);
-    known.variances.push_back(deviations[k] * deviations[k] * shapes / (shapes - 1.));
+    known.variances.push_back(deviation * deviation * shapes / (shapes - 1.));
   }
   for(int i = 0; i < shapes; ++i) { // waves of different lengths
     std::vector<double> row;

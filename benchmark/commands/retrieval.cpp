@@ -52,8 +52,12 @@ Described describe(Mesh& mesh, Sphere_map sphere, const std::vector<Descriptor>&
   const double map_seconds = map_watch.seconds();
   for(const Descriptor& descriptor : descriptors) {
     const Stopwatch watch;
-    result.values.push_back(descriptor.is_slow && !with_slow ? Descriptor_values() : descriptor.compute(mesh, sphere));
-    result.seconds.push_back(watch.seconds() + (descriptor.needs_map ? map_seconds : 0));
+    result.values.push_back(descriptor.is_slow && !with_slow ? Descriptor_values()
+                            : descriptor.derive              ? descriptor.derive(result.values.back())
+                                                             : descriptor.compute(mesh, sphere));
+    result.seconds.push_back(watch.seconds() + (descriptor.derive      ? result.seconds.back()
+                                                : descriptor.needs_map ? map_seconds
+                                                                       : 0));
   }
   return result;
 }

@@ -21,6 +21,8 @@ struct Descriptor {
   std::function<Descriptor_values(const Mesh&, Sphere_map)>
     compute;            ///< the map is a conformal one, or stands in for it
   bool is_slow = false; ///< seconds per mesh: left out where many meshes are made
+  /// In place of `compute`: from the values of the descriptor before.
+  std::function<Descriptor_values(const Descriptor_values&)> derive = {};
 };
 
 /// The package's signature, its parts and its variants, and the paper's recipe.

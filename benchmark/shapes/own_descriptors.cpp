@@ -14,6 +14,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace benchmark {
@@ -79,12 +80,21 @@ Descriptor_values first_version(const Mesh& mesh, Sphere_map sphere)
   return values;
 }
 
-/// The power spectrum of the coordinates on an isometric map, which neither rotations nor the place of the shape
-/// change: by degree the root of weight(l) P_l, over that of their sum, so that the size does not matter either. Roots,
-/// as in M. Kazhdan, T. Funkhouser, S. Rusinkiewicz, "Rotation invariant spherical harmonic representation of 3D shape
-/// descriptors", SGP 2003.
-template <class Weight>
-Descriptor_values power_of_coordinates(const Mesh& mesh, Weight weight)
+/// With the sum of squares 1, so that the size of the shape does not matter.
+Descriptor_values normalized(Descriptor_values values)
+{
+  double sum = 0;
+  for(const double value : values)
+    sum += value * value;
+  for(double& value : values)
+    value /= std::sqrt(sum);
+  return values;
+}
+
+/// The power spectrum P of the coordinates on an isometric map, which neither rotations nor the place of the shape
+/// change: by degree, from 1 on, the root of P. Roots, as in M. Kazhdan, T. Funkhouser, S. Rusinkiewicz, "Rotation
+/// invariant spherical harmonic representation of 3D shape descriptors", SGP 2003.
+Descriptor_values power_of_coordinates(const Mesh& mesh, Sphere_map)
 {
   constexpr int degree = 32; // four times the coefficients that a mesh of 252 vertices could be fitted by
   Mesh copy = mesh;
@@ -95,14 +105,17 @@ Descriptor_values power_of_coordinates(const Mesh& mesh, Weight weight)
   const auto analysis = SP::harmonic_analysis(copy, sphere, copy.points(), degree, SP::Integration());
   const std::vector<double> power = SP::power_spectrum(analysis.coefficients);
   Descriptor_values values;
-  double sum = 0;
-  for(int l = 1; l <= degree; ++l) {
-    values.push_back(std::sqrt(weight(l) * power[l]));
-    sum += weight(l) * power[l];
-  }
-  for(double& value : values)
-    value /= std::sqrt(sum);
-  return values;
+  for(int l = 1; l <= degree; ++l)
+    values.push_back(std::sqrt(power[l]));
+  return normalized(std::move(values));
+}
+
+/// The same for the gradient, whose power is l (l + 1) P.
+Descriptor_values power_of_gradient(Descriptor_values values)
+{
+  for(std::size_t i = 0; i < values.size(); ++i)
+    values[i] *= std::sqrt((i + 1.) * (i + 2.));
+  return normalized(std::move(values));
 }
 
 } // namespace
@@ -130,11 +143,8 @@ std::vector<Descriptor> own_descriptors()
           {"without Poisson solve", true, without_poisson},
           {"paper: stretch histogram", true, stretch(paper)},
           {"log stretch, exact areas", true, stretch(Stretch_histogram())},
-          {"power spectrum", false,
-           [](const Mesh& mesh, Sphere_map) { return power_of_coordinates(mesh, [](int) { return 1.; }); }, true},
-          {"power spectrum of the gradient", false,
-           [](const Mesh& mesh, Sphere_map) { return power_of_coordinates(mesh, [](int l) { return l * (l + 1.); }); },
-           true}};
+          {"power spectrum", false, power_of_coordinates, true},
+          {"power spectrum of the gradient", false, {}, true, power_of_gradient}};
 }
 
 } // namespace benchmark

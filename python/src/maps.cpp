@@ -30,6 +30,14 @@ namespace {
 
 typedef std::chrono::steady_clock Clock;
 
+/// The numbers of an array, by vertex or face. No lambda, which std::optional<function_property_map> of clang++ does
+/// not take: it could not be made by default.
+template <class Descriptor>
+struct Numbers_of {
+  const double* first;
+  double operator()(Descriptor d) const { return first[d.idx()]; }
+};
+
 /// Writes to an array, and knows whether it has.
 struct Sphere_map {
   typedef Mesh::Vertex_index key_type;
@@ -177,8 +185,8 @@ py::tuple parameterize(const Doubles& points, const py::array& triangles, const 
     [is_fixed](Mesh::Vertex_index v) { return is_fixed && is_fixed[v.idx()]; });
   const auto densities = [&density](auto descriptor, bool is_given) {
     typedef decltype(descriptor) Descriptor;
-    const double* const first = is_given ? density->data() : nullptr;
-    const auto map = boost::make_function_property_map<Descriptor>([first](Descriptor d) { return first[d.idx()]; });
+    const auto map =
+      boost::make_function_property_map<Descriptor>(Numbers_of<Descriptor>{is_given ? density->data() : nullptr});
     return is_given ? std::optional(map) : std::nullopt;
   };
   const bool is_of_vertices = density && density->size() == points.shape(0);

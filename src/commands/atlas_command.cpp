@@ -264,7 +264,7 @@ private:
       points.push_back(std::move(shape.points));
     align(*mesh_, points, options_.placement);
     const std::string name = options_.output + "/templates/" + std::to_string(round);
-    const Mapped_file file = {name + ".ply", name + "_sphere.ply"};
+    Mapped_file file = {name + ".ply", name + "_sphere.ply"};
     Atomic_file::create_folder(options_.output + "/templates");
     for(const auto& [output, of_points, surface] : {std::tuple(file.mesh, mean_of(points), Surface::SHAPE),
                                                     std::tuple(file.sphere, mesh_->directions, Surface::SPHERE)}) {

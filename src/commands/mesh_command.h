@@ -5,6 +5,7 @@
 #define SPHERICAL_PARAMETERIZATION_TOOL_MESH_COMMAND_H
 
 #include "collections/mesh_collection.h"
+#include "input/files.h"
 #include "options/collection_options.h"
 #include "options/mapping_options.h"
 #include "options/mesh_output.h"
@@ -125,7 +126,11 @@ int run_mesh_command(const CLI::App& command, const Mesh_command<Options>& mesh_
       return Job{inputs, files(mesh_command.outputs(one)), [&mesh_command, one] { return mesh_command.run_one(one); }};
     },
     threads};
-  mesh_command.check(of_item(collection.items.front()));
+  const Options first = of_item(collection.items.front());
+  mesh_command.check(first);
+  for(const auto& [option, file] : mesh_command.inputs(first))
+    if(!file.empty() && file != first.input && file != first.sphere) // one for all meshes: without it none is done
+      check_readable(file);
   return run_collection(collection);
 }
 

@@ -244,10 +244,8 @@ void write_report(const Prepare_options& options, const Prepared& prepared)
 {
   Json outputs = Json::array();
   if(prepared.preparation)
-    for(std::size_t i = 0; i < prepared.preparation->parts.size(); ++i) {
-      const Glued_surface& part = prepared.preparation->parts[i];
+    for(const Glued_surface& part : prepared.preparation->parts)
       outputs.push_back({{"vertices", part.number_of_vertices()}, {"faces", part.number_of_faces()}});
-    }
   const auto known = [](bool is_known, const Json& value) { return is_known ? value : Json(nullptr); };
   const Json json = {
     {"version", SPHERICAL_PARAMETERIZATION_VERSION},
@@ -281,7 +279,7 @@ void say(const Prepare_options& options, const Prepared& prepared, Outcome& outc
   distance.precision(3);
   std::vector<std::string> done = sentences(preparation);
   if(done.empty())
-    done.push_back("nothing to mend");
+    done.emplace_back("nothing to mend");
 
   constexpr double rounding = 1e-14;
   const auto& [from_new, from_old] = *prepared.distance;

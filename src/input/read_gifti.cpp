@@ -230,17 +230,16 @@ private:
         put(i, static_cast<double>(number_at<decltype(number)>(&bytes[i * size], order)));
     };
     if(type == "NIFTI_TYPE_FLOAT32")
-      convert(float());
-    else if(type == "NIFTI_TYPE_FLOAT64")
-      convert(double());
-    else if(type == "NIFTI_TYPE_INT32")
-      convert(std::int32_t());
-    else if(type == "NIFTI_TYPE_UINT32")
-      convert(std::uint32_t());
-    else if(type == "NIFTI_TYPE_INT64")
-      convert(std::int64_t());
-    else
-      refuse("a DataArray has numbers of type " + in_quotes(type), "save it with 32-bit floats and integers");
+      return convert(float());
+    if(type == "NIFTI_TYPE_FLOAT64")
+      return convert(double());
+    if(type == "NIFTI_TYPE_INT32")
+      return convert(std::int32_t());
+    if(type == "NIFTI_TYPE_UINT32")
+      return convert(std::uint32_t());
+    if(type == "NIFTI_TYPE_INT64")
+      return convert(std::int64_t());
+    refuse("a DataArray has numbers of type " + in_quotes(type), "save it with 32-bit floats and integers");
   }
 
   std::string binary(const Data_array& array, bool is_compressed, std::size_t size) const

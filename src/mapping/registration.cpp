@@ -14,7 +14,7 @@ namespace SP = CGAL::Spherical_parameterization;
 SP::Registration_result register_map(const std::string& file, const Mesh& mesh, Sphere& sphere, const Mesh& to_mesh,
                                      const Sphere& to_sphere)
 {
-  const SP::Registration_result result =
+  SP::Registration_result result =
     SP::register_maps(mesh, as_map(sphere), to_mesh, as_map(to_sphere), as_map(sphere), {}, {},
                       CGAL::parameters::callback([](double) { return !was_interrupted(); }));
   stop_if_interrupted(file);

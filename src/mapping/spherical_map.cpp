@@ -35,6 +35,14 @@ Weights weights_of(const Mesh& mesh, Clamped_weights w)
 }
 Weights weights_of(const Mesh& mesh, Mean_value_weights) { return function_of(SP::mean_value_weights(mesh)); }
 
+/// The density of a vertex or face. No lambda, which std::optional<function_property_map> of clang++ does not take: it
+/// could not be made by default.
+template <class Descriptor>
+struct Density_of {
+  const std::vector<double>* density;
+  double operator()(Descriptor d) const { return (*density)[static_cast<std::size_t>(d.idx())]; }
+};
+
 } // namespace
 
 SP::Result map_to_sphere(const Mesh& mesh, Sphere& sphere, const Map_settings& settings,
@@ -63,8 +71,7 @@ SP::Result map_to_sphere(const Mesh& mesh, Sphere& sphere, const Map_settings& s
 
   const auto densities = [&settings](auto descriptor, std::size_t number) {
     using Descriptor = decltype(descriptor);
-    const auto of = [&settings](Descriptor d) { return settings.density[static_cast<std::size_t>(d.idx())]; };
-    const auto map = boost::make_function_property_map<Descriptor>(of);
+    const auto map = boost::make_function_property_map<Descriptor>(Density_of<Descriptor>{&settings.density});
     return settings.density.size() == number ? std::optional(map) : std::nullopt;
   };
   const auto of_vertices = densities(Mesh::Vertex_index(), n);

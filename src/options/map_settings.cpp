@@ -72,7 +72,7 @@ SP::Any_policy make_policy(const Mapping_options& options)
     const Precision precision = options.precision == "double"   ? Precision::DOUBLE
                                 : options.precision == "single" ? Precision::SINGLE
                                                                 : Precision::AUTOMATIC;
-    // One for all meshes, whose kernels are compiled once. Drivers crash if two threads start them, or after main().
+    // One for all meshes, whose kernels are compiled once. Never deleted: drivers crash after main().
     static std::mutex mutex;
     static auto& devices = *new std::map<std::pair<std::string, Precision>, SP::OpenCL_device>;
     const std::lock_guard<std::mutex> lock(mutex);

@@ -114,7 +114,8 @@ private:
     }
     const Cell cell = {std::floor(p[0] / distance_), std::floor(p[1] / distance_), std::floor(p[2] / distance_)};
     for(int i = 0; i < 27; ++i) {
-      const auto found = cells_.find({cell[0] + i % 3 - 1, cell[1] + i / 3 % 3 - 1, cell[2] + i / 9 - 1});
+      const int x = i % 3 - 1, y = i / 3 % 3 - 1, z = i / 9 - 1;
+      const auto found = cells_.find({cell[0] + x, cell[1] + y, cell[2] + z});
       if(found == cells_.end())
         continue;
       for(const int other : found->second)

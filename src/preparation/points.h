@@ -39,6 +39,13 @@ inline double largest_coordinate(const std::vector<Vector>& points)
   return largest;
 }
 
+/// A unit in which the squares of coordinates, of which this is the largest, are numbers. A power of 2: nothing is
+/// rounded.
+inline double unit_of(double largest_coordinate)
+{
+  return largest_coordinate > 0 ? std::ldexp(1., std::ilogb(largest_coordinate)) : 1;
+}
+
 /// The diagonal of the bounding box of the finite vertices that have faces.
 inline double diagonal(const Soup& soup)
 {

@@ -325,7 +325,7 @@ std::vector<std::string> sentences(const Preparation& preparation)
   if(preparation.split_edges > 0)
     lines.push_back("split " + count(preparation.split_edges, "edge") + " that had the same ends as others");
   if(preparation.is_turned_outwards)
-    lines.push_back("turned all faces to the outside");
+    lines.emplace_back("turned all faces to the outside");
   return lines;
 }
 

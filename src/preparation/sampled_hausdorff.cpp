@@ -28,7 +28,6 @@ using Point_3 = Kernel::Point_3;
 using Points = std::vector<Point_3>;
 using Faces = std::vector<std::array<int, 3>>;
 
-/// In a unit in which squares are numbers, a power of 2: nothing is rounded.
 Points scaled(const std::vector<Point>& points, double unit)
 {
   Points result;
@@ -150,8 +149,7 @@ Sampled_hausdorff::Sampled_hausdorff(const Mesh& mesh, const std::vector<Point>&
 
 double Sampled_hausdorff::distance(const std::vector<Point>& others) const
 {
-  const double largest = (std::max)(largest_coordinate(points_), largest_coordinate(others));
-  const double unit = largest > 0 ? std::ldexp(1., std::ilogb(largest)) : 1;
+  const double unit = unit_of((std::max)(largest_coordinate(points_), largest_coordinate(others)));
   const Points a = scaled(points_, unit), b = scaled(others, unit);
   const int n = static_cast<int>(a.size());
   std::vector<std::pair<double, int>> bounds(a.size());

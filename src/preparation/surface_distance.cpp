@@ -26,13 +26,6 @@ using Point_3 = Kernel::Point_3;
 using Triangle_3 = Kernel::Triangle_3;
 using Triangles = std::vector<Triangle_3>;
 
-/// A unit in which the squares of the coordinates are numbers. A power of 2: nothing is rounded.
-double unit_of(double largest_coordinate)
-{
-  return largest_coordinate > 0 && std::isfinite(largest_coordinate) ? std::ldexp(1., std::ilogb(largest_coordinate))
-                                                                     : 1;
-}
-
 Point_3 point_of(const Point& p, double unit) { return {p[0] / unit, p[1] / unit, p[2] / unit}; }
 
 Triangle_3 triangle(const std::vector<Point>& points, const std::array<int, 3>& corners, double unit)

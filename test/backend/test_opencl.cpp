@@ -145,6 +145,18 @@ TEST_CASE("without a driver there is no device, and the error says what to insta
   CHECK(contains(list.out, "no OpenCL device: install a driver (for the CPU, the Debian package pocl-opencl-icd)"));
 }
 
+TEST_CASE("threads may start the drivers at the same time", "[opencl]")
+{
+  if(!there_is_a_device())
+    return;
+  const std::string line = std::to_string(SP::opencl_devices().size()) + " devices\n";
+  for(int i = 0; i < 5; ++i) { // drivers start once in a process
+    const Process_result list = run_process({OPENCL_PROBE});
+    CHECK(list.exit_code == 0);
+    CHECK(list.out == line + line);
+  }
+}
+
 TEST_CASE("a queue that is not in order is refused", "[opencl]")
 {
   if(!there_is_a_device())

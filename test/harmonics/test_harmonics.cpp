@@ -4,6 +4,7 @@
 #include "helpers/certificate.h"
 #include "helpers/meshes.h"
 #include "helpers/property_maps.h"
+#include "helpers/solve.h"
 
 #include <CGAL/Spherical_parameterization/harmonic_files.h>
 #include <CGAL/Spherical_parameterization/locate.h>
@@ -329,8 +330,10 @@ TEST_CASE("integrals are exact for what is linear on faces", "[harmonics]")
   for(int row = 0; row < grid.rows(); ++row)
     for(int column = 0; column < grid.columns(); ++column) {
       const Point p = SP::interpolate(shape.mesh, locator.locate(grid.direction(row, column)), shape.map());
-      for(int k = 0; k < 3; ++k)
-        values[std::size_t((k * grid.rows() + row) * grid.columns() + column)] = p[k];
+      for(int k = 0; k < 3; ++k) {
+        const int place = (k * grid.rows() + row) * grid.columns() + column;
+        values[std::size_t(place)] = p[k];
+      }
     }
   CHECK(difference(SP::harmonic_analysis(one_core, grid, values, 6), c) < 1e-4);
   // The accuracy is what was asked for

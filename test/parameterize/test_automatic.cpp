@@ -49,6 +49,7 @@ TEST_CASE("automatic: isometric where no harmonic map is valid", "[automatic][ea
   CHECK(result.fallback_reason.find("balanced: ") == 0);
   CHECK(result.fallback_reason.find("balanced with exponent 3: ") != std::string::npos);
   CHECK(result.fallback_reason.find("flipped") != std::string::npos);
+  CHECK(result.fallback_reason.find("use ") == std::string::npos); // no advice to do what has been done
 }
 
 TEST_CASE("automatic: a valid map that leaves nothing of a limb is passed over, with the reason", "[automatic]")

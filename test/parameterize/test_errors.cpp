@@ -221,6 +221,7 @@ TEST_CASE("a tube too long for doubles is reported with its flips and its smalle
   CHECK(result.error == Error_code::NOT_BIJECTIVE);
   CHECK(result.flipped_faces > 0);
   CHECK(mentions(result.detail, result.flipped_faces));
+  CHECK(result.detail.find("; use the automatic or the isometric method, or ") != std::string::npos);
   CHECK(result.smallest_area < 1e-30);
   check_certificate(result, soup, sphere, settings);
 }

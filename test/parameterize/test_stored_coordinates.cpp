@@ -51,7 +51,7 @@ TEMPLATE_TEST_CASE("a map of floats is called valid only if it is", "[stored]", 
     CHECK(result.error == SP::Error_code::NOT_BIJECTIVE);
     CHECK(result.flipped_faces > 0);
     CHECK(result.flipped_faces == count_flipped_faces(soup, stored));
-    CHECK(result.detail.find("use a sphere map of doubles") != std::string::npos);
+    CHECK(result.detail.find("a sphere map of doubles") != std::string::npos);
     std::vector<std::array<double, 3>> doubles;
     CHECK(SP::parameterize_triangle_soup(soup.points, soup.faces, doubles));
   }

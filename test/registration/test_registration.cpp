@@ -39,6 +39,7 @@ struct Mapped {
     settings.method = SP::Isometric();
     sphere = solve_or_throw(soup, settings);
   }
+  Mapped(Soup s, Sphere of_it) : soup(std::move(s)), mesh(make_mesh(soup)), sphere(std::move(of_it)) {}
   Readable_map<Vertex, Point> map() const
   {
     return {[this](Vertex v) { return sphere[v]; }};
@@ -290,3 +291,25 @@ TEST_CASE("callback and time limit end a registration with a certified map", "[r
   CHECK_THROWS_AS(run(CGAL::parameters::maximum_running_time(std::numeric_limits<double>::quiet_NaN())),
                   CGAL::Precondition_exception);
 }
+
+#ifdef CGAL_LINKED_WITH_TBB
+TEST_CASE("registration is the same bits on several threads", "[registration]")
+{
+  const Soup round = icosphere(5);
+  const auto longer = [](const Point& p) { return Point(1.5 * p.x(), p.y(), p.z()); };
+  const Mapped a(bumpy_sphere(5), round.points), b(transformed(bumpy_sphere(5), longer), round.points);
+  SP::Registration method;
+  method.levels = 2;
+  method.iterations = 3;
+  std::map<Vertex, Point> on_several;
+  const SP::Registration_result r = SP::register_maps(CGAL::Parallel_tag(), a.mesh, a.map(), b.mesh, b.map(),
+                                                      Read_write_map<Vertex, Point>{&on_several}, method);
+  REQUIRE(r);
+  CHECK(r.iterations == 6);
+  const Sphere on_one = registered(a, b, method).sphere;
+  REQUIRE(on_several.size() == on_one.size());
+  CHECK(std::all_of(on_several.begin(), on_several.end(),
+                    [&](const auto& p) { return p.second == on_one[static_cast<std::size_t>(p.first.idx())]; }));
+  CHECK(mean_distance(on_one, round.points) > 1e-3);
+}
+#endif

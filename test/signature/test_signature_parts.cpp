@@ -7,6 +7,7 @@
 
 #include <CGAL/Spherical_parameterization/internal/signature/conformal_factor.h>
 #include <CGAL/Spherical_parameterization/internal/base/persistence.h>
+#include <CGAL/Spherical_parameterization/internal/base/pi.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Mapped_surface.h>
 #include <CGAL/Spherical_parameterization/stretch_histogram.h>
 
@@ -83,7 +84,6 @@ TEST_CASE("intrinsic triangulation: faces without area get one", "[signature]")
 
 TEST_CASE("discrete surface: area and curvature are 4 pi, the Laplacian is what it should be", "[signature]")
 {
-  const double pi = std::acos(-1.);
   const Discrete_surface surface(triangulation_of(GENERATE(bumpy_sphere(3), needles(), dumbbell(3))));
   const Discrete_surface::Vector one = Discrete_surface::Vector::Ones(surface.size());
   CHECK(surface.mass().sum() == Approx(4 * pi));

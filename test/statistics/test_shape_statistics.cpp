@@ -90,14 +90,14 @@ Known known_set(int shapes, const std::vector<double>& deviations, const std::ve
   std::mt19937 random(1);
   Known known;
   known.mean = random_shape(vertices, random);
-  for(std::size_t k = 0; k < deviations.size(); ++k) { // Gram and Schmidt
+  for(const double deviation : deviations) { // Gram and Schmidt
     Shape_points mode = random_shape(vertices, random);
     for(const Shape_points& other : known.modes)
       add(mode, -inner(mode, other, weights), other);
     const double length = std::sqrt(inner(mode, mode, weights));
     add(mode, 1 / length - 1, Shape_points(mode));
     known.modes.push_back(mode);
-    known.variances.push_back(deviations[k] * deviations[k] * shapes / (shapes - 1.));
+    known.variances.push_back(deviation * deviation * shapes / (shapes - 1.));
   }
   for(int i = 0; i < shapes; ++i) { // waves of different lengths
     std::vector<double> row;
@@ -411,7 +411,7 @@ TEST_CASE("vertices count with their area, mean over the shapes", "[statistics]"
 }
 
 #ifdef CGAL_LINKED_WITH_TBB
-TEST_CASE("statistics have the same bits on one core and on all", "[statistics]")
+TEST_CASE("statistics are the same bits on several threads", "[statistics]")
 {
   const CGAL::Parallel_tag all_cores;
   std::mt19937 random(6);

@@ -4,6 +4,7 @@
 
 #include "helpers/certificate.h"
 #include "helpers/meshes.h"
+#include "helpers/solve.h"
 #include "helpers/tool.h"
 
 #include <CGAL/Spherical_parameterization/harmonic_files.h>

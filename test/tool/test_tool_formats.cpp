@@ -27,6 +27,7 @@
 #include <vector>
 
 using namespace test;
+using namespace std::string_literals;
 namespace fs = std::filesystem;
 
 namespace {
@@ -99,7 +100,7 @@ TEST_CASE("formats: neuroimaging files keep what they say beside the surface", "
   mesh.annotations.gifti_points = {{"AnatomicalStructurePrimary", "CortexLeft"}, {"GeometricType", "Anatomical"}};
   mesh.annotations.gifti_transforms = {
     {"NIFTI_XFORM_UNKNOWN", "NIFTI_XFORM_TALAIRACH", "1 0 0 5 0 1 0 0 0 0 1 0 0 0 0 1"}};
-  mesh.annotations.freesurfer = std::string("\0\0\0\x14valid = 1  # volume info valid\n", 36);
+  mesh.annotations.freesurfer = "\0\0\0\x14valid = 1  # volume info valid\n"s;
 
   write(scratch / "in.gii", {tool::Mesh_format::GIFTI}, mesh);
   write(scratch / "in.sphere.gii", {tool::Mesh_format::GIFTI}, mesh, tool::Surface::SPHERE);
@@ -427,7 +428,7 @@ TEST_CASE("formats: broken files are refused before they cost memory", "[tool][f
   };
   const auto content = [&](const std::string& name, tool::Mesh_format format) {
     write(scratch / name, {format}, mesh);
-    const std::string bytes = text_of(scratch / name);
+    std::string bytes = text_of(scratch / name);
     fs::remove(scratch / name);
     return bytes;
   };

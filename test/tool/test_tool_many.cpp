@@ -436,6 +436,17 @@ TEST_CASE("many: wrong usage is said before any work", "[tool][many]")
   fs::create_directories(scratch / "empty");
   CHECK(run_tool({"map", scratch / "empty", "-o", out}).exit_code == 1);
   CHECK(run_tool({"segment", folder, "-o", out, "--sphere", scratch / "none"}).exit_code == 1);
+  const std::vector<std::vector<std::string>> with_one_file_for_all = {
+    {"texture", folder, "-o", out, "--image", scratch / "none.png"},
+    {"map", folder, "-o", out, "--fixed", scratch / "none.txt"}};
+  for(const auto& arguments : with_one_file_for_all) {
+    const Process_result run = run_tool(arguments);
+    CAPTURE(run.err);
+    CHECK(run.exit_code == 1);
+    CHECK(is_one_line(run.err));
+    CHECK(run.err.find("does not exist") != std::string::npos);
+    CHECK(run.out.empty());
+  }
   CHECK_FALSE(fs::exists(out));
 }
 

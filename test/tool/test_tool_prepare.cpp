@@ -404,7 +404,7 @@ TEST_CASE("prepare: distances where long faces run across each other", "[tool]")
     soup.points[v] = soup.points[(v * 7 + 100) % soup.points.size()];
   soup.faces.pop_back();
   const Prepared prepared(scratch, soup);
-  CHECK(prepared.report["preparation"]["holes"].size() >= 1);
+  CHECK_FALSE(prepared.report["preparation"]["holes"].empty());
   const auto &low = prepared.report["distance_from_output_to_input"][0],
              &high = prepared.report["distance_from_output_to_input"][1];
   const double diagonal = prepared.report["diagonal"];

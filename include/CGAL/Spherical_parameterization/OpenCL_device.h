@@ -22,6 +22,7 @@
 #include <cctype>
 #include <cstddef>
 #include <cstdlib>
+#include <mutex>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -38,8 +39,8 @@ namespace CGAL::Spherical_parameterization {
 /// A value: copies stand for the same queue and share the kernels. These are compiled when they are needed first. Most
 /// drivers keep compiled kernels on disk, so that only the first program waits for the compiler.
 ///
-/// Any number of threads may call `parameterize()` with the same device, or with devices on the same queue, at once.
-/// Results do not depend on it; the work on one queue is done one after the other.
+/// Any number of threads may call `opencl_device()` at once, and `parameterize()` with the same device, or with devices
+/// on the same queue. Results do not depend on it; the work on one queue is done one after the other.
 ///
 /// In double precision results are those of `CGAL::Sequential_tag` bit by bit, on devices whose division and square
 /// root round correctly, as OpenCL demands. In single precision the residual does not come down to the default
@@ -123,6 +124,7 @@ inline OpenCL_device opencl_device(std::size_t k,
   if(k >= ids.size())
     throw OpenCL_error("opencl_device", CL_DEVICE_NOT_FOUND,
                        "no OpenCL device " + std::to_string(k) + " among " + std::to_string(ids.size()));
+  const std::lock_guard<std::mutex> lock(internal::opencl_start());
   cl_int code = CL_SUCCESS;
   const cl::Context context(clCreateContext(nullptr, 1, &ids[k], nullptr, nullptr, &code));
   internal::check_opencl(code, "clCreateContext");

@@ -67,7 +67,7 @@ struct Result {
   struct Attempt {
     std::string method;                ///< its name
     Error_code error = Error_code::OK; ///< its verdict
-    std::string detail;                ///< what is wrong, where, and what to do; of `OK`: why the map is of no use
+    std::string detail;                ///< what is wrong, and where; of `OK`: why the map is of no use
     Seconds seconds;                   ///< how long it took; `read` and `weights` are 0
   };
   Seconds seconds;               ///< of all attempts together

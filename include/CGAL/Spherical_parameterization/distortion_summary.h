@@ -133,9 +133,11 @@ Distribution distribution(const Loop& loop, const Host_array<double>& value, con
     Sorted result;
     for(const Sorted& part : results_of_parts(loop, n, [&](int begin, int end) {
           Sorted values;
-          for(int i = begin; i < end; ++i)
-            if((value[i] >= low) & ((value[i] < high) | is_last) && weight[i] > 0)
+          for(int i = begin; i < end; ++i) {
+            const int is_above = value[i] >= low, is_below = (value[i] < high) | is_last;
+            if((is_above & is_below) != 0 && weight[i] > 0) // one branch: which of the two fails is a matter of chance
               values.emplace_back(value[i], weight[i]);
+          }
           return values;
         }))
       result.insert(result.end(), part.begin(), part.end());

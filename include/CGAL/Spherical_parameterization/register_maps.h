@@ -313,7 +313,7 @@ private:
   template <class Locate, class LocateB>
   Host_array<vec3> moebius_aligned(const Locate& locate_a, const LocateB& locate_b)
   {
-    const Centring centring_a(areas(a_), a_.image), centring_b(areas(b_), b_.image);
+    const Centring centring_a(vertex_areas(a_), a_.image), centring_b(vertex_areas(b_), b_.image);
     const auto centred = [](const auto& locate, const Centring& centring) {
       return [&](const std::array<double, 3>& d) {
         const vec3 p = centring.inverse({d[0], d[1], d[2]});
@@ -346,15 +346,6 @@ private:
     for(vec3& p : x)
       p = centring_b.inverse(unit(rotated(result_.rotation, centring_a(p))));
     return x;
-  }
-
-  static Host_array<double> areas(const Registered_surface& s)
-  {
-    Host_array<double> area(s.point.size(), 0.);
-    for(const std::array<int, 3>& f : s.face)
-      for(int i : f)
-        area[i] += norm(normal(s.point, f)) / 6;
-    return area;
   }
 
   std::vector<Host_array<double>> features_of(const Registered_surface& surface, double scale) const

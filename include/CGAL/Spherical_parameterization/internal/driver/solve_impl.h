@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -139,6 +140,7 @@ Solution Method_solver<Automatic>::solve(const Backend& backend, const Problem& 
     best.error = Error_code::INTERRUPTED;
     best.detail =
       monitor.reason() + (best.has_map() ? "; the best map so far: " + best.detail : " before there was a map");
+    best.remedy.clear();
   }
   best.attempts = std::move(attempts);
   best.seconds = seconds;
@@ -149,12 +151,16 @@ Solution Method_solver<Automatic>::solve(const Backend& backend, const Problem& 
 template <class Host_loop, class ExecutionPolicy, class Method>
 Solution solve(const ExecutionPolicy& policy, const Method& method, const Problem& problem, Monitor& monitor)
 {
+  constexpr bool has_others = !std::is_same_v<Method, Automatic> && !std::is_same_v<Method, Isometric>;
   const Stopwatch watch;
   Solution solution;
   Choice_of_backend<ExecutionPolicy, Host_loop>::call(
     policy, problem.size(), [&](const auto& backend, const std::string& device) {
       const double set_up = watch.seconds(); // kernels of a device are compiled when it is used first
       solution = attempt(backend, Method_solver<Method>(method), problem, problem.effort, monitor);
+      if(!solution.remedy.empty()) // last: the attempts, and what is tried after them, are no place for advice
+        solution.detail +=
+          std::string("; use ") + (has_others ? "the automatic or the isometric method, or " : "") + solution.remedy;
       solution.device = device;
       solution.seconds.start_map += set_up;
     });

@@ -14,24 +14,27 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-/// Why the solver may have converged to what is no map, and what to do about it.
-inline std::string reason_for_flips(const Problem& problem, const Certificate& certificate)
+/// Why the solver may have converged to what is no map, and what may help, besides other methods.
+struct Reason_for_flips {
+  const char *cause, *remedy;
+};
+
+inline Reason_for_flips reason_for_flips(const Problem& problem, const Certificate& certificate)
 {
   // Corners at this distance have three digits of their own; the area of triangles that are as small.
   constexpr double edge_of_rounding = 1e-12, area_of_rounding = 1e-26;
   // The same for the 24 bits of floats, which are what maps that do not keep doubles are made of.
   constexpr double area_of_float_rounding = 1e-9;
   if(problem.as_stored && certificate.smallest_area < area_of_float_rounding)
-    return "the sphere map rounds the coordinates to fewer digits than doubles have; use a sphere map of doubles, or "
-           "the isometric method";
+    return {"the sphere map rounds the coordinates to fewer digits than doubles have", "a sphere map of doubles"};
   if(problem.has_fixed())
-    return "a harmonic map does not hold these fixed vertices: they contradict each other, or are too few; use the "
-           "automatic or the isometric method, which keep landmarks anywhere, or fix more vertices, better spread";
+    return {"a harmonic map does not hold these fixed vertices: they contradict each other, or are too few",
+            "more fixed vertices, better spread"};
   if(certificate.smallest_area < area_of_rounding && certificate.smallest_edge < edge_of_rounding)
-    return "limbs shrink below the resolution of the coordinates; use the automatic or the isometric method, a "
-           "larger spring exponent, or barycentric weights";
-  return "the critical point found is degenerate, as it may be where large parts of the surface have no vertices "
-         "inside; use the automatic or the isometric method, a larger spring exponent, or other weights";
+    return {"limbs shrink below the resolution of the coordinates", "a larger spring exponent or barycentric weights"};
+  return {
+    "the critical point found is degenerate, as it may be where large parts of the surface have no vertices inside",
+    "a larger spring exponent or other weights"};
 }
 
 CGAL_SP_CORE void pass_verdict(const Problem& problem, const Monitor& monitor, Solution& solution)
@@ -53,7 +56,9 @@ CGAL_SP_CORE void pass_verdict(const Problem& problem, const Monitor& monitor, S
     solution.detail = after(report.has_stalled ? "no progress" : "stopped") + state;
   } else if(!certificate.is_valid()) {
     solution.error = Error_code::NOT_BIJECTIVE;
-    solution.detail = state + ": " + reason_for_flips(problem, certificate);
+    const auto [cause, remedy] = reason_for_flips(problem, certificate);
+    solution.detail = state + ": " + cause;
+    solution.remedy = remedy;
   }
 }
 

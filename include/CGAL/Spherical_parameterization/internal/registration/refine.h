@@ -11,6 +11,7 @@
 #include <CGAL/Spherical_parameterization/internal/base/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/mesh/Corner_table.h>
 
+#include <array>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -32,6 +33,16 @@ struct Registered_surface : Corner_table {
   Host_array<vec3> point; ///< of a surface of area 4 pi
   Host_array<vec3> image; ///< unit vectors, without flips
 };
+
+/// A third of the area of its faces, by vertex.
+inline Host_array<double> vertex_areas(const Registered_surface& surface)
+{
+  Host_array<double> area(surface.point.size(), 0.);
+  for(const std::array<int, 3>& f : surface.face)
+    for(int i : f)
+      area[i] += norm(normal(surface.point, f)) / 6;
+  return area;
+}
 
 /// A vertex of A, and where it should go on the sphere.
 struct Registration_landmark {

@@ -283,11 +283,8 @@ private:
 class Heat_flow {
 public:
   Heat_flow(const Host_loop& loop, const Registered_surface& surface)
-    : backend_(loop), surface_(surface), area_(surface.point.size(), 0.)
+    : backend_(loop), surface_(surface), area_(vertex_areas(surface))
   {
-    for(const auto& f : surface.face)
-      for(int i : f)
-        area_[i] += norm(normal(surface.point, f)) / 6;
     Spring_lengths lengths;
     laplacian_ = conformal_graph(loop, surface, surface.point, lengths);
   }

@@ -25,9 +25,18 @@ inline void check_opencl(cl_int code, const char* call)
     throw OpenCL_error(call, code);
 }
 
+/// Held by what starts drivers: where two threads do at the same time, they crash, or there seem to be none (PoCL 3.1,
+/// ocl-icd 2.3).
+inline std::mutex& opencl_start()
+{
+  static std::mutex mutex;
+  return mutex;
+}
+
 /// Every device of every platform, in an order that stays while no driver comes or goes.
 inline std::vector<cl_device_id> opencl_device_ids()
 {
+  const std::lock_guard<std::mutex> lock(opencl_start());
   std::vector<cl_device_id> result;
   cl_uint count = 0;
   if(clGetPlatformIDs(0, nullptr, &count) != CL_SUCCESS || count == 0) // an error where no driver is installed

@@ -37,7 +37,7 @@ std::vector<Backend> find_backends()
 
 std::vector<Backend> backends(const std::vector<std::string>& names)
 {
-  const std::vector<Backend> available = find_backends();
+  std::vector<Backend> available = find_backends();
   if(names.empty())
     return available;
   std::vector<Backend> chosen;

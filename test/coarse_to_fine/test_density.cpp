@@ -8,6 +8,7 @@
 
 #include <CGAL/Spherical_parameterization/parameterize.h>
 
+#include <boost/property_map/function_property_map.hpp>
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -277,4 +278,20 @@ TEST_CASE("soups have densities by number", "[density]")
   CHECK(map(CGAL::parameters::face_density_map(of_faces.data())) == solve_or_throw(soup, with_density({}, of_faces)));
   CHECK(map(CGAL::parameters::vertex_density_map(of_vertices.data()).verbose(false)) ==
         solve_or_throw(soup, with_density(of_vertices)));
+  const auto function = boost::make_function_property_map<std::size_t>([&](std::size_t v) { return of_vertices[v]; });
+  CHECK(map(CGAL::parameters::vertex_density_map(function)) == solve_or_throw(soup, with_density(of_vertices)));
+}
+
+TEST_CASE("densities may be a function of the vertices", "[density]")
+{
+  const Soup soup = bumpy_sphere(2);
+  const std::vector<double> of_vertices = rising(soup, 3);
+  Mesh mesh = make_mesh(soup);
+  const auto sphere = mesh.add_property_map<Mesh::Vertex_index, Point>("v:sphere").first;
+  const auto density = boost::make_function_property_map<Mesh::Vertex_index>(
+    [&](Mesh::Vertex_index v) { return of_vertices[static_cast<std::size_t>(v)]; });
+  REQUIRE(SP::parameterize(mesh, SP::Isometric(), sphere, CGAL::parameters::vertex_density_map(density)));
+  const Sphere expected = solve_or_throw(soup, with_density(of_vertices));
+  CHECK(std::all_of(mesh.vertices().begin(), mesh.vertices().end(),
+                    [&](Mesh::Vertex_index v) { return sphere[v] == expected[static_cast<std::size_t>(v)]; }));
 }

@@ -23,7 +23,7 @@ SP::Result map_to_floats(const Soup& soup, const Method& method, Sphere& stored)
 {
   Mesh mesh = make_mesh(soup);
   auto sphere = mesh.add_property_map<Mesh::Vertex_index, Float_point>("v:sphere").first;
-  const SP::Result result = SP::parameterize(mesh, method, sphere);
+  SP::Result result = SP::parameterize(mesh, method, sphere);
   stored.clear();
   for(const Mesh::Vertex_index v : mesh.vertices())
     stored.emplace_back(sphere[v][0], sphere[v][1], sphere[v][2]);

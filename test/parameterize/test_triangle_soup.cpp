@@ -44,7 +44,7 @@ Points as_points(const Sphere& sphere) { return points_of({sphere, {}}); }
 Result refusal(const Soup& soup)
 {
   Points sphere;
-  const Result result = SP::parameterize_triangle_soup(points_of(soup), soup.faces, sphere);
+  Result result = SP::parameterize_triangle_soup(points_of(soup), soup.faces, sphere);
   CHECK(!result);
   return result;
 }

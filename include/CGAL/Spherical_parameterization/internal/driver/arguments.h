@@ -15,7 +15,6 @@
 #include <CGAL/property_map.h>
 
 #include <boost/graph/graph_traits.hpp>
-#include <boost/property_map/function_property_map.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
@@ -146,13 +145,42 @@ constexpr bool check_arguments()
     return false;
 }
 
-template <class Map>
-std::optional<Map> as_optional(const Map& map)
+/// A map whose keys are given by those of this one. What std::optional holds: clang++ takes no optional of a
+/// boost::function_property_map whose function cannot be made by default, as those of a lambda.
+template <class Descriptor, class Map, class Key>
+class Keyed_map {
+public:
+  typedef Descriptor key_type;
+  typedef typename boost::property_traits<Map>::value_type value_type;
+  typedef value_type reference;
+  typedef boost::readable_property_map_tag category;
+
+  Keyed_map(const Map& map, const Key& key) : map_(map), key_(key) {}
+
+  friend value_type get(const Keyed_map& m, const Descriptor& d)
+  {
+    using boost::get; // of pointers
+    return get(m.map_, m.key_(d));
+  }
+
+private:
+  Map map_;
+  Key key_;
+};
+
+template <class Descriptor, class Map, class Key>
+Keyed_map<Descriptor, Map, Key> keyed_map(const Map& map, const Key& key)
 {
-  return map;
+  return {map, key};
 }
 
-template <class Map>
+template <class Descriptor, class Map>
+auto as_optional(const Map& map)
+{
+  return std::optional(keyed_map<Descriptor>(map, [](const Descriptor& d) -> const Descriptor& { return d; }));
+}
+
+template <class Descriptor, class Map>
 std::optional<Map> as_optional(const std::optional<Map>& map)
 {
   return map;
@@ -165,7 +193,7 @@ auto densities(const NamedParameters& np)
   if constexpr(parameters::is_default_parameter<NamedParameters, Tag>::value)
     return std::optional<Constant_property_map<Key, double>>();
   else
-    return as_optional(parameters::get_parameter(np, Tag()));
+    return as_optional<Key>(parameters::get_parameter(np, Tag()));
 }
 
 /// What the caller of parameterize() gives besides the mesh.
@@ -223,8 +251,8 @@ struct Soup_inputs {
     if constexpr(parameters::is_default_parameter<NamedParameters, internal_np::vertex_is_constrained_t>::value)
       return Static_boolean_property_map<Vertex, false>();
     else
-      return map_of<Vertex>(parameters::get_parameter(np, internal_np::vertex_is_constrained),
-                            [](Vertex v) { return static_cast<std::size_t>(v.idx()); });
+      return keyed_map<Vertex>(parameters::get_parameter(np, internal_np::vertex_is_constrained),
+                               [](Vertex v) { return static_cast<std::size_t>(v.idx()); });
   }
 
   auto face_densities() const
@@ -241,8 +269,7 @@ private:
   auto densities_of(const std::optional<Map>& map) const
   {
     const auto number = [](Descriptor d) { return static_cast<std::size_t>(d.idx()); };
-    typedef std::optional<decltype(map_of<Descriptor>(*map, number))> Result;
-    return map ? Result(map_of<Descriptor>(*map, number)) : Result();
+    return map ? std::optional(keyed_map<Descriptor>(*map, number)) : std::nullopt;
   }
 
   Conformal_weights weights_of(Conformal_weights weights) const { return weights; }
@@ -251,7 +278,7 @@ private:
   auto weights_of(const Map& map) const
   {
     typedef Indexed_triangle_mesh::Edge_index Edge;
-    return map_of<Edge>(map, [m = &mesh](Edge e) {
+    return keyed_map<Edge>(map, [m = &mesh](Edge e) {
       const auto [first, second] = std::minmax({source(e, *m).idx(), target(e, *m).idx()});
       return std::pair<std::size_t, std::size_t>(first, second);
     });
@@ -262,16 +289,6 @@ private:
   {
     typedef std::variant<Conformal_weights, decltype(weights_of(std::declval<const Map&>()))> Result;
     return std::visit([this](const auto& chosen) { return Result(weights_of(chosen)); }, weights);
-  }
-
-  /// A map whose keys are numbers of points, or pairs of them, as one of descriptors.
-  template <class Descriptor, class Map, class Key>
-  auto map_of(const Map& map, Key key) const
-  {
-    return boost::make_function_property_map<Descriptor>([map, key](Descriptor d) {
-      using boost::get; // of pointers
-      return get(map, key(d));
-    });
   }
 };
 

@@ -46,7 +46,7 @@ void fill_holes(Glued_surface& surface, Preparation& preparation, const std::str
 
 void cut_handles(Glued_surface& surface, Preparation& preparation, const std::string& file)
 {
-  cut_handles(
+  preparation.handles_cut_at_once += cut_handles(
     surface, [&](const std::vector<int>& loop) { preparation.handles.push_back(loop_of(surface, loop)); },
     [&file] { stop_if_interrupted(file); });
 }
@@ -313,6 +313,9 @@ std::vector<std::string> sentences(const Preparation& preparation)
     if(!preparation.handles.empty())
       lines.push_back("cut " + count(preparation.handles.size(), "handle") + " along shortest loops" +
                       largest(preparation.handles, "first"));
+    if(preparation.handles_cut_at_once > 0)
+      lines.push_back("cut " + count(static_cast<std::size_t>(preparation.handles_cut_at_once), "handle") +
+                      " at once, too many to look for the shortest loops");
   } else {
     int handles = 0;
     for(const Piece& piece : pieces)

@@ -8,9 +8,9 @@
 
 namespace tool {
 
-/// Makes a sphere of a closed, connected surface with any number of handles: opens edges until it is a sphere with holes,
-/// and fills them (`fill_hole()`). The loops are not the shortest; they are about where the part that grows from face 0
-/// meets itself on the far side of a handle.
+/// Makes a sphere of a closed, connected surface with any number of handles: opens edges until it is a sphere with
+/// holes, and fills them (`fill_hole()`). The loops are not the shortest; they are about where the part that grows from
+/// face 0 meets itself on the far side of a handle.
 ///
 /// A face after the other is added to the part, in the order of their distance in steps. Two sides of an edge are glued
 /// if they are in the same cycle of the boundary, which cuts it in two; if they were in two cycles that would make a

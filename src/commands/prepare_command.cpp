@@ -230,6 +230,7 @@ Json to_json(const Preparation& preparation)
                {"holes", to_json(preparation.holes)},
                {"holes_filled", preparation.is_filled},
                {"handle_loops", to_json(preparation.handles)},
+               {"handles_cut_at_once", preparation.handles_cut_at_once},
                {"degenerate_faces", to_json(preparation.degenerate_faces)},
                {"degenerate_faces_removed", !preparation.has_degenerate_faces},
                {"split_edges", preparation.split_edges},

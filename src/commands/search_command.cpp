@@ -4,6 +4,7 @@
 #include "commands/commands.h"
 
 #include "collections/signatures.h"
+#include "input/files.h"
 #include "system/interruption.h"
 #include "system/refusal.h"
 
@@ -56,7 +57,7 @@ void add_search_command(CLI::App& app, int& exit_code)
 {
   CLI::App* command = app.add_subcommand("search", "Find the meshes of the most similar shape, in any pose");
   const auto options = std::make_shared<Search_options>();
-  command->add_option("QUERY", options->query, "Closed triangle mesh of genus 0: .off, .obj, .ply or .stl")
+  command->add_option("QUERY", options->query, std::string("Closed triangle mesh of genus 0: ") + mesh_extensions)
     ->required()
     ->type_name("FILE");
   command->add_option("--index", options->index, "Index that the command 'signature' has written")

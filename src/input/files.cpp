@@ -55,7 +55,7 @@ void check_readable(const std::string& file)
   if(status.type() == fs::file_type::directory)
     refuse("is a directory", "name a file in it");
   if(status.type() != fs::file_type::regular)
-    refuse("is not a regular file", "save the data to a file first");
+    refuse("is not a regular file", "save the data to a file first, or pipe it into '-'");
   if(fs::file_size(file) == 0)
     refuse("is empty", "export it again");
   if(!std::ifstream(file))

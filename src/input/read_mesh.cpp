@@ -110,7 +110,7 @@ Input_mesh read_mesh(const std::string& file, Polygons polygons)
     return {Mesh(CGAL::Parallel_if_available_tag(), std::move(soup.points), std::move(soup.triangles)), soup.polygons,
             std::move(soup.annotations)};
   } catch(const CGAL::Spherical_parameterization::Error& error) {
-    throw Refusal(name(error.code()), file, "has " + error.detail(), "");
+    throw Refusal(name(error.code()), file, "has " + error.detail(), "the command 'prepare' does it");
   }
 }
 

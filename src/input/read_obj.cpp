@@ -87,7 +87,7 @@ private:
       lines_.refuse("face " + std::to_string(soup_.faces) + " has " + wrong, remedy);
     };
     corners_.clear();
-    for(std::string_view token = lines_.token(); !token.empty(); token = lines_.token()) {
+    for(std::string_view token = lines_.token(); !token.empty() && token[0] != '#'; token = lines_.token()) {
       const std::optional<std::int64_t> index = to_integer(token.substr(0, token.find('/')));
       if(!index || *index == 0)
         refuse("the vertex " + in_quotes(token) + ", which is not an index (the first is 1)",

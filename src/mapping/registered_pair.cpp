@@ -79,7 +79,7 @@ Landmarks read_landmarks(const std::string& file, const Mesh& a, const Mesh& b)
 
 void add_registration_options(CLI::App& command, Registration_options& options)
 {
-  const std::string format = "closed triangle mesh of genus 0: .off, .obj, .ply or .stl";
+  const std::string format = std::string("closed triangle mesh of genus 0: ") + mesh_extensions;
   command.add_option("A", options.input, "The mesh that is brought to the other one, a " + format)
     ->required()
     ->type_name("FILE");

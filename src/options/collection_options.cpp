@@ -40,7 +40,7 @@ void add_collection_options(CLI::App& command, Collection_options& options)
 {
   command
     .add_option("IN", options.inputs,
-                "Closed triangle meshes of genus 0 (.off, .obj, .ply or .stl), or folders of them")
+                std::string("Closed triangle meshes of genus 0 (") + mesh_extensions + "), or folders of them")
     ->type_name("FILE|FOLDER");
   command.add_option("--list", options.list, "Text file with one more IN per line")->type_name("FILE");
   command.add_option("-j,--jobs", options.jobs, "Number of meshes to work on at the same time [all cores]")

@@ -315,6 +315,7 @@ public:
     for(const int side : gluing.open_sides()) {
       steps_[key(gluing.corner(side))].push_back({side, 0});
       steps_[key(gluing.corner(side, 1))].push_back({side, 1});
+      looks_left_ += 200; // at steps; where these are used up, hardly any way arrives
     }
   }
 
@@ -349,7 +350,7 @@ private:
   int origin(const Step& step) const { return gluing_.corner(step.side, step.from); }
 
   /// The way from the origin of `side` to its target; empty if there is none. The side alone is none.
-  std::vector<Step> along(int side) const
+  std::vector<Step> along(int side)
   {
     constexpr std::size_t most = 200;   // at a vertex; so many are no shape
     constexpr double rounding = 2.4e-7; // a few units of the last place of a float
@@ -362,10 +363,13 @@ private:
     double t = 0;
     std::vector<Step> steps;
     while(at != end) {
+      if(looks_left_ == 0)
+        return {};
       const auto found = steps_.find(at);
       double nearest = 2;
       Step best = {Glued_surface::none, 0};
       for(std::size_t i = 0; found != steps_.end() && i < std::min(found->second.size(), most); ++i) {
+        looks_left_ -= looks_left_ > 0 ? 1 : 0;
         const Step& step = found->second[i];
         if(!is_open(step.side) || step.side / 3 == side / 3)
           continue;
@@ -392,6 +396,7 @@ private:
   double distance_;
   Gluing& gluing_;
   std::unordered_map<int, std::vector<Step>> steps_; ///< by the vertex where they begin
+  std::size_t looks_left_ = 10'000;
 };
 
 std::vector<bool> vertices_of_open_sides(const Gluing& gluing, std::size_t number_of_vertices)

@@ -153,31 +153,6 @@ void derive_vertices(Glued_surface& surface)
     surface.faces[place(c / 3)][place(c % 3)] = number[place(vertex_of_class[place(classes.find(c))])];
 }
 
-void keep_faces(Glued_surface& surface, const std::function<bool(int)>& is_kept)
-{
-  std::vector<int> number(surface.faces.size(), Glued_surface::none);
-  int count = 0;
-  for(int f = 0; f < surface.number_of_faces(); ++f)
-    if(is_kept(f))
-      number[place(f)] = count++;
-  for(int f = 0; f < surface.number_of_faces(); ++f) {
-    const int to = number[place(f)];
-    if(to == Glued_surface::none)
-      continue;
-    surface.faces[place(to)] = std::array<int, 3>(surface.faces[place(f)]);
-    surface.old_face[place(to)] = surface.old_face[place(f)];
-    for(int k = 0; k < 3; ++k) {
-      const int twin = surface.twin_of(3 * f + k);
-      const int face = twin == Glued_surface::none ? Glued_surface::none : number[place(twin / 3)];
-      surface.twin[place(3 * to + k)] = face == Glued_surface::none ? Glued_surface::none : 3 * face + twin % 3;
-    }
-  }
-  surface.faces.resize(place(count));
-  surface.old_face.resize(place(count));
-  surface.twin.resize(place(3 * count));
-  derive_vertices(surface);
-}
-
 std::vector<std::vector<int>> boundary_cycles(const Glued_surface& surface)
 {
   std::vector<std::vector<int>> cycles;

@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cstddef>
-#include <functional>
 #include <vector>
 
 namespace tool {
@@ -47,9 +46,6 @@ struct Glued_surface {
 /// Gives every corner the vertex that the gluing says. A vertex that has come apart is copied, vertices that have been
 /// glued together become the first of them, and those without faces are left out; the others keep their order.
 void derive_vertices(Glued_surface& surface);
-
-/// Leaves out faces, and derives the vertices.
-void keep_faces(Glued_surface& surface, const std::function<bool(int)>& is_kept);
 
 /// The sides at the boundary, in the direction of their faces, one cycle after the other.
 std::vector<std::vector<int>> boundary_cycles(const Glued_surface& surface);

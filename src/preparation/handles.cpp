@@ -3,6 +3,7 @@
 
 #include "preparation/handles.h"
 
+#include "preparation/cut_at_once.h"
 #include "preparation/fill_holes.h"
 #include "preparation/points.h"
 
@@ -127,6 +128,7 @@ public:
       is_settled_[place(v)] = true;
       radius = std::min(radius, visit(v, arrival_[place(v)]));
       surface_.for_each_side(v, [&, from = d](int side) {
+        ++sides_;
         const int w = surface_->target(side);
         const double through_v = from + surface_.length(side);
         if(through_v < distance_[place(w)]) {
@@ -140,6 +142,8 @@ public:
     }
   }
 
+  /// That all searches together have looked at.
+  std::size_t sides() const { return sides_; }
   bool is_settled(int v) const { return is_settled_[place(v)]; }
   double distance(int v) const { return distance_[place(v)]; }
   int arrival(int v) const { return arrival_[place(v)]; }
@@ -178,6 +182,7 @@ private:
   std::vector<bool> is_settled_;
   std::vector<int> reached_;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
+  std::size_t sides_ = 0;
 };
 
 /// A spanning tree of the faces that crosses no edge of the tree of paths: for every face the side that leads to the
@@ -235,6 +240,7 @@ public:
   {}
 
   std::size_t words() const { return words_; }
+  std::size_t size() const { return bits_.size(); }
   const Word* of(int side) const { return bits_.data() + place(side) * words_; }
 
   void cross(const Glued_surface& surface, int side, std::size_t path)
@@ -311,11 +317,13 @@ public:
     first_radius_ = !best_.empty() && shortest_ > 0 ? shortest_ / steps : 1;
   }
 
-  /// \pre there is a handle
+  /// None if it would take too long to find it. \pre there is a handle
   std::vector<int> shortest_loop(const std::function<void()>& go_on)
   {
     constexpr double growth = 2;
     for(;;) {
+      if(is_exhausted())
+        return {};
       const auto [bound, root] = roots_.top();
       if(bound != bound_[root]) { // another has taken its place
         roots_.pop();
@@ -332,6 +340,7 @@ public:
   void cut(const std::vector<int>& loop)
   {
     crossings_.make_even(loop);
+    words_of_cuts_ += crossings_.size();
     const int before = surface_->number_of_sides();
     const std::vector<int> right = surface_.cut_and_fill(loop);
     for(const std::vector<int>* boundary : {&loop, &right}) {
@@ -345,6 +354,14 @@ public:
 
 private:
   using Entry = std::pair<double, int>;
+
+  /// Whether hundreds of handles have taken so many steps that the others are not worth them.
+  bool is_exhausted() const
+  {
+    constexpr std::size_t most = 8'000'000'000, most_of_side = 10'000; // words; a side that is looked at counts as ten
+    return search_.sides() * (10 + crossings_.words()) + words_of_cuts_ >
+           most + most_of_side * place(surface_->number_of_sides());
+  }
 
   /// Of loops through a vertex that are not of this length there is none that is shorter.
   void set_bound(int vertex, double length)
@@ -408,23 +425,33 @@ private:
   std::unordered_map<int, double> bound_; ///< of the vertices from which is searched
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> roots_;
   std::vector<Crossings::Word> bits_;
+  std::size_t words_of_cuts_ = 0; ///< that all cuts together have looked at
 };
 
 } // namespace
 
-void cut_handles(Glued_surface& surface, const std::function<void(const std::vector<int>& loop)>& before_cut,
-                 const std::function<void()>& go_on)
+int cut_handles(Glued_surface& surface, const std::function<void(const std::vector<int>& loop)>& before_cut,
+                const std::function<void()>& go_on)
 {
   const int handles = (2 - surface.number_of_vertices() + surface.number_of_faces() / 2) / 2; // Euler's formula
   if(handles == 0)
-    return;
-  Handle_cutter cutter(surface);
-  for(int i = 0; i < handles; ++i) {
-    const std::vector<int> loop = cutter.shortest_loop(go_on);
-    before_cut(loop);
-    cutter.cut(loop);
+    return 0;
+  constexpr std::size_t most_words = std::size_t(1) << 26; // of memory
+  int cut = 0;
+  if(place(handles) * place(surface.number_of_sides()) / 32 < most_words) {
+    Handle_cutter cutter(surface);
+    for(; cut < handles; ++cut) {
+      const std::vector<int> loop = cutter.shortest_loop(go_on);
+      if(loop.empty())
+        break;
+      before_cut(loop);
+      cutter.cut(loop);
+    }
+    derive_vertices(surface);
   }
-  derive_vertices(surface);
+  if(cut < handles)
+    cut_handles_at_once(surface);
+  return handles - cut;
 }
 
 } // namespace tool

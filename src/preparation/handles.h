@@ -23,9 +23,11 @@ namespace tool {
 /// found is a lower bound for all that follow, since a cut makes no new paths but through its filling.
 ///
 /// Complexity: in most cases O(m n log n) for m such vertices and searches that reach n: as far as half of the longest
-/// of the loops; and O(g) words of memory for every 64 sides of a surface of genus g.
-void cut_handles(Glued_surface& surface, const std::function<void(const std::vector<int>& loop)>& before_cut,
-                 const std::function<void()>& go_on);
+/// of the loops; and O(g) words of memory for every 64 sides of a surface of genus g. Where hundreds of handles make
+/// that too much, those that are left are cut by `cut_handles_at_once()`.
+/// \return the number of handles that were cut at once
+int cut_handles(Glued_surface& surface, const std::function<void(const std::vector<int>& loop)>& before_cut,
+                const std::function<void()>& go_on);
 
 } // namespace tool
 

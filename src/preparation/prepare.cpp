@@ -46,7 +46,7 @@ void fill_holes(Glued_surface& surface, Preparation& preparation, const std::str
 
 void cut_handles(Glued_surface& surface, Preparation& preparation, const std::string& file)
 {
-  cut_handles(
+  preparation.handles_cut_at_once += cut_handles(
     surface, [&](const std::vector<int>& loop) { preparation.handles.push_back(loop_of(surface, loop)); },
     [&file] { stop_if_interrupted(file); });
 }
@@ -105,14 +105,35 @@ std::vector<Piece> pieces_of(const Glued_surface& surface, std::vector<int>& pie
   return pieces;
 }
 
+/// The pieces that are kept, each by itself. \pre the vertices are derived: each is of one piece
 std::vector<Glued_surface> separated(const Glued_surface& surface, const std::vector<Piece>& pieces,
                                      const std::vector<int>& piece_of)
 {
-  std::vector<Glued_surface> parts;
-  for(std::size_t i = 0; i < pieces.size() && pieces[i].is_kept; ++i) {
-    parts.push_back(surface);
-    keep_faces(parts.back(), [&](int f) { return piece_of[place(f)] == static_cast<int>(i); });
-  }
+  std::size_t kept = 0;
+  while(kept < pieces.size() && pieces[kept].is_kept)
+    ++kept;
+  std::vector<Glued_surface> parts(kept);
+  std::vector<int> piece_of_vertex(surface.points.size(), 0), vertex(surface.points.size(), Glued_surface::none),
+    face(surface.faces.size(), Glued_surface::none);
+  const auto is_kept = [kept](int piece) { return place(piece) < kept; };
+  for(int f = 0; f < surface.number_of_faces(); ++f)
+    for(const int v : surface.faces[place(f)])
+      piece_of_vertex[place(v)] = piece_of[place(f)];
+  for(int v = 0; v < surface.number_of_vertices(); ++v)
+    if(const int piece = piece_of_vertex[place(v)]; is_kept(piece)) {
+      vertex[place(v)] = parts[place(piece)].add_vertex(surface.point(v));
+      parts[place(piece)].old_vertex.back() = surface.old_vertex[place(v)];
+    }
+  for(int f = 0; f < surface.number_of_faces(); ++f)
+    if(const int piece = piece_of[place(f)]; is_kept(piece)) {
+      const auto& [a, b, c] = surface.faces[place(f)];
+      face[place(f)] = parts[place(piece)].add_face({vertex[place(a)], vertex[place(b)], vertex[place(c)]},
+                                                    surface.old_face[place(f)]);
+    }
+  for(int side = 0; side < surface.number_of_sides(); ++side)
+    if(const int twin = surface.twin_of(side); face[place(side / 3)] != Glued_surface::none && twin > side)
+      parts[place(piece_of[place(side / 3)])].glue(3 * face[place(side / 3)] + side % 3,
+                                                   3 * face[place(twin / 3)] + twin % 3);
   return parts;
 }
 
@@ -157,8 +178,6 @@ void add(std::vector<std::string>& lines, const Defect& defect, const std::strin
                                                              where + ' ' + std::to_string(defect.first) + ')'));
 }
 
-} // namespace
-
 /// Removes faces without area, and notes it.
 void remove_degenerate_faces(Glued_surface& surface, Preparation& preparation)
 {
@@ -169,6 +188,15 @@ void remove_degenerate_faces(Glued_surface& surface, Preparation& preparation)
     preparation.has_degenerate_faces = true;
 }
 
+/// "removed 2 isolated vertices (first: vertex 17), removed 1 repeated face (face 3)"
+std::string joined(const std::vector<std::string>& sentences)
+{
+  std::string text;
+  for(const std::string& sentence : sentences)
+    text += (text.empty() ? "" : ", ") + sentence;
+  return text;
+}
+
 Preparation prepare_in_unit(const std::string& file, const Soup& soup, const Preparation_settings& settings)
 {
   using Components = Preparation_settings::Components;
@@ -176,7 +204,7 @@ Preparation prepare_in_unit(const std::string& file, const Soup& soup, const Pre
   Glued_surface surface = glue(soup, settings.merge_distance, result.defects);
   if(surface.faces.empty())
     throw Refusal(name(Error_code::EMPTY_MESH), file,
-                  "has no face that can be used" + (soup.triangles.empty() ? "" : ": " + sentences(result).front()),
+                  "has no face that can be used" + (soup.triangles.empty() ? "" : ": " + joined(sentences(result))),
                   soup.triangles.empty() ? "reconstruct a surface from its points first" : "");
   stop_if_interrupted(file);
 
@@ -225,6 +253,8 @@ Preparation prepare_in_unit(const std::string& file, const Soup& soup, const Pre
                    [](const Loop& a, const Loop& b) { return a.length > b.length; });
   return result;
 }
+
+} // namespace
 
 double share_of_area_kept(const Preparation& preparation)
 {
@@ -313,6 +343,9 @@ std::vector<std::string> sentences(const Preparation& preparation)
     if(!preparation.handles.empty())
       lines.push_back("cut " + count(preparation.handles.size(), "handle") + " along shortest loops" +
                       largest(preparation.handles, "first"));
+    if(preparation.handles_cut_at_once > 0)
+      lines.push_back("cut " + count(static_cast<std::size_t>(preparation.handles_cut_at_once), "handle") +
+                      " at once, too many to look for the shortest loops");
   } else {
     int handles = 0;
     for(const Piece& piece : pieces)

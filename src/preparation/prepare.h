@@ -67,6 +67,7 @@ struct Preparation {
   std::vector<int> piece_of_face; ///< by face of the file, its number in `pieces`; -1 if it was removed, or all wrapped
   std::vector<Loop> holes;        ///< of what is kept, the longest first
   std::vector<Loop> handles;      ///< of what is kept, each of them the shortest on what the ones before have left
+  int handles_cut_at_once = 0;    ///< and those after them, of too many to look for the shortest loops of all
   bool is_filled = false;         ///< the holes are closed
   bool is_cut = false;            ///< the handles are cut
   Defect degenerate_faces;        ///< those that were removed, or were to be

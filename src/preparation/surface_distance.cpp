@@ -15,6 +15,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <numeric>
 #include <queue>
 #include <utility>
 
@@ -61,49 +63,92 @@ std::array<Triangle_3, 2> halves(const Triangle_3& t)
   return {Triangle_3(t[k], middle, t[k + 2]), Triangle_3(middle, t[k + 1], t[k + 2])};
 }
 
-bool has_area(const Triangle_3& t) { return CGAL::cross_product(t[1] - t[0], t[2] - t[0]) != CGAL::NULL_VECTOR; }
-
 /// Triangles of which the nearest is asked. They have to stay where they are.
 class Triangle_tree {
 public:
-  explicit Triangle_tree(const Triangles& triangles) : triangles_(triangles)
+  static constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max();
+
+  explicit Triangle_tree(const Triangles& triangles)
+    : triangles_(triangles), pieces_(triangles), number_(pieces_.size())
   {
-    for(std::size_t i = 0; i < triangles.size(); ++i)
-      if(has_area(triangles[i])) { // CGAL finds no nearest point in the others
-        pieces_.push_back(triangles[i]);
-        number_.push_back(i);
-      }
+    std::iota(number_.begin(), number_.end(), std::size_t(0));
     halve_long_ones();
     tree_.rebuild(pieces_.cbegin(), pieces_.cend());
-    if(!pieces_.empty())
-      tree_.accelerate_distance_queries(); // now: questions may come from several threads
+    tree_.build(); // now: questions may come from several threads
   }
   Triangle_tree(const Triangle_tree&) = delete;
   Triangle_tree& operator=(const Triangle_tree&) = delete;
 
   bool is_empty() const { return pieces_.empty(); }
-  double squared_distance(const Point_3& p) const { return tree_.squared_distance(p); }
-
-  /// Whether a sphere meets a triangle.
-  bool is_met_by(const Point_3& centre, double radius) const
-  {
-    return tree_.do_intersect(Kernel::Sphere_3(centre, radius * radius));
-  }
 
   struct Nearest {
     double distance;
     const Triangle_3* triangle;
     std::size_t number; ///< of the triangle
+    bool is_certain;    ///< there is no nearer one; if the distance is above `enough`
+    std::size_t looks;  ///< at triangles
   };
-  Nearest nearest(const Point_3& p) const
+  /// The nearest triangle, or any that is as near as `enough`, or the nearest of `most` that were looked at: where many
+  /// triangles overlap, any of them may be the nearest. \pre there are triangles
+  Nearest nearest(const Point_3& p, double enough = 0, std::size_t most = unlimited) const
   {
-    const auto [point, piece] = tree_.closest_point_and_primitive(p);
-    const std::size_t number = number_[static_cast<std::size_t>(piece - pieces_.cbegin())];
-    return {std::sqrt(CGAL::squared_distance(p, point)), &triangles_[number], number};
+    Search search(enough * enough, most);
+    tree_.traversal_with_priority(p, search);
+    const auto piece = static_cast<std::size_t>(search.best() - pieces_.cbegin());
+    return {std::sqrt(search.square()), &triangles_[number_[piece]], number_[piece], search.is_certain(),
+            search.looks()};
   }
 
 private:
   using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
+  using Traits = CGAL::AABB_traits<Kernel, Primitive>;
+
+  /// A visitor of the tree, which goes to the nearer of two boxes first. CGAL's own starts at one of the corners, which
+  /// it finds in a tree that overflows the stack when thousands of them are at the same place, and never stops early.
+  class Search {
+  public:
+    using Node = CGAL::AABB_node<Traits>;
+    using Priority = double;
+
+    Search(double enough, std::size_t most) : enough_(enough), most_(most) {}
+
+    bool go_further() const { return square_ > enough_ && looks_ < most_; }
+    void intersection(const Point_3& p, const Primitive& primitive)
+    {
+      ++looks_;
+      if(const double square = CGAL::squared_distance(p, primitive.datum()); square < square_ || looks_ == 1) {
+        square_ = square;
+        best_ = primitive.id();
+      }
+    }
+    bool do_intersect(const Point_3& p, const Node& node) const { return squared_distance(p, node.bbox()) < square_; }
+    std::pair<bool, Priority> do_intersect_with_priority(const Point_3& p, const Node& node) const
+    {
+      const double square = squared_distance(p, node.bbox());
+      return {square < square_, -square};
+    }
+
+    double square() const { return square_; }
+    Primitive::Id best() const { return best_; }
+    std::size_t looks() const { return looks_; }
+    bool is_certain() const { return looks_ < most_; }
+
+  private:
+    static double squared_distance(const Point_3& p, const CGAL::Bbox_3& box)
+    {
+      double sum = 0;
+      for(int k = 0; k < 3; ++k) {
+        const double side = std::max({(box.min)(k)-p[k], 0., p[k] - (box.max)(k)});
+        sum += side * side;
+      }
+      return sum;
+    }
+
+    double enough_; ///< squared
+    std::size_t most_, looks_ = 0;
+    double square_ = std::numeric_limits<double>::infinity();
+    Primitive::Id best_;
+  };
 
   /// A point is in the boxes of all long triangles that run across the shape, and each has to be looked at. So they are
   /// cut down (M. Ernst and G. Greiner, "Early split clipping for bounding volume hierarchies", 2007).
@@ -134,8 +179,6 @@ private:
       const std::size_t i = queue.back().second;
       queue.pop_back();
       const auto [first, second] = halves(pieces_[i]);
-      if(!has_area(first) || !has_area(second)) // too thin for its numbers
-        continue;
       pieces_[i] = first;
       pieces_.push_back(second);
       number_.push_back(std::size_t(number_[i]));
@@ -150,7 +193,7 @@ private:
   const Triangles& triangles_;
   Triangles pieces_;
   std::vector<std::size_t> number_; ///< by piece: of the triangle
-  CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> tree_;
+  CGAL::AABB_tree<Traits> tree_;
 };
 
 bool has_finite_corners(const Soup& soup, const std::array<int, 3>& corners)
@@ -179,11 +222,22 @@ Bounds farthest(const Triangles& triangles, const Triangle_tree& tree, double to
                 const std::function<void()>& go_on)
 {
   constexpr double relative_tolerance = 0.05;
-  const std::size_t most_looks = 20'000 + 20 * triangles.size();
+  const std::size_t most_pieces = 20'000 + 20 * triangles.size();
+  // at triangles: for one answer, for all, and for one when those have been used up
+  constexpr std::size_t most_looks = 2'000, few_looks = 50;
+  const std::size_t all_looks = 50'000'000 + 500 * triangles.size();
+  std::size_t pieces = 0, looks = 0;
   Bounds result;
   std::priority_queue<Candidate> queue;
   const auto is_close = [&](double bound) {
     return bound <= result.low + std::max(tolerance, relative_tolerance * result.low);
+  };
+  const auto ask = [&](const Point_3& p, double enough) {
+    const auto nearest = tree.nearest(p, enough, looks < all_looks ? most_looks : few_looks);
+    looks += nearest.looks;
+    if(nearest.is_certain)
+      result.low = std::max(result.low, nearest.distance);
+    return nearest;
   };
   const auto look_at = [&](const Triangle_3& t, double bound_of_whole, int blind) {
     const Point_3 centre = CGAL::centroid(t);
@@ -191,17 +245,17 @@ Bounds farthest(const Triangles& triangles, const Triangle_tree& tree, double to
     for(int k = 0; k < 3; ++k)
       square = std::max(square, CGAL::squared_distance(centre, t[k]));
     const double radius = std::sqrt(square);
-    if(radius < result.low && tree.is_met_by(centre, result.low - radius)) // no point is farther than one that is known
-      return;
     if(radius >= result.low && blind > 0) {
       queue.push({bound_of_whole, t, blind - 1});
       return;
     }
-    const Triangle_tree::Nearest nearest = tree.nearest(centre);
+    const double enough = std::max(0., result.low - radius); // no point is farther than one that is known
+    const Triangle_tree::Nearest nearest = ask(centre, enough);
+    if(nearest.distance <= enough)
+      return;
     double from_face = 0;
     for(int k = 0; k < 3; ++k)
       from_face = std::max(from_face, CGAL::squared_distance(t[k], *nearest.triangle));
-    result.low = std::max(result.low, nearest.distance);
     // no point is farther than by the radius; nor, since a face is convex, farther from that face than the corners are
     const double by_radius = nearest.distance + radius, by_face = std::sqrt(from_face);
     constexpr int across = 2; // it does not run along the face, and will not until it is small
@@ -210,21 +264,20 @@ Bounds farthest(const Triangles& triangles, const Triangle_tree& tree, double to
     else
       result.high = std::max(result.high, bound);
   };
-  std::size_t looks = 0;
   for(const Triangle_3& t : triangles) {
-    if(looks++ % 1024 == 0)
+    if(pieces++ % 1024 == 0)
       go_on();
     for(int k = 0; k < 3; ++k)
-      result.low = std::max(result.low, std::sqrt(tree.squared_distance(t[k])));
+      ask(t[k], result.low);
     look_at(t, 0, 0);
   }
   while(!queue.empty()) {
     const Candidate top = queue.top();
-    if(is_close(top.bound) || looks > most_looks) {
+    if(is_close(top.bound) || pieces > most_pieces || looks > all_looks) {
       result.high = std::max(result.high, top.bound);
       break;
     }
-    if(looks++ % 1024 == 0)
+    if(pieces++ % 1024 == 0)
       go_on();
     queue.pop();
     for(const Triangle_3& half : halves(top.triangle))
@@ -299,12 +352,14 @@ std::vector<int> nearest_faces(const Soup& old, const Glued_surface& surface)
   for(const auto& corners : surface.faces)
     triangles.push_back(triangle(surface.points, corners, unit));
   const Triangle_tree tree(triangles);
+  constexpr std::size_t most_looks = 10'000; // where so many overlap, any of them will do
   for(std::size_t f = 0; f < result.size(); ++f) {
     if(result[f] != Glued_surface::none)
       continue;
     result[f] = 0;
     if(has_finite_corners(old, old.triangles[f]) && !tree.is_empty())
-      result[f] = static_cast<int>(tree.nearest(CGAL::centroid(triangle(old.points, old.triangles[f], unit))).number);
+      result[f] = static_cast<int>(
+        tree.nearest(CGAL::centroid(triangle(old.points, old.triangles[f], unit)), 0, most_looks).number);
   }
   return result;
 }
@@ -334,7 +389,7 @@ Sampling_loss sampling_loss(const Mesh& mesh, const Mesh& sampled, const std::ve
   double whole = 0;
   for(std::size_t f = 0; f < shape.size(); f += 1 + shape.size() / most_queries) {
     const double area = std::sqrt(shape[f].squared_area());
-    distances.emplace_back(std::sqrt(tree.squared_distance(CGAL::centroid(shape[f]))), area);
+    distances.emplace_back(tree.nearest(CGAL::centroid(shape[f])).distance, area);
     whole += area;
   }
   std::sort(distances.begin(), distances.end());

@@ -27,13 +27,14 @@ struct Hausdorff_distance {
 /// Triangles are halved until bounds are `tolerance` apart, or 5 % of the distance where that is more: the distance
 /// from a surface grows by no more than the way, and that from a face is largest at a corner (M. Tang, M. Lee, Y. J.
 /// Kim, "Interactive Hausdorff distance computation for general polygonal models", 2009). The upper bound holds in any
-/// case; where surfaces run along each other closer than `tolerance`, the work ends before the bounds are so close.
-/// Faces that are the same in both are at distance 0, and are not looked at. `go_on` is called now and then, and may
-/// throw.
+/// case; where surfaces run along each other closer than `tolerance`, or thousands of faces lie across each other, the
+/// work ends before the bounds are so close. Faces that are the same in both are at distance 0, and are not looked at.
+/// `go_on` is called now and then, and may throw.
 Hausdorff_distance hausdorff_distance(const Soup& old, const std::vector<Glued_surface>& parts, double tolerance,
                                       const std::function<void()>& go_on);
 
-/// For faces of the mesh as it was that have no face in `surface`: the nearest one there, measured from the centre.
+/// For faces of the mesh as it was that have no face in `surface`: the nearest one there, measured from the centre (or
+/// one that is near, where thousands lie across each other).
 /// For all others that face. Faces without finite coordinates get face 0.
 std::vector<int> nearest_faces(const Soup& old, const Glued_surface& surface);
 

@@ -118,6 +118,16 @@ TEST_CASE("a map that was turned is turned back, whatever the pose of the shape"
   }
 }
 
+TEST_CASE("what is alike is not bent", "[registration]")
+{
+  const Mapped a(limbs(1.4));
+  const Registered r = registered(a, a);
+  check_certificate(a, r);
+  CHECK(r.result.distortion == 4);
+  CHECK(r.result.mismatch < 1e-6);
+  CHECK(mean_distance(r.sphere, a.sphere) < 1e-6);
+}
+
 TEST_CASE("deformation finds what a rotation cannot", "[registration]")
 {
   const Mapped b(limbs(1.4));

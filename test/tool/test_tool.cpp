@@ -212,6 +212,7 @@ TEST_CASE("map: the report of a refusal says why", "[tool]")
   CHECK(run_tool({"map", input, "-o", scratch / "out.off", "--report", scratch / "report.json"}).exit_code == 1);
   const auto report = nlohmann::json::parse(text_of(scratch / "report.json"));
   CHECK(report.at("error").get<std::string>().find("genus") != std::string::npos);
+  CHECK(report.at("error").get<std::string>().find("the command 'prepare' does it") != std::string::npos);
   CHECK_FALSE(fs::exists(scratch / "out.off"));
 }
 

@@ -174,6 +174,7 @@ TEST_CASE("formats: long texts are read in pieces, with the same result", "[tool
   check_same(read(with(1, "\n") + "\n\n"));
   check_same(read(with_ends("\r\n")));
   check_same(read(with_ends("\r")));
+  check_same(read(with_ends(" # to the end of the line\n")));
 
   const std::size_t line =
     static_cast<std::size_t>(std::count(text.begin(), text.begin() + std::ptrdiff_t(end_of_line(7)), '\n')) + 2;

@@ -434,6 +434,52 @@ TEST_CASE("prepare: distances where long faces run across each other", "[tool]")
   CHECK(sampled >= 0.8 * low.get<double>());
 }
 
+TEST_CASE("prepare: thousands of faces that lie across each other, or begin at the same vertex", "[tool]")
+{
+  Scratch scratch;
+  Soup soup;
+  const int n = 50'000;
+  SECTION("a double cone with a hole")
+  {
+    const double pi = std::acos(-1.);
+    soup.points = {Point(0, 0, 1), Point(0, 0, -1)};
+    for(int i = 0; i < n; ++i)
+      soup.points.emplace_back(std::cos(2 * pi * i / n), std::sin(2 * pi * i / n), 0);
+    for(std::size_t i = 0; i < std::size_t(n); ++i)
+      for(const std::size_t apex : {std::size_t(0), std::size_t(1)}) {
+        const std::size_t a = 2 + i, b = 2 + (i + 1) % std::size_t(n);
+        soup.faces.push_back({apex, apex == 0 ? a : b, apex == 0 ? b : a});
+      }
+    soup.faces.pop_back();
+    CHECK(Prepared(scratch, soup).distance() < 3e-4);
+  }
+  SECTION("slivers along a line")
+  {
+    const std::size_t m = 5000;
+    for(std::size_t i = 0; i < m; ++i)
+      soup.points.emplace_back(double(i), 0, 0);
+    soup.points.emplace_back(0, 1, 0);
+    soup.points.emplace_back(0, -1, 0);
+    for(std::size_t i = 0; i + 1 < m; ++i) {
+      soup.faces.push_back({i, i + 1, m});
+      soup.faces.push_back({0, i + 1, m + 1});
+    }
+    CHECK(Prepared(scratch, soup).distance() < 0.5);
+  }
+  SECTION("faces without area")
+  {
+    for(int i = 0; i < 30; ++i)
+      soup.points.emplace_back(double(i), 0, 0);
+    for(std::size_t i = 0; i < 30; ++i) // between three vertices each, far from each other on the line
+      soup.faces.push_back({i, (7 * i + 11) % 30, (13 * i + 5) % 30});
+    const Prepared prepared(scratch, soup);
+    double end = 0;
+    for(const Point& p : prepared.out.points)
+      end = std::max(end, CGAL::to_double(p.x()));
+    CHECK(prepared.distance() >= 29 - end);
+  }
+}
+
 TEST_CASE("prepare: options restrict what is done", "[tool]")
 {
   Scratch scratch;
@@ -742,6 +788,8 @@ TEST_CASE("prepare: what has no surface is refused", "[tool]")
       run_tool({"prepare", in, "-o", scratch / "out.off", "--report", scratch / "report.json"});
     CHECK(run.exit_code == 1);
     CHECK(is_one_line(run.err));
+    CHECK(run.err.find(soup.faces.empty() ? "reconstruct a surface" : "removed 1 face with two corners at") !=
+          std::string::npos);
     CHECK_FALSE(fs::exists(scratch / "out.off"));
     CHECK(nlohmann::json::parse(text_of(scratch / "report.json"))["error_code"] != "OK");
   }

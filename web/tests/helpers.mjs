@@ -31,7 +31,7 @@ export function native(file, folder, options = []) {
   const run = spawnSync(tool, ["map", file, "-o", out, "--policy", "sequential", ...options], { encoding: "utf8" });
   if (run.status !== 0) {
     const line = run.stderr.trim().replace(/^spherical-parameterization: /, "");
-    return { error: line.replace(file, basename(file)) };
+    return { error: line.replace(file, basename(file)).replace("; the command 'prepare' does it", "") }; // the page has none
   }
   return { error: null, sphere: readOff(readFileSync(out, "utf8")).points };
 }

@@ -402,13 +402,20 @@ private:
       const Refinement_report report = refined(features, refinement, x);
       refinement.isometry_weight = settings_.isometry_weight; // what is far off must not be in its way
       if(level + 1 == settings_.levels || monitor_.is_interrupted()) {
-        Host_array<vec3> rigid = start, bent = x;
         const Refinement nothing = {0, 1, 0, 0};
-        result_.mismatch_before = std::sqrt(refined(shape, nothing, rigid).mismatch);
-        const Refinement_report in_the_end = refined(shape, nothing, bent);
+        const auto look_at = [&](const Registration_features& what, Host_array<vec3> y) {
+          return refined(what, nothing, y);
+        };
+        const Refinement_report before = look_at(shape, start);
+        result_.distortion = report.distortion;
+        if(landmarks_.empty() && !gains(look_at(features, start), look_at(features, x))) {
+          x = start;
+          result_.distortion = 4;
+        }
+        const Refinement_report in_the_end = look_at(shape, x);
+        result_.mismatch_before = std::sqrt(before.mismatch);
         result_.mismatch = std::sqrt(in_the_end.mismatch);
         result_.stretching = in_the_end.stretching;
-        result_.distortion = report.distortion;
         break;
       }
     }
@@ -421,6 +428,16 @@ private:
       }
       place(x);
     }
+  }
+
+  /// Whether a deformation has made the shapes more alike. Where they are the same already, the chords of coarse faces
+  /// still have a little to gain by it.
+  bool gains(const Refinement_report& before, const Refinement_report& after) const
+  {
+    const auto difference = [this](const Refinement_report& report) {
+      return report.mismatch + (settings_.isometry_weight > 0 ? settings_.isometry_weight * report.stretching : 0);
+    };
+    return !(difference(before) <= difference(after)) || !std::isfinite(difference(before));
   }
 
   Refinement_report refined(const Registration_features& features, const Refinement& refinement, Host_array<vec3>& x)
@@ -459,7 +476,8 @@ private:
 /// (`best_alignment()`), and up to four for which curvature and stretch are correlated best, of which the one is taken
 /// that a coarse deformation makes most alike. Then the map is deformed, coarse features first: the mean symmetric
 /// Dirichlet energy of the deformation, the mean squared differences of features, and the stretching of the one surface
-/// onto the other are minimized (see `Registration`). The features, area stretch and curvatures, hardly depend on the
+/// onto the other are minimized (see `Registration`); where differences and stretching have not become less, the map is
+/// only turned. The features, area stretch and curvatures, hardly depend on the
 /// pose: the maps should be of low isometric distortion (`Isometric`) and of the same method.
 ///
 /// Guarantee: the registered map is without flips and of degree 1, exactly, as stored, or the result says that it is

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Handles that are cut all at once, of surfaces with too many of them for shortest loops.
+
+#include "helpers/meshes.h"
+
+#include "preparation/cut_at_once.h"
+#include "preparation/glue.h"
+
+#include <catch2/catch.hpp>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace {
+
+tool::Glued_surface glued(const test::Soup& mesh)
+{
+  tool::Soup soup;
+  for(const test::Point& p : mesh.points)
+    soup.points.push_back({p.x(), p.y(), p.z()});
+  for(const auto& face : mesh.faces)
+    soup.triangles.push_back({int(face[0]), int(face[1]), int(face[2])});
+  tool::Gluing_defects none;
+  return tool::glue(soup, 0, none);
+}
+
+/// Closed, random, with hundreds of handles: both sides of every edge are those of any two triangles.
+tool::Glued_surface random_surface(int faces)
+{
+  tool::Glued_surface surface;
+  std::vector<int> sides;
+  unsigned random = 1;
+  for(int f = 0; f < faces; ++f) {
+    for(int k = 0; k < 3; ++k)
+      surface.add_vertex({double(f % 7), double(f % 11), double(k)});
+    surface.add_face({3 * f, 3 * f + 1, 3 * f + 2});
+    for(int k = 0; k < 3; ++k)
+      sides.push_back(3 * f + k);
+  }
+  for(std::size_t i = sides.size(); i > 1; --i) {
+    random = random * 1664525u + 1013904223u;
+    std::swap(sides[i - 1], sides[(random >> 8) % i]);
+  }
+  for(std::size_t i = 0; i < sides.size(); i += 2)
+    surface.glue(sides[i], sides[i + 1]);
+  tool::derive_vertices(surface);
+  return surface;
+}
+
+} // namespace
+
+TEST_CASE("handles that are cut at once leave a sphere", "[tool]")
+{
+  const auto check = [](tool::Glued_surface surface, int least_genus) {
+    std::vector<int> unused;
+    const int faces = surface.number_of_faces();
+    REQUIRE(tool::components(surface, unused).size() == 1);
+    CHECK(tool::components(surface, unused)[0].genus() >= least_genus);
+    tool::cut_handles_at_once(surface);
+    const auto components = tool::components(surface, unused);
+    REQUIRE(components.size() == 1);
+    CHECK(components[0].genus() == 0);
+    CHECK(components[0].holes == 0);
+    CHECK(surface.number_of_faces() >= faces); // none is lost
+    for(int side = 0; side < surface.number_of_sides(); ++side) {
+      const int twin = surface.twin_of(side);
+      CHECK((surface.twin_of(twin) == side && surface.origin(twin) == surface.target(side)));
+    }
+  };
+  check(glued(test::torus(16, 8)), 1);
+  check(glued(test::double_torus()), 2);
+  check(glued(test::bumpy_sphere(2)), 0);
+  check(random_surface(2), 0);
+  check(random_surface(3000), 200);
+}

@@ -60,7 +60,8 @@ public:
       effort_(effort), monitor_(monitor), source_area_(area_of_source()), order_of_faces_(order_of_faces(problem)),
       density_(problem, order_of_faces_), mesh_(loop, faces_in_order(problem, order_of_faces_), problem.size()),
       level_(loop, problem.size()), map_{Host_array<vec3>(problem.size(), vec3{0, 0, 0}),
-                                         std::vector<int>(problem.size(), -1)}
+                                         std::vector<int>(problem.size(), -1)},
+      level_sizes_(sizes_of_levels(problem.size()))
   {
     if(!(source_area_ > 0)) // all points are one: then all faces count as equal
       source_area_ = 1;
@@ -79,9 +80,10 @@ public:
       embed_tetrahedron();
     for(; !rounds_.empty(); rounds_.pop_back()) {
       insert(std::move(rounds_.back()));
-      are_landmarks_present_ = rounds_.size() <= rounds_with_landmarks_ + 1;
+      const bool have_landmarks_come =
+        rounds_.size() <= rounds_with_landmarks_ + 1 && !std::exchange(are_landmarks_present_, true);
       if(rounds_.size() > 1) {
-        if(is_relaxed_now())
+        if(is_relaxed_now() || have_landmarks_come)
           relax_level();
         advance_or_give_up();
       }
@@ -95,9 +97,10 @@ private:
   static constexpr Metric_bounds coarse_bounds = {100, 1e-4};
   static constexpr Metric_bounds final_bounds = {1e3, 1e-8};
   static constexpr double largest_coarse_exponent = 3;
-  static constexpr double linear_tolerance = 0.1; ///< of Newton's equations
-  static constexpr int coarse_size = 20000;       ///< the largest meshes that are relaxed after every round
-  static constexpr int growth_of_fine_levels = 3;
+  static constexpr double linear_tolerance = 0.1;      ///< of Newton's equations
+  static constexpr int coarse_size = 20000;            ///< the largest meshes of which many levels are relaxed
+  static constexpr double growth_of_coarse_levels = 2; ///< from one that is relaxed to the next
+  static constexpr double growth_of_fine_levels = 5;
   static constexpr double least_gain = 1e-4; ///< of the energy, for which a Newton step is worth while
 
   /// The faces by their smallest vertices, so that those of a star lie close together in memory, as the vertices do:
@@ -292,7 +295,6 @@ private:
     if(!is_last_level && level_.size() < growth * last_placement_)
       return;
     last_placement_ = level_.size();
-    last_newton_ = 0;
     if(Landmark_placement(loop_, distortion_, level_, landmarks_, *attempt_.budget).run([&] { return advance(); }))
       return;
     if(monitor_.is_interrupted())
@@ -340,20 +342,25 @@ private:
     return v;
   }
 
-  /// Fine levels have a third of the whole mesh, a third of that, and so on, as far as they are not coarse.
+  /// The sizes of the levels below that of the whole mesh, in descending order.
+  static std::vector<double> sizes_of_levels(int number_of_vertices)
+  {
+    std::vector<double> sizes;
+    for(double size = number_of_vertices; size > 4;) {
+      size /= size > coarse_size ? growth_of_fine_levels : growth_of_coarse_levels;
+      sizes.push_back(size);
+    }
+    return sizes;
+  }
+
+  /// Whether the mesh has got to the next of these sizes.
   bool is_relaxed_now()
   {
-    const int size = mesh_.number_of_vertices();
-    if(size <= coarse_size)
-      return true;
-    if(next_fine_size_ == 0)
-      for(next_fine_size_ = problem_.size(); next_fine_size_ / growth_of_fine_levels > size;)
-        next_fine_size_ /= growth_of_fine_levels;
-    if(size < next_fine_size_)
-      return false;
-    while(next_fine_size_ <= size)
-      next_fine_size_ *= growth_of_fine_levels;
-    return true;
+    const auto is_reached = [&](double size) { return size <= mesh_.number_of_vertices(); };
+    const std::size_t before = level_sizes_.size();
+    while(!level_sizes_.empty() && is_reached(level_sizes_.back()))
+      level_sizes_.pop_back();
+    return level_sizes_.size() < before;
   }
 
   bool is_level_coarse() const { return level_.size() <= coarse_size; }
@@ -362,15 +369,11 @@ private:
   {
     constexpr int sweeps = 2, sweeps_of_regions = 3, rings = 2;
     constexpr double bad_factor = 20; // times the mean distortion
-    constexpr double growth = 1.3;
     assign_level(coarse_bounds);
     for(int s = 0; s < sweeps; ++s)
       level_.relax(distortion_);
     place_landmarks(false);
-    if(level_.size() >= growth * last_newton_) {
-      last_newton_ = level_.size();
-      relax_globally(distortion_);
-    }
+    relax_globally(distortion_);
     mean_distortion_ = level_.energy(distortion_);
     level_.relax_distorted(distortion_, bad_factor * mean_distortion_, rings, sweeps_of_regions);
     if(!is_level_coarse()) {
@@ -486,9 +489,8 @@ private:
   Map_level level_;
   Partial_map map_;
   std::vector<std::vector<int>> rounds_; ///< the collapsed half-edges of every round
-  int next_fine_size_ = 0;               ///< from which on the next fine level is relaxed; 0: not known yet
+  std::vector<double> level_sizes_;      ///< of which levels are relaxed, those to come
   double mean_distortion_ = infinity;    ///< of the level that was relaxed last
-  double last_newton_ = 0;               ///< size of the level
   double last_placement_ = 0;            ///< size of the level
   Landmarks landmarks_;
   std::size_t rounds_with_landmarks_ = 0; ///< the first rounds of the decimation, which keep all of them

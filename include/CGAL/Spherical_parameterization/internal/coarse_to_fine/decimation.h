@@ -149,7 +149,7 @@ private:
   /// threads.
   static int size_of_bands(int number_of_vertices)
   {
-    constexpr int shortest = 4096, longest = 16384;
+    constexpr int shortest = 4096, longest = 40000;
     int size = number_of_vertices / 4 + 1;
     while(size > longest)
       size = size / 2 + 1;

@@ -72,7 +72,6 @@ private:
   /// The blocks of the faces first, then the rows that they add up to.
   void assemble(double lift)
   {
-    level_.for_each_vertex([&](int i) { tangents_[i] = tangents_at(level_.position()[i]); });
     Host_array<Face_blocks> blocks(level_.number_of_faces());
     level_.for_each_vertex([&](int i) {
       for(int c = level_.offset(i); c < level_.offset(i + 1); ++c)
@@ -84,9 +83,11 @@ private:
 
   Face_blocks blocks_of_face(int i, const Map_level::Corner& corner, double lift) const
   {
-    const Face_hessian hessian(distortion_, level_.position()[i], level_.star_face(corner), lift);
-    const Face_hessian::Frame frame[3] = {hessian.frame(0, tangents_[i]), hessian.frame(1, tangents_[corner.j]),
-                                          hessian.frame(2, tangents_[corner.k])};
+    const vec3 x = level_.position()[i];
+    const Star_face face = level_.star_face(corner);
+    const Face_hessian hessian(distortion_, x, face, lift);
+    const Face_hessian::Frame frame[3] = {hessian.frame(0, tangents_at(x)), hessian.frame(1, tangents_at(face.j)),
+                                          hessian.frame(2, tangents_at(face.k))};
     Face_blocks result;
     for(int m = 0; m < 3; ++m) {
       const int n = m < 2 ? m + 1 : 0;
@@ -106,7 +107,7 @@ private:
   void assemble_row(int i, const Host_array<Face_blocks>& blocks)
   {
     const vec3 x = level_.position()[i];
-    const Tangents tangents = tangents_[i];
+    const Tangents tangents = tangents_at(x);
     const int begin = level_.offset(i), end = level_.offset(i + 1);
     if(level_.is_pinned(i))
       return assemble_pinned_row(i, tangents);

@@ -61,7 +61,7 @@ public:
       density_(problem, order_of_faces_), mesh_(loop, faces_in_order(problem, order_of_faces_), problem.size()),
       level_(loop, problem.size()), map_{Host_array<vec3>(problem.size(), vec3{0, 0, 0}),
                                          std::vector<int>(problem.size(), -1)},
-      level_sizes_(sizes_of_levels(problem.size()))
+      level_sizes_(sizes_of_levels(problem.size(), exponent_))
   {
     if(!(source_area_ > 0)) // all points are one: then all faces count as equal
       source_area_ = 1;
@@ -97,10 +97,11 @@ private:
   static constexpr Metric_bounds coarse_bounds = {100, 1e-4};
   static constexpr Metric_bounds final_bounds = {1e3, 1e-8};
   static constexpr double largest_coarse_exponent = 3;
-  static constexpr double linear_tolerance = 0.1;      ///< of Newton's equations
-  static constexpr int coarse_size = 20000;            ///< the largest meshes of which many levels are relaxed
-  static constexpr double growth_of_coarse_levels = 2; ///< from one that is relaxed to the next
-  static constexpr double growth_of_fine_levels = 5;
+  static constexpr double linear_tolerance = 0.1; ///< of Newton's equations
+  static constexpr int sweeps_of_levels = 2;
+  static constexpr int coarse_size = 20000; ///< the largest meshes of which many levels are relaxed
+  /// From one level that is relaxed to the next. Where areas count more than lengths, limbs get stuck more easily.
+  static constexpr double growth_of_coarse_levels = 2, growth_of_stiff_levels = 1.3, growth_of_fine_levels = 5;
   static constexpr double least_gain = 1e-4; ///< of the energy, for which a Newton step is worth while
 
   /// The faces by their smallest vertices, so that those of a star lie close together in memory, as the vertices do:
@@ -232,7 +233,7 @@ private:
     const int size = mesh_.number_of_vertices();
     const Metric_bounds bounds = {coarse_bounds.aspect, coarse_bounds.area * source_area_ / (2. * size - 4)};
     constexpr double sufficient_factor = 2; // times the mean
-    const double sufficient_distortion = size <= coarse_size ? 0 : sufficient_factor * mean_distortion_;
+    const double sufficient_distortion = sufficient_factor * mean_distortion_;
     for_each_of_level(loop_, 0, n, [&](int r) {
       const int u = mesh_.vertex(round[r]), v = mesh_.target(round[r]);
       Star star;
@@ -343,11 +344,12 @@ private:
   }
 
   /// The sizes of the levels below that of the whole mesh, in descending order.
-  static std::vector<double> sizes_of_levels(int number_of_vertices)
+  static std::vector<double> sizes_of_levels(int number_of_vertices, double exponent)
   {
+    const double growth_of_few = exponent > 1 ? growth_of_stiff_levels : growth_of_coarse_levels;
     std::vector<double> sizes;
     for(double size = number_of_vertices; size > 4;) {
-      size /= size > coarse_size ? growth_of_fine_levels : growth_of_coarse_levels;
+      size /= size > coarse_size ? growth_of_fine_levels : growth_of_few;
       sizes.push_back(size);
     }
     return sizes;
@@ -367,10 +369,10 @@ private:
 
   void relax_level()
   {
-    constexpr int sweeps = 2, sweeps_of_regions = 3, rings = 2;
+    constexpr int sweeps_of_regions = 3, rings = 2;
     constexpr double bad_factor = 20; // times the mean distortion
     assign_level(coarse_bounds);
-    for(int s = 0; s < sweeps; ++s)
+    for(int s = 0; s < sweeps_of_levels; ++s)
       level_.relax(distortion_);
     place_landmarks(false);
     relax_globally(distortion_);
@@ -389,8 +391,8 @@ private:
   /// size.
   void relax_globally(const Distortion& distortion)
   {
-    constexpr int maximum_size = 6000, maximum_steps = 100, maximum_work = 100000, maximum_iterations = 50;
-    if(level_.size() > maximum_size)
+    constexpr int maximum_steps = 100, maximum_work = 200000, maximum_iterations = 50;
+    if(!is_level_coarse())
       return;
     Newton_relaxation newton(loop_, distortion, level_);
     const int steps = (std::min)(maximum_steps, maximum_work / level_.size());
@@ -403,12 +405,11 @@ private:
   /// The whole mesh, with its own shape. Exponents that are too stiff for an arbitrary start are approached from below.
   void finish(Solver_report& report)
   {
-    constexpr int sweeps = 5, sweeps_of_fine_level = 2;
     constexpr std::size_t steps_per_exponent = 6;
     constexpr double growth_of_exponent = 1.5;
     are_landmarks_present_ = true;
     assign_level(final_bounds);
-    for(int s = 0; s < (is_level_coarse() ? sweeps : sweeps_of_fine_level) && advance(); ++s)
+    for(int s = 0; s < sweeps_of_levels && advance(); ++s)
       level_.relax(distortion_);
     place_landmarks(true);
     descend(number_of_steps(), report);
@@ -471,7 +472,6 @@ private:
   }
 
   static constexpr double share_of_decimation = 0.15;
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
 
   const Host_loop& loop_;
   Attempt attempt_;
@@ -490,7 +490,7 @@ private:
   Partial_map map_;
   std::vector<std::vector<int>> rounds_; ///< the collapsed half-edges of every round
   std::vector<double> level_sizes_;      ///< of which levels are relaxed, those to come
-  double mean_distortion_ = infinity;    ///< of the level that was relaxed last
+  double mean_distortion_ = 0;           ///< of the level that was relaxed last; 0: there was none
   double last_placement_ = 0;            ///< size of the level
   Landmarks landmarks_;
   std::size_t rounds_with_landmarks_ = 0; ///< the first rounds of the decimation, which keep all of them

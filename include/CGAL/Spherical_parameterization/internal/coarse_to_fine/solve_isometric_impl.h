@@ -100,8 +100,9 @@ private:
   static constexpr double linear_tolerance = 0.1; ///< of Newton's equations
   static constexpr int sweeps_of_levels = 2;
   static constexpr int coarse_size = 20000; ///< the largest meshes of which many levels are relaxed
-  /// From one level that is relaxed to the next. Where areas count more than lengths, limbs get stuck more easily.
-  static constexpr double growth_of_coarse_levels = 2, growth_of_stiff_levels = 1.3, growth_of_fine_levels = 5;
+  static constexpr int tiny_size = 500; ///< the largest ones of which most levels are relaxed: limbs find places there
+  /// From one level that is relaxed to the next
+  static constexpr double growth_of_tiny_levels = 1.3, growth_of_coarse_levels = 2, growth_of_fine_levels = 5;
   static constexpr double least_gain = 1e-4; ///< of the energy, for which a Newton step is worth while
 
   /// The faces by their smallest vertices, so that those of a star lie close together in memory, as the vertices do:
@@ -343,13 +344,16 @@ private:
     return v;
   }
 
-  /// The sizes of the levels below that of the whole mesh, in descending order.
+  /// The sizes of the levels below that of the whole mesh, in descending order. Where areas count more than lengths,
+  /// limbs get stuck more easily: then all coarse levels are as close as tiny ones.
   static std::vector<double> sizes_of_levels(int number_of_vertices, double exponent)
   {
-    const double growth_of_few = exponent > 1 ? growth_of_stiff_levels : growth_of_coarse_levels;
+    const int close_size = exponent > 1 ? coarse_size : tiny_size;
     std::vector<double> sizes;
     for(double size = number_of_vertices; size > 4;) {
-      size /= size > coarse_size ? growth_of_fine_levels : growth_of_few;
+      size /= size > coarse_size  ? growth_of_fine_levels
+              : size > close_size ? growth_of_coarse_levels
+                                  : growth_of_tiny_levels;
       sizes.push_back(size);
     }
     return sizes;

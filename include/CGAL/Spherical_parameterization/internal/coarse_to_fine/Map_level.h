@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -59,15 +60,18 @@ public:
   /// A face (i, j, k) at vertex i.
   struct Corner {
     int j, k;
+    int face, number;   ///< which corner of the face is at i: 0, 1, or 2; 0 is at its smallest vertex
     Face_metric metric; ///< of the source; the first corner is i
   };
 
   /// Takes the memory for the whole mesh at once: levels grow, and new memory for each would cost more than what they
   /// do.
-  Map_level(const Host_loop& loop, int number_of_vertices) : loop_(loop), index_(number_of_vertices)
+  Map_level(const Host_loop& loop, int number_of_vertices)
+    : loop_(loop), index_(number_of_vertices), corner_of_face_(2 * static_cast<std::size_t>(number_of_vertices) - 4)
   {
     vertex_.reserve(number_of_vertices);
     offset_.reserve(number_of_vertices + 1);
+    first_face_.reserve(number_of_vertices + 1);
     corner_.reserve(6 * static_cast<std::size_t>(number_of_vertices) - 12);
     position_.reserve(number_of_vertices);
   }
@@ -86,29 +90,50 @@ public:
       offset_[i + 1] = offset_[i] + mesh.degree(vertex_[i]);
     corner_.resize(offset_[n]);
     position_.resize(n);
-    const Metric_bounds absolute = {bounds.aspect, bounds.area * source_area / (2. * n - 4)};
-    // Two loops, since what another core has written has to be fetched: the first waits for all of it at once.
+    // Several loops, since what another core has written has to be fetched: the first waits for all of it at once.
+    first_face_.resize(n + 1);
     for_each_vertex([&](int i) {
-      int at = offset_[i];
+      int at = offset_[i], faces = 0;
       position_[i] = map.position[vertex_[i]];
       mesh.for_each_corner(vertex_[i], [&](int c) {
+        const int j = index_[mesh.target(c)], k = index_[mesh.apex(c)];
+        const int number = i < (std::min)(j, k) ? 0 : k < j ? 1 : 2;
         Corner& corner = corner_[at++];
-        corner.j = index_[mesh.target(c)];
-        corner.k = index_[mesh.apex(c)];
+        corner.j = j;
+        corner.k = k;
+        corner.face = c; // of the whole mesh, at first
+        corner.number = number;
+        faces += number == 0;
       });
+      first_face_[i + 1] = faces;
     });
+    first_face_[0] = 0;
+    std::partial_sum(first_face_.begin(), first_face_.end(), first_face_.begin());
+    const Metric_bounds absolute = {bounds.aspect, bounds.area * source_area / (2. * n - 4)};
     for_each_vertex([&](int i) {
       const vec3 p = points[vertex_[i]];
+      int face = first_face_[i];
       for(int c = offset_[i]; c < offset_[i + 1]; ++c) {
         Corner& corner = corner_[c];
+        if(corner.number > 0)
+          continue;
         corner.metric = face_metric(sub(points[vertex_[corner.j]], p), sub(points[vertex_[corner.k]], p), absolute);
+        density.apply(mesh, corner.face, absolute.area, corner.metric);
+        corner_of_face_[std::exchange(corner.face, face++) / 3] = c;
       }
     });
-    if(density.is_given())
-      for_each_vertex([&](int i) {
-        int at = offset_[i];
-        mesh.for_each_corner(vertex_[i], [&](int c) { density.apply(mesh, c, absolute.area, corner_[at++].metric); });
-      });
+    for_each_vertex([&](int i) {
+      for(int c = offset_[i]; c < offset_[i + 1]; ++c) {
+        Corner& corner = corner_[c];
+        if(corner.number == 0)
+          continue;
+        const Corner& first = corner_[corner_of_face_[corner.face / 3]];
+        corner.face = first.face;
+        for(int k = 0; k < 3; ++k)
+          corner.metric.cotangent[k] = first.metric.cotangent[(k + corner.number) % 3];
+        corner.metric.twice_area = first.metric.twice_area;
+      }
+    });
     fit_scale();
   }
 
@@ -147,6 +172,7 @@ public:
   int size() const { return static_cast<int>(vertex_.size()); }
   int offset(int i) const { return offset_[i]; }
   const Corner& corner(int k) const { return corner_[k]; }
+  int number_of_faces() const { return first_face_[size()]; }
   const Host_array<vec3>& position() const { return position_; }
   Host_array<vec3>& position() { return position_; }
 
@@ -297,7 +323,7 @@ private:
       return;
     const Star faces = star(i);
     vec3 x = position_[i];
-    double energy = star_energy(distortion, faces, x);
+    double energy;
     if(relax_centre(distortion, faces, x, energy) > 0)
       position_[i] = x;
   }
@@ -334,7 +360,7 @@ private:
     return sum_over_vertices([&](int i) {
       double sum = 0;
       for(int c = offset_[i]; c < offset_[i + 1]; ++c)
-        if(i < corner_[c].j && i < corner_[c].k)
+        if(corner_[c].number == 0)
           sum += f(position_[i], star_face(corner_[c]));
       return sum;
     });
@@ -357,6 +383,8 @@ private:
   std::vector<int> colour_begin_;
   Host_array<int> offset_; ///< of the corners at vertex i, which are counterclockwise
   Host_array<Corner> corner_;
+  Host_array<int> first_face_;     ///< of those whose smallest vertex is i, which are numbered in a row
+  Host_array<int> corner_of_face_; ///< of the whole mesh: the one at the smallest vertex here
   Host_array<vec3> position_;
   double area_scale_ = 1;
   double area_ = 0;

@@ -149,7 +149,7 @@ private:
   /// threads.
   static int size_of_bands(int number_of_vertices)
   {
-    constexpr int shortest = 4096, longest = 16384;
+    constexpr int shortest = 4096, longest = 40000;
     int size = number_of_vertices / 4 + 1;
     while(size > longest)
       size = size / 2 + 1;
@@ -264,16 +264,14 @@ private:
     return (1 + aspect * aspect / aspect_scale2) * (is_turned ? flip_penalty : 1);
   }
 
-  /// On large meshes most costs stay outdated until their vertices may be taken: see select().
+  /// Most costs stay outdated until their vertices may be taken: see select().
   void update_costs()
   {
-    constexpr int small_size = 20000;
     remaining_.erase(std::remove_if(remaining_.begin(), remaining_.end(), [&](int v) { return mesh_.is_removed(v); }),
                      remaining_.end());
-    const bool is_small = mesh_.number_of_vertices() <= small_size;
     for_each_index<steps_of_a_task>(loop_, static_cast<int>(remaining_.size()), [&](int i) {
       const int v = remaining_[i];
-      if(is_outdated_[v] && (is_small || best_[v].half_edge < 0))
+      if(is_outdated_[v] && best_[v].half_edge < 0)
         update(v);
     });
   }

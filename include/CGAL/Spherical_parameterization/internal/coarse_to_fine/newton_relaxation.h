@@ -41,7 +41,7 @@ public:
   {
     std::vector<vec3> direction;
     for(double lift : {0.5, 1.}) { // all blocks in orthonormal tangents first, then in those that the diagonal asks for
-      for_each_of_level(loop_, 0, level_.size(), [&](int i) { assemble_row(i, lift); });
+      assemble(lift);
       for_each_of_level(loop_, 0, level_.size(), [&](int i) { normalise_row(i); });
       direction = solve(maximum_iterations, tolerance);
       if(!is_indefinite_)
@@ -63,8 +63,48 @@ private:
     float ss, st, ts, tt;
   };
 
+  /// The blocks of a face, in orthonormal tangents
+  struct Face_blocks {
+    float diagonal[3][3]; ///< ss, st, tt
+    float side[3][4];     ///< of the corners m and m + 1
+  };
+
+  /// The blocks of the faces first, then the rows that they add up to.
+  void assemble(double lift)
+  {
+    Host_array<Face_blocks> blocks(level_.number_of_faces());
+    level_.for_each_vertex([&](int i) {
+      for(int c = level_.offset(i); c < level_.offset(i + 1); ++c)
+        if(const Map_level::Corner& corner = level_.corner(c); corner.number == 0)
+          blocks[corner.face] = blocks_of_face(i, corner, lift);
+    });
+    level_.for_each_vertex([&](int i) { assemble_row(i, blocks); });
+  }
+
+  Face_blocks blocks_of_face(int i, const Map_level::Corner& corner, double lift) const
+  {
+    const vec3 x = level_.position()[i];
+    const Star_face face = level_.star_face(corner);
+    const Face_hessian hessian(distortion_, x, face, lift);
+    const Face_hessian::Frame frame[3] = {hessian.frame(0, tangents_at(x)), hessian.frame(1, tangents_at(face.j)),
+                                          hessian.frame(2, tangents_at(face.k))};
+    Face_blocks result;
+    for(int m = 0; m < 3; ++m) {
+      const int n = m < 2 ? m + 1 : 0;
+      const Block d = hessian.block(m, frame[m], m, frame[m]), s = hessian.block(m, frame[m], n, frame[n]);
+      result.diagonal[m][0] = float(d.ss);
+      result.diagonal[m][1] = float(d.st);
+      result.diagonal[m][2] = float(d.tt);
+      result.side[m][0] = float(s.ss);
+      result.side[m][1] = float(s.st);
+      result.side[m][2] = float(s.ts);
+      result.side[m][3] = float(s.tt);
+    }
+    return result;
+  }
+
   /// Gradient and blocks of row i, those left of the diagonal first.
-  void assemble_row(int i, double lift)
+  void assemble_row(int i, const Host_array<Face_blocks>& blocks)
   {
     const vec3 x = level_.position()[i];
     const Tangents tangents = tangents_at(x);
@@ -78,13 +118,15 @@ private:
     };
     vec3 gradient = {0, 0, 0};
     for(int c = begin; c < end; ++c) {
-      const Star_face f = level_.star_face(level_.corner(c));
-      const Face_hessian hessian(distortion_, x, f, lift);
-      gradient = add(gradient, hessian.gradient(0));
-      const Face_hessian::Frame frame = hessian.frame(0, tangents);
-      add_to(diagonal, hessian.block(0, frame, 0, frame));
-      add_to(block[c - begin], hessian.block(0, frame, 1, hessian.frame(1, tangents_at(f.j))));
-      add_to(block[c + 1 == end ? 0 : c + 1 - begin], hessian.block(0, frame, 2, hessian.frame(2, tangents_at(f.k))));
+      const Map_level::Corner& corner = level_.corner(c);
+      gradient = add(gradient, Face_hessian(distortion_, x, level_.star_face(corner), 0).gradient(0));
+      const Face_blocks& of_face = blocks[corner.face];
+      const int m = corner.number;
+      const float *const d = of_face.diagonal[m], *const to_j = of_face.side[m],
+                         *const from_k = of_face.side[m > 0 ? m - 1 : 2];
+      add_to(diagonal, {d[0], d[1], d[1], d[2]});
+      add_to(block[c - begin], {to_j[0], to_j[1], to_j[2], to_j[3]});
+      add_to(block[c + 1 == end ? 0 : c + 1 - begin], {from_k[0], from_k[2], from_k[1], from_k[3]});
     }
     int lower = begin, upper = end;
     for(int c = begin; c < end; ++c) {
@@ -214,7 +256,7 @@ private:
       for(int i = begin; i < end; ++i)
         for(int c = level_.offset(i); c < level_.offset(i + 1); ++c) {
           const Map_level::Corner& corner = level_.corner(c);
-          if(i > corner.j || i > corner.k)
+          if(corner.number > 0)
             continue;
           const auto moved = [&](int v, double s) { return add_scaled(level_.position()[v], s, direction[v]); };
           const auto after = [&](double s) { return determinant(moved(i, s), moved(corner.j, s), moved(corner.k, s)); };

@@ -60,7 +60,8 @@ public:
       effort_(effort), monitor_(monitor), source_area_(area_of_source()), order_of_faces_(order_of_faces(problem)),
       density_(problem, order_of_faces_), mesh_(loop, faces_in_order(problem, order_of_faces_), problem.size()),
       level_(loop, problem.size()), map_{Host_array<vec3>(problem.size(), vec3{0, 0, 0}),
-                                         std::vector<int>(problem.size(), -1)}
+                                         std::vector<int>(problem.size(), -1)},
+      level_sizes_(sizes_of_levels(problem.size(), exponent_))
   {
     if(!(source_area_ > 0)) // all points are one: then all faces count as equal
       source_area_ = 1;
@@ -79,9 +80,10 @@ public:
       embed_tetrahedron();
     for(; !rounds_.empty(); rounds_.pop_back()) {
       insert(std::move(rounds_.back()));
-      are_landmarks_present_ = rounds_.size() <= rounds_with_landmarks_ + 1;
+      const bool have_landmarks_come =
+        rounds_.size() <= rounds_with_landmarks_ + 1 && !std::exchange(are_landmarks_present_, true);
       if(rounds_.size() > 1) {
-        if(is_relaxed_now())
+        if(is_relaxed_now() || have_landmarks_come)
           relax_level();
         advance_or_give_up();
       }
@@ -96,8 +98,11 @@ private:
   static constexpr Metric_bounds final_bounds = {1e3, 1e-8};
   static constexpr double largest_coarse_exponent = 3;
   static constexpr double linear_tolerance = 0.1; ///< of Newton's equations
-  static constexpr int coarse_size = 20000;       ///< the largest meshes that are relaxed after every round
-  static constexpr int growth_of_fine_levels = 3;
+  static constexpr int sweeps_of_levels = 2;
+  static constexpr int coarse_size = 20000; ///< the largest meshes of which many levels are relaxed
+  static constexpr int tiny_size = 500; ///< the largest ones of which most levels are relaxed: limbs find places there
+  /// From one level that is relaxed to the next
+  static constexpr double growth_of_tiny_levels = 1.3, growth_of_coarse_levels = 2, growth_of_fine_levels = 5;
   static constexpr double least_gain = 1e-4; ///< of the energy, for which a Newton step is worth while
 
   /// The faces by their smallest vertices, so that those of a star lie close together in memory, as the vertices do:
@@ -229,7 +234,7 @@ private:
     const int size = mesh_.number_of_vertices();
     const Metric_bounds bounds = {coarse_bounds.aspect, coarse_bounds.area * source_area_ / (2. * size - 4)};
     constexpr double sufficient_factor = 2; // times the mean
-    const double sufficient_distortion = size <= coarse_size ? 0 : sufficient_factor * mean_distortion_;
+    const double sufficient_distortion = sufficient_factor * mean_distortion_;
     for_each_of_level(loop_, 0, n, [&](int r) {
       const int u = mesh_.vertex(round[r]), v = mesh_.target(round[r]);
       Star star;
@@ -292,7 +297,6 @@ private:
     if(!is_last_level && level_.size() < growth * last_placement_)
       return;
     last_placement_ = level_.size();
-    last_newton_ = 0;
     if(Landmark_placement(loop_, distortion_, level_, landmarks_, *attempt_.budget).run([&] { return advance(); }))
       return;
     if(monitor_.is_interrupted())
@@ -340,37 +344,42 @@ private:
     return v;
   }
 
-  /// Fine levels have a third of the whole mesh, a third of that, and so on, as far as they are not coarse.
+  /// The sizes of the levels below that of the whole mesh, in descending order. Where areas count more than lengths,
+  /// limbs get stuck more easily: then all coarse levels are as close as tiny ones.
+  static std::vector<double> sizes_of_levels(int number_of_vertices, double exponent)
+  {
+    const int close_size = exponent > 1 ? coarse_size : tiny_size;
+    std::vector<double> sizes;
+    for(double size = number_of_vertices; size > 4;) {
+      size /= size > coarse_size  ? growth_of_fine_levels
+              : size > close_size ? growth_of_coarse_levels
+                                  : growth_of_tiny_levels;
+      sizes.push_back(size);
+    }
+    return sizes;
+  }
+
+  /// Whether the mesh has got to the next of these sizes.
   bool is_relaxed_now()
   {
-    const int size = mesh_.number_of_vertices();
-    if(size <= coarse_size)
-      return true;
-    if(next_fine_size_ == 0)
-      for(next_fine_size_ = problem_.size(); next_fine_size_ / growth_of_fine_levels > size;)
-        next_fine_size_ /= growth_of_fine_levels;
-    if(size < next_fine_size_)
-      return false;
-    while(next_fine_size_ <= size)
-      next_fine_size_ *= growth_of_fine_levels;
-    return true;
+    const auto is_reached = [&](double size) { return size <= mesh_.number_of_vertices(); };
+    const std::size_t before = level_sizes_.size();
+    while(!level_sizes_.empty() && is_reached(level_sizes_.back()))
+      level_sizes_.pop_back();
+    return level_sizes_.size() < before;
   }
 
   bool is_level_coarse() const { return level_.size() <= coarse_size; }
 
   void relax_level()
   {
-    constexpr int sweeps = 2, sweeps_of_regions = 3, rings = 2;
+    constexpr int sweeps_of_regions = 3, rings = 2;
     constexpr double bad_factor = 20; // times the mean distortion
-    constexpr double growth = 1.3;
     assign_level(coarse_bounds);
-    for(int s = 0; s < sweeps; ++s)
+    for(int s = 0; s < sweeps_of_levels; ++s)
       level_.relax(distortion_);
     place_landmarks(false);
-    if(level_.size() >= growth * last_newton_) {
-      last_newton_ = level_.size();
-      relax_globally(distortion_);
-    }
+    relax_globally(distortion_);
     mean_distortion_ = level_.energy(distortion_);
     level_.relax_distorted(distortion_, bad_factor * mean_distortion_, rings, sweeps_of_regions);
     if(!is_level_coarse()) {
@@ -386,8 +395,8 @@ private:
   /// size.
   void relax_globally(const Distortion& distortion)
   {
-    constexpr int maximum_size = 6000, maximum_steps = 100, maximum_work = 100000, maximum_iterations = 50;
-    if(level_.size() > maximum_size)
+    constexpr int maximum_steps = 100, maximum_work = 200000, maximum_iterations = 50;
+    if(!is_level_coarse())
       return;
     Newton_relaxation newton(loop_, distortion, level_);
     const int steps = (std::min)(maximum_steps, maximum_work / level_.size());
@@ -400,12 +409,11 @@ private:
   /// The whole mesh, with its own shape. Exponents that are too stiff for an arbitrary start are approached from below.
   void finish(Solver_report& report)
   {
-    constexpr int sweeps = 5, sweeps_of_fine_level = 2;
     constexpr std::size_t steps_per_exponent = 6;
     constexpr double growth_of_exponent = 1.5;
     are_landmarks_present_ = true;
     assign_level(final_bounds);
-    for(int s = 0; s < (is_level_coarse() ? sweeps : sweeps_of_fine_level) && advance(); ++s)
+    for(int s = 0; s < sweeps_of_levels && advance(); ++s)
       level_.relax(distortion_);
     place_landmarks(true);
     descend(number_of_steps(), report);
@@ -468,7 +476,6 @@ private:
   }
 
   static constexpr double share_of_decimation = 0.15;
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
 
   const Host_loop& loop_;
   Attempt attempt_;
@@ -486,9 +493,8 @@ private:
   Map_level level_;
   Partial_map map_;
   std::vector<std::vector<int>> rounds_; ///< the collapsed half-edges of every round
-  int next_fine_size_ = 0;               ///< from which on the next fine level is relaxed; 0: not known yet
-  double mean_distortion_ = infinity;    ///< of the level that was relaxed last
-  double last_newton_ = 0;               ///< size of the level
+  std::vector<double> level_sizes_;      ///< of which levels are relaxed, those to come
+  double mean_distortion_ = 0;           ///< of the level that was relaxed last; 0: there was none
   double last_placement_ = 0;            ///< size of the level
   Landmarks landmarks_;
   std::size_t rounds_with_landmarks_ = 0; ///< the first rounds of the decimation, which keep all of them

@@ -49,6 +49,8 @@ public:
     const double inverse = 1 / ratio, inverse2 = inverse * inverse;
     if(theta_ == 0)
       return {2 * inverse, -2 * inverse2, 4 * inverse * inverse2};
+    if(theta_ == 1)
+      return {1 + inverse2, -2 * inverse * inverse2, 6 * inverse2 * inverse2};
     const double area = ratio + inverse;            // 2 E_a
     const double log_slope = (1 - inverse2) / area; // (log E_a)'
     const double log_bend = 2 * inverse2 * inverse / area - log_slope * log_slope;

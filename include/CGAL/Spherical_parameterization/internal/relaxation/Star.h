@@ -41,11 +41,12 @@ struct Tangents {
   vec3 combined(Planar a) const { return add_scaled(scale(a.s, s), a.t, t); }
 };
 
-/// Orthonormal ones at the unit vector x.
+/// Orthonormal ones at the unit vector x, such that outer(s, t) is x: T. Duff et al., "Building an orthonormal basis,
+/// revisited", JCGT 2017.
 inline Tangents tangents_at(vec3 x)
 {
-  const vec3 s = unit(outer(x, std::abs(x.x) < 0.6 ? make_vec3(1, 0, 0) : make_vec3(0, 1, 0)));
-  return {s, outer(x, s)};
+  const double sign = std::copysign(1., x.z), a = -1 / (sign + x.z), b = x.x * x.y * a;
+  return {{1 + sign * x.x * x.x * a, sign * b, -sign * x.x}, {b, sign + x.y * x.y * a, -x.y}};
 }
 
 /// det(x, y, z), from differences: exact relative to the size of the triangle.
@@ -100,6 +101,34 @@ inline bool is_valid_centre(const Star& star, vec3 x)
   return std::all_of(star.begin(), star.end(), [x](const Star_face& f) { return is_positively_oriented(x, f.j, f.k); });
 }
 
+/// What a star would be with its centre at x.
+struct Star_trial {
+  double energy;        ///< star_energy()
+  bool is_surely_valid; ///< whether rounding cannot have made any face positive
+
+  Star_trial(const Distortion& distortion, const Star& star, vec3 x) : energy(0), is_surely_valid(true)
+  {
+    for(const Star_face& f : star) {
+      const vec3 a = sub(f.j, x), b = sub(f.k, x), c = sub(f.k, f.j);
+      const double determinant = inner(x, outer(a, b)), aa = inner(a, a), bb = inner(b, b);
+      if(!(determinant > 0)) {
+        energy = std::numeric_limits<double>::infinity();
+        return;
+      }
+      energy +=
+        (f.cot_x * inner(c, c) + f.cot_j * bb + f.cot_k * aa) / 2 * distortion.value(determinant / f.twice_area);
+      // The error is at most 1e-15 sqrt(3) |a| |b|, see `Determinant`.
+      is_surely_valid = is_surely_valid && determinant > 1e-100 && determinant * determinant > 4e-30 * aa * bb;
+    }
+  }
+};
+
+/// Whether the star of the trial, with centre x, has positively oriented faces, exactly.
+inline bool is_valid_trial(const Star_trial& trial, const Star& star, vec3 x)
+{
+  return trial.is_surely_valid ? std::isfinite(trial.energy) : is_valid_centre(star, x);
+}
+
 /// The solution of |H| s = -g, |H| the symmetric matrix with the absolute eigenvalues of H (and none much smaller than
 /// the other): a descent direction, and Newton's if H is positive definite.
 inline Planar solve_positive(double h11, double h12, double h22, Planar g)
@@ -120,29 +149,45 @@ inline Planar solve_positive(double h11, double h12, double h22, Planar g)
 
 /// One step of Newton's method for the centre x of a star, along a geodesic tangent and back to the sphere. It is
 /// taken only if the energy falls (Armijo) and all faces stay positively oriented, by the exact predicate: a valid
-/// star stays valid. `energy` is that of the star, on entry and on return.
+/// star stays valid. `energy` is that of the star, on return.
 /// Returns by how much it fell; 0 if there was no step.
 inline double relax_centre(const Distortion& distortion, const Star& star, vec3& x, double& energy)
 {
   constexpr double share_of_the_way_to_a_flip = 0.8, armijo = 1e-4;
   constexpr int maximum_halvings = 12;
+  struct Determinant_at {
+    double value;
+    Planar gradient;
+  };
+  boost::container::small_vector<Determinant_at, 12> determinants;
   const Tangents tangents = tangents_at(x);
   Planar gradient = {0, 0};
   double h11 = 0, h12 = 0, h22 = 0, radial = 0;
+  energy = 0;
   for(const Star_face& f : star) {
-    const double determinant = f.determinant(x), dirichlet = f.dirichlet(x);
-    const Distortion::Psi psi = distortion.psi(determinant / f.twice_area);
-    const double slope = psi.first / f.twice_area, bend = dirichlet * psi.second / (f.twice_area * f.twice_area);
-    // gradients of the two factors: L' and d'
-    const vec3 pull = add_scaled(scale(-f.cot_j, sub(f.k, x)), -f.cot_k, sub(f.j, x));
-    const Planar l = tangents.products(pull), d = tangents.products(outer(f.j, f.k));
-    const double stiffness = (f.cot_j + f.cot_k) * psi.value;
-    gradient.s += psi.value * l.s + dirichlet * slope * d.s;
-    gradient.t += psi.value * l.t + dirichlet * slope * d.t;
-    radial += psi.value * inner(pull, x) + dirichlet * slope * determinant;
-    h11 += stiffness + 2 * slope * l.s * d.s + bend * d.s * d.s;
-    h22 += stiffness + 2 * slope * l.t * d.t + bend * d.t * d.t;
+    const vec3 to_j = sub(f.j, x), to_k = sub(f.k, x);
+    // in the frame of the tangents and x, where most products have few terms
+    const Planar a = tangents.products(to_j), b = tangents.products(to_k);
+    const double a_x = inner(to_j, x), b_x = inner(to_k, x), inverse = 1 / f.twice_area;
+    const Planar c = add_scaled(b, -1, a);
+    const double determinant = a.s * b.t - a.t * b.s;
+    const double dirichlet = (f.cot_x * (inner(c, c) + (b_x - a_x) * (b_x - a_x)) +
+                              f.cot_j * (inner(b, b) + b_x * b_x) + f.cot_k * (inner(a, a) + a_x * a_x)) /
+                             2;
+    const Distortion::Psi psi = distortion.psi(determinant * inverse);
+    const double slope = psi.first * inverse, bend = dirichlet * psi.second * inverse * inverse;
+    // gradients of the two factors: L' and d' = j x k
+    const Planar l = {-f.cot_j * b.s - f.cot_k * a.s, -f.cot_j * b.t - f.cot_k * a.t};
+    const Planar d = {a.t * b_x - a_x * b.t - c.t, a_x * b.s - a.s * b_x + c.s};
+    const double stiffness = (f.cot_j + f.cot_k) * psi.value, force = dirichlet * slope;
+    gradient.s += psi.value * l.s + force * d.s;
+    gradient.t += psi.value * l.t + force * d.t;
+    radial += force * determinant - psi.value * (f.cot_j * b_x + f.cot_k * a_x);
+    h11 += stiffness + (2 * slope * l.s + bend * d.s) * d.s;
+    h22 += stiffness + (2 * slope * l.t + bend * d.t) * d.t;
     h12 += slope * (l.s * d.t + l.t * d.s) + bend * d.s * d.t;
+    energy += determinant > 0 ? dirichlet * psi.value : std::numeric_limits<double>::infinity();
+    determinants.push_back({determinant, d});
   }
   const Planar newton = solve_positive(h11 - radial, h12, h22 - radial, gradient);
   const double descent = inner(gradient, newton);
@@ -150,18 +195,18 @@ inline double relax_centre(const Distortion& distortion, const Star& star, vec3&
     return 0;
   const vec3 step = tangents.combined(newton);
   double t = 1;
-  for(const Star_face& f : star) { // the determinants are linear along the step
-    const double slope = inner(step, outer(f.j, f.k));
-    if(slope < 0)
-      t = (std::min)(t, -share_of_the_way_to_a_flip * f.determinant(x) / slope);
+  for(const Determinant_at& d : determinants) { // they are linear along the step
+    const double slope = inner(newton, d.gradient), most = share_of_the_way_to_a_flip * d.value;
+    if(t * slope < -most)
+      t = -most / slope;
   }
   for(int halving = 0; halving < maximum_halvings; ++halving, t /= 2) {
     const vec3 y = unit(add_scaled(x, t, step));
-    const double next = star_energy(distortion, star, y);
-    if(next <= energy + armijo * t * descent && is_valid_centre(star, y)) {
-      const double gain = energy - next;
+    const Star_trial trial(distortion, star, y);
+    if(trial.energy <= energy + armijo * t * descent && is_valid_trial(trial, star, y)) {
+      const double gain = energy - trial.energy;
       x = y;
-      energy = next;
+      energy = trial.energy;
       return gain;
     }
   }
@@ -217,9 +262,9 @@ inline bool insert_vertex(const Distortion& distortion, const Star& star, vec3 v
   constexpr double sufficient_gain = 1e-2;
   double best = std::numeric_limits<double>::infinity();
   const auto consider = [&](vec3 candidate) {
-    const double energy = star_energy(distortion, star, candidate);
-    if(energy < best && is_valid_centre(star, candidate)) {
-      best = energy;
+    const Star_trial trial(distortion, star, candidate);
+    if(trial.energy < best && is_valid_trial(trial, star, candidate)) {
+      best = trial.energy;
       x = candidate;
     }
   };

@@ -38,7 +38,8 @@ public:
   /// What a step has done
   struct Step {
     double energy; ///< before
-    double gain;   ///< of energy; 0: there is no step
+    double gain;   ///< of energy
+    bool is_taken; ///< if not, there is none
     /// The longest step of a vertex, in the norm in which its faces' energy is 1: what is left to go after a Newton
     /// step is of the order of its square.
     double length;
@@ -49,7 +50,7 @@ public:
   /// \param v         all positions of the mesh; those of the patch are changed
   Patch(std::vector<int> vertices, std::vector<Face> faces, Host_array<vec3>& v)
     : vertex_(std::move(vertices)), face_(std::move(faces)), v_(v), matrix_(neighbours()), tangents_(size()),
-      diagonal_(size()), gradient_(size()), around_(size())
+      diagonal_(size()), hessian_(matrix_.no_blocks()), lift_(hessian_), gradient_(size()), around_(size())
   {
     for(const Face& f : face_)
       for(int m = 0; m < 3; ++m)
@@ -100,7 +101,8 @@ public:
     return result;
   }
 
-  /// One step of Newton's method, taken only if the energy falls (Armijo), and faces that have to be positive stay it.
+  /// One step of Newton's method, taken only if the energy falls (Armijo) or the rounding of its sum hides whether it
+  /// does, and faces that have to be positive stay it.
   /// \param damping  share of the diagonal that is added to Newton's matrix, at least
   template <class Energy>
   Step step(const Energy& energy, double damping)
@@ -108,7 +110,7 @@ public:
     constexpr double longest_step = 0.5; // as an angle
     moves_ += size();
     find_tangents();
-    Step result = {0, 0, 0, 0};
+    Step result = {0, 0, false, 0, 0};
     const int first_attempt = attempt_;
     for(bool has_lift = false; attempt_ < number_of_attempts; ++attempt_) {
       const double lift = lifts[attempt_];
@@ -146,7 +148,7 @@ public:
     double t = longest > longest_step ? longest_step / longest : 1;
     if(energy.needs_positive_faces)
       t = feasible_step(direction, t);
-    result.gain = search(energy, direction, t, slope, result.energy);
+    search(energy, direction, t, slope, result);
     return result;
   }
 
@@ -161,10 +163,9 @@ private:
   {
     std::vector<std::vector<int>> result(size());
     for(const Face& f : face_)
-      for(int i : f.moving)
-        for(int j : f.moving)
-          if(i >= 0 && j >= 0 && i != j)
-            result[i].push_back(j);
+      for(int m = 0; m < 3; ++m) // the face on the other side of the edge has it the other way round
+        if(const int i = f.moving[m], j = f.moving[(m + 1) % 3]; i >= 0 && j >= 0)
+          result[i].push_back(j);
     return result;
   }
 
@@ -180,8 +181,9 @@ private:
   {
     double sum = 0;
     auto place = place_.begin();
-    hessian_ = matrix_.no_blocks();
-    lift_ = matrix_.no_blocks();
+    std::fill(hessian_.begin(), hessian_.end(), Block{0, 0, 0, 0});
+    if(has_lift)
+      std::fill(lift_.begin(), lift_.end(), Block{0, 0, 0, 0});
     std::fill(gradient_.begin(), gradient_.end(), vec3{0, 0, 0});
     std::fill(around_.begin(), around_.end(), 0);
     for(const Face& f : face_) {
@@ -264,20 +266,40 @@ private:
   }
 
   template <class Energy>
-  double search(const Energy& energy, const std::vector<vec3>& direction, double t, double slope, double before)
+  void search(const Energy& energy, const std::vector<vec3>& direction, double t, double slope, Step& step)
   {
-    constexpr double armijo = 1e-4;
+    constexpr double armijo = 1e-4, rounding = 1e-10; // of the energy; a Newton step that gains less is in no doubt
+    constexpr double farthest = 2, worth_a_trial = 1.3;
     constexpr int maximum_halvings = 30;
     const std::vector<vec3> start = positions();
-    for(int halving = 0; halving < maximum_halvings; ++halving, t /= 2) {
+    const auto gain_at = [&](double s) {
       for(int i = 0; i < size(); ++i)
-        v_[vertex_[i]] = unit(add_scaled(start[i], t, direction[i]));
-      const double after = value(energy);
-      if(after <= before + armijo * t * slope && (!energy.needs_positive_faces || has_positive_faces()))
-        return before - after;
+        v_[vertex_[i]] = unit(add_scaled(start[i], s, direction[i]));
+      return step.energy - value(energy);
+    };
+    const auto may_be_taken = [&] { return !energy.needs_positive_faces || has_positive_faces(); };
+    for(int halving = 0; halving < maximum_halvings; ++halving, t /= 2) {
+      step.gain = gain_at(t);
+      step.is_taken = (step.gain >= -armijo * t * slope || -slope < rounding * step.energy) && may_be_taken();
+      if(step.is_taken)
+        break;
     }
-    set_positions(start);
-    return 0;
+    if(!step.is_taken) {
+      set_positions(start);
+      step.gain = 0;
+      return;
+    }
+    // A lifted matrix is stiffer than the energy. The minimum of the parabola that has the same slope and gain:
+    const double bend = -slope - step.gain;
+    const double longer = bend > -slope / (2 * farthest) ? -slope / (2 * bend) : farthest;
+    if(t == 1 && longer > worth_a_trial) {
+      const std::vector<vec3> here = positions();
+      const double gain = gain_at(longer);
+      if(gain > step.gain && may_be_taken())
+        step.gain = gain;
+      else
+        set_positions(here);
+    }
   }
 
   std::vector<int> vertex_;

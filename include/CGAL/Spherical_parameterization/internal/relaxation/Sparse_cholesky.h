@@ -51,7 +51,7 @@ public:
                        std::back_inserter(united));
         united.erase(std::remove_if(united.begin(), united.end(), [i = i, j](int v) { return v == i || v == j; }),
                      united.end());
-        neighbours[j] = united;
+        neighbours[j].swap(united);
         enqueue(j);
       }
     }

@@ -16,7 +16,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
+#include <memory>
 #include <utility>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -58,11 +58,11 @@ inline std::vector<int> faces_at(const Host_loop& loop, const Host_array<std::ar
                      [&](int f) { return is_in_set[face[f][0]] || is_in_set[face[f][1]] || is_in_set[face[f][2]]; });
 }
 
-/// Calls f(patch) for every patch of the vertices that move, on all cores: the sets of them that faces connect. Returns
-/// the number of moves that this has taken.
-template <class F>
-std::int64_t for_each_patch(const Host_loop& loop, const Host_array<std::array<int, 3>>& face,
-                            const std::vector<char>& is_moving, Host_array<vec3>& v, F f)
+typedef std::vector<std::unique_ptr<Patch>> Patches;
+
+/// The patches of the vertices that move: the sets of them that faces connect.
+inline Patches patches_of(const Host_loop& loop, const Host_array<std::array<int, 3>>& face,
+                          const std::vector<char>& is_moving, Host_array<vec3>& v)
 {
   const std::vector<int> concerned = faces_at(loop, face, is_moving);
   Host_array<int> number(v.size()); // of moving vertices, in the order in which faces name them
@@ -87,16 +87,16 @@ std::int64_t for_each_patch(const Host_loop& loop, const Host_array<std::array<i
     std::vector<int> vertices;
     std::vector<Patch::Face> faces;
   };
-  std::vector<Parts> patches;
+  std::vector<Parts> parts;
   std::vector<int> patch_of(moving.size(), -1), place(moving.size()); // the former by set
   for(std::size_t k = 0; k < moving.size(); ++k) {
     int& patch = patch_of[sets.find_set(k)];
     if(patch < 0) {
-      patch = static_cast<int>(patches.size());
-      patches.emplace_back();
+      patch = static_cast<int>(parts.size());
+      parts.emplace_back();
     }
-    place[k] = static_cast<int>(patches[patch].vertices.size());
-    patches[patch].vertices.push_back(moving[k]);
+    place[k] = static_cast<int>(parts[patch].vertices.size());
+    parts[patch].vertices.push_back(moving[k]);
   }
   for(int g : concerned) {
     Patch::Face of_patch = {face[g], {-1, -1, -1}, {}, 0, 0};
@@ -106,15 +106,13 @@ std::int64_t for_each_patch(const Host_loop& loop, const Host_array<std::array<i
         of_patch.moving[m] = place[number[i]];
         patch = patch_of[sets.find_set(number[i])];
       }
-    patches[patch].faces.push_back(of_patch);
+    parts[patch].faces.push_back(of_patch);
   }
-  std::vector<std::int64_t> moves(patches.size());
-  loop.for_each(static_cast<int>(patches.size()), [&](int k) {
-    Patch patch(std::move(patches[k].vertices), std::move(patches[k].faces), v);
-    f(patch);
-    moves[k] = patch.number_of_moves();
+  Patches patches(parts.size());
+  loop.for_each(static_cast<int>(parts.size()), [&](int k) {
+    patches[k] = std::make_unique<Patch>(std::move(parts[k].vertices), std::move(parts[k].faces), v);
   });
-  return std::accumulate(moves.begin(), moves.end(), std::int64_t(0));
+  return patches;
 }
 
 /// Makes all faces of a patch positive, if it can, by Newton's method for energies that are regularized less and less.
@@ -162,27 +160,42 @@ inline bool untangle(const Host_array<vec3>& point, Patch& patch)
   return false;
 }
 
+/// Newton's method for MIPS, on a patch of positive faces. Returns whether it ended at a minimum, and was not sliding on
+/// when nothing was gained any more.
+inline bool minimize_mips(double damping, Patch& patch)
+{
+  constexpr int most_steps = 100, most_small_steps = 8;
+  constexpr double short_step = 1e-4;                         // to the faces around: Newton's method squares it
+  constexpr double short_on_sphere = 1e-9, small_gain = 1e-4; // of the energy
+  int small_steps = 0;
+  for(int steps = 0; steps < most_steps && small_steps < most_small_steps; ++steps) {
+    const Patch::Step step = patch.step(Distortion(0), damping);
+    const bool is_small = step.gain < small_gain * step.energy;
+    small_steps += is_small;
+    if(!step.is_taken || step.length < short_step || (step.length_on_sphere < short_on_sphere && is_small))
+      return true;
+  }
+  return small_steps < most_small_steps;
+}
+
 /// Moves a patch of positive faces to the minimum of MIPS.
 ///
-/// The damping holds limbs within the patch where they are: to move one as a whole costs an energy that is nothing
-/// beside that of its faces, and below their rounding. What is stiffer is at its minimum in the end, whatever the
+/// To move a limb within the patch as a whole may cost an energy that is nothing beside that of its faces. Hardly any
+/// damping is what it takes to find its place all the same. A limb whose place is below the rounding of its faces slides
+/// on for ever: then a damping that holds it where it was. What is stiffer is at its minimum in the end, whatever the
 /// numbers of vertices and faces.
 inline void polish(const Host_array<vec3>& point, Patch& patch)
 {
-  constexpr int most_steps = 100;
-  constexpr double damping = 1e-6;
-  constexpr double short_step = 1e-6;                         // to the faces around: Newton's method squares it
-  constexpr double short_on_sphere = 1e-9, small_gain = 1e-4; // of the energy
+  constexpr double hardly = 1e-10, held = 1e-6;
   for(Patch::Face& f : patch.faces()) {
     f.metric = metric_of(point, f.corner, bounds_of_mending);
     f.twice_area = f.metric.twice_area;
     f.weight = 1;
   }
-  for(int steps = 0; steps < most_steps; ++steps) {
-    const Patch::Step step = patch.step(Distortion(0), damping);
-    if(!(step.gain > 0) || step.length < short_step ||
-       (step.length_on_sphere < short_on_sphere && step.gain < small_gain * step.energy))
-      break;
+  const std::vector<vec3> start = patch.positions();
+  if(!minimize_mips(hardly, patch)) {
+    patch.set_positions(start);
+    minimize_mips(held, patch);
   }
 }
 
@@ -223,18 +236,24 @@ CGAL_SP_CORE bool mend(const Host_loop& loop, const Host_array<std::array<int, 3
   };
   let_try(bad);
   const Host_array<vec3> before = v;
-  std::vector<int> tangled;
+  Patches patches = patches_of(loop, face, tries, v);
   std::int64_t moves = 0;
   for(int rings = 1; flipped > 0; rings *= 2) {
-    moves += for_each_patch(loop, face, tries, v, [&](Patch& patch) {
+    loop.for_each(static_cast<int>(patches.size()), [&](int k) {
+      Patch& patch = *patches[k];
       const std::vector<vec3> start = patch.positions();
       const auto at_first = patch.number_of_flipped_faces();
       if(at_first > 0 && !untangle(point, patch) && patch.number_of_flipped_faces() >= at_first)
         patch.set_positions(start);
     });
-    tangled = faces_where(loop, face, is_flipped);
-    if(tangled.empty())
+    std::vector<int> tangled = faces_where(loop, face, is_flipped);
+    if(tangled.empty()) {
+      if(rings > 1)
+        patches = patches_of(loop, face, is_moving, v);
       break;
+    }
+    for(const auto& patch : patches)
+      moves += patch->number_of_moves();
     if(rings > most_rings || moves > moves_per_vertex * n + moves_of_few) {
       v = before;
       return false;
@@ -248,8 +267,9 @@ CGAL_SP_CORE bool mend(const Host_loop& loop, const Host_array<std::array<int, 3
       tangled = faces_at(loop, face, is_near);
     }
     let_try(tangled);
+    patches = patches_of(loop, face, tries, v);
   }
-  for_each_patch(loop, face, is_moving, v, [&](Patch& patch) { polish(point, patch); });
+  loop.for_each(static_cast<int>(patches.size()), [&](int k) { polish(point, *patches[k]); });
   for(int i = 0; i < n; ++i)
     if(!is_equal(v[i], before[i]))
       is_moved[i] = 1;

@@ -282,8 +282,7 @@ private:
 /// Fields of a surface by vertex, smoothed by the heat flow of the surface for a time: M f' + time L f' = M f.
 class Heat_flow {
 public:
-  Heat_flow(const Host_loop& loop, const Registered_surface& surface)
-    : backend_(loop), surface_(surface), area_(vertex_areas(surface))
+  Heat_flow(const Host_loop& loop, const Registered_surface& surface) : backend_(loop), area_(vertex_areas(surface))
   {
     Spring_lengths lengths;
     laplacian_ = conformal_graph(loop, surface, surface.point, lengths);
@@ -321,7 +320,6 @@ public:
 
 private:
   Host_backend<Host_loop> backend_;
-  const Registered_surface& surface_;
   Host_array<double> area_;
   Weighted_graph laplacian_;
 };

@@ -239,7 +239,7 @@ test("dropped files have the verdict of the tool", async () => {
 });
 for (const file of own) test(`unseen: ${basename(file)}`, () => drop(file));
 
-/// Begins a long run on the asteroid, and waits until it is under way.
+/// Begins a run of many seconds on the asteroid (with exponent 60), and waits until it is under way.
 async function begin(name, method, spring) {
   await page.selectOption("#method", method);
   if (spring) {
@@ -255,7 +255,7 @@ async function begin(name, method, spring) {
 }
 
 test("a long run shows progress, and can be cancelled", async () => {
-  await begin("early.off", "balanced", "9");
+  await begin("early.off", "balanced", "60");
   await shot("running");
   const frames = await page.evaluate(
     () => new Promise((done) => {
@@ -276,7 +276,7 @@ test("a long run shows progress, and can be cancelled", async () => {
 });
 
 test("a cancelled run leaves the best map so far, and the page goes on", async () => {
-  await begin("late.off", "balanced", "9");
+  await begin("late.off", "balanced", "60");
   await page.waitForFunction(() => document.getElementById("bar").value > 0.1, null, { timeout: 120_000 });
   await page.click("#cancel");
   await state("late.off", "cancelled");

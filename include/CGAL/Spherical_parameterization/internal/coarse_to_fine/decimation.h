@@ -184,12 +184,19 @@ private:
     struct Ring_face {
       int corner;
       vec3 a, b, normal; ///< the side opposite to u, and the normal
+      double twice_area;
     };
-    boost::container::small_vector<Ring_face, 24> ring;
+    boost::container::small_vector<Ring_face, 24> ring(mesh_.degree(u), boost::container::default_init);
     double area = 0;
+    auto at = ring.begin();
     mesh_.for_each_corner(u, [&](int c) {
-      ring.push_back({c, point_[mesh_.target(c)], point_[mesh_.apex(c)], face_normal(c)});
-      area += std::sqrt(inner(ring.back().normal, ring.back().normal)) / 2;
+      Ring_face& face = *at++;
+      face.corner = c;
+      face.a = point_[mesh_.target(c)];
+      face.b = point_[mesh_.apex(c)];
+      face.normal = outer(sub(face.a, point_[u]), sub(face.b, point_[u]));
+      face.twice_area = std::sqrt(inner(face.normal, face.normal));
+      area += face.twice_area / 2;
     });
     // Few are the cheapest by a lower bound of their cost: only these are computed exactly.
     struct Estimate {
@@ -261,8 +268,7 @@ private:
       const double twice_area = std::sqrt(inner(normal, normal));
       aspect = (std::max)(aspect, equilateral * length2 < worst_aspect * twice_area ? equilateral * length2 / twice_area
                                                                                     : worst_aspect);
-      const vec3 old = ring[k].normal;
-      is_turned = is_turned || inner(old, normal) < cosine * std::sqrt(inner(old, old)) * twice_area;
+      is_turned = is_turned || inner(ring[k].normal, normal) < cosine * ring[k].twice_area * twice_area;
     }
     return (1 + aspect * aspect / aspect_scale2) * (is_turned ? flip_penalty : 1);
   }

@@ -105,9 +105,11 @@ private:
   static constexpr int tiny_size = 500; ///< the largest ones of which most levels are relaxed: limbs find places there
   /// From one level that is relaxed to the next
   static constexpr double growth_of_tiny_levels = 1.3, growth_of_coarse_levels = 2, growth_of_fine_levels = 5;
-  static constexpr double distortion_of_limbs = 18; ///< mean, from which on limbs may get stuck, 4 = isometric
+  /// The mean distortion, 4 = isometric, from which on a shape has limbs, and long ones that get stuck.
+  static constexpr double distortion_of_limbs = 8, distortion_of_long_limbs = 18;
   static constexpr int size_of_second_start = 50;
-  static constexpr double least_gain = 1e-4; ///< of the energy, for which a Newton step is worth while
+  /// Of the energy, for which a Newton step on a coarse level is worth while
+  static constexpr double least_gain_without_limbs = 1e-3, least_gain_with_limbs = 1e-4;
 
   /// The faces by their smallest vertices, so that those of a star lie close together in memory, as the vertices do:
   /// where a mesh is larger than the caches, that is half of the time of the decimation. Others are left as they are.
@@ -173,13 +175,13 @@ private:
   }
 
   /// On the coarsest meshes limbs find their places, now and then wrong ones, of which no relaxation frees them. So a
-  /// shape with limbs gets a second map, from another tetrahedron: that of a decimation which knows no finer mesh than
-  /// this one. The better map is kept.
+  /// shape with long limbs gets a second map, from another tetrahedron: that of a decimation which knows no finer mesh
+  /// than this one. The better map is kept.
   void start_again()
   {
     has_second_start_ = true;
     relax_level();
-    if(mean_distortion_ < distortion_of_limbs)
+    if(mean_distortion_ < distortion_of_long_limbs)
       return;
     const Partial_map first = map_;
     const double first_distortion = std::exchange(mean_distortion_, 0);
@@ -388,22 +390,23 @@ private:
   /// Of a level below that of the whole mesh.
   struct Level_size {
     double size;
-    bool is_for_limbs; ///< whether only a map with limbs is relaxed there
+    double least_distortion; ///< it is relaxed only if the map has as much in the mean
   };
 
-  /// In descending order. Limbs get stuck between levels that are far apart, so that these have others between them.
-  /// They do so more easily where areas count more than lengths: then all coarse levels are as close as tiny ones.
+  /// In descending order. Limbs get stuck between levels that are far apart, so that every other coarse level is for
+  /// them alone. They do so more easily where areas count more than lengths: then all coarse levels are as close as
+  /// tiny ones, and relaxed.
   static std::vector<Level_size> sizes_of_levels(int number_of_vertices, double exponent)
   {
     const int close_size = exponent > 1 ? coarse_size : tiny_size;
     std::vector<Level_size> sizes;
     bool is_for_limbs = false;
     for(double size = number_of_vertices; size > 4;) {
-      is_for_limbs = !is_for_limbs && size <= coarse_size && size > close_size;
+      is_for_limbs = !is_for_limbs && size <= coarse_size && exponent <= 1;
       size /= size > coarse_size  ? growth_of_fine_levels
               : size > close_size ? std::sqrt(growth_of_coarse_levels)
                                   : growth_of_tiny_levels;
-      sizes.push_back({size, is_for_limbs});
+      sizes.push_back({size, !is_for_limbs ? 0 : size > tiny_size ? distortion_of_long_limbs : distortion_of_limbs});
     }
     return sizes;
   }
@@ -413,7 +416,7 @@ private:
   {
     bool result = false;
     for(; !level_sizes_.empty() && level_sizes_.back().size <= mesh_.number_of_vertices(); level_sizes_.pop_back())
-      result = result || !level_sizes_.back().is_for_limbs || mean_distortion_ > distortion_of_limbs;
+      result = result || mean_distortion_ >= level_sizes_.back().least_distortion;
     return result;
   }
 
@@ -448,6 +451,8 @@ private:
       return;
     Newton_relaxation newton(loop_, distortion, level_);
     const int steps = (std::min)(maximum_steps, maximum_work / level_.size());
+    const double least_gain =
+      level_.energy(distortion) < distortion_of_limbs ? least_gain_without_limbs : least_gain_with_limbs;
     for(int s = 0; s < steps && newton.step(maximum_iterations, linear_tolerance) > least_gain; ++s) {
       level_.relax(distortion);
       advance_or_give_up();

@@ -486,9 +486,9 @@ private:
   {
     constexpr int maximum_iterations = 100;
     constexpr double share_left = 0.25;
-    constexpr double small_size = 2000, least_share = 0.05; // steps are cheap on small meshes
+    constexpr double small_size = 2000, least_part = 0.05; // steps are cheap on small meshes
     const double accuracy =
-      effort_.accuracy.value_or(Isometric::default_accuracy * std::clamp(level_.size() / small_size, least_share, 1.));
+      effort_.accuracy.value_or(Isometric::default_accuracy) * std::clamp(level_.size() / small_size, least_part, 1.);
     Newton_relaxation newton(loop_, distortion_, level_);
     for(std::size_t s = 0; s < maximum_steps && advance(); ++s) {
       newton.step(maximum_iterations, linear_tolerance);

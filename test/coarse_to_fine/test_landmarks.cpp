@@ -117,9 +117,9 @@ TEST_CASE("landmarks on limbs and thin bars are kept", "[landmarks]")
 
 TEST_CASE("landmarks that get stuck are brought home from the map without them", "[landmarks]")
 {
-  const Soup soup = comb(6, 8);
+  const Soup soup = comb(6, 12);
   const Sphere free = solve_or_throw(soup, with_landmarks({}));
-  check_kept(soup, moved(free, 6, 0.3, [](std::size_t i) { return i; }));
+  check_kept(soup, moved(free, 6, 0.25, [](std::size_t i) { return i; }));
 }
 
 TEST_CASE("three hundred landmarks follow a smooth deformation of the sphere", "[landmarks]")

@@ -106,7 +106,7 @@ struct Saddle_point {
 /// Named parameters: `number_of_iterations` bounds the Newton steps for the whole mesh (in proportion fewer above
 /// 100,000 vertices, but a quarter at least), `accuracy` is the relative gain of energy that such a step has to promise
 /// for another one to follow (above 20,000 vertices, that it has to leave: a quarter of what it promised, if it could
-/// be taken in full).
+/// be taken in full; below 2,000 vertices, where steps are cheap, in proportion less, down to a twentieth).
 ///
 /// \cgalModels{SphericalParameterizationMethod}
 struct Isometric {

@@ -276,8 +276,10 @@ public:
   Star star(int i) const
   {
     Star result;
-    for(int c = offset_[i]; c < offset_[i + 1]; ++c)
-      result.push_back(star_face(corner_[c]));
+    for(int c = offset_[i]; c < offset_[i + 1]; ++c) {
+      const Corner& corner = corner_[c];
+      result.emplace_back(position_[corner.j], position_[corner.k], corner.metric, area_scale_);
+    }
     return result;
   }
 

@@ -63,8 +63,9 @@ private:
     float ss, st, ts, tt;
   };
 
-  /// The blocks of a face, in orthonormal tangents
+  /// The blocks of a face, in orthonormal tangents, and what its gradients are made of
   struct Face_blocks {
+    Face_gradient gradient;
     float diagonal[3][3]; ///< ss, st, tt
     float side[3][4];     ///< of the corners m and m + 1
   };
@@ -89,6 +90,7 @@ private:
     const Face_hessian::Frame frame[3] = {hessian.frame(0, tangents_at(x)), hessian.frame(1, tangents_at(face.j)),
                                           hessian.frame(2, tangents_at(face.k))};
     Face_blocks result;
+    result.gradient = hessian.gradient();
     for(int m = 0; m < 3; ++m) {
       const int n = m < 2 ? m + 1 : 0;
       const Block d = hessian.block(m, frame[m], m, frame[m]), s = hessian.block(m, frame[m], n, frame[n]);
@@ -119,8 +121,8 @@ private:
     vec3 gradient = {0, 0, 0};
     for(int c = begin; c < end; ++c) {
       const Map_level::Corner& corner = level_.corner(c);
-      gradient = add(gradient, Face_hessian(distortion_, x, level_.star_face(corner), 0).gradient(0));
       const Face_blocks& of_face = blocks[corner.face];
+      gradient = add(gradient, of_face.gradient.at(x, level_.star_face(corner)));
       const int m = corner.number;
       const float *const d = of_face.diagonal[m], *const to_j = of_face.side[m],
                          *const from_k = of_face.side[m > 0 ? m - 1 : 2];

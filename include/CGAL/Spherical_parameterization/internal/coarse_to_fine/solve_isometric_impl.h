@@ -85,6 +85,8 @@ public:
       if(rounds_.size() > 1) {
         if(is_relaxed_now() || have_landmarks_come)
           relax_level();
+        if(!has_second_start_ && mesh_.number_of_vertices() >= size_of_second_start && !are_landmarks_present_)
+          start_again();
         advance_or_give_up();
       }
     }
@@ -103,7 +105,11 @@ private:
   static constexpr int tiny_size = 500; ///< the largest ones of which most levels are relaxed: limbs find places there
   /// From one level that is relaxed to the next
   static constexpr double growth_of_tiny_levels = 1.3, growth_of_coarse_levels = 2, growth_of_fine_levels = 5;
-  static constexpr double least_gain = 1e-4; ///< of the energy, for which a Newton step is worth while
+  /// The mean distortion, 4 = isometric, from which on a shape has limbs, and long ones that get stuck.
+  static constexpr double distortion_of_limbs = 8, distortion_of_long_limbs = 18;
+  static constexpr int size_of_second_start = 50;
+  /// Of the energy, for which a Newton step on a coarse level is worth while
+  static constexpr double least_gain_without_limbs = 1e-3, least_gain_with_limbs = 1e-4;
 
   /// The faces by their smallest vertices, so that those of a star lie close together in memory, as the vertices do:
   /// where a mesh is larger than the caches, that is half of the time of the decimation. Others are left as they are.
@@ -146,19 +152,56 @@ private:
   void decimate()
   {
     Decimation decimation(loop_, problem_.point, mesh_, problem_.is_fixed, attempt_.size, attempt_.free_map);
-    for(;;) {
-      std::vector<int> round = decimation.round();
-      if(round.empty())
-        return;
-      for(int h : round)
-        density_.collapse(mesh_, h);
-      rounds_.push_back(std::move(round));
+    while(take_round(decimation)) {
       if(decimation.keeps_vertices())
         rounds_with_landmarks_ = rounds_.size();
       const double done =
         std::log(double(problem_.size()) / mesh_.number_of_vertices()) / std::log(problem_.size() / 4.);
       if(!monitor_.advance(share_of_decimation * done))
         give_up();
+    }
+  }
+
+  /// Returns whether there was one.
+  bool take_round(Decimation& decimation)
+  {
+    std::vector<int> round = decimation.round();
+    if(round.empty())
+      return false;
+    for(int h : round)
+      density_.collapse(mesh_, h);
+    rounds_.push_back(std::move(round));
+    return true;
+  }
+
+  /// On the coarsest meshes limbs find their places, now and then wrong ones, of which no relaxation frees them. So a
+  /// shape with long limbs gets a second map, from another tetrahedron: that of a decimation which knows no finer mesh
+  /// than this one. The better map is kept.
+  void start_again()
+  {
+    has_second_start_ = true;
+    relax_level();
+    if(mean_distortion_ < distortion_of_long_limbs)
+      return;
+    const Partial_map first = map_;
+    const double first_distortion = std::exchange(mean_distortion_, 0);
+    const std::vector<Level_size> level_sizes =
+      std::exchange(level_sizes_, sizes_of_levels(mesh_.number_of_vertices(), exponent_));
+    std::vector<std::vector<int>> rounds = std::exchange(rounds_, {});
+    Decimation decimation(loop_, problem_.point, mesh_, {}, 0);
+    while(take_round(decimation)) {
+    }
+    embed_tetrahedron();
+    for(; !rounds_.empty(); rounds_.pop_back()) {
+      insert(std::move(rounds_.back()));
+      if(rounds_.size() == 1 || is_relaxed_now())
+        relax_level();
+    }
+    rounds_ = std::move(rounds);
+    level_sizes_ = level_sizes;
+    if(!(mean_distortion_ < first_distortion)) {
+      map_ = first;
+      mean_distortion_ = first_distortion;
     }
   }
 
@@ -344,29 +387,37 @@ private:
     return v;
   }
 
-  /// The sizes of the levels below that of the whole mesh, in descending order. Where areas count more than lengths,
-  /// limbs get stuck more easily: then all coarse levels are as close as tiny ones.
-  static std::vector<double> sizes_of_levels(int number_of_vertices, double exponent)
+  /// Of a level below that of the whole mesh.
+  struct Level_size {
+    double size;
+    double least_distortion; ///< it is relaxed only if the map has as much in the mean
+  };
+
+  /// In descending order. Limbs get stuck between levels that are far apart, so that every other coarse level is for
+  /// them alone. They do so more easily where areas count more than lengths: then all coarse levels are as close as
+  /// tiny ones, and relaxed.
+  static std::vector<Level_size> sizes_of_levels(int number_of_vertices, double exponent)
   {
     const int close_size = exponent > 1 ? coarse_size : tiny_size;
-    std::vector<double> sizes;
+    std::vector<Level_size> sizes;
+    bool is_for_limbs = false;
     for(double size = number_of_vertices; size > 4;) {
+      is_for_limbs = !is_for_limbs && size <= coarse_size && exponent <= 1;
       size /= size > coarse_size  ? growth_of_fine_levels
-              : size > close_size ? growth_of_coarse_levels
+              : size > close_size ? std::sqrt(growth_of_coarse_levels)
                                   : growth_of_tiny_levels;
-      sizes.push_back(size);
+      sizes.push_back({size, !is_for_limbs ? 0 : size > tiny_size ? distortion_of_long_limbs : distortion_of_limbs});
     }
     return sizes;
   }
 
-  /// Whether the mesh has got to the next of these sizes.
+  /// Whether the mesh has got to the next level that is to be relaxed.
   bool is_relaxed_now()
   {
-    const auto is_reached = [&](double size) { return size <= mesh_.number_of_vertices(); };
-    const std::size_t before = level_sizes_.size();
-    while(!level_sizes_.empty() && is_reached(level_sizes_.back()))
-      level_sizes_.pop_back();
-    return level_sizes_.size() < before;
+    bool result = false;
+    for(; !level_sizes_.empty() && level_sizes_.back().size <= mesh_.number_of_vertices(); level_sizes_.pop_back())
+      result = result || mean_distortion_ >= level_sizes_.back().least_distortion;
+    return result;
   }
 
   bool is_level_coarse() const { return level_.size() <= coarse_size; }
@@ -400,6 +451,8 @@ private:
       return;
     Newton_relaxation newton(loop_, distortion, level_);
     const int steps = (std::min)(maximum_steps, maximum_work / level_.size());
+    const double least_gain =
+      level_.energy(distortion) < distortion_of_limbs ? least_gain_without_limbs : least_gain_with_limbs;
     for(int s = 0; s < steps && newton.step(maximum_iterations, linear_tolerance) > least_gain; ++s) {
       level_.relax(distortion);
       advance_or_give_up();
@@ -433,7 +486,9 @@ private:
   {
     constexpr int maximum_iterations = 100;
     constexpr double share_left = 0.25;
-    const double accuracy = effort_.accuracy.value_or(Isometric::default_accuracy);
+    constexpr double small_size = 2000, least_part = 0.05; // steps are cheap on small meshes
+    const double accuracy =
+      effort_.accuracy.value_or(Isometric::default_accuracy) * std::clamp(level_.size() / small_size, least_part, 1.);
     Newton_relaxation newton(loop_, distortion_, level_);
     for(std::size_t s = 0; s < maximum_steps && advance(); ++s) {
       newton.step(maximum_iterations, linear_tolerance);
@@ -493,9 +548,10 @@ private:
   Map_level level_;
   Partial_map map_;
   std::vector<std::vector<int>> rounds_; ///< the collapsed half-edges of every round
-  std::vector<double> level_sizes_;      ///< of which levels are relaxed, those to come
+  std::vector<Level_size> level_sizes_;  ///< of which levels are relaxed, those to come
   double mean_distortion_ = 0;           ///< of the level that was relaxed last; 0: there was none
-  double last_placement_ = 0;            ///< size of the level
+  bool has_second_start_ = false;
+  double last_placement_ = 0; ///< size of the level
   Landmarks landmarks_;
   std::size_t rounds_with_landmarks_ = 0; ///< the first rounds of the decimation, which keep all of them
   bool are_landmarks_present_ = false;    ///< in the current mesh

@@ -29,6 +29,19 @@ inline Block scaled(double r, const Block& a) { return {r * a.ss, r * a.st, r * 
 inline Planar scaled(double r, Planar a) { return {r * a.s, r * a.t}; }
 inline Block outer(Planar a, Planar b) { return {a.s * b.s, a.s * b.t, a.t * b.s, a.t * b.t}; }
 
+/// What the gradient of the energy of a face is made of.
+struct Face_gradient {
+  double of_dirichlet, of_determinant; ///< derivatives of the energy by L and d, see `Star_face`
+
+  /// By the first corner, which is at x.
+  vec3 at(vec3 x, const Star_face& f) const
+  {
+    const vec3 a = sub(f.j, x), b = sub(f.k, x);
+    return add_scaled(add_scaled(scale(-of_dirichlet * f.cot_j, b), -of_dirichlet * f.cot_k, a), of_determinant,
+                      outer(f.j, sub(f.k, f.j)));
+  }
+};
+
 /// The second derivative of the energy of a face by the positions of its corners. Per source area the energy is
 /// (s^2 + t^2) psi(J) + phi(J), see `Distortion`; in terms of L and d = det, see `Star_face`, its second derivative is
 ///   psi L'' + psi' (L' d' + d' L') + L psi'' d' d' + L psi' d'',  and phi'' d' d' + phi' d''.
@@ -75,6 +88,7 @@ public:
 
   double value() const { return value_; } ///< of the energy
 
+  Face_gradient gradient() const { return {psi_, twist_force_}; }
   vec3 gradient(int corner) const { return add_scaled(scale(psi_, pull_[corner]), twist_force_, turn_[corner]); }
 
   Frame frame(int corner, const Tangents& at) const

@@ -160,8 +160,8 @@ inline bool untangle(const Host_array<vec3>& point, Patch& patch)
   return false;
 }
 
-/// Newton's method for MIPS, on a patch of positive faces. Returns whether it ended at a minimum, and was not sliding on
-/// when nothing was gained any more: its steps got no shorter.
+/// Newton's method for MIPS, on a patch of positive faces. Returns whether it ended at a minimum, and was not sliding
+/// on when nothing was gained any more: its steps got no shorter.
 inline bool minimize_mips(double damping, Patch& patch)
 {
   constexpr int most_steps = 100, most_vain_steps = 8;
@@ -185,9 +185,9 @@ inline bool minimize_mips(double damping, Patch& patch)
 /// Moves a patch of positive faces to the minimum of MIPS.
 ///
 /// To move a limb within the patch as a whole may cost an energy that is nothing beside that of its faces. Hardly any
-/// damping is what it takes to find its place all the same. A limb whose place is below the rounding of its faces slides
-/// on for ever: then a damping that holds it where it was. What is stiffer is at its minimum in the end, whatever the
-/// numbers of vertices and faces.
+/// damping is what it takes to find its place all the same. A limb whose place is below the rounding of its faces
+/// slides on for ever: then a damping that holds it where it was. What is stiffer is at its minimum in the end,
+/// whatever the numbers of vertices and faces.
 inline void polish(const Host_array<vec3>& point, Patch& patch)
 {
   constexpr double hardly = 1e-10, held = 1e-6;

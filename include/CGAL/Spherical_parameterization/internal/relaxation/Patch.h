@@ -153,8 +153,7 @@ public:
   }
 
 private:
-  // Newton's matrix; where that is indefinite, some of what makes it positive face by face, the matrix of absolute
-  // eigenvalues, or even more
+  // Newton's matrix; where that is indefinite, some of what makes it positive face by face, twice that, or even more
   static constexpr int number_of_attempts = 9;
   static constexpr double lifts[number_of_attempts] = {0, 0.01, 0.1, 0.5, 1, 2, 2, 2, 2};
   static constexpr double dampings[number_of_attempts] = {0, 0, 0, 0, 0, 0, 1e-3, 0.1, 10};
@@ -179,7 +178,7 @@ private:
   template <class Energy>
   double assemble(const Energy& energy, bool has_lift)
   {
-    constexpr bool is_stiff = !Energy::needs_positive_faces;
+    constexpr bool is_stiff = !Energy::needs_positive_faces; // which is fast, but holds limbs that have to turn
     double sum = 0;
     auto place = place_.begin();
     std::fill(hessian_.begin(), hessian_.end(), Block{0, 0, 0, 0});

@@ -95,7 +95,7 @@ public:
   /// ... if nothing is taken off
   Block exact_block(int m, const Frame& a, int n, const Frame& b) const
   {
-    return sum(combination(psi_, twist_force_, m, a, n, b), sum(outer(a.turn, b.pull), outer(a.pull, b.turn)));
+    return sum(sum(combination(psi_, twist_force_, m, a, n, b), outer(a.turn, b.pull)), outer(a.pull, b.turn));
   }
 
   /// What is taken off makes this difference: little more than needed.

@@ -422,7 +422,7 @@ TEST_CASE("what is taken off a face's matrix leaves nothing negative of a small 
   const auto metric = I::face_metric({1, 0, 0}, {0.3, 0.1, 0}, I::Metric_bounds{30, 1e-30});
   const I::Star_face f(x[1], x[2], metric, size * size);
   REQUIRE((f.determinant(x[0]) < 0) == is_flipped);
-  const auto smallest = [&](double lift) { // of the second derivatives in some directions
+  const auto smallest = [&](double lift, bool is_stiff = false) { // of the second derivatives in some directions
     const I::Face_hessian hessian(I::Untangling_energy(e), x[0], f, lift);
     double result = std::numeric_limits<double>::infinity(), largest = 0;
     for(int trial = 0; trial < 1000; ++trial) {
@@ -430,8 +430,10 @@ TEST_CASE("what is taken off a face's matrix leaves nothing negative of a small 
       const auto direction = [trial](int k) { return I::Planar{std::sin(7. * trial + k), std::cos(5. * trial * k)}; };
       for(int m = 0; m < 3; ++m)
         for(int n = 0; n < 3; ++n) {
-          const I::Block b =
-            hessian.block(m, hessian.frame(m, I::tangents_at(x[m])), n, hessian.frame(n, I::tangents_at(x[n])));
+          const auto at_m = hessian.frame(m, I::tangents_at(x[m])), at_n = hessian.frame(n, I::tangents_at(x[n]));
+          I::Block b = hessian.block(m, at_m, n, at_n);
+          if(is_stiff)
+            b = I::sum(b, hessian.stiff_lift(m, at_m, n, at_n));
           const I::Planar u = direction(m), v = direction(n);
           second_derivative += u.s * (b.ss * v.s + b.st * v.t) + u.t * (b.ts * v.s + b.tt * v.t);
         }
@@ -442,6 +444,7 @@ TEST_CASE("what is taken off a face's matrix leaves nothing negative of a small 
   };
   CHECK(smallest(0) < -1e-3);
   CHECK(smallest(1) > -1e-6);
+  CHECK(smallest(0, true) > -1e-6);
 }
 
 TEST_CASE("the sparse factorization solves what is positive definite, and refuses what is not", "[conformal]")

@@ -76,6 +76,7 @@ public:
     slope_ = psi.first * inverse;
     twist_force_ = dirichlet * slope_ + phi.first / 2;
     half_bend_ = (dirichlet * psi.second * inverse + phi.second / 2) * inverse / 2;
+    lacking_bend_ = (std::max)(0., 2 * (dirichlet * slope_ * slope_ / psi_ - half_bend_));
     value_ = dirichlet * psi.value + f.twice_area / 2 * phi.value;
     for(int k = 0; k < 3; ++k) {
       const int m = (k + 1) % 3, n = (k + 2) % 3;
@@ -108,22 +109,10 @@ public:
   /// ... if nothing is taken off
   Block exact_block(int m, const Frame& a, int n, const Frame& b) const
   {
-    Block result;
-    if(m == n) {
-      const double stiffness = psi_ * (cotangent_[(m + 1) % 3] + cotangent_[(m + 2) % 3]);
-      result = {stiffness, 0, 0, stiffness};
-    } else {
-      const double stiffness = -psi_ * cotangent_[3 - m - n];
-      const vec3 force = scale((n - m + 3) % 3 == 1 ? twist_force_ : -twist_force_, x_[3 - m - n]);
-      const auto [s, t] = b.tangents;
-      const Planar by_s = a.tangents.products(add_scaled(outer(s, force), stiffness, s));
-      const Planar by_t = a.tangents.products(add_scaled(outer(t, force), stiffness, t));
-      result = {by_s.s, by_t.s, by_s.t, by_t.t};
-    }
-    return sum(sum(result, outer(a.turn, b.pull)), outer(a.pull, b.turn));
+    return sum(sum(combination(psi_, twist_force_, m, a, n, b), outer(a.turn, b.pull)), outer(a.pull, b.turn));
   }
 
-  /// What is taken off makes this difference.
+  /// What is taken off makes this difference: little more than needed.
   Block lift(const Frame& a, const Frame& b) const
   {
     Block result = {0, 0, 0, 0};
@@ -132,7 +121,32 @@ public:
     return result;
   }
 
+  /// More than needed, and of a flat triangle enough, for psi > 0: without eigenvectors, at half the cost, and stiffer.
+  /// psi L'' + psi' (L' d' + d' L') + 2 psi'^2 / psi L d' d' is not negative. What there is less of d' d' is added, and
+  /// |f| (L'' - d'') / 2 or |f| (L'' + d'') / 2 to f d'': L'' +- d'' are not negative, since L >= |d|.
+  Block stiff_lift(int m, const Frame& a, int n, const Frame& b) const
+  {
+    const double share = std::abs(twist_force_) / 2;
+    return sum(combination(share, twist_force_ < 0 ? share : -share, m, a, n, b),
+               outer(scaled(lacking_bend_, a.turn), b.turn));
+  }
+
 private:
+  /// The block of r L'' + q d''
+  Block combination(double r, double q, int m, const Frame& a, int n, const Frame& b) const
+  {
+    if(m == n) {
+      const double stiffness = r * (cotangent_[(m + 1) % 3] + cotangent_[(m + 2) % 3]);
+      return {stiffness, 0, 0, stiffness};
+    }
+    const double stiffness = -r * cotangent_[3 - m - n];
+    const vec3 force = scale((n - m + 3) % 3 == 1 ? q : -q, x_[3 - m - n]);
+    const auto [s, t] = b.tangents;
+    const Planar by_s = a.tangents.products(add_scaled(outer(s, force), stiffness, s));
+    const Planar by_t = a.tangents.products(add_scaled(outer(t, force), stiffness, t));
+    return {by_s.s, by_t.s, by_s.t, by_t.t};
+  }
+
   /// The negative eigenvalues of the flat triangle, if there are any, and their eigenvectors.
   /// \param squares  the sum of the squares of its singular values
   template <class Energy>
@@ -197,7 +211,7 @@ private:
   vec3 x_[3];
   double cotangent_[3];
   vec3 pull_[3], turn_[3]; ///< L' and d'
-  double psi_, slope_, twist_force_, half_bend_, value_;
+  double psi_, slope_, twist_force_, half_bend_, lacking_bend_, value_;
   int modes_ = 0;
   vec3 mode_[most_modes][3];
 };

@@ -153,8 +153,7 @@ public:
   }
 
 private:
-  // Newton's matrix; where that is indefinite, some of what makes it positive face by face, the matrix of absolute
-  // eigenvalues, or even more
+  // Newton's matrix; where that is indefinite, some of what makes it positive face by face, twice that, or even more
   static constexpr int number_of_attempts = 9;
   static constexpr double lifts[number_of_attempts] = {0, 0.01, 0.1, 0.5, 1, 2, 2, 2, 2};
   static constexpr double dampings[number_of_attempts] = {0, 0, 0, 0, 0, 0, 1e-3, 0.1, 10};
@@ -179,6 +178,7 @@ private:
   template <class Energy>
   double assemble(const Energy& energy, bool has_lift)
   {
+    constexpr bool is_stiff = !Energy::needs_positive_faces; // which is fast, but holds limbs that have to turn
     double sum = 0;
     auto place = place_.begin();
     std::fill(hessian_.begin(), hessian_.end(), Block{0, 0, 0, 0});
@@ -189,7 +189,7 @@ private:
     for(const Face& f : face_) {
       const Star_face star_face = this->star_face(f);
       const vec3 x = v_[f.corner[0]];
-      const Face_hessian hessian(energy, x, star_face, has_lift);
+      const Face_hessian hessian(energy, x, star_face, has_lift && !is_stiff);
       const double value = f.weight * hessian.value();
       sum += value;
       std::array<Face_hessian::Frame, 3> frame;
@@ -202,7 +202,9 @@ private:
             if(f.moving[n] >= 0) {
               Sparse_cholesky::add(hessian_, *place, scaled(f.weight, hessian.exact_block(m, frame[m], n, frame[n])));
               if(has_lift)
-                Sparse_cholesky::add(lift_, *place, scaled(f.weight, hessian.lift(frame[m], frame[n])));
+                Sparse_cholesky::add(lift_, *place,
+                                     scaled(f.weight, is_stiff ? hessian.stiff_lift(m, frame[m], n, frame[n])
+                                                               : hessian.lift(frame[m], frame[n])));
               ++place;
             }
         }

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -161,21 +162,25 @@ inline bool untangle(const Host_array<vec3>& point, Patch& patch)
 }
 
 /// Newton's method for MIPS, on a patch of positive faces. Returns whether it ended at a minimum, and was not sliding
-/// on when nothing was gained any more.
+/// on when nothing was gained any more: its steps got no shorter.
 inline bool minimize_mips(double damping, Patch& patch)
 {
-  constexpr int most_steps = 100, most_small_steps = 8;
+  constexpr int most_steps = 100, most_vain_steps = 8;
   constexpr double short_step = 1e-4;                         // to the faces around: Newton's method squares it
   constexpr double short_on_sphere = 1e-9, small_gain = 1e-4; // of the energy
-  int small_steps = 0;
-  for(int steps = 0; steps < most_steps && small_steps < most_small_steps; ++steps) {
+  constexpr double much_shorter = 0.5;
+  int vain_steps = 0; // since the last one that gained or was much shorter than any before
+  double shortest = std::numeric_limits<double>::infinity();
+  for(int steps = 0; steps < most_steps && vain_steps < most_vain_steps; ++steps) {
     const Patch::Step step = patch.step(Distortion(0), damping);
     const bool is_small = step.gain < small_gain * step.energy;
-    small_steps += is_small;
     if(!step.is_taken || step.length < short_step || (step.length_on_sphere < short_on_sphere && is_small))
       return true;
+    const bool is_vain = is_small && step.length > much_shorter * shortest;
+    vain_steps = is_vain ? vain_steps + 1 : 0;
+    shortest = (std::min)(shortest, step.length);
   }
-  return small_steps < most_small_steps;
+  return false;
 }
 
 /// Moves a patch of positive faces to the minimum of MIPS.

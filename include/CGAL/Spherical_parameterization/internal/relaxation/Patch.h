@@ -246,10 +246,10 @@ private:
     return sum;
   }
 
-  /// The longest step up to t with which no face shrinks to less than a twentieth at once.
+  /// The longest step up to t with which no face shrinks to less than a hundredth at once.
   double feasible_step(const std::vector<vec3>& direction, double t) const
   {
-    constexpr double least_share = 0.05, shrink = 0.7, smallest_step = 1e-10;
+    constexpr double least_share = 0.01, shrink = 0.9, smallest_step = 1e-10;
     for(const Face& f : face_) {
       const auto after = [&](double s) {
         vec3 x[3];

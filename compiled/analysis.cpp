@@ -5,7 +5,7 @@
 #include <CGAL/Spherical_parameterization/internal/segmentation/segments.h>
 #include <CGAL/Spherical_parameterization/internal/signature/signature_values.h>
 #include <CGAL/Spherical_parameterization/internal/texture/texture_layout.h>
-#include <CGAL/Spherical_parameterization/segmentation_methods.h>
+#include <CGAL/Spherical_parameterization/values/segmentation_methods.h>
 
 #define CGAL_SP_SEGMENTS(METHOD)                                                                                       \
   template std::vector<int> segments_of(const Host_loop&, Mapped_surface, std::vector<double>, const METHOD&);

@@ -2,11 +2,11 @@
 // Part of CGAL Spherical Parameterization.
 
 // Spherical harmonics: transforms, rotations, files.
-#include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
-#include <CGAL/Spherical_parameterization/internal/harmonics/analysis.h>
-#include <CGAL/Spherical_parameterization/internal/harmonics/coefficient_files.h>
-#include <CGAL/Spherical_parameterization/internal/harmonics/ellipsoid.h>
-#include <CGAL/Spherical_parameterization/internal/harmonics/rotation.h>
+#include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
+#include <CGAL/Spherical_parameterization/internal/spherical_harmonics/analysis.h>
+#include <CGAL/Spherical_parameterization/internal/spherical_harmonics/coefficient_files.h>
+#include <CGAL/Spherical_parameterization/internal/spherical_harmonics/ellipsoid.h>
+#include <CGAL/Spherical_parameterization/internal/spherical_harmonics/rotation.h>
 
 namespace CGAL::Spherical_parameterization::internal {
 

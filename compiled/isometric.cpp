@@ -1,4 +1,4 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/solve_isometric_impl.h>
+#include <CGAL/Spherical_parameterization/internal/isometric/solve_isometric_impl.h>

@@ -1,4 +1,4 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include <CGAL/Spherical_parameterization/internal/registration/refine_impl.h>
+#include <CGAL/Spherical_parameterization/internal/correspondence/refine_impl.h>

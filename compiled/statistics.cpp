@@ -2,7 +2,7 @@
 // Part of CGAL Spherical Parameterization.
 
 // Statistics of shapes.
-#include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
+#include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/statistics/principal_components.h>
 #include <CGAL/Spherical_parameterization/internal/statistics/procrustes.h>
 

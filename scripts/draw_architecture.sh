@@ -13,10 +13,14 @@ package=include/CGAL/Spherical_parameterization
 # From the bottom up: level, group, room, subject. A room may include rooms of lower levels. A folder that is not here is
 # an error, so that the picture is complete.
 rooms='
-0|core|vocabulary|Error.h, Result.h, methods.h, OpenCL_error.h, ...
-1|core|base|loops on the host, arrays, monitor, small dense algebra
+1|public|values|errors, results, methods, options, coefficients
+0|core|api|named parameters, preconditions, compiled or not
+1|core|loops|loops on the host, arrays
+0|core|algebra|vectors, rotations, small dense and sparse systems
+1|core|text|numbers in sentences
+1|core|context|time limit, callback, progress
 2|core|predicates|exact orientation, degree, certificate
-3|core|mesh|corner table, checks of the input, numbering
+3|core|surface|corner table, checks of the input, numbering
 4|public|inputs|edge_weights.h, Indexed_triangle_mesh.h, ...
 2|core|backend|formulas; the verbs, on one core and with TBB
 5|core|backend/opencl|the same verbs on an OpenCL device
@@ -25,18 +29,18 @@ rooms='
 4|core|multigrid|coarsening, V-cycle, conjugate gradients
 4|core|relaxation|stars: moving single vertices, exactly checked
 5|core|problem|Problem, Solution, Method_solver
-6|core|harmonic|Balanced: start map and descent
+6|core|balanced|Balanced: start map and descent
 7|core|saddle_point|Saddle_point: the published method
-6|core|coarse_to_fine|Isometric: decimation, insertion, relaxation
+6|core|isometric|Isometric: decimation, insertion, relaxation
 8|core|driver|read_problem, solve, write_solution; Automatic
 5|beside|distortion|stretch and angles per face
-5|beside|inverse|kd-tree, barycentric coordinates
+5|beside|locate|kd-tree, barycentric coordinates
 5|beside|segmentation|girths, creases, regions
 5|beside|signature|conformal factor, intrinsic Laplacian
 5|beside|statistics|Procrustes alignment, principal components
-6|beside|harmonics|transforms, least squares, rotations
+6|beside|spherical_harmonics|transforms, least squares, rotations
 6|beside|texture|charts, poles, grid of coordinates
-6|beside|registration|features, deformation, Moebius centring
+6|beside|correspondence|features, deformation, Moebius centring
 9|public|parameterize|parameterize.h: the two front doors
 10|public|applications|what is done with a map: a header each
 11|programs|compiled|the core, compiled once
@@ -63,9 +67,9 @@ includes() {
         if(index(file, package) != 1)
           return file ~ /^include/ ? "applications" : substr(file, 1, index(file, "/") - 1)
         name = substr(file, length(package) + 1)
-        if(name ~ /^(Error|Result|methods|harmonics_methods|Procrustes|segmentation_methods|texture_options|version|OpenCL_error|OpenCL_device_info)\.h$/)
-          return "vocabulary"
-        if(name ~ /^(edge_weights|Indexed_triangle_mesh|Harmonic_coefficients)\.h$/)
+        if(name ~ /^values\// || name == "version.h")
+          return "values"
+        if(name ~ /^(edge_weights|Indexed_triangle_mesh)\.h$/)
           return "inputs"
         if(name ~ /^OpenCL_/)
           return "devices"

@@ -7,7 +7,7 @@
 #include "collections/shape_index.h"
 #include "system/refusal.h"
 
-#include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
+#include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
 
 #include <algorithm>
 #include <cmath>

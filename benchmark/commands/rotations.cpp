@@ -6,7 +6,7 @@
 #include "tables/table.h"
 
 #include <CGAL/Spherical_parameterization/align_maps.h>
-#include <CGAL/Spherical_parameterization/internal/base/rotations.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/rotations.h>
 #include <CGAL/Spherical_parameterization/parameterize.h>
 #include <CGAL/Spherical_parameterization/resample.h>
 

@@ -7,7 +7,7 @@
 // The solvers are compiled for this policy, too, which the compiled library does not know.
 #include <CGAL/Spherical_parameterization/internal/backend/Host_backend.h>
 #include <CGAL/Spherical_parameterization/internal/driver/solve_impl.h>
-#include <CGAL/Spherical_parameterization/internal/harmonic/solve_balanced_impl.h>
+#include <CGAL/Spherical_parameterization/internal/balanced/solve_balanced_impl.h>
 #include <CGAL/Spherical_parameterization/internal/saddle_point/solve_saddle_point_impl.h>
 #include <CGAL/Spherical_parameterization/parameterize.h>
 

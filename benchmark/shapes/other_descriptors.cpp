@@ -3,7 +3,7 @@
 
 #include "shapes/descriptors.h"
 
-#include <CGAL/Spherical_parameterization/internal/base/histogram.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/histogram.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/mesh_segmentation.h>

@@ -4,7 +4,7 @@
 #ifdef BENCHMARK_WITH_SPECTRA
 #include "shapes/descriptors.h"
 
-#include <CGAL/Spherical_parameterization/internal/mesh/Mapped_surface.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Mapped_surface.h>
 #include <CGAL/Spherical_parameterization/internal/signature/Discrete_surface.h>
 
 #include <Spectra/MatOp/SparseSymShiftSolve.h>

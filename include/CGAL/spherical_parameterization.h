@@ -6,14 +6,14 @@
 
 // The whole package in one header.
 
-#include <CGAL/Spherical_parameterization/Result.h>
+#include <CGAL/Spherical_parameterization/values/Result.h>
 #include <CGAL/Spherical_parameterization/align_maps.h>
 #include <CGAL/Spherical_parameterization/distortion_summary.h>
 #include <CGAL/Spherical_parameterization/edge_weights.h>
 #include <CGAL/Spherical_parameterization/harmonic_files.h>
 #include <CGAL/Spherical_parameterization/locate.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
-#include <CGAL/Spherical_parameterization/methods.h>
+#include <CGAL/Spherical_parameterization/values/methods.h>
 #include <CGAL/Spherical_parameterization/parameterize.h>
 #include <CGAL/Spherical_parameterization/register_maps.h>
 #include <CGAL/Spherical_parameterization/resample.h>

@@ -7,7 +7,7 @@
 
 #include <CGAL/Spherical_parameterization/align_maps.h>
 #include <CGAL/Spherical_parameterization/distortion_summary.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/midpoint_refinement.h>
+#include <CGAL/Spherical_parameterization/internal/surface/midpoint_refinement.h>
 #include <CGAL/Spherical_parameterization/locate.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 #include <CGAL/Spherical_parameterization/resample.h>

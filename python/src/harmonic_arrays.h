@@ -8,7 +8,7 @@
 
 #include "arrays.h"
 
-#include <CGAL/Spherical_parameterization/Harmonic_coefficients.h>
+#include <CGAL/Spherical_parameterization/values/Harmonic_coefficients.h>
 
 #include <cmath>
 

@@ -6,7 +6,7 @@
 
 #include "input/mesh.h"
 
-#include <CGAL/Spherical_parameterization/Procrustes.h>
+#include <CGAL/Spherical_parameterization/values/Procrustes.h>
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -17,7 +17,7 @@
 #include "system/guarded.h"
 #include "system/interruption.h"
 
-#include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
+#include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
 #include <CGAL/Spherical_parameterization/resample.h>
 #include <CGAL/Spherical_parameterization/transfer_properties.h>
 

@@ -15,7 +15,7 @@
 #include "system/refusal.h"
 
 #include <CGAL/Spherical_parameterization/distortion_summary.h>
-#include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
+#include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
 
 #include <CLI/CLI.hpp>
 

@@ -14,7 +14,7 @@
 #include "system/interruption.h"
 
 #include <CGAL/Spherical_parameterization/harmonic_files.h>
-#include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
+#include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
 #include <CGAL/Spherical_parameterization/spherical_harmonics.h>
 
 #include <CLI/CLI.hpp>

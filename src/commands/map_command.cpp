@@ -15,7 +15,7 @@
 #include "system/standard_output.h"
 
 #include <CGAL/Spherical_parameterization/distortion_summary.h>
-#include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
+#include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 
 #include <CLI/CLI.hpp>

@@ -11,8 +11,8 @@
 #include "system/guarded.h"
 #include "system/interruption.h"
 
-#include <CGAL/Spherical_parameterization/internal/base/rotations.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/point_coordinates.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/rotations.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/point_coordinates.h>
 
 #include <CLI/CLI.hpp>
 

@@ -19,7 +19,7 @@
 #include "system/refusal.h"
 #include "system/standard_output.h"
 
-#include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
+#include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>

@@ -7,7 +7,7 @@
 #include "input/annotations.h"
 #include "system/refusal.h"
 
-#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 
 #include <array>
 #include <cstddef>

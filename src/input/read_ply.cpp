@@ -6,7 +6,7 @@
 #include "input/text_lines.h"
 #include "system/refusal.h"
 
-#include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
+#include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
 
 #include <CGAL/tags.h>

@@ -5,7 +5,7 @@
 
 #include "system/refusal.h"
 
-#include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
+#include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -10,7 +10,7 @@
 #include "system/progress_bar.h"
 #include "system/refusal.h"
 
-#include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
+#include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 
 #include <algorithm>

@@ -10,7 +10,7 @@
 #include "options/map_settings.h"
 #include "options/mapping_options.h"
 
-#include <CGAL/Spherical_parameterization/Result.h>
+#include <CGAL/Spherical_parameterization/values/Result.h>
 
 #include <memory>
 #include <optional>

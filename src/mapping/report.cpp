@@ -9,7 +9,7 @@
 #include "system/error_code_names.h"
 #include "system/guarded.h"
 
-#include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
+#include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
 
 #include <nlohmann/json.hpp>
 

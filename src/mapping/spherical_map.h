@@ -7,7 +7,7 @@
 #include "input/mesh.h"
 #include "options/map_settings.h"
 
-#include <CGAL/Spherical_parameterization/Result.h>
+#include <CGAL/Spherical_parameterization/values/Result.h>
 
 #include <functional>
 #include <limits>

@@ -7,7 +7,7 @@
 #include "input/mesh_readers.h"
 
 #include <CGAL/Spherical_parameterization/Any_policy.h>
-#include <CGAL/Spherical_parameterization/methods.h>
+#include <CGAL/Spherical_parameterization/values/methods.h>
 
 #include <cstddef>
 #include <optional>

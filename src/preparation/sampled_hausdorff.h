@@ -6,7 +6,7 @@
 
 #include "input/mesh.h"
 
-#include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
+#include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 
 #include <array>
 #include <vector>

@@ -4,7 +4,7 @@
 #ifndef SPHERICAL_PARAMETERIZATION_TOOL_ERROR_CODE_NAMES_H
 #define SPHERICAL_PARAMETERIZATION_TOOL_ERROR_CODE_NAMES_H
 
-#include <CGAL/Spherical_parameterization/Result.h>
+#include <CGAL/Spherical_parameterization/values/Result.h>
 
 namespace tool {
 

@@ -7,7 +7,7 @@
 #include "system/interruption.h"
 
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
-#include <CGAL/Spherical_parameterization/OpenCL_error.h>
+#include <CGAL/Spherical_parameterization/values/OpenCL_error.h>
 #endif
 
 #include <exception>

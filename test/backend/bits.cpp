@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Prints all bits of a few maps. Compiled twice, for any processor and for this one: the same has to come out.
 
-#include <CGAL/Spherical_parameterization/internal/mesh/midpoint_refinement.h>
+#include <CGAL/Spherical_parameterization/internal/surface/midpoint_refinement.h>
 #include <CGAL/Spherical_parameterization/parameterize.h>
 
 #include <array>

@@ -8,8 +8,8 @@
 #include "helpers/policies.h"
 #include "helpers/soup.h"
 
-#include <CGAL/Spherical_parameterization/Result.h>
-#include <CGAL/Spherical_parameterization/methods.h>
+#include <CGAL/Spherical_parameterization/values/Result.h>
+#include <CGAL/Spherical_parameterization/values/methods.h>
 
 #include <functional>
 #include <map>

@@ -6,9 +6,9 @@
 #include "helpers/solve.h"
 
 #include <CGAL/Spherical_parameterization/internal/signature/conformal_factor.h>
-#include <CGAL/Spherical_parameterization/internal/base/persistence.h>
-#include <CGAL/Spherical_parameterization/internal/base/pi.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/Mapped_surface.h>
+#include <CGAL/Spherical_parameterization/internal/surface/persistence.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Mapped_surface.h>
 #include <CGAL/Spherical_parameterization/stretch_histogram.h>
 
 #include <catch2/catch.hpp>

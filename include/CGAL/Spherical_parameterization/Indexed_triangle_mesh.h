@@ -4,11 +4,11 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INDEXED_TRIANGLE_MESH_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INDEXED_TRIANGLE_MESH_H
 
-#include <CGAL/Spherical_parameterization/Error.h>
+#include <CGAL/Spherical_parameterization/values/Error.h>
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/Corner_table.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/check_soup.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/point_coordinates.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Corner_table.h>
+#include <CGAL/Spherical_parameterization/internal/surface/check_soup.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/point_coordinates.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 
 #include <CGAL/Iterator_range.h>

@@ -9,8 +9,8 @@
 //   const OpenCL_device device = opencl_device();
 //   const Result result = parameterize(device, mesh, Balanced(), sphere_map);
 
-#include <CGAL/Spherical_parameterization/OpenCL_device_info.h>
-#include <CGAL/Spherical_parameterization/OpenCL_error.h>
+#include <CGAL/Spherical_parameterization/values/OpenCL_device_info.h>
+#include <CGAL/Spherical_parameterization/values/OpenCL_error.h>
 #include <CGAL/Spherical_parameterization/internal/backend/Host_backend.h>
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
 #include <CGAL/Spherical_parameterization/internal/backend/opencl/OpenCL_backend.h>

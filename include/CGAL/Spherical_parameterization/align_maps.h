@@ -5,9 +5,9 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_ALIGN_MAPS_H
 
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
-#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
-#include <CGAL/Spherical_parameterization/internal/base/rotations.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/point_coordinates.h>
+#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/rotations.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/point_coordinates.h>
 #include <CGAL/Spherical_parameterization/spherical_harmonics.h>
 #include <CGAL/Spherical_parameterization/transfer_properties.h>
 

@@ -4,8 +4,8 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_HARMONIC_FILES_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_HARMONIC_FILES_H
 
-#include <CGAL/Spherical_parameterization/Harmonic_coefficients.h>
-#include <CGAL/Spherical_parameterization/internal/harmonics/coefficient_files.h>
+#include <CGAL/Spherical_parameterization/values/Harmonic_coefficients.h>
+#include <CGAL/Spherical_parameterization/internal/spherical_harmonics/coefficient_files.h>
 
 #include <istream>
 #include <iterator>

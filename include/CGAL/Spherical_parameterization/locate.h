@@ -4,14 +4,14 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_LOCATE_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_LOCATE_H
 
-#include <CGAL/Spherical_parameterization/Error.h>
+#include <CGAL/Spherical_parameterization/values/Error.h>
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
-#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
-#include <CGAL/Spherical_parameterization/internal/base/text.h>
+#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/text/text.h>
 #include <CGAL/Spherical_parameterization/internal/distortion/Mapped_faces.h>
-#include <CGAL/Spherical_parameterization/internal/inverse/Kd_tree.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/Corner_table.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/corner_table_of.h>
+#include <CGAL/Spherical_parameterization/internal/locate/Kd_tree.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Corner_table.h>
+#include <CGAL/Spherical_parameterization/internal/surface/corner_table_of.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 

@@ -5,17 +5,17 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_PARAMETERIZE_H
 
 #include <CGAL/Spherical_parameterization/Indexed_triangle_mesh.h>
-#include <CGAL/Spherical_parameterization/Result.h>
+#include <CGAL/Spherical_parameterization/values/Result.h>
 #include <CGAL/Spherical_parameterization/edge_weights.h>
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
-#include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
-#include <CGAL/Spherical_parameterization/internal/base/make_monitor.h>
-#include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
-#include <CGAL/Spherical_parameterization/internal/base/precondition.h>
+#include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
+#include <CGAL/Spherical_parameterization/internal/context/make_monitor.h>
+#include <CGAL/Spherical_parameterization/internal/api/named_parameters.h>
+#include <CGAL/Spherical_parameterization/internal/api/precondition.h>
 #include <CGAL/Spherical_parameterization/internal/driver/arguments.h>
 #include <CGAL/Spherical_parameterization/internal/driver/read_problem.h>
 #include <CGAL/Spherical_parameterization/internal/driver/solve.h>
-#include <CGAL/Spherical_parameterization/methods.h>
+#include <CGAL/Spherical_parameterization/values/methods.h>
 
 #include <CGAL/tags.h>
 

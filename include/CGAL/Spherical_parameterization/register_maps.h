@@ -4,23 +4,23 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_REGISTER_MAPS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_REGISTER_MAPS_H
 
-#include <CGAL/Spherical_parameterization/internal/base/pi.h>
-#include <CGAL/Spherical_parameterization/Error.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
+#include <CGAL/Spherical_parameterization/values/Error.h>
 #include <CGAL/Spherical_parameterization/align_maps.h>
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
-#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
-#include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
-#include <CGAL/Spherical_parameterization/internal/base/make_monitor.h>
-#include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
-#include <CGAL/Spherical_parameterization/internal/base/precondition.h>
-#include <CGAL/Spherical_parameterization/internal/base/rotations.h>
-#include <CGAL/Spherical_parameterization/internal/base/text.h>
+#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
+#include <CGAL/Spherical_parameterization/internal/context/make_monitor.h>
+#include <CGAL/Spherical_parameterization/internal/api/named_parameters.h>
+#include <CGAL/Spherical_parameterization/internal/api/precondition.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/rotations.h>
+#include <CGAL/Spherical_parameterization/internal/text/text.h>
 #include <CGAL/Spherical_parameterization/internal/distortion/Mapped_faces.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/Vertex_numbering.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/corner_table_of.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Vertex_numbering.h>
+#include <CGAL/Spherical_parameterization/internal/surface/corner_table_of.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/certificate.h>
-#include <CGAL/Spherical_parameterization/internal/registration/Centring.h>
-#include <CGAL/Spherical_parameterization/internal/registration/refine.h>
+#include <CGAL/Spherical_parameterization/internal/correspondence/Centring.h>
+#include <CGAL/Spherical_parameterization/internal/correspondence/refine.h>
 #include <CGAL/Spherical_parameterization/locate.h>
 #include <CGAL/Spherical_parameterization/spherical_harmonics.h>
 

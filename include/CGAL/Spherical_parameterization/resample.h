@@ -4,8 +4,8 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_RESAMPLE_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_RESAMPLE_H
 
-#include <CGAL/Spherical_parameterization/internal/base/precondition.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/midpoint_refinement.h>
+#include <CGAL/Spherical_parameterization/internal/api/precondition.h>
+#include <CGAL/Spherical_parameterization/internal/surface/midpoint_refinement.h>
 #include <CGAL/Spherical_parameterization/transfer_properties.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>

@@ -9,15 +9,15 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_SEGMENTATION_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_SEGMENTATION_H
 
-#include <CGAL/Spherical_parameterization/Error.h>
+#include <CGAL/Spherical_parameterization/values/Error.h>
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
-#include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
-#include <CGAL/Spherical_parameterization/internal/base/precondition.h>
+#include <CGAL/Spherical_parameterization/internal/api/named_parameters.h>
+#include <CGAL/Spherical_parameterization/internal/api/precondition.h>
 #include <CGAL/Spherical_parameterization/internal/distortion/Face_measures.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/Mapped_surface.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Mapped_surface.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/segments.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
-#include <CGAL/Spherical_parameterization/segmentation_methods.h>
+#include <CGAL/Spherical_parameterization/values/segmentation_methods.h>
 
 #include <CGAL/tags.h>
 

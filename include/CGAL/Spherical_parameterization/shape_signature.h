@@ -5,8 +5,8 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_SHAPE_SIGNATURE_H
 
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
-#include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/Mapped_surface.h>
+#include <CGAL/Spherical_parameterization/internal/api/named_parameters.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Mapped_surface.h>
 #include <CGAL/Spherical_parameterization/internal/signature/signature_values.h>
 
 #include <CGAL/tags.h>

@@ -4,17 +4,17 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_SHAPE_STATISTICS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_SHAPE_STATISTICS_H
 
-#include <CGAL/Spherical_parameterization/internal/base/pi.h>
-#include <CGAL/Spherical_parameterization/Error.h>
-#include <CGAL/Spherical_parameterization/Harmonic_coefficients.h>
-#include <CGAL/Spherical_parameterization/Procrustes.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
+#include <CGAL/Spherical_parameterization/values/Error.h>
+#include <CGAL/Spherical_parameterization/values/Harmonic_coefficients.h>
+#include <CGAL/Spherical_parameterization/values/Procrustes.h>
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
-#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
-#include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
-#include <CGAL/Spherical_parameterization/internal/base/precondition.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/Vertex_numbering.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/corner_table_of.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/point_coordinates.h>
+#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
+#include <CGAL/Spherical_parameterization/internal/api/precondition.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Vertex_numbering.h>
+#include <CGAL/Spherical_parameterization/internal/surface/corner_table_of.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/point_coordinates.h>
 #include <CGAL/Spherical_parameterization/internal/statistics/Shape_set.h>
 #include <CGAL/Spherical_parameterization/internal/statistics/principal_components.h>
 #include <CGAL/Spherical_parameterization/internal/statistics/procrustes.h>

@@ -4,21 +4,21 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_SPHERICAL_HARMONICS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_SPHERICAL_HARMONICS_H
 
-#include <CGAL/Spherical_parameterization/internal/base/pi.h>
-#include <CGAL/Spherical_parameterization/Error.h>
-#include <CGAL/Spherical_parameterization/Harmonic_coefficients.h>
-#include <CGAL/Spherical_parameterization/harmonics_methods.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
+#include <CGAL/Spherical_parameterization/values/Error.h>
+#include <CGAL/Spherical_parameterization/values/Harmonic_coefficients.h>
+#include <CGAL/Spherical_parameterization/values/harmonics_methods.h>
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
-#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
-#include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
-#include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
-#include <CGAL/Spherical_parameterization/internal/base/precondition.h>
-#include <CGAL/Spherical_parameterization/internal/base/rotations.h>
+#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
+#include <CGAL/Spherical_parameterization/internal/api/named_parameters.h>
+#include <CGAL/Spherical_parameterization/internal/api/precondition.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/rotations.h>
 #include <CGAL/Spherical_parameterization/internal/distortion/Face_measures.h>
 #include <CGAL/Spherical_parameterization/internal/distortion/Mapped_faces.h>
-#include <CGAL/Spherical_parameterization/internal/harmonics/analysis.h>
-#include <CGAL/Spherical_parameterization/internal/harmonics/ellipsoid.h>
-#include <CGAL/Spherical_parameterization/internal/harmonics/rotation.h>
+#include <CGAL/Spherical_parameterization/internal/spherical_harmonics/analysis.h>
+#include <CGAL/Spherical_parameterization/internal/spherical_harmonics/ellipsoid.h>
+#include <CGAL/Spherical_parameterization/internal/spherical_harmonics/rotation.h>
 
 #include <CGAL/tags.h>
 

@@ -4,13 +4,13 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_STRETCH_HISTOGRAM_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_STRETCH_HISTOGRAM_H
 
-#include <CGAL/Spherical_parameterization/Error.h>
+#include <CGAL/Spherical_parameterization/values/Error.h>
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
-#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
-#include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
-#include <CGAL/Spherical_parameterization/internal/base/precondition.h>
+#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/api/named_parameters.h>
+#include <CGAL/Spherical_parameterization/internal/api/precondition.h>
 #include <CGAL/Spherical_parameterization/internal/distortion/Face_measures.h>
-#include <CGAL/Spherical_parameterization/internal/base/histogram.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/histogram.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 
 #include <CGAL/tags.h>

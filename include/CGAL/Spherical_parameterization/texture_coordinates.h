@@ -4,17 +4,17 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_TEXTURE_COORDINATES_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_TEXTURE_COORDINATES_H
 
-#include <CGAL/Spherical_parameterization/Error.h>
+#include <CGAL/Spherical_parameterization/values/Error.h>
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
-#include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
-#include <CGAL/Spherical_parameterization/internal/base/plane.h>
-#include <CGAL/Spherical_parameterization/internal/base/precondition.h>
-#include <CGAL/Spherical_parameterization/internal/base/text.h>
+#include <CGAL/Spherical_parameterization/internal/api/named_parameters.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/plane.h>
+#include <CGAL/Spherical_parameterization/internal/api/precondition.h>
+#include <CGAL/Spherical_parameterization/internal/text/text.h>
 #include <CGAL/Spherical_parameterization/internal/distortion/Mapped_faces.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/vertex_stars.h>
+#include <CGAL/Spherical_parameterization/internal/surface/vertex_stars.h>
 #include <CGAL/Spherical_parameterization/internal/texture/texture_layout.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
-#include <CGAL/Spherical_parameterization/texture_options.h>
+#include <CGAL/Spherical_parameterization/values/texture_options.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/tags.h>

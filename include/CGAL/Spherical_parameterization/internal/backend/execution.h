@@ -4,7 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_EXECUTION_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_EXECUTION_H
 
-#include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
+#include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 
 #include <CGAL/tags.h>
 

@@ -14,6 +14,6 @@
 #include <CGAL/Spherical_parameterization/internal/backend/formulas/power.h>
 #include <CGAL/Spherical_parameterization/internal/backend/formulas/saddle_point.h>
 #include <CGAL/Spherical_parameterization/internal/backend/formulas/spring_energy.h>
-#include <CGAL/Spherical_parameterization/internal/base/vec3.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_VERTEX_FORMULAS_H

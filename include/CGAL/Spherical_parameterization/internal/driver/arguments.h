@@ -6,9 +6,9 @@
 
 #include <CGAL/Spherical_parameterization/Indexed_triangle_mesh.h>
 #include <CGAL/Spherical_parameterization/edge_weights.h>
-#include <CGAL/Spherical_parameterization/internal/base/named_parameters.h>
-#include <CGAL/Spherical_parameterization/internal/base/precondition.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/point_coordinates.h>
+#include <CGAL/Spherical_parameterization/internal/api/named_parameters.h>
+#include <CGAL/Spherical_parameterization/internal/api/precondition.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/point_coordinates.h>
 #include <CGAL/Spherical_parameterization/internal/problem/Method_solver.h>
 
 #include <CGAL/Named_function_parameters.h>

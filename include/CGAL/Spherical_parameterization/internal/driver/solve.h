@@ -5,17 +5,17 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DRIVER_SOLVE_H
 
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
-#include <CGAL/Spherical_parameterization/internal/base/Monitor.h>
-#include <CGAL/Spherical_parameterization/internal/base/compiled.h>
-#include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
-#include <CGAL/Spherical_parameterization/internal/base/precondition.h>
-#include <CGAL/Spherical_parameterization/internal/coarse_to_fine/solve_isometric.h>
-#include <CGAL/Spherical_parameterization/internal/harmonic/solve_balanced.h>
+#include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
+#include <CGAL/Spherical_parameterization/internal/api/compiled.h>
+#include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
+#include <CGAL/Spherical_parameterization/internal/api/precondition.h>
+#include <CGAL/Spherical_parameterization/internal/isometric/solve_isometric.h>
+#include <CGAL/Spherical_parameterization/internal/balanced/solve_balanced.h>
 #include <CGAL/Spherical_parameterization/internal/problem/Method_solver.h>
 #include <CGAL/Spherical_parameterization/internal/problem/Problem.h>
 #include <CGAL/Spherical_parameterization/internal/problem/Solution.h>
 #include <CGAL/Spherical_parameterization/internal/saddle_point/solve_saddle_point.h>
-#include <CGAL/Spherical_parameterization/methods.h>
+#include <CGAL/Spherical_parameterization/values/methods.h>
 
 #include <CGAL/tags.h>
 

@@ -5,8 +5,8 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MULTIGRID_DENSE_INVERSE_H
 
 #include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
-#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
-#include <CGAL/Spherical_parameterization/internal/base/symmetric_solver.h>
+#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/symmetric_solver.h>
 
 #include <algorithm>
 #include <cstddef>

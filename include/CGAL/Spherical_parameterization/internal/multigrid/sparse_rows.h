@@ -4,7 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MULTIGRID_SPARSE_ROWS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MULTIGRID_SPARSE_ROWS_H
 
-#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
 
 #include <algorithm>

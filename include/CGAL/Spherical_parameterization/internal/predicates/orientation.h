@@ -4,8 +4,8 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PREDICATES_ORIENTATION_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PREDICATES_ORIENTATION_H
 
-#include <CGAL/Spherical_parameterization/internal/base/vec3.h>
-#include <CGAL/Spherical_parameterization/internal/base/compiled.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
+#include <CGAL/Spherical_parameterization/internal/api/compiled.h>
 
 #include <array>
 #include <cmath>

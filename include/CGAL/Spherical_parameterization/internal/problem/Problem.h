@@ -5,9 +5,9 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PROBLEM_PROBLEM_H
 
 #include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
-#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/Corner_table.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/Spring_lengths.h>
+#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Corner_table.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Spring_lengths.h>
 
 #include <array>
 #include <cstddef>

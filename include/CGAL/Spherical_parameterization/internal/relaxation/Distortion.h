@@ -5,7 +5,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RELAXATION_DISTORTION_H
 
 #include <CGAL/Spherical_parameterization/internal/backend/formulas/power.h>
-#include <CGAL/Spherical_parameterization/internal/base/vec3.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 
 #include <algorithm>
 #include <cmath>

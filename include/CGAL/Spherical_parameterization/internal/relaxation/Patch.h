@@ -4,7 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RELAXATION_PATCH_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RELAXATION_PATCH_H
 
-#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 #include <CGAL/Spherical_parameterization/internal/relaxation/Face_hessian.h>
 #include <CGAL/Spherical_parameterization/internal/relaxation/Sparse_cholesky.h>

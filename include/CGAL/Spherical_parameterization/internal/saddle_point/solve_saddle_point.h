@@ -4,10 +4,10 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SADDLE_POINT_SOLVE_SADDLE_POINT_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SADDLE_POINT_SOLVE_SADDLE_POINT_H
 
-#include <CGAL/Spherical_parameterization/internal/base/precondition.h>
-#include <CGAL/Spherical_parameterization/internal/base/text.h>
+#include <CGAL/Spherical_parameterization/internal/api/precondition.h>
+#include <CGAL/Spherical_parameterization/internal/text/text.h>
 #include <CGAL/Spherical_parameterization/internal/problem/Method_solver.h>
-#include <CGAL/Spherical_parameterization/methods.h>
+#include <CGAL/Spherical_parameterization/values/methods.h>
 
 #include <string>
 

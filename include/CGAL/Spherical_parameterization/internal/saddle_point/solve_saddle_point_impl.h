@@ -4,9 +4,9 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SADDLE_POINT_SOLVE_SADDLE_POINT_IMPL_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SADDLE_POINT_SOLVE_SADDLE_POINT_IMPL_H
 
-#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
-#include <CGAL/Spherical_parameterization/internal/harmonic/start_map.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/point_coordinates.h>
+#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/balanced/start_map.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/point_coordinates.h>
 #include <CGAL/Spherical_parameterization/internal/saddle_point/solve_saddle_point.h>
 
 #include <algorithm>

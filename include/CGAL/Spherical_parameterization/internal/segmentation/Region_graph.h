@@ -5,7 +5,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SEGMENTATION_REGION_GRAPH_H
 
 #include <CGAL/Spherical_parameterization/internal/segmentation/Segmentation_mesh.h>
-#include <CGAL/Spherical_parameterization/segmentation_methods.h>
+#include <CGAL/Spherical_parameterization/values/segmentation_methods.h>
 
 #include <algorithm>
 #include <array>

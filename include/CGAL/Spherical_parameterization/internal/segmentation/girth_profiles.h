@@ -4,7 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SEGMENTATION_GIRTH_PROFILES_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SEGMENTATION_GIRTH_PROFILES_H
 
-#include <CGAL/Spherical_parameterization/internal/base/persistence.h>
+#include <CGAL/Spherical_parameterization/internal/surface/persistence.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/Segmentation_mesh.h>
 
 #include <algorithm>

@@ -4,14 +4,14 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SEGMENTATION_SEGMENTS_IMPL_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SEGMENTATION_SEGMENTS_IMPL_H
 
-#include <CGAL/Spherical_parameterization/internal/mesh/Mapped_surface.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Mapped_surface.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/Segmentation_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/concave_cuts.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/girth_profiles.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/majority_vote.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/region_growing.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/segments.h>
-#include <CGAL/Spherical_parameterization/segmentation_methods.h>
+#include <CGAL/Spherical_parameterization/values/segmentation_methods.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,12 +4,12 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SIGNATURE_CONFORMAL_FACTOR_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SIGNATURE_CONFORMAL_FACTOR_H
 
-#include <CGAL/Spherical_parameterization/Error.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/Mapped_surface.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/midpoint_refinement.h>
+#include <CGAL/Spherical_parameterization/values/Error.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Mapped_surface.h>
+#include <CGAL/Spherical_parameterization/internal/surface/midpoint_refinement.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 #include <CGAL/Spherical_parameterization/internal/signature/Discrete_surface.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/Intrinsic_triangulation.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Intrinsic_triangulation.h>
 
 #include <cmath>
 #include <cstddef>

@@ -4,8 +4,8 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SIGNATURE_SIGNATURE_VALUES_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SIGNATURE_SIGNATURE_VALUES_H
 
-#include <CGAL/Spherical_parameterization/internal/base/compiled.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/Mapped_surface.h>
+#include <CGAL/Spherical_parameterization/internal/api/compiled.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Mapped_surface.h>
 
 #include <array>
 #include <cstddef>

@@ -4,9 +4,9 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SIGNATURE_SIGNATURE_VALUES_IMPL_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SIGNATURE_SIGNATURE_VALUES_IMPL_H
 
-#include <CGAL/Spherical_parameterization/internal/base/histogram.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/Mapped_surface.h>
-#include <CGAL/Spherical_parameterization/internal/base/persistence.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/histogram.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Mapped_surface.h>
+#include <CGAL/Spherical_parameterization/internal/surface/persistence.h>
 #include <CGAL/Spherical_parameterization/internal/signature/Discrete_surface.h>
 #include <CGAL/Spherical_parameterization/internal/signature/conformal_factor.h>
 #include <CGAL/Spherical_parameterization/internal/signature/signature_values.h>

@@ -4,7 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_STATISTICS_SHAPE_SET_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_STATISTICS_SHAPE_SET_H
 
-#include <CGAL/Spherical_parameterization/internal/base/vec3.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 
 #include <cstddef>
 #include <utility>

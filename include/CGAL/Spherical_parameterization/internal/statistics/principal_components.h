@@ -4,7 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_STATISTICS_PRINCIPAL_COMPONENTS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_STATISTICS_PRINCIPAL_COMPONENTS_H
 
-#include <CGAL/Spherical_parameterization/internal/base/compiled.h>
+#include <CGAL/Spherical_parameterization/internal/api/compiled.h>
 #include <CGAL/Spherical_parameterization/internal/statistics/Shape_set.h>
 
 #include <vector>

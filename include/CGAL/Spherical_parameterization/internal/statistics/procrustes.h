@@ -4,8 +4,8 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_STATISTICS_PROCRUSTES_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_STATISTICS_PROCRUSTES_H
 
-#include <CGAL/Spherical_parameterization/Procrustes.h>
-#include <CGAL/Spherical_parameterization/internal/base/compiled.h>
+#include <CGAL/Spherical_parameterization/values/Procrustes.h>
+#include <CGAL/Spherical_parameterization/internal/api/compiled.h>
 #include <CGAL/Spherical_parameterization/internal/statistics/Shape_set.h>
 
 namespace CGAL::Spherical_parameterization::internal {

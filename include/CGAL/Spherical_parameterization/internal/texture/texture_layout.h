@@ -4,12 +4,12 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_TEXTURE_TEXTURE_LAYOUT_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_TEXTURE_TEXTURE_LAYOUT_H
 
-#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
-#include <CGAL/Spherical_parameterization/internal/base/compiled.h>
-#include <CGAL/Spherical_parameterization/internal/base/plane.h>
+#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/api/compiled.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/plane.h>
 #include <CGAL/Spherical_parameterization/internal/distortion/Mapped_faces.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/vertex_stars.h>
-#include <CGAL/Spherical_parameterization/texture_options.h>
+#include <CGAL/Spherical_parameterization/internal/surface/vertex_stars.h>
+#include <CGAL/Spherical_parameterization/values/texture_options.h>
 
 #include <array>
 

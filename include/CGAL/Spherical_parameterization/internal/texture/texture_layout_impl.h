@@ -4,14 +4,14 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_TEXTURE_TEXTURE_LAYOUT_IMPL_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_TEXTURE_TEXTURE_LAYOUT_IMPL_H
 
-#include <CGAL/Spherical_parameterization/internal/base/host_loops.h>
-#include <CGAL/Spherical_parameterization/internal/base/precondition.h>
+#include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
+#include <CGAL/Spherical_parameterization/internal/api/precondition.h>
 #include <CGAL/Spherical_parameterization/internal/distortion/Mapped_faces.h>
-#include <CGAL/Spherical_parameterization/internal/mesh/point_coordinates.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/point_coordinates.h>
 #include <CGAL/Spherical_parameterization/internal/texture/least_harmful_poles.h>
 #include <CGAL/Spherical_parameterization/internal/texture/texture_charts.h>
 #include <CGAL/Spherical_parameterization/internal/texture/texture_layout.h>
-#include <CGAL/Spherical_parameterization/texture_options.h>
+#include <CGAL/Spherical_parameterization/values/texture_options.h>
 
 #include <algorithm>
 #include <cmath>

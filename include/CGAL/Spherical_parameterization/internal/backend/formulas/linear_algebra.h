@@ -11,7 +11,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_FORMULAS_LINEAR_ALGEBRA_H
 
 #ifndef __OPENCL_C_VERSION__
-#include <CGAL/Spherical_parameterization/internal/base/vec3.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 namespace CGAL::Spherical_parameterization::internal {
 #endif
 

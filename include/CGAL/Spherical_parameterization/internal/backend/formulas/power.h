@@ -14,7 +14,7 @@ real mantissa(real x, int* k) { return frexp(x, k); }
 real times_power_of_two(real x, int n) { return ldexp(x, n); }
 
 #else
-#include <CGAL/Spherical_parameterization/internal/base/vec3.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 
 #include <cstdint>
 #include <cstring>

@@ -7,8 +7,8 @@
 #include <CGAL/Spherical_parameterization/internal/backend/Verbs.h>
 #include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
 #include <CGAL/Spherical_parameterization/internal/backend/opencl/OpenCL_queue.h>
-#include <CGAL/Spherical_parameterization/internal/base/Host_array.h>
-#include <CGAL/Spherical_parameterization/internal/base/text.h>
+#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/text/text.h>
 
 #include <algorithm>
 #include <array>

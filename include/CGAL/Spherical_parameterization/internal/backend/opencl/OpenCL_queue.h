@@ -4,8 +4,8 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_OPENCL_OPENCL_QUEUE_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_OPENCL_OPENCL_QUEUE_H
 
-#include <CGAL/Spherical_parameterization/OpenCL_device_info.h>
-#include <CGAL/Spherical_parameterization/OpenCL_error.h>
+#include <CGAL/Spherical_parameterization/values/OpenCL_device_info.h>
+#include <CGAL/Spherical_parameterization/values/OpenCL_error.h>
 #include <CGAL/Spherical_parameterization/internal/backend/opencl/kernel_sources.h>
 
 #include <algorithm>

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_ALGEBRA_HISTOGRAM_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_ALGEBRA_HISTOGRAM_H
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+/// A weighted histogram of equal bins over [low, high]; what lies outside counts in the first or the last bin.
+class Histogram {
+public:
+  /// \pre bins >= 2, low < high
+  Histogram(std::size_t bins, double low, double high) : low_(low), width_((high - low) / bins), bins_(bins, 0.) {}
+
+  void add(double value, double weight)
+  {
+    bins_[static_cast<std::size_t>(std::clamp(std::floor(position(value)), 0., last()))] += weight;
+  }
+
+  /// Shares the weight between the two bins whose centres are nearest, so that a small change of the value is a small
+  /// change of the histogram.
+  void add_interpolated(double value, double weight)
+  {
+    const double x = std::clamp(position(value) - 0.5, 0., last());
+    const double bin = (std::min)(std::floor(x), last() - 1);
+    bins_[static_cast<std::size_t>(bin)] += weight * (1 - (x - bin));
+    bins_[static_cast<std::size_t>(bin) + 1] += weight * (x - bin);
+  }
+
+  /// The weights of the bins over their sum.
+  std::vector<double> shares() const
+  {
+    const double total = std::accumulate(bins_.begin(), bins_.end(), 0.);
+    std::vector<double> result = bins_;
+    for(double& weight : result)
+      weight /= total;
+    return result;
+  }
+
+private:
+  double position(double value) const { return (value - low_) / width_; }
+  double last() const { return static_cast<double>(bins_.size()) - 1; }
+
+  double low_, width_;
+  std::vector<double> bins_;
+};
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_ALGEBRA_HISTOGRAM_H

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_ALGEBRA_POINT_COORDINATES_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_ALGEBRA_POINT_COORDINATES_H
+
+#include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+template <class Point, class = void>
+struct Has_xyz : std::false_type {};
+template <class Point>
+struct Has_xyz<Point,
+               std::void_t<decltype(std::declval<const Point&>().x()), decltype(std::declval<const Point&>().y()),
+                           decltype(std::declval<const Point&>().z())>> : std::true_type {};
+
+/// The coordinates of a point of any kernel or vector library, as doubles: x(), y(), z() if there are such members,
+/// else p[0], p[1], p[2].
+template <class Point>
+vec3 coordinates(const Point& p)
+{
+  using CGAL::to_double;
+  if constexpr(Has_xyz<Point>::value)
+    return {to_double(p.x()), to_double(p.y()), to_double(p.z())};
+  else
+    return {to_double(p[0]), to_double(p[1]), to_double(p[2])};
+}
+
+inline vec3 coordinates(const vec3& p) { return p; }
+
+template <class Point>
+auto first_coordinate(const Point& p)
+{
+  if constexpr(Has_xyz<Point>::value)
+    return p.x();
+  else
+    return p[0];
+}
+/// The type of the coordinates of a point.
+template <class Point>
+using Coordinate_of = decltype(first_coordinate(std::declval<const Point&>()));
+
+/// Whether several threads may read coordinates of this type at once: built-in numbers, unlike lazy exact ones.
+template <class Point>
+constexpr bool are_plain_coordinates()
+{
+  return std::is_floating_point_v<Coordinate_of<Point>>;
+}
+
+/// a divided by the largest of its absolute coordinates: squares and products then neither overflow nor underflow.
+inline vec3 scaled_to_unit_box(vec3 a)
+{
+  const double largest = (std::max)({std::abs(a.x), std::abs(a.y), std::abs(a.z)});
+  return largest > 0 ? vec3{a.x / largest, a.y / largest, a.z / largest} : a;
+}
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_ALGEBRA_POINT_COORDINATES_H

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CONTEXT_MONITOR_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CONTEXT_MONITOR_H
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <iostream>
+#include <string>
+#include <utility>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+/// Seconds since construction.
+class Stopwatch {
+public:
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// Watches a computation for the user: time limit, callback, and the log on std::cerr. The solvers report after every
+/// iteration, and stop where `advance()` says no.
+class Monitor {
+public:
+  Monitor(double maximum_running_time, std::function<bool(double)> callback, bool verbose)
+    : limit_(maximum_running_time), callback_(std::move(callback)), verbose_(verbose)
+  {}
+
+  /// From here on `advance()` counts within the stage of the work from `begin` to `end`, in [0,1].
+  void begin_stage(double begin, double end)
+  {
+    begin_ = begin;
+    end_ = end;
+  }
+
+  /// `fraction` in [0,1] is how far the stage has come; it never goes back. Returns whether to go on.
+  bool advance(double fraction)
+  {
+    if(!is_interrupted_) {
+      if(fraction > 0) // and no NaN
+        fraction_ = (std::max)(fraction_, begin_ + (std::min)(1., fraction) * (end_ - begin_));
+      if(watch_.seconds() >= limit_)
+        interrupt("the time limit was reached");
+      else if(callback_ && !callback_(fraction_))
+        interrupt("stopped by the callback");
+    }
+    return !is_interrupted_;
+  }
+
+  /// Share of the way, on a logarithmic scale, that a residual has come from `first` down to `goal`.
+  static double share(double residual, double first, double goal)
+  {
+    return first > goal && residual > 0 ? std::log(first / residual) / std::log(first / goal) : 0;
+  }
+
+  void log(const char* phase, std::size_t iteration, double residual, double energy) const
+  {
+    if(verbose_)
+      std::cerr << phase << ' ' << iteration << ": residual " << residual << ", energy " << energy << ", "
+                << watch_.seconds() << " s\n";
+  }
+
+  bool is_interrupted() const { return is_interrupted_; }
+  const std::string& reason() const { return reason_; }
+
+private:
+  void interrupt(const char* reason)
+  {
+    is_interrupted_ = true;
+    reason_ = reason;
+  }
+
+  Stopwatch watch_;
+  double limit_;
+  std::function<bool(double)> callback_;
+  bool verbose_;
+  double fraction_ = 0;
+  double begin_ = 0, end_ = 1; ///< of the stage
+  bool is_interrupted_ = false;
+  std::string reason_;
+};
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CONTEXT_MONITOR_H

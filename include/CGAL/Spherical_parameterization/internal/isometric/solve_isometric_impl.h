@@ -1,0 +1,667 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_ISOMETRIC_SOLVE_ISOMETRIC_IMPL_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_ISOMETRIC_SOLVE_ISOMETRIC_IMPL_H
+
+#include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
+#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/text/text.h>
+#include <CGAL/Spherical_parameterization/internal/isometric/Carried_density.h>
+#include <CGAL/Spherical_parameterization/internal/isometric/Map_level.h>
+#include <CGAL/Spherical_parameterization/internal/isometric/Progressive_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/relaxation/Star.h>
+#include <CGAL/Spherical_parameterization/internal/isometric/decimation.h>
+#include <CGAL/Spherical_parameterization/internal/isometric/landmark_placement.h>
+#include <CGAL/Spherical_parameterization/internal/isometric/newton_relaxation.h>
+#include <CGAL/Spherical_parameterization/internal/isometric/solve_isometric.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+/// Builds a bijective map to the sphere from a tetrahedron up, and keeps it bijective at every moment: a vertex is
+/// inserted into the kernel of its star, and moves only to where all of its faces are positively oriented by the exact
+/// predicate. E. Praun and H. Hoppe, "Spherical parametrization and remeshing", SIGGRAPH 2003; X. Hu, X.-M. Fu, L. Liu,
+/// "Advanced hierarchical spherical parameterizations", TVCG 2018.
+///
+/// The rounds of the decimation are undone one by one, last first. The distortion of the map is relaxed after each one
+/// on coarse meshes. On fine ones that is done only where the mesh has grown by `growth_of_fine_levels`, and by
+/// Newton's method on the whole level: what is inserted then is distorted as its surroundings are, and these have been
+/// at their optimum.
+///
+/// Fixed vertices are landmarks. The decimation keeps them while there are many more vertices than landmarks. On the
+/// coarsest mesh that has all of them the map is rotated to fit their places, and they are moved there; where that mesh
+/// is too coarse, on one of the next. From then on they do not move.
+class Coarse_to_fine_map {
+public:
+  /// How landmarks are brought to their places.
+  struct Attempt {
+    int size;                                   ///< of the mesh, about, on which that is begun
+    bool is_last;                               ///< whether it goes on to the finest mesh where they do not get there
+    Landmark_budget* budget;                    ///< for all attempts
+    const Host_array<vec3>* free_map = nullptr; ///< without landmarks, to begin with instead of a tetrahedron
+  };
+
+  Coarse_to_fine_map(const Host_loop& loop, const Isometric& method, const Problem& problem, const Effort& effort,
+                     Monitor& monitor, const Attempt& attempt)
+    : loop_(loop), attempt_(attempt), method_(method),
+      last_exponent_(method.area_exponent.value_or(problem.density.empty() ? Isometric::default_area_exponent
+                                                                           : Isometric::area_exponent_of_densities)),
+      exponent_((std::min)(last_exponent_, largest_coarse_exponent)), distortion_(exponent_), problem_(problem),
+      effort_(effort), monitor_(monitor), source_area_(area_of_source()), order_of_faces_(order_of_faces(problem)),
+      density_(problem, order_of_faces_), mesh_(loop, faces_in_order(problem, order_of_faces_), problem.size()),
+      level_(loop, problem.size()), map_{Host_array<vec3>(problem.size(), vec3{0, 0, 0}),
+                                         std::vector<int>(problem.size(), -1)},
+      level_sizes_(sizes_of_levels(problem.size(), exponent_))
+  {
+    if(!(source_area_ > 0)) // all points are one: then all faces count as equal
+      source_area_ = 1;
+    for(int v = 0; problem.has_fixed() && v < problem.size(); ++v)
+      if(problem.is_fixed[v])
+        landmarks_.push_back({v, problem.as_stored ? problem.as_stored(problem.given[v]) : problem.given[v]});
+  }
+
+  /// Returns the positions of all vertices.
+  Host_array<vec3> run(Solver_report& report)
+  {
+    decimate();
+    if(attempt_.free_map)
+      take_free_map();
+    else
+      embed_tetrahedron();
+    for(; !rounds_.empty(); rounds_.pop_back()) {
+      insert(std::move(rounds_.back()));
+      const bool have_landmarks_come =
+        rounds_.size() <= rounds_with_landmarks_ + 1 && !std::exchange(are_landmarks_present_, true);
+      if(rounds_.size() > 1) {
+        if(is_relaxed_now() || have_landmarks_come)
+          relax_level();
+        if(!has_second_start_ && mesh_.number_of_vertices() >= size_of_second_start && !are_landmarks_present_)
+          start_again();
+        advance_or_give_up();
+      }
+    }
+    finish(report);
+    return std::move(map_.position);
+  }
+
+private:
+  /// While there are vertices to come, needles count as better than they are: they would squeeze what is inserted.
+  static constexpr Metric_bounds coarse_bounds = {100, 1e-4};
+  static constexpr Metric_bounds final_bounds = {1e3, 1e-8};
+  static constexpr double largest_coarse_exponent = 3;
+  static constexpr double linear_tolerance = 0.1; ///< of Newton's equations
+  static constexpr int sweeps_of_levels = 2;
+  static constexpr int coarse_size = 20000; ///< the largest meshes of which many levels are relaxed
+  static constexpr int tiny_size = 500; ///< the largest ones of which most levels are relaxed: limbs find places there
+  /// From one level that is relaxed to the next
+  static constexpr double growth_of_tiny_levels = 1.3, growth_of_coarse_levels = 2, growth_of_fine_levels = 5;
+  /// The mean distortion, 4 = isometric, from which on a shape has limbs, and long ones that get stuck.
+  static constexpr double distortion_of_limbs = 8, distortion_of_long_limbs = 18;
+  static constexpr int size_of_second_start = 50;
+  /// Of the energy, for which a Newton step on a coarse level is worth while
+  static constexpr double least_gain_without_limbs = 1e-3, least_gain_with_limbs = 1e-4;
+
+  /// The faces by their smallest vertices, so that those of a star lie close together in memory, as the vertices do:
+  /// where a mesh is larger than the caches, that is half of the time of the decimation. Others are left as they are.
+  static std::vector<int> order_of_faces(const Problem& problem)
+  {
+    if(problem.size() <= coarse_size)
+      return {};
+    const auto smallest = [](const std::array<int, 3>& f) { return (std::min)({f[0], f[1], f[2]}); };
+    std::vector<int> begin(problem.size() + 1, 0);
+    for(const std::array<int, 3>& f : problem.face)
+      ++begin[smallest(f) + 1];
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    std::vector<int> order(problem.face.size());
+    for(int f = 0; f < static_cast<int>(order.size()); ++f)
+      order[begin[smallest(problem.face[f])]++] = f;
+    return order;
+  }
+
+  static Host_array<std::array<int, 3>> faces_in_order(const Problem& problem, const std::vector<int>& order)
+  {
+    if(order.empty())
+      return problem.face;
+    Host_array<std::array<int, 3>> faces(order.size());
+    for(std::size_t f = 0; f < order.size(); ++f)
+      faces[f] = problem.face[order[f]];
+    return faces;
+  }
+
+  /// The smallest area that faces count with is a share of this. So it has needles as good as they will count: were the
+  /// whole surface needles, and their true areas added up, then the share would be nothing to any of them.
+  double area_of_source() const
+  {
+    return sum_by_parts(loop_, static_cast<int>(problem_.face.size()), [&](int f) {
+      const auto [i, j, k] = problem_.face[f];
+      const vec3 a = sub(problem_.point[j], problem_.point[i]), b = sub(problem_.point[k], problem_.point[i]);
+      return face_metric(a, b, {coarse_bounds.aspect, 0}).twice_area / 2;
+    });
+  }
+
+  void decimate()
+  {
+    Decimation decimation(loop_, problem_.point, mesh_, problem_.is_fixed, attempt_.size, attempt_.free_map);
+    while(take_round(decimation)) {
+      if(decimation.keeps_vertices())
+        rounds_with_landmarks_ = rounds_.size();
+      const double done =
+        std::log(double(problem_.size()) / mesh_.number_of_vertices()) / std::log(problem_.size() / 4.);
+      if(!monitor_.advance(share_of_decimation * done))
+        give_up();
+    }
+  }
+
+  /// Returns whether there was one.
+  bool take_round(Decimation& decimation)
+  {
+    std::vector<int> round = decimation.round();
+    if(round.empty())
+      return false;
+    for(int h : round)
+      density_.collapse(mesh_, h);
+    rounds_.push_back(std::move(round));
+    return true;
+  }
+
+  /// On the coarsest meshes limbs find their places, now and then wrong ones, of which no relaxation frees them. So a
+  /// shape with long limbs gets a second map, from another tetrahedron: that of a decimation which knows no finer mesh
+  /// than this one. The better map is kept.
+  void start_again()
+  {
+    has_second_start_ = true;
+    relax_level();
+    if(mean_distortion_ < distortion_of_long_limbs)
+      return;
+    const Partial_map first = map_;
+    const double first_distortion = std::exchange(mean_distortion_, 0);
+    const std::vector<Level_size> level_sizes =
+      std::exchange(level_sizes_, sizes_of_levels(mesh_.number_of_vertices(), exponent_));
+    std::vector<std::vector<int>> rounds = std::exchange(rounds_, {});
+    Decimation decimation(loop_, problem_.point, mesh_, {}, 0);
+    while(take_round(decimation)) {
+    }
+    embed_tetrahedron();
+    for(; !rounds_.empty(); rounds_.pop_back()) {
+      insert(std::move(rounds_.back()));
+      if(rounds_.size() == 1 || is_relaxed_now())
+        relax_level();
+    }
+    rounds_ = std::move(rounds);
+    level_sizes_ = level_sizes;
+    if(!(mean_distortion_ < first_distortion)) {
+      map_ = first;
+      mean_distortion_ = first_distortion;
+    }
+  }
+
+  /// The map without landmarks, restricted to the vertices that are left: all landmarks are among them.
+  void take_free_map()
+  {
+    for(int v = 0; v < problem_.size(); ++v)
+      if(!mesh_.is_removed(v)) {
+        map_.position[v] = (*attempt_.free_map)[v];
+        map_.colour[v] = free_colour(v);
+      }
+    are_landmarks_present_ = true;
+    if(!rounds_.empty())
+      relax_level();
+  }
+
+  void embed_tetrahedron()
+  {
+    static const double c = 1 / std::sqrt(3.);
+    static const std::array<vec3, 4> regular = {vec3{c, c, c}, vec3{-c, -c, c}, vec3{-c, c, -c}, vec3{c, -c, -c}};
+    int v = 0;
+    while(mesh_.is_removed(v))
+      ++v;
+    const auto place = [&](int w, int k) {
+      map_.position[w] = regular[k];
+      map_.colour[w] = k;
+    };
+    place(v, 0);
+    // seen from outside, the neighbours of (c, c, c) are regular[3], [2], [1], counterclockwise
+    int k = 3;
+    mesh_.for_each_corner(v, [&](int corner) { place(mesh_.target(corner), k--); });
+  }
+
+  /// Undoes the collapses of a round. Those for whose vertex doubles have no position come last, after the others
+  /// have been relaxed, with all faces pulled towards the same shape and size.
+  void insert(std::vector<int> round)
+  {
+    constexpr int maximum_attempts = 20;
+    for(int attempt = 0; attempt < maximum_attempts; ++attempt) {
+      std::vector<int> failed = try_to_insert(round);
+      if(failed.empty())
+        return;
+      round = std::move(failed);
+      make_room();
+      advance_or_give_up();
+    }
+    throw Input_error(Error_code::NOT_BIJECTIVE, "no position in double precision was found for " +
+                                                   counted(round.size(), "vertex", "vertices") + "; repair the mesh");
+  }
+
+  /// Pulls all faces towards the same shape, then also towards the same size: angles first, since areas are too stiff
+  /// where a map is next to degenerate.
+  void make_room()
+  {
+    constexpr int sweeps = 3;
+    assign_level({1, 1});
+    for(double exponent : {0., 1.}) {
+      const Distortion distortion(exponent);
+      for(int s = 0; s < sweeps; ++s)
+        level_.relax(distortion);
+      relax_globally(distortion);
+    }
+    level_.store(map_);
+  }
+
+  std::vector<int> try_to_insert(const std::vector<int>& round)
+  {
+    const int n = static_cast<int>(round.size());
+    std::vector<char> is_inserted(n);
+    mesh_.undo_collapses(loop_, round);
+    for(int h : round)
+      density_.undo_collapse(mesh_, h);
+    const int size = mesh_.number_of_vertices();
+    const Metric_bounds bounds = {coarse_bounds.aspect, coarse_bounds.area * source_area_ / (2. * size - 4)};
+    constexpr double sufficient_factor = 2; // times the mean
+    const double sufficient_distortion = sufficient_factor * mean_distortion_;
+    for_each_of_level(loop_, 0, n, [&](int r) {
+      const int u = mesh_.vertex(round[r]), v = mesh_.target(round[r]);
+      Star star;
+      mesh_.for_each_corner(u, [&](int c) {
+        const int j = mesh_.target(c), k = mesh_.apex(c);
+        Face_metric metric =
+          face_metric(sub(problem_.point[j], problem_.point[u]), sub(problem_.point[k], problem_.point[u]), bounds);
+        density_.apply(mesh_, c, bounds.area, metric);
+        star.emplace_back(map_.position[j], map_.position[k], metric, level_.area_scale());
+      });
+      is_inserted[r] = insert_vertex(distortion_, star, map_.position[v], sufficient_distortion, map_.position[u]);
+      map_.colour[u] = free_colour(u); // its neighbours are not of this round
+    });
+    std::vector<int> failed;
+    for(int r = n - 1; r >= 0; --r)
+      if(!is_inserted[r]) {
+        mesh_.collapse(round[r]);
+        density_.collapse(mesh_, round[r]);
+        failed.push_back(round[r]);
+      }
+    mesh_.count_collapses(static_cast<int>(failed.size()));
+    return failed;
+  }
+
+  /// The smallest colour that no neighbour of u has.
+  int free_colour(int u) const
+  {
+    int colour = 0;
+    while(mesh_.any_neighbour(u, [&](int w) { return map_.colour[w] == colour; }))
+      ++colour;
+    return colour;
+  }
+
+  void assign_level(const Metric_bounds& bounds)
+  {
+    level_.assign(mesh_, problem_.point, density_, source_area_, bounds, map_);
+    if(!are_landmarks_present_ || landmarks_.empty())
+      return;
+    if(!std::exchange(are_landmarks_aligned_, true))
+      rotate_to_landmarks(landmarks_, level_);
+    if(are_landmarks_soft())
+      for(const Landmark& l : landmarks_)
+        level_.hold(level_.index(l.vertex),
+                    {l.place, 2 * method_.landmark_weight * level_.area() / double(landmarks_.size())});
+    else
+      pin_placed(landmarks_, level_);
+  }
+
+  bool are_landmarks_soft() const { return std::isfinite(method_.landmark_weight); }
+
+  /// Moves the landmarks to their places as far as the level allows it. Tried only so often, since a little finer mesh
+  /// bends little more. Throws the Error after the last level, or where another attempt promises more.
+  void place_landmarks(bool is_last_level)
+  {
+    constexpr double growth = 1.5;
+    constexpr int levels_of_attempt = 4; // up to so many times the size on which the landmarks are brought in
+    const auto is_placed = [](const Landmark& l) { return l.is_placed; };
+    if(are_landmarks_soft() || !are_landmarks_present_ || std::all_of(landmarks_.begin(), landmarks_.end(), is_placed))
+      return;
+    if(!is_last_level && level_.size() < growth * last_placement_)
+      return;
+    last_placement_ = level_.size();
+    if(Landmark_placement(loop_, distortion_, level_, landmarks_, *attempt_.budget).run([&] { return advance(); }))
+      return;
+    if(monitor_.is_interrupted())
+      give_up();
+    if(is_last_level || attempt_.budget->is_spent() ||
+       (!attempt_.is_last && level_.size() > levels_of_attempt * attempt_.size))
+      refuse_landmarks();
+  }
+
+  /// The Error if the levels were too coarse.
+  [[noreturn]] void refuse_landmarks() const
+  {
+    constexpr int most = 5;
+    std::vector<char> is_landmark(problem_.size(), false);
+    for(const Landmark& l : landmarks_)
+      is_landmark[l.vertex] = true;
+    const auto name = [&](int v) { return std::to_string(problem_.position[v]); };
+    std::string pairs;
+    int count = 0;
+    for(const Landmark& l : landmarks_)
+      if(!l.is_placed && ++count <= most)
+        pairs += (count > 1 ? ", " : "") + name(l.vertex) + " and " + name(nearest_landmark(l.vertex, is_landmark));
+    throw Input_error(Error_code::BAD_CONSTRAINTS,
+                      (attempt_.budget->is_spent() ? std::string("the mesh could not be bent with reasonable effort")
+                                                   : std::string("the mesh is too coarse to be bent")) +
+                        " as far as they ask for between the fixed vertices " + pairs +
+                        (count > most ? ", and near " + counted(count - most, "other", "others") : "") +
+                        "; refine it there, or free some of them");
+  }
+
+  /// In edges; v is one.
+  int nearest_landmark(int v, const std::vector<char>& is_landmark) const
+  {
+    std::vector<char> is_seen(problem_.size(), false);
+    std::vector<int> front = {v};
+    is_seen[v] = true;
+    for(std::size_t k = 0; k < front.size(); ++k) {
+      if(front[k] != v && is_landmark[front[k]])
+        return front[k];
+      mesh_.for_each_corner(front[k], [&](int c) {
+        if(!std::exchange(is_seen[mesh_.target(c)], true))
+          front.push_back(mesh_.target(c));
+      });
+    }
+    return v;
+  }
+
+  /// Of a level below that of the whole mesh.
+  struct Level_size {
+    double size;
+    double least_distortion; ///< it is relaxed only if the map has as much in the mean
+  };
+
+  /// In descending order. Limbs get stuck between levels that are far apart, so that every other coarse level is for
+  /// them alone. They do so more easily where areas count more than lengths: then all coarse levels are as close as
+  /// tiny ones, and relaxed.
+  static std::vector<Level_size> sizes_of_levels(int number_of_vertices, double exponent)
+  {
+    const int close_size = exponent > 1 ? coarse_size : tiny_size;
+    std::vector<Level_size> sizes;
+    bool is_for_limbs = false;
+    for(double size = number_of_vertices; size > 4;) {
+      is_for_limbs = !is_for_limbs && size <= coarse_size && exponent <= 1;
+      size /= size > coarse_size  ? growth_of_fine_levels
+              : size > close_size ? std::sqrt(growth_of_coarse_levels)
+                                  : growth_of_tiny_levels;
+      sizes.push_back({size, !is_for_limbs ? 0 : size > tiny_size ? distortion_of_long_limbs : distortion_of_limbs});
+    }
+    return sizes;
+  }
+
+  /// Whether the mesh has got to the next level that is to be relaxed.
+  bool is_relaxed_now()
+  {
+    bool result = false;
+    for(; !level_sizes_.empty() && level_sizes_.back().size <= mesh_.number_of_vertices(); level_sizes_.pop_back())
+      result = result || mean_distortion_ >= level_sizes_.back().least_distortion;
+    return result;
+  }
+
+  bool is_level_coarse() const { return level_.size() <= coarse_size; }
+
+  void relax_level()
+  {
+    constexpr int sweeps_of_regions = 3, rings = 2;
+    constexpr double bad_factor = 20; // times the mean distortion
+    assign_level(coarse_bounds);
+    for(int s = 0; s < sweeps_of_levels; ++s)
+      level_.relax(distortion_);
+    place_landmarks(false);
+    relax_globally(distortion_);
+    mean_distortion_ = level_.energy(distortion_);
+    level_.relax_distorted(distortion_, bad_factor * mean_distortion_, rings, sweeps_of_regions);
+    if(!is_level_coarse()) {
+      Solver_report report;
+      descend(number_of_steps(), report);
+      if(monitor_.is_interrupted())
+        give_up();
+    }
+    level_.store(map_);
+  }
+
+  /// Newton's method on coarse meshes, where limbs find their places for little: the number of steps falls with the
+  /// size.
+  void relax_globally(const Distortion& distortion)
+  {
+    constexpr int maximum_steps = 100, maximum_work = 200000, maximum_iterations = 50;
+    if(!is_level_coarse())
+      return;
+    Newton_relaxation newton(loop_, distortion, level_);
+    const int steps = (std::min)(maximum_steps, maximum_work / level_.size());
+    const double least_gain =
+      level_.energy(distortion) < distortion_of_limbs ? least_gain_without_limbs : least_gain_with_limbs;
+    for(int s = 0; s < steps && newton.step(maximum_iterations, linear_tolerance) > least_gain; ++s) {
+      level_.relax(distortion);
+      advance_or_give_up();
+    }
+  }
+
+  /// The whole mesh, with its own shape. Exponents that are too stiff for an arbitrary start are approached from below.
+  void finish(Solver_report& report)
+  {
+    constexpr std::size_t steps_per_exponent = 6;
+    constexpr double growth_of_exponent = 1.5;
+    are_landmarks_present_ = true;
+    assign_level(final_bounds);
+    for(int s = 0; s < sweeps_of_levels && advance(); ++s)
+      level_.relax(distortion_);
+    place_landmarks(true);
+    descend(number_of_steps(), report);
+    while(exponent_ < last_exponent_) {
+      exponent_ = (std::min)(last_exponent_, growth_of_exponent * exponent_);
+      distortion_ = Distortion(exponent_);
+      descend(steps_per_exponent, report);
+    }
+    level_.store(map_);
+    report.energy = level_.energy(distortion_);
+    report.has_converged = !monitor_.is_interrupted();
+  }
+
+  /// Newton's method until a step promises to gain little. On fine levels steps are dear: one that could be taken in
+  /// full has left about a quarter of what it promised, measured, so that the next one need not be computed to know.
+  void descend(std::size_t maximum_steps, Solver_report& report)
+  {
+    constexpr int maximum_iterations = 100;
+    constexpr double share_left = 0.25;
+    constexpr double small_size = 2000, least_part = 0.05; // steps are cheap on small meshes
+    const double accuracy =
+      effort_.accuracy.value_or(Isometric::default_accuracy) * std::clamp(level_.size() / small_size, least_part, 1.);
+    Newton_relaxation newton(loop_, distortion_, level_);
+    for(std::size_t s = 0; s < maximum_steps && advance(); ++s) {
+      newton.step(maximum_iterations, linear_tolerance);
+      report.residual = newton.promised_gain();
+      ++report.iterations;
+      level_.relax(distortion_);
+      const bool is_quartered = !is_level_coarse() && newton.step_length() >= 1;
+      if((is_quartered ? share_left : 1) * report.residual < accuracy)
+        return;
+    }
+  }
+
+  /// The most Newton steps for a level: on large ones a share of what the user allows, since they are dear and the
+  /// levels before have done the most of it.
+  std::size_t number_of_steps() const
+  {
+    constexpr double full_size = 100000, least_share = 0.25;
+    const auto steps = effort_.number_of_iterations.value_or(Isometric::default_number_of_iterations);
+    return static_cast<std::size_t>(
+      std::ceil(double(steps) * std::clamp(full_size / double(level_.size()), least_share, 1.)));
+  }
+
+  /// Tells the user about the progress; returns whether to go on.
+  bool advance()
+  {
+    constexpr double share_of_last_level = 0.4;
+    const double done = double(mesh_.number_of_vertices()) / problem_.size();
+    return monitor_.advance(share_of_decimation + (1 - share_of_decimation - share_of_last_level) * done);
+  }
+
+  void advance_or_give_up()
+  {
+    if(!advance())
+      give_up();
+  }
+
+  [[noreturn]] void give_up() const
+  {
+    throw Input_error(Error_code::INTERRUPTED, monitor_.reason() + " before there was a map");
+  }
+
+  static constexpr double share_of_decimation = 0.15;
+
+  const Host_loop& loop_;
+  Attempt attempt_;
+  Isometric method_;
+  double last_exponent_; ///< of the area
+  double exponent_;      ///< of the area, at the moment
+  Distortion distortion_;
+  const Problem& problem_;
+  Effort effort_;
+  Monitor& monitor_;
+  double source_area_;
+  const std::vector<int> order_of_faces_;
+  Carried_density density_;
+  Progressive_mesh mesh_;
+  Map_level level_;
+  Partial_map map_;
+  std::vector<std::vector<int>> rounds_; ///< the collapsed half-edges of every round
+  std::vector<Level_size> level_sizes_;  ///< of which levels are relaxed, those to come
+  double mean_distortion_ = 0;           ///< of the level that was relaxed last; 0: there was none
+  bool has_second_start_ = false;
+  double last_placement_ = 0; ///< size of the level
+  Landmarks landmarks_;
+  std::size_t rounds_with_landmarks_ = 0; ///< the first rounds of the decimation, which keep all of them
+  bool are_landmarks_present_ = false;    ///< in the current mesh
+  bool are_landmarks_aligned_ = false;    ///< by the best rotation
+};
+
+/// Throws the Error if there is no map whose edges are geodesic: these are determined by their ends.
+inline void check_simplicial(const Problem& problem)
+{
+  const std::string wrong = "there is no map with geodesic edges: ";
+  if(problem.size() < 4)
+    throw Input_error(Error_code::NOT_BIJECTIVE, wrong + "the mesh has fewer than four vertices");
+  if(!problem.is_simplicial)
+    throw Input_error(Error_code::NOT_BIJECTIVE, wrong + "two edges of the mesh have the same ends");
+}
+
+/// Throws the Error if a face cannot be positively oriented since all of its corners are fixed.
+inline void check_fixed_faces(const Problem& problem)
+{
+  if(!problem.has_fixed())
+    return;
+  for(std::size_t f = 0; f < problem.face.size(); ++f) {
+    const auto [i, j, k] = problem.face[f];
+    if(problem.is_fixed[i] && problem.is_fixed[j] && problem.is_fixed[k] &&
+       !is_positively_oriented(problem.given[i], problem.given[j], problem.given[k]))
+      throw Input_error(Error_code::BAD_CONSTRAINTS,
+                        "the fixed vertices " + std::to_string(problem.position[i]) + ", " +
+                          std::to_string(problem.position[j]) + " and " + std::to_string(problem.position[k]) +
+                          " are the corners of face " + std::to_string(f) + ", and would flip it");
+  }
+}
+
+/// Runs `Coarse_to_fine_map`. Where landmarks get stuck, they do so by how the coarse mesh happens to be, or since the
+/// map of it is far from the map of the whole mesh, which they may have been taken from. Then again, from the map
+/// without landmarks, on coarse meshes that grow up to the whole mesh.
+inline Host_array<vec3> coarse_to_fine_map(const Host_loop& loop, const Isometric& method, const Problem& problem,
+                                           const Effort& effort, Monitor& monitor, Solver_report& report)
+{
+  typedef Coarse_to_fine_map::Attempt Attempt;
+  constexpr int least_size = 500, vertices_per_landmark = 8, growth = 3;
+  const auto landmarks = std::count(problem.is_fixed.begin(), problem.is_fixed.end(), 1);
+  double size = (std::max)(double(least_size), vertices_per_landmark * double(landmarks));
+  Landmark_budget budget(problem.size());
+  const auto run = [&](const Problem& of, const Attempt& attempt) {
+    report = Solver_report();
+    return Coarse_to_fine_map(loop, method, of, effort, monitor, attempt).run(report);
+  };
+  const auto is_next_worth_while = [&](const Input_error& error) {
+    return !budget.is_spent() &&
+           (error.code() == Error_code::BAD_CONSTRAINTS || error.code() == Error_code::NOT_BIJECTIVE);
+  };
+  try {
+    return run(problem, {static_cast<int>((std::min)(size, double(problem.size()))), false, &budget});
+  } catch(const Input_error& error) {
+    if(landmarks == 0 || !is_next_worth_while(error))
+      throw;
+  }
+  Problem free = problem;
+  free.is_fixed.clear();
+  const Host_array<vec3> free_map = run(free, {0, true, &budget});
+  for(; growth * size < problem.size(); size *= growth)
+    try {
+      return run(problem, {static_cast<int>(size), false, &budget, &free_map});
+    } catch(const Input_error& error) {
+      if(!is_next_worth_while(error))
+        throw;
+    }
+  return run(problem, {problem.size(), true, &budget, &free_map});
+}
+
+/// See `Result::density_deviation`.
+inline double density_deviation(const Host_loop& loop, const Problem& problem, const Host_array<vec3>& position)
+{
+  const int number_of_faces = static_cast<int>(problem.face.size());
+  const auto wanted = [&](int f) { return problem.density[f] * norm(normal(problem.point, problem.face[f])); };
+  const auto log_of_share = [&](int f) {
+    const auto [i, j, k] = problem.face[f];
+    constexpr double least = 1e-300;
+    return std::log((std::max)(spherical_area(position[i], position[j], position[k]), least) / wanted(f));
+  };
+  const auto sum = [&](auto value) { // weighted
+    return sum_by_parts(loop, number_of_faces, [&](int f) { return wanted(f) > 0 ? wanted(f) * value(f) : 0; });
+  };
+  const double whole = sum([](int) { return 1; });
+  if(!(whole > 0))
+    return 0;
+  const double mean = sum(log_of_share) / whole;
+  return std::sqrt(sum([&](int f) { return std::pow(log_of_share(f) - mean, 2); }) / whole);
+}
+
+CGAL_SP_CORE Solution solve_isometric(const Host_loop& loop, const Isometric& method, const Problem& problem,
+                                      const Effort& effort, Monitor& monitor)
+{
+  check_simplicial(problem);
+  if(std::isinf(method.landmark_weight))
+    check_fixed_faces(problem);
+  const Stopwatch watch;
+  Solution solution;
+  solution.position = coarse_to_fine_map(loop, method, problem, effort, monitor, solution.report);
+  solution.seconds.solve = watch.seconds();
+
+  const Stopwatch certify_watch;
+  make_storable(loop, problem, solution.position);
+  if(!problem.density.empty())
+    solution.report.density_deviation = density_deviation(loop, problem, solution.position);
+  solution.certificate = certify(loop, problem.face, solution.position);
+  solution.seconds.certify = certify_watch.seconds();
+  return solution;
+}
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_ISOMETRIC_SOLVE_ISOMETRIC_IMPL_H

@@ -1,0 +1,354 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPHERICAL_HARMONICS_ROTATION_IMPL_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPHERICAL_HARMONICS_ROTATION_IMPL_H
+
+#include <CGAL/Spherical_parameterization/internal/algebra/rotations.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
+#include <CGAL/Spherical_parameterization/internal/spherical_harmonics/Complex_harmonics.h>
+#include <CGAL/Spherical_parameterization/internal/spherical_harmonics/Quarter_turn.h>
+#include <CGAL/Spherical_parameterization/internal/spherical_harmonics/ellipsoid.h>
+#include <CGAL/Spherical_parameterization/internal/spherical_harmonics/fourier.h>
+#include <CGAL/Spherical_parameterization/internal/spherical_harmonics/rotation.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+CGAL_SP_CORE Harmonic_coefficients rotated_harmonics(const Harmonic_coefficients& f, const Matrix_3& rotation)
+{
+  const Complex_harmonics from(f);
+  Complex_harmonics to = from;
+  const Euler_angles angles(rotation);
+  Quarter_turn quarter;
+  for(int l = 1; l <= f.degree(); ++l) {
+    quarter.advance();
+    turn_degree(quarter, angles, from, to);
+  }
+  return to.real();
+}
+
+/// The correlation of f and of g turned by R, for all R.
+class Rotation_search {
+public:
+  Rotation_search(const Harmonic_coefficients& f, const Harmonic_coefficients& g)
+    : f_(f), g_(g), degree_((std::min)(f.degree(), g.degree()))
+  {
+    quarter_.resize(degree_ + 1);
+    for(int l = 1; l <= degree_; ++l) {
+      quarter_[l] = quarter_[l - 1];
+      quarter_[l].advance();
+    }
+    for(int axis = 0; axis < 3; ++axis)
+      f_derivative_.push_back(derivative(f_, axis));
+  }
+
+  double value(const Matrix_3& rotation) const { return inner(f_, turned(rotation)); }
+
+  /// Newton's method, uphill from everywhere.
+  Correlation refined(Correlation now) const
+  {
+    constexpr int most_steps = 30;
+    constexpr double last_step = 1e-6; // radians: what is left then is the square of it
+    Complex_harmonics g = turned(now.rotation);
+    now.value = inner(f_, g);
+    for(int step = 0; step < most_steps; ++step) {
+      vec3 w = newton_step(g);
+      const bool is_last = norm(w) < last_step;
+      for(;; w = scale(0.5, w)) {
+        const Matrix_3 trial = product(rotation_about(w), now.rotation);
+        g = turned(trial);
+        const double trial_value = inner(f_, g);
+        if(is_last)
+          return {trial, trial_value};
+        if(trial_value > now.value || norm(w) < last_step) {
+          now = {trial, trial_value};
+          break;
+        }
+      }
+    }
+    return now;
+  }
+
+  /// The largest of the local maxima on a grid of Euler's angles, the largest one first.
+  template <class Loop>
+  std::vector<Correlation> maxima_on_grid(const Loop& loop) const
+  {
+    const int n = fourier_size(2 * degree_ + 2), half = n / 2;
+    const std::vector<double> value = values_on_grid(loop, n);
+    const auto at = [&](int j, int a, int c) -> double {
+      if(j < 0 || j > half) { // alpha and gamma go round by 180 degrees beyond 0 and 180 degrees of beta
+        j = j < 0 ? -j : n - j;
+        a += half;
+        c += half;
+      }
+      return value[(static_cast<std::size_t>(j) * n + (a + n) % n) * n + (c + n) % n];
+    };
+    std::vector<std::vector<Correlation>> found(half + 1);
+    loop.for_each(half + 1, [&](int j) {
+      for(int c = 0; c < n; ++c)
+        for(int a = 0; a < n; ++a) {
+          const double here = at(j, c, a);
+          bool is_largest = true;
+          for(int k = 0; k < 27 && is_largest; ++k)
+            is_largest = here >= at(j + k / 9 - 1, c + k / 3 % 3 - 1, a + k % 3 - 1);
+          if(is_largest)
+            found[j].push_back(
+              {Euler_angles(2 * right_angle_ * 2 * a / n, 2 * right_angle_ * 2 * j / n, 2 * right_angle_ * 2 * c / n)
+                 .matrix(),
+               here});
+        }
+    });
+    std::vector<Correlation> all;
+    for(const auto& some : found)
+      all.insert(all.end(), some.begin(), some.end());
+    std::stable_sort(all.begin(), all.end(), [](const auto& x, const auto& y) { return x.value > y.value; });
+    return all;
+  }
+
+private:
+  typedef std::complex<double> Complex;
+  static constexpr double right_angle_ = 1.57079632679489661923;
+
+  Complex_harmonics turned(const Matrix_3& rotation) const
+  {
+    Complex_harmonics result = g_;
+    const Euler_angles angles(rotation);
+    for(int l = 1; l <= degree_; ++l)
+      turn_degree(quarter_[l], angles, g_, result);
+    return result;
+  }
+
+  /// How the functions change when they are turned about an axis, per radian: -i J.
+  static Complex_harmonics derivative(const Complex_harmonics& f, int axis)
+  {
+    Complex_harmonics result = f;
+    for(int field = 0; field < f.number_of_fields(); ++field)
+      for(int l = 0; l <= f.degree(); ++l)
+        for(int m = -l; m <= l; ++m) {
+          if(axis == 2) {
+            result(l, m, field) = Complex(0, -m) * f(l, m, field);
+            continue;
+          }
+          const Complex up = m > -l ? std::sqrt((l + m) * (l - m + 1.)) * f(l, m - 1, field) : 0;
+          const Complex down = m < l ? std::sqrt((l - m) * (l + m + 1.)) * f(l, m + 1, field) : 0;
+          result(l, m, field) = axis == 0 ? Complex(0, -0.5) * (up + down) : -0.5 * (up - down);
+        }
+    return result;
+  }
+
+  vec3 newton_step(const Complex_harmonics& g) const
+  {
+    constexpr double longest = 0.2; // radians
+    Eigen::Vector3d gradient;
+    Eigen::Matrix3d hessian;
+    std::vector<Complex_harmonics> g_derivative;
+    for(int axis = 0; axis < 3; ++axis)
+      g_derivative.push_back(derivative(g, axis));
+    for(int i = 0; i < 3; ++i) {
+      gradient[i] = inner(f_, g_derivative[i]);
+      for(int j = 0; j < 3; ++j)
+        hessian(i, j) = -(inner(f_derivative_[i], g_derivative[j]) + inner(f_derivative_[j], g_derivative[i])) / 2;
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(hessian);
+    Eigen::Vector3d step = Eigen::Vector3d::Zero();
+    for(int i = 0; i < 3; ++i) {
+      const Eigen::Vector3d axis = eigen.eigenvectors().col(i);
+      if(const double curvature = std::abs(eigen.eigenvalues()[i]); curvature > 0)
+        step += axis.dot(gradient) / curvature * axis;
+    }
+    if(const double length = step.norm(); length > longest)
+      step *= longest / length;
+    return {step[0], step[1], step[2]};
+  }
+
+  /// At beta = 2 pi j / n, j = 0 ... n/2, gamma = 2 pi c / n, alpha = 2 pi a / n: number (j n + c) n + a (B. Kovacs, W.
+  /// Wriggers, "Fast rotational matching", Acta Cryst. D58, 2002).
+  template <class Loop>
+  std::vector<double> values_on_grid(const Loop& loop, int n) const
+  {
+    const int half = n / 2, orders = 2 * degree_ + 1;
+    // the series in alpha and gamma, for every beta: m >= 0, and all m'
+    std::vector<Complex> series(static_cast<std::size_t>(half + 1) * (degree_ + 1) * orders);
+    const auto at = [&](int j, int m, int m2) -> Complex& {
+      return series[(static_cast<std::size_t>(j) * (degree_ + 1) + m) * orders + (m2 + degree_)];
+    };
+    loop.for_each(degree_ + 1, [&](int m) {
+      Fourier fourier;
+      std::vector<Complex> sum(n), values;
+      for(int m2 = -degree_; m2 <= degree_; ++m2) {
+        std::fill(sum.begin(), sum.end(), 0);
+        for(int l = (std::max)(m, std::abs(m2)); l <= degree_; ++l) {
+          Complex product = 0;
+          for(int field = 0; field < f_.number_of_fields(); ++field)
+            product += std::conj(f_(l, m, field)) * g_(l, m2, field);
+          for(int k = 0; k <= l; ++k)
+            sum[k] += quarter_[l](m, k) * quarter_[l](m2, k) * product;
+        }
+        const Complex phase = std::polar(1., right_angle_ * (m2 - m)); // from here on with exp(-i (m alpha + ...))
+        for(int k = degree_; k >= 0; --k) {
+          sum[k] *= phase;
+          if(k > 0)
+            sum[n - k] = (m + m2) % 2 == 0 ? sum[k] : -sum[k];
+        }
+        fourier.forward(values, sum);
+        for(int j = 0; j <= half; ++j)
+          at(j, m, m2) = values[j];
+      }
+    });
+    std::vector<double> result(static_cast<std::size_t>(half + 1) * n * n);
+    loop.for_each(half + 1, [&](int j) {
+      Fourier fourier;
+      std::vector<Complex> spectrum(n), values;
+      std::vector<Complex> half_spectrum(static_cast<std::size_t>(n) * (half + 1), 0); // of every gamma
+      for(int m = 0; m <= degree_; ++m) {
+        std::fill(spectrum.begin(), spectrum.end(), 0);
+        for(int m2 = -degree_; m2 <= degree_; ++m2)
+          spectrum[(m2 + n) % n] = at(j, m, m2);
+        fourier.forward(values, spectrum);
+        for(int c = 0; c < n; ++c) // conjugate: the sum over m goes with exp(-i m alpha)
+          half_spectrum[static_cast<std::size_t>(c) * (half + 1) + m] = std::conj(values[c]);
+      }
+      for(int c = 0; c < n; ++c) {
+        const auto begin = half_spectrum.begin() + static_cast<std::ptrdiff_t>(c) * (half + 1);
+        spectrum.assign(begin, begin + half + 1);
+        spectrum[0].imag(0);
+        fourier.backward(result.data() + (static_cast<std::size_t>(j) * n + c) * n, spectrum, n);
+        spectrum.resize(n);
+      }
+    });
+    return result;
+  }
+
+  Complex_harmonics f_, g_;
+  int degree_;
+  std::vector<Quarter_turn> quarter_;
+  std::vector<Complex_harmonics> f_derivative_; ///< about x, y, z
+};
+
+template <class Loop>
+std::vector<Correlation> best_correlations(const Loop& loop, const Harmonic_coefficients& f,
+                                           const Harmonic_coefficients& g)
+{
+  constexpr std::size_t refined = 8; // a peak between grid points may seem lower than another one
+  constexpr double apart = 0.98;     // cosine of half of the angle between two rotations that count as the same start
+  const Rotation_search search(f, g);
+  const std::vector<Correlation> maxima = search.maxima_on_grid(loop);
+  std::vector<Correlation> starts;
+  for(const Correlation& start : maxima) {
+    const auto is_near = [&](const Correlation& other) {
+      double trace = 0;
+      for(int i = 0; i < 3; ++i)
+        for(int j = 0; j < 3; ++j)
+          trace += start.rotation[i][j] * other.rotation[i][j];
+      return std::sqrt((std::max)(0., 1 + trace)) / 2 > apart;
+    };
+    if(starts.size() < refined && std::none_of(starts.begin(), starts.end(), is_near))
+      starts.push_back(start);
+  }
+  loop.for_each(static_cast<int>(starts.size()), [&](int i) { starts[i] = search.refined(starts[i]); });
+  std::stable_sort(starts.begin(), starts.end(), [](const auto& x, const auto& y) { return x.value > y.value; });
+  return starts;
+}
+
+/// The first degrees of three functions without their constants, turned in space.
+inline Harmonic_coefficients turned_in_space(const Harmonic_coefficients& f, const Matrix_3& rotation, int degree)
+{
+  Harmonic_coefficients result(degree, 3);
+  for(int k = 0; k < 3; ++k)
+    for(int j = 0; j < 3; ++j)
+      for(int i = 1; i < result.size(); ++i)
+        result.field_begin(k)[i] += rotation[k][j] * f.field_begin(j)[i];
+  return result;
+}
+
+/// The rotation of space that brings g to f where it is, constants left out.
+inline Matrix_3 best_turn_in_space(const Harmonic_coefficients& f, const Harmonic_coefficients& g)
+{
+  std::vector<vec3> from, to;
+  for(int i = 1; i < g.size(); ++i) {
+    from.push_back({g.field_begin(0)[i], g.field_begin(1)[i], g.field_begin(2)[i]});
+    to.push_back({f.field_begin(0)[i], f.field_begin(1)[i], f.field_begin(2)[i]});
+  }
+  return best_rotation(from, to);
+}
+
+/// Where rotations of the sphere are looked for.
+enum class Among { ALL, NEAR };
+
+/// By turns the best rotation of the sphere and the best rotation of space. No step makes it worse.
+template <class Loop>
+Motion alternated(const Loop& loop, const Harmonic_coefficients& f, const Harmonic_coefficients& g, Motion motion,
+                  int degree, int most_steps, Among among)
+{
+  constexpr double enough = 1e-12; // relative gain; the error is of the order of its root
+  const Matrix_3 unit = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  const Harmonic_coefficients target = turned_in_space(f, unit, degree), source = turned_in_space(g, unit, degree);
+  for(int step = 0; step < most_steps; ++step) {
+    const double before = motion.value;
+    const Harmonic_coefficients turned_source = turned_in_space(source, motion.space, degree);
+    motion.sphere = among == Among::ALL ? best_correlations(loop, target, turned_source).front().rotation
+                                        : Rotation_search(target, turned_source).refined({motion.sphere, 0}).rotation;
+    const Harmonic_coefficients turned = rotated_harmonics(source, motion.sphere);
+    motion.space = best_turn_in_space(target, turned);
+    const Harmonic_coefficients there = turned_in_space(turned, motion.space, degree);
+    motion.value = std::inner_product(target.values().begin(), target.values().end(), there.values().begin(), 0.);
+    if(step > 0 && !(motion.value > before + enough * std::abs(before)))
+      break;
+  }
+  return motion;
+}
+
+template <class Loop>
+Motion best_motion(const Loop& loop, const Harmonic_coefficients& f, const Harmonic_coefficients& g)
+{
+  constexpr int first_degree = 4, first_steps = 3, last_steps = 20;
+  constexpr std::size_t refined = 3; // of the coarse ones
+  const Ellipsoid of_f = ellipsoid_of(f), of_g = ellipsoid_of(g);
+  Matrix_3 to_f; // from the axes to space
+  for(int i = 0; i < 3; ++i)
+    for(int j = 0; j < 3; ++j)
+      to_f[i][j] = of_f.axes[j][i];
+  // The 24 rotations of a cube between the axes: four of them are right for ellipsoids with three different axes, and
+  // some one is near for all others.
+  std::vector<Motion> motions;
+  std::array<int, 3> p = {0, 1, 2};
+  do
+    for(int signs = 0; signs < 8; ++signs) {
+      Matrix_3 cube = {};
+      for(int i = 0; i < 3; ++i)
+        cube[i][p[i]] = (signs >> i) % 2 == 0 ? 1 : -1;
+      const bool is_odd = (p[0] > p[1]) != ((p[0] > p[2]) != (p[1] > p[2]));
+      const bool mirrors = is_odd != (cube[0][p[0]] * cube[1][p[1]] * cube[2][p[2]] < 0);
+      if(!mirrors)
+        motions.push_back({product(to_f, product(cube, of_g.axes)), {}, 0});
+    }
+  while(std::next_permutation(p.begin(), p.end()));
+  const int coarse = (std::min)(first_degree, f.degree());
+  const auto is_better = [](const Motion& a, const Motion& b) { return a.value > b.value; };
+  loop.for_each(static_cast<int>(motions.size()),
+                [&](int i) { motions[i] = alternated(loop, f, g, motions[i], coarse, first_steps, Among::ALL); });
+  std::stable_sort(motions.begin(), motions.end(), is_better);
+  std::vector<Motion> chosen; // the same optimum once
+  for(const Motion& motion : motions)
+    if(chosen.size() < refined && (chosen.empty() || motion.value < chosen.back().value * (1 - 1e-3)))
+      chosen.push_back(motion);
+  for(Motion& motion : chosen)
+    motion = alternated(loop, f, g, motion, (std::min)(2 * first_degree, f.degree()), last_steps, Among::ALL);
+  std::stable_sort(chosen.begin(), chosen.end(), is_better);
+  return alternated(loop, f, g, chosen.front(), f.degree(), last_steps, Among::NEAR);
+}
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPHERICAL_HARMONICS_ROTATION_IMPL_H

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_VALUES_RESULT_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_VALUES_RESULT_H
+
+#include <CGAL/Spherical_parameterization/values/Error.h>
+
+#include <cstddef>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization {
+
+/// \addtogroup PkgSphericalParameterizationMap
+/// @{
+
+/// The verdict of `parameterize()`, the certificate, and the work that was done. Times are wall-clock seconds.
+struct Result {
+  Error_code error = Error_code::OK; ///< `OK` if and only if the map is certified
+  std::string detail;                ///< what is wrong, where, and what to do; empty if `OK`
+
+  std::size_t number_of_vertices = 0; ///< of the mesh
+  std::size_t number_of_faces = 0;    ///< of the mesh
+
+  /// \name Certificate
+  /// By exact predicates, on the coordinates as the sphere map stores them: floats are rounded first.
+  /// @{
+  std::size_t flipped_faces = 0;  ///< faces (a,b,c) with orientation(O,a,b,c) <= 0
+  std::size_t moved_vertices = 0; ///< `Conformal_weights`: vertices that were moved from where the springs pull them,
+                                  ///< for their faces; residual and energy are those before
+  int degree = 0;                 ///< how often the map covers the sphere; 1 for a valid one
+  double residual = 0;            ///< L2 norm over the free vertices (not divided by their number) of the residual of
+                                  ///< the equation that the method solves, relative to the weight sum of a vertex;
+                                  ///< `Isometric`: relative gain of energy that the last step predicted
+  double energy = 0;              ///< spring energy of the map, 1/p * sum over edges; `Isometric`: mean distortion;
+                                  ///< infinite if it exceeds the range of doubles
+  double density_deviation = 0;   ///< where densities are given: standard deviation of log(area on the sphere / wanted
+                                  ///< area) over the faces, each with its wanted area; else 0
+  double smallest_area = 0;       ///< of all spherical triangles, without sign; below 1e-26 rounding flips faces
+  double smallest_edge = 0;       ///< length of the shortest chord, in units of 2^-52, the rounding error
+  /// @}
+
+  /// \name Method
+  /// @{
+  std::string method;          ///< method of the map: "balanced", "balanced with exponent 3", "isometric", ...
+  std::string fallback_reason; ///< `Automatic`: why not the map of a method before, or that it is too extreme if it
+                               ///< is the best; else empty
+  /// @}
+
+  /// \name Work
+  /// @{
+  std::size_t start_iterations = 0; ///< iterations for the start map, on all coarse levels together
+  std::size_t iterations = 0;       ///< iterations of the method: descent steps, or saddle-point problems solved
+  std::size_t sweeps = 0;           ///< Jacobi or Gauss-Seidel sweeps (saddle-point method; else 0)
+  /// Wall-clock time of each phase, in seconds. The phases add up to the total.
+  struct Seconds {
+    double read = 0;      ///< reading the mesh into arrays, with all checks of the input
+    double weights = 0;   ///< edge weights; of conformal ones the intrinsic Delaunay triangulation, too
+    double start_map = 0; ///< set-up of the multigrid hierarchy, and the start map; of all attempts
+    double solve = 0;     ///< from the start map to the result; of all attempts
+    double certify = 0;   ///< certificates of all attempts, moving vertices for them, and writing the property map
+    double total = 0;     ///< the whole call
+  };
+  /// A method that was tried, and its outcome.
+  struct Attempt {
+    std::string method;                ///< its name
+    Error_code error = Error_code::OK; ///< its verdict
+    std::string detail;                ///< what is wrong, and where; of `OK`: why the map is of no use
+    Seconds seconds;                   ///< how long it took; `read` and `weights` are 0
+  };
+  Seconds seconds;               ///< of all attempts together
+  std::vector<Attempt> attempts; ///< all methods that were tried, in order: `Automatic` tries up to three
+  std::string device;            ///< the device, or the cores, that the method ran on
+  /// @}
+
+  /// \return `true` iff the map is certified
+  explicit operator bool() const { return error == Error_code::OK; }
+};
+
+/// Writes one line: the verdict, and the main figures.
+/// \param out  a stream
+/// \param r    what to write
+/// \return `out`
+inline std::ostream& operator<<(std::ostream& out, const Result& r)
+{
+  out << get_error_message(r.error);
+  if(!r.detail.empty())
+    out << ": " << r.detail;
+  if(r.degree != 0 || r.residual != 0) {
+    out << " (" << r.number_of_vertices << " vertices, ";
+    if(r.moved_vertices > 0)
+      out << r.moved_vertices << " moved, ";
+    out << r.flipped_faces << " flipped faces, degree " << r.degree << ", residual " << r.residual << ", "
+        << r.start_iterations << " + " << r.iterations << " iterations, " << r.seconds.total << " s)";
+  }
+  return out;
+}
+
+/// @}
+
+} // namespace CGAL::Spherical_parameterization
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_VALUES_RESULT_H

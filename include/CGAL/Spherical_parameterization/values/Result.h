@@ -7,6 +7,7 @@
 #include <CGAL/Spherical_parameterization/values/Error.h>
 
 #include <cstddef>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -15,6 +16,23 @@ namespace CGAL::Spherical_parameterization {
 
 /// \addtogroup PkgSphericalParameterizationMap
 /// @{
+
+/// Why a method ended.
+enum class Termination {
+  CONVERGED,  ///< the residual of the map that is stored is within the accuracy
+  ITERATIONS, ///< all iterations were made
+  TIME,       ///< the time limit was reached
+  CALLBACK,   ///< the callback said no
+  STALLED     ///< nothing improved any more; or vertices had to be moved off the solution for the sake of their faces
+};
+
+/// \param termination  why a method ended
+/// \return "converged", "iterations", "time", "callback" or "stalled"; never freed
+inline const char* get_termination_name(Termination termination)
+{
+  constexpr const char* names[] = {"converged", "iterations", "time", "callback", "stalled"};
+  return names[static_cast<int>(termination)];
+}
 
 /// The verdict of `parameterize()`, the certificate, and the work that was done. Times are wall-clock seconds.
 struct Result {
@@ -51,9 +69,10 @@ struct Result {
 
   /// \name Work
   /// @{
-  std::size_t start_iterations = 0; ///< iterations for the start map, on all coarse levels together
-  std::size_t iterations = 0;       ///< iterations of the method: descent steps, or saddle-point problems solved
-  std::size_t sweeps = 0;           ///< Jacobi or Gauss-Seidel sweeps (saddle-point method; else 0)
+  std::optional<Termination> termination; ///< why the method ended; empty if there is no map
+  std::size_t start_iterations = 0;       ///< iterations for the start map, on all coarse levels together
+  std::size_t iterations = 0;             ///< iterations of the method: descent steps, or saddle-point problems solved
+  std::size_t sweeps = 0;                 ///< Jacobi or Gauss-Seidel sweeps (saddle-point method; else 0)
   /// Wall-clock time of each phase, in seconds. The phases add up to the total.
   struct Seconds {
     double read = 0;      ///< reading the mesh into arrays, with all checks of the input
@@ -65,10 +84,11 @@ struct Result {
   };
   /// A method that was tried, and its outcome.
   struct Attempt {
-    std::string method;                ///< its name
-    Error_code error = Error_code::OK; ///< its verdict
-    std::string detail;                ///< what is wrong, and where; of `OK`: why the map is of no use
-    Seconds seconds;                   ///< how long it took; `read` and `weights` are 0
+    std::string method;                     ///< its name
+    Error_code error = Error_code::OK;      ///< its verdict
+    std::string detail;                     ///< what is wrong, and where; of `OK`: why the map is of no use
+    Seconds seconds;                        ///< how long it took; `read` and `weights` are 0
+    std::optional<Termination> termination; ///< why it ended; empty if there is no map
   };
   Seconds seconds;               ///< of all attempts together
   std::vector<Attempt> attempts; ///< all methods that were tried, in order: `Automatic` tries up to three

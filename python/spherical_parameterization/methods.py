@@ -25,10 +25,8 @@ class Automatic(_Options):
     ----------
     spring_exponent : float
         Of the first map, see `Balanced`.
-    larger_spring_exponent : float
-        Of the second map.
     area_exponent : float, optional
-        Of the third map, see `Isometric`.
+        Of the second map, see `Isometric`.
     largest_shrinkage : float
         How many times lengths may shrink, against the mean of the map, on more than a thousandth of the surface; beyond,
         a valid map is of no use, and `Isometric` is tried. Infinite: every valid map will do.
@@ -41,7 +39,6 @@ class Automatic(_Options):
     """
 
     spring_exponent: float = 2
-    larger_spring_exponent: float = 3
     area_exponent: float | None = None
     largest_shrinkage: float = 1e4
 

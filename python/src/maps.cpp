@@ -119,8 +119,7 @@ std::variant<SP::Balanced, SP::Saddle_point, SP::Isometric, SP::Automatic> metho
   const auto exponent = [&] { return options.attr("area_exponent").cast<std::optional<double>>(); };
   const auto word = [&](const char* option) { return options.attr(option).cast<std::string>(); };
   if(is_a(options, "Automatic"))
-    return SP::Automatic{number("spring_exponent"), number("larger_spring_exponent"), exponent(),
-                         number("largest_shrinkage")};
+    return SP::Automatic{number("spring_exponent"), exponent(), number("largest_shrinkage")};
   if(is_a(options, "Isometric"))
     return SP::Isometric{exponent(), number("landmark_weight")};
   if(is_a(options, "Balanced"))

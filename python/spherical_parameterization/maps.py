@@ -79,7 +79,7 @@ class Result:
     smallest_edge : float
         Length of the shortest chord, in units of 2^-52.
     method : str
-        Of the map: "balanced", "balanced with exponent 3", "isometric", ...
+        Of the map: "balanced", "isometric", ...
     fallback_reason : str
         `Automatic`: what was wrong with the attempts before.
     termination : str or None

@@ -6,7 +6,7 @@
 #include "helpers/solve.h"
 
 #include <CGAL/Spherical_parameterization/distortion_summary.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Source_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
 #include <CGAL/Spherical_parameterization/internal/multigrid/coarsening.h>
 #include <CGAL/Spherical_parameterization/internal/relaxation/Face_hessian.h>
 #include <CGAL/Spherical_parameterization/internal/relaxation/Sparse_cholesky.h>
@@ -245,8 +245,9 @@ TEST_CASE("conformal springs: cotangents of a Delaunay mesh, positive and symmet
   const auto graph_of = [](const Soup& soup, I::Host_array<double>& length) {
     I::Spring_lengths lengths;
     const Mesh mesh = make_mesh(soup);
-    I::Source_mesh<Mesh> source(mesh, mesh.points());
-    I::Corner_table table = I::corner_table_of(mesh, source.face, I::Host_loop());
+    I::Vertices<Mesh> vertex;
+    const I::Surface source = I::read_faces(mesh, I::Reading::BREADTH_FIRST, I::Host_loop(), vertex);
+    I::Corner_table table = source.copy_of_corner_table(I::Host_loop());
     // back to the numbers of the soup
     for(auto& f : table.face)
       for(int& i : f)

@@ -265,11 +265,13 @@ Result parameterize_triangle_soup(const ExecutionPolicy& policy, const PointRang
                 "parameters]): the method is Balanced, Isometric, Automatic or Saddle_point");
   if constexpr(internal::Is_method<Method>::value &&
                internal::check_named_parameters<Edge, std::size_t, std::size_t, CGAL_NP_CLASS>())
-    return internal::run(policy, method, np, internal::Range_map<SpherePoints>{&sphere_points}, [&](const auto& read) {
-      const Indexed_triangle_mesh mesh(policy, points, triangles);
-      internal::make_room(sphere_points, mesh.number_of_vertices());
-      return read(mesh, internal::Soup_inputs<CGAL_NP_CLASS>{mesh, np});
-    });
+    return internal::run(policy, method, np,
+                         internal::Range_map<SpherePoints, Indexed_triangle_mesh::Vertex_index>{&sphere_points},
+                         [&](const auto& read) {
+                           const Indexed_triangle_mesh mesh(policy, points, triangles);
+                           internal::make_room(sphere_points, mesh.number_of_vertices());
+                           return read(mesh, internal::Soup_inputs<Indexed_triangle_mesh, CGAL_NP_CLASS>{mesh, np});
+                         });
   else
     return Result();
 }

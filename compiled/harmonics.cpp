@@ -14,9 +14,8 @@ namespace CGAL::Spherical_parameterization::internal {
 
 typedef Watched_loop<Host_loop> Loop;
 
-template Harmonic_analysis analyze_vertices(const Loop&, const Mapped_faces&, Sampled_fields, int,
-                                            const Least_squares&);
-template Harmonic_analysis analyze_vertices(const Loop&, const Mapped_faces&, Sampled_fields, int, const Integration&);
+template Harmonic_analysis analyze_vertices(const Loop&, Mapped_surface, Sampled_fields, int, const Least_squares&);
+template Harmonic_analysis analyze_vertices(const Loop&, Mapped_surface, Sampled_fields, int, const Integration&);
 template Host_array<double> evaluate_harmonics(const Loop&, const Harmonic_coefficients&, const Host_array<vec3>&);
 template Host_array<double> synthesize_on_rows(const Loop&, const Harmonic_coefficients&, const Latitude_rows&);
 template Harmonic_coefficients analyze_rows(const Loop&, const Latitude_rows&, const Sampled_fields&, int);

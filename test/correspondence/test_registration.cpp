@@ -7,7 +7,8 @@
 #include "helpers/solve.h"
 
 #include <CGAL/Spherical_parameterization/internal/correspondence/Registration_energy.h>
-#include <CGAL/Spherical_parameterization/internal/correspondence/read_registered_surface.h>
+#include <CGAL/Spherical_parameterization/internal/correspondence/register_surfaces.h>
+#include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
 #include <CGAL/Spherical_parameterization/moebius_centring.h>
 #include <CGAL/Spherical_parameterization/register_maps.h>
 #include <CGAL/Spherical_parameterization/transfer_properties.h>
@@ -278,7 +279,9 @@ Mapped with_tiny_triangles(double size)
 /// A surface and its map, for the parts of the registration.
 SP::internal::Registered_surface surface_of(const Mapped& m)
 {
-  return SP::internal::read_registered_surface(SP::internal::Host_loop(), m.mesh, m.mesh.points(), m.map());
+  namespace I = SP::internal;
+  const I::Host_loop loop;
+  return I::registered_surface(loop, {I::read_map(m.mesh, m.mesh.points(), m.map(), I::Reading::CHECKED, loop), loop});
 }
 
 Soup longer(const Soup& soup)

@@ -6,7 +6,7 @@
 
 #include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/moebius/Centring.h>
-#include <CGAL/Spherical_parameterization/internal/distortion/Mapped_faces.h>
+#include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -40,7 +40,7 @@ template <class Mesh, class VertexSphereMap, class MassMap, class CentredMap>
 double moebius_centred_map(const Mesh& mesh, VertexSphereMap sphere_map, MassMap mass_map, CentredMap centred)
 {
   typedef typename boost::property_traits<CentredMap>::value_type Point;
-  internal::Host_array<internal::vec3> image = internal::read_vectors(mesh, sphere_map);
+  internal::Host_array<internal::vec3> image = internal::vectors_at(vertices(mesh), sphere_map);
   internal::Host_array<double> mass;
   for(auto v : vertices(mesh))
     mass.push_back(static_cast<double>(get(mass_map, v)));

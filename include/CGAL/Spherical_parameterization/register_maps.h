@@ -10,20 +10,16 @@
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
 #include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
 #include <CGAL/Spherical_parameterization/internal/context/make_monitor.h>
-#include <CGAL/Spherical_parameterization/internal/correspondence/read_registered_surface.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/register_surfaces.h>
-#include <CGAL/Spherical_parameterization/internal/distortion/Mapped_faces.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Vertex_numbering.h>
-#include <CGAL/Spherical_parameterization/internal/surface/corner_table_of.h>
-#include <CGAL/Spherical_parameterization/locate.h>
+#include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
 
 #include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
-#include <array>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
@@ -112,16 +108,10 @@ Registration_result register_maps(const ExecutionPolicy& policy, const Mapped_me
     std::vector<std::pair<int, int>> pairs;
     for(const auto& [v, w] : landmarks)
       pairs.emplace_back(number_a(v), number_b(w));
-    const Registered_surface surface_a = read_registered_surface(loop, a.mesh, a.points, a.sphere_map),
-                             surface_b = read_registered_surface(loop, b.mesh, b.points, b.sphere_map);
-    const Spherical_locator<MeshA> locator_a(policy, a.mesh, a.sphere_map);
-    const Spherical_locator<MeshB> locator_b(policy, b.mesh, b.sphere_map);
-    const auto locate = [](const auto& locator, const auto& number) {
-      return [&](vec3 d) {
-        const auto place = locator.locate(std::array<double, 3>{d.x, d.y, d.z});
-        return std::pair(corners_of_face(locator.mesh(), number, place.first), place.second);
-      };
+    const auto read = [&](const auto& m) {
+      return Valid_map(read_map(m.mesh, m.points, m.sphere_map, Reading::CHECKED, loop), loop);
     };
+    const Valid_map map_a = read(a), map_b = read(b);
     const auto store = [&](const Host_array<vec3>& x) {
       typedef typename boost::property_traits<RegisteredMap>::value_type Point;
       std::size_t i = 0;
@@ -129,10 +119,9 @@ Registration_result register_maps(const ExecutionPolicy& policy, const Mapped_me
         put(registered, v, Point{x[i].x, x[i].y, x[i].z});
         ++i;
       }
-      return read_vectors(a.mesh, registered);
+      return vectors_at(vertices(a.mesh), registered);
     };
-    result = register_surfaces(loop, surface_a, locate(locator_a, number_a), surface_b, locate(locator_b, number_b),
-                               pairs, method, monitor, store);
+    result = register_surfaces(loop, map_a, map_b, pairs, method, monitor, store);
   } catch(const Input_error& error) {
     result.error = error.code();
     result.detail = error.detail();

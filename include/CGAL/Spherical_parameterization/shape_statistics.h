@@ -16,8 +16,7 @@
 #include <CGAL/Spherical_parameterization/internal/statistics/procrustes.h>
 #include <CGAL/Spherical_parameterization/internal/statistics/shapes.h>
 #include <CGAL/Spherical_parameterization/internal/statistics/vertex_figures.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Vertex_numbering.h>
-#include <CGAL/Spherical_parameterization/internal/surface/corner_table_of.h>
+#include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
 
 #include <CGAL/tags.h>
 
@@ -256,8 +255,8 @@ std::vector<double> mean_vertex_areas(const ExecutionPolicy& policy, const Trian
   const internal::Host_loop bare = internal::host_loop(policy);
   internal::Monitor monitor = internal::make_monitor(np);
   const internal::Watched_loop<internal::Host_loop> loop(bare, monitor);
-  const internal::Vertex_numbering<TriangleMesh> numbering(vertices(mesh));
-  const auto face = internal::corners_of_faces(mesh, numbering, bare);
+  internal::Vertices<TriangleMesh> vertex;
+  const auto face = internal::read_faces(mesh, internal::Reading::UNCHECKED, bare, vertex).face;
   CGAL_SP_PRECONDITION(shapes[0].size() == num_vertices(mesh), "the shapes have the vertices of the mesh");
   return internal::mean_areas_of_vertices(loop, face, shapes);
 }

@@ -14,10 +14,10 @@
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
 #include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
 #include <CGAL/Spherical_parameterization/internal/context/make_monitor.h>
-#include <CGAL/Spherical_parameterization/internal/distortion/Mapped_faces.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/analysis.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/read_fields.h>
+#include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
 
 #include <CGAL/tags.h>
 
@@ -63,11 +63,13 @@ Harmonic_analysis harmonic_analysis(const ExecutionPolicy& policy, const Triangl
   static_cast<void>(Harmonic_coefficients(degree, 0)); // checks it
   const internal::Host_loop loop = internal::host_loop(policy);
   internal::Monitor monitor = internal::make_monitor(np);
-  internal::Mapped_faces map = internal::read_images(mesh, sphere_map, loop);
-  if(internal::needs_points(method))
-    map.point = internal::read_vectors(mesh, internal::vertex_points(mesh, np));
-  return internal::analyze_vertices(internal::Watched_loop(loop, monitor), map, internal::read_fields(mesh, vertex_map),
-                                    degree, method);
+  constexpr internal::Reading reading = internal::Reading::CHECKED;
+  return internal::analyze_vertices(
+    internal::Watched_loop(loop, monitor),
+    internal::needs_points(method)
+      ? internal::read_map(mesh, internal::vertex_points(mesh, np), sphere_map, reading, loop)
+      : internal::read_map(mesh, sphere_map, reading, loop),
+    internal::read_fields(mesh, vertex_map), degree, method);
 }
 
 /// \overload
@@ -134,7 +136,8 @@ void harmonic_synthesis(const ExecutionPolicy& policy, const Harmonic_coefficien
   constexpr int fields = std::is_arithmetic_v<Value> ? 1 : 3;
   CGAL_SP_PRECONDITION(coefficients.number_of_fields() == fields,
                        "numbers are synthesized from one function, points from three");
-  const std::vector<double> value = harmonic_values(policy, coefficients, internal::read_vectors(mesh, sphere_map), np);
+  const std::vector<double> value =
+    harmonic_values(policy, coefficients, internal::vectors_at(vertices(mesh), sphere_map), np);
   const double* x = value.data();
   for(auto v : vertices(mesh)) {
     if constexpr(fields == 1)
@@ -168,7 +171,7 @@ struct Reconstruction_error {
 template <class Mesh, class PointMap, class OtherPointMap>
 Reconstruction_error reconstruction_error(const Mesh& mesh, PointMap points, OtherPointMap others)
 {
-  const auto p = internal::read_vectors(mesh, points), q = internal::read_vectors(mesh, others);
+  const auto p = internal::vectors_at(vertices(mesh), points), q = internal::vectors_at(vertices(mesh), others);
   const double n = static_cast<double>(p.size());
   internal::vec3 mean = {0, 0, 0};
   for(const internal::vec3& x : p)

@@ -7,6 +7,7 @@
 #include <CGAL/Spherical_parameterization/values/Error.h>
 
 #include <cstddef>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -15,6 +16,23 @@ namespace CGAL::Spherical_parameterization {
 
 /// \addtogroup PkgSphericalParameterizationMap
 /// @{
+
+/// Why a method ended.
+enum class Termination {
+  CONVERGED,  ///< the residual of the map that is stored is within the accuracy
+  ITERATIONS, ///< all iterations were made
+  TIME,       ///< the time limit was reached
+  CALLBACK,   ///< the callback said no
+  STALLED     ///< nothing improved any more; or vertices had to be moved off the solution for the sake of their faces
+};
+
+/// \param termination  why a method ended
+/// \return "converged", "iterations", "time", "callback" or "stalled"; never freed
+inline const char* get_termination_name(Termination termination)
+{
+  constexpr const char* names[] = {"converged", "iterations", "time", "callback", "stalled"};
+  return names[static_cast<int>(termination)];
+}
 
 /// The verdict of `parameterize()`, the certificate, and the work that was done. Times are wall-clock seconds.
 struct Result {
@@ -29,7 +47,7 @@ struct Result {
   /// @{
   std::size_t flipped_faces = 0;  ///< faces (a,b,c) with orientation(O,a,b,c) <= 0
   std::size_t moved_vertices = 0; ///< `Conformal_weights`: vertices that were moved from where the springs pull them,
-                                  ///< for their faces; residual and energy are those before
+                                  ///< for their faces
   int degree = 0;                 ///< how often the map covers the sphere; 1 for a valid one
   double residual = 0;            ///< L2 norm over the free vertices (not divided by their number) of the residual of
                                   ///< the equation that the method solves, relative to the weight sum of a vertex;
@@ -51,9 +69,10 @@ struct Result {
 
   /// \name Work
   /// @{
-  std::size_t start_iterations = 0; ///< iterations for the start map, on all coarse levels together
-  std::size_t iterations = 0;       ///< iterations of the method: descent steps, or saddle-point problems solved
-  std::size_t sweeps = 0;           ///< Jacobi or Gauss-Seidel sweeps (saddle-point method; else 0)
+  std::optional<Termination> termination; ///< why the method ended; empty if there is no map
+  std::size_t start_iterations = 0;       ///< iterations for the start map, on all coarse levels together
+  std::size_t iterations = 0;             ///< iterations of the method: descent steps, or saddle-point problems solved
+  std::size_t sweeps = 0;                 ///< Jacobi or Gauss-Seidel sweeps (saddle-point method; else 0)
   /// Wall-clock time of each phase, in seconds. The phases add up to the total.
   struct Seconds {
     double read = 0;      ///< reading the mesh into arrays, with all checks of the input
@@ -65,10 +84,11 @@ struct Result {
   };
   /// A method that was tried, and its outcome.
   struct Attempt {
-    std::string method;                ///< its name
-    Error_code error = Error_code::OK; ///< its verdict
-    std::string detail;                ///< what is wrong, and where; of `OK`: why the map is of no use
-    Seconds seconds;                   ///< how long it took; `read` and `weights` are 0
+    std::string method;                     ///< its name
+    Error_code error = Error_code::OK;      ///< its verdict
+    std::string detail;                     ///< what is wrong, and where; of `OK`: why the map is of no use
+    Seconds seconds;                        ///< how long it took; `read` and `weights` are 0
+    std::optional<Termination> termination; ///< why it ended; empty if there is no map
   };
   Seconds seconds;               ///< of all attempts together
   std::vector<Attempt> attempts; ///< all methods that were tried, in order: `Automatic` tries up to three
@@ -79,6 +99,24 @@ struct Result {
   explicit operator bool() const { return error == Error_code::OK; }
 };
 
+/// What a valid map lacks of what was asked for.
+/// \param r  a result
+/// \return one clause, in words; empty if the method has converged, or if there is no map
+inline std::string get_shortcoming(const Result& r)
+{
+  if(!r.termination || *r.termination == Termination::CONVERGED)
+    return "";
+  if(r.moved_vertices > 0)
+    return std::to_string(r.moved_vertices) + (r.moved_vertices == 1 ? " vertex was" : " vertices were") +
+           " moved off the solution so that their faces are valid";
+  switch(*r.termination) {
+  case Termination::ITERATIONS: return "the accuracy was not reached when all iterations were made";
+  case Termination::TIME: return "the accuracy was not reached within the time limit";
+  case Termination::CALLBACK: return "it was stopped before the accuracy was reached";
+  default: return "the accuracy was not reached: nothing improved any more";
+  }
+}
+
 /// Writes one line: the verdict, and the main figures.
 /// \param out  a stream
 /// \param r    what to write
@@ -88,10 +126,10 @@ inline std::ostream& operator<<(std::ostream& out, const Result& r)
   out << get_error_message(r.error);
   if(!r.detail.empty())
     out << ": " << r.detail;
+  if(r && !get_shortcoming(r).empty())
+    out << ", but " << get_shortcoming(r);
   if(r.degree != 0 || r.residual != 0) {
     out << " (" << r.number_of_vertices << " vertices, ";
-    if(r.moved_vertices > 0)
-      out << r.moved_vertices << " moved, ";
     out << r.flipped_faces << " flipped faces, degree " << r.degree << ", residual " << r.residual << ", "
         << r.start_iterations << " + " << r.iterations << " iterations, " << r.seconds.total << " s)";
   }

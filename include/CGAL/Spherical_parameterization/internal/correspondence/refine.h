@@ -10,6 +10,7 @@
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Corner_table.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 
 #include <array>
 #include <vector>
@@ -35,13 +36,10 @@ struct Registered_surface : Corner_table {
 };
 
 /// A third of the area of its faces, by vertex.
-inline Host_array<double> vertex_areas(const Registered_surface& surface)
+inline Host_array<double> vertex_areas(const Host_loop& loop, const Registered_surface& surface)
 {
-  Host_array<double> area(surface.point.size(), 0.);
-  for(const std::array<int, 3>& f : surface.face)
-    for(int i : f)
-      area[i] += norm(normal(surface.point, f)) / 6;
-  return area;
+  return thirds_at_vertices(loop, surface.face, static_cast<int>(surface.point.size()),
+                            [&](int f) { return norm(normal(surface.point, surface.face[f])) / 2; });
 }
 
 /// A vertex of A, and where it should go on the sphere.

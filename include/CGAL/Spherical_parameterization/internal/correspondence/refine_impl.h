@@ -24,7 +24,8 @@ namespace CGAL::Spherical_parameterization::internal {
 /// Fields of a surface by vertex, smoothed by the heat flow of the surface for a time: M f' + time L f' = M f.
 class Heat_flow {
 public:
-  Heat_flow(const Host_loop& loop, const Registered_surface& surface) : backend_(loop), area_(vertex_areas(surface))
+  Heat_flow(const Host_loop& loop, const Registered_surface& surface)
+    : backend_(loop), area_(vertex_areas(loop, surface))
   {
     Spring_lengths lengths;
     laplacian_ = conformal_graph(loop, surface, surface.point, lengths);

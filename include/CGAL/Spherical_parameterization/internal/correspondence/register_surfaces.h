@@ -11,16 +11,13 @@
 #include <CGAL/Spherical_parameterization/internal/correspondence/refine.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Mapped_surface.h>
 
-#include <array>
 #include <functional>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
-
-/// The corners of the face on the sphere in which a direction lies, and their weights.
-typedef std::function<std::pair<std::array<int, 3>, std::array<double, 3>>(vec3)> Locate;
 
 /// Writes images of the vertices of A, and returns what is stored then.
 typedef std::function<Host_array<vec3>(const Host_array<vec3>&)> Store;
@@ -28,11 +25,13 @@ typedef std::function<Host_array<vec3>(const Host_array<vec3>&)> Store;
 /// Throws the precondition for weights and limits that are none.
 void check_registration(const Registration& settings);
 
-/// Registers the surface a with b: see `register_maps()`. All but the whole time is in the result. Throws Error if the
-/// map of a cannot be deformed.
-/// \param landmarks  vertices of a and of b
-Registration_result register_surfaces(const Host_loop& loop, const Registered_surface& a, const Locate& locate_a,
-                                      const Registered_surface& b, const Locate& locate_b,
+/// For the registration: in units in which its area is 4 pi, with its centre at the origin. Throws Error for a surface
+/// without area, and for images that rounding to unit vectors flips.
+Registered_surface registered_surface(const Host_loop& loop, const Valid_map& map);
+
+/// Registers the surface a with b: see `register_maps()`. All but the whole time is in the result. Throws Error if one
+/// of them cannot be registered. \param landmarks  vertices of a and of b
+Registration_result register_surfaces(const Host_loop& loop, const Valid_map& a, const Valid_map& b,
                                       const std::vector<std::pair<int, int>>& landmarks, const Registration& settings,
                                       Monitor& monitor, const Store& store);
 

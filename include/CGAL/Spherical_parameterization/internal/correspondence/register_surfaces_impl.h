@@ -6,11 +6,13 @@
 
 #include <CGAL/Spherical_parameterization/values/Error.h>
 #include <CGAL/Spherical_parameterization/values/Rotation.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/rotations.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/point_coordinates.h>
 #include <CGAL/Spherical_parameterization/internal/api/precondition.h>
 #include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/register_surfaces.h>
+#include <CGAL/Spherical_parameterization/internal/locate/Locator.h>
 #include <CGAL/Spherical_parameterization/internal/moebius/Centring.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/certificate.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/analysis.h>
@@ -18,10 +20,13 @@
 #include <CGAL/Spherical_parameterization/internal/text/text.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 
@@ -31,8 +36,8 @@ public:
   static constexpr int degree = 31; ///< of what is correlated
 
   Registered_side(const Watched_loop<Host_loop>& loop, Monitor& monitor, const Registered_surface& its_surface,
-                  const Locate& locate)
-    : surface(its_surface), loop_(loop), monitor_(monitor), locate_(locate)
+                  const Locator& locator)
+    : surface(its_surface), loop_(loop), monitor_(monitor), locator_(locator)
   {}
 
   const Registered_surface& surface;
@@ -46,10 +51,10 @@ public:
     const int number = static_cast<int>(fields.size());
     Sampled_fields samples = {number, Host_array<double>(fields.size() * directions.size(), 0.)};
     for(std::size_t i = 0; i < directions.size(); ++i) {
-      const auto [corner, weight] = locate_(centring ? centring->inverse(directions[i]) : directions[i]);
+      const auto [face, weight] = locator_.locate(centring ? centring->inverse(directions[i]) : directions[i]);
       for(std::size_t k = 0; k < fields.size(); ++k)
         for(int c = 0; c < 3; ++c)
-          samples.value[k * directions.size() + i] += weight[c] * fields[k][corner[c]];
+          samples.value[k * directions.size() + i] += weight[c] * fields[k][surface.face[face][c]];
     }
     return analyze_rows(loop_, grid, samples, degree);
   }
@@ -75,7 +80,7 @@ public:
     return features_;
   }
 
-  Centring centring() const { return Centring(loop_.bare(), vertex_areas(surface), surface.image); }
+  Centring centring() const { return Centring(loop_.bare(), vertex_areas(loop_.bare(), surface), surface.image); }
 
   /// Of the centred map.
   std::vector<Host_array<double>> features(double scale, const Centring& centring) const
@@ -89,7 +94,7 @@ public:
 private:
   const Watched_loop<Host_loop>& loop_;
   Monitor& monitor_;
-  const Locate& locate_;
+  const Locator& locator_;
   double scale_ = 0;
   std::vector<Host_array<double>> features_;
 };
@@ -364,16 +369,41 @@ CGAL_SP_CORE void check_registration(const Registration& settings)
   CGAL_SP_PRECONDITION(settings.coarsest_scale > 0 && settings.accuracy > 0, "scale and accuracy have to be positive");
 }
 
-CGAL_SP_CORE Registration_result register_surfaces(const Host_loop& loop, const Registered_surface& a,
-                                                   const Locate& locate_a, const Registered_surface& b,
-                                                   const Locate& locate_b,
+CGAL_SP_CORE Registered_surface registered_surface(const Host_loop& loop, const Valid_map& map)
+{
+  Registered_surface surface;
+  static_cast<Corner_table&>(surface) = map.copy_of_corner_table(loop);
+  for(const vec3& p : map.image)
+    surface.image.push_back(unit(p));
+  if(!certify(loop, surface.face, surface.image).is_valid())
+    throw Input_error(Error_code::NOT_BIJECTIVE, "rounding flips faces; take unit vectors");
+  double area = 0;
+  vec3 centre = {0, 0, 0};
+  for(const std::array<int, 3>& f : map.face) {
+    const double of_face = norm(normal(map.point, f)) / 2;
+    area += of_face;
+    for(int i : f)
+      centre = add_scaled(centre, of_face / 3, map.point[i]);
+  }
+  if(!(area > 0) || !std::isfinite(area))
+    throw Input_error(Error_code::DEGENERATE_FACE, "the area of the surface is " + std::to_string(area));
+  const double factor = std::sqrt(4 * pi / area);
+  for(const vec3& p : map.point)
+    surface.point.push_back(scale(factor, add_scaled(p, -1 / area, centre)));
+  return surface;
+}
+
+CGAL_SP_CORE Registration_result register_surfaces(const Host_loop& loop, const Valid_map& map_a,
+                                                   const Valid_map& map_b,
                                                    const std::vector<std::pair<int, int>>& landmarks,
                                                    const Registration& settings, Monitor& monitor, const Store& store)
 {
+  const Registered_surface a = registered_surface(loop, map_a), b = registered_surface(loop, map_b);
+  const Locator locator_a(loop, map_a), locator_b(loop, map_b);
   const Watched_loop<Host_loop> watched(loop, monitor);
   Registration_result result;
-  Registrar registrar(watched, monitor, Registered_side(watched, monitor, a, locate_a),
-                      Registered_side(watched, monitor, b, locate_b), landmarks, settings, result);
+  Registrar registrar(watched, monitor, Registered_side(watched, monitor, a, locator_a),
+                      Registered_side(watched, monitor, b, locator_b), landmarks, settings, result);
   const Host_array<vec3> stored = store(registrar.run());
   const Certificate certificate = certify(loop, a.face, stored);
   result.flipped_faces = certificate.flipped_faces;

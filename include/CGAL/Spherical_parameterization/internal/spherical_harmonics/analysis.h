@@ -11,8 +11,8 @@
 #include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/api/compiled.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
-#include <CGAL/Spherical_parameterization/internal/distortion/Mapped_faces.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/grids.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Mapped_surface.h>
 
 #include <algorithm>
 #include <cmath>
@@ -55,12 +55,12 @@ inline bool needs_points(const Integration&) { return false; }
 
 /// Of data of the vertices: least squares. Throws Error for a map that is not valid, and for what is not finite.
 template <class Loop>
-Harmonic_analysis analyze_vertices(const Loop& loop, const Mapped_faces& map, Sampled_fields fields, int degree,
+Harmonic_analysis analyze_vertices(const Loop& loop, Mapped_surface map, Sampled_fields fields, int degree,
                                    const Least_squares& method);
 
 /// Integrals over the faces of the sphere of fields that are linear on them. Throws Error as above.
 template <class Loop>
-Harmonic_analysis analyze_vertices(const Loop& loop, const Mapped_faces& map, Sampled_fields fields, int degree,
+Harmonic_analysis analyze_vertices(const Loop& loop, Mapped_surface map, Sampled_fields fields, int degree,
                                    const Integration& method);
 
 /// The values of the functions: direction after direction. \param directions  of any length but 0

@@ -5,7 +5,6 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPHERICAL_HARMONICS_ANALYSIS_IMPL_H
 
 #include <CGAL/Spherical_parameterization/internal/api/precondition.h>
-#include <CGAL/Spherical_parameterization/internal/distortion/Face_measures.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/certificate.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/Grid_transform.h>
@@ -15,73 +14,62 @@
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/face_quadrature.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/fourier.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/least_squares.h>
-#include <CGAL/Spherical_parameterization/internal/text/text.h>
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 
 /// Throws Error for what cannot be analyzed.
 template <class Loop>
-void check_data(const Loop& loop, const Mapped_faces& map, const Sampled_fields& fields)
+Valid_map checked(const Loop& loop, Mapped_surface map, const Sampled_fields& fields)
 {
   check_directions(map.image);
   for(std::size_t i = 0; i < fields.value.size(); ++i)
     if(!std::isfinite(fields.value[i]))
       throw Input_error(Error_code::NON_FINITE_COORDINATE,
                         "the value of vertex " + std::to_string(i % map.image.size()));
-  const Certificate certificate = certify(loop, map.face, map.image);
-  if(!certificate.is_valid())
-    throw Input_error(Error_code::NOT_BIJECTIVE, counted(certificate.flipped_faces, "flipped face", "flipped faces") +
-                                                   ", degree " + std::to_string(certificate.degree) +
-                                                   "; analyze certified maps");
+  return {std::move(map), loop.bare()};
 }
 
 /// What each vertex counts in least squares: none of the numbers is negative, and they are finite.
 template <class Loop>
-Host_array<double> vertex_weights(const Loop& loop, const Mapped_faces& map, Vertex_weights weights)
+Host_array<double> vertex_weights(const Loop& loop, const Valid_map& map, Vertex_weights weights)
 {
-  const std::size_t n = map.image.size();
   if(weights == Vertex_weights::EQUAL)
-    return Host_array<double>(n, 1.);
-  Host_array<double> area(map.face.size()), result(n, 0.);
-  if(weights == Vertex_weights::SPHERE_AREA)
-    for_each_index(loop, map.number_of_faces(), [&](int f) {
-      const auto [a, b, c] = map.on_sphere(f);
-      area[f] = (std::max)(0., spherical_area(a, b, c)); // that of a valid map is below 0 by rounding at most
-    });
-  else {
-    const Face_measures measures(map, loop);
-    for_each_index(loop, map.number_of_faces(), [&](int f) { area[f] = measures.source_area(f); });
-  }
-  double total = 0;
-  for(int f = 0; f < map.number_of_faces(); ++f) {
-    for(int v : map.face[f])
-      result[v] += area[f] / 3;
-    total += area[f];
-  }
+    return Host_array<double>(map.image.size(), 1.);
+  const auto area_on_sphere = [&](int f) {
+    const auto [a, b, c] = map.on_sphere(f);
+    return (std::max)(0., spherical_area(a, b, c)); // that of a valid map is below 0 by rounding at most
+  };
+  const Host_array<double> result =
+    weights == Vertex_weights::SURFACE_AREA
+      ? map.vertex_area(loop.bare())
+      : thirds_at_vertices(loop.bare(), map.face, map.number_of_vertices, area_on_sphere);
+  const double total = std::accumulate(result.begin(), result.end(), 0.);
   if(!(total > 0) || !std::isfinite(total))
     throw Input_error(Error_code::DEGENERATE_FACE, "the area of all faces is " + std::to_string(total));
   return result;
 }
 
 template <class Loop>
-Harmonic_analysis analyze_vertices(const Loop& loop, const Mapped_faces& map, Sampled_fields fields, int degree,
+Harmonic_analysis analyze_vertices(const Loop& loop, Mapped_surface given, Sampled_fields fields, int degree,
                                    const Least_squares& method)
 {
-  const std::size_t n = map.image.size(), size = static_cast<std::size_t>(degree + 1);
+  const std::size_t n = given.image.size(), size = static_cast<std::size_t>(degree + 1);
   CGAL_SP_PRECONDITION(method.accuracy >= 0, "the accuracy of least squares must not be negative");
   CGAL_SP_PRECONDITION(method.iterations >= 0, "the number of iterations must not be negative");
   CGAL_SP_PRECONDITION(size * size <= n,
                        "least squares need (degree + 1)^2 vertices or more: take a smaller degree, or Integration");
   CGAL_SP_PRECONDITION(2 * degree <= largest_harmonic_degree, "the degree of least squares is at most 8191");
   constexpr double share_of_sums = 0.3;
-  check_data(loop, map, fields);
+  const Valid_map map = checked(loop, std::move(given), fields);
   loop.begin_stage(0, share_of_sums);
   Host_array<double> weights = vertex_weights(loop, map, method.weights);
   scale_to_one(weights.data(), weights.data() + n);
@@ -99,11 +87,11 @@ Harmonic_analysis analyze_vertices(const Loop& loop, const Mapped_faces& map, Sa
 }
 
 template <class Loop>
-Harmonic_analysis analyze_vertices(const Loop& loop, const Mapped_faces& map, Sampled_fields fields, int degree,
+Harmonic_analysis analyze_vertices(const Loop& loop, Mapped_surface given, Sampled_fields fields, int degree,
                                    const Integration& method)
 {
   CGAL_SP_PRECONDITION(method.accuracy > 0, "the accuracy of a quadrature is positive");
-  check_data(loop, map, fields);
+  const Valid_map map = checked(loop, std::move(given), fields);
   constexpr int chunk = 1 << 14; // faces at a time: their points need memory
   constexpr int part = 256;      // faces on a thread at a time
   const int d = fields.number_of_fields;

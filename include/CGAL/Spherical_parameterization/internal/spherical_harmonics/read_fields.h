@@ -4,9 +4,9 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPHERICAL_HARMONICS_READ_FIELDS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPHERICAL_HARMONICS_READ_FIELDS_H
 
-#include <CGAL/Spherical_parameterization/internal/distortion/Mapped_faces.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/analysis.h>
+#include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -27,7 +27,7 @@ Sampled_fields read_fields(const TriangleMesh& mesh, VertexMap map)
       result.value.push_back(static_cast<double>(get(map, v)));
   } else {
     result.number_of_fields = 3;
-    const Host_array<vec3> rows = read_vectors(mesh, map);
+    const Host_array<vec3> rows = vectors_at(vertices(mesh), map);
     result.value.resize(3 * rows.size());
     for(std::size_t i = 0; i < rows.size(); ++i) {
       result.value[i] = rows[i].x;

@@ -480,8 +480,7 @@ private:
     measure(report);
   }
 
-  /// Energy and residual of the map as it will be stored. A user who does not ask for an accuracy gets what the steps
-  /// have reached.
+  /// Energy and residual of the map as it will be stored. Who asks for no more than the defaults gets what these reach.
   void measure(Solver_report& report)
   {
     if(problem_.as_stored)
@@ -493,7 +492,11 @@ private:
       return;
     report.residual =
       Newton_relaxation(loop_, distortion_, level_).gain_ahead(maximum_linear_iterations, linear_tolerance);
-    report.has_converged = !effort_.accuracy || report.residual <= *effort_.accuracy;
+    const double accuracy = effort_.accuracy.value_or(Isometric::default_accuracy);
+    const bool are_defaults = accuracy >= Isometric::default_accuracy &&
+                              effort_.number_of_iterations.value_or(Isometric::default_number_of_iterations) >=
+                                Isometric::default_number_of_iterations;
+    report.has_converged = are_defaults || report.residual <= accuracy;
   }
 
   /// Newton's method until a step promises to gain little. On fine levels steps are dear: one that could be taken in

@@ -49,7 +49,8 @@ inline Termination termination_of(const Monitor& monitor, const Solution& soluti
     return Termination::CONVERGED;
   if(monitor.is_interrupted())
     return monitor.termination();
-  return report.has_converged || report.has_stalled ? Termination::STALLED : Termination::ITERATIONS;
+  const bool was_moved = std::count(solution.is_moved.begin(), solution.is_moved.end(), 1) > 0;
+  return report.has_stalled || was_moved ? Termination::STALLED : Termination::ITERATIONS;
 }
 
 CGAL_SP_CORE void pass_verdict(const Problem& problem, const Monitor& monitor, Solution& solution)

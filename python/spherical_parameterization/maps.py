@@ -13,9 +13,10 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from .arrays import Doubles, Integers, edge_numbers, index_triples, numbers, vectors
-from .errors import _CODES, ErrorCode, MapWarning, MeshError
-from .methods import Automatic, ClampedWeights, Method, one_of
+from .arrays import Doubles, Integers, Sphere, check, chosen, directions, doubles, edge_numbers, index_triples
+from .arrays import integers, numbers, one_of, vectors, wrong_type
+from .errors import ErrorCode, MapWarning, MeshError
+from .methods import METHODS, Automatic, ClampedWeights, Method
 
 Fixed = Union[Mapping[int, Sequence[float]], tuple[npt.ArrayLike, npt.ArrayLike]]
 
@@ -43,6 +44,7 @@ class Attempt:
     error: ErrorCode
     detail: str
     seconds: Seconds
+    termination: str | None  #: why it ended, as in `Result`
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,6 +82,8 @@ class Result:
         Of the map: "balanced", "balanced with exponent 3", "isometric", ...
     fallback_reason : str
         `Automatic`: what was wrong with the attempts before.
+    termination : str or None
+        Why the method ended: "converged", "iterations", "time", "callback" or "stalled". None: nothing was computed.
     start_iterations, iterations, sweeps : int
         Of the start map, of the method, of Jacobi or Gauss-Seidel.
     seconds : Seconds
@@ -107,6 +111,7 @@ class Result:
     smallest_edge: float
     method: str
     fallback_reason: str
+    termination: str | None
     start_iterations: int
     iterations: int
     sweeps: int
@@ -145,6 +150,10 @@ class Certificate:
     def __bool__(self) -> bool:
         return self.is_valid
 
+    def __repr__(self) -> str:
+        verdict = "valid" if self else "not valid"
+        return f"<Certificate: {verdict}, {self.flipped_faces} flipped faces, degree {self.degree}>"
+
 
 def edges(triangles: npt.ArrayLike) -> Integers:
     """The edges of a mesh, in the order in which `parameterize()` takes weights.
@@ -174,29 +183,39 @@ def _weights(weights: str | ClampedWeights | npt.ArrayLike, triangles: Integers)
         return weights
     if isinstance(weights, ClampedWeights):
         return weights
-    if np.shape(weights) == triangles.shape:
-        return np.ascontiguousarray(weights, dtype=np.float64)
+    given = doubles("weights", weights)
     edge, number = edge_numbers(triangles)
-    return np.ascontiguousarray(numbers("weights", weights, len(edge))[number])
+    if given.shape != triangles.shape:
+        return np.ascontiguousarray(numbers("weights", given, len(edge))[number])
+    of_edges = np.empty(len(edge))
+    of_edges[number] = given
+    differ = np.flatnonzero((of_edges[number] != given).any(axis=1) & np.isfinite(given).all(axis=1))
+    if len(differ) > 0:
+        raise ValueError(f"weights: an edge of triangle {differ[0]} has another weight in the triangle beyond it")
+    return given
 
 
-def _fixed(fixed: Fixed, sphere: Doubles) -> npt.NDArray[np.bool_]:
-    """Which vertices are fixed; writes where to `sphere`."""
+def _fixed(fixed: Fixed, sphere: Doubles) -> npt.NDArray[np.bool_] | None:
+    """Which vertices are fixed, if any are; writes where to `sphere`."""
     if isinstance(fixed, Mapping):
         fixed = (list(fixed.keys()), list(fixed.values()))
-    index = np.asarray(fixed[0])
-    directions = vectors("fixed: directions", fixed[1], len(index))
-    if index.dtype.kind not in "iu" or not ((0 <= index) & (index < len(sphere))).all():
+    if not isinstance(fixed, (tuple, list)) or len(fixed) != 2:
+        raise wrong_type("fixed", "a mapping of vertices to directions, or a pair of vertices and directions,", fixed)
+    index = integers("fixed: vertices", fixed[0])
+    if index.size == 0:
+        return None
+    places = vectors("fixed: directions", fixed[1], index.size)
+    if not ((0 <= index) & (index < len(sphere))).all():
         raise MeshError(ErrorCode.BAD_CONSTRAINTS, f"fixed vertices are numbers from 0 to {len(sphere) - 1}")
     is_fixed = np.zeros(len(sphere), dtype=np.bool_)
     is_fixed[index] = True
-    sphere[index] = directions
+    sphere[index] = places
     return is_fixed
 
 
 def _density(density: npt.ArrayLike, number_of_points: int, number_of_triangles: int) -> Doubles:
     """One number for every point or triangle; four of a tetrahedron are those of its points."""
-    array = np.ascontiguousarray(density, dtype=np.float64)
+    array = doubles("density", density)
     if array.shape not in ((number_of_points,), (number_of_triangles,)):
         raise ValueError(
             f"density: shape ({number_of_points},) or ({number_of_triangles},) is needed, not {array.shape}"
@@ -226,6 +245,7 @@ def opencl_device(name: str = "", *, precision: str = "automatic", smallest_mesh
     -------
     OpenCLDevice
     """
+    check(opencl_device, {"name": name, "precision": precision, "smallest_mesh": smallest_mesh})
     one_of("precision", precision, "automatic", "double", "single")
     return _core.opencl_device(name, precision, smallest_mesh)
 
@@ -246,6 +266,8 @@ def callback_of(progress: object) -> object:
     if progress is None or callable(progress):
         return progress
     bar: Any = progress
+    if not (hasattr(bar, "total") and hasattr(bar, "update") and hasattr(bar, "n")):
+        raise wrong_type("progress", "a function, or a bar of tqdm,", bar)
     total = 1 if bar.total is None else bar.total
 
     def update(fraction: float) -> None:
@@ -263,7 +285,7 @@ def parameterize(
     policy: str | _core.OpenCLDevice = "parallel",
     fixed: Fixed | None = None,
     density: npt.ArrayLike | None = None,
-    start: npt.ArrayLike | None = None,
+    start: Sphere | None = None,
     accuracy: float | None = None,
     iterations: int | None = None,
     maximum_running_time: float = float("inf"),
@@ -279,14 +301,14 @@ def parameterize(
         In any unit. float64 in C order is not copied.
     triangles : array_like (m, 3) of int
         Numbers of points, from 0, counterclockwise as seen from outside. int32 and int64 in C order are not copied.
-    method : Automatic, Balanced, Isometric or SaddlePoint
+    method : Automatic, Balanced, Isometric or SaddlePoint, or "automatic", "balanced", "isometric" or "saddle-point"
     weights : {"conformal", "clamped", "barycentric", "mean-value"}, ClampedWeights, or array_like of float
         Spring constants of the edges. An array has one number for each of `edges(triangles)`, or shape (m, 3) with the
-        edges from each corner of a triangle to the next one.
+        edges from each corner of a triangle to the next one, the same for both triangles of an edge.
     policy : {"parallel", "sequential", "opencl"} or OpenCLDevice
         Where to run; the map does not depend on it, to the last bit. See `opencl_device()`.
     fixed : mapping of int to three floats, or pair of array_like (k,) and (k, 3)
-        Vertices, and the directions where they stay: three or more. `Isometric` and `Automatic` keep them anywhere.
+        Vertices, and the directions where they stay: three or more, or none. `Isometric` and `Automatic` keep them anywhere.
     density : array_like (n,) or (m,) of float
         A positive number for every point or every triangle: areas on the sphere are to be proportional to these times the
         areas in the mesh. For `Isometric` and `Automatic`; `Result.density_deviation` says how near they are.
@@ -349,15 +371,18 @@ def parameterize(
     ...     print(error.code)
     BOUNDARY
     """
+    check(parameterize, locals())
     points, triangles = vectors("points", points), index_triples(triangles)
-    sphere = np.zeros_like(points) if start is None else vectors("start", start, len(points)).copy()
+    sphere = np.zeros_like(points) if start is None else directions("start", start, len(points)).copy()
     is_fixed = None if fixed is None else _fixed(fixed, sphere)
     if isinstance(policy, str):
         one_of("policy", policy, "sequential", "parallel", "opencl")
+    elif not isinstance(policy, _core.OpenCLDevice):
+        raise wrong_type("policy", "'parallel', 'sequential', 'opencl' or an OpenCLDevice", policy)
     fields, has_map, was_ctrl_c = _core.parameterize(
         points,
         triangles,
-        method,
+        chosen("method", method, METHODS),
         _weights(weights, triangles),
         opencl_device() if policy == "opencl" else policy,
         is_fixed,
@@ -369,8 +394,8 @@ def parameterize(
         verbose,
         callback_of(progress),
     )
-    error = _CODES[fields.pop("error")]
-    attempts = tuple(Attempt(a[0], _CODES[a[1]], a[2], Seconds(*a[3])) for a in fields.pop("attempts"))
+    error = ErrorCode(fields.pop("error"))
+    attempts = tuple(Attempt(a[0], ErrorCode(a[1]), a[2], Seconds(*a[3]), a[4]) for a in fields.pop("attempts"))
     if was_ctrl_c and not has_map:
         raise KeyboardInterrupt
     if not has_map:
@@ -382,7 +407,7 @@ def parameterize(
     return result
 
 
-def certify(triangles: npt.ArrayLike, sphere: npt.ArrayLike, *, policy: str = "parallel") -> Certificate:
+def certify(triangles: npt.ArrayLike, sphere: Sphere, *, policy: str = "parallel") -> Certificate:
     """Whether a map is a bijection, by exact predicates on its coordinates as they are.
 
     Parameters
@@ -406,8 +431,9 @@ def certify(triangles: npt.ArrayLike, sphere: npt.ArrayLike, *, policy: str = "p
     >>> import spherical_parameterization as sp
     >>> sphere, triangles = sp.icosphere(2)
     >>> sp.certify(triangles, sphere)
-    Certificate(flipped_faces=0, degree=1)
+    <Certificate: valid, 0 flipped faces, degree 1>
     >>> sp.certify(triangles, -sphere).is_valid
     False
     """
-    return Certificate(*_core.certify(index_triples(triangles), vectors("sphere", sphere), policy))
+    check(certify, locals())
+    return Certificate(*_core.certify(index_triples(triangles), directions("sphere", sphere), policy))

@@ -14,14 +14,14 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from .arrays import Doubles, Integers, index_triples, vectors
+from .arrays import Doubles, Integers, OneLine, check, index_triples, one_of, vectors
 from .errors import ErrorCode, MeshError
 
 _CORNERS = np.dtype([("size", "u1"), ("corners", "<i4", 3)])
 
 
-@dataclasses.dataclass(frozen=True)
-class Prepared:
+@dataclasses.dataclass(frozen=True, repr=False)
+class Prepared(OneLine):
     """A mended mesh, and where it comes from.
 
     Attributes
@@ -88,9 +88,9 @@ def prepare(
     RuntimeError
         If it failed: with what it said.
     """
+    check(prepare, locals())
+    one_of("components", components, "largest", "all")
     points, triangles = vectors("points", points), index_triples(triangles)
-    if components not in ("largest", "all"):
-        raise ValueError(f"components: 'largest' or 'all' is needed, not {components!r}")
     if triangles.size and (triangles.min() < 0 or triangles.max() >= len(points)):
         raise MeshError(ErrorCode.BAD_INDEX, "a triangle names a point that is not there; points are numbered from 0 on")
     steps = ["merge", "orient"]

@@ -187,7 +187,7 @@ private:
   void check_number(std::size_t meshes, const std::string& what) const
   {
     if(meshes < 2)
-      throw Refusal("EMPTY_MESH", options_.output,
+      throw Refusal(Error_code::EMPTY_MESH, options_.output,
                     "of " + std::to_string(items_.size()) + " meshes " + std::to_string(meshes) + ' ' + what,
                     "statistics need two or more; the lines of the others say why not");
   }

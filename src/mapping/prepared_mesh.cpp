@@ -5,7 +5,6 @@
 
 #include "preparation/surface_distance.h"
 #include "preparation/points.h"
-#include "system/error_code_names.h"
 #include "system/refusal.h"
 
 #include <CGAL/tags.h>
@@ -57,7 +56,7 @@ Input_mesh read_prepared_mesh(const std::string& file, Prepare how, std::optiona
   } catch(const CGAL::Spherical_parameterization::Error& error) {
     const std::string wrong =
       error.detail().substr(0, error.detail().find("; ")); // without advice for those who have no 'prepare'
-    throw Refusal(name(error.code()), file, "has, prepared without a change of shape, " + wrong,
+    throw Refusal(error.code(), file, "has, prepared without a change of shape, " + wrong,
                   "the command 'prepare' mends that, too");
   }
 }

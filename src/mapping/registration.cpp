@@ -3,7 +3,6 @@
 
 #include "mapping/registration.h"
 
-#include "system/error_code_names.h"
 #include "system/interruption.h"
 #include "system/refusal.h"
 
@@ -19,7 +18,7 @@ SP::Registration_result register_map(const std::string& file, const Mesh& mesh, 
                       CGAL::parameters::callback([](double) { return !was_interrupted(); }));
   stop_if_interrupted(file);
   if(!result)
-    throw Refusal(name(result.error), file, "could not be registered: " + result.detail, "");
+    throw Refusal(result.error, file, "could not be registered: " + result.detail, "");
   return result;
 }
 

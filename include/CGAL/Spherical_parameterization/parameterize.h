@@ -148,7 +148,7 @@ Result run(const ExecutionPolicy& policy, const Method& method, const NamedParam
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_running_time}
 ///     \cgalParamDescription{wall-clock seconds after which the result is `INTERRUPTED`}
-///     \cgalParamType{`double`}
+///     \cgalParamType{`double`\, not negative}
 ///     \cgalParamDefault{unlimited}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{callback}

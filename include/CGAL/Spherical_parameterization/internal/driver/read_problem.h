@@ -162,9 +162,18 @@ Host_array<double> read_densities(const Range& range, const std::optional<Densit
                                                    to_string(density.back()) +
                                                    "; densities must be positive and finite");
   }
-  const double largest = *std::max_element(density.begin(), density.end());
+  constexpr double largest_ratio = 1e12; // areas on the sphere that are further apart are not told from rounding
+  if(density.empty())
+    return density;
+  const auto [least, largest] = std::minmax_element(density.begin(), density.end());
+  const double unit = *largest;
+  if(!(*largest / largest_ratio <= *least))
+    throw Input_error(Error_code::BAD_DENSITY, what + ' ' + std::to_string(least - density.begin()) +
+                                                 " has the density " + to_string(*least) + ", and " + what + ' ' +
+                                                 std::to_string(largest - density.begin()) + " has " +
+                                                 to_string(*largest) + "; the largest may be 1e12 times the smallest");
   for(double& d : density)
-    d /= largest;
+    d /= unit;
   return density;
 }
 
@@ -254,8 +263,10 @@ Input<TriangleMesh> read_problem(const TriangleMesh& mesh, const Solver& solver,
   problem.spring_lengths = std::move(source.spring_lengths);
   problem.weight_unit = source.weight_unit;
   problem.effort = effort;
-  if(are_positions_rounded<Sphere_point>())
+  if constexpr(are_positions_rounded<Sphere_point>()) {
     problem.as_stored = position_as_stored<Sphere_point>;
+    problem.rounding = std::ldexp(1., -std::numeric_limits<Coordinate_of<Sphere_point>>::digits);
+  }
   if constexpr(Has_breadth_first_order<TriangleMesh>::value)
     return {std::move(problem), {}};
   else

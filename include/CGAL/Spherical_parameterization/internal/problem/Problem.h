@@ -40,6 +40,7 @@ struct Problem {
   Host_array<vec3> given;      ///< unit vectors the caller's map held on entry, where they are needed; else empty
   Effort effort;
   vec3 (*as_stored)(vec3) = nullptr; ///< what the caller's map makes of a position; null: it keeps every double
+  double rounding = 0;               ///< ... and by how much, relative; 0: by nothing
 
   /// Whether the springs are those of the intrinsic triangulation, and not the edges of the faces.
   bool is_intrinsic() const { return spring_lengths.has_value(); }

@@ -34,7 +34,7 @@ _KINDS = {
     "int": (kinds.Integral, "a whole number"),
     "float": (kinds.Real, "a number"),
 }
-_WEIGHTS = ("curvature_weight", "stretch_weight", "isometry_weight", "position_weight")
+_WEIGHTS = ("curvature_weight", "stretch_weight", "isometry_weight", "position_weight")  # of register_maps()
 _RANGES: dict[str, tuple[float, float]] = {
     "level": (0, 12),
     "bits": (1, 52),
@@ -69,9 +69,8 @@ def check(function: Callable[..., object] | type, arguments: Mapping[str, object
         if not isinstance(value, allowed) or (isinstance(value, bool) and kind != "bool"):  # type: ignore[arg-type]
             raise wrong_type(name, wanted + " or None" * bool(other), value)
         low, high = _RANGES.get(name, (0, 2**31 - 1) if kind == "int" else (-math.inf, math.inf))
-        if kind in ("int", "float") and name in _RANGES or kind == "int":
-            if not low <= value <= high:
-                raise ValueError(f"{name}: {low:g} to {high:.10g} is needed, not {value}")
+        if kind in ("int", "float") and not low <= value <= high:
+            raise ValueError(f"{name}: {low:g} to {high:.10g} is needed, not {value}")
 
 
 def one_of(option: str, value: object, *allowed: str) -> None:
@@ -100,15 +99,16 @@ def doubles(name: str, values: object) -> Doubles:
     """float64 in C order."""
     try:
         array = np.asarray(values)
-        if values is not None and array.dtype.kind in "fiubO":
-            return np.asarray(array, dtype=np.float64, order="C")
-    except (TypeError, ValueError) as error:  # what is no number, rows of different lengths
-        if isinstance(error, ValueError):
-            raise ValueError(f"{name}: numbers are needed, as many in every row: {error}") from None
-    else:
         if array.dtype.kind in "US":
-            raise ValueError(f"{name}: numbers are needed, not text")
-    raise wrong_type(name, "an array of real numbers", values if array.dtype.kind == "O" else array.flat[0])
+            raise ValueError("there is text")
+        if array.dtype.kind in "fiubO" and values is not None:
+            return np.asarray(array, dtype=np.float64, order="C")
+    except ValueError as error:  # text, rows of different lengths
+        raise ValueError(f"{name}: numbers are needed, as many in every row: {error}") from None
+    except TypeError:  # objects that are no numbers
+        pass
+    kind = type(values).__name__ if array.dtype.kind == "O" else array.dtype
+    raise TypeError(f"{name}: an array of real numbers is needed, not {kind}")
 
 
 def vectors(name: str, values: object, rows: int | None = None) -> Doubles:

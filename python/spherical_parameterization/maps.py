@@ -49,76 +49,31 @@ class Attempt:
 
 @dataclass(frozen=True, eq=False)
 class Result:
-    """A map, its certificate, and what the work was. True if and only if the map is certified.
+    """A map, its certificate, and what the work was. True if and only if the map is certified."""
 
-    Attributes
-    ----------
-    sphere : ndarray (n, 3) of float64
-        A unit vector for every point.
-    error : ErrorCode
-        `OK` if and only if the map is certified.
-    detail : str
-        What is wrong, where, and what to do; empty if `OK`.
-    number_of_vertices, number_of_faces : int
-        Of the mesh.
-    flipped_faces : int
-        Faces (a, b, c) with orientation(O, a, b, c) <= 0, by exact predicates on `sphere`.
-    moved_vertices : int
-        Conformal weights: vertices that were moved from where the springs pull them, for the sake of their faces.
-    degree : int
-        How often the map covers the sphere; 1 for a valid one.
-    residual : float
-        Of the equation that the method solves.
-    energy : float
-        Spring energy; of `Isometric` the mean distortion.
-    density_deviation : float
-        With `density`: the standard deviation of log(area on the sphere / wanted area) over the triangles, each with its
-        wanted area; else 0.
-    smallest_area : float
-        Of all spherical triangles, steradians; below 1e-26 rounding flips faces.
-    smallest_edge : float
-        Length of the shortest chord, in units of 2^-52.
-    method : str
-        Of the map: "balanced", "isometric", ...
-    fallback_reason : str
-        `Automatic`: what was wrong with the attempts before.
-    termination : str or None
-        Why the method ended: "converged", "iterations", "time", "callback" or "stalled". None: nothing was computed.
-    start_iterations, iterations, sweeps : int
-        Of the start map, of the method, of Jacobi or Gauss-Seidel.
-    seconds : Seconds
-        Wall-clock time of each phase.
-    attempts : tuple of Attempt
-        All methods that were tried.
-    device : str
-        Where the method ran.
-    text : str
-        All in one line, which is also `str(result)`.
-    """
-
-    sphere: Doubles
-    error: ErrorCode
-    detail: str
+    sphere: Doubles  #: (n, 3), a unit vector for every point
+    error: ErrorCode  #: `OK` if and only if the map is certified
+    detail: str  #: what is wrong, where, and what to do; empty if `OK`
     number_of_vertices: int
     number_of_faces: int
-    flipped_faces: int
-    moved_vertices: int
-    degree: int
-    residual: float
-    energy: float
-    density_deviation: float
-    smallest_area: float
-    smallest_edge: float
-    method: str
-    fallback_reason: str
-    termination: str | None
-    start_iterations: int
-    iterations: int
-    sweeps: int
-    seconds: Seconds
-    attempts: tuple[Attempt, ...]
-    device: str
-    text: str
+    flipped_faces: int  #: faces (a, b, c) with orientation(O, a, b, c) <= 0, by exact predicates on `sphere`
+    moved_vertices: int  #: of conformal weights: moved from where the springs pull them, for the sake of their faces
+    degree: int  #: how often the map covers the sphere; 1 for a valid one
+    residual: float  #: of the equation that the method solves
+    energy: float  #: spring energy; of `Isometric` the mean distortion
+    density_deviation: float  #: with `density`: standard deviation of log(area / wanted area), by wanted area; else 0
+    smallest_area: float  #: of all spherical triangles, steradians; below 1e-26 rounding flips faces
+    smallest_edge: float  #: length of the shortest chord, in units of 2^-52
+    method: str  #: of the map: "balanced", "isometric", ...
+    fallback_reason: str  #: `Automatic`: what was wrong with the attempts before
+    termination: str | None  #: "converged", "iterations", "time", "callback", "stalled"; None: nothing was computed
+    start_iterations: int  #: of the start map
+    iterations: int  #: of the method
+    sweeps: int  #: of Jacobi or Gauss-Seidel
+    seconds: Seconds  #: wall-clock time of each phase
+    attempts: tuple[Attempt, ...]  #: all methods that were tried
+    device: str  #: where the method ran
+    text: str  #: all in one line, which is also `str(result)`
 
     @property
     def is_valid(self) -> bool:

@@ -22,26 +22,13 @@ _CORNERS = np.dtype([("size", "u1"), ("corners", "<i4", 3)])
 
 @dataclasses.dataclass(frozen=True, repr=False)
 class Prepared(OneLine):
-    """A mended mesh, and where it comes from.
+    """A mended mesh, and where it comes from."""
 
-    Attributes
-    ----------
-    points : ndarray (n, 3) of float64
-    triangles : ndarray (m, 3) of int32
-    vertex_map : ndarray (n,) of int
-        For every point its number before, or -1 if it is new.
-    face_map : ndarray (m,) of int
-        For every triangle its number before, or -1 if it is new.
-    report : dict
-        What was wrong, where, and what was done, as the tool writes it with `--report`: `report["preparation"]["done"]` has
-        it in sentences.
-    """
-
-    points: Doubles
-    triangles: Integers
-    vertex_map: Integers
-    face_map: Integers
-    report: dict[str, Any]
+    points: Doubles  #: (n, 3)
+    triangles: Integers  #: (m, 3)
+    vertex_map: Integers  #: (n,), for every point its number before, or -1 if it is new
+    face_map: Integers  #: (m,), for every triangle its number before, or -1 if it is new
+    report: dict[str, Any]  #: as the tool writes it with `--report`; `report["preparation"]["done"]` has it in sentences
 
 
 def prepare(

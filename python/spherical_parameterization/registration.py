@@ -111,31 +111,27 @@ def register_maps(
         raise ValueError(f"landmarks: shape (k, 2) is needed, not {pairs.shape}")
     if pairs.size and (pairs.min() < 0 or pairs[:, 0].max() >= len(a) or pairs[:, 1].max() >= len(b)):
         raise ValueError("landmarks: there is no such vertex")
-    was_ctrl_c, registered, is_complete, start, rotation, before, after, stretching, distortion, distance, steps, seconds = (
-        _core.register_maps(
-            a,
-            index_triples(triangles),
-            directions("sphere", sphere, len(a)),
-            b,
-            index_triples(other_triangles, "other_triangles"),
-            directions("other_sphere", other_sphere, len(b)),
-            motion,
-            curvature_weight,
-            stretch_weight,
-            isometry_weight,
-            position_weight,
-            landmark_weight,
-            [(int(i), int(j)) for i, j in pairs],
-            policy,
-            maximum_running_time,
-            callback_of(progress),
-        )
+    was_ctrl_c, registered, is_complete, start, rotation, *figures = _core.register_maps(
+        a,
+        index_triples(triangles),
+        directions("sphere", sphere, len(a)),
+        b,
+        index_triples(other_triangles, "other_triangles"),
+        directions("other_sphere", other_sphere, len(b)),
+        motion,
+        curvature_weight,
+        stretch_weight,
+        isometry_weight,
+        position_weight,
+        landmark_weight,
+        pairs.tolist(),
+        policy,
+        maximum_running_time,
+        callback_of(progress),
     )
     if was_ctrl_c:
         raise KeyboardInterrupt
-    return RegisteredMap(
-        registered, is_complete, start, np.array(rotation), before, after, stretching, distortion, distance, steps, seconds
-    )
+    return RegisteredMap(registered, is_complete, start, np.array(rotation), *figures)
 
 
 def moebius_centred(sphere: Sphere, triangles: npt.ArrayLike, masses: npt.ArrayLike) -> Doubles:

@@ -253,7 +253,7 @@ void measure_balanced(const Backend& backend, const Problem& problem, double exp
   typename Backend::Vectors g = backend.vectors(n);
   typename Backend::Scalars density = backend.scalars(n), mass = backend.scalars(n);
   if(exponent > 2) {
-    const auto springs = std::make_shared<Weighted_graph>(stiffening_springs(problem, exponent));
+    const auto springs = std::make_shared<Weighted_graph>(stiffening_springs(backend.host_loop(), problem, exponent));
     const Host_array<vec3>& position = backend.download(v);
     const auto current = std::make_shared<Weighted_graph>(springs_at(*springs, exponent, position, problem.is_fixed));
     const typename Backend::Matrix pulling = backend.upload(Shared_graph(current));

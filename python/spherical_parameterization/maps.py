@@ -64,7 +64,7 @@ class Result:
     density_deviation: float  #: with `density`: standard deviation of log(area / wanted area), by wanted area; else 0
     smallest_area: float  #: of all spherical triangles, steradians; below 1e-26 rounding flips faces
     smallest_edge: float  #: length of the shortest chord, in units of 2^-52
-    method: str  #: of the map: "balanced", "balanced with exponent 3", "isometric", ...
+    method: str  #: of the map: "balanced", "isometric", ...
     fallback_reason: str  #: `Automatic`: what was wrong with the attempts before
     termination: str | None  #: "converged", "iterations", "time", "callback", "stalled"; None: nothing was computed
     start_iterations: int  #: of the start map

@@ -119,6 +119,7 @@ TEST_CASE("boxes hold their points, and do not overflow", "[algebra]")
   constexpr double most = std::numeric_limits<double>::max();
   const I::Bounding_box huge(Positions{{-most, 0, 0}, {most, 0, 0}});
   CHECK((huge.half_size() == most && huge.centre().x == 0));
+  CHECK(I::Bounding_box(Positions{{most / 2, 0, 0}, {most, 0, 0}}).centre().x == 0.75 * most);
   CHECK(I::Bounding_box(Positions{{1, 2, 3}}).half_size() == 1);
 }
 

@@ -6,7 +6,7 @@
 #include "helpers/solve.h"
 
 #include <CGAL/Spherical_parameterization/distortion_summary.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Source_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
 #include <CGAL/Spherical_parameterization/internal/multigrid/coarsening.h>
 #include <CGAL/Spherical_parameterization/internal/relaxation/Face_hessian.h>
 #include <CGAL/Spherical_parameterization/internal/relaxation/Sparse_cholesky.h>
@@ -75,6 +75,24 @@ Positions positions_of(const std::vector<Point>& points)
   return positions;
 }
 
+/// The springs of conformal weights, numbered as the soup is, and the lengths of their edges.
+SP::internal::Weighted_graph graph_of(const Soup& soup, SP::internal::Host_array<double>& length)
+{
+  namespace I = SP::internal;
+  I::Spring_lengths lengths;
+  const Mesh mesh = make_mesh(soup);
+  I::Vertices<Mesh> vertex;
+  const I::Surface source = I::read_faces(mesh, I::Reading::BREADTH_FIRST, I::Host_loop(), vertex);
+  I::Corner_table table = source.copy_of_corner_table(I::Host_loop());
+  for(auto& f : table.face)
+    for(int& i : f)
+      i = source.position[i];
+  const auto points = positions_of(soup.points);
+  I::Weighted_graph graph = I::conformal_graph(I::Host_loop(), table, points, lengths);
+  length = lengths.of_all(graph, points);
+  return graph;
+}
+
 Sphere sphere_of(const Positions& positions)
 {
   Sphere sphere;
@@ -122,7 +140,7 @@ TEST_CASE("conformal weights: faces that come out flipped are mended, and the ve
 TEST_CASE("conformal weights: the residual is that of the map that is handed over", "[conformal][each_policy]")
 {
   namespace I = SP::internal;
-  const double noise = GENERATE(0., 0.02, 0.05);
+  const double noise = GENERATE(0., 0.2);
   std::mt19937 random(1);
   const Soup soup = transformed(icosphere(4), [&](const Point& p) {
     const double r = 1 + noise * (2. * random() / double(std::mt19937::max()) - 1);
@@ -134,23 +152,18 @@ TEST_CASE("conformal weights: the residual is that of the map that is handed ove
   REQUIRE(result);
 
   // the forces of the springs, in tangent planes, relative to the sum of the weights
-  const Mesh mesh = make_mesh(soup);
-  I::Source_mesh<Mesh> source(mesh, get(CGAL::vertex_point, mesh));
-  source.set_conformal_weights(mesh, I::Host_loop());
-  const I::Weighted_graph& graph = *source.graph;
-  const auto image = [&](int i) {
-    const Point& p = sphere[source.position[i]];
-    return I::vec3{p.x(), p.y(), p.z()};
-  };
+  I::Host_array<double> lengths;
+  const I::Weighted_graph graph = graph_of(soup, lengths);
+  const Positions images = positions_of(sphere);
   double squares = 0;
   for(int i = 0; i < graph.size(); ++i) {
     I::vec3 force = {0, 0, 0};
     double sum = 0;
     for(int k = graph.offset[i]; k < graph.offset[i + 1]; ++k) {
-      force = I::add_scaled(force, graph.weight[k], I::sub(image(graph.target[k]), image(i)));
+      force = I::add_scaled(force, graph.weight[k], I::sub(images[graph.target[k]], images[i]));
       sum += graph.weight[k];
     }
-    force = I::tangent(I::scale(1 / sum, force), image(i));
+    force = I::tangent(I::scale(1 / sum, force), images[i]);
     squares += I::inner(force, force);
   }
   CAPTURE(noise, result);
@@ -242,20 +255,6 @@ TEST_CASE("conformal weights: fixed vertices stay, whatever is moved", "[conform
 TEST_CASE("conformal springs: cotangents of a Delaunay mesh, positive and symmetric on any other", "[conformal]")
 {
   namespace I = SP::internal;
-  const auto graph_of = [](const Soup& soup, I::Host_array<double>& length) {
-    I::Spring_lengths lengths;
-    const Mesh mesh = make_mesh(soup);
-    I::Source_mesh<Mesh> source(mesh, mesh.points());
-    I::Corner_table table = I::corner_table_of(mesh, source.face, I::Host_loop());
-    // back to the numbers of the soup
-    for(auto& f : table.face)
-      for(int& i : f)
-        i = source.position[i];
-    const auto points = positions_of(soup.points);
-    I::Weighted_graph graph = I::conformal_graph(I::Host_loop(), table, points, lengths);
-    length = lengths.of_all(graph, points);
-    return graph;
-  };
   I::Host_array<double> length;
   const Soup good = icosphere(2); // all angles are acute
   const I::Weighted_graph graph = graph_of(good, length);

@@ -10,7 +10,7 @@
 // The one list of codes: the name, what get_error_message() says, and what the manual adds. Numbers follow the order.
 // clang-format off
 #define CGAL_SP_ERROR_CODES(CODE) \
-  CODE(OK, "valid spherical map") /**< certified: no flipped face, degree 1, residual below the accuracy */ \
+  CODE(OK, "valid spherical map") /**< certified: no flipped face, degree 1; and the method has done what was asked for */ \
   CODE(EMPTY_MESH, "the mesh has no faces") /**< no face */ \
   CODE(TOO_LARGE, "the mesh is too large") /**< 2^31 halfedges or more */ \
   CODE(NOT_TRIANGULAR, "the mesh has a face that is not a triangle") /**< a face that is not a triangle */ \

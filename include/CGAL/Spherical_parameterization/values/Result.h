@@ -47,7 +47,7 @@ struct Result {
   /// @{
   std::size_t flipped_faces = 0;  ///< faces (a,b,c) with orientation(O,a,b,c) <= 0
   std::size_t moved_vertices = 0; ///< `Conformal_weights`: vertices that were moved from where the springs pull them,
-                                  ///< for their faces; residual and energy are those before
+                                  ///< for their faces
   int degree = 0;                 ///< how often the map covers the sphere; 1 for a valid one
   double residual = 0;            ///< L2 norm over the free vertices (not divided by their number) of the residual of
                                   ///< the equation that the method solves, relative to the weight sum of a vertex;

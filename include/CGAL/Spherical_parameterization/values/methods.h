@@ -108,8 +108,8 @@ struct Saddle_point {
 /// for another one to follow (above 20,000 vertices, that it has to leave: a quarter of what it promised, if it could
 /// be taken in full; below 2,000 vertices, where steps are cheap, in proportion less, down to a twentieth). The
 /// residual is what one more step would promise. A map whose steps are used up is `OK` all the same, with
-/// `Termination::ITERATIONS`, unless a smaller accuracy or fewer iterations than the defaults were asked for: then it is
-/// `NOT_CONVERGED`.
+/// `Termination::ITERATIONS`, unless a smaller accuracy or fewer iterations than the defaults were asked for: then it
+/// is `NOT_CONVERGED`.
 ///
 /// \cgalModels{SphericalParameterizationMethod}
 struct Isometric {

@@ -102,9 +102,11 @@ bool solve_until_valid(const Backend& backend, const Problem& problem, Start sta
 
 /// Springs of exponent p > 2, with the factors of E_p = 1/p sum w l^2 (|v_i - v_j| / l)^p that do not depend on v as
 /// weights. Lengths are relative to a source of area 4 pi.
-inline Weighted_graph stiffening_springs(const Problem& problem, double exponent)
+template <class Loop>
+Weighted_graph stiffening_springs(const Loop& loop, const Problem& problem, double exponent)
 {
-  const double area = std::accumulate(problem.area.begin(), problem.area.end(), 0.);
+  const Host_array<double>& of_vertices = problem.vertex_area(loop);
+  const double area = std::accumulate(of_vertices.begin(), of_vertices.end(), 0.);
   const double unit_length = std::sqrt(area / (4 * pi));
   Weighted_graph springs = *problem.graph;
   const Host_array<double> lengths =
@@ -154,7 +156,7 @@ bool solve_stiffening(const Backend& backend, const Problem& problem, double exp
   solution.seconds.start_map = start_watch.seconds();
 
   const Gauge gauge = problem.has_fixed() ? Gauge::FIXED : Gauge::ROTATED;
-  const auto springs = std::make_shared<Weighted_graph>(stiffening_springs(problem, exponent));
+  const auto springs = std::make_shared<Weighted_graph>(stiffening_springs(backend.host_loop(), problem, exponent));
   typename Backend::Scalars mass = backend.scalars(problem.size());
   Solver_report& report = solution.report;
   const std::size_t of_start = report.start_iterations;
@@ -213,7 +215,7 @@ bool solve_harmonic(const Backend& backend, const Problem& problem, double accur
     positions = start_positions(backend, problem, monitor, solution.report.start_iterations);
   Multigrid<Backend> multigrid(backend, with_fixed_vertices(backend.host_loop(), problem));
   const typename Backend::Matrix& matrix = multigrid.matrix(0);
-  const typename Backend::Scalars& area = backend.upload(problem.area);
+  const typename Backend::Scalars& area = backend.upload(problem.vertex_area(backend.host_loop()));
   typename Backend::Scalars mass = backend.scalars(problem.size());
   const Gauge gauge = is_free ? Gauge::BALANCED : Gauge::FIXED;
   Balanced_solver<Backend> solver(backend, matrix, multigrid, 0, 2, gauge, mass);
@@ -251,7 +253,7 @@ void measure_balanced(const Backend& backend, const Problem& problem, double exp
   typename Backend::Vectors g = backend.vectors(n);
   typename Backend::Scalars density = backend.scalars(n), mass = backend.scalars(n);
   if(exponent > 2) {
-    const auto springs = std::make_shared<Weighted_graph>(stiffening_springs(problem, exponent));
+    const auto springs = std::make_shared<Weighted_graph>(stiffening_springs(backend.host_loop(), problem, exponent));
     const Host_array<vec3>& position = backend.download(v);
     const auto current = std::make_shared<Weighted_graph>(springs_at(*springs, exponent, position, problem.is_fixed));
     const typename Backend::Matrix pulling = backend.upload(Shared_graph(current));

@@ -13,6 +13,7 @@
 #include "output/write_mesh.h"
 #include "system/interruption.h"
 
+#include <CGAL/Spherical_parameterization/harmonic_alignment.h>
 #include <CGAL/Spherical_parameterization/harmonic_files.h>
 #include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
 #include <CGAL/Spherical_parameterization/spherical_harmonics.h>

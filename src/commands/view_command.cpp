@@ -12,6 +12,7 @@
 #include "view_page.h"
 
 #include <CGAL/Spherical_parameterization/distortion_summary.h>
+#include <CGAL/Spherical_parameterization/measure_distortion.h>
 #include <CGAL/Spherical_parameterization/segmentation.h>
 
 #include <CLI/CLI.hpp>

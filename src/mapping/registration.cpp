@@ -14,8 +14,8 @@ SP::Registration_result register_map(const std::string& file, const Mesh& mesh, 
                                      const Sphere& to_sphere)
 {
   SP::Registration_result result =
-    SP::register_maps(mesh, as_map(sphere), to_mesh, as_map(to_sphere), as_map(sphere), {}, {},
-                      CGAL::parameters::callback([](double) { return !was_interrupted(); }));
+    SP::register_maps(SP::mapped_mesh(mesh, as_map(sphere)), SP::mapped_mesh(to_mesh, as_map(to_sphere)),
+                      as_map(sphere), {}, {}, CGAL::parameters::callback([](double) { return !was_interrupted(); }));
   stop_if_interrupted(file);
   if(!result)
     throw Refusal(result.error, file, "could not be registered: " + result.detail, "");

@@ -10,7 +10,7 @@
 #include "mapping/mapped_mesh.h"
 #include "mapping/spherical_map.h"
 #include "output/atomic_file.h"
-#include "output/csv.h"
+#include "output/text_writer.h"
 #include "output/quantile.h"
 #include "system/error_code_names.h"
 #include "system/interruption.h"
@@ -246,11 +246,12 @@ void tabulate_mass(const Options& options)
     tool::Database done(database, format, tool::Database::Access::WRITE);
     compute_missing(jobs, options, done);
     std::vector<Row> rows;
-    tool::Atomic_file file(output);
-    file.stream() << header << '\n';
+    tool::Atomic_files file;
+    std::ostream& out = file.open(output);
+    out << header << '\n';
     for(const Row& job : jobs) {
       rows.push_back(row_of(job, done).value());
-      file.stream() << to_line(rows.back()) << '\n';
+      out << to_line(rows.back()) << '\n';
     }
     file.commit();
     summarize(rows, options);

@@ -16,7 +16,6 @@ CGAL_SP_SEGMENTS(Majority_vote)
 CGAL_SP_SEGMENTS(Girth_profiles)
 CGAL_SP_SEGMENTS(Region_growing)
 template Signature_values signature_values(const Host_loop&, const Mapped_surface&);
-template Texture_layout texture_layout(const Host_loop&, const Mapped_faces&, const Vertex_stars&,
-                                       const Texture_options&);
+template Texture_layout texture_layout(const Host_loop&, const Valid_map&, const Texture_options&);
 
 } // namespace CGAL::Spherical_parameterization::internal

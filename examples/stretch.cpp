@@ -51,7 +51,7 @@ int main(int argc, char* argv[])
   print("symmetric Dirichlet energy", distortion.symmetric_dirichlet);
 
   auto stretch = mesh.add_property_map<Mesh::Vertex_index, double>("v:stretch").first;
-  const auto [least, greatest] = SP::log_area_stretch(mesh, sphere, stretch);
+  const auto [least, greatest] = SP::vertex_log_area_stretch(mesh, sphere, stretch);
   for(Mesh::Vertex_index v : vertices(mesh))
     if(stretch[v] == greatest)
       std::cout << "shrunk most, by exp(" << greatest << "): " << v << " at " << mesh.point(v) << '\n';

@@ -18,7 +18,7 @@ rooms='
 1|core|loops|loops on the host, arrays
 0|core|algebra|vectors, rotations, small dense and sparse systems
 1|core|text|numbers in sentences
-1|core|context|time limit, callback, progress
+2|core|context|time limit, callback, progress
 2|core|predicates|exact orientation, degree, certificate
 3|core|surface|corner table, checks of the input, numbering
 4|public|inputs|edge_weights.h, Indexed_triangle_mesh.h, ...

@@ -12,7 +12,6 @@
 #include "output/atomic_file.h"
 #include "output/text_writer.h"
 #include "output/quantile.h"
-#include "system/error_code_names.h"
 #include "system/interruption.h"
 #include "system/refusal.h"
 
@@ -119,7 +118,7 @@ void compute(const Options& options, Row& row)
   const SP::Result result =
     tool::map_to_sphere(map.mesh(), map.sphere, *map.settings, [](double) { return !tool::was_interrupted(); });
   row["CPU s"] = digits(cpu_seconds_of_thread() - start);
-  row["outcome"] = tool::name(result.error);
+  row["outcome"] = CGAL::Spherical_parameterization::get_error_name(result.error);
   row["method used"] = result.method;
   row["message"] = result.detail;
   row["flipped faces"] = std::to_string(result.flipped_faces);

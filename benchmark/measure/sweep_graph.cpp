@@ -6,6 +6,8 @@
 #include "measure/measure.h"
 
 #include <CGAL/Spherical_parameterization/internal/backend/Host_backend.h>
+#include <CGAL/Spherical_parameterization/internal/driver/read_springs.h>
+#include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
 #include <CGAL/spherical_parameterization.h>
 
 #include <algorithm>
@@ -53,10 +55,13 @@ struct Sweeper {
 
 Sweep_graph::Sweep_graph(const Mesh& mesh, Weights weights)
 {
-  internal::Source_mesh<Mesh> source(mesh, mesh.points());
-  visit_weights(weights, mesh, [&](auto map) { source.set_weights(mesh, map, internal::Host_loop()); });
-  source.graph->update_diagonal({});
-  graph = std::move(*source.graph);
+  const internal::Host_loop one_core;
+  internal::Vertices<Mesh> vertex;
+  const internal::Surface source =
+    internal::read_surface(mesh, mesh.points(), internal::Reading::BREADTH_FIRST, one_core, vertex);
+  visit_weights(weights, mesh,
+                [&](auto map) { graph = internal::read_springs(mesh, source, vertex, map, one_core).graph; });
+  graph.update_diagonal({});
   for(const vec3& p : source.point)
     point.emplace_back(p.x, p.y, p.z);
   face.assign(source.face.begin(), source.face.end());

@@ -34,7 +34,8 @@ constexpr std::size_t girths = Shape_signature::coarse_bins + Shape_signature::f
 /// The signature without the Poisson solve: u is what the areas of the map say.
 Descriptor_values without_poisson(const Mesh& mesh, Sphere_map sphere)
 {
-  const Mapped_surface map = SP::internal::read_mapped_surface(mesh, mesh.points(), sphere, one_core);
+  const Mapped_surface map =
+    SP::internal::read_map(mesh, mesh.points(), sphere, SP::internal::Reading::BREADTH_FIRST, one_core);
   const Conformal_factor factor(one_core, map);
   Mesh copy = mesh;
   const auto stretch = copy.add_property_map<Mesh::Vertex_index, double>("v:stretch").first;
@@ -53,7 +54,8 @@ Descriptor_values without_poisson(const Mesh& mesh, Sphere_map sphere)
 Descriptor_values first_version(const Mesh& mesh, Sphere_map sphere)
 {
   constexpr std::size_t limbs = 12;
-  const Mapped_surface map = SP::internal::read_mapped_surface(mesh, mesh.points(), sphere, one_core);
+  const Mapped_surface map =
+    SP::internal::read_map(mesh, mesh.points(), sphere, SP::internal::Reading::BREADTH_FIRST, one_core);
   const Conformal_factor factor(one_core, map);
   const Discrete_surface& surface = factor.surface;
   const Discrete_surface::Vector u = SP::internal::smoothed(one_core, surface, factor.u, 0.003);

@@ -4,7 +4,7 @@
 #ifdef BENCHMARK_WITH_SPECTRA
 #include "shapes/descriptors.h"
 
-#include <CGAL/Spherical_parameterization/internal/surface/Mapped_surface.h>
+#include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
 #include <CGAL/Spherical_parameterization/internal/signature/Discrete_surface.h>
 
 #include <Spectra/MatOp/SparseSymShiftSolve.h>
@@ -19,8 +19,9 @@ benchmark::Descriptor_values benchmark::shape_dna(const Mesh& mesh, Sphere_map)
   constexpr int count = 30;
   constexpr double shift = -0.05; // next to the eigenvalue 0
   const internal::Mapped_surface map =
-    internal::read_mapped_surface(mesh, mesh.points(), mesh.points(), internal::Host_loop());
-  const internal::Discrete_surface surface(internal::Intrinsic_triangulation(map, map.point));
+    internal::read_map(mesh, mesh.points(), mesh.points(), internal::Reading::BREADTH_FIRST, internal::Host_loop());
+  const internal::Discrete_surface surface(
+    internal::Intrinsic_triangulation(map.copy_of_corner_table(internal::Host_loop()), map.point));
   const Eigen::VectorXd scale = surface.mass().array().rsqrt();
   const Eigen::SparseMatrix<double> a = scale.asDiagonal() * surface.laplacian() * scale.asDiagonal();
   Spectra::SparseSymShiftSolve<double> operation(a);

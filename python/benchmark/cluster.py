@@ -45,7 +45,7 @@ def map_number(number: int) -> dict[str, object]:
 def rows(store: str) -> list[tuple[str, ...]]:
     connection = sqlite3.connect(store)
     try:
-        return connection.execute("SELECT * FROM results ORDER BY key").fetchall()
+        return connection.execute("SELECT key, error, message, value FROM results ORDER BY key").fetchall()
     finally:
         connection.close()
 
@@ -56,7 +56,7 @@ busy: list[float] = []  # seconds of the batches that have arrived
 class Watched(sp.collection._Cluster):
     """Writes down how long the workers were at work."""
 
-    def next_rows(self) -> tuple[list[tuple[str, str, str, str | None]], float]:
+    def next_rows(self) -> tuple[list[sp.collection._Line], float]:
         rows, seconds = super().next_rows()
         busy.append(seconds)
         return rows, seconds

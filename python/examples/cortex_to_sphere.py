@@ -32,7 +32,7 @@ print(result)
 
 stored = (RADIUS * result.sphere).astype(np.float32)
 print(f"as the file has it: {sp.certify(triangles, stored)}")
-print(sp.distortion(points, triangles, stored / np.linalg.norm(stored.astype(float), axis=1)[:, None]))
+print(sp.distortion(points, triangles, stored))
 
 Array = nibabel.gifti.GiftiDataArray
 image = nibabel.GiftiImage(

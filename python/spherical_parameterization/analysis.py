@@ -11,15 +11,16 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from .arrays import Doubles, Integers, index_triples, numbers, vectors
+from .arrays import Doubles, Integers, OneLine, Sphere, check, chosen, directions, doubles, index_triples
+from .arrays import integers, numbers, one_of, unit_vectors, vectors, wrong_type
 from .errors import ErrorCode
 from .maps import parameterize
-from .methods import Balanced, MajorityVote, Segmentation, one_of
+from .methods import SEGMENTATIONS, Balanced, MajorityVote, Segmentation
 
 
-def _mesh(points: npt.ArrayLike, triangles: npt.ArrayLike, sphere: npt.ArrayLike) -> tuple[Doubles, Integers, Doubles]:
+def _mesh(points: npt.ArrayLike, triangles: npt.ArrayLike, sphere: Sphere) -> tuple[Doubles, Integers, Doubles]:
     points = vectors("points", points)
-    return points, index_triples(triangles), vectors("sphere", sphere, len(points))
+    return points, index_triples(triangles), unit_vectors("sphere", sphere, len(points))
 
 
 @dataclass(frozen=True)
@@ -57,7 +58,7 @@ class DistortionSummary:
 
 
 def distortion(
-    points: npt.ArrayLike, triangles: npt.ArrayLike, sphere: npt.ArrayLike, *, policy: str = "parallel"
+    points: npt.ArrayLike, triangles: npt.ArrayLike, sphere: Sphere, *, policy: str = "parallel"
 ) -> DistortionSummary:
     """The distortion of a valid map in figures.
 
@@ -65,8 +66,8 @@ def distortion(
     ----------
     points : array_like (n, 3) of float
     triangles : array_like (m, 3) of int
-    sphere : array_like (n, 3) of float
-        Unit vectors.
+    sphere : array_like (n, 3) of float, or Result
+        Of any radius: directions count.
     policy : {"parallel", "sequential"}
 
     Returns
@@ -81,6 +82,7 @@ def distortion(
     >>> round(summary.symmetric_dirichlet.mean, 6), round(summary.dilatation.max, 6)
     (4.0, 1.0)
     """
+    check(distortion, locals())
     summary = _core.distortion_summary(*_mesh(points, triangles, sphere), policy)
     area, angle, dilatation, flat, spherical = (Distribution(*d) for d in summary[:-1])
     return DistortionSummary(area, angle, dilatation, flat, spherical, summary[-1])
@@ -89,7 +91,7 @@ def distortion(
 def face_distortion(
     points: npt.ArrayLike,
     triangles: npt.ArrayLike,
-    sphere: npt.ArrayLike,
+    sphere: Sphere,
     measure: str = "log_area_stretch",
     *,
     policy: str = "parallel",
@@ -107,6 +109,7 @@ def face_distortion(
     -------
     ndarray (m,) of float64
     """
+    check(face_distortion, locals())
     one_of("measure", measure, "log_area_stretch", "angle_distortion", "dilatation", "symmetric_dirichlet")
     return _core.face_distortion(*_mesh(points, triangles, sphere), measure, policy)
 
@@ -146,7 +149,7 @@ def mean_over_faces(triangles: npt.ArrayLike, values: npt.ArrayLike) -> Doubles:
 
 
 def vertex_log_area_stretch(
-    points: npt.ArrayLike, triangles: npt.ArrayLike, sphere: npt.ArrayLike, *, policy: str = "parallel"
+    points: npt.ArrayLike, triangles: npt.ArrayLike, sphere: Sphere, *, policy: str = "parallel"
 ) -> Doubles:
     """The logarithmic area stretch of the vertices, the mean over their faces: positive where the map shrinks.
 
@@ -159,13 +162,14 @@ def vertex_log_area_stretch(
     -------
     ndarray (n,) of float64
     """
+    check(vertex_log_area_stretch, locals())
     return _core.vertex_log_area_stretch(*_mesh(points, triangles, sphere), policy)
 
 
 def segment(
     points: npt.ArrayLike,
     triangles: npt.ArrayLike,
-    sphere: npt.ArrayLike,
+    sphere: Sphere,
     method: Segmentation = MajorityVote(),
     *,
     stretch: npt.ArrayLike | None = None,
@@ -179,7 +183,7 @@ def segment(
         As for `distortion()`.
     sphere : array_like (n, 3) of float
         A conformal map; it need not be valid.
-    method : MajorityVote, GirthProfiles or RegionGrowing
+    method : MajorityVote, GirthProfiles or RegionGrowing, or "majority-vote", "girth-profiles" or "region-growing"
     stretch : array_like (m,) of float
         Of the faces. Default: `face_distortion()`.
 
@@ -193,13 +197,14 @@ def segment(
     MeshError
         If something is wrong with the mesh or the map.
     """
+    check(segment, locals())
     points, triangles, sphere = _mesh(points, triangles, sphere)
     given = None if stretch is None else numbers("stretch", stretch, len(triangles))
-    return _core.segment(points, triangles, sphere, method, given, policy)
+    return _core.segment(points, triangles, sphere, chosen("method", method, SEGMENTATIONS), given, policy)
 
 
-@dataclass(frozen=True, eq=False)
-class Texture:
+@dataclass(frozen=True, eq=False, repr=False)
+class Texture(OneLine):
     """Texture coordinates, and what had to be done for them."""
 
     uv: Doubles  #: (m, 3, 2): u and v of every corner of every face
@@ -215,7 +220,7 @@ class Texture:
 def texture_coordinates(
     points: npt.ArrayLike,
     triangles: npt.ArrayLike,
-    sphere: npt.ArrayLike,
+    sphere: Sphere,
     *,
     chart: str = "latitude-longitude",
     axes: tuple[Sequence[float], Sequence[float]] | None = None,
@@ -243,7 +248,10 @@ def texture_coordinates(
     MeshError
         If the map has flipped faces.
     """
+    check(texture_coordinates, locals())
     one_of("chart", chart, "latitude-longitude", "octahedral")
+    if axes is not None:
+        axes = vectors("axes", axes, 2).tolist()
     return Texture(*_core.texture_coordinates(*_mesh(points, triangles, sphere), chart, axes, bits, policy))
 
 
@@ -267,7 +275,7 @@ def texture_seams(triangles: npt.ArrayLike, uv: npt.ArrayLike) -> npt.NDArray[np
         If the triangles do not form a closed surface of genus 0.
     """
     points, triangles = _surface(triangles)
-    corners = np.ascontiguousarray(uv, dtype=np.float64)
+    corners = doubles("uv", uv)
     if corners.shape != (len(triangles), 3, 2):
         raise ValueError(f"uv: shape ({len(triangles)}, 3, 2) is needed, not {corners.shape}")
     return _core.texture_seams(points, triangles, corners)
@@ -286,6 +294,7 @@ def icosphere(level: int) -> tuple[Doubles, npt.NDArray[np.int32]]:
     points : ndarray (10 * 4**level + 2, 3) of float64
     triangles : ndarray (20 * 4**level, 3) of int32
     """
+    check(icosphere, locals())
     return _core.icosphere(level)
 
 
@@ -314,11 +323,15 @@ class Locator:
     [[0.0, 0.0, 1.0]]
     """
 
-    def __init__(self, triangles: npt.ArrayLike, sphere: npt.ArrayLike, *, policy: str = "parallel") -> None:
-        sphere, triangles = vectors("sphere", sphere), index_triples(triangles)
+    def __init__(self, triangles: npt.ArrayLike, sphere: Sphere, *, policy: str = "parallel") -> None:
+        check(Locator.__init__, locals())
+        sphere, triangles = directions("sphere", sphere), index_triples(triangles)
         self._number_of_vertices, self._number_of_faces = len(sphere), len(triangles)
         self._policy = policy
         self._locator = _core.Locator(triangles, sphere, policy)
+
+    def __repr__(self) -> str:
+        return f"<Locator: {self._number_of_vertices} vertices, {self._number_of_faces} faces>"
 
     def locate(self, directions: npt.ArrayLike) -> tuple[npt.NDArray[np.int32], Doubles]:
         """The faces whose images contain the directions.
@@ -349,11 +362,11 @@ class Locator:
         -------
         ndarray (k,) or (k, d) of float64
         """
-        given = np.asarray(values, dtype=np.float64)
+        given = doubles("values", values)
+        if given.shape[:1] != (self._number_of_vertices,):
+            raise ValueError(f"values: {self._number_of_vertices} rows are needed, not {given.shape}")
         table = np.ascontiguousarray(given.reshape(len(given), -1))
-        if len(table) != self._number_of_vertices:
-            raise ValueError(f"values: {self._number_of_vertices} rows are needed, not {len(table)}")
-        places = np.ascontiguousarray(faces, dtype=np.int32)
+        places = np.ascontiguousarray(integers("faces", faces), dtype=np.int32)
         if places.size and not 0 <= places.min() <= places.max() < self._number_of_faces:
             raise IndexError(f"faces are numbers from 0 to {self._number_of_faces - 1}")
         result = self._locator.interpolate(table, places, vectors("weights", weights, len(places)))
@@ -361,6 +374,8 @@ class Locator:
 
     def transfer(self, values: npt.ArrayLike, directions: npt.ArrayLike) -> Doubles:
         """Values of vertices at directions, such as those of another map: `locate()` and `interpolate()`.
+
+        Labels are not to be interpolated: that of the nearest corner is `labels[triangles[faces, weights.argmax(axis=1)]]`.
 
         Parameters
         ----------
@@ -373,7 +388,7 @@ class Locator:
         """
         return self.interpolate(values, *self.locate(directions))
 
-    def transfer_faces(self, values: npt.ArrayLike, triangles: npt.ArrayLike, sphere: npt.ArrayLike) -> Any:
+    def transfer_faces(self, values: npt.ArrayLike, triangles: npt.ArrayLike, sphere: Sphere) -> Any:
         """Values of faces, such as labels, on another mesh: each face gets that of the face under its centre.
 
         Parameters
@@ -390,9 +405,9 @@ class Locator:
         ndarray (k, ...)
         """
         of_faces = np.asarray(values)
-        if len(of_faces) != self._number_of_faces:
-            raise ValueError(f"values: {self._number_of_faces} rows are needed, not {len(of_faces)}")
-        a, b, c = vectors("sphere", sphere)[index_triples(triangles)].swapaxes(0, 1)
+        if of_faces.shape[:1] != (self._number_of_faces,):
+            raise ValueError(f"values: {self._number_of_faces} rows are needed, not {of_faces.shape}")
+        a, b, c = directions("sphere", sphere)[index_triples(triangles)].swapaxes(0, 1)
         return of_faces[self.locate(a + (b + c))[0]]
 
     def resample(
@@ -414,7 +429,7 @@ class Locator:
             The vertices of the icosphere, a map of the new mesh.
         """
         sphere, triangles = icosphere(level)
-        return self.transfer(vectors("points", points), sphere), triangles, sphere
+        return self.transfer(vectors("points", points, self._number_of_vertices), sphere), triangles, sphere
 
     def align(self, points: npt.ArrayLike, other: Locator, other_points: npt.ArrayLike) -> Doubles:
         """The rotation of the sphere that leads from this map to another one; the shapes have to stand alike.
@@ -432,6 +447,8 @@ class Locator:
         ndarray (3, 3) of float64
             R such that R x under the other map is what x is under this one: `other.transfer(values, x @ R.T)`.
         """
+        if not isinstance(other, Locator):
+            raise wrong_type("other", "a Locator", other)
         return np.array(
             self._locator.align(
                 vectors("points", points, self._number_of_vertices),
@@ -445,7 +462,7 @@ class Locator:
 def shape_signature(
     points: npt.ArrayLike,
     triangles: npt.ArrayLike,
-    sphere: npt.ArrayLike | None = None,
+    sphere: Sphere | None = None,
     *,
     policy: str = "parallel",
 ) -> Doubles:
@@ -463,6 +480,7 @@ def shape_signature(
     -------
     ndarray (96,) of float64
     """
+    check(shape_signature, locals())
     if sphere is None:
         result = parameterize(points, triangles, Balanced(), weights="clamped", policy=policy, warn=False)
         if result.error is ErrorCode.NOT_CONVERGED:
@@ -490,7 +508,10 @@ def search(signature: npt.ArrayLike, index: npt.ArrayLike, k: int = 10) -> tuple
         Rows of `index`, nearest first.
     distances : ndarray of float64
     """
-    rows = np.ascontiguousarray(index, dtype=np.float64)
+    check(search, locals())
+    rows = doubles("index", index)
+    if rows.size == 0:
+        raise ValueError("index: one signature or more is needed")
     if rows.ndim != 2 or rows.shape[1] != 96:
         raise ValueError(f"index: shape (s, 96) is needed, not {rows.shape}")
     distances = _core.distances(numbers("signature", signature, 96), rows)
@@ -501,7 +522,7 @@ def search(signature: npt.ArrayLike, index: npt.ArrayLike, k: int = 10) -> tuple
 def stretch_histogram(
     points: npt.ArrayLike,
     triangles: npt.ArrayLike,
-    sphere: npt.ArrayLike,
+    sphere: Sphere,
     *,
     sampling: str = "exact-areas",
     scale: str = "logarithmic",
@@ -531,6 +552,7 @@ def stretch_histogram(
     ndarray (bins,) of float64
         Shares, which add up to 1.
     """
+    check(stretch_histogram, locals())
     one_of("sampling", sampling, "exact-areas", "uniform", "random", "vertices")
     one_of("scale", scale, "logarithmic", "linear")
     shares = _core.stretch_histogram(

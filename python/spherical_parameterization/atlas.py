@@ -10,16 +10,16 @@ import numpy as np
 import numpy.typing as npt
 
 from .analysis import Locator, icosphere
-from .arrays import Doubles, index_triples, vectors
+from .arrays import Doubles, OneLine, check, index_triples, one_of, vectors
 from .errors import MeshError
 from .maps import parameterize
-from .methods import Isometric, one_of
+from .methods import Isometric
 from .registration import register_maps
 from .statistics import ShapeStatistics, align_shapes, mean_vertex_areas, shape_statistics
 
 
-@dataclass(frozen=True, eq=False)
-class Atlas:
+@dataclass(frozen=True, eq=False, repr=False)
+class Atlas(OneLine):
     """Shapes with the same vertices and faces, aligned, and their statistics."""
 
     triangles: npt.NDArray[np.int32]  #: (f, 3), of all shapes: those of an icosphere
@@ -76,9 +76,8 @@ def atlas(
     >>> result.statistics.mean.shape
     (162, 3)
     """
+    check(atlas, locals())
     one_of("align", align, "none", "centre", "rigid", "similarity")
-    if rounds < 1:
-        raise ValueError("rounds: one or more")
     spheres: dict[int, Doubles] = {}
     arrays = [(vectors("points", points), index_triples(triangles)) for points, triangles in meshes]
     refused: dict[int, str] = {}

@@ -5,20 +5,30 @@ from __future__ import annotations
 
 import asyncio
 import dataclasses
+import errno
 import functools
+import hashlib
+import inspect
 import itertools
 import json
 import os
 import queue
+import re
 import sqlite3
+import stat
+import sys
+import threading
 import time
+import types
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from . import _core
 from .analysis import distortion, shape_signature
+from .arrays import check, wrong_type
 from .errors import MeshError
 from .files import read_mesh
 from .maps import parameterize
@@ -94,26 +104,105 @@ def _key(item: Any) -> str:
     return str(item[0] if isinstance(item, tuple) else item)
 
 
+def _repr(value: Any) -> str:
+    with np.printoptions(threshold=sys.maxsize, floatmode="unique"):
+        return repr(value)
+
+
 def _name(function: Any) -> str:
     """What a function is called in the store; with the settings of functools.partial."""
     if isinstance(function, functools.partial):
-        settings = [*(repr(value) for value in function.args), *(f"{key}={value!r}" for key, value in function.keywords.items())]
+        settings = [_repr(value) for value in function.args]
+        settings += [f"{key}={_repr(value)}" for key, value in function.keywords.items()]
         return f"{_name(function.func)}({', '.join(settings)})"
-    return str(getattr(function, "__qualname__", type(function).__qualname__))
+    named = function if hasattr(function, "__qualname__") else type(function)
+    return f"{named.__module__}.{named.__qualname__}"
 
 
-def _run(function: Callable[[Any], Any], items: list[Any]) -> tuple[list[tuple[str, str, str, str | None]], float]:
+def _plainly(value: Any) -> Any:
+    """Code, and plain values, so that repr() is the same in every run; of others the type."""
+    if isinstance(value, types.FunctionType):
+        value = value.__code__
+    if isinstance(value, types.CodeType):
+        return value.co_code, value.co_names, [_plainly(constant) for constant in value.co_consts]
+    if isinstance(value, frozenset):
+        return sorted(repr(_plainly(part)) for part in value)
+    if isinstance(value, tuple):
+        return [_plainly(part) for part in value]
+    return value if isinstance(value, (str, bytes, int, float, complex)) else type(value).__qualname__
+
+
+def _computation(function: Any) -> Any:
+    """What a function does: its code, defaults, and the plain values and functions that it uses from outside."""
+    if isinstance(function, functools.partial):
+        return _computation(function.func)
+    if not inspect.isroutine(function):  # an object that can be called
+        return _computation(type(function).__call__), [(k, _plainly(v)) for k, v in getattr(function, "__dict__", {}).items()]
+    function = inspect.unwrap(getattr(function, "__func__", function))
+    if not isinstance(function, types.FunctionType):
+        return _plainly(function)
+    code, cells = function.__code__, function.__closure__ or ()
+    outside = {name: function.__globals__.get(name) for name in code.co_names}
+    outside.update(zip(code.co_freevars, (cell.cell_contents for cell in cells)))
+    defaults = [*(function.__defaults__ or ()), *(function.__kwdefaults__ or {}).values()]
+    return _plainly(code), _plainly(tuple(defaults)), [(name, _plainly(value)) for name, value in outside.items()]
+
+
+def _digest(*parts: Any) -> str:
+    return hashlib.blake2b(_repr(parts).encode(), digest_size=16).hexdigest()
+
+
+@functools.lru_cache(maxsize=None)
+def _package() -> str:
+    """The version, and what was built of it."""
+    return f"{_core.__version__} {_hash_of(_core.__file__)}"
+
+
+def _hash_of(file: str) -> str:
+    """A hash of what is in a file, empty if it cannot be read."""
+    digest = hashlib.blake2b(digest_size=16)
+    try:
+        with open(file, "rb") as stream:
+            for part in iter(lambda: stream.read(2**20), b""):
+                digest.update(part)
+    except (OSError, ValueError):  # there are items that are no files
+        return ""
+    return digest.hexdigest()
+
+
+def _state(item: Any) -> str:
+    """Size and times of the file, if it is one, and what else is in a tuple."""
+    others = _digest(item[1:]) if isinstance(item, tuple) else ""
+    try:
+        file = os.stat(_key(item))
+    except (OSError, ValueError):
+        return others
+    return f"{file.st_size} {file.st_mtime_ns} {file.st_ctime_ns} {others}" if stat.S_ISREG(file.st_mode) else others
+
+
+def _contents(item: Any) -> str:
+    """The same of the contents of the file."""
+    contents = _hash_of(_key(item))
+    return contents and contents + (_digest(item[1:]) if isinstance(item, tuple) else "")
+
+
+_Line = tuple[str, str, str, Any, str, str]  # key, error, message, value, state and contents
+
+
+def _run(function: Callable[[Any], Any], items: list[Any]) -> tuple[list[_Line], float]:
     """The rows of some items, and the seconds that they took. Runs on the workers."""
     start = time.perf_counter()
-    rows: list[tuple[str, str, str, str | None]] = []
+    rows: list[_Line] = []
     for item in items:
+        error, message, value = "OK", "", None
+        file = _state(item), _contents(item)  # before the file is read: if it is changed meanwhile, the next call computes it again
         try:
             value = json.dumps(function(item), default=_plain, sort_keys=True)
-            rows.append((_key(item), "OK", "", value))
-        except MeshError as error:
-            rows.append((_key(item), str(error.code), str(error), None))
-        except (Exception, SystemExit) as error:  # some readers exit
-            rows.append((_key(item), type(error).__name__, str(error), None))
+        except MeshError as wrong:
+            error, message = str(wrong.code), str(wrong)
+        except (Exception, SystemExit) as wrong:  # some readers exit
+            error, message = type(wrong).__name__, str(wrong)
+        rows.append((_key(item), error, message, value, *file))
     return rows, time.perf_counter() - start
 
 
@@ -122,11 +211,16 @@ class _Store:
 
     def __init__(self, path: str | os.PathLike[str], function: Callable[[Any], Any]) -> None:
         name = _name(function)
-        self._connection = sqlite3.connect(path)
-        self._committed = time.monotonic()
+        self._computation = _digest(_computation(function), _package())
+        self._lock = threading.Lock()
+        self._timer: threading.Timer | None = None
+        self._connection = sqlite3.connect(path, check_same_thread=False)
         with self._connection as c:
             c.execute("CREATE TABLE IF NOT EXISTS about (function TEXT)")
-            c.execute("CREATE TABLE IF NOT EXISTS results (key TEXT PRIMARY KEY, error TEXT, message TEXT, value TEXT)")
+            c.execute(
+                "CREATE TABLE IF NOT EXISTS results (key TEXT PRIMARY KEY, error TEXT, message TEXT, value TEXT, "
+                "state TEXT, contents TEXT, computation TEXT)"
+            )
             stored = c.execute("SELECT function FROM about").fetchone()
             if stored is None:
                 c.execute("INSERT INTO about VALUES (?)", (name,))
@@ -134,32 +228,70 @@ class _Store:
                 raise ValueError(f"{os.fspath(path)} has results of {stored[0]}, not of {name}: name another file")
 
     def has(self, item: Any) -> bool:
-        found = self._connection.execute("SELECT 1 FROM results WHERE key = ?", (_key(item),))
-        return found.fetchone() is not None
+        """Whether there is a row of this computation, and of the file as it is now. Any other row is deleted."""
+        key, now = _key(item), _state(item)
+        query = "SELECT state, contents FROM results WHERE key = ? AND computation = ?"
+        with self._lock:
+            row = self._connection.execute(query, (key, self._computation)).fetchone()
+        if row is not None and row[0] == now:
+            return True
+        if row is not None and row[1] and row[1] == _contents(item):  # touched, or copied
+            self._write("UPDATE results SET state = ? WHERE key = ?", [(now, key)])
+            return True
+        self._write("DELETE FROM results WHERE key = ?", [(key,)])
+        return False
 
-    def save(self, rows: list[tuple[str, str, str, str | None]]) -> int:
-        """Returns how many are new: a row that is there already stays. They reach the disk within about a second."""
-        new = self._connection.executemany("INSERT OR IGNORE INTO results VALUES (?, ?, ?, ?)", rows).rowcount
-        if time.monotonic() - self._committed > 1:
-            self._connection.commit()
-            self._committed = time.monotonic()
-        return new
+    def save(self, rows: list[_Line]) -> int:
+        """Returns how many are new: a row that is there already stays."""
+        statement = "INSERT OR IGNORE INTO results VALUES (?, ?, ?, ?, ?, ?, ?)"
+        return self._write(statement, [(*row, self._computation) for row in rows])
+
+    def _write(self, statement: str, rows: list[Any]) -> int:
+        """It is on the disk half a second later, whatever is computed meanwhile."""
+        with self._lock:
+            if self._timer is None:
+                self._timer = threading.Timer(0.5, self._commit)
+                self._timer.daemon = True
+                self._timer.start()
+            return self._connection.executemany(statement, rows).rowcount
+
+    def _commit(self) -> None:
+        with self._lock:
+            if self._timer is not None:
+                self._timer = None
+                self._connection.commit()
 
     def counts(self) -> dict[str, int]:
-        return dict(self._connection.execute("SELECT error, COUNT(*) FROM results GROUP BY error ORDER BY error"))
+        with self._lock:
+            return dict(self._connection.execute("SELECT error, COUNT(*) FROM results GROUP BY error ORDER BY error"))
 
     def close(self) -> None:
-        self._connection.commit()
-        self._connection.close()
+        with self._lock:
+            if self._timer is not None:
+                self._timer.cancel()
+                self._timer = None
+            self._connection.commit()
+            self._connection.close()
+
+
+_SURFACES = "white|pial|orig|smoothwm|sphere|inflated|midthickness|graymid"
+_MESH = re.compile(rf"(?<!\.func)(?<!\.label)(?<!\.shape)\.gii(\.gz)?$|\.(off|obj|ply|stl|vtk)$|\b[lr]h\.({_SURFACES})[^/\\]*$", re.IGNORECASE)
 
 
 def _items(files_or_bag: Any, client: Any) -> Iterator[Any]:
-    """The items of a bag come to this process a partition at a time: let them be names."""
+    """The items of a bag come to this process a partition at a time: let them be names. Of a folder, its meshes."""
+    if isinstance(files_or_bag, (str, os.PathLike)):
+        folder = os.fsdecode(files_or_bag)
+        if not os.path.isdir(folder):
+            raise TypeError(f"files_or_bag: {folder!r} is no folder; names have to be in a list")
+        places = (os.path.join(at, name) for at, _, names in os.walk(folder) for name in names)
+        return iter(sorted(place for place in places if _MESH.search(place)))
     if hasattr(files_or_bag, "to_delayed"):
-        for part in files_or_bag.to_delayed():
-            yield from part.compute() if client is None else client.compute(part).result()
-    else:
-        yield from files_or_bag
+        parts = (part.compute() if client is None else client.compute(part).result() for part in files_or_bag.to_delayed())
+        return itertools.chain.from_iterable(parts)
+    if isinstance(files_or_bag, bytes) or not isinstance(files_or_bag, Iterable):
+        raise wrong_type("files_or_bag", "a folder, or a list or bag of names,", files_or_bag)
+    return iter(files_or_bag)
 
 
 @dataclasses.dataclass
@@ -205,7 +337,7 @@ class _Cluster:
         except BaseException as error:  # goes to the thread that waits
             self._arrivals.put((future, error))
 
-    def next_rows(self) -> tuple[list[tuple[str, str, str, str | None]], float]:
+    def next_rows(self) -> tuple[list[_Line], float]:
         """What has arrived, perhaps nothing; and the seconds that it took."""
         from distributed.scheduler import KilledWorker
 
@@ -220,7 +352,8 @@ class _Cluster:
         if isinstance(result, KilledWorker):  # several workers have died of it, or beside it
             self._forget(batch)
             if len(batch.items) == 1:
-                return [(_key(batch.items[0]), "WORKER_LOST", str(result), None)], 0
+                item = batch.items[0]
+                return [(_key(item), "WORKER_LOST", str(result), None, _state(item), _contents(item))], 0
             for item in batch.items:
                 self.submit(_Batch([item]))
             return [], 0
@@ -272,20 +405,22 @@ def map(
 ) -> dict[str, int]:
     """Applies a function to every item of a collection, once, and stores what it returns.
 
-    Items that the store has already are left out: after an interruption, or with more files, call it again. What goes
-    wrong with an item becomes its row. Workers may come, go and die meanwhile.
+    Items that the store has already are left out: after an interruption, or with more files, call it again. A file that
+    has changed is computed again, and so is everything when the function or this package has. What goes wrong with an
+    item becomes its row, which is on the disk within a second. Workers may come, go and die meanwhile.
 
     Parameters
     ----------
-    files_or_bag : iterable of str, of paths or of tuples; or dask.bag.Bag of such
-        The items. Their names have to differ: of tuples, those of their first elements.
+    files_or_bag : iterable of str, of paths or of tuples; dask.bag.Bag of such; or str or path of a folder
+        The items. Their names have to differ: of tuples, those of their first elements. Of a folder all meshes in it and
+        in the folders below.
     function : callable
         Of one item; returns what JSON can hold, and arrays. May run twice for an item if workers die: files that it
         writes should be complete or not there (`os.replace`). `map_file` and `signature_file` are such functions.
     client : distributed.Client, optional
         The cluster. Without one all is done in this process, one after the other; the rows are the same.
     store : str or path
-        An SQLite file with the table results (key, error, message, value); value is JSON.
+        An SQLite file with the table results (key, error, message, value, ...); value is JSON.
     batch_seconds : float
         Items are sent in batches that take about so long. For a thousand workers 10 is better.
     stall_seconds : float
@@ -302,7 +437,9 @@ def map(
     Raises
     ------
     ValueError
-        If the store has results of another function.
+        If the store has results of a function with another name or with other settings.
+    TypeError
+        If an argument has a wrong type. The store is not touched then.
 
     Examples
     --------
@@ -313,10 +450,18 @@ def map(
     >>> [row.value for row in sp.collection.read(store)]
     [4, 9, None]
     """
+    check(map, locals())
+    if not callable(function):
+        raise wrong_type("function", "a function of one item", function)
+    if not (client is None or (hasattr(client, "submit") and hasattr(client, "nthreads"))):
+        raise wrong_type("client", "a distributed.Client or None", client)
+    if not (progress is None or callable(progress)):
+        raise wrong_type("progress", "a function of a number or None", progress)
+    items = _items(files_or_bag, client)
     results = _Store(store, function)
-    todo = (item for item in _items(files_or_bag, client) if not results.has(item))
+    todo = (item for item in items if not results.has(item))
 
-    def save(rows: list[tuple[str, str, str, str | None]]) -> None:
+    def save(rows: list[_Line]) -> None:
         new = results.save(rows) if rows else 0
         if progress is not None and new > 0:
             progress(new)
@@ -358,13 +503,24 @@ def read(store: str | os.PathLike[str]) -> Iterator[Row]:
     ----------
     store : str or path
 
-    Yields
+    Returns
+    -------
+    iterator of Row
+
+    Raises
     ------
-    Row
+    FileNotFoundError
+        If there is no such file.
     """
+    if not os.path.exists(store):
+        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), os.fspath(store))
+    return _rows(store)
+
+
+def _rows(store: str | os.PathLike[str]) -> Iterator[Row]:
     connection = sqlite3.connect(store)
     try:
-        for key, error, message, value in connection.execute("SELECT * FROM results ORDER BY key"):
+        for key, error, message, value in connection.execute("SELECT key, error, message, value FROM results ORDER BY key"):
             yield Row(key, error, message, None if value is None else json.loads(value))
     finally:
         connection.close()

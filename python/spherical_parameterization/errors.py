@@ -4,9 +4,20 @@
 from __future__ import annotations
 
 import enum
+from typing import TYPE_CHECKING
+
+from . import _core
+
+_SENTENCES = dict(_core.error_codes())  # the list is in the header values/Error.h
 
 
-class ErrorCode(str, enum.Enum):
+class _Names(enum.EnumMeta):
+    if TYPE_CHECKING:
+
+        def __getattr__(cls, name: str) -> ErrorCode: ...
+
+
+class ErrorCode(str, enum.Enum, metaclass=_Names):
     """What can be wrong with a mesh, or with the map that was found. Members compare equal to their names.
 
     >>> import spherical_parameterization as sp
@@ -14,38 +25,22 @@ class ErrorCode(str, enum.Enum):
     True
     """
 
-    OK = "OK"  #: certified: no flipped face, degree 1, residual below the accuracy
-    EMPTY_MESH = "EMPTY_MESH"  #: no face
-    TOO_LARGE = "TOO_LARGE"  #: 2^31 halfedges or more
-    NOT_TRIANGULAR = "NOT_TRIANGULAR"  #: a face that is not a triangle
-    ISOLATED_VERTEX = "ISOLATED_VERTEX"  #: a vertex without faces
-    BOUNDARY = "BOUNDARY"  #: border edges: the surface is not closed
-    NON_MANIFOLD = "NON_MANIFOLD"  #: a vertex or edge whose faces do not form a single disk
-    INCONSISTENT_ORIENTATION = "INCONSISTENT_ORIENTATION"  #: neighbouring faces of opposite orientations
-    SEVERAL_COMPONENTS = "SEVERAL_COMPONENTS"  #: more than one connected component
-    WRONG_GENUS = "WRONG_GENUS"  #: handles: not a topological sphere
-    NON_FINITE_COORDINATE = "NON_FINITE_COORDINATE"  #: NaN or infinity in a point
-    DEGENERATE_FACE = "DEGENERATE_FACE"  #: a face without area, or an edge without length, where one is needed
-    BAD_WEIGHT = "BAD_WEIGHT"  #: an edge weight that is not positive and finite
-    BAD_CONSTRAINTS = "BAD_CONSTRAINTS"  #: fixed vertices: one or two, at equal positions, a zero vector; or the mesh is too coarse
-    NOT_CONVERGED = "NOT_CONVERGED"  #: the residual did not reach the accuracy
-    INTERRUPTED = "INTERRUPTED"  #: stopped by Ctrl-C, by `progress`, or by the time limit
-    NOT_BIJECTIVE = "NOT_BIJECTIVE"  #: converged, but faces are flipped or the degree is not 1
-    BAD_INDEX = "BAD_INDEX"  #: a triangle that names a point that is not there
-    BAD_DENSITY = "BAD_DENSITY"  #: a density that is not positive and finite
+    _ignore_ = ["_members", "_code"]
+    _members = vars()
+    for _code in _SENTENCES:
+        _members[_code] = _code
 
     def __str__(self) -> str:
-        return self.value
+        return str(self.value)
 
     @property
     def message(self) -> str:
         """The code in words."""
-        from . import _core
-
-        return _core.message(_CODES.index(self))
+        return _SENTENCES[self.value]
 
 
-_CODES = tuple(ErrorCode)
+_LINES = "".join(f"{name}\n    {sentence}\n" for name, sentence in _SENTENCES.items())
+ErrorCode.__doc__ = f"{ErrorCode.__doc__}\nAttributes\n----------\n{_LINES}"
 
 
 class MeshError(ValueError):
@@ -53,8 +48,8 @@ class MeshError(ValueError):
 
     Parameters
     ----------
-    code : ErrorCode or int
-        What is wrong, or its number in the core.
+    code : ErrorCode or str
+        What is wrong, or its name.
     detail : str
         What exactly, where, and what to do about it.
 
@@ -67,9 +62,9 @@ class MeshError(ValueError):
     code: ErrorCode
     detail: str
 
-    def __init__(self, code: ErrorCode | int, detail: str) -> None:
+    def __init__(self, code: ErrorCode | str, detail: str) -> None:
         super().__init__(code, detail)  # what pickle calls it with
-        self.code = code if isinstance(code, ErrorCode) else _CODES[code]
+        self.code = ErrorCode(code)
         self.detail = detail
 
     def __str__(self) -> str:

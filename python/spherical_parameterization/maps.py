@@ -13,9 +13,10 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from .arrays import Doubles, Integers, edge_numbers, index_triples, numbers, vectors
-from .errors import _CODES, ErrorCode, MapWarning, MeshError
-from .methods import Automatic, ClampedWeights, Method, one_of
+from .arrays import Doubles, Integers, Sphere, check, chosen, directions, doubles, edge_numbers, index_triples
+from .arrays import integers, numbers, one_of, vectors, wrong_type
+from .errors import ErrorCode, MapWarning, MeshError
+from .methods import METHODS, Automatic, ClampedWeights, Method
 
 Fixed = Union[Mapping[int, Sequence[float]], tuple[npt.ArrayLike, npt.ArrayLike]]
 
@@ -43,77 +44,36 @@ class Attempt:
     error: ErrorCode
     detail: str
     seconds: Seconds
+    termination: str | None  #: why it ended, as in `Result`
 
 
 @dataclass(frozen=True, eq=False)
 class Result:
-    """A map, its certificate, and what the work was. True if and only if the map is certified.
+    """A map, its certificate, and what the work was. True if and only if the map is certified."""
 
-    Attributes
-    ----------
-    sphere : ndarray (n, 3) of float64
-        A unit vector for every point.
-    error : ErrorCode
-        `OK` if and only if the map is certified.
-    detail : str
-        What is wrong, where, and what to do; empty if `OK`.
-    number_of_vertices, number_of_faces : int
-        Of the mesh.
-    flipped_faces : int
-        Faces (a, b, c) with orientation(O, a, b, c) <= 0, by exact predicates on `sphere`.
-    moved_vertices : int
-        Conformal weights: vertices that were moved from where the springs pull them, for the sake of their faces.
-    degree : int
-        How often the map covers the sphere; 1 for a valid one.
-    residual : float
-        Of the equation that the method solves.
-    energy : float
-        Spring energy; of `Isometric` the mean distortion.
-    density_deviation : float
-        With `density`: the standard deviation of log(area on the sphere / wanted area) over the triangles, each with its
-        wanted area; else 0.
-    smallest_area : float
-        Of all spherical triangles, steradians; below 1e-26 rounding flips faces.
-    smallest_edge : float
-        Length of the shortest chord, in units of 2^-52.
-    method : str
-        Of the map: "balanced", "balanced with exponent 3", "isometric", ...
-    fallback_reason : str
-        `Automatic`: what was wrong with the attempts before.
-    start_iterations, iterations, sweeps : int
-        Of the start map, of the method, of Jacobi or Gauss-Seidel.
-    seconds : Seconds
-        Wall-clock time of each phase.
-    attempts : tuple of Attempt
-        All methods that were tried.
-    device : str
-        Where the method ran.
-    text : str
-        All in one line, which is also `str(result)`.
-    """
-
-    sphere: Doubles
-    error: ErrorCode
-    detail: str
+    sphere: Doubles  #: (n, 3), a unit vector for every point
+    error: ErrorCode  #: `OK` if and only if the map is certified
+    detail: str  #: what is wrong, where, and what to do; empty if `OK`
     number_of_vertices: int
     number_of_faces: int
-    flipped_faces: int
-    moved_vertices: int
-    degree: int
-    residual: float
-    energy: float
-    density_deviation: float
-    smallest_area: float
-    smallest_edge: float
-    method: str
-    fallback_reason: str
-    start_iterations: int
-    iterations: int
-    sweeps: int
-    seconds: Seconds
-    attempts: tuple[Attempt, ...]
-    device: str
-    text: str
+    flipped_faces: int  #: faces (a, b, c) with orientation(O, a, b, c) <= 0, by exact predicates on `sphere`
+    moved_vertices: int  #: of conformal weights: moved from where the springs pull them, for the sake of their faces
+    degree: int  #: how often the map covers the sphere; 1 for a valid one
+    residual: float  #: of the equation that the method solves
+    energy: float  #: spring energy; of `Isometric` the mean distortion
+    density_deviation: float  #: with `density`: standard deviation of log(area / wanted area), by wanted area; else 0
+    smallest_area: float  #: of all spherical triangles, steradians; below 1e-26 rounding flips faces
+    smallest_edge: float  #: length of the shortest chord, in units of 2^-52
+    method: str  #: of the map: "balanced", "isometric", ...
+    fallback_reason: str  #: `Automatic`: what was wrong with the attempts before
+    termination: str | None  #: "converged", "iterations", "time", "callback", "stalled"; None: nothing was computed
+    start_iterations: int  #: of the start map
+    iterations: int  #: of the method
+    sweeps: int  #: of Jacobi or Gauss-Seidel
+    seconds: Seconds  #: wall-clock time of each phase
+    attempts: tuple[Attempt, ...]  #: all methods that were tried
+    device: str  #: where the method ran
+    text: str  #: all in one line, which is also `str(result)`
 
     @property
     def is_valid(self) -> bool:
@@ -145,6 +105,10 @@ class Certificate:
     def __bool__(self) -> bool:
         return self.is_valid
 
+    def __repr__(self) -> str:
+        verdict = "valid" if self else "not valid"
+        return f"<Certificate: {verdict}, {self.flipped_faces} flipped faces, degree {self.degree}>"
+
 
 def edges(triangles: npt.ArrayLike) -> Integers:
     """The edges of a mesh, in the order in which `parameterize()` takes weights.
@@ -174,29 +138,39 @@ def _weights(weights: str | ClampedWeights | npt.ArrayLike, triangles: Integers)
         return weights
     if isinstance(weights, ClampedWeights):
         return weights
-    if np.shape(weights) == triangles.shape:
-        return np.ascontiguousarray(weights, dtype=np.float64)
+    given = doubles("weights", weights)
     edge, number = edge_numbers(triangles)
-    return np.ascontiguousarray(numbers("weights", weights, len(edge))[number])
+    if given.shape != triangles.shape:
+        return np.ascontiguousarray(numbers("weights", given, len(edge))[number])
+    of_edges = np.empty(len(edge))
+    of_edges[number] = given
+    differ = np.flatnonzero((of_edges[number] != given).any(axis=1) & np.isfinite(given).all(axis=1))
+    if len(differ) > 0:
+        raise ValueError(f"weights: an edge of triangle {differ[0]} has another weight in the triangle beyond it")
+    return given
 
 
-def _fixed(fixed: Fixed, sphere: Doubles) -> npt.NDArray[np.bool_]:
-    """Which vertices are fixed; writes where to `sphere`."""
+def _fixed(fixed: Fixed, sphere: Doubles) -> npt.NDArray[np.bool_] | None:
+    """Which vertices are fixed, if any are; writes where to `sphere`."""
     if isinstance(fixed, Mapping):
         fixed = (list(fixed.keys()), list(fixed.values()))
-    index = np.asarray(fixed[0])
-    directions = vectors("fixed: directions", fixed[1], len(index))
-    if index.dtype.kind not in "iu" or not ((0 <= index) & (index < len(sphere))).all():
+    if not isinstance(fixed, (tuple, list)) or len(fixed) != 2:
+        raise wrong_type("fixed", "a mapping of vertices to directions, or a pair of vertices and directions,", fixed)
+    index = integers("fixed: vertices", fixed[0])
+    if index.size == 0:
+        return None
+    places = vectors("fixed: directions", fixed[1], index.size)
+    if not ((0 <= index) & (index < len(sphere))).all():
         raise MeshError(ErrorCode.BAD_CONSTRAINTS, f"fixed vertices are numbers from 0 to {len(sphere) - 1}")
     is_fixed = np.zeros(len(sphere), dtype=np.bool_)
     is_fixed[index] = True
-    sphere[index] = directions
+    sphere[index] = places
     return is_fixed
 
 
 def _density(density: npt.ArrayLike, number_of_points: int, number_of_triangles: int) -> Doubles:
     """One number for every point or triangle; four of a tetrahedron are those of its points."""
-    array = np.ascontiguousarray(density, dtype=np.float64)
+    array = doubles("density", density)
     if array.shape not in ((number_of_points,), (number_of_triangles,)):
         raise ValueError(
             f"density: shape ({number_of_points},) or ({number_of_triangles},) is needed, not {array.shape}"
@@ -226,6 +200,7 @@ def opencl_device(name: str = "", *, precision: str = "automatic", smallest_mesh
     -------
     OpenCLDevice
     """
+    check(opencl_device, {"name": name, "precision": precision, "smallest_mesh": smallest_mesh})
     one_of("precision", precision, "automatic", "double", "single")
     return _core.opencl_device(name, precision, smallest_mesh)
 
@@ -246,6 +221,8 @@ def callback_of(progress: object) -> object:
     if progress is None or callable(progress):
         return progress
     bar: Any = progress
+    if not (hasattr(bar, "total") and hasattr(bar, "update") and hasattr(bar, "n")):
+        raise wrong_type("progress", "a function, or a bar of tqdm,", bar)
     total = 1 if bar.total is None else bar.total
 
     def update(fraction: float) -> None:
@@ -263,7 +240,7 @@ def parameterize(
     policy: str | _core.OpenCLDevice = "parallel",
     fixed: Fixed | None = None,
     density: npt.ArrayLike | None = None,
-    start: npt.ArrayLike | None = None,
+    start: Sphere | None = None,
     accuracy: float | None = None,
     iterations: int | None = None,
     maximum_running_time: float = float("inf"),
@@ -279,14 +256,14 @@ def parameterize(
         In any unit. float64 in C order is not copied.
     triangles : array_like (m, 3) of int
         Numbers of points, from 0, counterclockwise as seen from outside. int32 and int64 in C order are not copied.
-    method : Automatic, Balanced, Isometric or SaddlePoint
+    method : Automatic, Balanced, Isometric or SaddlePoint, or "automatic", "balanced", "isometric" or "saddle-point"
     weights : {"conformal", "clamped", "barycentric", "mean-value"}, ClampedWeights, or array_like of float
         Spring constants of the edges. An array has one number for each of `edges(triangles)`, or shape (m, 3) with the
-        edges from each corner of a triangle to the next one.
+        edges from each corner of a triangle to the next one, the same for both triangles of an edge.
     policy : {"parallel", "sequential", "opencl"} or OpenCLDevice
         Where to run; the map does not depend on it, to the last bit. See `opencl_device()`.
     fixed : mapping of int to three floats, or pair of array_like (k,) and (k, 3)
-        Vertices, and the directions where they stay: three or more. `Isometric` and `Automatic` keep them anywhere.
+        Vertices, and the directions where they stay: three or more, or none. `Isometric` and `Automatic` keep them anywhere.
     density : array_like (n,) or (m,) of float
         A positive number for every point or every triangle: areas on the sphere are to be proportional to these times the
         areas in the mesh. For `Isometric` and `Automatic`; `Result.density_deviation` says how near they are.
@@ -349,15 +326,18 @@ def parameterize(
     ...     print(error.code)
     BOUNDARY
     """
+    check(parameterize, locals())
     points, triangles = vectors("points", points), index_triples(triangles)
-    sphere = np.zeros_like(points) if start is None else vectors("start", start, len(points)).copy()
+    sphere = np.zeros_like(points) if start is None else directions("start", start, len(points)).copy()
     is_fixed = None if fixed is None else _fixed(fixed, sphere)
     if isinstance(policy, str):
         one_of("policy", policy, "sequential", "parallel", "opencl")
+    elif not isinstance(policy, _core.OpenCLDevice):
+        raise wrong_type("policy", "'parallel', 'sequential', 'opencl' or an OpenCLDevice", policy)
     fields, has_map, was_ctrl_c = _core.parameterize(
         points,
         triangles,
-        method,
+        chosen("method", method, METHODS),
         _weights(weights, triangles),
         opencl_device() if policy == "opencl" else policy,
         is_fixed,
@@ -369,8 +349,8 @@ def parameterize(
         verbose,
         callback_of(progress),
     )
-    error = _CODES[fields.pop("error")]
-    attempts = tuple(Attempt(a[0], _CODES[a[1]], a[2], Seconds(*a[3])) for a in fields.pop("attempts"))
+    error = ErrorCode(fields.pop("error"))
+    attempts = tuple(Attempt(a[0], ErrorCode(a[1]), a[2], Seconds(*a[3]), a[4]) for a in fields.pop("attempts"))
     if was_ctrl_c and not has_map:
         raise KeyboardInterrupt
     if not has_map:
@@ -382,7 +362,7 @@ def parameterize(
     return result
 
 
-def certify(triangles: npt.ArrayLike, sphere: npt.ArrayLike, *, policy: str = "parallel") -> Certificate:
+def certify(triangles: npt.ArrayLike, sphere: Sphere, *, policy: str = "parallel") -> Certificate:
     """Whether a map is a bijection, by exact predicates on its coordinates as they are.
 
     Parameters
@@ -406,8 +386,9 @@ def certify(triangles: npt.ArrayLike, sphere: npt.ArrayLike, *, policy: str = "p
     >>> import spherical_parameterization as sp
     >>> sphere, triangles = sp.icosphere(2)
     >>> sp.certify(triangles, sphere)
-    Certificate(flipped_faces=0, degree=1)
+    <Certificate: valid, 0 flipped faces, degree 1>
     >>> sp.certify(triangles, -sphere).is_valid
     False
     """
-    return Certificate(*_core.certify(index_triples(triangles), vectors("sphere", sphere), policy))
+    check(certify, locals())
+    return Certificate(*_core.certify(index_triples(triangles), directions("sphere", sphere), policy))

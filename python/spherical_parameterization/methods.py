@@ -7,25 +7,26 @@ import math
 from dataclasses import dataclass
 from typing import Union
 
+from .arrays import check, one_of
 
-def one_of(option: str, value: str, *allowed: str) -> None:
-    """Raises ValueError for a word that is not among the allowed ones."""
-    if value not in allowed:
-        raise ValueError(f"{option} {value!r}: one of {', '.join(map(repr, allowed))} is needed")
+
+class _Options:
+    def __post_init__(self) -> None:
+        for kind in type(self).__mro__:
+            if "__annotations__" in vars(kind):
+                check(kind, vars(self))
 
 
 @dataclass(frozen=True)
-class Automatic:
+class Automatic(_Options):
     """The first map that is valid and of use: `Balanced`, `Balanced` with a larger exponent, `Isometric`.
 
     Parameters
     ----------
     spring_exponent : float
         Of the first map, see `Balanced`.
-    larger_spring_exponent : float
-        Of the second map.
     area_exponent : float, optional
-        Of the third map, see `Isometric`.
+        Of the second map, see `Isometric`.
     largest_shrinkage : float
         How many times lengths may shrink, against the mean of the map, on more than a thousandth of the surface; beyond,
         a valid map is of no use, and `Isometric` is tried. Infinite: every valid map will do.
@@ -38,13 +39,12 @@ class Automatic:
     """
 
     spring_exponent: float = 2
-    larger_spring_exponent: float = 3
     area_exponent: float | None = None
     largest_shrinkage: float = 1e4
 
 
 @dataclass(frozen=True)
-class Balanced:
+class Balanced(_Options):
     """Moebius-centred harmonic maps, the fast method.
 
     Parameters
@@ -61,7 +61,7 @@ class Balanced:
 
 
 @dataclass(frozen=True)
-class Isometric:
+class Isometric(_Options):
     """Maps of low symmetric Dirichlet energy, bijective in every step. Weights are not used.
 
     Parameters
@@ -83,7 +83,7 @@ class Isometric:
 
 
 @dataclass(frozen=True)
-class SaddlePoint:
+class SaddlePoint(_Options):
     """The published method (Athanasiadis and Fudos, SMI 2011); converges with fixed vertices or a good start only.
 
     Parameters
@@ -104,12 +104,13 @@ class SaddlePoint:
     check_interval: int = 1000
 
     def __post_init__(self) -> None:
+        super().__post_init__()
         one_of("splitting", self.splitting, "jacobi", "gauss-seidel")
         one_of("start", self.start, "centroid", "harmonic", "given")
 
 
 @dataclass(frozen=True)
-class ClampedWeights:
+class ClampedWeights(_Options):
     """Cotangent weights with other bounds than those of `weights="clamped"`.
 
     Parameters
@@ -123,7 +124,7 @@ class ClampedWeights:
 
 
 @dataclass(frozen=True)
-class _SegmentLimits:
+class _SegmentLimits(_Options):
     minimum_area: float = 0.01
     number_of_segments: int = 0
 
@@ -159,5 +160,7 @@ class RegionGrowing(_SegmentLimits):
     threshold: float = 1
 
 
-Method = Union[Automatic, Balanced, Isometric, SaddlePoint]
-Segmentation = Union[MajorityVote, GirthProfiles, RegionGrowing]
+Method = Union[str, Automatic, Balanced, Isometric, SaddlePoint]
+METHODS = {"automatic": Automatic, "balanced": Balanced, "isometric": Isometric, "saddle-point": SaddlePoint}
+Segmentation = Union[str, MajorityVote, GirthProfiles, RegionGrowing]
+SEGMENTATIONS = {"majority-vote": MajorityVote, "girth-profiles": GirthProfiles, "region-growing": RegionGrowing}

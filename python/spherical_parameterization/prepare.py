@@ -14,34 +14,21 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from .arrays import Doubles, Integers, index_triples, vectors
+from .arrays import Doubles, Integers, OneLine, check, index_triples, one_of, vectors
 from .errors import ErrorCode, MeshError
 
 _CORNERS = np.dtype([("size", "u1"), ("corners", "<i4", 3)])
 
 
-@dataclasses.dataclass(frozen=True)
-class Prepared:
-    """A mended mesh, and where it comes from.
+@dataclasses.dataclass(frozen=True, repr=False)
+class Prepared(OneLine):
+    """A mended mesh, and where it comes from."""
 
-    Attributes
-    ----------
-    points : ndarray (n, 3) of float64
-    triangles : ndarray (m, 3) of int32
-    vertex_map : ndarray (n,) of int
-        For every point its number before, or -1 if it is new.
-    face_map : ndarray (m,) of int
-        For every triangle its number before, or -1 if it is new.
-    report : dict
-        What was wrong, where, and what was done, as the tool writes it with `--report`: `report["preparation"]["done"]` has
-        it in sentences.
-    """
-
-    points: Doubles
-    triangles: Integers
-    vertex_map: Integers
-    face_map: Integers
-    report: dict[str, Any]
+    points: Doubles  #: (n, 3)
+    triangles: Integers  #: (m, 3)
+    vertex_map: Integers  #: (n,), for every point its number before, or -1 if it is new
+    face_map: Integers  #: (m,), for every triangle its number before, or -1 if it is new
+    report: dict[str, Any]  #: as the tool writes it with `--report`; `report["preparation"]["done"]` has it in sentences
 
 
 def prepare(
@@ -88,9 +75,9 @@ def prepare(
     RuntimeError
         If it failed: with what it said.
     """
+    check(prepare, locals())
+    one_of("components", components, "largest", "all")
     points, triangles = vectors("points", points), index_triples(triangles)
-    if components not in ("largest", "all"):
-        raise ValueError(f"components: 'largest' or 'all' is needed, not {components!r}")
     if triangles.size and (triangles.min() < 0 or triangles.max() >= len(points)):
         raise MeshError(ErrorCode.BAD_INDEX, "a triangle names a point that is not there; points are numbered from 0 on")
     steps = ["merge", "orient"]

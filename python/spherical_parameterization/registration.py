@@ -3,19 +3,20 @@
 
 from __future__ import annotations
 
+import warnings
 from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from .arrays import Doubles, index_triples, numbers, vectors
+from .arrays import Doubles, OneLine, Sphere, check, directions, index_triples, integers, numbers, one_of, vectors
+from .errors import MapWarning
 from .maps import callback_of
-from .methods import one_of
 
 
-@dataclass(frozen=True, eq=False)
-class RegisteredMap:
+@dataclass(frozen=True, eq=False, repr=False)
+class RegisteredMap(OneLine):
     """A map of a mesh moved so that equal points of it and of the map of another mesh correspond. It is certified."""
 
     sphere: Doubles  #: (n, 3), of the first mesh
@@ -34,10 +35,10 @@ class RegisteredMap:
 def register_maps(
     points: npt.ArrayLike,
     triangles: npt.ArrayLike,
-    sphere: npt.ArrayLike,
+    sphere: Sphere,
     other_points: npt.ArrayLike,
     other_triangles: npt.ArrayLike,
-    other_sphere: npt.ArrayLike,
+    other_sphere: Sphere,
     *,
     motion: str = "deformation",
     curvature_weight: float = 5,
@@ -98,54 +99,42 @@ def register_maps(
     >>> bool(abs(there - body[:, [1, 2, 0]]).max() < 0.05)
     True
     """
+    check(register_maps, locals())
+    if not 0 <= landmark_weight < np.inf:
+        raise ValueError(f"landmark_weight: a number from 0 on is needed, not {landmark_weight}")
     one_of("motion", motion, "deformation", "moebius", "rotation")
-    if maximum_running_time != maximum_running_time:
-        raise ValueError("maximum_running_time: a number is needed, not nan")
-    for name, weight in (
-        ("curvature_weight", curvature_weight),
-        ("stretch_weight", stretch_weight),
-        ("isometry_weight", isometry_weight),
-        ("position_weight", position_weight),
-        ("landmark_weight", landmark_weight),
-    ):
-        if not 0 <= weight < np.inf:
-            raise ValueError(f"{name}: a number from 0 on is needed, not {weight}")
     a, b = vectors("points", points), vectors("other_points", other_points)
-    pairs = np.asarray([] if landmarks is None else landmarks)
+    pairs = integers("landmarks", np.empty((0, 2)) if landmarks is None else landmarks)
     if pairs.size == 0:
-        pairs = np.empty((0, 2), dtype=np.int64)
-    if pairs.ndim != 2 or pairs.shape[1] != 2 or pairs.dtype.kind not in "iu":
-        raise ValueError("landmarks: integers of shape (k, 2) are needed")
+        pairs = pairs.reshape(0, 2)
+    if pairs.ndim != 2 or pairs.shape[1] != 2:
+        raise ValueError(f"landmarks: shape (k, 2) is needed, not {pairs.shape}")
     if pairs.size and (pairs.min() < 0 or pairs[:, 0].max() >= len(a) or pairs[:, 1].max() >= len(b)):
         raise ValueError("landmarks: there is no such vertex")
-    was_ctrl_c, registered, is_complete, start, rotation, before, after, stretching, distortion, distance, steps, seconds = (
-        _core.register_maps(
-            a,
-            index_triples(triangles),
-            vectors("sphere", sphere, len(a)),
-            b,
-            index_triples(other_triangles),
-            vectors("other_sphere", other_sphere, len(b)),
-            motion,
-            curvature_weight,
-            stretch_weight,
-            isometry_weight,
-            position_weight,
-            landmark_weight,
-            [(int(i), int(j)) for i, j in pairs],
-            policy,
-            maximum_running_time,
-            callback_of(progress),
-        )
+    was_ctrl_c, registered, is_complete, start, rotation, *figures = _core.register_maps(
+        a,
+        index_triples(triangles),
+        directions("sphere", sphere, len(a)),
+        b,
+        index_triples(other_triangles, "other_triangles"),
+        directions("other_sphere", other_sphere, len(b)),
+        motion,
+        curvature_weight,
+        stretch_weight,
+        isometry_weight,
+        position_weight,
+        landmark_weight,
+        pairs.tolist(),
+        policy,
+        maximum_running_time,
+        callback_of(progress),
     )
     if was_ctrl_c:
         raise KeyboardInterrupt
-    return RegisteredMap(
-        registered, is_complete, start, np.array(rotation), before, after, stretching, distortion, distance, steps, seconds
-    )
+    return RegisteredMap(registered, is_complete, start, np.array(rotation), *figures)
 
 
-def moebius_centred(sphere: npt.ArrayLike, triangles: npt.ArrayLike, masses: npt.ArrayLike) -> Doubles:
+def moebius_centred(sphere: Sphere, triangles: npt.ArrayLike, masses: npt.ArrayLike) -> Doubles:
     """A map moved by the Moebius transformation that brings the centroid of masses to the centre of the sphere.
 
     Conformal maps of a shape are the same after it, up to a rotation (A. Baden, K. Crane, M. Kazhdan, "Moebius
@@ -166,6 +155,16 @@ def moebius_centred(sphere: npt.ArrayLike, triangles: npt.ArrayLike, masses: npt
     ------
     MeshError
         For a mass that is negative or not finite, or if all are 0.
+
+    Warns
+    -----
+    MapWarning
+        If half of the masses or more are at one point: then there is no such transformation, and the centroid is as near
+        to the centre as the warning says.
     """
-    directions = vectors("sphere", sphere)
-    return _core.moebius_centred(directions, index_triples(triangles), numbers("masses", masses, len(directions)))[0]
+    images = directions("sphere", sphere)
+    centred, distance = _core.moebius_centred(images, index_triples(triangles), numbers("masses", masses, len(images)))
+    if distance > 1e-6:
+        text = f"the masses cannot be centred: half of them or more are at one point; the centroid is {distance:.3g} off"
+        warnings.warn(text, MapWarning, stacklevel=2)
+    return centred

@@ -12,12 +12,11 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from .arrays import Doubles, index_triples, vectors
-from .methods import one_of
+from .arrays import Doubles, OneLine, Sphere, check, directions, doubles, index_triples, one_of, vectors, wrong_type
 
 
-@dataclass(frozen=True, eq=False)
-class Ellipsoid:
+@dataclass(frozen=True, eq=False, repr=False)
+class Ellipsoid(OneLine):
     """What a shape is up to degree 1: the points `centre + axes.T @ (radii * (sphere_axes @ x))` of unit vectors x."""
 
     centre: Doubles  #: (3,)
@@ -26,8 +25,8 @@ class Ellipsoid:
     sphere_axes: Doubles  #: (3, 3), rows: the directions on the sphere that are mapped there
 
 
-@dataclass(frozen=True, eq=False)
-class ShapeAlignment:
+@dataclass(frozen=True, eq=False, repr=False)
+class ShapeAlignment(OneLine):
     """How a shape is brought to another one: `other.rotated(sphere).coefficients @ space.T`, but for place and size."""
 
     space: Doubles  #: (3, 3), turns the shape
@@ -35,8 +34,8 @@ class ShapeAlignment:
     correlation: float  #: from -1 to 1, with both centres at the origin
 
 
-@dataclass(frozen=True, eq=False)
-class Harmonics:
+@dataclass(frozen=True, eq=False, repr=False)
+class Harmonics(OneLine):
     """Functions on the sphere by their coefficients in real orthonormal harmonics, without Condon-Shortley phase.
 
     Parameters
@@ -65,9 +64,12 @@ class Harmonics:
     iterations: int = 0
 
     def __post_init__(self) -> None:
-        c = np.ascontiguousarray(self.coefficients, dtype=np.float64)
+        check(Harmonics, vars(self))
+        c = doubles("coefficients", self.coefficients)
         if c.ndim not in (1, 2) or c.shape[0] == 0 or math.isqrt(c.shape[0]) ** 2 != c.shape[0]:
             raise ValueError(f"coefficients: shape ((L + 1)**2,) or ((L + 1)**2, d) is needed, not {c.shape}")
+        if not np.isfinite(c).all():
+            raise ValueError("coefficients: all have to be finite")
         object.__setattr__(self, "coefficients", c)
 
     @property
@@ -95,6 +97,7 @@ class Harmonics:
         -------
         ndarray (k,) or (k, d) of float64
         """
+        check(Harmonics.at, locals())
         values = _core.harmonic_values(self._table, vectors("directions", directions), policy)
         return values.reshape((len(values), *self.coefficients.shape[1:]))
 
@@ -113,6 +116,7 @@ class Harmonics:
         -------
         ndarray (rows, columns) or (rows, columns, d) of float64
         """
+        check(Harmonics.on_grid, locals())
         values = np.moveaxis(_core.harmonic_grid(self._table, rows, columns, policy), 0, -1)
         return np.ascontiguousarray(values).reshape((rows, columns, *self.coefficients.shape[1:]))
 
@@ -138,7 +142,7 @@ class Harmonics:
         -------
         Harmonics
         """
-        given = np.asarray(factors, dtype=np.float64)
+        given = doubles("factors", factors)
         if given.ndim != 1 or given.size == 0:
             raise ValueError(f"factors: shape (k,) is needed, not {given.shape}")
         degree = min(len(given) - 1, self.degree)
@@ -172,7 +176,8 @@ class Harmonics:
         -------
         ndarray (3, 3) of float64
         """
-        if self._table.shape[1] != other._table.shape[1]:
+        check(Harmonics.best_rotation, locals())
+        if _of(other)._table.shape[1] != self._table.shape[1]:
             raise ValueError(f"other: {self._table.shape[1]} functions are needed, not {other._table.shape[1]}")
         return np.array(_core.best_rotation(self._table, other._table, policy))
 
@@ -189,7 +194,8 @@ class Harmonics:
         -------
         ShapeAlignment
         """
-        for shape in (self, other):
+        check(Harmonics.best_alignment, locals())
+        for shape in (self, _of(other)):
             shape._check_shape()
         space, sphere, correlation = _core.best_alignment(self._table, other._table, policy)
         return ShapeAlignment(np.array(space), np.array(sphere), correlation)
@@ -254,6 +260,12 @@ class Harmonics:
         Path(file).write_text(_core.harmonics_to_text(self._table, _format_of(file)))
 
 
+def _of(other: object) -> Harmonics:
+    if not isinstance(other, Harmonics):
+        raise wrong_type("other", "Harmonics", other)
+    return other
+
+
 def _format_of(file: str | os.PathLike[str]) -> str:
     extension = Path(file).suffix[1:].lower()
     one_of("extension", extension, "csv", "json", "coef")
@@ -286,7 +298,7 @@ def read_harmonics(file: str | os.PathLike[str]) -> Harmonics:
 
 def harmonics(
     triangles: npt.ArrayLike,
-    sphere: npt.ArrayLike,
+    sphere: Sphere,
     values: npt.ArrayLike,
     degree: int,
     *,
@@ -303,7 +315,7 @@ def harmonics(
     ----------
     triangles : array_like (m, 3) of int
     sphere : array_like (n, 3) of float
-        Unit vectors; maps by `Isometric` need the fewest degrees.
+        A valid map; those by `Isometric` need the fewest degrees.
     values : array_like (n,) or (n, d) of float
         Such as the points.
     degree : int
@@ -328,34 +340,33 @@ def harmonics(
     Raises
     ------
     MeshError
-        For what is not finite, or no direction.
+        For what is not finite, or no direction; for a map that is not valid.
     """
+    check(harmonics, locals())
     one_of("fit", fit, "least-squares", "integrals")
     one_of("weights", weights, "sphere-area", "surface-area", "equal")
-    directions = vectors("sphere", sphere)
-    data = np.asarray(values, dtype=np.float64)
-    if data.ndim not in (1, 2) or len(data) != len(directions):
-        raise ValueError(f"values: shape ({len(directions)},) or ({len(directions)}, d) is needed, not {data.shape}")
-    if not 0 <= degree <= 16383:
-        raise ValueError(f"degree {degree}: 0 to 16383 is needed")
-    if fit == "least-squares" and (degree + 1) ** 2 > len(directions):
+    images = directions("sphere", sphere)
+    data = doubles("values", values)
+    if data.ndim not in (1, 2) or len(data) != len(images):
+        raise ValueError(f"values: shape ({len(images)},) or ({len(images)}, d) is needed, not {data.shape}")
+    if fit == "least-squares" and (degree + 1) ** 2 > len(images):
         raise ValueError(
-            f"degree {degree}: least squares need {(degree + 1) ** 2} vertices, and there are {len(directions)}; "
+            f"degree {degree}: least squares need {(degree + 1) ** 2} vertices, and there are {len(images)}; "
             'take a smaller degree, or fit="integrals"'
         )
-    if not (accuracy > 0 and iterations >= 0):
-        raise ValueError("accuracy must be positive, and iterations must not be negative")
+    if not accuracy > 0:
+        raise ValueError("accuracy: a positive number is needed")
     if weights == "surface-area" and points is None:
         raise ValueError('weights="surface-area" needs points')
     table = np.ascontiguousarray(data.reshape(len(data), -1))
     coefficients, has_converged, count = _core.harmonic_analysis(
         index_triples(triangles),
-        directions,
+        images,
         table,
         degree,
         fit,
         weights,
-        None if points is None else vectors("points", points, len(directions)),
+        None if points is None else vectors("points", points, len(images)),
         accuracy,
         iterations,
         policy,

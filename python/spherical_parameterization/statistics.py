@@ -11,14 +11,14 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from .arrays import Doubles, index_triples, numbers
+from .arrays import Doubles, OneLine, check, doubles, index_triples, numbers, wrong_type
 from .spherical_harmonics import Harmonics
 
 Shapes = Union[npt.ArrayLike, Sequence[Harmonics]]
 
 
-@dataclass(frozen=True, eq=False)
-class ShapeStatistics:
+@dataclass(frozen=True, eq=False, repr=False)
+class ShapeStatistics(OneLine):
     """Mean and principal components of n shapes: shape i is `mean + tensordot(scores[i], modes, 1)`.
 
     Of shapes that are `Harmonics`, mean and modes are their coefficients, ((L + 1)**2, 3) instead of (m, 3).
@@ -56,14 +56,14 @@ class ShapeStatistics:
         -------
         ndarray (m, 3) of float64
         """
-        given = np.atleast_1d(np.asarray(scores, dtype=np.float64))
+        given = np.atleast_1d(doubles("scores", scores))
         if given.ndim != 1 or len(given) > len(self.modes):
             raise ValueError(f"scores: shape (j,) with j <= {len(self.modes)} is needed, not {given.shape}")
         return self.mean + np.tensordot(given, self.modes[: len(given)], 1)
 
 
-@dataclass(frozen=True, eq=False)
-class ShapeSet:
+@dataclass(frozen=True, eq=False, repr=False)
+class ShapeSet(OneLine):
     """Shapes that have been aligned, and their motions: x has become `scales[i] * rotations[i] @ x + translations[i]`."""
 
     shapes: Doubles  #: (n, m, 3): vertices, or coefficients of harmonics
@@ -76,15 +76,11 @@ class ShapeSet:
 
 
 def _stack(shapes: Shapes) -> tuple[Doubles, bool]:
-    are_harmonics = len(shapes) > 0 and isinstance(shapes[0], Harmonics)  # type: ignore[arg-type,index]
+    tables: Any = shapes
+    are_harmonics = isinstance(tables, Sequence) and len(tables) > 0 and isinstance(tables[0], Harmonics)
     if are_harmonics:
-        tables: Any = [shape.coefficients for shape in shapes]  # type: ignore[union-attr]
-    else:
-        tables = shapes
-    try:
-        array = np.ascontiguousarray(tables, dtype=np.float64)
-    except ValueError as error:
-        raise ValueError("shapes: all have to have as many vertices, or coefficients") from error
+        tables = [getattr(shape, "coefficients", shape) for shape in tables]
+    array = doubles("shapes", tables)
     if array.ndim != 3 or array.shape[2] != 3 or 0 in array.shape:
         raise ValueError(f"shapes: shape (n, m, 3) is needed, not {array.shape}")
     return array, are_harmonics
@@ -134,9 +130,10 @@ def align_shapes(
     -------
     ShapeSet
     """
+    check(align_shapes, locals())
     array, are_harmonics = _stack(shapes)
-    if not accuracy >= 0 or iterations < 0:
-        raise ValueError("accuracy, iterations: must not be negative")
+    if not accuracy >= 0:
+        raise ValueError("accuracy: must not be negative")
     aligned, scales, rotations, translations, deviation, has_converged, steps = _core.align_shapes(
         array, are_harmonics, _weights(weights, array, are_harmonics), rotate, scale, accuracy, iterations, policy
     )
@@ -167,10 +164,9 @@ def shape_statistics(
     -------
     ShapeStatistics
     """
+    check(shape_statistics, locals())
     array, are_harmonics = _stack(shapes)
     count = len(array) if modes is None else modes
-    if count < 0:
-        raise ValueError("modes: must not be negative")
     mean, found, variances, scores, total = _core.shape_statistics(
         array, are_harmonics, _weights(weights, array, are_harmonics), count, policy
     )
@@ -202,6 +198,7 @@ def left_out_errors(
     ndarray (k,) of float64
         By the number of modes, from 0 on: the root mean square distance of the left out from their reconstructions.
     """
+    check(left_out_errors, locals())
     array, are_harmonics = _stack(shapes)
     if len(array) < 2 or (groups is not None and not 2 <= groups <= len(array)):
         raise ValueError("groups: two shapes or more are needed, and 2 to n groups")
@@ -224,5 +221,6 @@ def mean_vertex_areas(shapes: npt.ArrayLike, triangles: npt.ArrayLike, *, policy
     ndarray (m,) of float64
         For `weights` of the functions above.
     """
+    check(mean_vertex_areas, locals())
     array, _ = _stack(shapes)
     return np.array(_core.mean_vertex_areas(array, index_triples(triangles), policy))

@@ -102,12 +102,11 @@ Doubles mean_over_faces(const Doubles& points, const py::array& triangles, const
 
 std::variant<SP::Majority_vote, SP::Girth_profiles, SP::Region_growing> segmentation_of(const py::object& options)
 {
-  const std::string name = py::str(py::type::of(options).attr("__name__"));
   const SP::Segment_limits limits{options.attr("minimum_area").cast<double>(),
                                   options.attr("number_of_segments").cast<std::size_t>()};
-  if(name == "RegionGrowing")
+  if(is_a(options, "RegionGrowing"))
     return SP::Region_growing{limits, options.attr("threshold").cast<double>()};
-  if(name == "GirthProfiles")
+  if(is_a(options, "GirthProfiles"))
     return SP::Girth_profiles{limits};
   return SP::Majority_vote{limits};
 }

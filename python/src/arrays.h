@@ -117,6 +117,12 @@ auto on(const std::string& policy, F f)
   return std::visit(f, chosen);
 }
 
+/// Whether options are of a class of methods.py, or of one that inherits from it.
+inline bool is_a(const py::object& options, const char* name)
+{
+  return py::isinstance(options, py::module_::import("spherical_parameterization.methods").attr(name));
+}
+
 template <class Number, class... Sizes>
 py::array_t<Number, py::array::c_style> make_array(Sizes... sizes)
 {

@@ -24,8 +24,6 @@
 
 using namespace pybind11::literals;
 
-static_assert(static_cast<int>(SP::Error_code::BAD_DENSITY) == 18, "errors.py lists the codes in this order");
-
 namespace {
 
 typedef std::chrono::steady_clock Clock;
@@ -117,16 +115,14 @@ struct Weight_settings {
 
 std::variant<SP::Balanced, SP::Saddle_point, SP::Isometric, SP::Automatic> method_of(const py::object& options)
 {
-  const std::string name = py::str(py::type::of(options).attr("__name__"));
   const auto number = [&](const char* option) { return options.attr(option).cast<double>(); };
   const auto exponent = [&] { return options.attr("area_exponent").cast<std::optional<double>>(); };
   const auto word = [&](const char* option) { return options.attr(option).cast<std::string>(); };
-  if(name == "Automatic")
-    return SP::Automatic{number("spring_exponent"), number("larger_spring_exponent"), exponent(),
-                         number("largest_shrinkage")};
-  if(name == "Isometric")
+  if(is_a(options, "Automatic"))
+    return SP::Automatic{number("spring_exponent"), exponent(), number("largest_shrinkage")};
+  if(is_a(options, "Isometric"))
     return SP::Isometric{exponent(), number("landmark_weight")};
-  if(name == "Balanced")
+  if(is_a(options, "Balanced"))
     return SP::Balanced{number("spring_exponent")};
   SP::Saddle_point method;
   if(word("splitting") == "gauss-seidel")
@@ -152,21 +148,28 @@ py::tuple to_python(const SP::Result::Seconds& s)
   return py::make_tuple(s.read, s.weights, s.start_map, s.solve, s.certify, s.total);
 }
 
+py::object to_python(const std::optional<SP::Termination>& termination)
+{
+  return termination ? py::cast(SP::get_termination_name(*termination)) : py::none();
+}
+
 py::dict to_python(const SP::Result& r)
 {
   py::list attempts;
   for(const SP::Result::Attempt& a : r.attempts)
-    attempts.append(py::make_tuple(a.method, static_cast<int>(a.error), a.detail, to_python(a.seconds)));
+    attempts.append(
+      py::make_tuple(a.method, SP::get_error_name(a.error), a.detail, to_python(a.seconds), to_python(a.termination)));
   std::ostringstream text;
   text << r;
-  return py::dict("error"_a = static_cast<int>(r.error), "detail"_a = r.detail,
+  return py::dict("error"_a = SP::get_error_name(r.error), "detail"_a = r.detail,
                   "number_of_vertices"_a = r.number_of_vertices, "number_of_faces"_a = r.number_of_faces,
                   "flipped_faces"_a = r.flipped_faces, "moved_vertices"_a = r.moved_vertices, "degree"_a = r.degree,
                   "residual"_a = r.residual, "energy"_a = r.energy, "density_deviation"_a = r.density_deviation,
                   "smallest_area"_a = r.smallest_area, "smallest_edge"_a = r.smallest_edge, "method"_a = r.method,
-                  "fallback_reason"_a = r.fallback_reason, "start_iterations"_a = r.start_iterations,
-                  "iterations"_a = r.iterations, "sweeps"_a = r.sweeps, "seconds"_a = to_python(r.seconds),
-                  "attempts"_a = attempts, "device"_a = r.device, "text"_a = text.str());
+                  "fallback_reason"_a = r.fallback_reason, "termination"_a = to_python(r.termination),
+                  "start_iterations"_a = r.start_iterations, "iterations"_a = r.iterations, "sweeps"_a = r.sweeps,
+                  "seconds"_a = to_python(r.seconds), "attempts"_a = attempts, "device"_a = r.device,
+                  "text"_a = text.str());
 }
 
 /// Maps to `sphere`, which holds what is given of the map on entry. Returns the fields of the Result, whether there is
@@ -251,6 +254,8 @@ void add_devices(py::module_& module)
     return device.set_smallest_mesh(smallest_mesh);
   });
 #else
+  struct Device {};
+  py::class_<Device>(module, "OpenCLDevice", "There is none: this build has no OpenCL.");
   module.def("opencl_devices", [] { return py::list(); });
   module.def("opencl_device", [](const std::string&, const std::string&, std::size_t) {
     throw py::value_error("this build has no OpenCL");
@@ -272,7 +277,7 @@ void translate(std::exception_ptr pointer)
     if(pointer)
       std::rethrow_exception(pointer);
   } catch(const SP::Error& error) {
-    raise("MeshError", static_cast<int>(error.code()), error.detail());
+    raise("MeshError", SP::get_error_name(error.code()), error.detail());
   } catch(const CGAL::Failure_exception& failure) {
     PyErr_SetString(PyExc_ValueError, failure.message().c_str());
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
@@ -290,7 +295,10 @@ PYBIND11_MODULE(_core, module)
   py::register_exception_translator(translate);
   module.attr("__version__") = CGAL_SPHERICAL_PARAMETERIZATION_VERSION;
   module.def("parameterize", parameterize);
-  module.def("message", [](int code) { return SP::get_error_message(static_cast<SP::Error_code>(code)); });
+  module.def("error_codes", [] {
+#define NAME_AND_SENTENCE(name, sentence) {#name, sentence},
+    return std::vector<std::pair<std::string, std::string>>{CGAL_SP_ERROR_CODES(NAME_AND_SENTENCE)};
+  });
   add_devices(module);
   add_analysis(module);
   add_harmonics(module);

@@ -150,3 +150,90 @@ def test_item_that_kills_workers(client: Any, tmp_path: Path) -> None:
     assert counts == {"OK": 20, "WORKER_LOST": 1}
     lost = [row for row in sp.collection.read(tmp_path / "a.sqlite") if row.error == "WORKER_LOST"]
     assert [row.key for row in lost] == ["bad"]
+
+
+def test_another_function_is_computed_again(tmp_path: Path) -> None:
+    def values(function: Any, items: Any = ("2", "3")) -> list[Any]:
+        sp.collection.map(items, function, store=tmp_path / "a")
+        return [row.value for row in sp.collection.read(tmp_path / "a")]
+
+    assert values(lambda item: int(item) ** 2) == [4, 9]
+    assert values(lambda item: int(item) ** 3) == [8, 27]  # another code
+    for power in (4, 5):
+        assert values(lambda item: int(item) ** power) == [2**power, 3**power]  # other values from outside
+        assert values(lambda item, power=power: int(item) ** power) == [2**power, 3**power]  # other defaults
+    with pytest.raises(ValueError, match="has results of .*test_collection.* not of .*map_file"):
+        values(sp.collection.map_file)
+    sp.collection.map([("a", 1)], sum_of, store=tmp_path / "b")
+    sp.collection.map([("a", 2)], sum_of, store=tmp_path / "b")
+    assert [row.value for row in sp.collection.read(tmp_path / "b")] == [3]
+
+
+def sum_of(item: tuple[str, int]) -> int:
+    return len(item[0]) + item[1]
+
+
+def test_a_changed_file_is_computed_again(tmp_path: Path) -> None:
+    file, calls = tmp_path / "mesh.off", []
+
+    def size(path: str) -> int:
+        calls.append(path)
+        return os.path.getsize(path)
+
+    def value() -> Any:
+        sp.collection.map([str(file)], size, store=tmp_path / "a")
+        return next(sp.collection.read(tmp_path / "a")).value
+
+    assert value() is None  # it is not there
+    for contents in (b"x" * 10, b"x" * 20):
+        file.write_bytes(contents)
+        assert value() == len(contents)
+    times = (file.stat().st_atime, file.stat().st_mtime)
+    file.write_bytes(b"y" * 20)
+    os.utime(file, times)  # of the same size and time
+    assert value() == 20 and len(calls) == 4
+    file.touch()  # of the same contents
+    for _ in range(2):
+        assert value() == 20 and len(calls) == 4
+
+
+def test_rows_are_on_the_disk_while_a_long_item_is_computed(tmp_path: Path) -> None:
+    found: list[tuple[str, ...]] = []
+
+    def item_of(name: str) -> str:
+        if name == "long":
+            time.sleep(1)
+            found.extend(rows(tmp_path / "a"))
+        return name
+
+    sp.collection.map(["short", "long"], item_of, store=tmp_path / "a")
+    assert [row[0] for row in found] == ["short"]
+
+
+def test_a_folder_is_its_meshes(files: list[str], tmp_path: Path) -> None:
+    below = tmp_path / "scans" / "below"
+    below.mkdir(parents=True)
+    for name in ("a.off", "b.txt", "below/c.surf.gii.gz", "below/d.func.gii", "below/lh.white", "results.sqlite"):
+        (tmp_path / "scans" / name).write_text("")
+    for folder in (tmp_path / "scans", str(tmp_path / "scans")):
+        sp.collection.map(folder, os.path.getsize, store=tmp_path / "a")
+    names = [os.path.relpath(row.key, tmp_path / "scans") for row in sp.collection.read(tmp_path / "a")]
+    assert names == ["a.off", "below/c.surf.gii.gz", "below/lh.white"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("a.off", len), "files_or_bag: 'a.off' is no folder"),
+        ((3, len), "files_or_bag: .* not int"),
+        ((["a.off"], "coll"), "function: .* not str"),
+        ((["a.off"], len, 3), "client: a distributed.Client or None is needed, not int"),
+    ],
+)
+def test_wrong_arguments_write_nothing(arguments: Any, message: str, tmp_path: Path) -> None:
+    store = tmp_path / "a.sqlite"
+    with pytest.raises(TypeError, match=message):
+        sp.collection.map(*arguments, store=store)
+    with pytest.raises(FileNotFoundError):
+        sp.collection.read(store)
+    assert not store.exists()

@@ -36,7 +36,7 @@ def test_cortex_to_sphere(tmp_path: Path) -> None:
     nibabel.save(nibabel.GiftiImage(darrays=[overlay]), tmp_path / "lh.height.shape.gii")
     options = ["--overlay", tmp_path / "lh.height.shape.gii", "--level", 3]
     output = run("cortex_to_sphere.py", tmp_path / "lh.white.surf.gii", tmp_path / "lh.sphere.surf.gii", *options)
-    assert "valid spherical map" in output and "Certificate(flipped_faces=0, degree=1)" in output
+    assert "valid spherical map" in output and "<Certificate: valid, 0 flipped faces, degree 1>" in output
 
     sphere, faces = sp.read_mesh(tmp_path / "lh.sphere.surf.gii")
     assert (faces == triangles).all() and sp.certify(faces, sphere)

@@ -235,7 +235,7 @@ def test_automatic_falls_back() -> None:
         ({"policy": "gpu"}, ValueError),
         ({"accuracy": -1.0}, ValueError),
         ({"accuracy": float("nan")}, ValueError),
-        ({"iterations": -1}, TypeError),
+        ({"iterations": -1}, ValueError),
         ({"method": sp.Balanced(1)}, ValueError),
         ({"method": sp.SaddlePoint(relaxation=7)}, ValueError),
         ({"maximum_running_time": float("nan")}, ValueError),

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import ast
 import doctest
 import importlib
 import inspect
@@ -29,12 +28,6 @@ def test_types(tmp_path: Path) -> None:
     command = [sys.executable, "-m", "mypy", "--config-file", config, "--cache-dir", tmp_path, "-p", PACKAGE.name]
     done = subprocess.run(command, cwd=PACKAGE.parent, env={**os.environ, "PYTHONPATH": ""}, capture_output=True, text=True)
     assert done.returncode == 0, done.stdout
-
-
-def test_stub_of_the_core() -> None:
-    tree = ast.parse((PACKAGE / "_core.pyi").read_text())
-    names = {node.name for node in tree.body if isinstance(node, (ast.FunctionDef, ast.ClassDef))}
-    assert names == {name for name in dir(sp._core) if not name.startswith("_")}
 
 
 @pytest.mark.parametrize("module", MODULES)

@@ -23,7 +23,7 @@ Database::Database(const std::string& file, const Format& format, Access access)
   if(!writes)
     check_readable(file);
   else if(lock_.reset(std::fopen(file.c_str(), "abe")); !lock_)
-    throw Refusal("UNWRITABLE_FILE", file, "cannot be written (" + std::generic_category().message(errno) + ")",
+    throw Refusal(unwritable_file, file, "cannot be written (" + std::generic_category().message(errno) + ")",
                   "check the folder and its permissions");
   else if(flock(fileno(lock_.get()), LOCK_EX | LOCK_NB) != 0)
     check(SQLITE_BUSY);
@@ -127,10 +127,10 @@ void Database::check(int code) const
   case SQLITE_CORRUPT:
   case SQLITE_ERROR: refuse_damaged(what); // as when a table is not there
   case SQLITE_BUSY:
-    throw Refusal("UNWRITABLE_FILE", file_, "is in use by another program",
+    throw Refusal(unwritable_file, file_, "is in use by another program",
                   "wait until it ends, or choose another --output");
   default:
-    throw Refusal(lock_ ? "UNWRITABLE_FILE" : unreadable_file, file_,
+    throw Refusal(lock_ ? unwritable_file : unreadable_file, file_,
                   std::string("cannot be ") + (lock_ ? "written" : "read") + " (" + what + ")",
                   "check its permissions, those of its folder, and the space on the disk");
   }

@@ -127,7 +127,7 @@ private:
 /// Whether the reason is not the mesh, but what all meshes have in common: then there is no use in going on.
 bool concerns_all(const Refusal& refusal)
 {
-  return refusal.code() == "UNWRITABLE_FILE" || refusal.code() == "OPENCL_ERROR";
+  return refusal.code() == unwritable_file || refusal.code() == opencl_error;
 }
 
 /// Program, settings, and versions of the files besides the mesh: another result is to be expected if any of them

@@ -9,7 +9,6 @@
 #include "mapping/spherical_map.h"
 #include "output/atomic_file.h"
 #include "output/text_writer.h"
-#include "system/error_code_names.h"
 #include "system/interruption.h"
 #include "system/progress_bar.h"
 #include "system/refusal.h"
@@ -56,7 +55,7 @@ void sign(const std::string& file, bool mends, Signature_row& row)
   if(result.error == Error_code::INTERRUPTED)
     return;
   if(!has_map(result.error))
-    throw Refusal(name(result.error), file,
+    throw Refusal(result.error, file,
                   get_error_message(result.error) + (result.detail.empty() ? "" : ": " + result.detail), "");
   row.map = result ? "clamped" : "uncertified";
   if(result.error == Error_code::NOT_CONVERGED) {
@@ -120,9 +119,9 @@ std::optional<Signature_row> sign_mesh(const std::string& file, bool mends)
   } catch(const Refusal& refusal) {
     fail(refusal);
   } catch(const std::bad_alloc&) {
-    fail({"OUT_OF_MEMORY", file, "not enough memory", "simplify the mesh, or use fewer --jobs"});
+    fail({out_of_memory, file, "not enough memory", "simplify the mesh, or use fewer --jobs"});
   } catch(const std::exception& exception) {
-    fail({"NO_SIGNATURE", file, exception.what(), ""});
+    fail({no_signature, file, exception.what(), ""});
   }
   return row;
 }

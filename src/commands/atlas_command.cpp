@@ -13,7 +13,6 @@
 #include "options/usage.h"
 #include "output/atomic_file.h"
 #include "output/write_mesh.h"
-#include "system/error_code_names.h"
 #include "system/guarded.h"
 #include "system/interruption.h"
 #include "system/stopwatch.h"
@@ -189,7 +188,7 @@ private:
   void check_number(std::size_t meshes, const std::string& what) const
   {
     if(meshes < 2)
-      throw Refusal("EMPTY_MESH", options_.output,
+      throw Refusal(Error_code::EMPTY_MESH, options_.output,
                     "of " + std::to_string(items_.size()) + " meshes " + std::to_string(meshes) + ' ' + what,
                     "statistics need two or more; the lines of the others say why not");
   }
@@ -226,7 +225,7 @@ private:
             CGAL::parameters::callback([](double) { return !was_interrupted(); }));
           stop_if_interrupted(item.mesh);
           if(!found)
-            throw Refusal(name(found.error), item.mesh, "could not be registered: " + found.detail, "");
+            throw Refusal(found.error, item.mesh, "could not be registered: " + found.detail, "");
           line << "registered by " << found.start << ", mismatch of features " << found.mismatch_before << " -> "
                << found.mismatch << ", distortion " << found.distortion;
         }

@@ -9,7 +9,6 @@
 #include "mapping/spherical_map.h"
 #include "options/usage.h"
 #include "output/atomic_file.h"
-#include "system/error_code_names.h"
 #include "system/guarded.h"
 #include "system/interruption.h"
 #include "system/refusal.h"
@@ -113,7 +112,7 @@ void certify(const Certify_options& options, Mapped_mesh& input, Report& report,
                   "negate one coordinate of the sphere, or turn the faces of the mesh round");
   }
   if(!result)
-    throw Refusal(name(result.error), options.sphere, "is no valid spherical map: " + result.detail, "");
+    throw Refusal(result.error, options.sphere, "is no valid spherical map: " + result.detail, "");
 }
 
 void certify_and_report(const Certify_options& options, Outcome& outcome)

@@ -66,7 +66,7 @@ void check_degree(const Harmonics_options& options, const Mesh& mesh)
 {
   const int largest = static_cast<int>(std::sqrt(static_cast<double>(mesh.number_of_vertices()))) - 1;
   if(options.fit == "least-squares" && options.degree > largest)
-    throw Refusal("BAD_DEGREE", options.input,
+    throw Refusal(bad_degree, options.input,
                   std::to_string(mesh.number_of_vertices()) + " vertices are too few for least squares of degree " +
                     std::to_string(options.degree),
                   "use --degree " + std::to_string(largest) + " or less, or --fit integrals");

@@ -9,7 +9,6 @@
 #include "options/usage.h"
 #include "output/atomic_file.h"
 #include "output/write_mesh.h"
-#include "system/error_code_names.h"
 #include "system/interruption.h"
 #include "system/refusal.h"
 
@@ -56,7 +55,7 @@ void segment(const Segment_options& options, Outcome& outcome)
   const SP::Segmentation_result result =
     SP::segmentation_via_area_stretch(input.mesh(), as_map(input.sphere), as_map<Mesh::Face_index>(segments), method);
   if(!result)
-    throw Refusal(name(result.error), options.input, get_error_message(result.error), result.detail);
+    throw Refusal(result.error, options.input, get_error_message(result.error), result.detail);
 
   std::size_t number_of_segments = result.number_of_segments;
   if(input.prepared)

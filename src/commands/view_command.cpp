@@ -7,7 +7,6 @@
 #include "mapping/report.h"
 #include "options/usage.h"
 #include "output/atomic_file.h"
-#include "system/error_code_names.h"
 #include "system/guarded.h"
 #include "system/refusal.h"
 #include "view_page.h"
@@ -78,7 +77,7 @@ void write_page(std::ostream& out, const View_options& options, const Mapped_mes
   add_measure("segments", [&](const auto& policy) {
     const SP::Segmentation_result result = SP::segmentation_via_area_stretch(policy, mesh, sphere, of_faces);
     if(!result)
-      throw Refusal(name(result.error), options.input, get_error_message(result.error), result.detail);
+      throw Refusal(result.error, options.input, get_error_message(result.error), result.detail);
   });
   for(std::size_t f = 0; f < mesh.number_of_faces(); ++f)
     for(int v : mesh.triangle(f))
@@ -111,7 +110,7 @@ void check_size_of_page(const std::string& input, std::size_t number_of_vertices
 {
   constexpr std::size_t most = std::size_t(1) << 8 * bytes_of_vertex;
   if(number_of_vertices > most)
-    throw Refusal(name(Error_code::TOO_LARGE), input,
+    throw Refusal(Error_code::TOO_LARGE, input,
                   "has " + std::to_string(number_of_vertices) + " vertices, and a page holds " + std::to_string(most),
                   "simplify the mesh");
 }

@@ -5,7 +5,6 @@
 
 #include "input/files.h"
 #include "input/text_lines.h"
-#include "system/error_code_names.h"
 #include "system/refusal.h"
 
 namespace tool {
@@ -22,7 +21,7 @@ std::vector<double> read_densities(const std::string& file, std::size_t number_o
       density.push_back(value);
     }
   if(density.size() != number_of_vertices && density.size() != number_of_faces)
-    throw Refusal(name(Error_code::BAD_DENSITY), file,
+    throw Refusal(Error_code::BAD_DENSITY, file,
                   "has " + std::to_string(density.size()) + " numbers, but the mesh has " +
                     std::to_string(number_of_vertices) + " vertices and " + std::to_string(number_of_faces) + " faces",
                   "give one number for every vertex, or for every face, in their order");

@@ -56,7 +56,7 @@ Soup read_freesurfer(const std::string& file, const std::string& bytes)
              std::to_string(bytes.size()),
            "export it again");
   if(triangles == 0)
-    throw Refusal("EMPTY_MESH", file, "has " + std::to_string(vertices) + " vertices, but no faces",
+    throw Refusal(Error_code::EMPTY_MESH, file, "has " + std::to_string(vertices) + " vertices, but no faces",
                   "a point cloud cannot be mapped; reconstruct a surface first");
 
   Soup soup;
@@ -69,7 +69,7 @@ Soup read_freesurfer(const std::string& file, const std::string& bytes)
       x = number_at<float>(at, Byte_order::BIG);
       at += 4;
       if(!std::isfinite(x) && !soup.non_finite)
-        soup.non_finite.emplace("NON_FINITE_COORDINATE", file,
+        soup.non_finite.emplace(Error_code::NON_FINITE_COORDINATE, file,
                                 "vertex " + std::to_string(v) + " has the coordinate " + std::to_string(x),
                                 non_finite_remedy);
     }

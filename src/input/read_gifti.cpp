@@ -41,7 +41,7 @@ public:
       refuse("has no points (NIFTI_INTENT_POINTSET)",
              "give the surface, not data on it: its name often ends in .surf.gii");
     if(!triangles_)
-      throw Refusal("EMPTY_MESH", file_, "has points, but no triangles (NIFTI_INTENT_TRIANGLE)",
+      throw Refusal(Error_code::EMPTY_MESH, file_, "has points, but no triangles (NIFTI_INTENT_TRIANGLE)",
                     "give the surface that belongs to them");
     read_points();
     read_triangles();
@@ -268,7 +268,7 @@ private:
     soup_.points.resize(number_of_rows(*points_));
     read_numbers(*points_, soup_.points.size(), [&](std::size_t row, std::size_t column, double x) {
       if(!std::isfinite(x) && !soup_.non_finite)
-        soup_.non_finite.emplace("NON_FINITE_COORDINATE", file_,
+        soup_.non_finite.emplace(Error_code::NON_FINITE_COORDINATE, file_,
                                  "vertex " + std::to_string(row) + " has the coordinate " + std::to_string(x),
                                  non_finite_remedy);
       soup_.points[row][column] = x;
@@ -281,7 +281,8 @@ private:
     soup_.triangles.resize(number_of_rows(*triangles_));
     soup_.faces = soup_.triangles.size();
     if(soup_.faces == 0)
-      throw Refusal("EMPTY_MESH", file_, "has no faces", "a point cloud cannot be mapped; reconstruct a surface first");
+      throw Refusal(Error_code::EMPTY_MESH, file_, "has no faces",
+                    "a point cloud cannot be mapped; reconstruct a surface first");
     read_numbers(*triangles_, soup_.faces, [&](std::size_t row, std::size_t column, double corner) {
       // NaN, too, becomes an index that is refused
       const bool is_index = corner >= 0 && corner < static_cast<double>(largest_count) && corner == std::floor(corner);

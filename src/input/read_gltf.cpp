@@ -123,7 +123,7 @@ private:
           refuse("is compressed with " + extension.get<std::string>(), "export it without compression");
     read_scene();
     if(soup_.triangles.empty())
-      throw Refusal("EMPTY_MESH", file_, "has no triangles", "check that there is a mesh in it");
+      throw Refusal(Error_code::EMPTY_MESH, file_, "has no triangles", "check that there is a mesh in it");
     soup_.faces = soup_.triangles.size();
     soup_.points = welded_.points();
     return std::move(soup_);
@@ -223,7 +223,7 @@ private:
       p = transformed(matrix, p);
       for(const double x : p)
         if(!std::isfinite(x) && !soup_.non_finite)
-          soup_.non_finite.emplace("NON_FINITE_COORDINATE", file_,
+          soup_.non_finite.emplace(Error_code::NON_FINITE_COORDINATE, file_,
                                    "vertex " + std::to_string(i) + " of accessor " +
                                      std::to_string(number_of_accessor) + " has the coordinate " + std::to_string(x),
                                    non_finite_remedy);

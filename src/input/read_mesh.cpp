@@ -7,7 +7,6 @@
 #include "input/files.h"
 #include "input/mesh_format.h"
 #include "input/mesh_readers.h"
-#include "system/error_code_names.h"
 #include "system/refusal.h"
 
 #include <CGAL/tags.h>
@@ -62,7 +61,7 @@ Soup read_format(Mesh_format format, const std::string& file, std::string bytes)
 void check_triangles(const std::string& file, const Soup& soup)
 {
   if(soup.polygons > 0)
-    throw Refusal(name(Error_code::NOT_TRIANGULAR), file,
+    throw Refusal(Error_code::NOT_TRIANGULAR, file,
                   "has " + std::to_string(soup.polygons) +
                     (soup.polygons == 1 ? " face that is no triangle" : " faces that are no triangles") +
                     " (first: face " + std::to_string(soup.first_polygon) + " with " +
@@ -110,7 +109,7 @@ Input_mesh read_mesh(const std::string& file, Polygons polygons)
     return {Mesh(CGAL::Parallel_if_available_tag(), std::move(soup.points), std::move(soup.triangles)), soup.polygons,
             std::move(soup.annotations)};
   } catch(const CGAL::Spherical_parameterization::Error& error) {
-    throw Refusal(name(error.code()), file, "has " + error.detail(), "the command 'prepare' does it");
+    throw Refusal(error.code(), file, "has " + error.detail(), "the command 'prepare' does it");
   }
 }
 

@@ -114,9 +114,9 @@ private:
   {
     const std::string vertices = std::to_string(soup_.points.size()) + " vertices";
     if(soup_.points.empty())
-      throw Refusal("EMPTY_MESH", file_, "has no vertices", "check that this is an OBJ file with a mesh");
+      throw Refusal(Error_code::EMPTY_MESH, file_, "has no vertices", "check that this is an OBJ file with a mesh");
     if(soup_.faces == 0)
-      throw Refusal("EMPTY_MESH", file_, "has " + vertices + ", but no faces",
+      throw Refusal(Error_code::EMPTY_MESH, file_, "has " + vertices + ", but no faces",
                     "a point cloud cannot be mapped; reconstruct a surface first");
     if(largest_number_ > soup_.points.size())
       throw Refusal(unreadable_file, file_,

@@ -207,7 +207,7 @@ private:
         if(element.name == "tristrips")
           throw Refusal(unreadable_file, file_, "has " + points + " and its faces as triangle strips ('tristrips')",
                         "save it with one element 'face' per triangle");
-      throw Refusal("EMPTY_MESH", file_, "has " + points + ", but no faces",
+      throw Refusal(Error_code::EMPTY_MESH, file_, "has " + points + ", but no faces",
                     "a point cloud cannot be mapped; reconstruct a surface first");
     }
     corners_ = faces_->find("vertex_indices");
@@ -333,7 +333,7 @@ private:
   double noted(double coordinate, std::size_t vertex, const std::string& name)
   {
     if(!std::isfinite(coordinate) && !soup_.non_finite)
-      soup_.non_finite.emplace("NON_FINITE_COORDINATE", file_,
+      soup_.non_finite.emplace(Error_code::NON_FINITE_COORDINATE, file_,
                                "vertex " + std::to_string(vertex) + " has the coordinate " + name + " = " +
                                  std::to_string(coordinate),
                                non_finite_remedy);

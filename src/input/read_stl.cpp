@@ -134,7 +134,7 @@ Soup read_binary_stl(const std::string& file, const std::string& bytes)
     for(const auto& corner : corners) {
       for(const float x : corner)
         if(!std::isfinite(x) && !non_finite)
-          non_finite.emplace("NON_FINITE_COORDINATE", file,
+          non_finite.emplace(Error_code::NON_FINITE_COORDINATE, file,
                              "triangle " + std::to_string(t) + " has the coordinate " + std::to_string(x),
                              non_finite_remedy);
       soup.add_corner({corner[0], corner[1], corner[2]});

@@ -151,7 +151,7 @@ std::array<double, 3> Text_lines::point(const char* what, std::size_t index)
       refuse(name + " has the coordinate " + in_quotes(coordinate) + ", which is not a number",
              "the file is damaged; export it again");
     if(!non_finite_)
-      non_finite_.emplace("NON_FINITE_COORDINATE", file_,
+      non_finite_.emplace(Error_code::NON_FINITE_COORDINATE, file_,
                           "line " + std::to_string(number_) + ": " + name + " has the coordinate " +
                             in_quotes(coordinate),
                           non_finite_remedy);

@@ -5,7 +5,6 @@
 
 #include "mapping/spherical_map.h"
 #include "output/write_mesh.h"
-#include "system/error_code_names.h"
 #include "system/interruption.h"
 #include "system/progress_bar.h"
 #include "system/refusal.h"
@@ -100,7 +99,7 @@ void map_input(const Mapping_options& options, Mapped_mesh& input, Map_quality q
                                                                           : options.sphere;
     const std::string what_to_do = remedy(options, result.error);
     const std::string detail = what_to_do.empty() ? result.detail : without_remedy(result.detail, result.remedy);
-    throw Refusal(name(result.error), file, get_error_message(result.error) + (detail.empty() ? "" : ": " + detail),
+    throw Refusal(result.error, file, get_error_message(result.error) + (detail.empty() ? "" : ": " + detail),
                   what_to_do);
   }
 }
@@ -118,7 +117,7 @@ void certify_as_stored(const std::string& output, Mesh_format format, Mapped_mes
     input.result.degree = SP::degree_of_map(policy, input.mesh(), stored);
   });
   if(input.result.flipped_faces > 0 || input.result.degree != 1)
-    throw Refusal(name(Error_code::NOT_BIJECTIVE), output,
+    throw Refusal(Error_code::NOT_BIJECTIVE, output,
                   std::to_string(input.result.flipped_faces) +
                     " faces flip when the sphere is rounded to the floats of this format",
                   "write .ply, .off or .obj, which hold doubles, or try --method isometric");

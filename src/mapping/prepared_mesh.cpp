@@ -5,7 +5,6 @@
 
 #include "preparation/surface_distance.h"
 #include "preparation/points.h"
-#include "system/error_code_names.h"
 #include "system/refusal.h"
 
 #include <CGAL/tags.h>
@@ -55,7 +54,7 @@ Input_mesh read_prepared_mesh(const std::string& file, Prepare how, std::optiona
     return {Mesh(CGAL::Parallel_if_available_tag(), surface.points, surface.faces), prepared->soup.polygons,
             prepared->soup.annotations};
   } catch(const CGAL::Spherical_parameterization::Error& error) {
-    throw Refusal(name(error.code()), file,
+    throw Refusal(error.code(), file,
                   "has, prepared without a change of shape, " + without_remedy(error.detail(), error.remedy()),
                   "the command 'prepare' mends that, too");
   }

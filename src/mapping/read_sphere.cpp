@@ -32,7 +32,7 @@ std::array<int, 3> corners(const Mesh& mesh, std::size_t f)
 void check_same_faces(const std::string& file, const std::string& mesh_file, const Mesh& sphere, const Mesh& mesh)
 {
   const auto refuse = [&](const std::string& wrong) {
-    throw Refusal("NOT_THE_SPHERE", file, wrong, "give the sphere that 'map' has written for this mesh");
+    throw Refusal(not_the_sphere, file, wrong, "give the sphere that 'map' has written for this mesh");
   };
   const auto compare = [&](std::size_t count, std::size_t expected, const std::string& what) {
     if(count != expected)
@@ -90,7 +90,7 @@ Given_sphere read_given_sphere(const std::string& file, const std::string& mesh_
   for(const Point& p : sphere.points) {
     const double radius = std::hypot(p[0], p[1], p[2]);
     if(!(radius > std::numeric_limits<double>::min() && radius < std::numeric_limits<double>::infinity()))
-      throw Refusal("NOT_THE_SPHERE", file,
+      throw Refusal(not_the_sphere, file,
                     "vertex " + std::to_string(&p - sphere.points.data()) +
                       " (counted from 0) is at the origin, or farther away than numbers reach",
                     "the centre of the sphere has to be the origin");
@@ -109,7 +109,7 @@ SP::Result read_sphere(const SP::Any_policy& policy, const std::string& file, co
     const Point& p = given.points[v];
     const double radius = std::hypot(p[0], p[1], p[2]);
     if(!(radius > 0.5 && radius < 2) && !has_radius_100(radius))
-      throw Refusal("NOT_THE_SPHERE", file,
+      throw Refusal(not_the_sphere, file,
                     "vertex " + std::to_string(v) +
                       " (counted from 0) is not on the unit sphere, nor on that of radius 100",
                     "give a sphere that 'map' has written");

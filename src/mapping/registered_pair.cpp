@@ -6,7 +6,6 @@
 #include "input/files.h"
 #include "input/text_lines.h"
 #include "mapping/report.h"
-#include "system/error_code_names.h"
 #include "system/interruption.h"
 #include "system/progress_bar.h"
 #include "system/refusal.h"
@@ -171,7 +170,7 @@ void register_pair(const Registration_options& options, Registered_pair& pair)
   bar.hide();
   stop_if_interrupted(options.input);
   if(!pair.result)
-    throw Refusal(name(pair.result.error), options.input, std::string("cannot be registered: ") + pair.result.detail,
+    throw Refusal(pair.result.error, options.input, std::string("cannot be registered: ") + pair.result.detail,
                   pair.result.error == SP::Error_code::INTERRUPTED ? "allow more --max-time" : "");
 }
 

@@ -6,7 +6,6 @@
 #include "options/map_settings.h"
 #include "output/atomic_file.h"
 #include "output/write_json.h"
-#include "system/error_code_names.h"
 #include "system/guarded.h"
 #include "system/stopwatch.h"
 
@@ -91,7 +90,7 @@ Json attempts_of(const SP::Result& result)
   Json attempts = Json::array();
   for(const SP::Result::Attempt& attempt : result.attempts)
     attempts.push_back({{"method", attempt.method},
-                        {"error_code", name(attempt.error)},
+                        {"error_code", get_error_name(attempt.error)},
                         {"detail", given(attempt.detail)},
                         {"termination", to_json(attempt.termination)},
                         {"seconds", attempt.seconds.total}});

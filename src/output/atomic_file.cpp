@@ -83,7 +83,7 @@ void Atomic_file::create_folder(const std::string& folder)
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if(error)
-    throw Refusal("UNWRITABLE_FILE", folder, "cannot be created (" + error.message() + ")",
+    throw Refusal(unwritable_file, folder, "cannot be created (" + error.message() + ")",
                   "check the folder above it, and its permissions");
 }
 
@@ -134,7 +134,7 @@ void Atomic_file::rename()
 
 void Atomic_file::refuse(const std::string& wrong) const
 {
-  throw Refusal("UNWRITABLE_FILE", file_ == standard_stream ? "standard output" : file_, wrong,
+  throw Refusal(unwritable_file, file_ == standard_stream ? "standard output" : file_, wrong,
                 "check the folder, its permissions and the space on the disk");
 }
 

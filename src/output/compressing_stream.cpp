@@ -33,7 +33,7 @@ std::unique_ptr<std::ostream> compressing_stream(std::ostream& out, Compression 
 #else
 std::unique_ptr<std::ostream> compressing_stream(std::ostream&, Compression, const std::string& file)
 {
-  throw Refusal("UNWRITABLE_FILE", file, "would be compressed, which this build cannot do",
+  throw Refusal(unwritable_file, file, "would be compressed, which this build cannot do",
                 "leave the last extension out, or build with Boost.Iostreams (libboost-iostreams-dev)");
 }
 #endif

@@ -116,7 +116,7 @@ void check_float_range(const std::vector<Point>& points)
   wrong.precision(3);
   wrong << "the format holds floats, and the largest coordinate, " << largest << ", is "
         << (is_too_large ? "above" : "below") << " their range";
-  throw Refusal("NON_FINITE_COORDINATE", "the output", wrong.str(), "write .ply, .off or .obj");
+  throw Refusal(Error_code::NON_FINITE_COORDINATE, "the output", wrong.str(), "write .ply, .off or .obj");
 }
 
 Point as_stored(Mesh_format format, Surface surface, Point point)

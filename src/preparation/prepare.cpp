@@ -8,7 +8,6 @@
 #include "preparation/handles.h"
 #include "preparation/points.h"
 #include "preparation/wrap.h"
-#include "system/error_code_names.h"
 #include "system/interruption.h"
 #include "system/refusal.h"
 
@@ -69,7 +68,7 @@ Glued_surface wrapped(const std::string& file, const Soup& soup, Preparation& pr
   used.alpha = used.alpha.value_or(size / 50);
   used.offset = used.offset.value_or(size / 1500);
   if(!(*used.offset > 0 && *used.alpha > 0)) // the defaults, of points that are all at the same place
-    throw Refusal(name(Error_code::EMPTY_MESH), file, "is a single point", "there is nothing to wrap");
+    throw Refusal(Error_code::EMPTY_MESH, file, "is a single point", "there is nothing to wrap");
   Gluing_defects none;
   Glued_surface surface = glue(wrap(soup, *used.alpha, *used.offset), 0, none);
   std::fill(surface.old_vertex.begin(), surface.old_vertex.end(), Glued_surface::none);
@@ -203,7 +202,7 @@ Preparation prepare_in_unit(const std::string& file, const Soup& soup, const Pre
   Preparation result;
   Glued_surface surface = glue(soup, settings.merge_distance, result.defects);
   if(surface.faces.empty())
-    throw Refusal(name(Error_code::EMPTY_MESH), file,
+    throw Refusal(Error_code::EMPTY_MESH, file,
                   "has no face that can be used" + (soup.triangles.empty() ? "" : ": " + joined(sentences(result))),
                   soup.triangles.empty() ? "reconstruct a surface from its points first" : "");
   stop_if_interrupted(file);

@@ -3,7 +3,6 @@
 
 #include "system/guarded.h"
 
-#include "system/error_code_names.h"
 #include "system/interruption.h"
 
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
@@ -26,17 +25,17 @@ std::optional<Refusal> guarded(const std::string& input, const std::function<voi
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
   catch(const CGAL::Spherical_parameterization::OpenCL_error& error) {
     if(was_interrupted()) // and so was the compiler of the kernels, which Ctrl-C reaches, too
-      return Refusal(name(Error_code::INTERRUPTED), input, "interrupted", "nothing has been written");
+      return Refusal(Error_code::INTERRUPTED, input, "interrupted", "nothing has been written");
     const std::string& log = error.build_log();
     const std::string text = error.what(); // its lines from the second on are the log
-    return Refusal("OPENCL_ERROR", input, log.empty() ? text : text.substr(0, text.find('\n')),
+    return Refusal(opencl_error, input, log.empty() ? text : text.substr(0, text.find('\n')),
                    error.code() == CL_DEVICE_NOT_FOUND ? "see the command 'devices'" : "", log);
   }
 #endif
   catch(const std::bad_alloc&) {
-    return Refusal("OUT_OF_MEMORY", input, "not enough memory", "simplify the mesh");
+    return Refusal(out_of_memory, input, "not enough memory", "simplify the mesh");
   } catch(const std::exception& exception) {
-    return Refusal("INTERNAL_ERROR", input, exception.what(), "please report this");
+    return Refusal(internal_error, input, exception.what(), "please report this");
   }
   return std::nullopt;
 }

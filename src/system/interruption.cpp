@@ -3,7 +3,6 @@
 
 #include "system/interruption.h"
 
-#include "system/error_code_names.h"
 #include "system/refusal.h"
 
 #include <atomic>
@@ -37,7 +36,7 @@ bool was_interrupted() { return noted_signal != 0; }
 void stop_if_interrupted(const std::string& input)
 {
   if(was_interrupted())
-    throw Refusal(name(Error_code::INTERRUPTED), input, "interrupted", "nothing has been written");
+    throw Refusal(Error_code::INTERRUPTED, input, "interrupted", "nothing has been written");
 }
 
 void die_if_interrupted()

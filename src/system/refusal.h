@@ -4,11 +4,15 @@
 #ifndef SPHERICAL_PARAMETERIZATION_TOOL_REFUSAL_H
 #define SPHERICAL_PARAMETERIZATION_TOOL_REFUSAL_H
 
+#include <CGAL/Spherical_parameterization/values/Error.h>
+
 #include <optional>
 #include <stdexcept>
 #include <string>
 
 namespace tool {
+
+using CGAL::Spherical_parameterization::Error_code;
 
 /// Why a command did not do what it should: one line for the user, and a code for programs that read the report.
 class Refusal : public std::runtime_error {
@@ -20,6 +24,9 @@ public:
     : std::runtime_error(
         one_line((file == "-" ? "standard input" : file) + ": " + wrong + (remedy.empty() ? "" : "; " + remedy))),
       code_(code), log_(log)
+  {}
+  Refusal(Error_code code, const std::string& file, const std::string& wrong, const std::string& remedy)
+    : Refusal(get_error_name(code), file, wrong, remedy)
   {}
 
   const std::string& code() const { return code_; }
@@ -54,8 +61,17 @@ inline std::string without_remedy(const std::string& detail, const std::string& 
 /// What is wrong with NaN and infinity.
 inline const char* const non_finite_remedy = "every coordinate must be a finite number";
 
-/// The code of everything that keeps a file from being read at all.
-inline const char* const unreadable_file = "UNREADABLE_FILE";
+/// \name Codes of the tool alone, beside those of the library
+/// @{
+inline const char* const unreadable_file = "UNREADABLE_FILE"; ///< keeps a file from being read at all
+inline const char* const unwritable_file = "UNWRITABLE_FILE";
+inline const char* const not_the_sphere = "NOT_THE_SPHERE";
+inline const char* const opencl_error = "OPENCL_ERROR";
+inline const char* const out_of_memory = "OUT_OF_MEMORY";
+inline const char* const internal_error = "INTERNAL_ERROR";
+inline const char* const no_signature = "NO_SIGNATURE";
+inline const char* const bad_degree = "BAD_DEGREE";
+/// @}
 
 } // namespace tool
 

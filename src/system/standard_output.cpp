@@ -59,7 +59,7 @@ bool write_to_standard_output(std::streambuf* source)
 void flush_standard_output()
 {
   if(!std::cout.flush())
-    throw Refusal("UNWRITABLE_FILE", "standard output", "could not be written",
+    throw Refusal(unwritable_file, "standard output", "could not be written",
                   "check the space on the disk, or where the output goes");
 }
 

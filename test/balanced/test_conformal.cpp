@@ -6,7 +6,7 @@
 #include "helpers/solve.h"
 
 #include <CGAL/Spherical_parameterization/distortion_summary.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Source_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
 #include <CGAL/Spherical_parameterization/internal/multigrid/coarsening.h>
 #include <CGAL/Spherical_parameterization/internal/relaxation/Face_hessian.h>
 #include <CGAL/Spherical_parameterization/internal/relaxation/Sparse_cholesky.h>
@@ -19,7 +19,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <random>
 #include <set>
 #include <vector>
 
@@ -73,6 +75,24 @@ Positions positions_of(const std::vector<Point>& points)
   return positions;
 }
 
+/// The springs of conformal weights, numbered as the soup is, and the lengths of their edges.
+SP::internal::Weighted_graph graph_of(const Soup& soup, SP::internal::Host_array<double>& length)
+{
+  namespace I = SP::internal;
+  I::Spring_lengths lengths;
+  const Mesh mesh = make_mesh(soup);
+  I::Vertices<Mesh> vertex;
+  const I::Surface source = I::read_faces(mesh, I::Reading::BREADTH_FIRST, I::Host_loop(), vertex);
+  I::Corner_table table = source.copy_of_corner_table(I::Host_loop());
+  for(auto& f : table.face)
+    for(int& i : f)
+      i = source.position[i];
+  const auto points = positions_of(soup.points);
+  I::Weighted_graph graph = I::conformal_graph(I::Host_loop(), table, points, lengths);
+  length = lengths.of_all(graph, points);
+  return graph;
+}
+
 Sphere sphere_of(const Positions& positions)
 {
   Sphere sphere;
@@ -115,6 +135,43 @@ TEST_CASE("conformal weights: faces that come out flipped are mended, and the ve
   CHECK(result.moved_vertices < soup.points.size() / 2);
   CHECK(solve(soup, sphere, with(Weights::CLAMPED)).moved_vertices == 0);
   CHECK(solve(icosphere(2), sphere, with(Weights::CONFORMAL)).moved_vertices == 0);
+}
+
+TEST_CASE("conformal weights: the residual is that of the map that is handed over", "[conformal][each_policy]")
+{
+  namespace I = SP::internal;
+  const double noise = GENERATE(0., 0.2);
+  std::mt19937 random(1);
+  const Soup soup = transformed(icosphere(4), [&](const Point& p) {
+    const double r = 1 + noise * (2. * random() / double(std::mt19937::max()) - 1);
+    return Point(r * p.x(), r * p.y(), r * p.z());
+  });
+  const Settings settings = with(Weights::CONFORMAL);
+  Sphere sphere;
+  const Result result = solve(soup, sphere, settings);
+  REQUIRE(result);
+
+  // the forces of the springs, in tangent planes, relative to the sum of the weights
+  I::Host_array<double> lengths;
+  const I::Weighted_graph graph = graph_of(soup, lengths);
+  const Positions images = positions_of(sphere);
+  double squares = 0;
+  for(int i = 0; i < graph.size(); ++i) {
+    I::vec3 force = {0, 0, 0};
+    double sum = 0;
+    for(int k = graph.offset[i]; k < graph.offset[i + 1]; ++k) {
+      force = I::add_scaled(force, graph.weight[k], I::sub(images[graph.target[k]], images[i]));
+      sum += graph.weight[k];
+    }
+    force = I::tangent(I::scale(1 / sum, force), images[i]);
+    squares += I::inner(force, force);
+  }
+  CAPTURE(noise, result);
+  CHECK(result.residual == Approx(std::sqrt(squares)).epsilon(0.02).margin(settings.accuracy));
+  const bool is_accurate = result.residual <= settings.accuracy;
+  CHECK(is_accurate == (result.moved_vertices == 0));
+  CHECK((result.termination == SP::Termination::CONVERGED) == is_accurate);
+  CHECK(is_accurate == (noise == 0));
 }
 
 TEST_CASE("conformal weights: renumbering permutes a map that has been mended", "[conformal]")
@@ -198,20 +255,6 @@ TEST_CASE("conformal weights: fixed vertices stay, whatever is moved", "[conform
 TEST_CASE("conformal springs: cotangents of a Delaunay mesh, positive and symmetric on any other", "[conformal]")
 {
   namespace I = SP::internal;
-  const auto graph_of = [](const Soup& soup, I::Host_array<double>& length) {
-    I::Spring_lengths lengths;
-    const Mesh mesh = make_mesh(soup);
-    I::Source_mesh<Mesh> source(mesh, mesh.points());
-    I::Corner_table table = I::corner_table_of(mesh, source.face, I::Host_loop());
-    // back to the numbers of the soup
-    for(auto& f : table.face)
-      for(int& i : f)
-        i = source.position[i];
-    const auto points = positions_of(soup.points);
-    I::Weighted_graph graph = I::conformal_graph(I::Host_loop(), table, points, lengths);
-    length = lengths.of_all(graph, points);
-    return graph;
-  };
   I::Host_array<double> length;
   const Soup good = icosphere(2); // all angles are acute
   const I::Weighted_graph graph = graph_of(good, length);
@@ -248,11 +291,13 @@ namespace {
 constexpr double usual_bound = 2; // of MIPS
 
 bool mend(const Soup& soup, const Positions& points, Positions& v, std::vector<char>& is_moved,
-          const std::vector<char>& is_fixed = {}, double resolution = 0)
+          const std::vector<char>& is_fixed = {}, double resolution = 0,
+          const std::function<bool(double)>& callback = {})
 {
   is_moved.assign(v.size(), 0);
-  return SP::internal::mend(SP::internal::Host_loop(), faces_of(soup), points, is_fixed, usual_bound, resolution, v,
-                            is_moved);
+  SP::internal::Monitor monitor(std::numeric_limits<double>::infinity(), callback, false);
+  return SP::internal::mend(SP::internal::Host_loop(), faces_of(soup), points, is_fixed, usual_bound, resolution,
+                            monitor, v, is_moved) == SP::internal::Mending::DONE;
 }
 
 /// Moves a corner of a face towards another one, or beyond it.
@@ -305,6 +350,48 @@ TEST_CASE("mending moves the vertices of flipped faces, and no fixed ones", "[co
     CHECK(sphere_of(v) == sphere_of(before));
     CHECK(std::count(is_moved.begin(), is_moved.end(), 1) == 0);
   }
+}
+
+TEST_CASE("mending asks the callback in every step, and leaves the map alone when it is stopped", "[conformal]")
+{
+  const Soup soup = icosphere(3);
+  const Positions whole = positions_of(soup.points);
+  Positions tangled = whole;
+  drag_corner(soup, 2.5, tangled);
+  std::vector<char> is_moved;
+  int calls = 0;
+  Positions v = tangled;
+  REQUIRE(mend(soup, whole, v, is_moved, {}, 0, [&](double) { return ++calls > 0; }));
+  const int all = calls;
+  REQUIRE(all > 3);
+  for(const int last : {1, all / 2, all}) {
+    v = tangled;
+    calls = 0;
+    CHECK_FALSE(mend(soup, whole, v, is_moved, {}, 0, [&](double) { return ++calls < last; }));
+    CHECK(calls == last);
+    CHECK(sphere_of(v) == sphere_of(tangled));
+    CHECK(std::count(is_moved.begin(), is_moved.end(), 1) == 0);
+  }
+}
+
+TEST_CASE("mending moves a bounded share of the vertices: only flipped faces where bad ones are everywhere",
+          "[conformal]")
+{
+  const Soup soup = icosphere(5); // 10,242 vertices
+  const Positions whole = positions_of(soup.points);
+  Positions sheared = whole;
+  for(auto& p : sheared) // every face is far from conformal, and none is flipped
+    p = SP::internal::unit({p.x, p.y, 6 * p.z});
+  Positions v = sheared;
+  std::vector<char> is_moved;
+  REQUIRE(mend(soup, whole, v, is_moved));
+  CHECK(sphere_of(v) == sphere_of(sheared));
+  const int corner = drag_corner(soup, 2.5, v);
+  REQUIRE(count_flipped_faces(soup, sphere_of(v)) > 0);
+  REQUIRE(mend(soup, whole, v, is_moved));
+  CHECK(count_flipped_faces(soup, sphere_of(v)) == 0);
+  CHECK(is_moved[corner]);
+  CHECK(std::count(is_moved.begin(), is_moved.end(), 1) < 100);
 }
 
 TEST_CASE("mending ends at a minimum: no vertex that was moved has a better place", "[conformal]")

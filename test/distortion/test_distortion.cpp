@@ -186,7 +186,7 @@ TEST_CASE("log area stretch is zero for an icosahedron", "[distortion]")
   const Soup soup = icosphere(0);
   Mesh mesh = make_mesh(soup);
   auto stretch = mesh.add_property_map<Vertex, double>("v:stretch", 42).first;
-  const auto [least, greatest] = SP::log_area_stretch(mesh, on(soup.points), stretch);
+  const auto [least, greatest] = SP::vertex_log_area_stretch(mesh, on(soup.points), stretch);
   CHECK(std::abs(least) < 1e-14);
   CHECK(std::abs(greatest) < 1e-14);
   for(Vertex v : vertices(mesh))
@@ -199,7 +199,7 @@ TEST_CASE("log area stretch is the mean over the faces of a vertex", "[distortio
   const Sphere sphere = transformed(icosphere(2), stretched).points;
   Mesh mesh = make_mesh(soup);
   auto stretch = mesh.add_property_map<Vertex, double>("v:stretch", 42).first;
-  const auto [least, greatest] = SP::log_area_stretch(mesh, on(sphere), stretch);
+  const auto [least, greatest] = SP::vertex_log_area_stretch(mesh, on(sphere), stretch);
 
   std::vector<double> sum(soup.points.size(), 0), faces(soup.points.size(), 0);
   for(const auto& f : soup.faces) {
@@ -221,7 +221,7 @@ TEST_CASE("log area stretch is positive where the map shrinks", "[distortion]")
   Mesh mesh = make_mesh(icosphere(2));
   auto stretch = mesh.add_property_map<Vertex, double>("v:stretch", 0).first;
   const Sphere sphere = transformed(icosphere(2), stretched).points;
-  SP::log_area_stretch(mesh, on(sphere), stretch);
+  SP::vertex_log_area_stretch(mesh, on(sphere), stretch);
   for(Vertex v : vertices(mesh)) {
     if(std::abs(mesh.point(v).z()) > 0.9)
       CHECK(stretch[v] > 0.3);

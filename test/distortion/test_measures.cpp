@@ -152,7 +152,7 @@ TEST_CASE("measures per vertex are means over faces", "[measures]")
   SP::face_log_area_stretch(mesh, on(sphere), Writable_map<Face, double>{&of_face});
   const auto range = SP::mean_over_faces(mesh, Readable_map<Face, double>{[&](Face f) { return of_face.at(f); }},
                                          Writable_map<Vertex, double>{&of_vertex});
-  CHECK(range == SP::log_area_stretch(mesh, on(sphere), Writable_map<Vertex, double>{&stretch}));
+  CHECK(range == SP::vertex_log_area_stretch(mesh, on(sphere), Writable_map<Vertex, double>{&stretch}));
   CHECK(of_vertex == stretch);
 }
 

@@ -251,6 +251,20 @@ TEST_CASE("the first density that is wrong is named", "[density]")
   CHECK(by_face.detail.find("face 9 has the density") == 0);
 }
 
+TEST_CASE("densities too far apart for areas on the sphere are refused", "[density]")
+{
+  const Soup soup = icosphere(2);
+  const auto error_of = [&](double largest, double least) {
+    std::vector<double> density(soup.points.size(), least);
+    density[7] = largest;
+    Sphere sphere;
+    return solve(soup, sphere, with_density(density)).error;
+  };
+  CHECK(error_of(1e200, 1e-200) == Error_code::BAD_DENSITY);
+  CHECK(error_of(2e12, 1) == Error_code::BAD_DENSITY);
+  CHECK(error_of(1e300, 1e295) == Error_code::OK);
+}
+
 TEST_CASE("springs take no densities, and nothing takes those of vertices and of faces", "[density]")
 {
   const Soup soup = icosphere(2);

@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <numeric>
+#include <string>
 
 using namespace test;
 
@@ -79,6 +80,36 @@ TEST_CASE("all vertices fixed: nothing is left to do but to certify", "[constrai
   CHECK(result);
   CHECK(sphere == soup.points);
   check_certificate(result, soup, sphere, settings);
+}
+
+TEST_CASE("all vertices fixed on a map that winds twice: no face is flipped, and yet it is no bijection",
+          "[constraints]")
+{
+  const Soup soup = bipyramid(11);
+  Settings settings;
+  for(std::size_t i = 0; i < soup.points.size(); ++i) {
+    const Point& p = soup.points[i];
+    const double r = std::hypot(p.x(), p.y()), angle = 2 * std::atan2(p.y(), p.x());
+    settings.fixed[i] = Point(r * std::cos(angle), r * std::sin(angle), p.z());
+  }
+  SECTION("springs: the map is that one, and the reason is its degree")
+  {
+    settings.method = GENERATE(decltype(settings.method)(SP::Balanced()), SP::Balanced{3}, SP::Saddle_point());
+    Sphere sphere;
+    const Result result = solve(soup, sphere, settings);
+    CAPTURE(result);
+    CHECK(count_flipped_faces(soup, sphere) == 0);
+    CHECK(degree(soup, sphere) == 2);
+    CHECK((result.flipped_faces == 0 && result.degree == 2));
+    CHECK(result.error == Error_code::NOT_BIJECTIVE);
+    CHECK(result.detail.find("degree is 2") != std::string::npos);
+  }
+  SECTION("no method calls it valid")
+  {
+    settings.method = GENERATE(decltype(settings.method)(SP::Isometric()), SP::Automatic());
+    Sphere sphere;
+    CHECK_FALSE(solve(soup, sphere, settings));
+  }
 }
 
 TEST_CASE("vertices fixed at mirrored positions do not pass for a valid map", "[constraints]")

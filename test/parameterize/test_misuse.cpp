@@ -54,6 +54,7 @@ TEST_CASE("arguments out of range violate a precondition", "[misuse]")
   check_refused(SP::Balanced(), CGAL::parameters::accuracy(nan));
   check_refused(SP::Balanced(), CGAL::parameters::number_of_iterations(-3));
   check_refused(SP::Balanced(), CGAL::parameters::maximum_running_time(nan));
+  check_refused(SP::Balanced(), CGAL::parameters::maximum_running_time(-1.));
   check_refused(SP::Balanced{0.5});
   check_refused(SP::Balanced{nan});
   check_refused(SP::Isometric{-1});

@@ -223,6 +223,26 @@ TEST_CASE("the parts of a body are found, with nothing to tune: better than by S
   }
 }
 
+TEST_CASE("a body with many limbs has a segment for each", "[segmentation]")
+{
+  constexpr std::size_t k = 10; // in the directions of a spiral, none of which is near to another
+  std::vector<Limb> limbs;
+  for(std::size_t i = 0; i < k; ++i) {
+    const double z = 1 - (2. * double(i) + 1) / double(k), angle = 2.399963229728653 * double(i);
+    limbs.push_back(
+      {Vector(std::sqrt(1 - z * z) * std::cos(angle), std::sqrt(1 - z * z) * std::sin(angle), z), 0.2, 1});
+  }
+  const auto [soup, truth] = body_with_limbs(limbs, 5);
+  const Sphere sphere = solve_or_throw(soup);
+  for(const Method& method : {Method(SP::Majority_vote()), Method(SP::Girth_profiles())}) {
+    CAPTURE(method.index());
+    const Labels labels = segments_or_throw(soup, sphere, method);
+    CHECK(count(labels) > k); // one or the other is cut in two
+    CHECK(count(labels) < 2 * k);
+    CHECK(rand_error(labels, truth) < 0.1);
+  }
+}
+
 TEST_CASE("what is convex and round is one segment", "[segmentation]")
 {
   for(const Soup& soup : {icosphere(4), ellipsoid(1, 1.2, 1.5, 4)}) {

@@ -13,6 +13,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -194,6 +195,30 @@ TEST_CASE("signature: |grad u| is 2 / radius on a tube", "[signature]")
   const auto fine = s.values.begin() + Shape_signature::coarse_bins;
   const double there = std::accumulate(fine + (bin - 1), fine + (bin + 2), 0.);
   CHECK(there > 0.7 * std::accumulate(fine, fine + Shape_signature::fine_bins, 0.));
+}
+
+TEST_CASE("signature: what an index holds keeps its meaning", "[signature]")
+{
+  // An index compares what it has stored with new queries: these numbers change with the format of the index only.
+  constexpr std::size_t coarse = Shape_signature::coarse_bins, all_bins = coarse + Shape_signature::fine_bins;
+  const double share = 1 / 1.37; // of all area, in either histogram
+  const Shape_signature ball = signature_of(make_mesh(icosphere(4)), icosphere(4).points);
+  for(std::size_t k = 0; k < ball.values.size(); ++k) // has no girth, and no limbs
+    CHECK(ball.values[k] == Approx(k == 0 || k == coarse ? share : 0).margin(1e-12));
+
+  const Shape_signature capsule_2 = signature_of(capsule(2, 24));
+  const auto at = capsule_2.values.begin();
+  CHECK(std::accumulate(at, at + coarse, 0.) == Approx(share));
+  CHECK(std::accumulate(at + coarse, at + all_bins, 0.) == Approx(share));
+  // the tube of radius r: log |grad u| is log(2 / r), between -1 and 5
+  CHECK(std::max_element(at, at + coarse) - at == 7);
+  CHECK(std::max_element(at + coarse, at + all_bins) - (at + coarse) == 28);
+  CHECK(*(at + 7) == Approx(0.3155).epsilon(1e-3));
+  CHECK(*(at + coarse + 28) == Approx(0.3925).epsilon(1e-3));
+  // two limbs: their lengths, and the masses
+  const std::array<double, 2 * Shape_signature::limbs> limbs = {0.16174, 0.16174, 0, 0, 0, 0, 0, 0, 0.28571, 0.20112};
+  for(std::size_t k = 0; k < limbs.size(); ++k)
+    CHECK(capsule_2.values[all_bins + k] == Approx(limbs[k]).epsilon(1e-3).margin(1e-9));
 }
 
 TEST_CASE("signature: limbs are counted", "[signature]")

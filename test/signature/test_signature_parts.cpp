@@ -8,7 +8,7 @@
 #include <CGAL/Spherical_parameterization/internal/signature/conformal_factor.h>
 #include <CGAL/Spherical_parameterization/internal/surface/persistence.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Mapped_surface.h>
+#include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
 #include <CGAL/Spherical_parameterization/stretch_histogram.h>
 
 #include <catch2/catch.hpp>
@@ -28,13 +28,13 @@ const Host_loop one_core;
 /// With its own points as images.
 Mapped_surface surface_of(const Mesh& mesh)
 {
-  return read_mapped_surface(mesh, mesh.points(), mesh.points(), one_core);
+  return read_map(mesh, mesh.points(), mesh.points(), Reading::BREADTH_FIRST, one_core);
 }
 
 Intrinsic_triangulation triangulation_of(const Soup& soup)
 {
   const Mapped_surface surface = surface_of(make_mesh(soup));
-  return Intrinsic_triangulation(surface, surface.point);
+  return Intrinsic_triangulation(surface.copy_of_corner_table(one_core), surface.point);
 }
 
 double total_area(const Intrinsic_triangulation& t)
@@ -68,8 +68,9 @@ TEST_CASE("intrinsic triangulation: Delaunay, and the same surface", "[signature
     CHECK(t.origin(t.twin[h]) == t.target(h));
     CHECK(t.cotangent(h) + t.cotangent(t.twin[h]) > -1e-9);
   }
-  const Source_mesh<Mesh> source(make_mesh(soup), make_mesh(soup).points());
-  const double area = std::accumulate(source.area.begin(), source.area.end(), 0.);
+  const Mapped_surface surface = surface_of(make_mesh(soup));
+  const Host_array<double>& areas = surface.vertex_area(one_core);
+  const double area = std::accumulate(areas.begin(), areas.end(), 0.);
   CHECK(total_area(t) == Approx(area).epsilon(1e-4)); // but for what mollifying adds
 }
 
@@ -96,7 +97,7 @@ TEST_CASE("discrete surface: harmonics of the sphere", "[signature]")
 {
   const Soup soup = icosphere(5);
   const Mapped_surface source = surface_of(make_mesh(soup));
-  const Discrete_surface surface(Intrinsic_triangulation(source, source.point));
+  const Discrete_surface surface(Intrinsic_triangulation(source.copy_of_corner_table(one_core), source.point));
   Discrete_surface::Vector z(surface.size()), slope(surface.size());
   for(int i = 0; i < surface.size(); ++i) {
     z[i] = soup.points[std::size_t(source.position[i])].z();
@@ -123,14 +124,14 @@ TEST_CASE("discrete surface: a singular system is refused, and not solved with w
 {
   Mapped_surface source = surface_of(make_mesh(icosphere(1)));
   source.point.push_back({1, 1, 1}); // a vertex without triangles: its row is zero
-  const Discrete_surface surface(Intrinsic_triangulation(source, source.point));
+  const Discrete_surface surface(Intrinsic_triangulation(source.copy_of_corner_table(one_core), source.point));
   CHECK_THROWS_AS(Surface_solver<Host_loop>(one_core, surface), SP::Error);
 }
 
 TEST_CASE("midpoint refinement: the same surface in four times as many faces", "[signature]")
 {
   const Mapped_surface source = surface_of(make_mesh(bumpy_sphere(1)));
-  const Triangle_surface coarse = {source, source.point};
+  const Triangle_surface coarse = {source.copy_of_corner_table(one_core), source.point};
   const Triangle_surface fine = refined_at_midpoints(refined_at_midpoints(coarse));
   REQUIRE(fine.face.size() == 16 * coarse.face.size());
   CHECK(2 * fine.point.size() == fine.face.size() + 4); // Euler
@@ -164,7 +165,7 @@ TEST_CASE("conformal factor: that of a boost of the sphere", "[signature]")
     const vec3 q = moved(mesh.point(v));
     return Point(q.x, q.y, q.z);
   }};
-  const Mapped_surface source = read_mapped_surface(mesh, mesh.points(), images, one_core);
+  const Mapped_surface source = read_map(mesh, mesh.points(), images, Reading::BREADTH_FIRST, one_core);
   const Conformal_factor factor(one_core, source);
   for(int i = 0; i < factor.surface.size(); ++i) {
     const Point p = mesh.point(Mesh::Vertex_index(Mesh::size_type(source.position[std::size_t(i)])));

@@ -336,6 +336,12 @@ TEST_CASE("textures: wrong meshes and maps", "[texture]")
   check(soup, flipped, Error_code::NOT_BIJECTIVE);
   soup.points.emplace_back(0, 0, 1);
   check(soup, soup.points, Error_code::ISOLATED_VERTEX);
+  const Soup fine = icosphere(4);
+  const Sphere twice_round_the_axis = transformed(fine, [](const Point& p) {
+                                        const double r = std::hypot(p.x(), p.y()), angle = 2 * std::atan2(p.y(), p.x());
+                                        return Point(r * std::cos(angle), r * std::sin(angle), p.z());
+                                      }).points;
+  check(fine, twice_round_the_axis, Error_code::NOT_BIJECTIVE); // without flipped faces
 }
 
 TEST_CASE("cut open along its seams, a mesh has one pair of texture coordinates at every vertex", "[texture]")

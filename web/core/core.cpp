@@ -5,7 +5,6 @@
 
 #include "input/mesh.h"
 #include "input/mesh_readers.h"
-#include "system/error_code_names.h"
 #include "system/refusal.h"
 #include "system/stopwatch.h"
 
@@ -228,14 +227,14 @@ val map_file(const std::string& name, const std::string& bytes, const val& setti
       last_sphere = std::move(sphere);
     }
     if(!result)
-      refuse(answer, tool::name(result.error),
+      refuse(answer, SP::get_error_name(result.error),
              name + ": " + get_error_message(result.error) + (result.detail.empty() ? "" : ": " + result.detail));
   } catch(const tool::Refusal& refusal) {
     refuse(answer, refusal.code(), refusal.what());
   } catch(const SP::Error& error) { // of Indexed_triangle_mesh
-    refuse(answer, tool::name(error.code()), name + ": has " + error.detail());
+    refuse(answer, SP::get_error_name(error.code()), name + ": has " + error.detail());
   } catch(const std::bad_alloc&) {
-    refuse(answer, "OUT_OF_MEMORY", name + ": not enough memory; use the command-line tool");
+    refuse(answer, tool::out_of_memory, name + ": not enough memory; use the command-line tool");
   }
   return answer;
 }

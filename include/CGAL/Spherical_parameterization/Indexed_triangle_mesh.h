@@ -170,7 +170,7 @@ public:
 
   /// \cond SKIP_IN_MANUAL
   const internal::Corner_table& corner_table() const { return table_; }
-  /// The numbers of the vertices in breadth-first order, as `internal::Source_mesh` wants them.
+  /// The numbers of the vertices in breadth-first order, as readers of surfaces want them.
   const internal::Host_array<int>& breadth_first_order() const { return breadth_first_; }
 
   typedef Indexed_triangle_mesh Self;

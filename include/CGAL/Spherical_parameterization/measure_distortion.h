@@ -9,9 +9,8 @@
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/api/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/distortion/Face_measures.h>
-#include <CGAL/Spherical_parameterization/internal/distortion/Mapped_faces.h>
-#include <CGAL/Spherical_parameterization/internal/surface/vertex_stars.h>
-#include <CGAL/Spherical_parameterization/internal/predicates/certificate.h>
+#include <CGAL/Spherical_parameterization/internal/distortion/vertex_means.h>
+#include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
 
 #include <CGAL/tags.h>
 
@@ -50,52 +49,8 @@ std::pair<double, double> measure_faces(const ExecutionPolicy& policy, const Tri
                                         Measure measure)
 {
   const auto loop = host_loop(policy);
-  return put_values(faces(mesh), make_face_measures(mesh, sphere_map, np, loop).values(loop, measure), face_map);
-}
-
-template <class Loop>
-std::size_t number_of_flipped_faces(const Loop& loop, const Mapped_faces& faces)
-{
-  return static_cast<std::size_t>(sum_by_parts(loop, faces.number_of_faces(), [&](int f) {
-    const auto [a, b, c] = faces.on_sphere(f);
-    return is_finite(a, b, c) && is_positively_oriented(a, b, c) ? 0 : 1;
-  }));
-}
-
-template <class Loop>
-int degree_of_map(const Loop& loop, const Mapped_faces& faces)
-{
-  return degree([&](vec3 q) {
-    return sum_by_parts(loop, faces.number_of_faces(), [&](int f) {
-      const auto [a, b, c] = faces.on_sphere(f);
-      return is_finite(a, b, c) ? covering(a, b, c, q) : 0;
-    });
-  });
-}
-
-/// For every vertex the mean of the values of its faces.
-template <class Loop, class Values>
-Host_array<double> means_over_faces(const Loop& loop, const Vertex_stars& stars, const Values& value)
-{
-  const int n = stars.number_of_vertices();
-  Host_array<double> result(n);
-  for_each_part(loop, n, [&](int begin, int end) {
-    for(int v = begin; v < end; ++v) {
-      double sum = 0;
-      for(int k = stars.offset[v]; k < stars.offset[v + 1]; ++k)
-        sum += value[stars.face[k]];
-      result[v] = sum / (stars.offset[v + 1] - stars.offset[v]);
-    }
-  });
-  return result;
-}
-
-/// The logarithmic area stretch of the vertices, in their order. Throws Error for a vertex without faces, and at a
-/// boundary.
-template <class TriangleMesh, class Loop>
-Host_array<double> vertex_stretch(const TriangleMesh& mesh, const Face_measures& measures, const Loop& loop)
-{
-  return means_over_faces(loop, vertex_stars(mesh), measures.values(loop, &Face_measures::log_area_stretch));
+  const Mapped_surface map = read_map(mesh, vertex_points(mesh, np), sphere_map, Reading::UNCHECKED, loop);
+  return put_values(faces(mesh), Face_measures(map, loop).values(loop, measure), face_map);
 }
 
 } // namespace internal
@@ -112,7 +67,7 @@ template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap>
 std::size_t number_of_flipped_faces(const ExecutionPolicy& policy, const TriangleMesh& mesh, VertexSphereMap sphere_map)
 {
   const auto loop = internal::host_loop(policy);
-  return internal::number_of_flipped_faces(loop, internal::read_images(mesh, sphere_map, loop));
+  return internal::read_map(mesh, sphere_map, internal::Reading::UNCHECKED, loop).certificate(loop).flipped_faces;
 }
 
 /// \overload
@@ -135,7 +90,7 @@ template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap>
 int degree_of_map(const ExecutionPolicy& policy, const TriangleMesh& mesh, VertexSphereMap sphere_map)
 {
   const auto loop = internal::host_loop(policy);
-  return internal::degree_of_map(loop, internal::read_images(mesh, sphere_map, loop));
+  return internal::read_map(mesh, sphere_map, internal::Reading::UNCHECKED, loop).certificate(loop).degree;
 }
 
 /// \overload
@@ -256,16 +211,17 @@ std::pair<double, double> face_symmetric_dirichlet(const TriangleMesh& mesh, Ver
 /// \param face_map    readable, key face_descriptor, value double
 /// \param vertex_map  writable, key vertex_descriptor, value double
 /// \return the smallest and the largest value
-/// \throws Error  `ISOLATED_VERTEX` or `BOUNDARY` where there is a vertex without faces, or a boundary
+/// \throws Error  for what is no closed, connected triangle mesh of genus 0
 template <class TriangleMesh, class FaceMap, class VertexMap>
 std::pair<double, double> mean_over_faces(const TriangleMesh& mesh, FaceMap face_map, VertexMap vertex_map)
 {
   std::vector<double> values;
   for(auto f : faces(mesh))
     values.push_back(get(face_map, f));
-  return internal::put_values(vertices(mesh),
-                              internal::means_over_faces(internal::Host_loop(), internal::vertex_stars(mesh), values),
-                              vertex_map);
+  const internal::Host_loop loop;
+  internal::Vertices<TriangleMesh> vertex;
+  const internal::Surface surface = internal::read_faces(mesh, internal::Reading::CHECKED, loop, vertex);
+  return internal::put_values(vertex, internal::means_over_faces(loop, surface, values), vertex_map);
 }
 
 /// The area distortion of Definition 1 of the paper, the logarithmic area stretch of vertices: for every vertex the
@@ -273,7 +229,7 @@ std::pair<double, double> mean_over_faces(const TriangleMesh& mesh, FaceMap face
 /// \param policy,mesh,sphere_map,np  as for `face_log_area_stretch()`
 /// \param stretch_map writable, key vertex_descriptor, value double
 /// \return the smallest and the largest value
-/// \throws Error  `ISOLATED_VERTEX` or `BOUNDARY` where there is a vertex without faces, or a boundary
+/// \throws Error  for what is no closed, connected triangle mesh of genus 0
 template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class VertexStretchMap,
           class CGAL_NP_TEMPLATE_PARAMETERS>
 std::pair<double, double> vertex_log_area_stretch(const ExecutionPolicy& policy, const TriangleMesh& mesh,
@@ -281,8 +237,9 @@ std::pair<double, double> vertex_log_area_stretch(const ExecutionPolicy& policy,
                                                   const CGAL_NP_CLASS& np = parameters::default_values())
 {
   const auto loop = internal::host_loop(policy);
-  const internal::Face_measures measures = internal::make_face_measures(mesh, sphere_map, np, loop);
-  return internal::put_values(vertices(mesh), internal::vertex_stretch(mesh, measures, loop), stretch_map);
+  const internal::Mapped_surface map =
+    internal::read_map(mesh, internal::vertex_points(mesh, np), sphere_map, internal::Reading::CHECKED, loop);
+  return internal::put_values(vertices(mesh), internal::vertex_stretch(loop, map), stretch_map);
 }
 
 /// \overload
@@ -294,15 +251,6 @@ std::pair<double, double> vertex_log_area_stretch(const TriangleMesh& mesh, Vert
 {
   return vertex_log_area_stretch(CGAL::Sequential_tag(), mesh, sphere_map, stretch_map, np);
 }
-
-/// \cond SKIP_IN_MANUAL
-/// The former name of `vertex_log_area_stretch()` on one core.
-template <class TriangleMesh, class... Arguments>
-std::pair<double, double> log_area_stretch(const TriangleMesh& mesh, const Arguments&... arguments)
-{
-  return vertex_log_area_stretch(CGAL::Sequential_tag(), mesh, arguments...);
-}
-/// \endcond
 
 /// @}
 

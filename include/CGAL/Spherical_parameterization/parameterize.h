@@ -87,10 +87,14 @@ Result run(const ExecutionPolicy& policy, const Method& method, const NamedParam
 
 /// Maps a closed triangle mesh of genus 0 to the unit sphere.
 ///
-/// The result is certified: `Result::error` is `OK` if and only if the method has converged, every face is positively
-/// oriented as seen from outside by an exact predicate on the coordinates written to `sphere_map`, and the map covers
-/// the sphere once. It is then a bijection. In all other cases the error says what is wrong; `sphere_map` is written
-/// whenever there is a map (`NOT_CONVERGED`, `INTERRUPTED` and `NOT_BIJECTIVE`: the best one found).
+/// The result is certified: if `Result::error` is `OK`, every face is positively oriented as seen from outside by an
+/// exact predicate on the coordinates written to `sphere_map`, and the map covers the sphere once. It is then a
+/// bijection. In all other cases the error says what is wrong; `sphere_map` is written whenever there is a map
+/// (`NOT_CONVERGED`, `INTERRUPTED` and `NOT_BIJECTIVE`: the best one found).
+///
+/// Why the method ended is another question: `Result::termination` is `CONVERGED` if and only if the residual of the
+/// map that is stored is within the accuracy. A valid map may miss it, where vertices had to be moved for their faces
+/// (`Result::moved_vertices`), or the steps of `Isometric` were used up.
 /// Calls on different meshes, or on the same mesh with different maps, may run concurrently.
 ///
 /// \tparam ExecutionPolicy  a model of `SphericalParameterizationPolicy`
@@ -147,8 +151,8 @@ Result run(const ExecutionPolicy& policy, const Method& method, const NamedParam
 ///     \cgalParamDefault{the method's `default_number_of_iterations`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_running_time}
-///     \cgalParamDescription{wall-clock seconds after which the result is `INTERRUPTED`}
-///     \cgalParamType{`double`}
+///     \cgalParamDescription{wall-clock seconds after which the result is `INTERRUPTED`; asked for in every step}
+///     \cgalParamType{`double`\, not negative}
 ///     \cgalParamDefault{unlimited}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
@@ -261,11 +265,13 @@ Result parameterize_triangle_soup(const ExecutionPolicy& policy, const PointRang
                 "parameters]): the method is Balanced, Isometric, Automatic or Saddle_point");
   if constexpr(internal::Is_method<Method>::value &&
                internal::check_named_parameters<Edge, std::size_t, std::size_t, CGAL_NP_CLASS>())
-    return internal::run(policy, method, np, internal::Range_map<SpherePoints>{&sphere_points}, [&](const auto& read) {
-      const Indexed_triangle_mesh mesh(policy, points, triangles);
-      internal::make_room(sphere_points, mesh.number_of_vertices());
-      return read(mesh, internal::Soup_inputs<CGAL_NP_CLASS>{mesh, np});
-    });
+    return internal::run(policy, method, np,
+                         internal::Range_map<SpherePoints, Indexed_triangle_mesh::Vertex_index>{&sphere_points},
+                         [&](const auto& read) {
+                           const Indexed_triangle_mesh mesh(policy, points, triangles);
+                           internal::make_room(sphere_points, mesh.number_of_vertices());
+                           return read(mesh, internal::Soup_inputs<Indexed_triangle_mesh, CGAL_NP_CLASS>{mesh, np});
+                         });
   else
     return Result();
 }

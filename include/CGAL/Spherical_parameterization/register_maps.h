@@ -17,7 +17,6 @@
 #include <CGAL/Spherical_parameterization/internal/text/text.h>
 #include <CGAL/Spherical_parameterization/internal/distortion/Mapped_faces.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Vertex_numbering.h>
-#include <CGAL/Spherical_parameterization/internal/surface/corner_table_of.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/certificate.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/Centring.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/refine.h>
@@ -120,8 +119,7 @@ Registered_surface read_registered_surface(const Host_loop& loop, const Triangle
   if(map.face.empty())
     throw Input_error(Error_code::EMPTY_MESH, "there is nothing to register");
   Registered_surface surface;
-  static_cast<Corner_table&>(surface) = corner_table_of(mesh, map.face, loop);
-  check_no_isolated_vertex(map.face, n);
+  static_cast<Corner_table&>(surface) = map.copy_of_corner_table(loop);
   for(int i = 0; i < n; ++i)
     if(!is_finite(map.point[i]))
       throw Input_error(Error_code::NON_FINITE_COORDINATE, "the point of vertex " + std::to_string(i));

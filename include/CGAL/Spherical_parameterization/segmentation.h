@@ -14,9 +14,8 @@
 #include <CGAL/Spherical_parameterization/internal/api/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/api/precondition.h>
 #include <CGAL/Spherical_parameterization/internal/distortion/Face_measures.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Mapped_surface.h>
+#include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/segments.h>
-#include <CGAL/Spherical_parameterization/measure_distortion.h>
 #include <CGAL/Spherical_parameterization/values/segmentation_methods.h>
 
 #include <CGAL/tags.h>
@@ -47,7 +46,7 @@ struct Segmentation_result {
 
 namespace internal {
 
-/// \param read_stretch  returns the stretch of the faces, in their order
+/// \param read_stretch  given the map as arrays, returns the stretch of the faces, in their order
 template <class Loop, class TriangleMesh, class VertexSphereMap, class ReadStretch, class FaceSegmentMap, class Method,
           class NamedParameters>
 Segmentation_result segment(const Loop& loop, const TriangleMesh& mesh, VertexSphereMap sphere_map,
@@ -61,8 +60,9 @@ Segmentation_result segment(const Loop& loop, const TriangleMesh& mesh, VertexSp
     CGAL_SP_PRECONDITION(method.threshold >= 0, "the threshold of region growing must not be negative");
   Segmentation_result result;
   try {
-    Mapped_surface surface = read_mapped_surface(mesh, vertex_points(mesh, np), sphere_map, loop);
-    const std::vector<int> segment = segments_of(loop, std::move(surface), read_stretch(), method);
+    Mapped_surface map = read_map(mesh, vertex_points(mesh, np), sphere_map, Reading::BREADTH_FIRST, loop);
+    std::vector<double> stretch = read_stretch(map);
+    const std::vector<int> segment = segments_of(loop, std::move(map), std::move(stretch), method);
     std::size_t i = 0;
     for(auto f : faces(mesh)) {
       const std::size_t id = static_cast<std::size_t>(segment[i++]);
@@ -101,7 +101,7 @@ Segmentation_result segmentation_from_area_stretch(const ExecutionPolicy& policy
                                                    FaceSegmentMap segment_map, const Method& method = Method(),
                                                    const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  const auto read_stretch = [&] {
+  const auto read_stretch = [&](const internal::Mapped_surface&) {
     std::vector<double> stretch;
     for(auto f : faces(mesh))
       stretch.push_back(get(stretch_map, f));
@@ -135,8 +135,8 @@ Segmentation_result segmentation_via_area_stretch(const ExecutionPolicy& policy,
                                                   const CGAL_NP_CLASS& np = parameters::default_values())
 {
   const auto loop = internal::host_loop(policy);
-  const auto measure_stretch = [&] {
-    const internal::Face_measures measures = internal::make_face_measures(mesh, sphere_map, np, loop);
+  const auto measure_stretch = [&](const internal::Mapped_surface& map) {
+    const internal::Face_measures measures(map, loop);
     const auto stretch = measures.values(loop, &internal::Face_measures::log_area_stretch);
     return std::vector<double>(stretch.begin(), stretch.end());
   };

@@ -6,7 +6,7 @@
 
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
 #include <CGAL/Spherical_parameterization/internal/api/named_parameters.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Mapped_surface.h>
+#include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
 #include <CGAL/Spherical_parameterization/internal/signature/signature_values.h>
 
 #include <CGAL/tags.h>
@@ -74,8 +74,9 @@ Shape_signature shape_signature(const ExecutionPolicy& policy, const TriangleMes
                                 const CGAL_NP_CLASS& np = parameters::default_values())
 {
   const auto loop = internal::host_loop(policy);
-  return Shape_signature{internal::signature_values(
-    loop, internal::read_mapped_surface(mesh, internal::vertex_points(mesh, np), sphere_map, loop))};
+  return Shape_signature{
+    internal::signature_values(loop, internal::read_map(mesh, internal::vertex_points(mesh, np), sphere_map,
+                                                        internal::Reading::BREADTH_FIRST, loop))};
 }
 
 /// \overload

@@ -13,7 +13,7 @@
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/api/precondition.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Vertex_numbering.h>
-#include <CGAL/Spherical_parameterization/internal/surface/corner_table_of.h>
+#include <CGAL/Spherical_parameterization/internal/distortion/Mapped_faces.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/point_coordinates.h>
 #include <CGAL/Spherical_parameterization/internal/statistics/Shape_set.h>
 #include <CGAL/Spherical_parameterization/internal/statistics/principal_components.h>

@@ -114,8 +114,8 @@ Harmonic_analysis analyze_fields(const Loop& loop, const TriangleMesh& mesh, con
       return (std::max)(0., spherical_area(a, b, c));
     });
   else if(method.weights == Vertex_weights::SURFACE_AREA) {
-    const Face_measures measures({map.face, read_vectors(mesh, vertex_points(mesh, np)), map.image}, loop);
-    weights = vertex_areas(loop, map, [&](int f) { return measures.source_area(f); });
+    Vertices<TriangleMesh> vertex;
+    weights = read_surface(mesh, vertex_points(mesh, np), Reading::UNCHECKED, loop, vertex).vertex_area(loop);
   } else
     weights.assign(map.image.size(), 1.);
   Fit fit = fit_harmonics(loop, map.image, fields, weights, degree, method);

@@ -4,16 +4,12 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_TEXTURE_COORDINATES_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_TEXTURE_COORDINATES_H
 
-#include <CGAL/Spherical_parameterization/values/Error.h>
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
 #include <CGAL/Spherical_parameterization/internal/api/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/plane.h>
 #include <CGAL/Spherical_parameterization/internal/api/precondition.h>
-#include <CGAL/Spherical_parameterization/internal/text/text.h>
-#include <CGAL/Spherical_parameterization/internal/distortion/Mapped_faces.h>
-#include <CGAL/Spherical_parameterization/internal/surface/vertex_stars.h>
+#include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
 #include <CGAL/Spherical_parameterization/internal/texture/texture_layout.h>
-#include <CGAL/Spherical_parameterization/measure_distortion.h>
 #include <CGAL/Spherical_parameterization/values/texture_options.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -46,8 +42,8 @@ namespace CGAL::Spherical_parameterization {
 /// \param options     the chart, where it is on the sphere, and the grid of the coordinates
 /// \param np          optional named parameters: `vertex_point_map`, for the choice of the poles
 /// \return what had to be done
-/// \throws Error  if the mesh has no faces, an isolated vertex or, where the poles are to be chosen, a boundary; or if
-///         the map has flipped faces; before anything is written
+/// \throws Error  for what is no closed, connected triangle mesh of genus 0, and for a map that is not valid: that has
+///         flipped faces, or a degree other than 1; before anything is written
 /// \pre the axes are finite and not parallel, and there are 1 to 52 bits
 ///
 /// Complexity: O(n log n); the logarithm is for the choice of the poles.
@@ -60,18 +56,12 @@ Texture_report texture_coordinates(const ExecutionPolicy& policy, const Triangle
   typedef typename boost::property_traits<HalfedgeUVMap>::value_type UV;
   CGAL_SP_PRECONDITION(options.bits >= 1 && options.bits <= 52, "texture coordinates have 1 to 52 bits");
   const auto loop = internal::host_loop(policy);
-  internal::Mapped_faces map = internal::read_images(mesh, sphere_map, loop);
-  if(map.face.empty())
-    throw internal::Input_error(Error_code::EMPTY_MESH, "there is nothing to lay out");
-  internal::check_no_isolated_vertex(map.face, static_cast<int>(map.image.size()));
-  if(const std::size_t flipped = internal::number_of_flipped_faces(loop, map); flipped > 0)
-    throw internal::Input_error(Error_code::NOT_BIJECTIVE, internal::counted(flipped, "flipped face", "flipped faces"));
-  internal::Vertex_stars stars;
-  if(!options.axes) {
-    map.point = internal::read_vectors(mesh, internal::vertex_points(mesh, np));
-    stars = internal::vertex_stars(mesh);
-  }
-  const internal::Texture_layout layout = internal::texture_layout(loop, map, stars, options);
+  constexpr auto checked = internal::Reading::CHECKED;
+  const internal::Valid_map map(
+    options.axes ? internal::read_map(mesh, sphere_map, checked, loop)
+                 : internal::read_map(mesh, internal::vertex_points(mesh, np), sphere_map, checked, loop),
+    loop);
+  const internal::Texture_layout layout = internal::texture_layout(loop, map, options);
   std::size_t i = 0;
   for(auto f : faces(mesh)) {
     const std::array<internal::vec2, 3>& uv = layout.uv[i++];

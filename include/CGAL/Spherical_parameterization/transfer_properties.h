@@ -7,7 +7,7 @@
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
-#include <CGAL/Spherical_parameterization/internal/distortion/Mapped_faces.h>
+#include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
 #include <CGAL/Spherical_parameterization/locate.h>
 
 #include <CGAL/tags.h>
@@ -115,7 +115,8 @@ template <class ExecutionPolicy, class FromMesh, class FromMap, class ToMesh, cl
 void transfer_vertex_property(const ExecutionPolicy& policy, const Spherical_locator<FromMesh>& from, FromMap from_map,
                               const ToMesh& to, ToSphereMap to_sphere, ToMap to_map)
 {
-  const auto place = internal::locate_all(internal::host_loop(policy), from, internal::read_vectors(to, to_sphere));
+  const auto place =
+    internal::locate_all(internal::host_loop(policy), from, internal::vectors_at(vertices(to), to_sphere));
   std::size_t i = 0;
   for(auto v : vertices(to))
     put(to_map, v, interpolate(from.mesh(), place[i++], from_map));
@@ -145,7 +146,7 @@ void transfer_face_property(const ExecutionPolicy& policy, const Spherical_locat
                             const ToMesh& to, ToSphereMap to_sphere, ToMap to_map)
 {
   const auto loop = internal::host_loop(policy);
-  const internal::Mapped_faces map = internal::read_images(to, to_sphere, loop);
+  const internal::Mapped_surface map = internal::read_map(to, to_sphere, internal::Reading::UNCHECKED, loop);
   internal::Host_array<internal::vec3> centre;
   for(int f = 0; f < map.number_of_faces(); ++f) {
     const auto corner = map.on_sphere(f);

@@ -7,63 +7,66 @@
 #include <stdexcept>
 #include <string>
 
+// The one list of codes: the name, what get_error_message() says, and what the manual adds. Numbers follow the order.
+// clang-format off
+#define CGAL_SP_ERROR_CODES(CODE) \
+  CODE(OK, "valid spherical map") /**< certified: no flipped face, degree 1; and the method has done what was asked for */ \
+  CODE(EMPTY_MESH, "the mesh has no faces") /**< no face */ \
+  CODE(TOO_LARGE, "the mesh is too large") /**< 2^31 halfedges or more */ \
+  CODE(NOT_TRIANGULAR, "the mesh has a face that is not a triangle") /**< a face that is not a triangle */ \
+  CODE(ISOLATED_VERTEX, "the mesh has a vertex without faces") /**< a vertex without faces */ \
+  CODE(BOUNDARY, "the mesh is not closed") /**< border edges: the surface is not closed */ \
+  CODE(NON_MANIFOLD, "the mesh is not a 2-manifold") /**< a vertex or edge whose faces do not form a single disk */ \
+  CODE(INCONSISTENT_ORIENTATION, "the faces are not consistently oriented") \
+    /**< neighbouring faces of opposite orientations (only in soups and files) */ \
+  CODE(SEVERAL_COMPONENTS, "the mesh has several connected components") /**< more than one connected component */ \
+  CODE(WRONG_GENUS, "the mesh is not of genus 0") /**< handles: not a topological sphere */ \
+  CODE(NON_FINITE_COORDINATE, "a point has a coordinate that is not finite") /**< NaN or infinity in a point */ \
+  CODE(DEGENERATE_FACE, "a degenerate face where an area is needed") \
+    /**< a face without area, or an edge without length, where one is needed */ \
+  CODE(BAD_WEIGHT, "an edge weight is not positive and finite") /**< an edge weight that is not positive and finite */ \
+  CODE(BAD_CONSTRAINTS, "the fixed vertices do not determine a map") \
+    /**< fixed vertices: one or two, at equal positions, a zero vector; or the mesh is too coarse */ \
+  CODE(NOT_CONVERGED, "the solver did not reach the accuracy") /**< the residual did not reach the accuracy */ \
+  CODE(INTERRUPTED, "the computation was interrupted") \
+    /**< stopped by the callback or the time limit; the best map so far is stored */ \
+  CODE(NOT_BIJECTIVE, "the map found is not bijective") \
+    /**< converged, but faces are flipped or the degree is not 1 */ \
+  CODE(BAD_INDEX, "a triangle names a point that does not exist") \
+    /**< a triangle that names a point that is not there (only in soups) */ \
+  CODE(BAD_DENSITY, "a density is not positive and finite") /**< a density that is not positive and finite */
+#define CGAL_SP_ENUMERATOR(name, sentence) name,
+#define CGAL_SP_CASE_OF_NAME(name, sentence) case Error_code::name: return #name;
+#define CGAL_SP_CASE_OF_SENTENCE(name, sentence) case Error_code::name: return sentence;
+// clang-format on
+
 namespace CGAL::Spherical_parameterization {
 /// \addtogroup PkgSphericalParameterizationMap
 /// @{
 
 /// What can be wrong with the input, or with the map that was found. Only `OK` stands for a certified spherical map.
-enum class Error_code {
-  OK = 0,                   ///< certified: no flipped face, degree 1, residual below the accuracy
-  EMPTY_MESH,               ///< no face
-  TOO_LARGE,                ///< 2^31 halfedges or more
-  NOT_TRIANGULAR,           ///< a face that is not a triangle
-  ISOLATED_VERTEX,          ///< a vertex without faces
-  BOUNDARY,                 ///< border edges: the surface is not closed
-  NON_MANIFOLD,             ///< a vertex or edge whose faces do not form a single disk
-  INCONSISTENT_ORIENTATION, ///< neighbouring faces of opposite orientations (only in soups and files)
-  SEVERAL_COMPONENTS,       ///< more than one connected component
-  WRONG_GENUS,              ///< handles: not a topological sphere
-  NON_FINITE_COORDINATE,    ///< NaN or infinity in a point
-  DEGENERATE_FACE,          ///< a face without area, or an edge without length, where one is needed
-  BAD_WEIGHT,               ///< an edge weight that is not positive and finite
-  BAD_CONSTRAINTS, ///< fixed vertices: one or two, at equal positions, a zero vector; or the mesh is too coarse
-  NOT_CONVERGED,   ///< the residual did not reach the accuracy
-  INTERRUPTED,     ///< stopped by the callback or the time limit; the best map so far is stored
-  NOT_BIJECTIVE,   ///< converged, but faces are flipped or the degree is not 1
-  BAD_INDEX,       ///< a triangle that names a point that is not there (only in soups)
-  BAD_DENSITY      ///< a density that is not positive and finite
-};
+enum class Error_code { CGAL_SP_ERROR_CODES(CGAL_SP_ENUMERATOR) };
+
+/// \param code  what is wrong, or `OK`
+/// \return the name of the code, such as "BOUNDARY", for programs; never freed
+inline const char* get_error_name(Error_code code)
+{
+  switch(code) {
+    CGAL_SP_ERROR_CODES(CGAL_SP_CASE_OF_NAME)
+  }
+  return "UNKNOWN";
+}
 
 /// The message of an error code, in words; `Result::detail` adds what exactly, and where.
 /// \param code  what is wrong, or `OK`
 /// \return a string that is never freed, without full stop
-// clang-format off
 inline const char* get_error_message(Error_code code)
 {
   switch(code) {
-  case Error_code::OK:                       return "valid spherical map";
-  case Error_code::EMPTY_MESH:               return "the mesh has no faces";
-  case Error_code::TOO_LARGE:                return "the mesh is too large";
-  case Error_code::NOT_TRIANGULAR:           return "the mesh has a face that is not a triangle";
-  case Error_code::ISOLATED_VERTEX:          return "the mesh has a vertex without faces";
-  case Error_code::BOUNDARY:                 return "the mesh is not closed";
-  case Error_code::NON_MANIFOLD:             return "the mesh is not a 2-manifold";
-  case Error_code::INCONSISTENT_ORIENTATION: return "the faces are not consistently oriented";
-  case Error_code::SEVERAL_COMPONENTS:       return "the mesh has several connected components";
-  case Error_code::WRONG_GENUS:              return "the mesh is not of genus 0";
-  case Error_code::BAD_INDEX:                return "a triangle names a point that does not exist";
-  case Error_code::NON_FINITE_COORDINATE:    return "a point has a coordinate that is not finite";
-  case Error_code::DEGENERATE_FACE:          return "a degenerate face where an area is needed";
-  case Error_code::BAD_WEIGHT:               return "an edge weight is not positive and finite";
-  case Error_code::BAD_DENSITY:              return "a density is not positive and finite";
-  case Error_code::BAD_CONSTRAINTS:          return "the fixed vertices do not determine a map";
-  case Error_code::NOT_CONVERGED:            return "the solver did not reach the accuracy";
-  case Error_code::INTERRUPTED:              return "the computation was interrupted";
-  case Error_code::NOT_BIJECTIVE:            return "the map found is not bijective";
+    CGAL_SP_ERROR_CODES(CGAL_SP_CASE_OF_SENTENCE)
   }
   return "unknown error";
 }
-// clang-format on
 
 /// Wrong data, thrown by functions that do not return a `Result`. Wrong arguments, such as a negative accuracy, are a
 /// `CGAL::Precondition_exception` instead.

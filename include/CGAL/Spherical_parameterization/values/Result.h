@@ -48,7 +48,7 @@ struct Result {
   /// @{
   std::size_t flipped_faces = 0;  ///< faces (a,b,c) with orientation(O,a,b,c) <= 0
   std::size_t moved_vertices = 0; ///< `Conformal_weights`: vertices that were moved from where the springs pull them,
-                                  ///< for their faces; residual and energy are those before
+                                  ///< for their faces
   int degree = 0;                 ///< how often the map covers the sphere; 1 for a valid one
   double residual = 0;            ///< L2 norm over the free vertices (not divided by their number) of the residual of
                                   ///< the equation that the method solves, relative to the weight sum of a vertex;
@@ -100,6 +100,24 @@ struct Result {
   explicit operator bool() const { return error == Error_code::OK; }
 };
 
+/// What a valid map lacks of what was asked for.
+/// \param r  a result
+/// \return one clause, in words; empty if the method has converged, or if there is no map
+inline std::string get_shortcoming(const Result& r)
+{
+  if(!r.termination || *r.termination == Termination::CONVERGED)
+    return "";
+  if(r.moved_vertices > 0)
+    return std::to_string(r.moved_vertices) + (r.moved_vertices == 1 ? " vertex was" : " vertices were") +
+           " moved off the solution so that their faces are valid";
+  switch(*r.termination) {
+  case Termination::ITERATIONS: return "the accuracy was not reached when all iterations were made";
+  case Termination::TIME: return "the accuracy was not reached within the time limit";
+  case Termination::CALLBACK: return "it was stopped before the accuracy was reached";
+  default: return "the accuracy was not reached: nothing improved any more";
+  }
+}
+
 /// Writes one line: the verdict, and the main figures.
 /// \param out  a stream
 /// \param r    what to write
@@ -109,10 +127,10 @@ inline std::ostream& operator<<(std::ostream& out, const Result& r)
   out << get_error_message(r.error);
   if(!r.detail.empty())
     out << ": " << r.detail;
+  if(r && !get_shortcoming(r).empty())
+    out << ", but " << get_shortcoming(r);
   if(r.degree != 0 || r.residual != 0) {
     out << " (" << r.number_of_vertices << " vertices, ";
-    if(r.moved_vertices > 0)
-      out << r.moved_vertices << " moved, ";
     out << r.flipped_faces << " flipped faces, degree " << r.degree << ", residual " << r.residual << ", "
         << r.start_iterations << " + " << r.iterations << " iterations, " << r.seconds.total << " s)";
   }

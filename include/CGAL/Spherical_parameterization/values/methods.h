@@ -106,7 +106,10 @@ struct Saddle_point {
 /// Named parameters: `number_of_iterations` bounds the Newton steps for the whole mesh (in proportion fewer above
 /// 100,000 vertices, but a quarter at least), `accuracy` is the relative gain of energy that such a step has to promise
 /// for another one to follow (above 20,000 vertices, that it has to leave: a quarter of what it promised, if it could
-/// be taken in full; below 2,000 vertices, where steps are cheap, in proportion less, down to a twentieth).
+/// be taken in full; below 2,000 vertices, where steps are cheap, in proportion less, down to a twentieth). The
+/// residual is what one more step would promise. A map whose steps are used up is `OK` all the same, with
+/// `Termination::ITERATIONS`, unless a smaller accuracy or fewer iterations than the defaults were asked for: then it
+/// is `NOT_CONVERGED`.
 ///
 /// \cgalModels{SphericalParameterizationMethod}
 struct Isometric {
@@ -134,24 +137,22 @@ struct Isometric {
 
 /// Tries several methods and returns the first map that is valid and of use:
 /// 1. `Balanced{spring_exponent}`;
-/// 2. `Balanced` with the exponent `larger_spring_exponent`, if that is larger, the first map is not valid,
-///    and no vertex is fixed;
-/// 3. `Isometric{area_exponent}`.
+/// 2. `Isometric{area_exponent}`.
 ///
 /// So it keeps fixed vertices, too, wherever they are: see `Isometric`.
 ///
 /// Harmonic maps shrink limbs exponentially with their length. A valid map that leaves next to nothing of them, by
 /// `largest_shrinkage`, is of no use to what samples, paints or measures the sphere; the isometric map is.
 ///
-/// Springs do not follow densities: where these are given only the third map is tried.
+/// Springs do not follow densities: where these are given only the second map is tried.
 ///
 /// If no map is valid and of use, the best one is returned: a valid one, else one of degree 1, with the fewest flipped
 /// faces. `Result::attempts` lists all methods that were tried, each with its verdict and its seconds;
 /// `Result::method` is the one whose map was returned, and `Result::fallback_reason` says why not an earlier one. If
-/// there are no weights because of a face without area, only the third one is tried.
+/// there are no weights because of a face without area, only the second one is tried.
 ///
-/// Named parameters: `accuracy` and `number_of_iterations` as for `Balanced`. The second attempt takes at most 100
-/// iterations; the third has the defaults of `Isometric`.
+/// Named parameters: `accuracy` and `number_of_iterations` as for `Balanced`; the second attempt has the defaults of
+/// `Isometric`.
 ///
 /// \cgalModels{SphericalParameterizationMethod}
 struct Automatic {
@@ -161,8 +162,7 @@ struct Automatic {
   static constexpr std::size_t default_number_of_iterations = Balanced::default_number_of_iterations;
 
   double spring_exponent = 2;                         ///< of the first map, see `Balanced`
-  double larger_spring_exponent = 3;                  ///< of the second map
-  std::optional<double> area_exponent = std::nullopt; ///< of the third map, see `Isometric`
+  std::optional<double> area_exponent = std::nullopt; ///< of the second map, see `Isometric`
   /// How many times lengths may shrink, against the mean of the map, on more than a thousandth of the surface; >= 1.
   /// Infinite: every valid map will do. The default leaves the faces of a limb on the sphere a few units of the last
   /// place of a float.

@@ -39,30 +39,32 @@ constexpr double finest_accuracy = 1e-15;
 /// certificate is that of v.
 template <class Backend, class Start, class Descend>
 bool solve_until_valid(const Backend& backend, const Problem& problem, Start start, Descend descend, double accuracy,
-                       std::size_t maximum_iterations, const Monitor& monitor, typename Backend::Vectors& v,
+                       std::size_t maximum_iterations, Monitor& monitor, typename Backend::Vectors& v,
                        Solution& solution)
 {
   constexpr std::size_t patience_at_the_limit = 3;
   // More than few flipped faces are of limbs that are not right yet. These are not mended as long as their number
   // falls. Bad faces are mended where they are large beside the accuracy, or that is as fine as is of use.
-  constexpr double few = 1e-3, least_fall = 0.5; // of the faces; of their number
+  constexpr double few = 1e-3, least_fall = 0.5, no_fall = 0.02; // of the faces; of their number
   constexpr double large = 100, finest_of_use = 1e-12;
   const bool is_rough = backend.best_accuracy(problem.size()) > 0;
   std::size_t flipped_before = 0;
   bool is_hopeless = false; // fixed vertices contradict each other: what they flip does not depend on the accuracy
+  bool is_stuck = false;    // nor does what noise flips all over the surface: another start may help
   const auto is_settled = [&](double current, bool is_last) {
     const auto resolution = [&](const Certificate& certificate) {
       const std::size_t before = std::exchange(flipped_before, certificate.flipped_faces);
       const bool are_few = certificate.flipped_faces < few * problem.face.size();
       const bool are_no_fewer = before > 0 && certificate.flipped_faces > least_fall * before;
       is_hopeless = problem.has_fixed() && are_no_fewer && !are_few;
+      is_stuck = before > 0 && certificate.flipped_faces > (1 - no_fall) * before;
       if(is_last)
         return 0.;
       if(!are_few && !are_no_fewer)
         return std::numeric_limits<double>::infinity();
       return current > finest_of_use && !is_rough ? large * current : 0.;
     };
-    return certify_and_settle(backend, problem, v, true, resolution, solution);
+    return certify_and_settle(backend, problem, v, true, resolution, monitor, solution);
   };
 
   std::size_t done = 0;
@@ -80,8 +82,8 @@ bool solve_until_valid(const Backend& backend, const Problem& problem, Start sta
     is_certified = report.has_converged;
     flipped_before = 0;
     bool settled = is_certified && is_settled(options.accuracy, options.accuracy <= finest_accuracy);
-    for(Solver_report refined = report;
-        refined.has_converged && options.accuracy > finest_accuracy && !settled && !is_hopeless;) {
+    for(Solver_report refined = report; refined.has_converged && options.accuracy > finest_accuracy && !settled &&
+                                        !is_hopeless && !(is_stuck && solution.is_beyond_mending);) {
       options.accuracy *= accuracy_refinement;
       options.maximum_iterations = maximum_iterations - done;
       refined = descend(options, v);
@@ -100,9 +102,11 @@ bool solve_until_valid(const Backend& backend, const Problem& problem, Start sta
 
 /// Springs of exponent p > 2, with the factors of E_p = 1/p sum w l^2 (|v_i - v_j| / l)^p that do not depend on v as
 /// weights. Lengths are relative to a source of area 4 pi.
-inline Weighted_graph stiffening_springs(const Problem& problem, double exponent)
+template <class Loop>
+Weighted_graph stiffening_springs(const Loop& loop, const Problem& problem, double exponent)
 {
-  const double area = std::accumulate(problem.area.begin(), problem.area.end(), 0.);
+  const Host_array<double>& of_vertices = problem.vertex_area(loop);
+  const double area = std::accumulate(of_vertices.begin(), of_vertices.end(), 0.);
   const double unit_length = std::sqrt(area / (4 * pi));
   Weighted_graph springs = *problem.graph;
   const Host_array<double> lengths =
@@ -152,7 +156,7 @@ bool solve_stiffening(const Backend& backend, const Problem& problem, double exp
   solution.seconds.start_map = start_watch.seconds();
 
   const Gauge gauge = problem.has_fixed() ? Gauge::FIXED : Gauge::ROTATED;
-  const auto springs = std::make_shared<Weighted_graph>(stiffening_springs(problem, exponent));
+  const auto springs = std::make_shared<Weighted_graph>(stiffening_springs(backend.host_loop(), problem, exponent));
   typename Backend::Scalars mass = backend.scalars(problem.size());
   Solver_report& report = solution.report;
   const std::size_t of_start = report.start_iterations;
@@ -171,7 +175,7 @@ bool solve_stiffening(const Backend& backend, const Problem& problem, double exp
       if(is_accurate) {
         is_certified = true;
         if(certify_and_settle(
-             backend, problem, v, false, [](const Certificate&) { return 0.; }, solution))
+             backend, problem, v, false, [](const Certificate&) { return 0.; }, monitor, solution))
           break;
       }
       goal *= is_accurate ? accuracy_refinement : 0.1;
@@ -211,7 +215,7 @@ bool solve_harmonic(const Backend& backend, const Problem& problem, double accur
     positions = start_positions(backend, problem, monitor, solution.report.start_iterations);
   Multigrid<Backend> multigrid(backend, with_fixed_vertices(backend.host_loop(), problem));
   const typename Backend::Matrix& matrix = multigrid.matrix(0);
-  const typename Backend::Scalars& area = backend.upload(problem.area);
+  const typename Backend::Scalars& area = backend.upload(problem.vertex_area(backend.host_loop()));
   typename Backend::Scalars mass = backend.scalars(problem.size());
   const Gauge gauge = is_free ? Gauge::BALANCED : Gauge::FIXED;
   Balanced_solver<Backend> solver(backend, matrix, multigrid, 0, 2, gauge, mass);
@@ -240,6 +244,37 @@ bool solve_harmonic(const Backend& backend, const Problem& problem, double accur
   return is_certified;
 }
 
+/// Sets residual and energy of a map to those by which the solver goes.
+template <class Backend>
+void measure_balanced(const Backend& backend, const Problem& problem, double exponent,
+                      const typename Backend::Vectors& v, Solver_report& report)
+{
+  const int n = problem.size();
+  typename Backend::Vectors g = backend.vectors(n);
+  typename Backend::Scalars density = backend.scalars(n), mass = backend.scalars(n);
+  if(exponent > 2) {
+    const auto springs = std::make_shared<Weighted_graph>(stiffening_springs(backend.host_loop(), problem, exponent));
+    const Host_array<vec3>& position = backend.download(v);
+    const auto current = std::make_shared<Weighted_graph>(springs_at(*springs, exponent, position, problem.is_fixed));
+    const typename Backend::Matrix pulling = backend.upload(Shared_graph(current));
+    report.residual = std::sqrt(backend.barycentric_residual2(pulling, v));
+    springs->inverse_diagonal = current->inverse_diagonal;
+    const typename Backend::Matrix matrix = backend.upload(Shared_graph(springs));
+    report.energy = backend.gradient(matrix, exponent, v, g, density)[0] / exponent;
+    return;
+  }
+  const typename Backend::Matrix matrix = backend.upload(with_fixed_vertices(backend.host_loop(), problem));
+  const std::array<double, 4> sums = backend.gradient(matrix, 2, v, g, density);
+  report.energy = sums[0] / 2;
+  if(problem.has_fixed()) {
+    report.residual = std::sqrt(backend.barycentric_residual2(matrix, v));
+    return;
+  }
+  const Moments moments = backend.tilt_masses(density, balancing_tilt(backend.moments(density, v)), v, mass);
+  const vec3 mu = solve(boost_matrix(moments), {sums[1], sums[2], sums[3]});
+  report.residual = std::sqrt(backend.balance_gradient(matrix, mass, mu, v, g));
+}
+
 template <class Backend>
 Solution Method_solver<Balanced>::solve(const Backend& backend, const Problem& problem, const Effort& effort,
                                         Monitor& monitor) const
@@ -253,9 +288,12 @@ Solution Method_solver<Balanced>::solve(const Backend& backend, const Problem& p
     method_.spring_exponent == 2
       ? solve_harmonic(backend, problem, accuracy, maximum_iterations, monitor, v, solution)
       : solve_stiffening(backend, problem, method_.spring_exponent, accuracy, maximum_iterations, monitor, v, solution);
-  solution.report.energy *= problem.weight_unit;
   solution.seconds.solve = watch.seconds() - solution.seconds.start_map - solution.seconds.certify;
-  finish(backend, problem, std::move(v), is_certified, method_.spring_exponent == 2, solution);
+  const auto measure = [&](const typename Backend::Vectors& x, Solver_report& report) {
+    measure_balanced(backend, problem, method_.spring_exponent, x, report);
+  };
+  finish(backend, problem, std::move(v), is_certified, method_.spring_exponent == 2, accuracy, measure, monitor,
+         solution);
   return solution;
 }
 

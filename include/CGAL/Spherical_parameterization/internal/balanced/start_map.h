@@ -172,8 +172,9 @@ std::size_t coarse_start_map(const Backend& backend, Multigrid<Backend>& multigr
       for(vec3& p : z)
         p.x = -p.x;
     Host_array<double> area(z.size(), 0);
+    const Host_array<double>& source_area = problem.vertex_area(backend.host_loop());
     for(int i = 0; i < problem.size(); ++i)
-      area[mesh.vertex_of[i]] += problem.area[i];
+      area[mesh.vertex_of[i]] += source_area[i];
     v = backend.upload(std::move(z));
     centre(backend, backend.upload(std::move(area)), 0, v, multigrid.scratch(k));
     return k;

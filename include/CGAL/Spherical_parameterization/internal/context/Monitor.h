@@ -4,13 +4,17 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CONTEXT_MONITOR_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CONTEXT_MONITOR_H
 
+#include <CGAL/Spherical_parameterization/values/Result.h>
+
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <functional>
 #include <iostream>
 #include <string>
+#include <thread>
 #include <utility>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -25,7 +29,8 @@ private:
 };
 
 /// Watches a computation for the user: time limit, callback, and the log on std::cerr. The solvers report after every
-/// iteration, and stop where `advance()` says no.
+/// iteration, and stop where `advance()` or `may_go_on()` says no. The callback is called on the thread that has made
+/// the monitor, and on no other.
 class Monitor {
 public:
   Monitor(double maximum_running_time, std::function<bool(double)> callback, bool verbose)
@@ -42,15 +47,21 @@ public:
   /// `fraction` in [0,1] is how far the stage has come; it never goes back. Returns whether to go on.
   bool advance(double fraction)
   {
-    if(!is_interrupted_) {
-      if(fraction > 0) // and no NaN
-        fraction_ = (std::max)(fraction_, begin_ + (std::min)(1., fraction) * (end_ - begin_));
+    if(fraction > 0) // and no NaN
+      fraction_ = (std::max)(fraction_, begin_ + (std::min)(1., fraction) * (end_ - begin_));
+    return may_go_on();
+  }
+
+  /// The same where nobody knows how far the stage has come. Any thread may ask.
+  bool may_go_on()
+  {
+    if(!is_interrupted()) {
       if(watch_.seconds() >= limit_)
-        interrupt("the time limit was reached");
-      else if(callback_ && !callback_(fraction_))
-        interrupt("stopped by the callback");
+        state_ = State::TIME;
+      else if(callback_ && std::this_thread::get_id() == owner_ && !callback_(fraction_))
+        state_ = State::CALLBACK;
     }
-    return !is_interrupted_;
+    return !is_interrupted();
   }
 
   /// Share of the way, on a logarithmic scale, that a residual has come from `first` down to `goal`.
@@ -66,15 +77,17 @@ public:
                 << watch_.seconds() << " s\n";
   }
 
-  bool is_interrupted() const { return is_interrupted_; }
-  const std::string& reason() const { return reason_; }
+  bool is_interrupted() const { return state_ != State::RUNNING; }
+
+  /// Of a computation that has been interrupted.
+  Termination termination() const { return state_ == State::TIME ? Termination::TIME : Termination::CALLBACK; }
+  std::string reason() const
+  {
+    return state_ == State::TIME ? "the time limit was reached" : "stopped by the callback";
+  }
 
 private:
-  void interrupt(const char* reason)
-  {
-    is_interrupted_ = true;
-    reason_ = reason;
-  }
+  enum class State { RUNNING, TIME, CALLBACK };
 
   Stopwatch watch_;
   double limit_;
@@ -82,8 +95,8 @@ private:
   bool verbose_;
   double fraction_ = 0;
   double begin_ = 0, end_ = 1; ///< of the stage
-  bool is_interrupted_ = false;
-  std::string reason_;
+  std::atomic<State> state_ = State::RUNNING;
+  std::thread::id owner_ = std::this_thread::get_id();
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -25,7 +25,7 @@ Monitor make_monitor(const NamedParameters& np)
     callback = get_parameter(np, internal_np::callback);
   const double longest =
     choose_parameter(get_parameter(np, internal_np::maximum_running_time), std::numeric_limits<double>::infinity());
-  CGAL_SP_PRECONDITION(longest == longest, "maximum_running_time has to be a number");
+  CGAL_SP_PRECONDITION(longest >= 0, "maximum_running_time has to be a number that is not negative");
   return Monitor(longest, std::move(callback), choose_parameter(get_parameter(np, internal_np::verbose), false));
 }
 

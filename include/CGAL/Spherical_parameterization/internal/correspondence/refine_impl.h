@@ -13,13 +13,13 @@
 #include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/Carried_face.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/refine.h>
+#include <CGAL/Spherical_parameterization/internal/locate/walk.h>
 #include <CGAL/Spherical_parameterization/internal/relaxation/Star.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -32,24 +32,7 @@ public:
   explicit Face_walk(const Registered_surface& b) : b_(b) {}
 
   /// \param f  a face near q, and on return the one that contains it
-  void walk(vec3 q, int& f) const
-  {
-    std::uint32_t random = 1;
-    for(int from = -1;;) {
-      random = 1664525 * random + 1013904223; // D. Knuth, TAOCP 2, 3.3.4
-      const std::array<int, 3>& corner = b_.face[f];
-      int next = -1;
-      for(unsigned i = 0, k = (random >> 16) % 3; i < 3 && next < 0; ++i, k = (k + 1) % 3) {
-        const int beyond = b_.twin[3 * f + k] / 3;
-        if(beyond != from && orientation(b_.image[corner[k]], b_.image[corner[(k + 1) % 3]], q) < 0)
-          next = beyond;
-      }
-      if(next < 0)
-        return;
-      from = f;
-      f = next;
-    }
-  }
+  void walk(vec3 q, int& f) const { f = face_at(b_, b_.image, q, f); }
 
   /// Weights of the corners of f for which their mean has the direction q, and by the columns of `slope` their
   /// derivatives: weight k changes by inner(slope[k], dq).

@@ -5,18 +5,16 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DISTORTION_FACE_MEASURES_H
 
 #include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
-#include <CGAL/Spherical_parameterization/internal/algebra/Bounding_box.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
-#include <CGAL/Spherical_parameterization/internal/api/named_parameters.h>
-#include <CGAL/Spherical_parameterization/internal/distortion/Mapped_faces.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Mapped_surface.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <utility>
+#include <numeric>
 
 namespace CGAL::Spherical_parameterization::internal {
 
@@ -63,41 +61,38 @@ inline double ratio_of_singular_values(double squared_sum, double product)
   return half + std::sqrt((half - 1) * (half + 1));
 }
 
-/// All that is measured about single faces of a map. The source mesh is scaled to a unit box, so that meshes of any
-/// size and place have areas; limbs have areas down to 1e-150 on the sphere, below which everything counts as 1e-300.
-/// Sums over all faces are taken in their order, on any number of threads.
+/// All that is measured about single faces of a map, valid or not. Limbs have areas down to 1e-150 on the sphere, below
+/// which everything counts as 1e-300. Sums over all faces are taken in their order, on any number of threads.
 class Face_measures {
 public:
+  /// The map has to outlive this.
   template <class Loop>
-  Face_measures(Mapped_faces faces, const Loop& loop) : faces_(std::move(faces))
+  Face_measures(const Mapped_surface& map, const Loop& loop)
+    : map_(map), source_area_(map.face_area(loop)), area_(map.face.size()),
+      total_source_(std::accumulate(source_area_.begin(), source_area_.end(), 0.))
   {
-    const Bounding_box box(faces_.point);
-    const vec3 centre = box.centre();
-    const double size = box.half_size();
-    for_each_index(loop, static_cast<int>(faces_.point.size()), [&](int i) {
-      vec3& x = faces_.point[i];
-      x = {(x.x - centre.x) / size, (x.y - centre.y) / size, (x.z - centre.z) / size};
-    });
-    area_.resize(faces_.number_of_faces());
-    faces_.for_each_face(loop, [&](int f, const auto& p, const auto& v) {
-      area_[f] = {flat_area(p), flat_area(v), half_determinant(v)};
+    for_each_part(loop, number_of_faces(), [&](int begin, int end) {
+      internal::for_each_face(
+        map_.face, begin, end,
+        [&](int f, const auto& v) {
+          area_[f] = {flat_area(v), half_determinant(v)};
+        },
+        map_.image);
     });
     for(const Areas& area : area_) {
-      total_.source += area.source;
       total_.flat += area.flat;
       total_.determinant += area.determinant;
     }
   }
 
-  const Mapped_faces& faces() const { return faces_; }
-  int number_of_faces() const { return faces_.number_of_faces(); }
+  int number_of_faces() const { return map_.number_of_faces(); }
 
-  double source_area(int f) const { return area_[f].source; }
+  double source_area(int f) const { return source_area_[f]; }
 
   /// Share of the source area over the share of the sphere, as a logarithm: positive where the map shrinks.
-  double log_area_stretch(int f) const { return log_stretch(f, faces_.on_sphere(f)); }
+  double log_area_stretch(int f) const { return log_stretch(f, map_.on_sphere(f)); }
 
-  double angle_distortion(int f) const { return internal::angle_distortion(faces_.in_source(f), faces_.on_sphere(f)); }
+  double angle_distortion(int f) const { return internal::angle_distortion(map_.in_source(f), map_.on_sphere(f)); }
 
   double dilatation(int f) const { return ratio_of_singular_values(f, squared_singular_values(f)); }
 
@@ -115,7 +110,7 @@ public:
   template <class Loop, class Visit>
   void for_each_face(const Loop& loop, Visit visit) const
   {
-    faces_.for_each_face(loop, [&](int f, const auto& p, const auto& v) {
+    map_.for_each_face(loop, [&](int f, const auto& p, const auto& v) {
       const double squared_sum = internal::squared_singular_values(p, source_area(f), v);
       visit(f, Values{log_stretch(f, v), internal::angle_distortion(p, v), ratio_of_singular_values(f, squared_sum),
                       symmetric_dirichlet(f, squared_sum, &Areas::flat),
@@ -127,7 +122,7 @@ public:
   template <class Loop>
   Host_array<double> values(const Loop& loop, double (Face_measures::*measure)(int) const) const
   {
-    Host_array<double> result(faces_.face.size());
+    Host_array<double> result(map_.face.size());
     for_each_part(loop, number_of_faces(), [&](int begin, int end) {
       for(int f = begin; f < end; ++f)
         result[f] = (this->*measure)(f);
@@ -137,7 +132,7 @@ public:
 
 private:
   struct Areas {
-    double source, flat, determinant; ///< the others of the image
+    double flat, determinant; ///< of the image
   };
 
   /// 1e-300 also for NaN, the share of a face in a surface without area.
@@ -145,41 +140,36 @@ private:
 
   double log_stretch(int f, const std::array<vec3, 3>& v) const
   {
-    return log_of_share(source_area(f) / total_.source) - log_of_share(spherical_area(v[0], v[1], v[2]) / (4 * pi));
+    return log_of_share(source_area(f) / total_source_) - log_of_share(spherical_area(v[0], v[1], v[2]) / (4 * pi));
   }
 
   double squared_singular_values(int f) const
   {
-    return internal::squared_singular_values(faces_.in_source(f), source_area(f), faces_.on_sphere(f));
+    return internal::squared_singular_values(map_.in_source(f), source_area(f), map_.on_sphere(f));
   }
 
   double ratio_of_singular_values(int f, double squared_sum) const
   {
-    return internal::ratio_of_singular_values(squared_sum, area_[f].flat / area_[f].source);
+    return internal::ratio_of_singular_values(squared_sum, area_[f].flat / source_area_[f]);
   }
 
   /// With Q = sigma_1 / sigma_2 and d = sigma_1 sigma_2 the energy is (Q + 1/Q)(d + 1/d), after both surfaces have been
   /// scaled to equal area.
   double symmetric_dirichlet(int f, double squared_sum, double Areas::*of_image) const
   {
-    const double product = area_[f].*of_image / area_[f].source;
+    const double product = area_[f].*of_image / source_area_[f];
     if(!(product > 0) || !std::isfinite(squared_sum))
       return std::numeric_limits<double>::infinity();
-    const double stretch = product * (total_.source / total_.*of_image);
+    const double stretch = product * (total_source_ / total_.*of_image);
     return (squared_sum / product) * (stretch + 1 / stretch);
   }
 
-  Mapped_faces faces_; ///< in the box
+  const Mapped_surface& map_;
+  const Host_array<double>& source_area_;
   Host_array<Areas> area_;
-  Areas total_ = {0, 0, 0};
+  Areas total_ = {0, 0};
+  double total_source_;
 };
-
-template <class TriangleMesh, class VertexSphereMap, class NamedParameters, class Loop>
-Face_measures make_face_measures(const TriangleMesh& mesh, VertexSphereMap sphere_map, const NamedParameters& np,
-                                 const Loop& loop)
-{
-  return Face_measures(read_mapped_faces(mesh, vertex_points(mesh, np), sphere_map, loop), loop);
-}
 
 } // namespace CGAL::Spherical_parameterization::internal
 

@@ -4,12 +4,11 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DRIVER_ARGUMENTS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DRIVER_ARGUMENTS_H
 
-#include <CGAL/Spherical_parameterization/Indexed_triangle_mesh.h>
-#include <CGAL/Spherical_parameterization/edge_weights.h>
 #include <CGAL/Spherical_parameterization/internal/api/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/api/precondition.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/point_coordinates.h>
 #include <CGAL/Spherical_parameterization/internal/problem/Method_solver.h>
+#include <CGAL/Spherical_parameterization/values/Conformal_weights.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/property_map.h>
@@ -230,9 +229,12 @@ struct Mesh_inputs {
 };
 
 /// What the caller of parameterize_triangle_soup() gives besides the soup.
-template <class NamedParameters>
+/// \tparam Indexed_mesh  `Indexed_triangle_mesh`
+template <class Indexed_mesh, class NamedParameters>
 struct Soup_inputs {
-  const Indexed_triangle_mesh& mesh;
+  typedef typename Indexed_mesh::Vertex_index Vertex;
+
+  const Indexed_mesh& mesh;
   const NamedParameters& np;
 
   auto points() const { return get(CGAL::vertex_point, mesh); }
@@ -247,7 +249,6 @@ struct Soup_inputs {
 
   auto constraints() const
   {
-    typedef Indexed_triangle_mesh::Vertex_index Vertex;
     if constexpr(parameters::is_default_parameter<NamedParameters, internal_np::vertex_is_constrained_t>::value)
       return Static_boolean_property_map<Vertex, false>();
     else
@@ -257,11 +258,11 @@ struct Soup_inputs {
 
   auto face_densities() const
   {
-    return densities_of<Indexed_triangle_mesh::Face_index>(densities<internal_np::face_density_t, std::size_t>(np));
+    return densities_of<typename Indexed_mesh::Face_index>(densities<internal_np::face_density_t, std::size_t>(np));
   }
   auto vertex_densities() const
   {
-    return densities_of<Indexed_triangle_mesh::Vertex_index>(densities<internal_np::vertex_density_t, std::size_t>(np));
+    return densities_of<Vertex>(densities<internal_np::vertex_density_t, std::size_t>(np));
   }
 
 private:
@@ -277,7 +278,7 @@ private:
   template <class Map>
   auto weights_of(const Map& map) const
   {
-    typedef Indexed_triangle_mesh::Edge_index Edge;
+    typedef typename Indexed_mesh::Edge_index Edge;
     return keyed_map<Edge>(map, [m = &mesh](Edge e) {
       const auto [first, second] = std::minmax({source(e, *m).idx(), target(e, *m).idx()});
       return std::pair<std::size_t, std::size_t>(first, second);
@@ -293,9 +294,9 @@ private:
 };
 
 /// A random access range as a map from the vertices of an indexed mesh.
-template <class Range>
+template <class Range, class Vertex>
 struct Range_map {
-  typedef Indexed_triangle_mesh::Vertex_index key_type;
+  typedef Vertex key_type;
   typedef std::decay_t<decltype(std::declval<Range&>()[0])> value_type;
   typedef const value_type& reference;
   typedef boost::read_write_property_map_tag category;

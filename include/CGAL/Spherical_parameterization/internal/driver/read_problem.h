@@ -6,13 +6,13 @@
 
 #include <CGAL/Spherical_parameterization/values/Error.h>
 #include <CGAL/Spherical_parameterization/values/Result.h>
-#include <CGAL/Spherical_parameterization/edge_weights.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/api/precondition.h>
 #include <CGAL/Spherical_parameterization/internal/text/text.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Source_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
+#include <CGAL/Spherical_parameterization/internal/driver/read_springs.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/point_coordinates.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 #include <CGAL/Spherical_parameterization/internal/problem/Method_solver.h>
@@ -29,11 +29,11 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -44,7 +44,7 @@ struct Input {
   typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
 
   Problem problem;
-  std::vector<vertex_descriptor> vertices; ///< empty for meshes that number their vertices themselves
+  Vertices<TriangleMesh> vertices; ///< empty for meshes that number their vertices themselves
 
   vertex_descriptor vertex(int i) const
   {
@@ -162,9 +162,18 @@ Host_array<double> read_densities(const Range& range, const std::optional<Densit
                                                    to_string(density.back()) +
                                                    "; densities must be positive and finite");
   }
-  const double largest = *std::max_element(density.begin(), density.end());
+  constexpr double largest_ratio = 1e12; // areas on the sphere that are further apart are not told from rounding
+  if(density.empty())
+    return density;
+  const auto [least, largest] = std::minmax_element(density.begin(), density.end());
+  const double unit = *largest;
+  if(!(*largest / largest_ratio <= *least))
+    throw Input_error(Error_code::BAD_DENSITY, what + ' ' + std::to_string(least - density.begin()) +
+                                                 " has the density " + to_string(*least) + ", and " + what + ' ' +
+                                                 std::to_string(largest - density.begin()) + " has " +
+                                                 to_string(*largest) + "; the largest may be 1e12 times the smallest");
   for(double& d : density)
-    d /= largest;
+    d /= unit;
   return density;
 }
 
@@ -183,27 +192,6 @@ Host_array<double> face_densities(const TriangleMesh& mesh, const Inputs& inputs
   return density;
 }
 
-/// Reads the springs.
-template <class TriangleMesh>
-void read_weights(const TriangleMesh& mesh, Conformal_weights, const Host_loop& loop, Source_mesh<TriangleMesh>& source)
-{
-  source.set_conformal_weights(mesh, loop);
-}
-
-template <class TriangleMesh, class EdgeWeightMap>
-void read_weights(const TriangleMesh& mesh, const EdgeWeightMap& weights, const Host_loop& loop,
-                  Source_mesh<TriangleMesh>& source)
-{
-  source.set_weights(mesh, weights, loop);
-}
-
-template <class TriangleMesh, class EdgeWeightMap>
-void read_weights(const TriangleMesh& mesh, const std::variant<Conformal_weights, EdgeWeightMap>& weights,
-                  const Host_loop& loop, Source_mesh<TriangleMesh>& source)
-{
-  std::visit([&](const auto& chosen) { read_weights(mesh, chosen, loop, source); }, weights);
-}
-
 /// Reads mesh and property maps, each once, and checks them. Sets the sizes and `seconds.weights` of `result`. Throws
 /// Error. Numbers that several threads may read at once are read on the threads of the policy.
 template <class ExecutionPolicy, class TriangleMesh, class Solver, class VertexSphereMap, class Inputs>
@@ -220,18 +208,23 @@ Input<TriangleMesh> read_problem(const TriangleMesh& mesh, const Solver& solver,
   typedef typename boost::property_traits<std::decay_t<decltype(points)>>::value_type Point;
   typedef typename boost::property_traits<VertexSphereMap>::value_type Sphere_point;
   const Host_loop loop = are_plain_coordinates<Point>() ? loop_of<ExecutionPolicy>() : Host_loop();
-  Source_mesh<TriangleMesh> source(mesh, points, loop);
-  result.number_of_vertices = source.vertex.size();
-  result.number_of_faces = source.face.size();
-  Problem problem;
-  problem.is_simplicial = is_simplicial(loop, *source.graph);
-  problem.density = face_densities(mesh, inputs, source.face, source.position);
+  Input<TriangleMesh> input;
+  Problem& problem = input.problem;
+  Vertices<TriangleMesh>& vertex = input.vertices;
+  static_cast<Surface&>(problem) = read_surface(mesh, points, Reading::BREADTH_FIRST, loop, vertex);
+  result.number_of_vertices = vertex.size();
+  result.number_of_faces = problem.face.size();
+  problem.density = face_densities(mesh, inputs, problem.face, problem.position);
   const Stopwatch weights_watch;
   if(has_density)
     problem.missing_weights = "springs do not follow densities";
   else if(solver.weights() != Weights::UNUSED)
     try {
-      read_weights(mesh, inputs.weights(), loop, source);
+      Springs springs = read_springs(mesh, problem, vertex, inputs.weights(), loop);
+      springs.graph.update_diagonal({}, loop);
+      problem.graph = std::make_shared<const Weighted_graph>(std::move(springs.graph));
+      problem.spring_lengths = std::move(springs.lengths);
+      problem.weight_unit = springs.weight_unit;
     } catch(const Input_error& error) {
       result.seconds.weights = weights_watch.seconds();
       if(solver.weights() == Weights::NEEDED || error.code() != Error_code::DEGENERATE_FACE)
@@ -239,27 +232,19 @@ Input<TriangleMesh> read_problem(const TriangleMesh& mesh, const Solver& solver,
       problem.missing_weights = error.detail();
     }
   result.seconds.weights = weights_watch.seconds();
-  problem.is_fixed = fixed_vertices(source.vertex, inputs.constraints());
+  problem.is_fixed = fixed_vertices(vertex, inputs.constraints());
   const bool needs_start = solver.needs_given_start();
   if(problem.has_fixed() || needs_start)
-    problem.given = given_positions(source.vertex, source.position, sphere_map, problem.is_fixed, needs_start,
+    problem.given = given_positions(vertex, problem.position, sphere_map, problem.is_fixed, needs_start,
                                     are_positions_rounded<Sphere_point>() ? 1e-6 : 1e-15);
-  if(!source.graph->weight.empty() && problem.missing_weights.empty())
-    source.graph->update_diagonal({}, loop);
-  problem.face = std::move(source.face);
-  problem.point = std::move(source.point);
-  problem.area = std::move(source.area);
-  problem.position = std::move(source.position);
-  problem.graph = std::move(source.graph);
-  problem.spring_lengths = std::move(source.spring_lengths);
-  problem.weight_unit = source.weight_unit;
   problem.effort = effort;
-  if(are_positions_rounded<Sphere_point>())
+  if constexpr(are_positions_rounded<Sphere_point>()) {
     problem.as_stored = position_as_stored<Sphere_point>;
+    problem.rounding = std::ldexp(1., -std::numeric_limits<Coordinate_of<Sphere_point>>::digits);
+  }
   if constexpr(Has_breadth_first_order<TriangleMesh>::value)
-    return {std::move(problem), {}};
-  else
-    return {std::move(problem), std::move(source.vertex)};
+    Vertices<TriangleMesh>().swap(vertex);
+  return input;
 }
 
 /// Writes the positions, which are certified as the map stores them, and says what was done.

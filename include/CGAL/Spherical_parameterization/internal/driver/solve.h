@@ -30,8 +30,7 @@ public:
   explicit Method_solver(const Automatic& method) : method_(method)
   {
     const Method_solver<Balanced> first(Balanced{method.spring_exponent});
-    const Method_solver<Balanced> second(Balanced{method.larger_spring_exponent});
-    const Method_solver<Isometric> third(Isometric{method.area_exponent});
+    const Method_solver<Isometric> second(Isometric{method.area_exponent});
     CGAL_SP_PRECONDITION(method.largest_shrinkage >= 1, "the largest shrinkage has to be 1 or more");
   }
 

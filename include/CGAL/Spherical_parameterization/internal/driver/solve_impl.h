@@ -38,22 +38,19 @@ Solution attempt(const Backend& backend, const Method_solver<Method>& solver, co
     solution.method = solver.name();
   solution.seconds.total = watch.seconds();
   if(solution.attempts.empty())
-    solution.attempts.push_back({solution.method, solution.error, solution.detail, solution.seconds});
+    solution.attempts.push_back(
+      {solution.method, solution.error, solution.detail, solution.seconds, solution.termination});
   return solution;
 }
 
-/// What was wrong with the attempts before the one by `method`; with that itself, if it is valid and of no use.
+/// What was wrong with the attempts before the chosen one; with that itself, if it is valid and of no use.
 inline std::string fallback_reason(const Problem& problem, const std::vector<Result::Attempt>& attempts,
-                                   const std::string& method)
+                                   std::size_t chosen)
 {
   std::string reason = problem.missing_weights;
-  for(const Result::Attempt& attempt : attempts) {
-    const bool is_last = attempt.method == method;
-    if(!is_last || (attempt.error == Error_code::OK && !attempt.detail.empty()))
-      reason += (reason.empty() ? "" : "; ") + attempt.method + ": " + attempt.detail;
-    if(is_last)
-      break;
-  }
+  for(std::size_t k = 0; k <= chosen && k < attempts.size(); ++k)
+    if(k < chosen || (attempts[k].error == Error_code::OK && !attempts[k].detail.empty()))
+      reason += (reason.empty() ? "" : "; ") + attempts[k].method + ": " + attempts[k].detail;
   return reason;
 }
 
@@ -81,17 +78,16 @@ template <class Backend>
 Solution Method_solver<Automatic>::solve(const Backend& backend, const Problem& problem, const Effort& effort,
                                          Monitor& monitor) const
 {
-  constexpr std::size_t patience = 100;     // where the larger exponent helps, it does so soon
   constexpr double negligible_share = 1e-3; // of the surface
   Solution best;
   bool is_best_extreme = false;
+  std::size_t chosen = 0;
   std::vector<Result::Attempt> attempts;
   Result::Seconds seconds;
   // What is not covered once is worst; then flipped faces count.
   const auto badness = [](const Solution& s) {
     return std::make_pair(s.certificate.degree != 1, s.certificate.flipped_faces);
   };
-  // Nobody knows how many methods will be needed: each takes half of the progress that is left, the last one the rest.
   const auto try_method = [&](const auto& solver, const Effort& its_effort, double begin, double end) {
     monitor.begin_stage(begin, end);
     Solution solution = attempt(backend, solver, problem, its_effort, monitor);
@@ -112,30 +108,13 @@ Solution Method_solver<Automatic>::solve(const Backend& backend, const Problem& 
     if((is_valid && !is_extreme) || !best.has_map() || is_better || is_refusal) {
       best = std::move(solution);
       is_best_extreme = is_extreme;
+      chosen = attempts.size() - 1;
     }
     return (is_valid && !is_extreme) || monitor.is_interrupted();
   };
-  const auto run = [&] {
-    if(problem.missing_weights.empty()) {
-      if(try_method(Method_solver<Balanced>(Balanced{method_.spring_exponent}), effort, 0, 0.5))
-        return;
-      // What the larger exponent gives to limbs that are next to nothing is never enough: it is for other faults. To
-      // hold landmarks takes it longer than the last method.
-      if(method_.larger_spring_exponent > method_.spring_exponent && !is_best_extreme && !problem.has_fixed()) {
-        Effort limited = effort;
-        limited.number_of_iterations = (std::min)(effort.number_of_iterations.value_or(patience), patience);
-        if(try_method(Method_solver<Balanced>(Balanced{method_.larger_spring_exponent}), limited, 0.5, 0.75))
-          return;
-      }
-    }
-    // accuracy and iterations are those of the springs
-    try_method(Method_solver<Isometric>(Isometric{method_.area_exponent}), Effort(),
-               attempts.empty()       ? 0
-               : attempts.size() == 1 ? 0.5
-                                      : 0.75,
-               1);
-  };
-  run();
+  const bool has_springs = problem.missing_weights.empty();
+  if(!has_springs || !try_method(Method_solver<Balanced>(Balanced{method_.spring_exponent}), effort, 0, 0.5))
+    try_method(Method_solver<Isometric>(Isometric{method_.area_exponent}), Effort(), has_springs ? 0.5 : 0, 1);
   if(best.error != Error_code::OK && best.error != Error_code::INTERRUPTED && monitor.is_interrupted()) {
     best.error = Error_code::INTERRUPTED;
     best.detail =
@@ -144,7 +123,7 @@ Solution Method_solver<Automatic>::solve(const Backend& backend, const Problem& 
   }
   best.attempts = std::move(attempts);
   best.seconds = seconds;
-  best.fallback_reason = fallback_reason(problem, best.attempts, best.method);
+  best.fallback_reason = fallback_reason(problem, best.attempts, chosen);
   return best;
 }
 

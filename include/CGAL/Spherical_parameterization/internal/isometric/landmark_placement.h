@@ -157,7 +157,7 @@ private:
       const double length = newton.step_length();
       relax_locally();
       if(!is_straight_)
-        relax_round_landmarks(newton);
+        relax_round_landmarks(newton, advance);
       const double now = way_to_go();
       if(length < short_step)
         stiffness = (std::max)(stiffness / factor, softest);
@@ -176,13 +176,14 @@ private:
   }
 
   /// Relaxes the map while the landmarks stay where they are.
-  void relax_round_landmarks(Newton_relaxation& newton)
+  template <class Advance>
+  void relax_round_landmarks(Newton_relaxation& newton, Advance advance)
   {
     constexpr int maximum_steps = 5;
     constexpr double sufficient = 0.02; // gain that is left
     for(const Landmark& l : landmarks_)
       level_.pin(level_.index(l.vertex));
-    for(int s = 0; s < maximum_steps; ++s) {
+    for(int s = 0; s < maximum_steps && advance(); ++s) {
       step(newton);
       relax_locally();
       if(newton.promised_gain() < sufficient)

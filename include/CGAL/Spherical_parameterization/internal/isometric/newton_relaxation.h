@@ -39,15 +39,15 @@ public:
   /// One step, taken only if the energy falls and the map stays bijective. Returns the share of the energy it took off.
   double step(int maximum_iterations, double tolerance)
   {
-    std::vector<vec3> direction;
-    for(double lift : {0.5, 1.}) { // all blocks in orthonormal tangents first, then in those that the diagonal asks for
-      assemble(lift);
-      for_each_of_level(loop_, 0, level_.size(), [&](int i) { normalise_row(i); });
-      direction = solve(maximum_iterations, tolerance);
-      if(!is_indefinite_)
-        break;
-    }
-    return search(direction);
+    return search(newton_direction(maximum_iterations, tolerance));
+  }
+
+  /// What `promised_gain()` of the next step would be. It is not taken.
+  double gain_ahead(int maximum_iterations, double tolerance)
+  {
+    newton_direction(maximum_iterations, tolerance);
+    promise(level_.objective(distortion_));
+    return promised_gain_;
   }
 
   /// The share of the energy that the last step would have taken off, had the energy been its parabola. A step that is
@@ -274,13 +274,33 @@ private:
     return t;
   }
 
+  /// The direction of the next step, and the slope along it.
+  std::vector<vec3> newton_direction(int maximum_iterations, double tolerance)
+  {
+    std::vector<vec3> direction;
+    for(double lift : {0.5, 1.}) { // all blocks in orthonormal tangents first, then in those that the diagonal asks for
+      assemble(lift);
+      for_each_of_level(loop_, 0, level_.size(), [&](int i) { normalise_row(i); });
+      direction = solve(maximum_iterations, tolerance);
+      if(!is_indefinite_)
+        break;
+    }
+    return direction;
+  }
+
+  /// Newton's model of the energy, which is `before` now.
+  void promise(double before)
+  {
+    promised_gain_ = slope_ <= 0 ? -slope_ / 2 / before : 1; // NaN, from numbers out of range, promises anything
+  }
+
   double search(const std::vector<vec3>& direction)
   {
     constexpr double armijo = 1e-4;
     constexpr int maximum_halvings = 30;
     const double before = level_.objective(distortion_);
     step_length_ = 0;
-    promised_gain_ = slope_ <= 0 ? -slope_ / 2 / before : 1; // NaN, from numbers out of range, promises anything
+    promise(before);
     if(!(slope_ < 0))
       return 0;
     const Host_array<vec3> start = level_.position();

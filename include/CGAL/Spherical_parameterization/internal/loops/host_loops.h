@@ -98,7 +98,10 @@ inline constexpr int part_size = 8192;
 template <int Size = part_size, class Loop, class F>
 void for_each_part(const Loop& loop, int n, F f)
 {
-  loop.for_each(n / Size + 1, [&](int part) { f(part * Size, (std::min)(n, (part + 1) * Size)); });
+  loop.for_each(n / Size + 1, [&](int part) {
+    const int begin = part * Size;
+    f(begin, begin + (std::min)(Size, n - begin)); // begin + Size may be more than an int holds
+  });
 }
 
 /// Runs f(0) ... f(n-1), part by part: what is small is better run so.

@@ -11,6 +11,7 @@
 #include <CGAL/Spherical_parameterization/internal/relaxation/mend.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -86,11 +87,18 @@ inline Certificate certify_as_stored(const Host_loop& loop, const Problem& probl
   return certify(loop, problem.face, stored);
 }
 
+/// The residual that rounding leaves on coordinates of this precision: an error of some roundings at every vertex.
+inline double residual_of_rounding(const Problem& problem)
+{
+  constexpr double roundings = 5;
+  return roundings * problem.rounding * std::sqrt(static_cast<double>(problem.size()));
+}
+
 /// Mends the bad faces of a conformal map; then `solution` has the positions. Returns false where they cannot be
 /// mended, or are not known well enough: see `mend()` of the relaxation. \param is_harmonic  whether the springs have
 /// the exponent 2. If not, they trade angles for areas, and none but
 ///                     flipped faces are bad
-inline bool mend(const Host_loop& loop, const Problem& problem, bool is_harmonic, double resolution,
+inline bool mend(const Host_loop& loop, const Problem& problem, bool is_harmonic, double resolution, Monitor& monitor,
                  Host_array<vec3>&& v, Solution& solution)
 {
   constexpr double tolerated = 2; // MIPS: stretches in the ratio 3.7
@@ -98,7 +106,10 @@ inline bool mend(const Host_loop& loop, const Problem& problem, bool is_harmonic
     return false;
   const double bound = is_harmonic ? tolerated : std::numeric_limits<double>::infinity();
   std::vector<char> is_moved(problem.size(), 0);
-  if(!mend(loop, problem.face, problem.point, problem.is_fixed, bound, resolution, v, is_moved))
+  const Mending mending =
+    mend(loop, problem.face, problem.point, problem.is_fixed, bound, resolution, monitor, v, is_moved);
+  solution.is_beyond_mending = mending == Mending::TOO_MUCH;
+  if(mending != Mending::DONE)
     return false;
   const Certificate certificate = certify_as_stored(loop, problem, v);
   if(certificate.degree != 1) // where next to all vertices have been moved
@@ -117,7 +128,7 @@ inline bool mend(const Host_loop& loop, const Problem& problem, bool is_harmonic
 ///                    valid map with bad faces below it is not done with, either
 template <class Backend, class Resolution>
 bool certify_and_settle(const Backend& backend, const Problem& problem, const typename Backend::Vectors& v,
-                        bool is_harmonic, Resolution resolution, Solution& solution)
+                        bool is_harmonic, Resolution resolution, Monitor& monitor, Solution& solution)
 {
   const Stopwatch watch;
   const auto& loop = backend.host_loop();
@@ -127,31 +138,41 @@ bool certify_and_settle(const Backend& backend, const Problem& problem, const ty
     solution.certificate.is_valid() || (problem.as_stored && certify(loop, problem.face, x).is_valid());
   solution.seconds.certify += watch.seconds(); // mending is part of the solution
   const double smallest = resolution(solution.certificate);
-  return mend(loop, problem, is_harmonic, smallest, std::move(x), solution) ||
+  return mend(loop, problem, is_harmonic, smallest, monitor, std::move(x), solution) ||
          (is_valid && !(problem.is_intrinsic() && smallest > 0));
 }
 
-/// Hands the map over, certified and mended if that has not been done yet.
-template <class Backend>
+/// Hands the map over, certified and mended if that has not been done yet. Where it is not the one that the solver has
+/// ended with, to the last bit, its residual and energy are measured again.
+/// \param accuracy  that was asked for
+/// \param measure   `measure(v, report)` sets residual and energy of the map v on the backend
+template <class Backend, class Measure>
 void finish(const Backend& backend, const Problem& problem, typename Backend::Vectors&& v, bool is_certified,
-            bool is_harmonic, Solution& solution)
+            bool is_harmonic, double accuracy, Measure measure, Monitor& monitor, Solution& solution)
 {
   const Stopwatch watch;
   const auto& loop = backend.host_loop();
   if(solution.position.empty()) // it has not been mended
     solution.position = in_doubles(backend, problem, std::move(v));
+  double mending_seconds = 0;
   if(!is_certified) {
     solution.certificate = certify_as_stored(loop, problem, solution.position);
     if(solution.report.has_converged) {
       const Stopwatch mending;
-      mend(loop, problem, is_harmonic, 0, Host_array<vec3>(solution.position), solution);
-      const double seconds = mending.seconds();
-      solution.seconds.solve += seconds;
-      solution.seconds.certify -= seconds;
+      mend(loop, problem, is_harmonic, 0, monitor, Host_array<vec3>(solution.position), solution);
+      mending_seconds = mending.seconds();
     }
   }
   make_storable(loop, problem, solution.position);
-  solution.seconds.certify += watch.seconds();
+  solution.accuracy = (std::max)(accuracy, residual_of_rounding(problem));
+  const auto is_set = [](char moved) { return moved != 0; };
+  if(problem.as_stored || std::any_of(solution.is_moved.begin(), solution.is_moved.end(), is_set)) {
+    const typename Backend::Vectors& stored = backend.upload(solution.position);
+    measure(stored, solution.report);
+  }
+  solution.report.energy *= problem.weight_unit;
+  solution.seconds.solve += mending_seconds;
+  solution.seconds.certify += watch.seconds() - mending_seconds;
 }
 
 } // namespace CGAL::Spherical_parameterization::internal

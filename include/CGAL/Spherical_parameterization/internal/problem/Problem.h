@@ -6,10 +6,9 @@
 
 #include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Corner_table.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Spring_lengths.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -25,14 +24,9 @@ struct Effort {
 
 /// What is to be mapped: a checked mesh as arrays, and what the caller asked for. From here on nothing depends on the
 /// type of the mesh, and nothing changes it.
-struct Problem {
-  Host_array<std::array<int, 3>> face; ///< counterclockwise; vertices are numbered breadth-first
-  Host_array<vec3> point;              ///< in a box of size 1
-  Host_array<double> density;          ///< of every face, the largest is 1, see `face_density_map`; empty: all equal
-  Host_array<double> area;             ///< every vertex's third of the areas of its faces
-  Host_array<int> position;            ///< the caller's number of every vertex, for messages
-  bool is_simplicial = true; ///< of the edges of the mesh none ends where it begins, no two have the same ends
-  Shared_graph graph;        ///< the springs, in ascending order; the weights, with the diagonal of free vertices
+struct Problem : Surface {
+  Host_array<double> density; ///< of every face, the largest is 1, see `face_density_map`; empty: all equal
+  Shared_graph graph; ///< the springs, in ascending order; the weights, with the diagonal of free vertices; or null
   std::optional<Spring_lengths> spring_lengths; ///< of conformal springs; others are edges of the faces
   std::string missing_weights; ///< why there are no weights though the method could use them; else empty
   double weight_unit = 1;      ///< what a weight of 1 in the graph is to the caller
@@ -40,11 +34,12 @@ struct Problem {
   Host_array<vec3> given;      ///< unit vectors the caller's map held on entry, where they are needed; else empty
   Effort effort;
   vec3 (*as_stored)(vec3) = nullptr; ///< what the caller's map makes of a position; null: it keeps every double
+  double rounding = 0;               ///< ... and by how much, relative; 0: by nothing
 
   /// Whether the springs are those of the intrinsic triangulation, and not the edges of the faces.
   bool is_intrinsic() const { return spring_lengths.has_value(); }
   bool has_fixed() const { return !is_fixed.empty(); }
-  int size() const { return static_cast<int>(point.size()); }
+  int size() const { return number_of_vertices; }
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -13,12 +13,13 @@
 #include <CGAL/Spherical_parameterization/internal/problem/Problem.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 
-/// What a solver has to say about its run.
+/// What a solver has to say about its run, and about the map it has ended with.
 struct Solver_report {
   std::size_t start_iterations = 0; ///< of the start map, on all coarse levels together
   std::size_t iterations = 0;
@@ -26,16 +27,19 @@ struct Solver_report {
   double residual = 0;
   double energy = 0;
   double density_deviation = 0;
-  bool has_converged = false;
-  bool has_stalled = false; ///< gave up before the limit of iterations, since nothing improved any more
+  bool has_converged = false; ///< the solver itself: what is done for faces and rounding comes after it
+  bool has_stalled = false;   ///< gave up before the limit of iterations, since nothing improved any more
 };
 
 /// A map, and all that is to be said about it. Certificate and report belong to these positions and to no others.
 struct Solution {
-  Host_array<vec3> position;  ///< unit vectors as the caller's map will store them; empty: there is no map
-  Certificate certificate;    ///< of `position`
-  std::vector<char> is_moved; ///< vertices that are not where the springs pull them, see `mend.h`; or empty
-  Solver_report report;
+  Host_array<vec3> position;      ///< unit vectors as the caller's map will store them; empty: there is no map
+  Certificate certificate;        ///< of `position`
+  bool is_beyond_mending = false; ///< `Mending::TOO_MUCH`
+  std::vector<char> is_moved;     ///< vertices that are not where the springs pull them, see `mend.h`; or empty
+  Solver_report report;           ///< residual, energy and deviation are those of `position`
+  double accuracy = 0;            ///< that the residual is held against
+  std::optional<Termination> termination;
   Result::Seconds seconds; ///< of the phases between reading and writing, all attempts together
   std::string method;      ///< that found the map
   std::string device;      ///< what it ran on
@@ -48,7 +52,8 @@ struct Solution {
   bool has_map() const { return !position.empty(); }
 };
 
-/// Decides about a solution: nothing but a converged map of degree 1 without flipped faces is `OK`.
+/// Decides about a solution, and says why it ended. A map is `OK` if its certificate is valid, and the solver has done
+/// what was asked for.
 CGAL_SP_CORE void pass_verdict(const Problem& problem, const Monitor& monitor, Solution& solution);
 
 /// Everything in a solution but its positions, for the caller.

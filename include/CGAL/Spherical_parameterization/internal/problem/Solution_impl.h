@@ -21,6 +21,7 @@ struct Reason_for_flips {
 
 inline Reason_for_flips reason_for_flips(const Problem& problem, const Certificate& certificate)
 {
+  const char* const other_springs = "a larger spring exponent or other weights";
   // Corners at this distance have three digits of their own; the area of triangles that are as small.
   constexpr double edge_of_rounding = 1e-12, area_of_rounding = 1e-26;
   // The same for the 24 bits of floats, which are what maps that do not keep doubles are made of.
@@ -30,17 +31,34 @@ inline Reason_for_flips reason_for_flips(const Problem& problem, const Certifica
   if(problem.has_fixed())
     return {"a harmonic map does not hold these fixed vertices: they contradict each other, or are too few",
             "more fixed vertices, better spread"};
+  if(certificate.degree != 1)
+    return {"the map found does not cover the sphere once", other_springs};
   if(certificate.smallest_area < area_of_rounding && certificate.smallest_edge < edge_of_rounding)
-    return {"limbs shrink below the resolution of the coordinates", "a larger spring exponent or barycentric weights"};
-  return {
-    "the critical point found is degenerate, as it may be where large parts of the surface have no vertices inside",
-    "a larger spring exponent or other weights"};
+    return {"its smallest faces are below the resolution of the coordinates, as those of thin limbs are",
+            "a larger spring exponent or barycentric weights"};
+  return {"the critical point found has flipped faces, as it may where large faces, or noise, keep the springs from "
+          "holding the vertices in order",
+          other_springs};
+}
+
+/// Why a map is what it is.
+inline Termination termination_of(const Monitor& monitor, const Solution& solution)
+{
+  const Solver_report& report = solution.report;
+  if(report.residual <= solution.accuracy)
+    return Termination::CONVERGED;
+  if(monitor.is_interrupted())
+    return monitor.termination();
+  const bool was_moved = std::count(solution.is_moved.begin(), solution.is_moved.end(), 1) > 0;
+  return report.has_stalled || was_moved ? Termination::STALLED : Termination::ITERATIONS;
 }
 
 CGAL_SP_CORE void pass_verdict(const Problem& problem, const Monitor& monitor, Solution& solution)
 {
   const Solver_report& report = solution.report;
   const Certificate& certificate = solution.certificate;
+  solution.termination = termination_of(monitor, solution);
+  const bool is_done = report.has_converged || *solution.termination == Termination::CONVERGED;
   const auto after = [&](const std::string& what) {
     return what + " after " + counted(report.iterations, "iteration", "iterations") + ", at residual " +
            to_string(report.residual) + "; ";
@@ -48,10 +66,10 @@ CGAL_SP_CORE void pass_verdict(const Problem& problem, const Monitor& monitor, S
   const std::string state = counted(certificate.flipped_faces, "face is", "faces are") + " flipped, the degree is " +
                             std::to_string(certificate.degree) + ", the smallest spherical area is " +
                             to_string(certificate.smallest_area);
-  if(monitor.is_interrupted() && !report.has_converged) {
+  if(monitor.is_interrupted() && !is_done) {
     solution.error = Error_code::INTERRUPTED;
     solution.detail = after(monitor.reason()) + state;
-  } else if(!report.has_converged) {
+  } else if(!is_done) {
     solution.error = Error_code::NOT_CONVERGED;
     solution.detail = after(report.has_stalled ? "no progress" : "stopped") + state;
   } else if(!certificate.is_valid()) {
@@ -74,6 +92,7 @@ CGAL_SP_CORE void describe(const Solution& solution, Result& result)
     result.smallest_area = solution.certificate.smallest_area;
     result.smallest_edge = std::ldexp(solution.certificate.smallest_edge, 52);
   }
+  result.termination = solution.termination;
   result.residual = solution.report.residual;
   result.energy = solution.report.energy;
   result.density_deviation = solution.report.density_deviation;

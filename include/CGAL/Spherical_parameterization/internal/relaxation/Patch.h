@@ -50,13 +50,21 @@ public:
   /// \param v         all positions of the mesh; those of the patch are changed
   Patch(std::vector<int> vertices, std::vector<Face> faces, Host_array<vec3>& v)
     : vertex_(std::move(vertices)), face_(std::move(faces)), v_(v), matrix_(neighbours()), tangents_(size()),
-      diagonal_(size()), hessian_(matrix_.no_blocks()), lift_(hessian_), gradient_(size()), around_(size())
+      diagonal_(size()), gradient_(size()), around_(size())
   {
     for(const Face& f : face_)
       for(int m = 0; m < 3; ++m)
         for(int n = 0; n <= m; ++n)
           if(f.moving[m] >= 0 && f.moving[n] >= 0)
             place_.push_back(matrix_.place(f.moving[m], f.moving[n]));
+    for(const Sparse_cholesky::Place& place : place_)
+      at_.push_back(place.at);
+    std::sort(at_.begin(), at_.end());
+    at_.erase(std::unique(at_.begin(), at_.end()), at_.end());
+    for(Sparse_cholesky::Place& place : place_)
+      place.at = static_cast<int>(std::lower_bound(at_.begin(), at_.end(), place.at) - at_.begin());
+    hessian_.resize(at_.size());
+    lift_.resize(at_.size());
   }
 
   int size() const { return static_cast<int>(vertex_.size()); }
@@ -215,7 +223,7 @@ private:
   /// Newton's matrix. \param lift  multiple of what lifts negative eigenvalues \param damping  share of the diagonal
   void set_matrix(double lift, double damping)
   {
-    matrix_.set_sum(hessian_, lift, lift_);
+    matrix_.set_sum(at_, hessian_, lift, lift_);
     for(int i = 0; i < size(); ++i) {
       const Block& d = matrix_.diagonal(i);
       const double bend = damping * (std::max)(d.ss, d.tt) - inner(gradient_[i], v_[vertex_[i]]);
@@ -308,7 +316,8 @@ private:
   std::vector<Face> face_;
   Host_array<vec3>& v_;
   Sparse_cholesky matrix_;
-  std::vector<Sparse_cholesky::Place> place_; ///< of the blocks of the faces, in the order in which they are added
+  std::vector<int> at_;                       ///< where the matrix has blocks before the elimination
+  std::vector<Sparse_cholesky::Place> place_; ///< in these, of the blocks of the faces, as they are added
   std::vector<Tangents> tangents_;
   std::vector<Block> diagonal_; ///< of the matrix
   Sparse_cholesky::Blocks hessian_, lift_;

@@ -84,9 +84,7 @@ public:
     return {static_cast<int>(std::lower_bound(begin, end, row) - row_.begin()), place_[i] < place_[j]};
   }
 
-  /// The blocks on and below the diagonal, for matrices that are summed up elsewhere; see `Place`
   typedef std::vector<Block> Blocks;
-  Blocks no_blocks() const { return Blocks(block_.size(), Block{0, 0, 0, 0}); }
 
   static void add(Blocks& blocks, const Place& place, const Block& b)
   {
@@ -96,11 +94,12 @@ public:
 
   void add(const Place& place, const Block& b) { add(block_, place, b); }
 
-  /// The matrix becomes a + r b.
-  void set_sum(const Blocks& a, double r, const Blocks& b)
+  /// The matrix becomes a + r b, whose blocks are at these places; it is zero elsewhere.
+  void set_sum(const std::vector<int>& at, const Blocks& a, double r, const Blocks& b)
   {
-    for(std::size_t k = 0; k < block_.size(); ++k)
-      block_[k] = sum(a[k], scaled(r, b[k]));
+    set_zero();
+    for(std::size_t k = 0; k < at.size(); ++k)
+      block_[at[k]] = sum(a[k], scaled(r, b[k]));
   }
 
   const Block& diagonal(int i) const { return block_[first_[place_[i]]]; }

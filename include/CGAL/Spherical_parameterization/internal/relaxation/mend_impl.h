@@ -116,9 +116,24 @@ inline Patches patches_of(const Host_loop& loop, const Host_array<std::array<int
   return patches;
 }
 
+/// Calls f(patch) for all patches, in any order. Those that take long come one by one, on the thread of the caller: it
+/// is the one that may call his callback.
+template <class F>
+void for_each_patch(const Host_loop& loop, const Patches& patches, F f)
+{
+  constexpr int large = 2000;
+  std::vector<Patch*> small;
+  for(const auto& patch : patches)
+    if(patch->size() > large)
+      f(*patch);
+    else
+      small.push_back(patch.get());
+  loop.for_each(static_cast<int>(small.size()), [&](int k) { f(*small[k]); });
+}
+
 /// Makes all faces of a patch positive, if it can, by Newton's method for energies that are regularized less and less.
 /// Returns whether it could.
-inline bool untangle(const Host_array<vec3>& point, Patch& patch)
+inline bool untangle(const Host_array<vec3>& point, Monitor& monitor, Patch& patch)
 {
   constexpr int most_steps = 200;
   constexpr Metric_bounds bounds = {30, 1e-30}; // needles are untangled as if they were better
@@ -151,7 +166,7 @@ inline bool untangle(const Host_array<vec3>& point, Patch& patch)
     return share_of_worst * std::abs(ratio);
   };
   double regularization = (std::max)(share_of_most_negative(), largest_start);
-  for(int steps = 0; steps < most_steps && regularization > least_regularization; ++steps) {
+  for(int steps = 0; steps < most_steps && regularization > least_regularization && monitor.may_go_on(); ++steps) {
     const Patch::Step step = patch.step(Untangling_energy(regularization), damping);
     if(patch.has_positive_faces())
       return true;
@@ -163,7 +178,7 @@ inline bool untangle(const Host_array<vec3>& point, Patch& patch)
 
 /// Newton's method for MIPS, on a patch of positive faces. Returns whether it ended at a minimum, and was not sliding
 /// on when nothing was gained any more: its steps got no shorter.
-inline bool minimize_mips(double damping, Patch& patch)
+inline bool minimize_mips(double damping, Monitor& monitor, Patch& patch)
 {
   constexpr int most_steps = 100, most_vain_steps = 8;
   constexpr double short_step = 1e-4;                         // to the faces around: Newton's method squares it
@@ -171,7 +186,7 @@ inline bool minimize_mips(double damping, Patch& patch)
   constexpr double much_shorter = 0.5;
   int vain_steps = 0; // since the last one that gained or was much shorter than any before
   double shortest = std::numeric_limits<double>::infinity();
-  for(int steps = 0; steps < most_steps && vain_steps < most_vain_steps; ++steps) {
+  for(int steps = 0; steps < most_steps && vain_steps < most_vain_steps && monitor.may_go_on(); ++steps) {
     const Patch::Step step = patch.step(Distortion(0), damping);
     const bool is_small = step.gain < small_gain * step.energy;
     if(!step.is_taken || step.length < short_step || (step.length_on_sphere < short_on_sphere && is_small))
@@ -189,7 +204,7 @@ inline bool minimize_mips(double damping, Patch& patch)
 /// damping is what it takes to find its place all the same. A limb whose place is below the rounding of its faces
 /// slides on for ever: then a damping that holds it where it was. What is stiffer is at its minimum in the end,
 /// whatever the numbers of vertices and faces.
-inline void polish(const Host_array<vec3>& point, Patch& patch)
+inline void polish(const Host_array<vec3>& point, Monitor& monitor, Patch& patch)
 {
   constexpr double hardly = 1e-10, held = 1e-6;
   for(Patch::Face& f : patch.faces()) {
@@ -198,57 +213,74 @@ inline void polish(const Host_array<vec3>& point, Patch& patch)
     f.weight = 1;
   }
   const std::vector<vec3> start = patch.positions();
-  if(!minimize_mips(hardly, patch)) {
+  if(!minimize_mips(hardly, monitor, patch)) {
     patch.set_positions(start);
-    minimize_mips(held, patch);
+    minimize_mips(held, monitor, patch);
   }
 }
 
-CGAL_SP_CORE bool mend(const Host_loop& loop, const Host_array<std::array<int, 3>>& face, const Host_array<vec3>& point,
-                       const std::vector<char>& is_fixed, double bound, double resolution, Host_array<vec3>& v,
-                       std::vector<char>& is_moved)
+CGAL_SP_CORE Mending mend(const Host_loop& loop, const Host_array<std::array<int, 3>>& face,
+                          const Host_array<vec3>& point, const std::vector<char>& is_fixed, double bound,
+                          double resolution, Monitor& monitor, Host_array<vec3>& v, std::vector<char>& is_moved)
 {
   constexpr double largest_share = 0.05; // of the faces: with more flipped it is another map that is needed
   constexpr int few = 10, most_rings = 32;
+  constexpr int always_moved = 2000; // and so large a share of the vertices:
+  constexpr double largest_moved_share = 0.1;
   constexpr std::int64_t moves_per_vertex = 50, moves_of_few = 200000; // the most work, of untangling
   const int n = static_cast<int>(v.size()), number_of_faces = static_cast<int>(face.size());
   if(!std::all_of(v.begin(), v.end(), [](vec3 x) { return is_finite(x); }))
-    return false;
+    return Mending::FAILED;
 
   const auto is_flipped = [&](int f) { return !is_positively_oriented(v[face[f][0]], v[face[f][1]], v[face[f][2]]); };
   const auto is_bad = [&](int f, const std::array<vec3, 3>& x, const std::array<vec3, 3>& p) {
     const Star_face s(x[1], x[2], face_metric(sub(p[1], p[0]), sub(p[2], p[0]), bounds_of_mending), 1);
     return !(s.dirichlet(x[0]) <= bound * s.determinant(x[0])) || is_flipped(f);
   };
-  const std::vector<int> bad = faces_where(loop, face, is_bad, v, point);
+  std::vector<int> bad = faces_where(loop, face, is_bad, v, point);
   const auto flipped = std::count_if(bad.begin(), bad.end(), is_flipped);
   const auto is_unknown = [&](int f) {
     const vec3 a = v[face[f][0]], b = v[face[f][1]], c = v[face[f][2]];
     return !((std::max)({norm(sub(a, b)), norm(sub(b, c)), norm(sub(c, a))}) >= resolution);
   };
-  if(flipped > largest_share * number_of_faces + few || std::any_of(bad.begin(), bad.end(), is_unknown))
-    return false;
+  if(flipped > largest_share * number_of_faces + few)
+    return Mending::TOO_MUCH;
+  if(std::any_of(bad.begin(), bad.end(), is_unknown))
+    return Mending::FAILED;
   if(bad.empty())
-    return true;
+    return Mending::DONE;
 
   // The vertices that try to untangle now, and those that have tried, which are polished in the end.
-  std::vector<char> tries(n, 0), is_moving(n, 0);
-  const auto let_try = [&](const std::vector<int>& faces) {
+  std::vector<char> tries, is_moving(n, 0);
+  const auto most_moving = static_cast<std::ptrdiff_t>(always_moved + largest_moved_share * n);
+  const auto let_try = [&](const std::vector<int>& faces) { // returns whether they are few enough
+    tries.assign(n, 0);
     for(int f : faces)
       for(int i : face[f])
         if(is_fixed.empty() || !is_fixed[i])
           tries[i] = is_moving[i] = 1;
+    return std::count(is_moving.begin(), is_moving.end(), 1) <= most_moving;
   };
-  let_try(bad);
+  if(!let_try(bad)) {
+    bad.erase(std::remove_if(bad.begin(), bad.end(), [&](int f) { return !is_flipped(f); }), bad.end());
+    if(bad.empty())
+      return Mending::DONE;
+    is_moving.assign(n, 0);
+    if(!let_try(bad))
+      return Mending::TOO_MUCH;
+  }
   const Host_array<vec3> before = v;
   Patches patches = patches_of(loop, face, tries, v);
+  const auto give_up = [&] {
+    v = before;
+    return Mending::TOO_MUCH;
+  };
   std::int64_t moves = 0;
   for(int rings = 1; flipped > 0; rings *= 2) {
-    loop.for_each(static_cast<int>(patches.size()), [&](int k) {
-      Patch& patch = *patches[k];
+    for_each_patch(loop, patches, [&](Patch& patch) {
       const std::vector<vec3> start = patch.positions();
       const auto at_first = patch.number_of_flipped_faces();
-      if(at_first > 0 && !untangle(point, patch) && patch.number_of_flipped_faces() >= at_first)
+      if(at_first > 0 && !untangle(point, monitor, patch) && patch.number_of_flipped_faces() >= at_first)
         patch.set_positions(start);
     });
     std::vector<int> tangled = faces_where(loop, face, is_flipped);
@@ -259,11 +291,8 @@ CGAL_SP_CORE bool mend(const Host_loop& loop, const Host_array<std::array<int, 3
     }
     for(const auto& patch : patches)
       moves += patch->number_of_moves();
-    if(rings > most_rings || moves > moves_per_vertex * n + moves_of_few) {
-      v = before;
-      return false;
-    }
-    std::fill(tries.begin(), tries.end(), 0);
+    if(rings > most_rings || moves > moves_per_vertex * n + moves_of_few || monitor.is_interrupted())
+      return give_up();
     std::vector<char> is_near(n, 0);
     for(int ring = 0; ring <= rings; ++ring) {
       for(int f : tangled)
@@ -271,14 +300,17 @@ CGAL_SP_CORE bool mend(const Host_loop& loop, const Host_array<std::array<int, 3
           is_near[i] = 1;
       tangled = faces_at(loop, face, is_near);
     }
-    let_try(tangled);
+    if(!let_try(tangled))
+      return give_up();
     patches = patches_of(loop, face, tries, v);
   }
-  loop.for_each(static_cast<int>(patches.size()), [&](int k) { polish(point, *patches[k]); });
+  for_each_patch(loop, patches, [&](Patch& patch) { polish(point, monitor, patch); });
+  if(monitor.is_interrupted())
+    return give_up();
   for(int i = 0; i < n; ++i)
     if(!is_equal(v[i], before[i]))
       is_moved[i] = 1;
-  return true;
+  return Mending::DONE;
 }
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -146,13 +146,18 @@ Solution Method_solver<Saddle_point>::solve(const Backend& backend, const Proble
   solution.seconds.start_map = watch.seconds();
 
   const std::size_t of_start = solution.report.start_iterations;
+  const double accuracy = accuracy_on(backend, problem, effort, Saddle_point::default_accuracy);
   solution.report = descend_by_saddle_points(
-    backend, graph, method_, accuracy_on(backend, problem, effort, Saddle_point::default_accuracy),
-    effort.number_of_iterations.value_or(Saddle_point::default_number_of_iterations), monitor, v);
+    backend, graph, method_, accuracy, effort.number_of_iterations.value_or(Saddle_point::default_number_of_iterations),
+    monitor, v);
   solution.report.start_iterations = of_start;
-  solution.report.energy *= problem.weight_unit;
   solution.seconds.solve = watch.seconds() - solution.seconds.start_map;
-  finish(backend, problem, std::move(v), false, true, solution);
+  const auto measure = [&](const typename Backend::Vectors& x, Solver_report& report) {
+    const typename Backend::Matrix matrix = backend.upload(graph);
+    report.residual = std::sqrt(backend.barycentric_residual2(matrix, x));
+    report.energy = backend.energy(matrix, x);
+  };
+  finish(backend, problem, std::move(v), false, true, accuracy, measure, monitor, solution);
   return solution;
 }
 

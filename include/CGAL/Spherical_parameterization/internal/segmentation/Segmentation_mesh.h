@@ -5,13 +5,16 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SEGMENTATION_SEGMENTATION_MESH_H
 
 #include <CGAL/Spherical_parameterization/values/Error.h>
+#include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Corner_table.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Mapped_surface.h>
+#include <CGAL/Spherical_parameterization/internal/surface/neighbours.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/point_coordinates.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,17 +23,25 @@ namespace CGAL::Spherical_parameterization::internal {
 
 /// What segmentation looks at: a mesh and its sphere as arrays, the mesh scaled to area 1 so that all lengths and areas
 /// are dimensionless. Images are unit vectors.
-struct Segmentation_mesh : Mapped_surface {
+struct Segmentation_mesh : Corner_table {
+  Host_array<vec3> point, image;
   std::vector<double> face_area; ///< they sum up to 1
+  Weighted_graph graph;          ///< the neighbours of the vertices, without weights
 
+  /// \param source  read breadth-first
   /// Throws Error for a mesh without area, and for images that are not directions.
-  explicit Segmentation_mesh(Mapped_surface source) : Mapped_surface(std::move(source)), face_area(face.size())
+  Segmentation_mesh(Mapped_surface source, const Host_loop& loop)
+    : face_area(source.face_area(loop).begin(), source.face_area(loop).end()), graph(neighbours(loop, source))
   {
+    twin = source.twin(loop);
+    face = std::move(source.face);
+    point = std::move(source.point);
+    image = std::move(source.image);
     for(std::size_t i = 0; i < image.size(); ++i) {
       const vec3 direction = scaled_to_unit_box(image[i]);
       const double length2 = inner(direction, direction);
       const auto fail = [&](Error_code code, const char* what) {
-        throw Input_error(code, "the image of vertex " + std::to_string(position[i]) + what);
+        throw Input_error(code, "the image of vertex " + std::to_string(source.position[i]) + what);
       };
       if(!std::isfinite(length2))
         fail(Error_code::NON_FINITE_COORDINATE, " on the sphere");
@@ -38,9 +49,7 @@ struct Segmentation_mesh : Mapped_surface {
         fail(Error_code::NOT_BIJECTIVE, " is the centre of the sphere; compute the map first");
       image[i] = unit(direction);
     }
-    double total = 0;
-    for(int f = 0; f < number_of_faces(); ++f)
-      total += face_area[f] = norm(area_vector(f)) / 2;
+    const double total = std::accumulate(face_area.begin(), face_area.end(), 0.);
     if(!(total > 0))
       throw Input_error(Error_code::DEGENERATE_FACE, "the mesh has no area");
     for(double& a : face_area)
@@ -62,8 +71,8 @@ struct Segmentation_mesh : Mapped_surface {
   template <class Visit>
   void for_each_neighbour(int v, const Visit& visit) const
   {
-    for(int k = graph->offset[v]; k < graph->offset[v + 1]; ++k)
-      visit(graph->target[k]);
+    for(int k = graph.offset[v]; k < graph.offset[v + 1]; ++k)
+      visit(graph.target[k]);
   }
   /// Twice the area, along the normal.
   vec3 area_vector(int f) const { return outer(side(f, 0), sub(point[face[f][2]], point[face[f][0]])); }

@@ -11,7 +11,7 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-/// A segment for every face, by the stretch of the faces. Throws Error for what `make_segmentation_mesh()` refuses, and
+/// A segment for every face, by the stretch of the faces. Throws Error for what `Segmentation_mesh` refuses, and
 /// for a stretch that is not finite.
 template <class Loop, class Method>
 std::vector<int> segments_of(const Loop& loop, Mapped_surface surface, std::vector<double> stretch,

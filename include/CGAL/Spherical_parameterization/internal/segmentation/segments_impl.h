@@ -29,7 +29,7 @@ std::vector<int> segments_of(const Loop& loop, Mapped_surface surface, std::vect
 {
   constexpr double least_share = 1e-36;
   constexpr double least_area = 1e-300;
-  const Segmentation_mesh mesh(std::move(surface));
+  const Segmentation_mesh mesh(std::move(surface), loop);
   for(std::size_t f = 0; f < stretch.size(); ++f) {
     if(!std::isfinite(stretch[f]))
       throw Input_error(Error_code::NON_FINITE_COORDINATE, "the stretch of face " + std::to_string(f));

@@ -38,7 +38,7 @@ struct Conformal_factor {
   /// Throws Error where the surface has no area, or the map none.
   template <class Loop>
   Conformal_factor(const Loop& loop, const Mapped_surface& map, int fewest_vertices = 0)
-    : fine(refined(checked(map), fewest_vertices)), surface(Intrinsic_triangulation(fine, fine.point))
+    : fine(refined(checked(map, loop), fewest_vertices)), surface(Intrinsic_triangulation(fine, fine.point))
   {
     const Discrete_surface::Vector b = spherical_areas(map);
     const double total = b.sum();
@@ -61,11 +61,13 @@ struct Conformal_factor {
 private:
   static constexpr int corrections = 2; // more make up for little of clamping, and let coarse meshes drift along boosts
 
-  static Triangle_surface checked(const Mapped_surface& map)
+  template <class Loop>
+  static Triangle_surface checked(const Mapped_surface& map, const Loop& loop)
   {
-    if(!(std::accumulate(map.area.begin(), map.area.end(), 0.) > 0))
+    const Host_array<double>& area = map.face_area(loop);
+    if(!(std::accumulate(area.begin(), area.end(), 0.) > 0))
       throw Input_error(Error_code::DEGENERATE_FACE, "no face has an area");
-    return {static_cast<const Corner_table&>(map), map.point};
+    return {map.copy_of_corner_table(loop), map.point};
   }
 
   static Triangle_surface refined(Triangle_surface mesh, int fewest_vertices)

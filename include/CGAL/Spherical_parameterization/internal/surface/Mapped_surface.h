@@ -4,51 +4,54 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_MAPPED_SURFACE_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_MAPPED_SURFACE_H
 
-#include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
-#include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
-#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/loops/for_each_face.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Corner_table.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Source_mesh.h>
-#include <CGAL/Spherical_parameterization/internal/surface/corner_table_of.h>
-#include <CGAL/Spherical_parameterization/internal/algebra/point_coordinates.h>
+#include <CGAL/Spherical_parameterization/internal/predicates/certificate.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
+#include <CGAL/Spherical_parameterization/internal/text/text.h>
+#include <CGAL/Spherical_parameterization/values/Error.h>
 
-#include <boost/property_map/property_map.hpp>
-
+#include <array>
+#include <string>
 #include <utility>
 
 namespace CGAL::Spherical_parameterization::internal {
 
-/// A mesh that Source_mesh has checked, and its image on the sphere, as arrays: faces in the order of the mesh,
-/// vertices breadth-first.
-struct Mapped_surface : Corner_table {
-  Host_array<vec3> point;   ///< in a box of size 1
-  Host_array<vec3> image;   ///< as the sphere map has it
-  Host_array<double> area;  ///< every vertex's third of the areas of its faces
-  Host_array<int> position; ///< of the vertices in vertices(mesh)
-  Shared_graph graph;       ///< the neighbours of the vertices, without weights
+/// A surface and its image on the sphere: any, valid or not.
+struct Mapped_surface : Surface {
+  Host_array<vec3> image; ///< as the sphere map has it
+
+  std::array<vec3, 3> on_sphere(int f) const { return corners(image, f); }
+
+  /// Calls f(face, its corners in the source, those on the sphere) for all faces, in any order.
+  template <class Loop, class F>
+  void for_each_face(const Loop& loop, F f) const
+  {
+    for_each_part(loop, number_of_faces(),
+                  [&](int begin, int end) { internal::for_each_face(face, begin, end, f, point, image); });
+  }
+
+  /// Of the image as it is, whatever its lengths.
+  const Certificate& certificate(const Host_loop& loop) const
+  {
+    return certificate_.get([&] { return certify(loop, face, image); });
+  }
+
+private:
+  Kept<Certificate> certificate_;
 };
 
-/// Throws Error for what is no closed, connected triangle mesh of genus 0 with finite points. Property maps are read on
-/// the calling thread, but for points whose coordinates are plain numbers.
-template <class TriangleMesh, class VertexPointMap, class VertexSphereMap>
-Mapped_surface read_mapped_surface(const TriangleMesh& mesh, VertexPointMap points, VertexSphereMap sphere_map,
-                                   const Host_loop& where_safe)
-{
-  typedef typename boost::property_traits<VertexPointMap>::value_type Point;
-  const Host_loop loop = are_plain_coordinates<Point>() ? where_safe : Host_loop();
-  Source_mesh<TriangleMesh> source(mesh, points, loop);
-  Mapped_surface result;
-  static_cast<Corner_table&>(result) = corner_table_of(mesh, std::move(source.face), loop);
-  result.point = std::move(source.point);
-  result.area = std::move(source.area);
-  result.position = std::move(source.position);
-  result.graph = std::move(source.graph);
-  result.image.reserve(source.vertex.size());
-  for(auto v : source.vertex)
-    result.image.push_back(coordinates(get(sphere_map, v)));
-  return result;
-}
+/// A map whose certificate is valid: what is asked for by all that needs a bijection.
+struct Valid_map : Mapped_surface {
+  /// Throws Error if it is not valid.
+  Valid_map(Mapped_surface map, const Host_loop& loop) : Mapped_surface(std::move(map))
+  {
+    const Certificate& its = certificate(loop);
+    if(!its.is_valid())
+      throw Input_error(Error_code::NOT_BIJECTIVE, counted(its.flipped_faces, "flipped face", "flipped faces") +
+                                                     ", the degree is " + std::to_string(its.degree));
+  }
+};
 
 } // namespace CGAL::Spherical_parameterization::internal
 

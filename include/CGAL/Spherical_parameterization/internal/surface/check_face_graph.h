@@ -19,6 +19,7 @@
 #include <iterator>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -132,12 +133,18 @@ inline void check_topology(std::size_t number_of_vertices, std::size_t number_of
                                                  "; only surfaces without handles map to the sphere");
 }
 
-/// Checks a face graph. Returns the positions of its vertices in vertices(mesh), in breadth-first order. Throws Error
-/// for what is no closed, connected triangle mesh of genus 0.
+/// What is known of a face graph that has been checked.
+struct Checked_graph {
+  Host_array<int> breadth_first; ///< the positions of its vertices in vertices(mesh), in this order
+  bool is_simplicial;            ///< no edge ends where it begins, no two have the same ends
+};
+
+/// Throws Error for what is no closed, connected triangle mesh of genus 0.
+/// \param numbering  of the vertices
 template <class TriangleMesh, class Vertex, class Face>
-Host_array<int> checked_breadth_first_order(const TriangleMesh& mesh, const Vertex_numbering<TriangleMesh>& numbering,
-                                            const std::vector<Vertex>& vertex_descriptors,
-                                            const std::vector<Face>& face_descriptors, const Host_loop& loop)
+Checked_graph check_face_graph(const TriangleMesh& mesh, const Vertex_numbering<TriangleMesh>& numbering,
+                               const std::vector<Vertex>& vertex_descriptors, const std::vector<Face>& face_descriptors,
+                               const Host_loop& loop)
 {
   Neighbours neighbours;
   if(!are_triangles(mesh, face_descriptors, loop) ||
@@ -149,7 +156,34 @@ Host_array<int> checked_breadth_first_order(const TriangleMesh& mesh, const Vert
     throw Input_error(Error_code::SEVERAL_COMPONENTS,
                       counted(components, "component", "components") + "; map them one by one");
   check_topology(order.size(), face_descriptors.size());
-  return order;
+  const int n = static_cast<int>(order.size());
+  const int first_doubled = first_index(loop, n, [&](int i) {
+    const auto begin = neighbours.target.begin() + neighbours.offset[i];
+    const auto end = neighbours.target.begin() + neighbours.offset[i + 1];
+    std::sort(begin, end);
+    return std::binary_search(begin, end, i) || std::adjacent_find(begin, end) != end;
+  });
+  return {std::move(order), first_doubled == n};
+}
+
+/// The opposite halfedges of a face graph that has been checked, as in Corner_table: corner 0 of face f is the source
+/// of halfedge(f).
+/// \param descriptors  of all faces
+template <class TriangleMesh, class Face>
+Host_array<int> read_twins(const TriangleMesh& mesh, const std::vector<Face>& descriptors, const Host_loop& loop)
+{
+  const Face_numbering<TriangleMesh> numbering(descriptors);
+  Host_array<int> twin(3 * descriptors.size());
+  for_each_index(loop, static_cast<int>(descriptors.size()), [&](int f) {
+    auto h = halfedge(descriptors[f], mesh);
+    for(int k = 0; k < 3; ++k, h = next(h, mesh)) {
+      const auto other = opposite(h, mesh);
+      const auto first = halfedge(face(other, mesh), mesh);
+      const int corner = other == first ? 0 : other == next(first, mesh) ? 1 : 2;
+      twin[3 * f + k] = 3 * numbering(face(other, mesh)) + corner;
+    }
+  });
+  return twin;
 }
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -5,9 +5,9 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_TEXTURE_LEAST_HARMFUL_POLES_H
 
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
-#include <CGAL/Spherical_parameterization/internal/distortion/Mapped_faces.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Mapped_surface.h>
 #include <CGAL/Spherical_parameterization/internal/distortion/Face_measures.h>
-#include <CGAL/Spherical_parameterization/internal/surface/vertex_stars.h>
+#include <CGAL/Spherical_parameterization/internal/surface/fans.h>
 
 #include <algorithm>
 #include <cmath>
@@ -68,17 +68,12 @@ inline double texture_distortion(const std::vector<Face_sample>& samples, vec3 p
 
 /// The vertex that as the south pole makes the texture of latitude and longitude least distorted.
 template <class Loop>
-vec3 least_harmful_south_pole(const Loop& loop, const Mapped_faces& map, const Vertex_stars& stars)
+vec3 least_harmful_south_pole(const Loop& loop, const Mapped_surface& map)
 {
   constexpr int enough = 4000; // samples; every k-th face
   const int n = map.number_of_faces(), stride = (std::max)(1, n / enough);
-  std::vector<double> source_area, image_area;
-  double total = 0;
-  for(int f = 0; f < n; ++f) {
-    source_area.push_back(flat_area(map.in_source(f)));
-    image_area.push_back(flat_area(map.on_sphere(f)));
-    total += source_area.back();
-  }
+  const Host_array<double>& source_area = map.face_area(loop);
+  const double total = std::accumulate(source_area.begin(), source_area.end(), 0.);
 
   std::vector<Face_sample> samples;
   for(int f = 0; f < n; f += stride) {
@@ -93,15 +88,15 @@ vec3 least_harmful_south_pole(const Loop& loop, const Mapped_faces& map, const V
     samples.push_back({unit(add(v[0], add(v[1], v[2]))), {first, second}, area / total});
   }
 
-  std::vector<double> stretch;
-  for(int v = 0; v < stars.number_of_vertices(); ++v) {
+  std::vector<double> stretch(map.number_of_vertices);
+  for_each_fan(loop, map.face, map.number_of_vertices, [&](const Fan& fan) {
     double in_source = 0, on_sphere = 0;
-    for(int k = stars.offset[v]; k < stars.offset[v + 1]; ++k) {
-      in_source += source_area[stars.face[k]];
-      on_sphere += image_area[stars.face[k]];
+    for(int c : fan) {
+      in_source += source_area[c / 3];
+      on_sphere += flat_area(map.on_sphere(c / 3));
     }
-    stretch.push_back(std::log((std::max)(in_source / total, 1e-300)) - std::log((std::max)(on_sphere, 1e-300)));
-  }
+    stretch[fan.vertex] = std::log((std::max)(in_source / total, 1e-300)) - std::log((std::max)(on_sphere, 1e-300));
+  });
 
   const std::vector<vec3> poles = pole_candidates(map.image, stretch);
   std::vector<double> distortion(poles.size());

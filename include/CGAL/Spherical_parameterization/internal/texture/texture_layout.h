@@ -7,8 +7,7 @@
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/api/compiled.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/plane.h>
-#include <CGAL/Spherical_parameterization/internal/distortion/Mapped_faces.h>
-#include <CGAL/Spherical_parameterization/internal/surface/vertex_stars.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Mapped_surface.h>
 #include <CGAL/Spherical_parameterization/values/texture_options.h>
 
 #include <array>
@@ -21,10 +20,9 @@ struct Texture_layout {
   Texture_report report;
 };
 
-/// \param stars  is used where the poles are to be chosen
+/// \param map  with points, where the poles are to be chosen
 template <class Loop>
-Texture_layout texture_layout(const Loop& loop, const Mapped_faces& map, const Vertex_stars& stars,
-                              const Texture_options& options);
+Texture_layout texture_layout(const Loop& loop, const Valid_map& map, const Texture_options& options);
 
 } // namespace CGAL::Spherical_parameterization::internal
 

@@ -6,7 +6,7 @@
 
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/api/precondition.h>
-#include <CGAL/Spherical_parameterization/internal/distortion/Mapped_faces.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Mapped_surface.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/point_coordinates.h>
 #include <CGAL/Spherical_parameterization/internal/texture/least_harmful_poles.h>
 #include <CGAL/Spherical_parameterization/internal/texture/texture_charts.h>
@@ -39,7 +39,7 @@ inline Texture_axes axes_with_south_pole(vec3 south)
 }
 
 template <class Loop, class Chart>
-void lay_out_faces(const Loop& loop, const Mapped_faces& map, const Chart& chart, const Uv_grid& grid,
+void lay_out_faces(const Loop& loop, const Valid_map& map, const Chart& chart, const Uv_grid& grid,
                    Texture_layout& layout)
 {
   layout.uv.resize(map.face.size());
@@ -72,11 +72,10 @@ void lay_out_faces(const Loop& loop, const Mapped_faces& map, const Chart& chart
 }
 
 template <class Loop>
-Texture_layout texture_layout(const Loop& loop, const Mapped_faces& map, const Vertex_stars& stars,
-                              const Texture_options& options)
+Texture_layout texture_layout(const Loop& loop, const Valid_map& map, const Texture_options& options)
 {
   Texture_layout layout;
-  layout.report.axes = options.axes ? *options.axes : axes_with_south_pole(least_harmful_south_pole(loop, map, stars));
+  layout.report.axes = options.axes ? *options.axes : axes_with_south_pole(least_harmful_south_pole(loop, map));
   const Frame frame = frame_of(layout.report.axes);
   const Uv_grid grid(options.bits);
   if(options.chart == Texture_chart::LATITUDE_LONGITUDE)

@@ -1,0 +1,213 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is no argument is a TypeError or ValueError that names it, in every public function."""
+
+from __future__ import annotations
+
+import inspect
+import re
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import spherical_parameterization as sp
+
+SPHERE, TRIANGLES = sp.icosphere(2)
+POINTS = SPHERE * [1, 2, 3]
+MESH = {"points": POINTS, "triangles": TRIANGLES, "sphere": SPHERE}
+LOCATOR = sp.Locator(TRIANGLES, SPHERE)
+SHAPE = sp.harmonics(TRIANGLES, SPHERE, POINTS, 3)
+SHAPES = {"shapes": [POINTS, POINTS + 1]}
+OTHER = {"other_points": POINTS, "other_triangles": TRIANGLES, "other_sphere": SPHERE}
+
+#: Every public function with arguments that are right.
+CALLS: list[tuple[Callable[..., object], dict[str, object]]] = [
+    (sp.parameterize, {"points": POINTS, "triangles": TRIANGLES}),
+    (sp.certify, {"triangles": TRIANGLES, "sphere": SPHERE}),
+    (sp.edges, {"triangles": TRIANGLES}),
+    (sp.distortion, MESH),
+    (sp.face_distortion, MESH),
+    (sp.vertex_log_area_stretch, MESH),
+    (sp.mean_over_faces, {"triangles": TRIANGLES, "values": np.ones(len(TRIANGLES))}),
+    (sp.segment, MESH),
+    (sp.texture_coordinates, MESH),
+    (sp.texture_seams, {"triangles": TRIANGLES, "uv": np.zeros((len(TRIANGLES), 3, 2))}),
+    (sp.icosphere, {"level": 1}),
+    (sp.Locator, {"triangles": TRIANGLES, "sphere": SPHERE}),
+    (LOCATOR.locate, {"directions": SPHERE}),
+    (LOCATOR.interpolate, {"values": POINTS, "faces": [0], "weights": [[1, 0, 0]]}),
+    (LOCATOR.transfer, {"values": POINTS, "directions": SPHERE}),
+    (LOCATOR.resample, {"points": POINTS, "level": 1}),
+    (LOCATOR.align, {"points": POINTS, "other": LOCATOR, "other_points": POINTS}),
+    (sp.shape_signature, MESH),
+    (sp.search, {"signature": np.zeros(96), "index": np.zeros((3, 96))}),
+    (sp.stretch_histogram, MESH),
+    (sp.harmonics, {"triangles": TRIANGLES, "sphere": SPHERE, "values": POINTS, "degree": 3, "points": POINTS}),
+    (sp.Harmonics, {"coefficients": np.ones((4, 3))}),
+    (SHAPE.at, {"directions": SPHERE}),
+    (SHAPE.on_grid, {"rows": 3, "columns": 4}),
+    (SHAPE.filtered, {"factors": [1, 0.5]}),
+    (SHAPE.rotated, {"rotation": np.eye(3)}),
+    (SHAPE.best_rotation, {"other": SHAPE}),
+    (SHAPE.best_alignment, {"other": SHAPE}),
+    (sp.align_shapes, SHAPES),
+    (sp.shape_statistics, SHAPES),
+    (sp.left_out_errors, SHAPES),
+    (sp.mean_vertex_areas, {**SHAPES, "triangles": TRIANGLES}),
+    (sp.register_maps, {**MESH, **OTHER, "motion": "rotation"}),
+    (sp.moebius_centred, {"sphere": SPHERE, "triangles": TRIANGLES, "masses": np.ones(len(SPHERE))}),
+    (sp.Automatic, {}),
+    (sp.Balanced, {}),
+    (sp.Isometric, {}),
+    (sp.SaddlePoint, {}),
+    (sp.ClampedWeights, {}),
+    (sp.MajorityVote, {}),
+    (sp.RegionGrowing, {}),
+]
+
+
+def names(calls: list[Any]) -> list[tuple[Any, ...]]:
+    return [(f, given, name) for f, given in calls for name in inspect.signature(f).parameters]
+
+
+@pytest.mark.parametrize(("function", "given", "name"), names(CALLS), ids=lambda x: getattr(x, "__qualname__", None) or str(x)[:20])
+def test_every_argument_of_every_function(function: Any, given: dict[str, object], name: str) -> None:
+    function(**given)
+    is_optional = inspect.signature(function).parameters[name].default is None
+    wrong = [object(), 1j, {1: object()}, "nonsense", b"nonsense", [[1, 2], [3]], np.full((2, 2), 1j), *[None] * (not is_optional)]
+    for value in wrong:
+        with pytest.raises((TypeError, ValueError)) as caught:
+            function(**{**given, name: value})
+        message = str(caught.value)
+        assert name in message, f"{value!r}: {message}"
+        assert not re.search("incompatible function arguments|attribute|unsized|arg0", message), f"{value!r}: {message}"
+
+
+@pytest.mark.parametrize(
+    ("arguments", "error", "message"),
+    [
+        ({"method": "foo"}, ValueError, "method 'foo': one of 'automatic', 'balanced', 'isometric', 'saddle-point'"),
+        ({"method": None}, TypeError, "method: one of .*Isometric.* is needed, not NoneType"),
+        ({"method": 3}, TypeError, "method: .* not int"),
+        ({"method": sp.MajorityVote()}, TypeError, "method: .* not MajorityVote"),
+        ({"maximum_running_time": "3"}, TypeError, "maximum_running_time: a number is needed, not str"),
+        ({"maximum_running_time": -3}, ValueError, "maximum_running_time: 0 to inf is needed, not -3"),
+        ({"iterations": 1.5}, TypeError, "iterations: a whole number or None is needed, not float"),
+        ({"iterations": True}, TypeError, "iterations"),
+        ({"iterations": -1}, ValueError, "iterations: 0 to 2147483647 is needed, not -1"),
+        ({"progress": 3}, TypeError, "progress: a function, or a bar of tqdm, is needed, not int"),
+        ({"fixed": [0, 1, 2]}, TypeError, "fixed: a mapping of vertices to directions, or a pair .* not list"),
+        ({"fixed": ([0.5], [[1, 0, 0]])}, TypeError, "fixed: vertices: .* not float64"),
+        ({"policy": 3}, TypeError, "policy: .* not int"),
+        ({"points": POINTS + 1j}, TypeError, "points: an array of real numbers is needed, not complex128"),
+        ({"weights": None}, TypeError, "weights"),
+    ],
+)
+def test_of_parameterize(arguments: dict[str, Any], error: type[Exception], message: str) -> None:
+    with pytest.raises(error, match=message) as caught:
+        sp.parameterize(**{"points": POINTS, "triangles": TRIANGLES, **arguments})
+    assert type(caught.value) is error
+
+
+def test_of_others() -> None:
+    for wrong, error in (("a", TypeError), (2.0, TypeError), (-1, ValueError)):
+        with pytest.raises(error, match="degree: "):
+            sp.harmonics(TRIANGLES, SPHERE, POINTS, wrong)  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="index: one signature or more"):
+        sp.search(np.zeros(96), [])
+    with pytest.raises(TypeError, match="method: .*GirthProfiles.* not Isometric"):
+        sp.segment(POINTS, TRIANGLES, SPHERE, sp.Isometric())  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match="spring_exponent: a number is needed, not str"):
+        sp.Balanced("3")  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="coefficients: all have to be finite"):
+        sp.Harmonics(np.full((9, 1), np.nan))
+    for item in (3, "no such folder"):
+        with pytest.raises(TypeError, match="files_or_bag"):
+            sp.collection.map(item, len)
+
+
+def test_methods_by_word_by_class_and_by_subclass() -> None:
+    class Mine(sp.Isometric):
+        pass
+
+    expected = sp.parameterize(POINTS, TRIANGLES, sp.Isometric())
+    for method in ("isometric", sp.Isometric, Mine()):
+        result = sp.parameterize(POINTS, TRIANGLES, method)
+        assert result.method == "isometric" and (result.sphere == expected.sphere).all()
+    assert sp.parameterize(POINTS, TRIANGLES, "saddle-point", warn=False).method.startswith("saddle")
+
+    class Growing(sp.RegionGrowing):
+        pass
+
+    bumps = POINTS * (1 + 0.3 * np.sin(5 * POINTS[:, :1]))
+    labels = sp.segment(bumps, TRIANGLES, SPHERE, sp.RegionGrowing(threshold=0.1))
+    assert (sp.segment(bumps, TRIANGLES, SPHERE, Growing(threshold=0.1)) == labels).all()
+    assert (labels != sp.segment(bumps, TRIANGLES, SPHERE, "majority-vote")).any()
+
+
+def test_no_fixed_vertices() -> None:
+    free = sp.parameterize(POINTS, TRIANGLES).sphere
+    for nothing in ({}, ([], []), ([], np.zeros((0, 3)))):
+        assert (sp.parameterize(POINTS, TRIANGLES, fixed=nothing).sphere == free).all()
+
+
+def test_weights_of_corners_agree_on_every_edge() -> None:
+    edges = sp.edges(TRIANGLES)
+    of_edges = np.random.default_rng(1).uniform(1, 2, len(edges))
+    number = {tuple(e): w for e, w in zip(edges.tolist(), of_edges)}
+    corners = [[number[tuple(sorted((t[k], t[(k + 1) % 3])))] for k in range(3)] for t in TRIANGLES.tolist()]
+    expected = sp.parameterize(POINTS, TRIANGLES, weights=of_edges).sphere
+    assert (sp.parameterize(POINTS, TRIANGLES, weights=corners).sphere == expected).all()
+    corners[7][1] += 0.5
+    with pytest.raises(ValueError, match=r"weights: an edge of triangle \d+ has another weight in the triangle beyond it"):
+        sp.parameterize(POINTS, TRIANGLES, weights=corners)
+
+
+@pytest.mark.parametrize("radius", [100, 1e-200, 1e200])
+def test_spheres_of_any_radius(radius: float) -> None:
+    """Also of float32, whose vectors are not quite of that length."""
+    result = sp.parameterize(POINTS, TRIANGLES)
+    sphere, large = result.sphere, result.sphere * radius
+    summary = sp.distortion(POINTS, TRIANGLES, sphere)
+    for name in ("log_area_stretch", "angle_distortion", "dilatation", "symmetric_dirichlet", "spherical_symmetric_dirichlet"):
+        there = getattr(sp.distortion(POINTS, TRIANGLES, large), name)
+        assert there.mean == pytest.approx(getattr(summary, name).mean, rel=1e-9, abs=1e-12)
+        assert there.max == pytest.approx(getattr(summary, name).max, rel=1e-9, abs=1e-12)
+    for measure in (sp.face_distortion, sp.vertex_log_area_stretch, sp.segment, sp.shape_signature, sp.stretch_histogram):
+        assert np.allclose(measure(POINTS, TRIANGLES, large), measure(POINTS, TRIANGLES, sphere), atol=1e-9)
+    assert np.allclose(sp.texture_coordinates(POINTS, TRIANGLES, large).uv, sp.texture_coordinates(POINTS, TRIANGLES, sphere).uv)
+    single = sphere.astype(np.float32)
+    exactly = sp.face_distortion(POINTS, TRIANGLES, single)
+    assert (exactly == sp.face_distortion(POINTS, TRIANGLES, single.astype(float))).all()
+    assert sp.distortion(POINTS, TRIANGLES, result) == summary  # the Result itself
+    assert (sp.segment(POINTS, TRIANGLES, result) == sp.segment(POINTS, TRIANGLES, sphere)).all()
+    for nowhere in (0, np.nan, np.inf):
+        large[3] = nowhere
+        with pytest.raises(sp.MeshError, match="sphere: row 3 is no direction"):
+            sp.distortion(POINTS, TRIANGLES, large)
+
+
+def test_masses_that_cannot_be_centred() -> None:
+    masses = np.full(len(SPHERE), 1e-3)
+    masses[5] = 1
+    with pytest.warns(sp.MapWarning, match="cannot be centred.* off"):
+        sp.moebius_centred(SPHERE, TRIANGLES, masses)
+
+
+def test_what_is_printed_is_one_line() -> None:
+    result = sp.parameterize(POINTS, TRIANGLES)
+    things = [result, SHAPE, LOCATOR, sp.certify(TRIANGLES, SPHERE), SHAPE.ellipsoid(), sp.texture_coordinates(**MESH)]
+    things += [sp.register_maps(**MESH, **OTHER, motion="rotation"), sp.shape_statistics(**SHAPES), sp.align_shapes(**SHAPES)]
+    for thing in things:
+        assert "\n" not in repr(thing) and len(repr(thing)) < 400 and type(thing).__name__ in repr(thing)
+    assert repr(sp.certify(TRIANGLES, SPHERE)) == "<Certificate: valid, 0 flipped faces, degree 1>"
+    assert "not valid" in repr(sp.certify(TRIANGLES, -SPHERE))
+
+
+def test_codes_are_those_of_the_header() -> None:
+    header = Path(__file__).parents[2] / "include/CGAL/Spherical_parameterization/values/Error.h"
+    listed = re.findall(r'CODE\((\w+), "(.*)"\)', header.read_text())
+    assert [(code.value, code.message) for code in sp.ErrorCode] == listed and len(listed) == 19
+    assert all(f"{name}\n    {sentence}" in str(sp.ErrorCode.__doc__) for name, sentence in listed)

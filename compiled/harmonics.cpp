@@ -2,23 +2,27 @@
 // Part of CGAL Spherical Parameterization.
 
 // Spherical harmonics: transforms, rotations, files.
+#include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/analysis.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/coefficient_files.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/ellipsoid.h>
+#include <CGAL/Spherical_parameterization/internal/spherical_harmonics/grids_impl.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/rotation.h>
 
 namespace CGAL::Spherical_parameterization::internal {
 
-template Fit fit_harmonics(const Host_loop&, const Host_array<vec3>&, const Sampled_fields&, const Host_array<double>&,
-                           int, const Least_squares&);
-template Harmonic_coefficients integrate_harmonics(const Host_loop&, const Mapped_faces&, const Sampled_fields&, int,
-                                                   double);
-template Host_array<double> evaluate_harmonics(const Host_loop&, const Harmonic_coefficients&, const Host_array<vec3>&);
-template Host_array<double> synthesize_on_rows(const Host_loop&, const Harmonic_coefficients&, const Latitude_rows&);
-template Harmonic_coefficients analyze_rows(const Host_loop&, const Latitude_rows&, const Sampled_fields&, int);
-template std::vector<Correlation> best_correlations(const Host_loop&, const Harmonic_coefficients&,
+typedef Watched_loop<Host_loop> Loop;
+
+template Harmonic_analysis analyze_vertices(const Loop&, Mapped_surface, Sampled_fields, int, const Least_squares&);
+template Harmonic_analysis analyze_vertices(const Loop&, Mapped_surface, Sampled_fields, int, const Integration&);
+template Host_array<double> evaluate_harmonics(const Loop&, const Harmonic_coefficients&, const Host_array<vec3>&);
+template Host_array<double> synthesize_on_rows(const Loop&, const Harmonic_coefficients&, const Latitude_rows&);
+template Harmonic_coefficients analyze_rows(const Loop&, const Latitude_rows&, const Sampled_fields&, int);
+template Harmonic_coefficients rotated_harmonics(const Loop&, const Harmonic_coefficients&, const Rotation&);
+template std::vector<Correlation> best_correlations(const Loop&, const Harmonic_coefficients&,
                                                     const Harmonic_coefficients&);
-template Motion best_motion(const Host_loop&, const Harmonic_coefficients&, const Harmonic_coefficients&);
+template First_order_ellipsoid ellipsoid_of(const Host_loop&, const Harmonic_coefficients&);
+template Shape_alignment best_motion(const Loop&, const Harmonic_coefficients&, const Harmonic_coefficients&);
 
 } // namespace CGAL::Spherical_parameterization::internal

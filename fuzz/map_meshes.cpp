@@ -45,7 +45,11 @@ Any_method any_method(Bytes& in)
   case 4: return SP::Isometric();
   case 5: return SP::Isometric{in.byte() / 8.};
   case 6: return SP::Automatic();
-  default: return SP::Automatic{2 + in.byte() / 64., 2 + in.byte() / 64., in.byte() / 8.};
+  default: {
+    const double spring_exponent = 2 + in.byte() / 64.;
+    in.byte(); // was an option when the inputs that are kept were found
+    return SP::Automatic{spring_exponent, in.byte() / 8.};
+  }
   }
 }
 

@@ -9,6 +9,7 @@
 #include <CGAL/exceptions.h>
 #include <CGAL/Spherical_parameterization/distortion_summary.h>
 #include <CGAL/Spherical_parameterization/locate.h>
+#include <CGAL/Spherical_parameterization/measure_distortion.h>
 #include <CGAL/Spherical_parameterization/resample.h>
 #include <CGAL/Spherical_parameterization/segmentation.h>
 #include <CGAL/Spherical_parameterization/shape_signature.h>

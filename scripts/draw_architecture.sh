@@ -27,6 +27,7 @@ rooms='
 4|kernels|kernels|OpenCL C: one kernel per verb
 9|public|devices|OpenCL_device.h: the policy
 4|core|multigrid|coarsening, V-cycle, conjugate gradients
+3|core|moebius|Moebius transformations: centring, alignment
 4|core|relaxation|stars: moving single vertices, exactly checked
 5|core|problem|Problem, Solution, Method_solver
 6|core|balanced|Balanced: start map and descent
@@ -40,7 +41,7 @@ rooms='
 5|beside|statistics|Procrustes alignment, principal components
 6|beside|spherical_harmonics|transforms, least squares, rotations
 6|beside|texture|charts, poles, grid of coordinates
-6|beside|correspondence|features, deformation, Moebius centring
+7|beside|correspondence|features, deformation, the best rotation
 9|public|parameterize|parameterize.h: the two front doors
 10|public|applications|what is done with a map: a header each
 11|programs|compiled|the core, compiled once

@@ -7,6 +7,7 @@
 #include "mapping/mapped_mesh.h"
 
 #include <CGAL/Spherical_parameterization/distortion_summary.h>
+#include <CGAL/Spherical_parameterization/measure_distortion.h>
 
 #include <cmath>
 #include <filesystem>

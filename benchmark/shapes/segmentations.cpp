@@ -5,6 +5,7 @@
 
 #include "measure/measure.h"
 
+#include <CGAL/Spherical_parameterization/measure_distortion.h>
 #include <CGAL/Spherical_parameterization/segmentation.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>

@@ -10,10 +10,13 @@
 #include <CGAL/Spherical_parameterization/align_maps.h>
 #include <CGAL/Spherical_parameterization/distortion_summary.h>
 #include <CGAL/Spherical_parameterization/edge_weights.h>
+#include <CGAL/Spherical_parameterization/harmonic_alignment.h>
 #include <CGAL/Spherical_parameterization/harmonic_files.h>
+#include <CGAL/Spherical_parameterization/harmonic_grids.h>
 #include <CGAL/Spherical_parameterization/locate.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 #include <CGAL/Spherical_parameterization/values/methods.h>
+#include <CGAL/Spherical_parameterization/moebius_centring.h>
 #include <CGAL/Spherical_parameterization/parameterize.h>
 #include <CGAL/Spherical_parameterization/register_maps.h>
 #include <CGAL/Spherical_parameterization/resample.h>

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import enum
+import inspect
 from typing import TYPE_CHECKING
 
 from . import _core
@@ -39,8 +40,8 @@ class ErrorCode(str, enum.Enum, metaclass=_Names):
         return _SENTENCES[self.value]
 
 
-_LINES = "".join(f"{name}\n    {sentence}\n" for name, sentence in _SENTENCES.items())
-ErrorCode.__doc__ = f"{ErrorCode.__doc__}\nAttributes\n----------\n{_LINES}"
+_LIST = "".join(f"{name}\n    {sentence}\n" for name, sentence in _SENTENCES.items())
+ErrorCode.__doc__ = f"{inspect.getdoc(ErrorCode)}\n\nAttributes\n----------\n{_LIST}"
 
 
 class MeshError(ValueError):

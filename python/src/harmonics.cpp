@@ -5,7 +5,9 @@
 
 #include "harmonic_arrays.h"
 
+#include <CGAL/Spherical_parameterization/harmonic_alignment.h>
 #include <CGAL/Spherical_parameterization/harmonic_files.h>
+#include <CGAL/Spherical_parameterization/harmonic_grids.h>
 #include <CGAL/Spherical_parameterization/spherical_harmonics.h>
 
 #include <pybind11/stl.h>
@@ -88,7 +90,7 @@ Doubles harmonic_grid(const Doubles& coefficients, int rows, int columns, const 
 {
   const SP::Harmonic_coefficients c = of_array(coefficients);
   const auto grid = SP::Latitude_longitude_grid::equidistant(rows, columns);
-  const std::vector<double> values = on(policy, [&](const auto& p) { return SP::harmonic_synthesis(p, c, grid); });
+  const std::vector<double> values = on(policy, [&](const auto& p) { return SP::harmonic_grid_values(p, c, grid); });
   Doubles result = make_array<double>(c.number_of_fields(), rows, columns);
   std::copy(values.begin(), values.end(), result.mutable_data());
   return result;

@@ -6,6 +6,7 @@
 #include "arrays.h"
 #include "watch.h"
 
+#include <CGAL/Spherical_parameterization/moebius_centring.h>
 #include <CGAL/Spherical_parameterization/register_maps.h>
 
 #include <pybind11/stl.h>
@@ -47,7 +48,8 @@ py::tuple register_maps(const Doubles& points_a, const py::array& triangles_a, c
       return watch.go_on(fraction);
     });
   const SP::Registration_result r = on(policy, [&](const auto& p) {
-    return SP::register_maps(p, a, images_a, b, images_b, out, method, landmarks, parameters);
+    return SP::register_maps(p, SP::mapped_mesh(a, images_a), SP::mapped_mesh(b, images_b), out, method, landmarks,
+                             parameters);
   });
   const bool is_complete = r.error != SP::Error_code::INTERRUPTED;
   if(!r && is_complete)

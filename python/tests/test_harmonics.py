@@ -112,6 +112,19 @@ def test_conventions() -> None:
     assert (table[0, 1, :, 0] == 0).all()
 
 
+def test_maps_that_are_not_valid_are_refused() -> None:
+    sphere, triangles = sp.icosphere(3)
+    folded = sphere.copy()
+    folded[0] *= -1
+    for wrong in (-sphere, folded):
+        for fit in ("least-squares", "integrals"):
+            with pytest.raises(sp.MeshError) as caught:
+                sp.harmonics(triangles, wrong, sphere, 4, fit=fit)
+            assert caught.value.code == "NOT_BIJECTIVE"
+    large, unit = (sp.harmonics(triangles, radius * sphere, sphere, 4).coefficients for radius in (100, 1))
+    assert np.allclose(large, unit)
+
+
 def test_wrong_arguments() -> None:
     sphere, triangles = sp.icosphere(1)
     for arguments, word in [

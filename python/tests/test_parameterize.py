@@ -25,7 +25,8 @@ def test_result() -> None:
     assert (result.flipped_faces, result.degree, result.method) == (0, 1, "balanced")
     assert (result.number_of_vertices, result.number_of_faces) == (len(points), len(triangles))
     assert 0 < result.residual <= 2e-9 and result.seconds.total == float(result.seconds) > 0
-    assert [a.method for a in result.attempts] == ["balanced"]
+    assert [(a.method, a.termination) for a in result.attempts] == [("balanced", "converged")]
+    assert result.termination == "converged"
     assert str(result).startswith("valid spherical map (2562 vertices, 0 flipped faces, degree 1, residual ")
     assert sp.certify(triangles, result.sphere).is_valid
 
@@ -209,6 +210,7 @@ def test_other_errors() -> None:
     assert caught.value.code == "BAD_CONSTRAINTS"
     with pytest.warns(sp.MapWarning, match="did not reach the accuracy"):
         result = sp.parameterize(points, triangles, sp.Balanced(), iterations=1)
+    assert result.termination == "iterations" and result.attempts[0].termination == "iterations"
     assert result.error == "NOT_CONVERGED" and not result and result.sphere.any() and result.detail
     with pytest.warns(sp.MapWarning, match="not bijective"):
         result = sp.parameterize(*tube(180), sp.Balanced(), weights="barycentric")
@@ -303,13 +305,14 @@ def test_progress_stops() -> None:
 
     with pytest.warns(sp.MapWarning, match="interrupted"):
         result = sp.parameterize(*bumpy(5), **endless(), progress=progress)
-    assert result.error == "INTERRUPTED" and result.degree == 1 and len(calls) == 3
+    assert result.error == "INTERRUPTED" and result.degree == 1 and len(calls) == 3 and result.termination == "callback"
 
 
 def test_time_limit() -> None:
     start = time.monotonic()
     with pytest.warns(sp.MapWarning, match="the time limit was reached"):
         result = sp.parameterize(*bumpy(5), **endless(), maximum_running_time=0.2)
+    assert result.termination == "time"
     assert result.error == "INTERRUPTED" and 0.2 <= time.monotonic() - start < 10
 
 

@@ -14,6 +14,7 @@
 #include "system/interruption.h"
 #include "system/stopwatch.h"
 
+#include <CGAL/Spherical_parameterization/harmonic_alignment.h>
 #include <CGAL/Spherical_parameterization/harmonic_files.h>
 #include <CGAL/Spherical_parameterization/spherical_harmonics.h>
 

@@ -160,8 +160,9 @@ void register_pair(const Registration_options& options, Registered_pair& pair)
     CGAL::parameters::maximum_running_time(pair.a.settings->max_time.value_or(std::numeric_limits<double>::infinity()))
       .callback(go_on);
   on_host(pair.a, [&](const auto& policy) {
-    pair.result = SP::register_maps(policy, a, as_map(pair.a.sphere), b, as_map(pair.b.sphere), as_map(pair.registered),
-                                    registration, landmarks, watched);
+    pair.result =
+      SP::register_maps(policy, SP::mapped_mesh(a, as_map(pair.a.sphere)), SP::mapped_mesh(b, as_map(pair.b.sphere)),
+                        as_map(pair.registered), registration, landmarks, watched);
     if(pair.result)
       SP::transfer_vertex_property(policy, SP::Spherical_locator<Mesh>(policy, b, as_map(pair.b.sphere)),
                                    as_map(b.points()), a, as_map(pair.registered), as_map(pair.points_on_b));

@@ -4,7 +4,7 @@
 #include "helpers/arrays.h"
 
 #include <CGAL/Spherical_parameterization/internal/backend/Host_backend.h>
-#include <CGAL/Spherical_parameterization/internal/balanced/moebius.h>
+#include <CGAL/Spherical_parameterization/internal/moebius/moebius.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// register_maps.h
+// register_maps.h and moebius_centring.h
 
 #include "helpers/certificate.h"
 #include "helpers/meshes.h"
 #include "helpers/property_maps.h"
 #include "helpers/solve.h"
 
+#include <CGAL/Spherical_parameterization/internal/correspondence/Registration_energy.h>
+#include <CGAL/Spherical_parameterization/internal/correspondence/register_surfaces.h>
+#include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
+#include <CGAL/Spherical_parameterization/moebius_centring.h>
 #include <CGAL/Spherical_parameterization/register_maps.h>
+#include <CGAL/Spherical_parameterization/transfer_properties.h>
 #include <CGAL/assertions.h>
 
 #include <catch2/catch.hpp>
@@ -44,6 +49,7 @@ struct Mapped {
   {
     return {[this](Vertex v) { return sphere[v]; }};
   }
+  auto both() const { return SP::mapped_mesh(mesh, map()); }
 };
 
 Soup limbs(double length)
@@ -77,8 +83,7 @@ Registered registered(const Mapped& a, const Mapped& b, const SP::Registration& 
 {
   std::map<Vertex, Point> out;
   Registered r;
-  r.result =
-    SP::register_maps(a.mesh, a.map(), b.mesh, b.map(), Read_write_map<Vertex, Point>{&out}, method, landmarks);
+  r.result = SP::register_maps(a.both(), b.both(), Read_write_map<Vertex, Point>{&out}, method, landmarks);
   for(const auto& [v, p] : out)
     r.sphere.push_back(p);
   return r;
@@ -223,6 +228,238 @@ TEST_CASE("what cannot be registered is named", "[registration]")
   CHECK_THROWS_AS(registered(a, a, method), CGAL::Precondition_exception);
 }
 
+namespace {
+
+/// An icosphere with a triangle of about this size in the middle of every face, so large that the map is valid exactly.
+Mapped with_tiny_triangles(double size)
+{
+  Soup soup = icosphere(3);
+  const Soup coarse = soup;
+  soup.faces.clear();
+  const auto is_positive = [](const Point& a, const Point& b, const Point& c) {
+    return SP::internal::is_positively_oriented({a.x(), a.y(), a.z()}, {b.x(), b.y(), b.z()}, {c.x(), c.y(), c.z()});
+  };
+  for(const auto& f : coarse.faces) {
+    const std::array<Point, 3> corner = {coarse.points[f[0]], coarse.points[f[1]], coarse.points[f[2]]};
+    const Vector middle = ((corner[0] - CGAL::ORIGIN) + (corner[1] - CGAL::ORIGIN) + (corner[2] - CGAL::ORIGIN)) / 3;
+    std::array<Point, 3> p;
+    bool is_valid = false;
+    for(double e = size; !is_valid; e *= 1.3) {
+      for(std::size_t k = 0; k < 3; ++k) {
+        const Vector v = middle + e * ((corner[k] - CGAL::ORIGIN) - middle);
+        p[k] = CGAL::ORIGIN + v / std::sqrt(v.squared_length());
+      }
+      is_valid = is_positive(p[0], p[1], p[2]);
+      for(std::size_t k = 0, l = 1; k < 3; ++k, l = (k + 1) % 3)
+        is_valid = is_valid && is_positive(corner[k], corner[l], p[k]) && is_positive(corner[l], p[l], p[k]);
+    }
+    const std::size_t n = soup.points.size();
+    soup.points.insert(soup.points.end(), p.begin(), p.end());
+    soup.faces.push_back({n, n + 1, n + 2});
+    for(std::size_t k = 0, l = 1; k < 3; ++k, l = (k + 1) % 3) {
+      soup.faces.push_back({f[k], f[l], n + k});
+      soup.faces.push_back({f[l], n + l, n + k});
+    }
+  }
+  const Sphere sphere = soup.points;
+  for(std::size_t f = 0; f < coarse.faces.size(); ++f) { // on the surface they have a good size
+    const auto& corner = coarse.faces[f];
+    for(std::size_t k = 0; k < 3; ++k) {
+      Vector v(0, 0, 0);
+      for(std::size_t l = 0; l < 3; ++l)
+        v = v + (l == k ? 0.6 : 0.2) * (coarse.points[corner[l]] - CGAL::ORIGIN);
+      soup.points[coarse.points.size() + 3 * f + k] = CGAL::ORIGIN + v;
+    }
+  }
+  for(Point& p : soup.points)
+    p = Point(3 * p.x(), 2 * p.y(), p.z() * (1 + 0.3 * std::sin(5 * p.x())));
+  return Mapped(soup, sphere);
+}
+
+/// A surface and its map, for the parts of the registration.
+SP::internal::Registered_surface surface_of(const Mapped& m)
+{
+  namespace I = SP::internal;
+  const I::Host_loop loop;
+  return I::registered_surface(loop, {I::read_map(m.mesh, m.mesh.points(), m.map(), I::Reading::CHECKED, loop), loop});
+}
+
+Soup longer(const Soup& soup)
+{
+  return transformed(soup, [](const Point& p) { return Point(1.5 * p.x(), p.y() + 0.2 * p.x() * p.z(), p.z()); });
+}
+
+Sphere bent(const Sphere& sphere)
+{
+  return moved(sphere, [](const Point& p) {
+    const Vector v = (p - CGAL::ORIGIN) + 0.1 * Vector(std::sin(3 * p.y()), std::sin(2 * p.z()), std::sin(3 * p.x()));
+    return CGAL::ORIGIN + v / std::sqrt(v.squared_length());
+  });
+}
+
+} // namespace
+
+TEST_CASE("faces that rounding loses are registered or refused", "[registration]")
+{
+  const Mapped b(longer(icosphere(3)), icosphere(3).points);
+  SP::Registration method;
+  method.levels = 1;
+  method.iterations = 3;
+  method.motion = GENERATE(Motion::ROTATION, Motion::MOEBIUS, Motion::DEFORMATION);
+  const auto check = [&](const Mapped& a, const std::vector<SP::Landmark_pair<Mesh, Mesh>>& landmarks) {
+    REQUIRE(count_flipped_faces(a.soup, a.sphere) == 0);
+    REQUIRE(degree(a.soup, a.sphere) == 1);
+    const Registered r = registered(a, b, method, landmarks);
+    if(r.result)
+      check_certificate(a, r);
+    else {
+      CHECK(r.result.error == Error_code::NOT_BIJECTIVE);
+      CHECK_THAT(r.result.detail, Catch::Contains("rounding"));
+    }
+    return bool(r.result);
+  };
+  const std::vector<SP::Landmark_pair<Mesh, Mesh>> three = {
+    {Vertex(0), Vertex(0)}, {Vertex(5), Vertex(5)}, {Vertex(9), Vertex(9)}};
+  const Mapped tiny = with_tiny_triangles(3e-15);
+  check(tiny, {});
+  check(tiny, three);
+  CHECK(check(with_tiny_triangles(1e-3), three)); // these are large enough
+  std::size_t maps = 0;
+  for(const double length : {66., 67., 68.}) { // radius 1
+    const Soup tube = capsule(length / (2 * std::acos(-1.)), 24);
+    Settings settings;
+    settings.weights = Weights::CONFORMAL;
+    Sphere map;
+    if(!solve(tube, map, settings))
+      continue;
+    ++maps;
+    check(Mapped(tube, map), {});
+    check(Mapped(tube, map), three);
+  }
+  CHECK(maps > 0);
+}
+
+TEST_CASE("the gradient of the registration is that of its energy", "[registration]")
+{
+  namespace I = SP::internal;
+  const I::Host_loop loop;
+  const Soup round = icosphere(3);
+  const I::Registered_surface a = surface_of({bumpy_sphere(3), round.points}),
+                              b = surface_of({longer(bumpy_sphere(3)), bent(round.points)});
+  const std::size_t n = a.point.size();
+  std::mt19937 random(1);
+  std::normal_distribution<double> normal;
+  I::Registration_features features;
+  if(GENERATE(false, true)) {
+    features.number = 2;
+    for(std::size_t k = 0; k < 2 * n; ++k) {
+      features.a.push_back(normal(random));
+      features.b.push_back(normal(random));
+    }
+  }
+  const std::vector<I::Registration_landmark> landmarks = {{3, b.image[7]}, {100, b.image[90]}};
+  I::Refinement settings = {};
+  settings.isometry_weight = GENERATE(0., 3.);
+  settings.landmark_weight = GENERATE(0., 2.);
+  const auto turn = random_rotation(5);
+  I::Host_array<I::vec3> x;
+  for(const I::vec3& p : a.image) {
+    const Point q = test::apply(turn, Point(p.x, p.y, p.z));
+    x.push_back(I::unit({q.x() + 0.02 * std::sin(5 * q.y()), q.y(), q.z() + 0.02 * std::sin(4 * q.x())}));
+  }
+  I::Registration_energy energy(loop, a, b, features, landmarks, settings, x);
+  REQUIRE(std::isfinite(energy.value(x)));
+  CHECK((energy.stretching() > 4) == (settings.isometry_weight > 0));
+  I::Host_array<I::vec3> gradient;
+  energy.gradient(x, gradient);
+  for(int trial = 0; trial < 5; ++trial) {
+    I::Host_array<I::vec3> direction;
+    double slope = 0;
+    for(std::size_t i = 0; i < n; ++i) {
+      direction.push_back(I::tangent({normal(random), normal(random), normal(random)}, x[i]));
+      slope += I::inner(gradient[i], direction[i]);
+    }
+    const auto at = [&](double t) {
+      I::Host_array<I::vec3> y;
+      for(std::size_t i = 0; i < n; ++i)
+        y.push_back(I::unit(I::add_scaled(x[i], t, direction[i])));
+      return energy.value(y);
+    };
+    constexpr double h = 1e-7;
+    CHECK((at(h) - at(-h)) / (2 * h) == Approx(slope).epsilon(1e-4).margin(1e-5));
+  }
+}
+
+TEST_CASE("the figures are those of the map that is stored", "[registration]")
+{
+  namespace I = SP::internal;
+  const Soup round = icosphere(4);
+  const Mapped a(bumpy_sphere(4), round.points), b(longer(bumpy_sphere(4)), bent(round.points));
+  SP::Registration method;
+  method.levels = 2;
+  method.iterations = 20;
+  std::vector<SP::Landmark_pair<Mesh, Mesh>> landmarks;
+  if(GENERATE(false, true))
+    for(int i : {10, 500, 1000, 1500, 2000})
+      landmarks.emplace_back(Vertex(unsigned(i)), Vertex(unsigned(i + 3)));
+  const Registered r = registered(a, b, method, landmarks);
+  check_certificate(a, r);
+  const I::Registered_surface of_a = surface_of(a), of_b = surface_of(b);
+  I::Monitor monitor(1e9, {}, false);
+  const auto features = [&](const I::Registered_surface& s) {
+    return I::shape_features(I::Host_loop(), s, method.coarsest_scale / 2, monitor);
+  };
+  const auto f = features(of_a), g = features(of_b);
+  const SP::Spherical_locator<Mesh> locator(b.mesh, b.map());
+  const std::size_t n = a.sphere.size();
+  std::vector<Vector> place(n, Vector(0, 0, 0));
+  std::vector<double> difference(n, 0), weight(n, 0);
+  for(std::size_t i = 0; i < n; ++i) {
+    const auto [face, share] = locator.locate(r.sphere[i]);
+    const auto h = b.mesh.halfedge(face);
+    const std::array<std::size_t, 3> corner = {b.mesh.source(h).idx(), b.mesh.target(h).idx(),
+                                               b.mesh.target(b.mesh.next(h)).idx()};
+    std::vector<double> value(f.size(), 0);
+    for(std::size_t c = 0; c < 3; ++c) {
+      const I::vec3 p = of_b.point[corner[c]];
+      place[i] = place[i] + share[c] * Vector(p.x, p.y, p.z);
+      for(std::size_t k = 0; k < f.size(); ++k)
+        value[k] += share[c] * g[k][corner[c]];
+    }
+    for(std::size_t k = 0; k < f.size(); ++k)
+      difference[i] += (k == 0 ? method.stretch_weight : method.curvature_weight) * std::pow(value[k] - f[k][i], 2);
+  }
+  double mismatch = 0, total = 0, stretching = 0, surface = 0;
+  for(const auto& t : a.soup.faces) {
+    const auto at = [&](std::size_t k) { return a.sphere[t[k]]; };
+    const double area = std::sqrt(CGAL::cross_product(at(1) - at(0), at(2) - at(0)).squared_length()) / 2;
+    for(std::size_t i : t)
+      mismatch += area / 3 * difference[i];
+    total += area;
+    // the linear map between the triangles: in orthonormal frames of both the matrix to * from^-1
+    const auto plane = [](const Vector& u, const Vector& v) { // u = (a, 0), v = (b, c)
+      const double length = std::sqrt(u.squared_length()), along = u * v / length;
+      return std::array<double, 3>{length, along, std::sqrt((std::max)(0., v.squared_length() - along * along))};
+    };
+    const auto from_point = [&](std::size_t k) {
+      const I::vec3 p = of_a.point[t[k]];
+      return Vector(p.x, p.y, p.z);
+    };
+    const auto [a1, b1, c1] = plane(from_point(1) - from_point(0), from_point(2) - from_point(0));
+    const auto [a2, b2, c2] = plane(place[t[1]] - place[t[0]], place[t[2]] - place[t[0]]);
+    const double m00 = a2 / a1, m01 = (b2 - m00 * b1) / c1, m11 = c2 / c1, det = m00 * m11;
+    const double square_sum = m00 * m00 + m01 * m01 + m11 * m11;
+    const double bounded = (std::max)(det, 0.2); // where triangles nearly fold the energy stays finite
+    if(square_sum < 900)
+      stretching += a1 * c1 / 2 * square_sum * (1 + 1 / (bounded * bounded));
+    surface += a1 * c1 / 2;
+  }
+  CHECK(surface == Approx(4 * std::acos(-1.)));
+  CHECK(r.result.mismatch == Approx(std::sqrt(mismatch / total)).epsilon(1e-6));
+  CHECK(r.result.stretching == Approx(stretching / surface).epsilon(1e-6));
+  CHECK(r.result.stretching > 4);
+}
+
 TEST_CASE("centring brings the centroid of any masses to the centre", "[registration]")
 {
   const Mapped a(limbs(1.4));
@@ -262,7 +499,7 @@ TEST_CASE("callback and time limit end a registration with a certified map", "[r
   std::map<Vertex, Point> out;
   const auto run = [&](const auto& parameters) {
     out.clear();
-    return SP::register_maps(a.mesh, a.map(), b.mesh, b.map(), Read_write_map<Vertex, Point>{&out}, {}, {}, parameters);
+    return SP::register_maps(a.both(), b.both(), Read_write_map<Vertex, Point>{&out}, {}, {}, parameters);
   };
   const auto check_stored = [&](const SP::Registration_result& r) {
     CHECK(r.error == Error_code::INTERRUPTED);
@@ -312,8 +549,8 @@ TEST_CASE("registration is the same bits on several threads", "[registration]")
   method.levels = 2;
   method.iterations = 3;
   std::map<Vertex, Point> on_several;
-  const SP::Registration_result r = SP::register_maps(CGAL::Parallel_tag(), a.mesh, a.map(), b.mesh, b.map(),
-                                                      Read_write_map<Vertex, Point>{&on_several}, method);
+  const SP::Registration_result r =
+    SP::register_maps(CGAL::Parallel_tag(), a.both(), b.both(), Read_write_map<Vertex, Point>{&on_several}, method);
   REQUIRE(r);
   CHECK(r.iterations == 6);
   const Sphere on_one = registered(a, b, method).sphere;

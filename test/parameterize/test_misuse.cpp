@@ -59,9 +59,9 @@ TEST_CASE("arguments out of range violate a precondition", "[misuse]")
   check_refused(SP::Balanced{nan});
   check_refused(SP::Isometric{-1});
   check_refused(SP::Automatic{1.5});
-  check_refused(SP::Automatic{2, 3, nan});
-  check_refused(SP::Automatic{2, 3, 1, 0.5});
-  check_refused(SP::Automatic{2, 3, 1, nan});
+  check_refused(SP::Automatic{2, nan});
+  check_refused(SP::Automatic{2, 1, 0.5});
+  check_refused(SP::Automatic{2, 1, nan});
   SP::Saddle_point method;
   method.relaxation = 1;
   check_refused(method);

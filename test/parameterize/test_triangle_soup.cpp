@@ -222,3 +222,28 @@ TEST_CASE("an indexed mesh that forgets its neighbours has points and triangles,
     for(std::size_t k = 0; k < 3; ++k)
       CHECK(std::size_t(mesh.triangle(f)[k]) == soup.faces[f][k]);
 }
+
+TEST_CASE("from the first call of the callback on the mesh is not looked at any more", "[soup]")
+{
+  const Soup soup = dumbbell(3);
+  const auto check = [&](const auto& method) {
+    SP::Indexed_triangle_mesh mesh(points_of(soup), soup.faces);
+    Points expected(soup.points.size()), sphere(soup.points.size());
+    const auto map = [](Points& points) {
+      return boost::make_function_property_map<SP::Indexed_triangle_mesh::Vertex_index>(
+        [&points](auto v) -> std::array<double, 3>& { return points[std::size_t(v.idx())]; });
+    };
+    REQUIRE(SP::parameterize(mesh, method, map(expected)));
+    std::size_t calls = 0;
+    const auto forget = [&](double) {
+      if(calls++ == 0)
+        mesh.forget_neighbours();
+      return true;
+    };
+    CHECK(SP::parameterize(mesh, method, map(sphere), CGAL::parameters::callback(forget)));
+    CHECK(calls > 1);
+    CHECK(sphere == expected);
+  };
+  check(SP::Balanced());
+  check(SP::Isometric());
+}

@@ -7,6 +7,7 @@
 #include "helpers/solve.h"
 #include "segmentation/sdf.h"
 
+#include <CGAL/Spherical_parameterization/measure_distortion.h>
 #include <CGAL/Spherical_parameterization/segmentation.h>
 
 #include <catch2/catch.hpp>

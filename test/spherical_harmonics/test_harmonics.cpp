@@ -6,7 +6,9 @@
 #include "helpers/property_maps.h"
 #include "helpers/solve.h"
 
+#include <CGAL/Spherical_parameterization/harmonic_alignment.h>
 #include <CGAL/Spherical_parameterization/harmonic_files.h>
+#include <CGAL/Spherical_parameterization/harmonic_grids.h>
 #include <CGAL/Spherical_parameterization/locate.h>
 #include <CGAL/Spherical_parameterization/spherical_harmonics.h>
 #include <CGAL/Spherical_parameterization/transfer_properties.h>
@@ -16,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 #include <random>
@@ -145,7 +148,7 @@ TEST_CASE("a grid finds every single harmonic up to degree 64", "[harmonics]")
         values.push_back(harmonic(l, m, grid.direction(row, column)));
     Coefficients expected(degree);
     expected(l, m) = 1;
-    error = (std::max)(error, difference(SP::harmonic_analysis(one_core, grid, values, degree), expected));
+    error = (std::max)(error, difference(SP::harmonic_grid_analysis(one_core, grid, values, degree), expected));
   }
   CHECK(error < 1e-11);
 }
@@ -155,15 +158,16 @@ TEST_CASE("grids give coefficients back, of high degrees, too", "[harmonics]")
   for(int degree : {0, 1, 10, 700}) {
     const Coefficients c = random_coefficients(degree, degree > 100 ? 1 : 3, 1);
     const auto grid = Grid::gauss_legendre(degree);
-    CHECK(difference(SP::harmonic_analysis(one_core, grid, SP::harmonic_synthesis(one_core, c, grid), degree), c) <
-          1e-11);
+    CHECK(difference(SP::harmonic_grid_analysis(one_core, grid, SP::harmonic_grid_values(one_core, c, grid), degree),
+                     c) < 1e-11);
   }
   const Coefficients c = random_coefficients(20, 2, 2);
   const auto grid = Grid::equidistant(41, 43);
-  CHECK(difference(SP::harmonic_analysis(one_core, grid, SP::harmonic_synthesis(one_core, c, grid), 20), c) < 1e-12);
+  CHECK(difference(SP::harmonic_grid_analysis(one_core, grid, SP::harmonic_grid_values(one_core, c, grid), 20), c) <
+        1e-12);
   // few columns: a sample of the function is still that
   const auto coarse = Grid::equidistant(5, 3);
-  const std::vector<double> values = SP::harmonic_synthesis(one_core, c, coarse);
+  const std::vector<double> values = SP::harmonic_grid_values(one_core, c, coarse);
   const std::vector<double> there = SP::harmonic_values(one_core, c, std::vector<Direction>{coarse.direction(3, 2)});
   CHECK(values[3 * 3 + 2] == Approx(there[0]).margin(1e-11));
   CHECK(values[15 + 3 * 3 + 2] == Approx(there[1]).margin(1e-11));
@@ -173,7 +177,7 @@ TEST_CASE("the power is the integral of the squares", "[harmonics]")
 {
   const Coefficients c = random_coefficients(24, 3, 3);
   const auto grid = Grid::gauss_legendre(24);
-  const std::vector<double> values = SP::harmonic_synthesis(one_core, c, grid);
+  const std::vector<double> values = SP::harmonic_grid_values(one_core, c, grid);
   double integral = 0, power = 0, area = 0;
   for(std::size_t i = 0; i < values.size(); ++i)
     integral += grid.weight(int(i) / grid.columns() % grid.rows()) * values[i] * values[i];
@@ -335,7 +339,7 @@ TEST_CASE("integrals are exact for what is linear on faces", "[harmonics]")
         values[std::size_t(place)] = p[k];
       }
     }
-  CHECK(difference(SP::harmonic_analysis(one_core, grid, values, 6), c) < 1e-4);
+  CHECK(difference(SP::harmonic_grid_analysis(one_core, grid, values, 6), c) < 1e-4);
   // The accuracy is what was asked for
   SP::Integration rough;
   rough.accuracy = 1e-5;
@@ -561,6 +565,168 @@ TEST_CASE("what cannot be analyzed is refused", "[harmonics]")
   CHECK_THROWS_AS(SP::best_alignment(one_core, Coefficients(2, 1), Coefficients(2, 3)), CGAL::Precondition_exception);
   CHECK_THROWS_AS(SP::mirrored(Coefficients(2, 1)), CGAL::Precondition_exception);
   CHECK_THROWS_AS(Grid::equidistant(1, 4), CGAL::Precondition_exception);
+}
+
+TEST_CASE("maps that are not valid are not analyzed", "[harmonics]")
+{
+  const Mesh mesh = make_mesh(icosphere(3));
+  const auto height = Readable_map<Vertex, double>{[&](Vertex v) { return 1 + mesh.point(v).z(); }};
+  const auto check = [&](const std::function<Point(Vertex)>& image) {
+    const auto is_refused = [](const SP::Error& error) { return error.code() == SP::Error_code::NOT_BIJECTIVE; };
+    const Readable_map<Vertex, Point> map{image};
+    CHECK_THROWS_MATCHES(SP::harmonic_analysis(mesh, map, height, 4), SP::Error,
+                         Catch::Predicate<SP::Error>(is_refused));
+    CHECK_THROWS_MATCHES(SP::harmonic_analysis(mesh, map, height, 4, SP::Integration()), SP::Error,
+                         Catch::Predicate<SP::Error>(is_refused));
+  };
+  check([&](Vertex v) { // the mirror image
+    const Point& p = mesh.point(v);
+    return Point(-p.x(), p.y(), p.z());
+  });
+  check([&](Vertex v) { // a vertex on the other side
+    const Point& p = mesh.point(v);
+    return v == Vertex(100) ? Point(-p.x(), -p.y(), -p.z()) : p;
+  });
+}
+
+TEST_CASE("coefficients that are not finite are refused", "[harmonics]")
+{
+  const Mesh mesh = make_mesh(icosphere(2));
+  for(const double wrong : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    const Coefficients good = random_coefficients(3, 3, 1);
+    Coefficients bad = good, all = good;
+    bad(2, -1, 1) = wrong;
+    std::fill(all.values().begin(), all.values().end(), wrong);
+    for(const Coefficients& c : {bad, all}) {
+      std::map<Vertex, Point> out;
+      CHECK_THROWS_AS(SP::best_rotation(c, good), SP::Error);
+      CHECK_THROWS_AS(SP::best_rotation(good, c), SP::Error);
+      CHECK_THROWS_AS(SP::best_alignment(c, good), SP::Error);
+      CHECK_THROWS_AS(SP::best_alignment(good, c), SP::Error);
+      CHECK_THROWS_AS(SP::rotated(c, some_rotation(1)), SP::Error);
+      CHECK_THROWS_AS(SP::first_order_ellipsoid(c), SP::Error);
+      CHECK_THROWS_AS(SP::aligned_to_ellipsoid(c), SP::Error);
+      CHECK_THROWS_AS(SP::harmonic_values(c, std::vector<Direction>{{1, 2, 3}}), SP::Error);
+      CHECK_THROWS_AS(SP::harmonic_grid_values(c, Grid::gauss_legendre(3)), SP::Error);
+      CHECK_THROWS_AS(SP::harmonic_synthesis(c, mesh, mesh.points(), Writable_map<Vertex, Point>{&out}), SP::Error);
+      CHECK(out.empty());
+    }
+    CHECK_THROWS_WITH(SP::rotated(bad, some_rotation(1)), Catch::Contains("l = 2, m = -1 of function 1"));
+    const Grid grid = Grid::gauss_legendre(2);
+    std::vector<double> values(std::size_t(grid.rows() * grid.columns()), 1);
+    values[4] = wrong;
+    CHECK_THROWS_WITH(SP::harmonic_grid_analysis(grid, values, 2), Catch::Contains("value 4"));
+  }
+}
+
+TEST_CASE("the size of data and coefficients does not matter", "[harmonics]")
+{
+  const Mesh mesh = make_mesh(icosphere(3));
+  const auto analyzed = [&](int exponent) {
+    const auto f = Readable_map<Vertex, double>{
+      [&](Vertex v) { return std::ldexp(1 + mesh.point(v).z() * mesh.point(v).x(), exponent); }};
+    return SP::harmonic_analysis(mesh, mesh.points(), f, 8);
+  };
+  const SP::Harmonic_analysis one = analyzed(0);
+  const Coefficients f = random_coefficients(6, 3, 3), g = SP::rotated(f, some_rotation(4));
+  for(const int exponent : {-700, 700}) {
+    const auto scaled = [&](Coefficients c) {
+      for(double& x : c.values())
+        x = std::ldexp(x, exponent);
+      return c;
+    };
+    const SP::Harmonic_analysis other = analyzed(exponent);
+    CHECK(other.coefficients.values() == scaled(one.coefficients).values());
+    CHECK(other.has_converged);
+    CHECK(other.iterations == one.iterations);
+    CHECK(SP::best_rotation(scaled(f), g) == SP::best_rotation(f, g));
+    const SP::Shape_alignment a = SP::best_alignment(f, scaled(g)), b = SP::best_alignment(f, g);
+    CHECK(a.sphere == b.sphere);
+    CHECK(a.space == b.space);
+    CHECK(a.correlation == b.correlation);
+    CHECK(SP::first_order_ellipsoid(scaled(f)).axes == SP::first_order_ellipsoid(f).axes);
+  }
+}
+
+TEST_CASE("least squares have converged where their gradient says so", "[harmonics]")
+{
+  const Mesh mesh = make_mesh(icosphere(3)); // 642 vertices
+  const auto rough = Readable_map<Vertex, double>{[](Vertex v) { return v.idx() % 7 < 3 ? 1. : -1.; }};
+  SP::Least_squares method;
+  method.weights = SP::Vertex_weights::EQUAL;
+  constexpr int degree = 20;
+  const auto gradient = [&](const Coefficients& c) { // at the coefficients, by sums over the vertices
+    Coefficients result(degree);
+    const std::vector<double> value = SP::harmonic_values(c, mesh.points());
+    for(Vertex v : vertices(mesh)) {
+      const Point& p = mesh.point(v);
+      for(int l = 0; l <= degree; ++l)
+        for(int m = -l; m <= l; ++m)
+          result(l, m) += (get(rough, v) - value[v.idx()]) * harmonic(l, m, {p.x(), p.y(), p.z()});
+    }
+    double square = 0;
+    for(double x : result.values())
+      square += x * x;
+    return std::sqrt(square);
+  };
+  const double first = gradient(Coefficients(degree));
+  for(const double accuracy : {1e-2, 1e-6, 1e-10}) {
+    method.accuracy = accuracy;
+    const SP::Harmonic_analysis fit = SP::harmonic_analysis(mesh, mesh.points(), rough, degree, method);
+    CHECK(fit.has_converged);
+    CHECK(gradient(fit.coefficients) <= accuracy * first * (1 + 1e-3));
+  }
+  method.accuracy = 1e-30; // rounding does not let them come that far, and it is said
+  const SP::Harmonic_analysis fit = SP::harmonic_analysis(mesh, mesh.points(), rough, degree, method);
+  CHECK(!fit.has_converged);
+  CHECK(gradient(fit.coefficients) < 1e-11 * first);
+}
+
+TEST_CASE("callback and time limit end whatever takes long with harmonics", "[harmonics]")
+{
+  const Mesh mesh = make_mesh(icosphere(4));
+  const Coefficients f = random_coefficients(24, 3, 1), g = SP::rotated(f, some_rotation(2));
+  const Grid grid = Grid::gauss_legendre(40);
+  const std::vector<double> values = SP::harmonic_grid_values(f, grid);
+  std::map<Vertex, Point> out;
+  const Writable_map<Vertex, Point> written{&out};
+  const auto check = [](const auto& call) {
+    int calls = 0, calls_after_no = 0;
+    double last = 0;
+    const auto count = [&](double fraction) {
+      CHECK(fraction >= last);
+      CHECK(fraction <= 1);
+      last = fraction;
+      return ++calls > 0;
+    };
+    call(CGAL::parameters::callback(count));
+    CHECK(calls > 1);
+    const int no = 1; // how many calls there are depends on the time that they take
+    calls = 0;
+    const auto say_no = [&](double) {
+      calls_after_no += calls > no;
+      return ++calls <= no;
+    };
+    const auto is_interrupted = [](const SP::Error& e) { return e.code() == SP::Error_code::INTERRUPTED; };
+    CHECK_THROWS_MATCHES(call(CGAL::parameters::callback(say_no)), SP::Error,
+                         Catch::Predicate<SP::Error>(is_interrupted));
+    CHECK(calls_after_no == 0);
+    CHECK_THROWS_MATCHES(call(CGAL::parameters::maximum_running_time(0)), SP::Error,
+                         Catch::Predicate<SP::Error>(is_interrupted));
+  };
+  check(
+    [&](const auto& np) { SP::harmonic_analysis(mesh, mesh.points(), mesh.points(), 20, SP::Least_squares(), np); });
+  check([&](const auto& np) { SP::harmonic_analysis(mesh, mesh.points(), mesh.points(), 20, SP::Integration(), np); });
+  check([&](const auto& np) { SP::harmonic_values(f, mesh.points(), np); });
+  check([&](const auto& np) { SP::harmonic_grid_values(f, grid, np); });
+  check([&](const auto& np) { SP::harmonic_grid_analysis(grid, values, 24, np); });
+  check([&](const auto& np) { SP::rotated(f, some_rotation(1), np); });
+  check([&](const auto& np) { SP::best_rotation(f, g, np); });
+  check([&](const auto& np) { SP::best_alignment(f, g, np); });
+  check([&](const auto& np) { SP::aligned_to_ellipsoid(f, np); });
+  CHECK_THROWS_AS(SP::harmonic_synthesis(f, mesh, mesh.points(), written, CGAL::parameters::maximum_running_time(0)),
+                  SP::Error);
+  CHECK(out.empty());
 }
 
 #ifdef CGAL_LINKED_WITH_TBB

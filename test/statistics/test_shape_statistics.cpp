@@ -4,6 +4,8 @@
 #include "helpers/meshes.h"
 #include "helpers/solve.h"
 
+#include <CGAL/Spherical_parameterization/harmonic_alignment.h>
+#include <CGAL/Spherical_parameterization/harmonic_grids.h>
 #include <CGAL/Spherical_parameterization/shape_statistics.h>
 #include <CGAL/Spherical_parameterization/spherical_harmonics.h>
 
@@ -448,4 +450,61 @@ TEST_CASE("wrong sets of shapes are refused", "[statistics]")
   std::vector<Coefficients> unlike = {Coefficients(2, 3), Coefficients(3, 3)}, flat = {Coefficients(2, 2)};
   CHECK_THROWS_AS(SP::align_shapes(one_core, unlike), CGAL::Precondition_exception);
   CHECK_THROWS_AS(SP::align_shapes(one_core, flat), CGAL::Precondition_exception);
+}
+
+TEST_CASE("without a policy statistics are those of one core", "[statistics]")
+{
+  std::mt19937 random(7);
+  Shapes a = {random_shape(300, random), random_shape(300, random), random_shape(300, random)}, b = a;
+  CHECK(SP::align_shapes(a).deviation == SP::align_shapes(one_core, b).deviation);
+  CHECK((a == b));
+  CHECK((SP::shape_statistics(a, {}, 1).modes == SP::shape_statistics(one_core, a, {}, 1).modes));
+  CHECK(SP::left_out_errors(a) == SP::left_out_errors(one_core, a));
+  CHECK(SP::vertex_variances(a) == SP::vertex_variances(one_core, a));
+  const Soup soup = icosphere(1);
+  CHECK(SP::mean_vertex_areas(make_mesh(soup), {points_of(soup)}) ==
+        SP::mean_vertex_areas(one_core, make_mesh(soup), {points_of(soup)}));
+}
+
+TEST_CASE("callback and time limit end statistics, and shapes are where they were", "[statistics]")
+{
+  std::mt19937 random(8);
+  Shapes shapes;
+  for(int i = 0; i < 6; ++i)
+    shapes.push_back(random_shape(20000, random));
+  const auto check = [&](const auto& call) {
+    int calls = 0;
+    const auto count = [&](double fraction) {
+      CHECK(fraction >= 0);
+      CHECK(fraction <= 1);
+      return ++calls > 0;
+    };
+    Shapes some = shapes;
+    call(some, CGAL::parameters::callback(count));
+    REQUIRE(calls > 1);
+    for(const int no : {0, 1}) { // how many calls there are depends on the time that they take
+      some = shapes;
+      int called = 0;
+      const auto say_no = [&](double) { return ++called <= no; };
+      const auto is_interrupted = [](const SP::Error& e) { return e.code() == SP::Error_code::INTERRUPTED; };
+      CHECK_THROWS_MATCHES(call(some, CGAL::parameters::callback(say_no)), SP::Error,
+                           Catch::Predicate<SP::Error>(is_interrupted));
+      CHECK(called == no + 1);
+      CHECK((some == shapes));
+    }
+    CHECK_THROWS_AS(call(some, CGAL::parameters::maximum_running_time(0)), SP::Error);
+  };
+  check([](Shapes& s, const auto& np) { SP::align_shapes(s, {}, {}, np); });
+  check([](Shapes& s, const auto& np) { SP::shape_statistics(s, {}, 3, np); });
+  check([](Shapes& s, const auto& np) { SP::left_out_errors(s, {}, 0, np); });
+  check([](Shapes& s, const auto& np) { SP::vertex_variances(s, np); });
+}
+
+TEST_CASE("coefficients that are not finite are no shapes", "[statistics]")
+{
+  std::vector<Coefficients> shapes(3, Coefficients(2, 3));
+  shapes[1](1, 0, 2) = std::numeric_limits<double>::infinity();
+  CHECK_THROWS_WITH(SP::shape_statistics(shapes), Catch::Contains("l = 1, m = 0 of function 2 of shape 1"));
+  CHECK_THROWS_AS(SP::align_shapes(shapes), SP::Error);
+  CHECK_THROWS_AS(SP::left_out_errors(shapes), SP::Error);
 }

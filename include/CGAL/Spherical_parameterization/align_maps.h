@@ -4,11 +4,18 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_ALIGN_MAPS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_ALIGN_MAPS_H
 
-#include <CGAL/Spherical_parameterization/internal/backend/execution.h>
-#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
-#include <CGAL/Spherical_parameterization/internal/algebra/rotations.h>
+#include <CGAL/Spherical_parameterization/values/Harmonic_coefficients.h>
+#include <CGAL/Spherical_parameterization/values/Rotation.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/point_coordinates.h>
-#include <CGAL/Spherical_parameterization/spherical_harmonics.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/rotations.h>
+#include <CGAL/Spherical_parameterization/internal/api/named_parameters.h>
+#include <CGAL/Spherical_parameterization/internal/backend/execution.h>
+#include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
+#include <CGAL/Spherical_parameterization/internal/context/make_monitor.h>
+#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/spherical_harmonics/analysis.h>
+#include <CGAL/Spherical_parameterization/internal/spherical_harmonics/rotation.h>
+#include <CGAL/Spherical_parameterization/locate.h>
 #include <CGAL/Spherical_parameterization/transfer_properties.h>
 
 #include <CGAL/tags.h>
@@ -17,8 +24,6 @@
 
 #include <array>
 #include <cstddef>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Spherical_parameterization {
 
@@ -28,27 +33,22 @@ namespace CGAL::Spherical_parameterization {
 namespace internal {
 
 /// The coordinates of the mesh as three functions on the sphere, sampled on a grid.
-template <class ExecutionPolicy, class TriangleMesh, class PointMap>
-Harmonic_coefficients sampled_harmonics(const ExecutionPolicy& policy, const Spherical_locator<TriangleMesh>& locator,
-                                        PointMap points, int degree)
+template <class TriangleMesh, class PointMap>
+Harmonic_coefficients sampled_harmonics(const Watched_loop<Host_loop>& loop,
+                                        const Spherical_locator<TriangleMesh>& locator, PointMap points, int degree)
 {
-  const auto grid = Latitude_longitude_grid::gauss_legendre(2 * degree + 1); // twice as fine: details alias less
-  const std::size_t size = static_cast<std::size_t>(grid.rows()) * static_cast<std::size_t>(grid.columns());
-  Host_array<vec3> directions;
-  directions.reserve(size);
-  for(int row = 0; row < grid.rows(); ++row)
-    for(int column = 0; column < grid.columns(); ++column)
-      directions.push_back(coordinates(grid.direction(row, column)));
-  std::vector<double> values(3 * size);
+  const Latitude_rows grid = grid_to_sample(degree);
+  const Host_array<vec3> directions = grid.directions();
+  Sampled_fields fields = {3, Host_array<double>(3 * directions.size())};
   std::size_t i = 0;
-  for(const auto& place : locate_all(host_loop(policy), locator, directions)) {
+  for(const auto& place : locate_all(loop.bare(), locator, directions)) {
     const vec3 p = coordinates(interpolate(locator.mesh(), place, points));
-    values[i] = p.x;
-    values[size + i] = p.y;
-    values[2 * size + i] = p.z;
+    fields.value[i] = p.x;
+    fields.value[directions.size() + i] = p.y;
+    fields.value[2 * directions.size() + i] = p.z;
     ++i;
   }
-  return harmonic_analysis(policy, grid, values, degree);
+  return analyze_rows(loop, grid, fields, degree);
 }
 
 } // namespace internal
@@ -59,30 +59,39 @@ Harmonic_coefficients sampled_harmonics(const ExecutionPolicy& policy, const Sph
 /// their size. The shapes have to stand in space in the same way.
 ///
 /// The best of all rotations for harmonics up to degree 31: `best_rotation()`.
-/// \param policy    `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result does not depend on it
+/// \param policy    `CGAL::Sequential_tag`, the default, or `CGAL::Parallel_tag`; the result does not depend on it
 /// \param a         the inverse of the first map
 /// \param points_a  readable, key vertex_descriptor of the mesh of `a`, value with x(), y(), z() or `std::array`
 /// \param b         the inverse of the second map
 /// \param points_b  readable, key vertex_descriptor of the mesh of `b`, value with x(), y(), z() or `std::array`
+/// \param np        optional named parameters: `callback` and `maximum_running_time`, as in `parameterize()`
 /// \return R such that R x under `b` is what x is under `a`; see `rotated_map()`
+/// \throws Error  `NON_FINITE_COORDINATE` for points that are not finite, `INTERRUPTED` if callback or time limit ended
+/// it
 ///
 /// Complexity: 8,192 queries in each map, and 25 ms on one core.
-template <class ExecutionPolicy, class MeshA, class PointMapA, class MeshB, class PointMapB>
+template <class ExecutionPolicy, class MeshA, class PointMapA, class MeshB, class PointMapB,
+          class CGAL_NP_TEMPLATE_PARAMETERS>
 Rotation aligning_rotation(const ExecutionPolicy& policy, const Spherical_locator<MeshA>& a, PointMapA points_a,
-                           const Spherical_locator<MeshB>& b, PointMapB points_b)
+                           const Spherical_locator<MeshB>& b, PointMapB points_b,
+                           const CGAL_NP_CLASS& np = parameters::default_values())
 {
   constexpr int degree = 31;
-  return best_rotation(policy, internal::sampled_harmonics(policy, b, points_b, degree),
-                       internal::sampled_harmonics(policy, a, points_a, degree));
+  const internal::Host_loop bare = internal::host_loop(policy);
+  internal::Monitor monitor = internal::make_monitor(np);
+  const internal::Watched_loop loop(bare, monitor);
+  const Harmonic_coefficients of_b = internal::sampled_harmonics(loop, b, points_b, degree),
+                              of_a = internal::sampled_harmonics(loop, a, points_a, degree);
+  internal::check_finite(of_b);
+  internal::check_finite(of_a);
+  return internal::best_correlations(loop, of_b, of_a).front().rotation;
 }
 
 /// \overload
-/// \param a,points_a,b,points_b as above; on one core \return as above
-template <class MeshA, class PointMapA, class MeshB, class PointMapB>
-Rotation aligning_rotation(const Spherical_locator<MeshA>& a, PointMapA points_a, const Spherical_locator<MeshB>& b,
-                           PointMapB points_b)
+template <class MeshA, class... Others>
+Rotation aligning_rotation(const Spherical_locator<MeshA>& a, const Others&... others)
 {
-  return aligning_rotation(CGAL::Sequential_tag(), a, points_a, b, points_b);
+  return aligning_rotation(CGAL::Sequential_tag(), a, others...);
 }
 
 /// A spherical map seen through a rotation: what `transfer_vertex_property()` and the like take for a map in another

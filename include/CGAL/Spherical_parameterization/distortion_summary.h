@@ -6,11 +6,10 @@
 
 #include <CGAL/Spherical_parameterization/internal/api/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
+#include <CGAL/Spherical_parameterization/internal/backend/on_one_core.h>
 #include <CGAL/Spherical_parameterization/internal/distortion/summarize.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
 #include <CGAL/Spherical_parameterization/values/Distortion_summary.h>
-
-#include <CGAL/tags.h>
 
 namespace CGAL::Spherical_parameterization {
 
@@ -25,7 +24,8 @@ namespace CGAL::Spherical_parameterization {
 /// \return how each measure is distributed over the source area
 ///
 /// Complexity: O(n) in practice, O(n log n) at worst.
-template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class CGAL_NP_TEMPLATE_PARAMETERS>
+template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class CGAL_NP_TEMPLATE_PARAMETERS,
+          internal::If_policy<ExecutionPolicy> = 0>
 Distortion_summary distortion_summary(const ExecutionPolicy& policy, const TriangleMesh& mesh,
                                       VertexSphereMap sphere_map,
                                       const CGAL_NP_CLASS& np = parameters::default_values())
@@ -36,13 +36,8 @@ Distortion_summary distortion_summary(const ExecutionPolicy& policy, const Trian
 }
 
 /// \overload
-/// \param mesh,sphere_map,np as above; on one core \return as above
-template <class TriangleMesh, class VertexSphereMap, class CGAL_NP_TEMPLATE_PARAMETERS>
-Distortion_summary distortion_summary(const TriangleMesh& mesh, VertexSphereMap sphere_map,
-                                      const CGAL_NP_CLASS& np = parameters::default_values())
-{
-  return distortion_summary(CGAL::Sequential_tag(), mesh, sphere_map, np);
-}
+/// without `policy`: on one core
+CGAL_SP_ON_ONE_CORE(distortion_summary)
 
 /// @}
 

@@ -5,14 +5,12 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_MEASURE_DISTORTION_H
 
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
-#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/backend/on_one_core.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/api/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/distortion/Face_measures.h>
 #include <CGAL/Spherical_parameterization/internal/distortion/vertex_means.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
-
-#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -63,7 +61,7 @@ std::pair<double, double> measure_faces(const ExecutionPolicy& policy, const Tri
 /// \return the number of faces that are flipped, degenerate, or not finite
 ///
 /// Complexity: linear.
-template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap>
+template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, internal::If_policy<ExecutionPolicy> = 0>
 std::size_t number_of_flipped_faces(const ExecutionPolicy& policy, const TriangleMesh& mesh, VertexSphereMap sphere_map)
 {
   const auto loop = internal::host_loop(policy);
@@ -71,12 +69,8 @@ std::size_t number_of_flipped_faces(const ExecutionPolicy& policy, const Triangl
 }
 
 /// \overload
-/// \param mesh,sphere_map as above; on one core \return as above
-template <class TriangleMesh, class VertexSphereMap>
-std::size_t number_of_flipped_faces(const TriangleMesh& mesh, VertexSphereMap sphere_map)
-{
-  return number_of_flipped_faces(CGAL::Sequential_tag(), mesh, sphere_map);
-}
+/// without `policy`: on one core
+CGAL_SP_ON_ONE_CORE(number_of_flipped_faces)
 
 /// The degree of the map: how often it covers the sphere, counted with orientation, by exact predicates on the
 /// coordinates as doubles. Faces with coordinates that are not finite do not count.
@@ -86,7 +80,7 @@ std::size_t number_of_flipped_faces(const TriangleMesh& mesh, VertexSphereMap sp
 /// \return the degree: 1 for a valid map, -1 for a mirrored one
 ///
 /// Complexity: linear.
-template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap>
+template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, internal::If_policy<ExecutionPolicy> = 0>
 int degree_of_map(const ExecutionPolicy& policy, const TriangleMesh& mesh, VertexSphereMap sphere_map)
 {
   const auto loop = internal::host_loop(policy);
@@ -94,12 +88,8 @@ int degree_of_map(const ExecutionPolicy& policy, const TriangleMesh& mesh, Verte
 }
 
 /// \overload
-/// \param mesh,sphere_map as above; on one core \return as above
-template <class TriangleMesh, class VertexSphereMap>
-int degree_of_map(const TriangleMesh& mesh, VertexSphereMap sphere_map)
-{
-  return degree_of_map(CGAL::Sequential_tag(), mesh, sphere_map);
-}
+/// without `policy`: on one core
+CGAL_SP_ON_ONE_CORE(degree_of_map)
 
 /// \name Measures per face
 /// Each writes one value per face and returns the smallest and the largest one. All are linear in the size of the mesh.
@@ -116,7 +106,7 @@ int degree_of_map(const TriangleMesh& mesh, VertexSphereMap sphere_map)
 /// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
 /// \return the smallest and the largest value
 template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class FaceMap,
-          class CGAL_NP_TEMPLATE_PARAMETERS>
+          class CGAL_NP_TEMPLATE_PARAMETERS, internal::If_policy<ExecutionPolicy> = 0>
 std::pair<double, double> face_log_area_stretch(const ExecutionPolicy& policy, const TriangleMesh& mesh,
                                                 VertexSphereMap sphere_map, FaceMap face_map,
                                                 const CGAL_NP_CLASS& np = parameters::default_values())
@@ -125,20 +115,15 @@ std::pair<double, double> face_log_area_stretch(const ExecutionPolicy& policy, c
 }
 
 /// \overload
-/// \param mesh,sphere_map,face_map,np as above; on one core \return as above
-template <class TriangleMesh, class VertexSphereMap, class FaceMap, class CGAL_NP_TEMPLATE_PARAMETERS>
-std::pair<double, double> face_log_area_stretch(const TriangleMesh& mesh, VertexSphereMap sphere_map, FaceMap face_map,
-                                                const CGAL_NP_CLASS& np = parameters::default_values())
-{
-  return face_log_area_stretch(CGAL::Sequential_tag(), mesh, sphere_map, face_map, np);
-}
+/// without `policy`: on one core
+CGAL_SP_ON_ONE_CORE(face_log_area_stretch)
 
 /// The angle distortion of faces, 0 for a conformal map: mean over the three corners of |angle between the great
 /// circles - angle in the source|, in radians, in [0, pi).
 /// \param policy,mesh,sphere_map,face_map,np  as for `face_log_area_stretch()`
 /// \return the smallest and the largest value
 template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class FaceMap,
-          class CGAL_NP_TEMPLATE_PARAMETERS>
+          class CGAL_NP_TEMPLATE_PARAMETERS, internal::If_policy<ExecutionPolicy> = 0>
 std::pair<double, double> face_angle_distortion(const ExecutionPolicy& policy, const TriangleMesh& mesh,
                                                 VertexSphereMap sphere_map, FaceMap face_map,
                                                 const CGAL_NP_CLASS& np = parameters::default_values())
@@ -147,20 +132,15 @@ std::pair<double, double> face_angle_distortion(const ExecutionPolicy& policy, c
 }
 
 /// \overload
-/// \param mesh,sphere_map,face_map,np as above; on one core \return as above
-template <class TriangleMesh, class VertexSphereMap, class FaceMap, class CGAL_NP_TEMPLATE_PARAMETERS>
-std::pair<double, double> face_angle_distortion(const TriangleMesh& mesh, VertexSphereMap sphere_map, FaceMap face_map,
-                                                const CGAL_NP_CLASS& np = parameters::default_values())
-{
-  return face_angle_distortion(CGAL::Sequential_tag(), mesh, sphere_map, face_map, np);
-}
+/// without `policy`: on one core
+CGAL_SP_ON_ONE_CORE(face_angle_distortion)
 
 /// The quasi-conformal distortion (dilatation, shear) of faces, sigma_1 / sigma_2 >= 1 of the affine map between the
 /// flat triangles; 1 where it is conformal, infinite for faces without area.
 /// \param policy,mesh,sphere_map,face_map,np  as for `face_log_area_stretch()`
 /// \return the smallest and the largest value
 template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class FaceMap,
-          class CGAL_NP_TEMPLATE_PARAMETERS>
+          class CGAL_NP_TEMPLATE_PARAMETERS, internal::If_policy<ExecutionPolicy> = 0>
 std::pair<double, double> face_dilatation(const ExecutionPolicy& policy, const TriangleMesh& mesh,
                                           VertexSphereMap sphere_map, FaceMap face_map,
                                           const CGAL_NP_CLASS& np = parameters::default_values())
@@ -169,13 +149,8 @@ std::pair<double, double> face_dilatation(const ExecutionPolicy& policy, const T
 }
 
 /// \overload
-/// \param mesh,sphere_map,face_map,np as above; on one core \return as above
-template <class TriangleMesh, class VertexSphereMap, class FaceMap, class CGAL_NP_TEMPLATE_PARAMETERS>
-std::pair<double, double> face_dilatation(const TriangleMesh& mesh, VertexSphereMap sphere_map, FaceMap face_map,
-                                          const CGAL_NP_CLASS& np = parameters::default_values())
-{
-  return face_dilatation(CGAL::Sequential_tag(), mesh, sphere_map, face_map, np);
-}
+/// without `policy`: on one core
+CGAL_SP_ON_ONE_CORE(face_dilatation)
 
 /// The symmetric Dirichlet energy sigma_1^2 + sigma_2^2 + 1/sigma_1^2 + 1/sigma_2^2 >= 4 of the affine map between the
 /// flat triangles, both surfaces scaled to the same area; 4 where it is isometric, infinite for faces without area.
@@ -183,7 +158,7 @@ std::pair<double, double> face_dilatation(const TriangleMesh& mesh, VertexSphere
 /// \param policy,mesh,sphere_map,face_map,np  as for `face_log_area_stretch()`
 /// \return the smallest and the largest value
 template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class FaceMap,
-          class CGAL_NP_TEMPLATE_PARAMETERS>
+          class CGAL_NP_TEMPLATE_PARAMETERS, internal::If_policy<ExecutionPolicy> = 0>
 std::pair<double, double> face_symmetric_dirichlet(const ExecutionPolicy& policy, const TriangleMesh& mesh,
                                                    VertexSphereMap sphere_map, FaceMap face_map,
                                                    const CGAL_NP_CLASS& np = parameters::default_values())
@@ -193,14 +168,8 @@ std::pair<double, double> face_symmetric_dirichlet(const ExecutionPolicy& policy
 }
 
 /// \overload
-/// \param mesh,sphere_map,face_map,np as above; on one core \return as above
-template <class TriangleMesh, class VertexSphereMap, class FaceMap, class CGAL_NP_TEMPLATE_PARAMETERS>
-std::pair<double, double> face_symmetric_dirichlet(const TriangleMesh& mesh, VertexSphereMap sphere_map,
-                                                   FaceMap face_map,
-                                                   const CGAL_NP_CLASS& np = parameters::default_values())
-{
-  return face_symmetric_dirichlet(CGAL::Sequential_tag(), mesh, sphere_map, face_map, np);
-}
+/// without `policy`: on one core
+CGAL_SP_ON_ONE_CORE(face_symmetric_dirichlet)
 
 /// @}
 /// \name Measures per vertex
@@ -231,7 +200,7 @@ std::pair<double, double> mean_over_faces(const TriangleMesh& mesh, FaceMap face
 /// \return the smallest and the largest value
 /// \throws Error  for what is no closed, connected triangle mesh of genus 0
 template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class VertexStretchMap,
-          class CGAL_NP_TEMPLATE_PARAMETERS>
+          class CGAL_NP_TEMPLATE_PARAMETERS, internal::If_policy<ExecutionPolicy> = 0>
 std::pair<double, double> vertex_log_area_stretch(const ExecutionPolicy& policy, const TriangleMesh& mesh,
                                                   VertexSphereMap sphere_map, VertexStretchMap stretch_map,
                                                   const CGAL_NP_CLASS& np = parameters::default_values())
@@ -243,14 +212,8 @@ std::pair<double, double> vertex_log_area_stretch(const ExecutionPolicy& policy,
 }
 
 /// \overload
-/// \param mesh,sphere_map,stretch_map,np as above; on one core \return as above
-template <class TriangleMesh, class VertexSphereMap, class VertexStretchMap, class CGAL_NP_TEMPLATE_PARAMETERS>
-std::pair<double, double> vertex_log_area_stretch(const TriangleMesh& mesh, VertexSphereMap sphere_map,
-                                                  VertexStretchMap stretch_map,
-                                                  const CGAL_NP_CLASS& np = parameters::default_values())
-{
-  return vertex_log_area_stretch(CGAL::Sequential_tag(), mesh, sphere_map, stretch_map, np);
-}
+/// without `policy`: on one core
+CGAL_SP_ON_ONE_CORE(vertex_log_area_stretch)
 
 /// @}
 

@@ -67,6 +67,7 @@ Result run(const ExecutionPolicy& policy, const Method& method, const NamedParam
         return read_problem<ExecutionPolicy>(mesh, solver, sphere_map, effort, inputs, result);
       });
       result.seconds.read = total.seconds() - result.seconds.weights;
+      monitor.advance(0);
       const Solution solution = solve<Host_loop>(policy, method, input.problem, monitor);
       write_solution(solution, input, sphere_map, result);
       monitor.begin_stage(1, 1);
@@ -156,7 +157,9 @@ Result run(const ExecutionPolicy& policy, const Method& method, const NamedParam
 ///     \cgalParamDefault{unlimited}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
-///     \cgalParamDescription{called with the fraction of the work done\, in [0\, 1]; returns whether to go on}
+///     \cgalParamDescription{called with the fraction of the work done\, in [0\, 1]; returns whether to go on. From
+///       the first call on\, which is made when all has been read\, mesh and maps are not looked at any more\, but that
+///       `sphere_map` is written.}
 ///     \cgalParamType{callable as `bool(double)`}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
@@ -265,13 +268,11 @@ Result parameterize_triangle_soup(const ExecutionPolicy& policy, const PointRang
                 "parameters]): the method is Balanced, Isometric, Automatic or Saddle_point");
   if constexpr(internal::Is_method<Method>::value &&
                internal::check_named_parameters<Edge, std::size_t, std::size_t, CGAL_NP_CLASS>())
-    return internal::run(policy, method, np,
-                         internal::Range_map<SpherePoints, Indexed_triangle_mesh::Vertex_index>{&sphere_points},
-                         [&](const auto& read) {
-                           const Indexed_triangle_mesh mesh(policy, points, triangles);
-                           internal::make_room(sphere_points, mesh.number_of_vertices());
-                           return read(mesh, internal::Soup_inputs<Indexed_triangle_mesh, CGAL_NP_CLASS>{mesh, np});
-                         });
+    return internal::run(policy, method, np, internal::Range_map<SpherePoints>{&sphere_points}, [&](const auto& read) {
+      const Indexed_triangle_mesh mesh(policy, points, triangles);
+      internal::make_room(sphere_points, mesh.number_of_vertices());
+      return read(mesh, internal::Soup_inputs<Indexed_triangle_mesh, CGAL_NP_CLASS>{mesh, np});
+    });
   else
     return Result();
 }

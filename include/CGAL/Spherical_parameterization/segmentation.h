@@ -11,14 +11,13 @@
 
 #include <CGAL/Spherical_parameterization/values/Error.h>
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
+#include <CGAL/Spherical_parameterization/internal/backend/on_one_core.h>
 #include <CGAL/Spherical_parameterization/internal/api/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/api/precondition.h>
 #include <CGAL/Spherical_parameterization/internal/distortion/Face_measures.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/segments.h>
 #include <CGAL/Spherical_parameterization/values/segmentation_methods.h>
-
-#include <CGAL/tags.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -111,16 +110,8 @@ Segmentation_result segmentation_from_area_stretch(const ExecutionPolicy& policy
 }
 
 /// \overload
-/// \param mesh,sphere_map,stretch_map,segment_map,method,np as above; on one core \return as above
-template <class TriangleMesh, class VertexSphereMap, class FaceStretchMap, class FaceSegmentMap,
-          class Method = Majority_vote, class CGAL_NP_TEMPLATE_PARAMETERS, internal::If_no_policy<TriangleMesh> = 0>
-Segmentation_result segmentation_from_area_stretch(const TriangleMesh& mesh, VertexSphereMap sphere_map,
-                                                   FaceStretchMap stretch_map, FaceSegmentMap segment_map,
-                                                   const Method& method = Method(),
-                                                   const CGAL_NP_CLASS& np = parameters::default_values())
-{
-  return segmentation_from_area_stretch(CGAL::Sequential_tag(), mesh, sphere_map, stretch_map, segment_map, method, np);
-}
+/// without `policy`: on one core
+CGAL_SP_ON_ONE_CORE(segmentation_from_area_stretch)
 
 /// Segmentation (part decomposition) of a mesh by its map: measures the stretch and cuts, in one call.
 /// \param policy,mesh,segment_map,method,np  as for `segmentation_from_area_stretch()`
@@ -144,15 +135,8 @@ Segmentation_result segmentation_via_area_stretch(const ExecutionPolicy& policy,
 }
 
 /// \overload
-/// \param mesh,sphere_map,segment_map,method,np as above; on one core \return as above
-template <class TriangleMesh, class VertexSphereMap, class FaceSegmentMap, class Method = Majority_vote,
-          class CGAL_NP_TEMPLATE_PARAMETERS, internal::If_no_policy<TriangleMesh> = 0>
-Segmentation_result segmentation_via_area_stretch(const TriangleMesh& mesh, VertexSphereMap sphere_map,
-                                                  FaceSegmentMap segment_map, const Method& method = Method(),
-                                                  const CGAL_NP_CLASS& np = parameters::default_values())
-{
-  return segmentation_via_area_stretch(CGAL::Sequential_tag(), mesh, sphere_map, segment_map, method, np);
-}
+/// without `policy`: on one core
+CGAL_SP_ON_ONE_CORE(segmentation_via_area_stretch)
 
 /// @}
 

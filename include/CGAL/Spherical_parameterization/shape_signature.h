@@ -5,11 +5,10 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_SHAPE_SIGNATURE_H
 
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
+#include <CGAL/Spherical_parameterization/internal/backend/on_one_core.h>
 #include <CGAL/Spherical_parameterization/internal/api/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
 #include <CGAL/Spherical_parameterization/internal/signature/signature_values.h>
-
-#include <CGAL/tags.h>
 
 #include <array>
 #include <cmath>
@@ -69,7 +68,8 @@ inline double distance(const Shape_signature& a, const Shape_signature& b)
 ///
 /// Complexity: up to 100,000 vertices that of two sparse Cholesky factorizations (10 ms for 5,000 vertices), on one
 /// core whatever the policy; beyond that linear (multigrid).
-template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class CGAL_NP_TEMPLATE_PARAMETERS>
+template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class CGAL_NP_TEMPLATE_PARAMETERS,
+          internal::If_policy<ExecutionPolicy> = 0>
 Shape_signature shape_signature(const ExecutionPolicy& policy, const TriangleMesh& mesh, VertexSphereMap sphere_map,
                                 const CGAL_NP_CLASS& np = parameters::default_values())
 {
@@ -80,13 +80,8 @@ Shape_signature shape_signature(const ExecutionPolicy& policy, const TriangleMes
 }
 
 /// \overload
-/// \param mesh,sphere_map,np as above; on one core \return as above
-template <class TriangleMesh, class VertexSphereMap, class CGAL_NP_TEMPLATE_PARAMETERS>
-Shape_signature shape_signature(const TriangleMesh& mesh, VertexSphereMap sphere_map,
-                                const CGAL_NP_CLASS& np = parameters::default_values())
-{
-  return shape_signature(CGAL::Sequential_tag(), mesh, sphere_map, np);
-}
+/// without `policy`: on one core
+CGAL_SP_ON_ONE_CORE(shape_signature)
 
 /// @}
 

@@ -7,11 +7,10 @@
 #include <CGAL/Spherical_parameterization/internal/api/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/api/precondition.h>
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
+#include <CGAL/Spherical_parameterization/internal/backend/on_one_core.h>
 #include <CGAL/Spherical_parameterization/internal/distortion/stretch_shares.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
 #include <CGAL/Spherical_parameterization/values/Stretch_histogram.h>
-
-#include <CGAL/tags.h>
 
 #include <vector>
 
@@ -50,14 +49,8 @@ std::vector<double> stretch_histogram(const ExecutionPolicy& policy, const Trian
 }
 
 /// \overload
-/// \param mesh,sphere_map,options,np as above; on one core \return as above
-template <class TriangleMesh, class VertexSphereMap, class CGAL_NP_TEMPLATE_PARAMETERS>
-std::vector<double> stretch_histogram(const TriangleMesh& mesh, VertexSphereMap sphere_map,
-                                      const Stretch_histogram& options = {},
-                                      const CGAL_NP_CLASS& np = parameters::default_values())
-{
-  return stretch_histogram(CGAL::Sequential_tag(), mesh, sphere_map, options, np);
-}
+/// without `policy`: on one core
+CGAL_SP_ON_ONE_CORE(stretch_histogram)
 
 /// @}
 

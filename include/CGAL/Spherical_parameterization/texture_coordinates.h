@@ -5,6 +5,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_TEXTURE_COORDINATES_H
 
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
+#include <CGAL/Spherical_parameterization/internal/backend/on_one_core.h>
 #include <CGAL/Spherical_parameterization/internal/api/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/plane.h>
 #include <CGAL/Spherical_parameterization/internal/api/precondition.h>
@@ -13,8 +14,6 @@
 #include <CGAL/Spherical_parameterization/values/texture_options.h>
 
 #include <CGAL/boost/graph/helpers.h>
-#include <CGAL/tags.h>
-
 #include <boost/property_map/property_map.hpp>
 
 #include <array>
@@ -73,14 +72,8 @@ Texture_report texture_coordinates(const ExecutionPolicy& policy, const Triangle
 }
 
 /// \overload
-/// \param mesh,sphere_map,uv_map,options,np as above; on one core \return as above
-template <class TriangleMesh, class VertexSphereMap, class HalfedgeUVMap, class CGAL_NP_TEMPLATE_PARAMETERS>
-Texture_report texture_coordinates(const TriangleMesh& mesh, VertexSphereMap sphere_map, HalfedgeUVMap uv_map,
-                                   const Texture_options& options = Texture_options(),
-                                   const CGAL_NP_CLASS& np = parameters::default_values())
-{
-  return texture_coordinates(CGAL::Sequential_tag(), mesh, sphere_map, uv_map, options, np);
-}
+/// without `policy`: on one core
+CGAL_SP_ON_ONE_CORE(texture_coordinates)
 
 /// The seams of a texture: the edges whose two faces have different coordinates at one of its ends. With both maps,
 /// `CGAL::Seam_mesh` is the mesh cut open, on which every vertex has one pair of texture coordinates.

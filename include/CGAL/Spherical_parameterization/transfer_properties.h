@@ -4,21 +4,17 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_TRANSFER_PROPERTIES_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_TRANSFER_PROPERTIES_H
 
+#include <CGAL/Spherical_parameterization/internal/backend/on_one_core.h>
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
+#include <CGAL/Spherical_parameterization/internal/locate/weighted_mean.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
 #include <CGAL/Spherical_parameterization/locate.h>
 
-#include <CGAL/tags.h>
-
 #include <boost/property_map/property_map.hpp>
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization {
@@ -27,45 +23,6 @@ namespace CGAL::Spherical_parameterization {
 /// @{
 
 namespace internal {
-
-template <class Value, class = void>
-struct Is_linear : std::false_type {};
-template <class Value>
-struct Is_linear<Value, std::void_t<decltype(1. * std::declval<const Value&>() + 1. * std::declval<const Value&>())>>
-  : std::true_type {};
-
-/// Between the least and the largest of them, whatever the rounding: what is constant stays so, and nothing overflows.
-template <class Number>
-Number weighted_mean_of_numbers(const std::array<double, 3>& w, Number x0, Number x1, Number x2)
-{
-  const auto [least, largest] = std::minmax({x0, x1, x2});
-  return std::clamp<Number>(w[0] * x0 + w[1] * x1 + w[2] * x2, least, largest);
-}
-
-template <class Value>
-struct Is_array_of_three : std::false_type {};
-template <class Number>
-struct Is_array_of_three<std::array<Number, 3>> : std::true_type {};
-
-/// w_0 x_0 + w_1 x_1 + w_2 x_2 of numbers, vectors of any library, or points (which CGAL does not add up).
-template <class Value>
-Value weighted_mean(const std::array<double, 3>& w, const Value& x0, const Value& x1, const Value& x2)
-{
-  if constexpr(std::is_arithmetic<Value>::value)
-    return static_cast<Value>(weighted_mean_of_numbers<std::common_type_t<double, Value>>(w, x0, x1, x2));
-  else if constexpr(Is_linear<Value>::value)
-    return static_cast<Value>(w[0] * x0 + w[1] * x1 + w[2] * x2);
-  else {
-    const vec3 a = coordinates(x0), b = coordinates(x1), c = coordinates(x2);
-    const vec3 p = {weighted_mean_of_numbers(w, a.x, b.x, c.x), weighted_mean_of_numbers(w, a.y, b.y, c.y),
-                    weighted_mean_of_numbers(w, a.z, b.z, c.z)};
-    if constexpr(Is_array_of_three<Value>::value) {
-      typedef typename Value::value_type Number;
-      return {static_cast<Number>(p.x), static_cast<Number>(p.y), static_cast<Number>(p.z)};
-    } else
-      return Value(p.x, p.y, p.z);
-  }
-}
 
 /// Queries are independent of each other.
 template <class Loop, class TriangleMesh>
@@ -111,7 +68,8 @@ interpolate(const TriangleMesh& mesh, const Face_location<TriangleMesh>& locatio
 /// \throws Error  `NON_FINITE_COORDINATE` at an image that is no direction, before anything is written
 ///
 /// Complexity: one query (`Spherical_locator::locate()`) for each vertex of `to`.
-template <class ExecutionPolicy, class FromMesh, class FromMap, class ToMesh, class ToSphereMap, class ToMap>
+template <class ExecutionPolicy, class FromMesh, class FromMap, class ToMesh, class ToSphereMap, class ToMap,
+          internal::If_policy<ExecutionPolicy> = 0>
 void transfer_vertex_property(const ExecutionPolicy& policy, const Spherical_locator<FromMesh>& from, FromMap from_map,
                               const ToMesh& to, ToSphereMap to_sphere, ToMap to_map)
 {
@@ -123,13 +81,8 @@ void transfer_vertex_property(const ExecutionPolicy& policy, const Spherical_loc
 }
 
 /// \overload
-/// \param from,from_map,to,to_sphere,to_map as above; on one core
-template <class FromMesh, class FromMap, class ToMesh, class ToSphereMap, class ToMap>
-void transfer_vertex_property(const Spherical_locator<FromMesh>& from, FromMap from_map, const ToMesh& to,
-                              ToSphereMap to_sphere, ToMap to_map)
-{
-  transfer_vertex_property(CGAL::Sequential_tag(), from, from_map, to, to_sphere, to_map);
-}
+/// without `policy`: on one core
+CGAL_SP_ON_ONE_CORE(transfer_vertex_property)
 
 /// Carries data of faces, such as labels: every face gets the value of the face of `from` under its centre.
 /// \param policy      `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result does not depend on it
@@ -141,7 +94,8 @@ void transfer_vertex_property(const Spherical_locator<FromMesh>& from, FromMap f
 /// \throws Error  `NON_FINITE_COORDINATE` at a centre that is no direction, before anything is written
 ///
 /// Complexity: one query for each face of `to`.
-template <class ExecutionPolicy, class FromMesh, class FromMap, class ToMesh, class ToSphereMap, class ToMap>
+template <class ExecutionPolicy, class FromMesh, class FromMap, class ToMesh, class ToSphereMap, class ToMap,
+          internal::If_policy<ExecutionPolicy> = 0>
 void transfer_face_property(const ExecutionPolicy& policy, const Spherical_locator<FromMesh>& from, FromMap from_map,
                             const ToMesh& to, ToSphereMap to_sphere, ToMap to_map)
 {
@@ -159,13 +113,8 @@ void transfer_face_property(const ExecutionPolicy& policy, const Spherical_locat
 }
 
 /// \overload
-/// \param from,from_map,to,to_sphere,to_map as above; on one core
-template <class FromMesh, class FromMap, class ToMesh, class ToSphereMap, class ToMap>
-void transfer_face_property(const Spherical_locator<FromMesh>& from, FromMap from_map, const ToMesh& to,
-                            ToSphereMap to_sphere, ToMap to_map)
-{
-  transfer_face_property(CGAL::Sequential_tag(), from, from_map, to, to_sphere, to_map);
-}
+/// without `policy`: on one core
+CGAL_SP_ON_ONE_CORE(transfer_face_property)
 
 /// @}
 

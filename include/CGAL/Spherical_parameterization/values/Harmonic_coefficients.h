@@ -4,9 +4,13 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_VALUES_HARMONIC_COEFFICIENTS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_VALUES_HARMONIC_COEFFICIENTS_H
 
+#include <CGAL/Spherical_parameterization/values/Error.h>
 #include <CGAL/Spherical_parameterization/internal/api/precondition.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization {
@@ -21,8 +25,10 @@ constexpr int largest_harmonic_degree = 16383;
 /// in real orthonormal spherical harmonics:
 ///
 ///     f(x) = sum of c(l, m) Y(l, m)(x)  over  0 <= l <= degree,  -l <= m <= l
-///     Y(l, m) = N(l, |m|) P(l, |m|)(cos theta) * { sqrt 2 sin(|m| phi),  m < 0;  1,  m = 0;  sqrt 2 cos(m phi),  m > 0
-///     } N(l, m)^2 = (2 l + 1) / (4 pi) * (l - m)! / (l + m)!
+///
+///     Y(l, m) = N(l, |m|) P(l, |m|)(cos theta) T(m)(phi)
+///     T(m)(phi) = sqrt 2 sin(|m| phi) for m < 0,  1 for m = 0,  sqrt 2 cos(m phi) for m > 0
+///     N(l, m)^2 = (2 l + 1) / (4 pi) (l - m)! / (l + m)!
 ///
 /// with x = (sin theta cos phi, sin theta sin phi, cos theta) and the associated Legendre functions P *without* the
 /// Condon-Shortley phase (-1)^m. The integral of Y(l, m) Y(k, n) over the unit sphere is 1 or 0, and
@@ -90,6 +96,88 @@ private:
   int fields_ = 0;
   std::vector<double> values_;
 };
+
+/// \name What Coefficients Say
+/// @{
+
+/// The power of every degree: the sum of the squares of its coefficients over all functions. Rotating the sphere does
+/// not change it, nor does rotating a shape in space; all of it together is the integral of the squares (Parseval).
+/// \param coefficients  of the functions
+/// \return for l = 0 ... degree
+inline std::vector<double> power_spectrum(const Harmonic_coefficients& coefficients)
+{
+  std::vector<double> power(coefficients.degree() + 1, 0);
+  for(int field = 0; field < coefficients.number_of_fields(); ++field)
+    for(int l = 0; l <= coefficients.degree(); ++l)
+      for(int m = -l; m <= l; ++m)
+        power[l] += coefficients(l, m, field) * coefficients(l, m, field);
+  return power;
+}
+
+/// The coefficients multiplied by a factor for every degree. Factors that fall smooth the functions: exp(-t l (l + 1))
+/// is the heat flow of time t. Factors above 1 sharpen them.
+/// \param coefficients  of the functions
+/// \param factor        called with the degree l
+/// \return the coefficients of the filtered functions
+template <class Factor>
+Harmonic_coefficients filtered(Harmonic_coefficients coefficients, Factor factor)
+{
+  for(int l = 0; l <= coefficients.degree(); ++l) {
+    const double f = factor(l);
+    for(int field = 0; field < coefficients.number_of_fields(); ++field)
+      for(int m = -l; m <= l; ++m)
+        coefficients(l, m, field) *= f;
+  }
+  return coefficients;
+}
+
+/// The same functions with a smaller degree (a low-pass filter), or with a larger one and zeros.
+/// \param coefficients  of the functions
+/// \param degree        0 to `largest_harmonic_degree`
+/// \return the coefficients
+inline Harmonic_coefficients with_degree(const Harmonic_coefficients& coefficients, int degree)
+{
+  Harmonic_coefficients result(degree, coefficients.number_of_fields());
+  for(int field = 0; field < result.number_of_fields(); ++field)
+    std::copy_n(coefficients.field_begin(field), (std::min)(result.size(), coefficients.size()),
+                result.field_begin(field));
+  return result;
+}
+
+/// The mirror image in the plane z = 0, with the map mirrored, too, so that it is still one without flips: what
+/// `best_alignment()` is to be asked for as well where left and right shapes are compared.
+/// \param shape  three functions
+/// \return the coefficients of the mirror image
+inline Harmonic_coefficients mirrored(Harmonic_coefficients shape)
+{
+  CGAL_SP_PRECONDITION(shape.number_of_fields() == 3, "a shape is three functions");
+  for(int field = 0; field < 3; ++field)
+    for(int l = 0; l <= shape.degree(); ++l)
+      for(int m = -l; m <= l; ++m)
+        if(((l + m) % 2 != 0) != (field == 2))
+          shape(l, m, field) *= -1;
+  return shape;
+}
+
+/// @}
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+/// Throws Error for a coefficient that is not finite. \param whose  ends the sentence
+inline void check_finite(const Harmonic_coefficients& c, const std::string& whose = "")
+{
+  for(int field = 0; field < c.number_of_fields(); ++field)
+    for(int l = 0; l <= c.degree(); ++l)
+      for(int m = -l; m <= l; ++m)
+        if(!std::isfinite(c(l, m, field)))
+          throw Input_error(Error_code::NON_FINITE_COORDINATE, "the coefficient of l = " + std::to_string(l) +
+                                                                 ", m = " + std::to_string(m) + " of function " +
+                                                                 std::to_string(field) + whose);
+}
+
+} // namespace internal
+/// \endcond
 
 /// @}
 

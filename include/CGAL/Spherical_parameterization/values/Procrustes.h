@@ -4,6 +4,8 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_VALUES_PROCRUSTES_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_VALUES_PROCRUSTES_H
 
+#include <CGAL/Spherical_parameterization/values/Rotation.h>
+
 #include <array>
 #include <vector>
 
@@ -22,9 +24,9 @@ struct Procrustes {
 
 /// The motion of a shape: x becomes scale * rotation x + translation.
 struct Similarity {
-  double scale = 1;                                                                    ///< positive
-  std::array<std::array<double, 3>, 3> rotation = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}; ///< by rows
-  std::array<double, 3> translation = {0, 0, 0};                                       ///< comes last
+  double scale = 1;                                        ///< positive
+  Rotation rotation = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}; ///< of the scaled shape
+  std::array<double, 3> translation = {0, 0, 0};           ///< comes last
 };
 
 /// What `align_shapes()` has done.

@@ -30,7 +30,7 @@ enum class Vertex_weights {
 struct Least_squares {
   Vertex_weights weights = Vertex_weights::SPHERE_AREA; ///< how much each vertex counts
   double accuracy = 1e-10;                              ///< stops where the gradient is this part of that at 0
-  int iterations = 500; ///< at most; `Harmonics_report::has_converged` says whether they were enough
+  int iterations = 500; ///< at most; `Harmonic_analysis::has_converged` says whether they were enough
 };
 
 /// Analysis by integrals: c(l, m) is the integral over the sphere of Y(l, m) times the field that is linear on every

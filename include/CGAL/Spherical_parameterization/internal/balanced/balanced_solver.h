@@ -7,7 +7,7 @@
 #include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
 #include <CGAL/Spherical_parameterization/internal/multigrid/Multigrid.h>
 #include <CGAL/Spherical_parameterization/internal/problem/Solution.h>
-#include <CGAL/Spherical_parameterization/internal/balanced/moebius.h>
+#include <CGAL/Spherical_parameterization/internal/moebius/moebius.h>
 
 #include <algorithm>
 #include <array>

@@ -9,7 +9,7 @@
 #include <CGAL/Spherical_parameterization/internal/problem/Method_solver.h>
 #include <CGAL/Spherical_parameterization/internal/multigrid/Multigrid.h>
 #include <CGAL/Spherical_parameterization/internal/balanced/balanced_solver.h>
-#include <CGAL/Spherical_parameterization/internal/balanced/moebius.h>
+#include <CGAL/Spherical_parameterization/internal/moebius/moebius.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/certificate.h>
 
 #include <algorithm>

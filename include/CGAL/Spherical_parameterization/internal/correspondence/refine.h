@@ -10,6 +10,7 @@
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Corner_table.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 
 #include <array>
 #include <vector>
@@ -35,13 +36,10 @@ struct Registered_surface : Corner_table {
 };
 
 /// A third of the area of its faces, by vertex.
-inline Host_array<double> vertex_areas(const Registered_surface& surface)
+inline Host_array<double> vertex_areas(const Host_loop& loop, const Registered_surface& surface)
 {
-  Host_array<double> area(surface.point.size(), 0.);
-  for(const std::array<int, 3>& f : surface.face)
-    for(int i : f)
-      area[i] += norm(normal(surface.point, f)) / 6;
-  return area;
+  return thirds_at_vertices(loop, surface.face, static_cast<int>(surface.point.size()),
+                            [&](int f) { return norm(normal(surface.point, surface.face[f])) / 2; });
 }
 
 /// A vertex of A, and where it should go on the sphere.
@@ -83,6 +81,7 @@ CGAL_SP_CORE std::vector<Host_array<double>> shape_features(const Host_loop& loo
 
 /// Moves x, the images of the vertices of A, which are without flips and stay so: nonlinear conjugate gradients,
 /// preconditioned by a multigrid cycle of the Laplacian on the sphere. No step lets a face shrink to less than a fifth.
+/// Where rounding has flipped faces already, the energy is infinite, and nothing is moved.
 CGAL_SP_CORE Refinement_report refine(const Host_loop& loop, const Registered_surface& a, const Registered_surface& b,
                                       const Registration_features& features,
                                       const std::vector<Registration_landmark>& landmarks, const Refinement& settings,

@@ -294,17 +294,25 @@ private:
 };
 
 /// A random access range as a map from the vertices of an indexed mesh.
-template <class Range, class Vertex>
+template <class Range>
 struct Range_map {
-  typedef Vertex key_type;
+  typedef void key_type; // any
   typedef std::decay_t<decltype(std::declval<Range&>()[0])> value_type;
   typedef const value_type& reference;
   typedef boost::read_write_property_map_tag category;
 
   Range* range;
 
-  friend reference get(const Range_map& map, key_type v) { return (*map.range)[v.idx()]; }
-  friend void put(const Range_map& map, key_type v, const value_type& p) { (*map.range)[v.idx()] = p; }
+  template <class Vertex>
+  friend reference get(const Range_map& map, Vertex v)
+  {
+    return (*map.range)[v.idx()];
+  }
+  template <class Vertex>
+  friend void put(const Range_map& map, Vertex v, const value_type& p)
+  {
+    (*map.range)[v.idx()] = p;
+  }
 };
 
 template <class Range, class = void>

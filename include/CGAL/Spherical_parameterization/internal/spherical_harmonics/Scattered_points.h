@@ -76,11 +76,17 @@ public:
   template <class Loop>
   void spread(const Loop& loop, const double* values, Angular_grid& grid) const
   {
+    constexpr int at_a_time = 1 << 14; // points of a band, so that a watched loop is not kept waiting
     const int bands = static_cast<int>(band_begin_.size()) - 1;
-    for(int parity = 0; parity < 2; ++parity)
+    int longest = 0;
+    for(int b = 0; b < bands; ++b)
+      longest = (std::max)(longest, band_begin_[b + 1] - band_begin_[b]);
+    const int passes = (longest + at_a_time - 1) / at_a_time;
+    for(int pass = 0; pass < 2 * passes; ++pass) {
+      const int parity = pass / passes;
       loop.for_each((bands + 1 - parity) / 2, [&](int b) {
-        const int band = 2 * b + parity;
-        for(int i = band_begin_[band]; i < band_begin_[band + 1]; ++i) {
+        const int band = 2 * b + parity, begin = band_begin_[band] + pass % passes * at_a_time;
+        for(int i = begin; i < (std::min)(band_begin_[band + 1], begin + at_a_time); ++i) {
           const Place& place = place_[i];
           const Weights& weight = weight_[i];
           for(int field = 0; field < grid.fields; ++field) {
@@ -95,6 +101,7 @@ public:
           }
         }
       });
+    }
   }
 
 private:

@@ -4,14 +4,20 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPHERICAL_HARMONICS_ANALYSIS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPHERICAL_HARMONICS_ANALYSIS_H
 
+#include <CGAL/Spherical_parameterization/values/Error.h>
 #include <CGAL/Spherical_parameterization/values/Harmonic_coefficients.h>
+#include <CGAL/Spherical_parameterization/values/Harmonic_results.h>
 #include <CGAL/Spherical_parameterization/values/harmonics_methods.h>
-#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
-#include <CGAL/Spherical_parameterization/internal/api/compiled.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
-#include <CGAL/Spherical_parameterization/internal/distortion/Mapped_faces.h>
+#include <CGAL/Spherical_parameterization/internal/api/compiled.h>
+#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/spherical_harmonics/grids.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Mapped_surface.h>
 
-#include <array>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -22,41 +28,45 @@ struct Sampled_fields {
   Host_array<double> value;
 };
 
-/// How a fit went.
-struct Fit {
-  Harmonic_coefficients coefficients;
-  bool has_converged = true;
-  int iterations = 0;
-};
+/// Scales numbers by a power of two, which changes no digit, to where their squares neither overflow nor vanish.
+/// Returns its exponent.
+inline int scale_to_one(double* begin, double* end)
+{
+  double largest = 0;
+  for(const double* x = begin; x != end; ++x)
+    largest = (std::max)(largest, std::abs(*x));
+  const int exponent = largest > 0 ? std::ilogb(largest) : 0;
+  for(double* x = begin; x != end; ++x)
+    *x = std::ldexp(*x, -exponent);
+  return exponent;
+}
 
-/// Least squares with a weight for every point, none of them negative.
+/// Throws Error for what is not finite, and directions of length 0.
+inline void check_directions(const Host_array<vec3>& directions)
+{
+  for(std::size_t i = 0; i < directions.size(); ++i)
+    if(const double square = inner(directions[i], directions[i]); !(square > 0) || !std::isfinite(square))
+      throw Input_error(Error_code::NON_FINITE_COORDINATE, "no direction at vertex " + std::to_string(i));
+}
+
+/// Whether the points of the source have to be there.
+inline bool needs_points(const Least_squares& method) { return method.weights == Vertex_weights::SURFACE_AREA; }
+inline bool needs_points(const Integration&) { return false; }
+
+/// Of data of the vertices: least squares. Throws Error for a map that is not valid, and for what is not finite.
 template <class Loop>
-Fit fit_harmonics(const Loop& loop, const Host_array<vec3>& directions, const Sampled_fields& fields,
-                  const Host_array<double>& weights, int degree, const Least_squares& method);
+Harmonic_analysis analyze_vertices(const Loop& loop, Mapped_surface map, Sampled_fields fields, int degree,
+                                   const Least_squares& method);
 
-/// Integrals over the faces of the sphere of fields that are linear on them. `weights` is not used.
+/// Integrals over the faces of the sphere of fields that are linear on them. Throws Error as above.
 template <class Loop>
-Harmonic_coefficients integrate_harmonics(const Loop& loop, const Mapped_faces& map, const Sampled_fields& fields,
-                                          int degree, double accuracy);
+Harmonic_analysis analyze_vertices(const Loop& loop, Mapped_surface map, Sampled_fields fields, int degree,
+                                   const Integration& method);
 
-/// The values of the functions, field after field. \param directions  of any length but 0
+/// The values of the functions: direction after direction. \param directions  of any length but 0
 template <class Loop>
 Host_array<double> evaluate_harmonics(const Loop& loop, const Harmonic_coefficients& coefficients,
                                       const Host_array<vec3>& directions);
-
-/// A grid of circles of latitude, from the north pole to the south pole and symmetric to the equator, with equidistant
-/// longitudes from 0 on.
-struct Latitude_rows {
-  std::vector<double> cos, sin; ///< of the angle of every row from the north pole
-  std::vector<double> weight;   ///< of the quadrature, with the longitudes: their sum times the columns is 4 pi
-  int columns;
-};
-
-/// The zeros of the Legendre polynomial of this number of rows (C. F. Gauss, 1814), and so many columns or a few more,
-/// of a number that Fourier transforms like.
-Latitude_rows gauss_legendre_rows(int rows, int columns);
-/// Equidistant rows with both poles (C. Clenshaw, A. Curtis, 1960).
-Latitude_rows equidistant_rows(int rows, int columns);
 
 /// The functions on a grid: field after field, row after row.
 template <class Loop>

@@ -4,7 +4,9 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPHERICAL_HARMONICS_ANALYSIS_IMPL_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPHERICAL_HARMONICS_ANALYSIS_IMPL_H
 
+#include <CGAL/Spherical_parameterization/internal/api/precondition.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
+#include <CGAL/Spherical_parameterization/internal/predicates/certificate.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/Grid_transform.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/Legendre_transform.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/Scattered_points.h>
@@ -17,26 +19,84 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <numeric>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 
+/// Throws Error for what cannot be analyzed.
 template <class Loop>
-Fit fit_harmonics(const Loop& loop, const Host_array<vec3>& directions, const Sampled_fields& fields,
-                  const Host_array<double>& weights, int degree, const Least_squares& method)
+Valid_map checked(const Loop& loop, Mapped_surface map, const Sampled_fields& fields)
 {
-  return conjugate_gradients(Normal_equations<Loop>(loop, directions, fields, weights, degree), method);
+  check_directions(map.image);
+  for(std::size_t i = 0; i < fields.value.size(); ++i)
+    if(!std::isfinite(fields.value[i]))
+      throw Input_error(Error_code::NON_FINITE_COORDINATE,
+                        "the value of vertex " + std::to_string(i % map.image.size()));
+  return {std::move(map), loop.bare()};
+}
+
+/// What each vertex counts in least squares: none of the numbers is negative, and they are finite.
+template <class Loop>
+Host_array<double> vertex_weights(const Loop& loop, const Valid_map& map, Vertex_weights weights)
+{
+  if(weights == Vertex_weights::EQUAL)
+    return Host_array<double>(map.image.size(), 1.);
+  const auto area_on_sphere = [&](int f) {
+    const auto [a, b, c] = map.on_sphere(f);
+    return (std::max)(0., spherical_area(a, b, c)); // that of a valid map is below 0 by rounding at most
+  };
+  const Host_array<double> result =
+    weights == Vertex_weights::SURFACE_AREA
+      ? map.vertex_area(loop.bare())
+      : thirds_at_vertices(loop.bare(), map.face, map.number_of_vertices, area_on_sphere);
+  const double total = std::accumulate(result.begin(), result.end(), 0.);
+  if(!(total > 0) || !std::isfinite(total))
+    throw Input_error(Error_code::DEGENERATE_FACE, "the area of all faces is " + std::to_string(total));
+  return result;
 }
 
 template <class Loop>
-Harmonic_coefficients integrate_harmonics(const Loop& loop, const Mapped_faces& map, const Sampled_fields& fields,
-                                          int degree, double accuracy)
+Harmonic_analysis analyze_vertices(const Loop& loop, Mapped_surface given, Sampled_fields fields, int degree,
+                                   const Least_squares& method)
 {
+  const std::size_t n = given.image.size(), size = static_cast<std::size_t>(degree + 1);
+  CGAL_SP_PRECONDITION(method.accuracy >= 0, "the accuracy of least squares must not be negative");
+  CGAL_SP_PRECONDITION(method.iterations >= 0, "the number of iterations must not be negative");
+  CGAL_SP_PRECONDITION(size * size <= n,
+                       "least squares need (degree + 1)^2 vertices or more: take a smaller degree, or Integration");
+  CGAL_SP_PRECONDITION(2 * degree <= largest_harmonic_degree, "the degree of least squares is at most 8191");
+  constexpr double share_of_sums = 0.3;
+  const Valid_map map = checked(loop, std::move(given), fields);
+  loop.begin_stage(0, share_of_sums);
+  Host_array<double> weights = vertex_weights(loop, map, method.weights);
+  scale_to_one(weights.data(), weights.data() + n);
+  std::vector<int> exponent;
+  for(int field = 0; field < fields.number_of_fields; ++field)
+    exponent.push_back(scale_to_one(fields.value.data() + field * n, fields.value.data() + (field + 1) * n));
+  const Normal_equations<Loop> equations(loop, map.image, fields, weights, degree);
+  loop.begin_stage(share_of_sums, 1);
+  Harmonic_analysis result = conjugate_gradients(loop, equations, method);
+  for(int field = 0; field < fields.number_of_fields; ++field)
+    for(int i = 0; i < result.coefficients.size(); ++i)
+      result.coefficients.field_begin(field)[i] =
+        std::ldexp(result.coefficients.field_begin(field)[i], exponent[static_cast<std::size_t>(field)]);
+  return result;
+}
+
+template <class Loop>
+Harmonic_analysis analyze_vertices(const Loop& loop, Mapped_surface given, Sampled_fields fields, int degree,
+                                   const Integration& method)
+{
+  CGAL_SP_PRECONDITION(method.accuracy > 0, "the accuracy of a quadrature is positive");
+  const Valid_map map = checked(loop, std::move(given), fields);
   constexpr int chunk = 1 << 14; // faces at a time: their points need memory
   constexpr int part = 256;      // faces on a thread at a time
   const int d = fields.number_of_fields;
   const std::size_t vertices = map.image.size();
-  const Face_quadrature quadrature(degree, accuracy);
+  const Face_quadrature quadrature(degree, method.accuracy);
   const Grid_transform transform(degree);
   Angular_grid grid = transform.grid(d);
   std::fill(grid.value.begin(), grid.value.end(), 0);
@@ -45,6 +105,7 @@ Harmonic_coefficients integrate_harmonics(const Loop& loop, const Mapped_faces& 
     std::vector<double> value; ///< of all fields, point after point
   };
   for(int begin = 0; begin < map.number_of_faces(); begin += chunk) {
+    loop.advance(static_cast<double>(begin) / map.number_of_faces());
     const int faces = (std::min)(chunk, map.number_of_faces() - begin);
     const std::vector<Samples> parts = results_of_parts<part>(loop, faces, [&](int first, int last) {
       Samples samples;
@@ -72,8 +133,9 @@ Harmonic_coefficients integrate_harmonics(const Loop& loop, const Mapped_faces& 
           value[field * direction.size() + i] = samples.value[j * d + field];
     Scattered_points(loop, grid, direction).spread(loop, value.data(), grid);
   }
-  Harmonic_coefficients result(degree, d);
-  transform.analyze(loop, grid, result);
+  Harmonic_analysis result;
+  result.coefficients = Harmonic_coefficients(degree, d);
+  transform.analyze(loop, grid, result.coefficients);
   return result;
 }
 
@@ -84,47 +146,21 @@ Host_array<double> evaluate_harmonics(const Loop& loop, const Harmonic_coefficie
   constexpr int chunk = 1 << 18; // directions at a time: their kernels need memory
   const int d = coefficients.number_of_fields(), n = static_cast<int>(directions.size());
   Host_array<double> values(directions.size() * d);
+  if(values.empty())
+    return values;
   const Grid_transform transform(coefficients.degree());
   Angular_grid grid = transform.grid(d);
   transform.synthesize(loop, coefficients, grid);
   for(int begin = 0; begin < n; begin += chunk) {
+    loop.advance(static_cast<double>(begin) / n);
     const int end = (std::min)(n, begin + chunk);
     const Host_array<vec3> some(directions.begin() + begin, directions.begin() + end);
     Host_array<double> result(some.size() * d);
     Scattered_points(loop, grid, some).interpolate(loop, grid, result.data());
-    for(int field = 0; field < d; ++field)
-      std::copy_n(result.data() + field * some.size(), some.size(), values.data() + field * directions.size() + begin);
+    for(std::size_t i = 0; i < result.size(); ++i)
+      values[(begin + i % some.size()) * d + i / some.size()] = result[i];
   }
   return values;
-}
-
-CGAL_SP_CORE Latitude_rows gauss_legendre_rows(int rows, int columns)
-{
-  Latitude_rows grid;
-  grid.columns = fourier_size(columns);
-  const auto rule = gauss_rule(rows);
-  for(auto row = rule.rbegin(); row != rule.rend(); ++row) {
-    grid.cos.push_back(row->first);
-    grid.sin.push_back(std::sqrt((1 - row->first) * (1 + row->first)));
-    grid.weight.push_back(row->second * 2 * pi / grid.columns);
-  }
-  return grid;
-}
-
-CGAL_SP_CORE Latitude_rows equidistant_rows(int rows, int columns)
-{
-  Latitude_rows grid;
-  grid.columns = columns;
-  const int n = rows - 1;
-  for(int i = 0; i <= n; ++i) {
-    grid.cos.push_back(std::sin(pi * (n - 2 * i) / (2 * n)));
-    grid.sin.push_back(std::sin(pi * (std::min)(i, n - i) / n));
-    double sum = 1;
-    for(int k = 1; k <= n / 2; ++k)
-      sum -= (2 * k == n ? 1 : 2) * std::cos(2 * pi * k * i / n) / (4. * k * k - 1);
-    grid.weight.push_back((i == 0 || i == n ? 1 : 2) * sum / n * 2 * pi / columns);
-  }
-  return grid;
 }
 
 /// The northern half of a grid.

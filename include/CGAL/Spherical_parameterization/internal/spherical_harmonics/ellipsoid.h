@@ -5,21 +5,14 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPHERICAL_HARMONICS_ELLIPSOID_H
 
 #include <CGAL/Spherical_parameterization/values/Harmonic_coefficients.h>
+#include <CGAL/Spherical_parameterization/values/Harmonic_results.h>
 #include <CGAL/Spherical_parameterization/internal/api/compiled.h>
-#include <CGAL/Spherical_parameterization/internal/algebra/rotations.h>
-
-#include <array>
 
 namespace CGAL::Spherical_parameterization::internal {
 
-/// centre + axes^T diag(radii) sphere_axes x
-struct Ellipsoid {
-  std::array<double, 3> centre, radii;
-  Matrix_3 axes, sphere_axes; ///< by rows
-};
-
 /// What the degrees 0 and 1 of three functions are.
-Ellipsoid ellipsoid_of(const Harmonic_coefficients& shape);
+template <class Loop>
+First_order_ellipsoid ellipsoid_of(const Loop& loop, const Harmonic_coefficients& shape);
 
 } // namespace CGAL::Spherical_parameterization::internal
 

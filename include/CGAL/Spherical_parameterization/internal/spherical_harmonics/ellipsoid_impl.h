@@ -5,7 +5,6 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPHERICAL_HARMONICS_ELLIPSOID_IMPL_H
 
 #include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
-#include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/analysis.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/ellipsoid.h>
 
@@ -19,14 +18,13 @@
 namespace CGAL::Spherical_parameterization::internal {
 
 /// The integrals over the sphere of the cubes of the coordinates along the axes: to which side a shape reaches farther.
-inline std::array<double, 3> skewness(const Harmonic_coefficients& shape, const Eigen::Matrix3d& axes)
+template <class Loop>
+std::array<double, 3> skewness(const Loop& loop, const Harmonic_coefficients& shape, const Eigen::Matrix3d& axes)
 {
   constexpr int largest = 16; // details do not decide
-  Harmonic_coefficients smooth((std::min)(largest, shape.degree()), 3);
-  for(int field = 0; field < 3; ++field)
-    std::copy_n(shape.field_begin(field), smooth.size(), smooth.field_begin(field));
+  const Harmonic_coefficients smooth = with_degree(shape, (std::min)(largest, shape.degree()));
   const Latitude_rows grid = gauss_legendre_rows(3 * smooth.degree() / 2 + 1, 3 * smooth.degree() + 1);
-  const Host_array<double> value = synthesize_on_rows(Host_loop(), smooth, grid);
+  const Host_array<double> value = synthesize_on_rows(loop, smooth, grid);
   const std::size_t n = grid.cos.size() * static_cast<std::size_t>(grid.columns);
   const double scale = 1 / std::sqrt(4 * pi);
   const Eigen::Vector3d centre(scale * shape(0, 0, 0), scale * shape(0, 0, 1), scale * shape(0, 0, 2));
@@ -39,20 +37,23 @@ inline std::array<double, 3> skewness(const Harmonic_coefficients& shape, const 
   return result;
 }
 
-CGAL_SP_CORE Ellipsoid ellipsoid_of(const Harmonic_coefficients& shape)
+template <class Loop>
+First_order_ellipsoid ellipsoid_of(const Loop& loop, const Harmonic_coefficients& of_any_size)
 {
-  Ellipsoid result;
+  Harmonic_coefficients shape = of_any_size;
+  const int exponent = scale_to_one(shape.values().data(), shape.values().data() + shape.values().size());
+  First_order_ellipsoid result;
   Eigen::Matrix3d a;
   const double constant = 1 / std::sqrt(4 * pi), linear = std::sqrt(3.) * constant;
   for(int k = 0; k < 3; ++k) {
-    result.centre[k] = constant * shape(0, 0, k);
+    result.centre[k] = std::ldexp(constant * shape(0, 0, k), exponent);
     a.row(k) << linear * shape(1, 1, k), linear * shape(1, -1, k), linear * shape(1, 0, k);
   }
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(a, Eigen::ComputeFullU | Eigen::ComputeFullV);
   Eigen::Matrix3d u = svd.matrixU(), v = svd.matrixV();
   // Each pair of columns has a free sign: the first two towards where the shape reaches farther, the third one so that
   // axes are right-handed.
-  const std::array<double, 3> skew = skewness(shape, u);
+  const std::array<double, 3> skew = skewness(loop, shape, u);
   for(int k = 0; k < 2; ++k)
     if(skew[k] < 0) {
       u.col(k) *= -1;
@@ -64,7 +65,7 @@ CGAL_SP_CORE Ellipsoid ellipsoid_of(const Harmonic_coefficients& shape)
   if(v.determinant() < 0)
     v.col(2) *= -1;
   for(int k = 0; k < 3; ++k) {
-    result.radii[k] = svd.singularValues()[k] * (k == 2 ? mirrored : 1);
+    result.radii[k] = std::ldexp(svd.singularValues()[k] * (k == 2 ? mirrored : 1), exponent);
     for(int i = 0; i < 3; ++i) {
       result.axes[k][i] = u(i, k);
       result.sphere_axes[k][i] = v(i, k);

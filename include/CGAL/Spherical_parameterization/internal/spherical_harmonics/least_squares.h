@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPHERICAL_HARMONICS_LEAST_SQUARES_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPHERICAL_HARMONICS_LEAST_SQUARES_H
 
+#include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/Grid_transform.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/Scattered_points.h>
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -71,33 +73,55 @@ private:
   Harmonic_coefficients right_hand_side_;
 };
 
-/// Conjugate gradients: every field for itself, in step, so that they share the transforms.
-template <class Matrix>
-Fit conjugate_gradients(const Matrix& matrix, const Least_squares& method)
+/// Conjugate gradients: every field for itself, in step, so that they share the transforms. Where the residual that was
+/// carried along is within the accuracy, that of the coefficients is looked at, and taken from there on if it is not.
+template <class Loop, class Matrix>
+Harmonic_analysis conjugate_gradients(const Loop& loop, const Matrix& matrix, const Least_squares& method)
 {
   const int fields = matrix.right_hand_side().number_of_fields(), size = matrix.right_hand_side().size();
   const auto inner = [=](const Harmonic_coefficients& a, const Harmonic_coefficients& b, int field) {
     return std::inner_product(a.field_begin(field), a.field_begin(field) + size, b.field_begin(field), 0.);
   };
-  Fit fit;
+  Harmonic_analysis fit;
   fit.coefficients = Harmonic_coefficients(matrix.right_hand_side().degree(), fields);
+  fit.has_converged = false;
   Harmonic_coefficients residual = matrix.right_hand_side(), direction = residual;
   std::vector<double> square;
   for(int field = 0; field < fields; ++field)
     square.push_back(inner(residual, residual, field));
   const std::vector<double> first = square;
-  const auto goes_on = [&](int field) { return square[field] > method.accuracy * method.accuracy * first[field]; };
-  const auto any_goes_on = [&] {
+  const double wanted = method.accuracy * method.accuracy;
+  const auto goes_on = [&](int field) { return square[field] > wanted * first[field]; };
+  /// The largest square of a residual, as a part of the first one.
+  const auto worst = [&] {
+    double result = 0;
     for(int field = 0; field < fields; ++field)
       if(goes_on(field))
-        return true;
-    return false;
+        result = (std::max)(result, square[field] / first[field]);
+    return result;
   };
-  for(; any_goes_on(); ++fit.iterations) {
-    if(fit.iterations == method.iterations) {
-      fit.has_converged = false;
-      break;
+  double last = std::numeric_limits<double>::infinity();
+  for(;; ++fit.iterations) {
+    if(worst() == 0) {
+      if(fit.iterations > 0) {
+        const Harmonic_coefficients product = matrix * fit.coefficients;
+        for(std::size_t i = 0; i < residual.values().size(); ++i)
+          residual.values()[i] = matrix.right_hand_side().values()[i] - product.values()[i];
+        direction = residual;
+        for(int field = 0; field < fields; ++field)
+          square[field] = inner(residual, residual, field);
+      }
+      constexpr double rounding = 0.25; // what does not become that much less is all that rounding lets through
+      const double now = worst();
+      fit.has_converged = now == 0;
+      if(fit.has_converged || now > rounding * last)
+        break;
+      last = now;
     }
+    if(fit.iterations == method.iterations)
+      break;
+    loop.advance(
+      (std::max)(static_cast<double>(fit.iterations) / method.iterations, Monitor::share(worst(), 1, wanted)));
     const Harmonic_coefficients product = matrix * direction;
     for(int field = 0; field < fields; ++field) {
       double* const x = fit.coefficients.field_begin(field);

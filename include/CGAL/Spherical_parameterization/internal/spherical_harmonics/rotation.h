@@ -5,19 +5,32 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPHERICAL_HARMONICS_ROTATION_H
 
 #include <CGAL/Spherical_parameterization/values/Harmonic_coefficients.h>
+#include <CGAL/Spherical_parameterization/values/Harmonic_results.h>
+#include <CGAL/Spherical_parameterization/values/Rotation.h>
 #include <CGAL/Spherical_parameterization/internal/api/compiled.h>
-#include <CGAL/Spherical_parameterization/internal/algebra/rotations.h>
 
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 
 /// The coefficients of f(R^-1 x). O(L^3) per function.
-Harmonic_coefficients rotated_harmonics(const Harmonic_coefficients& f, const Matrix_3& rotation);
+template <class Loop>
+Harmonic_coefficients rotated_harmonics(const Loop& loop, const Harmonic_coefficients& f, const Rotation& rotation);
+
+/// The first degrees of three functions without their constants, turned in space.
+inline Harmonic_coefficients turned_in_space(const Harmonic_coefficients& f, const Rotation& rotation, int degree)
+{
+  Harmonic_coefficients result(degree, 3);
+  for(int k = 0; k < 3; ++k)
+    for(int j = 0; j < 3; ++j)
+      for(int i = 1; i < result.size(); ++i)
+        result.field_begin(k)[i] += rotation[k][j] * f.field_begin(j)[i];
+  return result;
+}
 
 /// A rotation, and what it is worth.
 struct Correlation {
-  Matrix_3 rotation;
+  Rotation rotation;
   double value; ///< the integral over the sphere of f(x) g(R^-1 x), summed over the functions
 };
 
@@ -29,17 +42,10 @@ template <class Loop>
 std::vector<Correlation> best_correlations(const Loop& loop, const Harmonic_coefficients& f,
                                            const Harmonic_coefficients& g);
 
-/// Rotations of space and of the sphere, and what they are worth.
-struct Motion {
-  Matrix_3 space, sphere;
-  double
-    value; ///< the integral over the sphere of the inner product of f(x) and space g(sphere^-1 x), without degree 0
-};
-
 /// The best motion of a shape g to a shape f.
-/// \pre three functions each, of the same degree, 1 or more
+/// \pre three functions each, of degree 1 or more; of the larger degree, what the other one has not got is not used
 template <class Loop>
-Motion best_motion(const Loop& loop, const Harmonic_coefficients& f, const Harmonic_coefficients& g);
+Shape_alignment best_motion(const Loop& loop, const Harmonic_coefficients& f, const Harmonic_coefficients& g);
 
 } // namespace CGAL::Spherical_parameterization::internal
 

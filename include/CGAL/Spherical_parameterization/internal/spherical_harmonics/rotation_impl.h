@@ -8,6 +8,7 @@
 #include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/Complex_harmonics.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/Quarter_turn.h>
+#include <CGAL/Spherical_parameterization/internal/spherical_harmonics/analysis.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/ellipsoid.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/fourier.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/rotation.h>
@@ -25,59 +26,55 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-CGAL_SP_CORE Harmonic_coefficients rotated_harmonics(const Harmonic_coefficients& f, const Matrix_3& rotation)
+template <class Loop>
+Harmonic_coefficients rotated_harmonics(const Loop& loop, const Harmonic_coefficients& f, const Rotation& rotation)
 {
   const Complex_harmonics from(f);
   Complex_harmonics to = from;
   const Euler_angles angles(rotation);
   Quarter_turn quarter;
-  for(int l = 1; l <= f.degree(); ++l) {
-    quarter.advance();
-    turn_degree(quarter, angles, from, to);
-  }
+  for(int l = 1; l <= f.degree(); ++l)
+    loop.for_each(1, [&](int) {
+      quarter.advance();
+      turn_degree(quarter, angles, from, to);
+    });
   return to.real();
 }
 
 /// The correlation of f and of g turned by R, for all R.
 class Rotation_search {
 public:
-  Rotation_search(const Harmonic_coefficients& f, const Harmonic_coefficients& g)
-    : f_(f), g_(g), degree_((std::min)(f.degree(), g.degree()))
+  template <class Loop>
+  Rotation_search(const Loop& loop, const Harmonic_coefficients& f, const Harmonic_coefficients& g)
+    : f_(f), g_(g), degree_(f.degree())
   {
     quarter_.resize(degree_ + 1);
-    for(int l = 1; l <= degree_; ++l) {
-      quarter_[l] = quarter_[l - 1];
-      quarter_[l].advance();
-    }
+    for(int l = 1; l <= degree_; ++l)
+      loop.for_each(1, [&](int) {
+        quarter_[l] = quarter_[l - 1];
+        quarter_[l].advance();
+      });
     for(int axis = 0; axis < 3; ++axis)
       f_derivative_.push_back(derivative(f_, axis));
   }
 
-  double value(const Matrix_3& rotation) const { return inner(f_, turned(rotation)); }
-
-  /// Newton's method, uphill from everywhere.
-  Correlation refined(Correlation now) const
+  /// Newton's method, uphill from everywhere: a step of all of them, and the next one.
+  template <class Loop>
+  void refine(const Loop& loop, std::vector<Correlation>& starts) const
   {
     constexpr int most_steps = 30;
-    constexpr double last_step = 1e-6; // radians: what is left then is the square of it
-    Complex_harmonics g = turned(now.rotation);
-    now.value = inner(f_, g);
-    for(int step = 0; step < most_steps; ++step) {
-      vec3 w = newton_step(g);
-      const bool is_last = norm(w) < last_step;
-      for(;; w = scale(0.5, w)) {
-        const Matrix_3 trial = product(rotation_about(w), now.rotation);
-        g = turned(trial);
-        const double trial_value = inner(f_, g);
-        if(is_last)
-          return {trial, trial_value};
-        if(trial_value > now.value || norm(w) < last_step) {
-          now = {trial, trial_value};
-          break;
-        }
-      }
-    }
-    return now;
+    const int n = static_cast<int>(starts.size());
+    std::vector<Complex_harmonics> g(starts.size(), g_);
+    std::vector<char> is_done(starts.size(), 0);
+    loop.for_each(n, [&](int i) {
+      g[i] = turned(starts[i].rotation);
+      starts[i].value = inner(f_, g[i]);
+    });
+    for(int step = 0; step < most_steps; ++step)
+      loop.for_each(n, [&](int i) {
+        if(!is_done[i])
+          is_done[i] = !climb(g[i], starts[i]);
+      });
   }
 
   /// The largest of the local maxima on a grid of Euler's angles, the largest one first.
@@ -120,6 +117,23 @@ private:
   typedef std::complex<double> Complex;
   static constexpr double right_angle_ = 1.57079632679489661923;
 
+  /// A step. `g`: turned by that rotation. Returns whether there is more to be gained.
+  bool climb(Complex_harmonics& g, Correlation& now) const
+  {
+    constexpr double last_step = 1e-6; // radians: what is left then is the square of it
+    vec3 w = newton_step(g);
+    const bool is_last = norm(w) < last_step;
+    for(;; w = scale(0.5, w)) {
+      const Matrix_3 trial = product(rotation_about(w), now.rotation);
+      g = turned(trial);
+      const double trial_value = inner(f_, g);
+      if(is_last || trial_value > now.value || norm(w) < last_step) {
+        now = {trial, trial_value};
+        return !is_last;
+      }
+    }
+  }
+
   Complex_harmonics turned(const Matrix_3& rotation) const
   {
     Complex_harmonics result = g_;
@@ -149,7 +163,7 @@ private:
 
   vec3 newton_step(const Complex_harmonics& g) const
   {
-    constexpr double longest = 0.2; // radians
+    constexpr double longest = 0.2, finite = 1e100; // radians
     Eigen::Vector3d gradient;
     Eigen::Matrix3d hessian;
     std::vector<Complex_harmonics> g_derivative;
@@ -165,7 +179,7 @@ private:
     for(int i = 0; i < 3; ++i) {
       const Eigen::Vector3d axis = eigen.eigenvectors().col(i);
       if(const double curvature = std::abs(eigen.eigenvalues()[i]); curvature > 0)
-        step += axis.dot(gradient) / curvature * axis;
+        step += std::clamp(axis.dot(gradient) / curvature, -finite, finite) * axis;
     }
     if(const double length = step.norm(); length > longest)
       step *= longest / length;
@@ -236,13 +250,27 @@ private:
   std::vector<Complex_harmonics> f_derivative_; ///< about x, y, z
 };
 
+/// A degree that both have, and functions of size 1.
+struct Comparable {
+  Harmonic_coefficients f, g;
+  int exponent; ///< of the power of two that their products have to be scaled by
+
+  Comparable(const Harmonic_coefficients& f_, const Harmonic_coefficients& g_)
+    : f(with_degree(f_, (std::min)(f_.degree(), g_.degree()))), g(with_degree(g_, f.degree())), exponent(0)
+  {
+    for(std::vector<double>* c : {&f.values(), &g.values()})
+      exponent += scale_to_one(c->data(), c->data() + c->size());
+  }
+};
+
 template <class Loop>
-std::vector<Correlation> best_correlations(const Loop& loop, const Harmonic_coefficients& f,
-                                           const Harmonic_coefficients& g)
+std::vector<Correlation> best_correlations(const Loop& loop, const Harmonic_coefficients& of_f,
+                                           const Harmonic_coefficients& of_g)
 {
   constexpr std::size_t refined = 8; // a peak between grid points may seem lower than another one
   constexpr double apart = 0.98;     // cosine of half of the angle between two rotations that count as the same start
-  const Rotation_search search(f, g);
+  const auto [f, g, exponent] = Comparable(of_f, of_g);
+  const Rotation_search search(loop, f, g);
   const std::vector<Correlation> maxima = search.maxima_on_grid(loop);
   std::vector<Correlation> starts;
   for(const Correlation& start : maxima) {
@@ -256,20 +284,11 @@ std::vector<Correlation> best_correlations(const Loop& loop, const Harmonic_coef
     if(starts.size() < refined && std::none_of(starts.begin(), starts.end(), is_near))
       starts.push_back(start);
   }
-  loop.for_each(static_cast<int>(starts.size()), [&](int i) { starts[i] = search.refined(starts[i]); });
+  search.refine(loop, starts);
   std::stable_sort(starts.begin(), starts.end(), [](const auto& x, const auto& y) { return x.value > y.value; });
+  for(Correlation& c : starts)
+    c.value = std::ldexp(c.value, exponent);
   return starts;
-}
-
-/// The first degrees of three functions without their constants, turned in space.
-inline Harmonic_coefficients turned_in_space(const Harmonic_coefficients& f, const Matrix_3& rotation, int degree)
-{
-  Harmonic_coefficients result(degree, 3);
-  for(int k = 0; k < 3; ++k)
-    for(int j = 0; j < 3; ++j)
-      for(int i = 1; i < result.size(); ++i)
-        result.field_begin(k)[i] += rotation[k][j] * f.field_begin(j)[i];
-  return result;
 }
 
 /// The rotation of space that brings g to f where it is, constants left out.
@@ -286,6 +305,13 @@ inline Matrix_3 best_turn_in_space(const Harmonic_coefficients& f, const Harmoni
 /// Where rotations of the sphere are looked for.
 enum class Among { ALL, NEAR };
 
+/// Rotations of space and of the sphere, and what they are worth: the integral over the sphere of the inner product of
+/// f(x) and space g(sphere^-1 x), without degree 0.
+struct Motion {
+  Matrix_3 space, sphere;
+  double value;
+};
+
 /// By turns the best rotation of the sphere and the best rotation of space. No step makes it worse.
 template <class Loop>
 Motion alternated(const Loop& loop, const Harmonic_coefficients& f, const Harmonic_coefficients& g, Motion motion,
@@ -297,9 +323,13 @@ Motion alternated(const Loop& loop, const Harmonic_coefficients& f, const Harmon
   for(int step = 0; step < most_steps; ++step) {
     const double before = motion.value;
     const Harmonic_coefficients turned_source = turned_in_space(source, motion.space, degree);
-    motion.sphere = among == Among::ALL ? best_correlations(loop, target, turned_source).front().rotation
-                                        : Rotation_search(target, turned_source).refined({motion.sphere, 0}).rotation;
-    const Harmonic_coefficients turned = rotated_harmonics(source, motion.sphere);
+    std::vector<Correlation> best = {{motion.sphere, 0}};
+    if(among == Among::ALL)
+      best = best_correlations(loop, target, turned_source);
+    else
+      Rotation_search(loop, target, turned_source).refine(loop, best);
+    motion.sphere = best.front().rotation;
+    const Harmonic_coefficients turned = rotated_harmonics(loop, source, motion.sphere);
     motion.space = best_turn_in_space(target, turned);
     const Harmonic_coefficients there = turned_in_space(turned, motion.space, degree);
     motion.value = std::inner_product(target.values().begin(), target.values().end(), there.values().begin(), 0.);
@@ -310,15 +340,17 @@ Motion alternated(const Loop& loop, const Harmonic_coefficients& f, const Harmon
 }
 
 template <class Loop>
-Motion best_motion(const Loop& loop, const Harmonic_coefficients& f, const Harmonic_coefficients& g)
+Shape_alignment best_motion(const Loop& loop, const Harmonic_coefficients& of_f, const Harmonic_coefficients& of_g)
 {
   constexpr int first_degree = 4, first_steps = 3, last_steps = 20;
   constexpr std::size_t refined = 3; // of the coarse ones
-  const Ellipsoid of_f = ellipsoid_of(f), of_g = ellipsoid_of(g);
+  const Comparable shapes(of_f, of_g);
+  const Harmonic_coefficients &f = shapes.f, &g = shapes.g;
+  const First_order_ellipsoid ellipsoid_f = ellipsoid_of(loop, f), ellipsoid_g = ellipsoid_of(loop, g);
   Matrix_3 to_f; // from the axes to space
   for(int i = 0; i < 3; ++i)
     for(int j = 0; j < 3; ++j)
-      to_f[i][j] = of_f.axes[j][i];
+      to_f[i][j] = ellipsoid_f.axes[j][i];
   // The 24 rotations of a cube between the axes: four of them are right for ellipsoids with three different axes, and
   // some one is near for all others.
   std::vector<Motion> motions;
@@ -331,13 +363,14 @@ Motion best_motion(const Loop& loop, const Harmonic_coefficients& f, const Harmo
       const bool is_odd = (p[0] > p[1]) != ((p[0] > p[2]) != (p[1] > p[2]));
       const bool mirrors = is_odd != (cube[0][p[0]] * cube[1][p[1]] * cube[2][p[2]] < 0);
       if(!mirrors)
-        motions.push_back({product(to_f, product(cube, of_g.axes)), {}, 0});
+        motions.push_back({product(to_f, product(cube, ellipsoid_g.axes)), {}, 0});
     }
   while(std::next_permutation(p.begin(), p.end()));
   const int coarse = (std::min)(first_degree, f.degree());
   const auto is_better = [](const Motion& a, const Motion& b) { return a.value > b.value; };
-  loop.for_each(static_cast<int>(motions.size()),
-                [&](int i) { motions[i] = alternated(loop, f, g, motions[i], coarse, first_steps, Among::ALL); });
+  loop.for_each(static_cast<int>(motions.size()), [&](int i) {
+    motions[i] = alternated(loop.bare(), f, g, motions[i], coarse, first_steps, Among::ALL);
+  });
   std::stable_sort(motions.begin(), motions.end(), is_better);
   std::vector<Motion> chosen; // the same optimum once
   for(const Motion& motion : motions)
@@ -346,7 +379,13 @@ Motion best_motion(const Loop& loop, const Harmonic_coefficients& f, const Harmo
   for(Motion& motion : chosen)
     motion = alternated(loop, f, g, motion, (std::min)(2 * first_degree, f.degree()), last_steps, Among::ALL);
   std::stable_sort(chosen.begin(), chosen.end(), is_better);
-  return alternated(loop, f, g, chosen.front(), f.degree(), last_steps, Among::NEAR);
+  const Motion best = alternated(loop, f, g, chosen.front(), f.degree(), last_steps, Among::NEAR);
+  const auto power = [](const Harmonic_coefficients& c) {
+    const std::vector<double> of_degree = power_spectrum(c);
+    return std::accumulate(of_degree.begin() + 1, of_degree.end(), 0.);
+  };
+  const double size = std::sqrt(power(f) * power(g));
+  return {best.space, best.sphere, size > 0 ? best.value / size : 0};
 }
 
 } // namespace CGAL::Spherical_parameterization::internal

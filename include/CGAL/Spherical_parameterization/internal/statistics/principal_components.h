@@ -13,7 +13,7 @@ namespace CGAL::Spherical_parameterization::internal {
 
 /// The principal components of a set of shapes, as combinations of the shapes: component k is the sum over shapes of
 /// their distances from the mean times combination[i][k]. The columns of `combination` times `deviation[k]` are
-/// orthonormal.
+/// orthonormal. The sign of a component is that for which its longest score is positive.
 struct Principal_components {
   std::vector<double> deviation;                ///< singular values, largest first; those that are rounding left out
   std::vector<std::vector<double>> combination; ///< by shape, then by component
@@ -31,6 +31,13 @@ constexpr double smallest_deviation = 1e-10;
 /// O(V n^2 + n^3) for n shapes of V entries.
 template <class Loop>
 Principal_components principal_components(const Loop& loop, const Shape_set<const double>& shapes);
+
+/// Writes the mean of the shapes, and as many of the components as there are other shapes in `mean_and_modes`.
+///
+/// O(V n) per component.
+template <class Loop>
+void write_components(const Loop& loop, const Shape_set<const double>& shapes, const Principal_components& components,
+                      const Shape_set<double>& mean_and_modes);
 
 /// What components of other shapes leave of a shape: the shapes are dealt out to so many groups, i to group i mod
 /// groups, and the shapes of every group reconstructed from the mean and the components of all others.

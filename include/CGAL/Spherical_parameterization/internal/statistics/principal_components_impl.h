@@ -91,7 +91,40 @@ Principal_components principal_components(const Loop& loop, const Shape_set<cons
   for(int i = 0; i < n; ++i)
     for(std::size_t k = 0; k < result.deviation.size(); ++k)
       result.combination[i].push_back(svd.matrixV()(i, static_cast<Eigen::Index>(k)) / result.deviation[k]);
+  for(std::size_t k = 0; k < result.deviation.size(); ++k) {
+    double longest = 0;
+    for(const auto& row : result.combination)
+      if(std::abs(row[k]) > std::abs(longest) * (1 + 1e-9)) // of equal ones the first, whatever the rounding
+        longest = row[k];
+    for(auto& row : result.combination)
+      row[k] *= longest < 0 ? -1 : 1;
+  }
   return result;
+}
+
+template <class Loop>
+void write_components(const Loop& loop, const Shape_set<const double>& shapes, const Principal_components& components,
+                      const Shape_set<double>& mean_and_modes)
+{
+  constexpr int at_a_time = 256;
+  const int n = shapes.size(), modes = mean_and_modes.size() - 1;
+  std::vector<double> sum(static_cast<std::size_t>(modes), 0);
+  for(const auto& row : components.combination)
+    for(std::size_t k = 0; k < sum.size(); ++k)
+      sum[k] += row[k];
+  for_each_index<at_a_time>(loop, shapes.entries(), [&](int j) {
+    for(int c = 0; c < 3; ++c) {
+      double& mean = mean_and_modes(0, j, c);
+      for(int i = 0; i < n; ++i)
+        mean += shapes(i, j, c) / n;
+      for(int k = 0; k < modes; ++k) {
+        double& mode = mean_and_modes(k + 1, j, c);
+        for(int i = 0; i < n; ++i)
+          mode += components.combination[i][k] * shapes(i, j, c);
+        mode -= sum[k] * mean;
+      }
+    }
+  });
 }
 
 template <class Loop>

@@ -82,6 +82,7 @@ Procrustes_alignment superimpose(const Loop& loop, const Shape_set<double>& shap
     for_each_index(loop, shapes.entries(), [&](int j) { mean[j] = shapes.get(0, j); });
     result.has_converged = false;
     while(result.iterations < method.iterations && !result.has_converged) {
+      loop.advance(static_cast<double>(result.iterations) / method.iterations);
       std::vector<double> change(motions.size(), 0);
       loop.for_each(n, [&](int i) {
         const Matrix_3 before = std::exchange(motions[i].rotation, rotation_to(mean, shapes, i));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BALANCED_MOEBIUS_H
-#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BALANCED_MOEBIUS_H
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MOEBIUS_MOEBIUS_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MOEBIUS_MOEBIUS_H
 
 #include <CGAL/Spherical_parameterization/internal/backend/Verbs.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
@@ -44,17 +44,20 @@ inline vec3 balancing_tilt(const Moments& m)
 }
 
 /// Boosts v until |sum m_i v_i| <= tolerance sum m_i, by at most so many steps of Newton's method in the ball, with
-/// backtracking. `scratch` has the size of v; `moments` are those of v, on entry and on return.
+/// backtracking. `scratch` has the size of v; `moments` are those of v, on entry and on return. Returns the centres of
+/// the boosts, one after the other.
 template <class Backend>
-void balance(const Backend& backend, const typename Backend::Scalars& mass, double tolerance, int maximum_steps,
-             typename Backend::Vectors& v, typename Backend::Vectors& scratch, Moments& moments)
+std::vector<vec3> balance(const Backend& backend, const typename Backend::Scalars& mass, double tolerance,
+                          int maximum_steps, typename Backend::Vectors& v, typename Backend::Vectors& scratch,
+                          Moments& moments)
 {
+  std::vector<vec3> boosts;
   constexpr int maximum_halvings = 30;
   constexpr double maximum_step = 0.9; // the ball ends at 1
   for(int it = 0; it < maximum_steps; ++it) {
     const double distance = norm(first_moment(moments));
     if(!(distance > tolerance * total_mass(moments)))
-      return;
+      break;
     vec3 c = scale(0.5, solve(boost_matrix(moments), first_moment(moments)));
     if(norm(c) > maximum_step)
       c = scale(maximum_step / norm(c), c);
@@ -63,13 +66,15 @@ void balance(const Backend& backend, const typename Backend::Scalars& mass, doub
       const Moments next = backend.transform(mass, c, v, scratch);
       is_nearer = norm(first_moment(next)) < distance;
       if(is_nearer) {
+        boosts.push_back(c);
         std::swap(v, scratch);
         moments = next;
       }
     }
     if(!is_nearer)
-      return;
+      break;
   }
+  return boosts;
 }
 
 /// Boosts v, unit vectors, until the centroid of `area` is so near to the centre of the sphere, or as near as rounding
@@ -180,4 +185,4 @@ private:
 
 } // namespace CGAL::Spherical_parameterization::internal
 
-#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BALANCED_MOEBIUS_H
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MOEBIUS_MOEBIUS_H

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CONTEXT_WATCHED_LOOP_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CONTEXT_WATCHED_LOOP_H
+
+#include <CGAL/Spherical_parameterization/values/Error.h>
+#include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
+
+#include <algorithm>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+/// A loop that can be ended: `Loop`, slice by slice, and the monitor is asked before each of them. Whatever is written
+/// for a loop so observes callback and time limit. It is run from the thread of the monitor; inside of its loops the
+/// bare one is used.
+template <class Loop>
+class Watched_loop {
+public:
+  Watched_loop(const Loop& loop, Monitor& monitor) : loop_(loop), monitor_(monitor) {}
+
+  const Loop& bare() const { return loop_; }
+
+  /// How far the stage of the work has come. Throws Error if it has to end.
+  void advance(double fraction) const
+  {
+    if(!monitor_.advance(fraction))
+      throw Input_error(Error_code::INTERRUPTED, monitor_.reason());
+  }
+
+  /// From here on fractions are within this part of the work.
+  void begin_stage(double begin, double end) const
+  {
+    monitor_.begin_stage(begin, end);
+    advance(0);
+  }
+
+  /// Runs f(0) ... f(count-1), in any order. Throws Error if it has to end.
+  template <class F>
+  void for_each(int count, F f) const
+  {
+    constexpr double shortest = 0.005, longest = 0.02; // seconds of a slice
+    int size = loop_.concurrency();
+    for(int begin = 0; begin < count;) {
+      advance(0);
+      const Stopwatch watch;
+      const int n = (std::min)(size, count - begin);
+      loop_.for_each(n, [&](int i) { f(begin + i); });
+      begin += n;
+      const double seconds = watch.seconds();
+      if(seconds < shortest && size < count)
+        size *= 2;
+      else if(seconds > longest)
+        size = (std::max)(size / 2, loop_.concurrency());
+    }
+  }
+
+private:
+  const Loop& loop_;
+  Monitor& monitor_;
+};
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CONTEXT_WATCHED_LOOP_H

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CORRESPONDENCE_REGISTRATION_ENERGY_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CORRESPONDENCE_REGISTRATION_ENERGY_H
+
+#include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
+#include <CGAL/Spherical_parameterization/internal/correspondence/Carried_face.h>
+#include <CGAL/Spherical_parameterization/internal/correspondence/refine.h>
+#include <CGAL/Spherical_parameterization/internal/locate/walk.h>
+#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
+#include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
+#include <CGAL/Spherical_parameterization/internal/relaxation/Star.h>
+#include <CGAL/Spherical_parameterization/internal/surface/fans.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+/// Where directions lie in the map of B: a walk from face to face, from where they were last.
+class Face_walk {
+public:
+  explicit Face_walk(const Registered_surface& b) : b_(b) {}
+
+  /// \param f  a face near q, and on return the one that contains it
+  void walk(vec3 q, int& f) const { f = face_at(b_, b_.image, q, f); }
+
+  /// Weights of the corners of f for which their mean has the direction q, and by the columns of `slope` their
+  /// derivatives: weight k changes by inner(slope[k], dq).
+  void weights(vec3 q, int f, std::array<double, 3>& weight, std::array<vec3, 3>& slope) const
+  {
+    const auto [i, j, k] = b_.face[f];
+    const std::array<vec3, 3> v = {b_.image[i], b_.image[j], b_.image[k]};
+    double sum = 0;
+    for(int c = 0; c < 3; ++c) {
+      const vec3 m = v[(c + 1) % 3], n = v[(c + 2) % 3];
+      weight[c] = (std::max)(0., determinant(m, n, q));
+      slope[c] = outer(m, sub(n, m));
+      sum += weight[c];
+    }
+    const vec3 all = add(slope[0], add(slope[1], slope[2]));
+    if(!(sum > 0)) { // a face that rounding has eaten: any of its corners is as good as another
+      weight = {1, 0, 0};
+      slope = {};
+      return;
+    }
+    for(int c = 0; c < 3; ++c) {
+      weight[c] /= sum;
+      slope[c] = scale(1 / sum, add_scaled(slope[c], -weight[c], all));
+    }
+  }
+
+private:
+  const Registered_surface& b_;
+};
+
+/// The energy of the map x of the vertices of A, and its gradient.
+class Registration_energy {
+public:
+  Registration_energy(const Host_loop& loop, const Registered_surface& a, const Registered_surface& b,
+                      const Registration_features& features, const std::vector<Registration_landmark>& landmarks,
+                      const Refinement& settings, const Host_array<vec3>& x)
+    : loop_(loop), a_(a), b_(b), features_(features), landmarks_(landmarks),
+      landmark_stiffness_(landmarks.empty() ? 0 : settings.landmark_weight / double(landmarks.size())),
+      isometry_weight_(settings.isometry_weight), walk_(b), metric_(a.face.size()), corner_offset_(a.point.size() + 1),
+      corner_(3 * a.face.size()), vertex_area_(a.point.size(), 0.), face_of_(a.point.size(), -1)
+  {
+    constexpr Metric_bounds as_it_is = {1e100, 0};
+    const int faces = static_cast<int>(a.face.size());
+    Host_array<double> twice_area(faces);
+    for_each_index(loop, faces, [&](int f) {
+      const auto [i, j, k] = a.face[f];
+      metric_[f] = face_metric(sub(a.image[j], a.image[i]), sub(a.image[k], a.image[i]), as_it_is);
+      twice_area[f] = metric_[f].twice_area;
+      metric_[f].twice_area = determinant(a.image[i], a.image[j], a.image[k]); // what determinants are compared with
+    });
+    for(int f = 0; f < faces; ++f)
+      for(int i : a.face[f]) {
+        vertex_area_[i] += twice_area[f] / 6;
+        area_ += twice_area[f] / 6;
+      }
+    corner_offset_.back() = 3 * faces;
+    for_each_fan(loop, a.face, static_cast<int>(a.point.size()), [&](const Fan& fan) {
+      corner_offset_[fan.vertex] = fan.first;
+      std::copy(fan.begin(), fan.end(), corner_.begin() + fan.first);
+    });
+    find_faces(x);
+  }
+
+  double vertex_area(int i) const { return vertex_area_[i]; }
+  double area() const { return area_; }
+  double landmark_stiffness() const { return landmark_stiffness_; }
+
+  /// The terms at the x of the last `value()`
+  double distortion() const { return distortion_; }
+  double mismatch() const { return mismatch_; }
+  double stretching() const { return stretching_; }
+
+  /// Infinite where a face is flipped; nothing is compared then.
+  double value(const Host_array<vec3>& x)
+  {
+    distortion_ = sum_by_parts(loop_, static_cast<int>(a_.face.size()),
+                               [&](int f) { return Star_face_at(*this, x, 3 * f).energy(); }) /
+                  area_;
+    if(!(distortion_ < std::numeric_limits<double>::infinity()))
+      return distortion_;
+    compare(x);
+    double energy = distortion_ + mismatch_;
+    if(isometry_weight_ > 0)
+      energy += isometry_weight_ * stretching_;
+    for(const Registration_landmark& l : landmarks_) {
+      const vec3 d = sub(x[l.vertex], l.place);
+      energy += landmark_stiffness_ * inner(d, d);
+    }
+    return energy;
+  }
+
+  /// The terms of mismatch and stretching, also where a face is flipped.
+  void compare(const Host_array<vec3>& x)
+  {
+    locate(x);
+    mismatch_ =
+      sum_by_parts(loop_, static_cast<int>(x.size()), [&](int i) { return vertex_area_[i] * mismatch_at(i); }) / area_;
+    if(isometry_weight_ > 0)
+      stretching_ =
+        sum_by_parts(loop_, static_cast<int>(a_.face.size()), [&](int f) { return carried(3 * f).energy(); }) /
+        surface_area;
+  }
+
+  /// The gradient, tangent to the sphere, at the x of the last `value()`, which has to be finite.
+  void gradient(const Host_array<vec3>& x, Host_array<vec3>& result) const
+  {
+    const int n = static_cast<int>(x.size());
+    result.resize(n);
+    for_each_index(loop_, n, [&](int i) {
+      vec3 g = {0, 0, 0};
+      for(int k = corner_offset_[i]; k < corner_offset_[i + 1]; ++k)
+        g = add_scaled(g, 1 / area_, Star_face_at(*this, x, corner_[k]).gradient());
+      const std::array<int, 3>& corner = b_.face[face_of_[i]];
+      for(int k = 0; k < features_.number; ++k) {
+        const double force = 2 * vertex_area_[i] / area_ * difference(k, i);
+        for(int c = 0; c < 3; ++c)
+          g = add_scaled(g, force * of_b(k, corner[c]), slope_[i][c]);
+      }
+      if(isometry_weight_ > 0) {
+        vec3 force = {0, 0, 0};
+        for(int k = corner_offset_[i]; k < corner_offset_[i + 1]; ++k)
+          force = add_scaled(force, isometry_weight_ / surface_area, carried(corner_[k]).gradient());
+        for(int c = 0; c < 3; ++c)
+          g = add_scaled(g, inner(b_.point[corner[c]], force), slope_[i][c]);
+      }
+      result[i] = g;
+    });
+    for(const Registration_landmark& l : landmarks_)
+      result[l.vertex] = add_scaled(result[l.vertex], 2 * landmark_stiffness_, sub(x[l.vertex], l.place));
+    for_each_index(loop_, n, [&](int i) { result[i] = tangent(result[i], x[i]); });
+  }
+
+  /// The faces at vertex i
+  Star star(int i, const Host_array<vec3>& x) const
+  {
+    Star result;
+    for(int k = corner_offset_[i]; k < corner_offset_[i + 1]; ++k)
+      result.push_back(Star_face_at(*this, x, corner_[k]).face);
+    return result;
+  }
+
+private:
+  /// A face at one of its corners; the symmetric Dirichlet energy as in `Star_face`.
+  struct Star_face_at {
+    vec3 x;
+    Star_face face;
+
+    Star_face_at(const Registration_energy& e, const Host_array<vec3>& at, int corner)
+      : x(at[e.a_.origin(corner)]), face(at[e.a_.target(corner)], at[e.a_.apex(corner)], e.metric_at(corner), 1)
+    {}
+    double energy() const { return face.energy(Distortion(1), x); }
+    vec3 gradient() const
+    {
+      const double det = face.determinant(x), ratio = face.twice_area / det;
+      const vec3 pull = add_scaled(scale(-face.cot_j, sub(face.k, x)), -face.cot_k, sub(face.j, x));
+      return add_scaled(scale(1 + ratio * ratio, pull), -2 * face.dirichlet(x) * ratio * ratio / det,
+                        outer(face.j, face.k));
+    }
+  };
+
+  Face_metric metric_at(int corner) const
+  {
+    const Face_metric& m = metric_[corner / 3];
+    const int k = corner % 3;
+    return {{m.cotangent[k], m.cotangent[(k + 1) % 3], m.cotangent[(k + 2) % 3]}, m.twice_area};
+  }
+
+  Carried_face carried(int corner) const
+  {
+    const int i = a_.origin(corner), j = a_.target(corner), k = a_.apex(corner);
+    return {a_.point[i], a_.point[j], a_.point[k], place_[i], place_[j], place_[k]};
+  }
+
+  double of_b(int k, int vertex) const { return features_.b[k * b_.point.size() + vertex]; }
+  double difference(int k, int i) const
+  {
+    const std::array<int, 3>& corner = b_.face[face_of_[i]];
+    double value = -features_.a[k * a_.point.size() + i];
+    for(int c = 0; c < 3; ++c)
+      value += weight_[i][c] * of_b(k, corner[c]);
+    return value;
+  }
+  double mismatch_at(int i) const
+  {
+    double sum = 0;
+    for(int k = 0; k < features_.number; ++k)
+      sum += difference(k, i) * difference(k, i);
+    return sum;
+  }
+
+  /// The first time: every vertex from where a neighbour is.
+  void find_faces(const Host_array<vec3>& x)
+  {
+    std::vector<int> queue = {0};
+    face_of_[0] = 0;
+    for(std::size_t next = 0; next < queue.size(); ++next) {
+      const int i = queue[next];
+      walk_.walk(x[i], face_of_[i]);
+      for(int k = corner_offset_[i]; k < corner_offset_[i + 1]; ++k)
+        if(const int j = a_.target(corner_[k]); face_of_[j] < 0) {
+          face_of_[j] = face_of_[i];
+          queue.push_back(j);
+        }
+    }
+  }
+
+  void locate(const Host_array<vec3>& x)
+  {
+    const int n = static_cast<int>(x.size());
+    weight_.resize(n);
+    slope_.resize(n);
+    place_.resize(n);
+    for_each_index(loop_, n, [&](int i) {
+      walk_.walk(x[i], face_of_[i]);
+      walk_.weights(x[i], face_of_[i], weight_[i], slope_[i]);
+      const std::array<int, 3>& corner = b_.face[face_of_[i]];
+      place_[i] = {0, 0, 0};
+      for(int c = 0; c < 3; ++c)
+        place_[i] = add_scaled(place_[i], weight_[i][c], b_.point[corner[c]]);
+    });
+  }
+
+  const Host_loop& loop_;
+  const Registered_surface& a_;
+  const Registered_surface& b_;
+  const Registration_features& features_;
+  const std::vector<Registration_landmark>& landmarks_;
+  static constexpr double surface_area = 4 * pi; ///< of A and of B
+  double landmark_stiffness_, isometry_weight_;
+  Face_walk walk_;
+  Host_array<Face_metric> metric_;         ///< of the map that A came with
+  Host_array<int> corner_offset_, corner_; ///< of every vertex
+  Host_array<double> vertex_area_;         ///< on the sphere
+  double area_ = 0, distortion_ = 0, mismatch_ = 0, stretching_ = 0;
+  Host_array<int> face_of_; ///< of B, by vertex of A
+  Host_array<std::array<double, 3>> weight_;
+  Host_array<std::array<vec3, 3>> slope_;
+  Host_array<vec3> place_; ///< on the surface of B
+};
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CORRESPONDENCE_REGISTRATION_ENERGY_H

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_STATISTICS_SHAPES_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_STATISTICS_SHAPES_H
+
+#include <CGAL/Spherical_parameterization/values/Error.h>
+#include <CGAL/Spherical_parameterization/values/Harmonic_coefficients.h>
+#include <CGAL/Spherical_parameterization/values/Shape_statistics.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
+#include <CGAL/Spherical_parameterization/internal/api/precondition.h>
+#include <CGAL/Spherical_parameterization/internal/statistics/Shape_set.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+inline const double* first_coordinate(const Shape_points& shape) { return shape.empty() ? nullptr : shape[0].data(); }
+inline const double* first_coordinate(const Harmonic_coefficients& shape) { return shape.values().data(); }
+template <class Shape>
+double* first_coordinate(Shape& shape)
+{
+  return const_cast<double*>(first_coordinate(static_cast<const Shape&>(shape)));
+}
+
+inline std::size_t number_of_coordinates(const Shape_points& shape) { return 3 * shape.size(); }
+inline std::size_t number_of_coordinates(const Harmonic_coefficients& shape) { return shape.values().size(); }
+
+inline int entries_of(const Shape_points& shape) { return static_cast<int>(shape.size()); }
+inline int entries_of(const Harmonic_coefficients& shape) { return shape.size(); }
+
+/// All zero, for as many entries.
+inline Shape_points zero_shape(const Shape_points& like) { return Shape_points(like.size(), {0, 0, 0}); }
+inline Harmonic_coefficients zero_shape(const Harmonic_coefficients& like)
+{
+  return Harmonic_coefficients(like.degree(), like.number_of_fields());
+}
+
+/// What each vertex counts: their sum is 1. Throws Error for what is not finite, and the precondition for sizes that do
+/// not fit.
+inline std::vector<double> checked_weights(const std::vector<Shape_points>& shapes, std::vector<double> weights)
+{
+  CGAL_SP_PRECONDITION(!shapes.empty() && !shapes[0].empty(), "statistics need a shape that has vertices");
+  for(std::size_t i = 0; i < shapes.size(); ++i) {
+    CGAL_SP_PRECONDITION(shapes[i].size() == shapes[0].size(), "shapes that correspond have as many vertices each");
+    for(std::size_t j = 0; j < shapes[i].size(); ++j)
+      if(const auto& [x, y, z] = shapes[i][j]; !std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z))
+        throw Input_error(Error_code::NON_FINITE_COORDINATE,
+                          "vertex " + std::to_string(j) + " of shape " + std::to_string(i));
+  }
+  CGAL_SP_PRECONDITION(shapes[0].size() <= static_cast<std::size_t>((std::numeric_limits<int>::max)()) / 3,
+                       "shapes have fewer than 2^31 / 3 vertices");
+  if(weights.empty())
+    return {1. / static_cast<double>(shapes[0].size())};
+  CGAL_SP_PRECONDITION(weights.size() == shapes[0].size(), "there is a weight for every vertex");
+  const double sum = std::accumulate(weights.begin(), weights.end(), 0.);
+  CGAL_SP_PRECONDITION(sum > 0 && std::isfinite(sum) && *std::min_element(weights.begin(), weights.end()) >= 0,
+                       "weights of vertices are finite and not negative, and their sum is positive");
+  for(double& weight : weights)
+    weight /= sum;
+  return weights;
+}
+
+/// The mean over the sphere of the square of a function is the sum of those of its coefficients over 4 pi.
+inline std::vector<double> checked_weights(const std::vector<Harmonic_coefficients>& shapes,
+                                           const std::vector<double>& weights)
+{
+  CGAL_SP_PRECONDITION(weights.empty(), "coefficients have no weights: their mean is that over the sphere");
+  CGAL_SP_PRECONDITION(!shapes.empty(), "statistics need a shape");
+  for(std::size_t i = 0; i < shapes.size(); ++i) {
+    CGAL_SP_PRECONDITION(shapes[i].number_of_fields() == 3 && shapes[i].degree() == shapes[0].degree() &&
+                           shapes[i].degree() >= 0,
+                         "shapes that correspond are three functions each, all of the same degree");
+    check_finite(shapes[i], " of shape " + std::to_string(i));
+  }
+  return {1 / (4 * internal::pi)};
+}
+
+/// The shapes as arrays: `Number` is double for those that are to be changed, else const double.
+template <class Number, class Shapes>
+Shape_set<Number> shape_set(Shapes& shapes, const std::vector<double>& weights)
+{
+  constexpr bool are_points = std::is_same_v<typename Shapes::value_type, Shape_points>;
+  std::vector<Number*> first;
+  for(auto& shape : shapes)
+    first.push_back(first_coordinate(shape));
+  const int entries = entries_of(shapes[0]);
+  return {std::move(first), entries, are_points ? 3 : 1, are_points ? 1 : entries, weights};
+}
+
+/// Moves the centre of a shape to the origin. Returns where it was.
+inline std::array<double, 3> centred(Shape_points& shape, const std::vector<double>& weights)
+{
+  std::array<double, 3> centre = {0, 0, 0};
+  for(std::size_t c = 0; c < 3; ++c) {
+    for(std::size_t j = 0; j < shape.size(); ++j)
+      centre[c] += weights[weights.size() == 1 ? 0 : j] * shape[j][c];
+    for(auto& point : shape)
+      point[c] -= centre[c];
+  }
+  return centre;
+}
+
+inline std::array<double, 3> centred(Harmonic_coefficients& shape, const std::vector<double>&)
+{
+  std::array<double, 3> centre;
+  for(int c = 0; c < 3; ++c) {
+    centre[c] = shape(0, 0, c) / std::sqrt(4 * internal::pi);
+    shape(0, 0, c) = 0;
+  }
+  return centre;
+}
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_STATISTICS_SHAPES_H

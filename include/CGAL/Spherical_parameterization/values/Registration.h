@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_VALUES_REGISTRATION_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_VALUES_REGISTRATION_H
+
+#include <CGAL/Spherical_parameterization/values/Error.h>
+#include <CGAL/Spherical_parameterization/values/Rotation.h>
+
+#include <cstddef>
+#include <string>
+
+namespace CGAL::Spherical_parameterization {
+
+/// \addtogroup PkgSphericalParameterizationInverse
+/// @{
+
+/// How far `register_maps()` goes, and what it compares.
+struct Registration {
+  /// What the first map may be moved by.
+  enum class Motion {
+    ROTATION,   ///< rotations: the map stays what it was
+    MOEBIUS,    ///< rotations and boosts: a conformal map stays conformal
+    DEFORMATION ///< anything that keeps it bijective
+  };
+  Motion motion = Motion::DEFORMATION; ///< the last and strongest one
+
+  /// \name Deformation
+  /// The weights are those of mean squared differences, beside the mean symmetric Dirichlet energy of the deformation
+  /// of the sphere (4 where there is none). Features have a variance of about 1, but for positions, which are in units
+  /// in which the surfaces have the area 4 pi. Stretching is the mean symmetric Dirichlet energy of the
+  /// faces of the first surface, carried to the second one (4 where that is isometric).
+  /// @{
+  double curvature_weight = 5; ///< of the mean curvature at two scales
+  double stretch_weight = 5;   ///< of the logarithmic area stretch of the maps; for maps of the same method
+  double isometry_weight = 1; ///< of the mean stretching of the first surface onto the second, from the second level on
+  double position_weight = 0; ///< of the coordinates, after the best motion in space: for shapes in the same pose
+  double landmark_weight = 300; ///< of the squared distances of the landmarks on the sphere
+
+  double coarsest_scale = 0.6; ///< of the features that are compared first, as a length on the surface of area 4 pi
+  int levels = 4;              ///< each has features half as large as the one before
+  int iterations = 50;         ///< on every level, at most
+  double accuracy = 1e-3;      ///< a level ends when ten iterations gain less than this share of the energy above 4
+  /// @}
+};
+
+/// What `register_maps()` has found.
+struct Registration_result {
+  Error_code error = Error_code::OK; ///< `OK` if and only if the registered map is complete and certified
+  std::string detail;                ///< what is wrong; empty if `OK`
+
+  std::size_t flipped_faces = 0; ///< of the registered map, exactly, as it is stored
+  int degree = 0;                ///< of the registered map, exactly; 1 for a valid one
+
+  std::string start; ///< what found the rotation: "landmarks", "coordinates" or "features"
+  Rotation rotation = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}; ///< of the first map, to start with
+
+  /// \name Of the Registered Map, as It Is Stored
+  /// @{
+  double mismatch_before = 0; ///< root mean square difference of curvature and stretch on the finest level that was
+                              ///< reached, of the rotated map; 0 if the call ended before the map was deformed
+  double mismatch = 0;        ///< the same of the registered map
+  double distortion = 4;      ///< mean symmetric Dirichlet energy of the deformation of the sphere; 4: none
+  double stretching = 0;      ///< mean stretching of the first surface onto the second; 4: none. 0: not deformed
+  double largest_landmark_distance = 0; ///< of a landmark from its place on the sphere, in radians
+  /// @}
+  std::size_t iterations = 0; ///< of all levels together
+
+  /// Wall-clock time of each phase, in seconds
+  struct Seconds {
+    double align = 0;  ///< reading and rotating
+    double refine = 0; ///< deforming
+    double total = 0;  ///< the whole call
+  };
+  Seconds seconds; ///< wall-clock
+
+  /// \return `true` iff the registered map is complete and certified
+  explicit operator bool() const { return error == Error_code::OK; }
+};
+
+/// @}
+
+} // namespace CGAL::Spherical_parameterization
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_VALUES_REGISTRATION_H

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_VALUES_SHAPE_STATISTICS_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_VALUES_SHAPE_STATISTICS_H
+
+#include <array>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization {
+
+/// \addtogroup PkgSphericalParameterizationStatistics
+/// @{
+
+/// The vertices of a shape.
+typedef std::vector<std::array<double, 3>> Shape_points;
+
+/// Mean and principal components of a set of shapes: a point distribution model (T. F. Cootes, C. J. Taylor,
+/// D. H. Cooper, J. Graham, "Active shape models: their training and application", 1995). Shape i is the mean plus the
+/// sum over k of scores[i][k] times modes[k].
+template <class Shape>
+struct Shape_statistics {
+  Shape mean;                              ///< of the shapes as they stand
+  std::vector<Shape> modes;                ///< principal components: orthonormal, root mean square 1
+  std::vector<double> variances;           ///< by mode, largest first: of its scores, with n - 1 for n shapes
+  std::vector<std::vector<double>> scores; ///< by shape, then by mode
+  double total_variance = 0;               ///< of all modes, also of those that were not asked for
+};
+
+/// @}
+
+} // namespace CGAL::Spherical_parameterization
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_VALUES_SHAPE_STATISTICS_H

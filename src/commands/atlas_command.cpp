@@ -221,8 +221,8 @@ private:
           line << "the template";
         else {
           const SP::Registration_result found = SP::register_maps(
-            input.mesh(), as_map(input.sphere), target.mesh(), as_map(target.sphere), as_map(input.sphere), {}, {},
-            CGAL::parameters::callback([](double) { return !was_interrupted(); }));
+            SP::mapped_mesh(input.mesh(), as_map(input.sphere)), SP::mapped_mesh(target.mesh(), as_map(target.sphere)),
+            as_map(input.sphere), {}, {}, CGAL::parameters::callback([](double) { return !was_interrupted(); }));
           stop_if_interrupted(item.mesh);
           if(!found)
             throw Refusal(found.error, item.mesh, "could not be registered: " + found.detail, "");

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 include(${CMAKE_CURRENT_LIST_DIR}/write_if_different.cmake)
 
-# embed_page(output input): writes the header `output` with the parts of the page `input`, which is web/viewer/view.html:
-# what comes before {HEADER}, before {DATA} and after it.
-function(embed_page output input)
+# embed_page(output input name): writes the header `output` with the parts of the page `input` as functions that begin with
+# `name`: what comes before {HEADER}, before {DATA} and after it.
+function(embed_page output input name)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${input})
   file(READ ${input} rest)
   set(header "// SPDX-License-Identifier: GPL-3.0-or-later
-// Part of CGAL Spherical Parameterization. Written by embed_page.cmake: change web/src/ instead.
+// Part of CGAL Spherical Parameterization. Written by embed_page.cmake: change the page instead.
 
 #include <string>
 
@@ -25,7 +25,7 @@ namespace tool {
       math(EXPR end "${end} + ${length}")
       string(SUBSTRING "${rest}" ${end} -1 rest)
     endif()
-    string(APPEND header "\ninline std::string view_page_${part}()\n{\n  std::string text;\n")
+    string(APPEND header "\ninline std::string ${name}_${part}()\n{\n  std::string text;\n")
     string(LENGTH "${text}" length)
     set(begin 0)
     while(begin LESS length) # literals that every compiler takes

@@ -30,6 +30,14 @@ void check_refusal(const tool::Refusal& refusal)
 
 namespace {
 
+/// All coordinates as a file of the format has them.
+std::vector<tool::Point> all_as_stored(tool::Mesh_format format, tool::Surface surface, std::vector<tool::Point> points)
+{
+  for(tool::Point& p : points)
+    p = tool::as_stored(format, surface, p);
+  return points;
+}
+
 std::optional<tool::Mesh> read(const std::string& file, tool::Polygons polygons)
 {
   try {
@@ -65,7 +73,7 @@ void check_round_trip(const tool::Mesh& mesh, const tool::Output_format& format,
   std::ostringstream out;
   std::vector<tool::Point> stored;
   try {
-    stored = tool::as_stored(format.format, tool::Surface::SHAPE, mesh.points());
+    stored = all_as_stored(format.format, tool::Surface::SHAPE, mesh.points());
     tool::write_mesh(out, format, mesh, mesh.points(), tool::Surface::SHAPE);
   } catch(const tool::Refusal& refusal) { // beyond the range of floats
     check_refusal(refusal);

@@ -2,12 +2,11 @@
 // Part of CGAL Spherical Parameterization.
 
 #include "commands/commands.h"
+#include "measure/measure.h"
 #include "tables/table.h"
 
 #include "collections/shape_index.h"
 #include "system/refusal.h"
-
-#include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +24,6 @@ namespace benchmark {
 namespace {
 
 namespace fs = std::filesystem;
-using CGAL::Spherical_parameterization::internal::Stopwatch;
 using tool::Shape_signature;
 
 /// Of a shape that does not exist: girths round a mean one, and up to eight limbs.

@@ -10,9 +10,8 @@
 #include "mapping/mapped_mesh.h"
 #include "mapping/spherical_map.h"
 #include "output/atomic_file.h"
-#include "output/csv.h"
+#include "output/text_writer.h"
 #include "output/quantile.h"
-#include "system/error_code_names.h"
 #include "system/interruption.h"
 #include "system/refusal.h"
 
@@ -119,7 +118,7 @@ void compute(const Options& options, Row& row)
   const SP::Result result =
     tool::map_to_sphere(map.mesh(), map.sphere, *map.settings, [](double) { return !tool::was_interrupted(); });
   row["CPU s"] = digits(cpu_seconds_of_thread() - start);
-  row["outcome"] = tool::name(result.error);
+  row["outcome"] = CGAL::Spherical_parameterization::get_error_name(result.error);
   row["method used"] = result.method;
   row["message"] = result.detail;
   row["flipped faces"] = std::to_string(result.flipped_faces);
@@ -246,11 +245,12 @@ void tabulate_mass(const Options& options)
     tool::Database done(database, format, tool::Database::Access::WRITE);
     compute_missing(jobs, options, done);
     std::vector<Row> rows;
-    tool::Atomic_file file(output);
-    file.stream() << header << '\n';
+    tool::Atomic_files file;
+    std::ostream& out = file.open(output);
+    out << header << '\n';
     for(const Row& job : jobs) {
       rows.push_back(row_of(job, done).value());
-      file.stream() << to_line(rows.back()) << '\n';
+      out << to_line(rows.back()) << '\n';
     }
     file.commit();
     summarize(rows, options);

@@ -6,9 +6,10 @@
 #include "tables/table.h"
 
 #include <CGAL/Spherical_parameterization/align_maps.h>
-#include <CGAL/Spherical_parameterization/internal/algebra/rotations.h>
 #include <CGAL/Spherical_parameterization/parameterize.h>
 #include <CGAL/Spherical_parameterization/resample.h>
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -60,8 +61,13 @@ void benchmark::tabulate_rotations(const Options& options)
     double mean = 0, largest = 0, milliseconds = 0;
     int failures = 0;
     for(int k = 0; k < options.rotations; ++k) {
-      const SP::Rotation turn = SP::internal::rotation_of_quaternion(
-        {normal(random), normal(random), normal(random), normal(random)}); // uniform
+      const Eigen::Matrix3d matrix = Eigen::Quaterniond(Eigen::Vector4d::NullaryExpr([&] { return normal(random); }))
+                                       .normalized()
+                                       .toRotationMatrix();
+      SP::Rotation turn; // uniform
+      for(int i = 0; i < 3; ++i)
+        for(int j = 0; j < 3; ++j)
+          turn[i][j] = matrix(i, j);
       Mesh other;
       const Sphere_map images = sphere_map(other);
       SP::make_icosphere(level, other, images);
@@ -72,8 +78,8 @@ void benchmark::tabulate_rotations(const Options& options)
         for(std::size_t c = 0; c < 3; ++c, h = mesh.next(h))
           p += weight[c] * (mesh.point(mesh.source(h)) - CGAL::ORIGIN);
         other.point(v) = CGAL::ORIGIN + p + deviation * Vector_3(normal(random), normal(random), normal(random));
-        const SP::internal::vec3 q = SP::internal::rotated(turn, {images[v].x(), images[v].y(), images[v].z()});
-        images[v] = Point_3(q.x, q.y, q.z);
+        const Eigen::Vector3d q = matrix * Eigen::Vector3d(images[v].x(), images[v].y(), images[v].z());
+        images[v] = Point_3(q.x(), q.y(), q.z());
       }
       const SP::Spherical_locator<Mesh> other_locator(other, images);
       const std::clock_t begin = std::clock();

@@ -48,12 +48,9 @@ std::string opencl_devices()
 {
   std::string all;
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
-  namespace internal = CGAL::Spherical_parameterization::internal;
-  for(cl_device_id id : internal::opencl_device_ids()) {
-    const auto device = internal::opencl_device_info(id);
+  for(const auto& device : CGAL::Spherical_parameterization::opencl_devices())
     all += (all.empty() ? "" : "; ") + device.name + ", driver " + device.driver + " (" + device.version + ", " +
            device.platform + ")";
-  }
 #endif
   return all.empty() ? "no device" : all;
 }

@@ -4,7 +4,7 @@
 #include "tables/table.h"
 
 #include "measure/measure.h"
-#include "output/csv.h"
+#include "output/text_writer.h"
 
 #include <CGAL/assertions.h>
 

@@ -264,17 +264,14 @@ private:
 
 py::tuple icosphere(int level)
 {
-  CGAL_SP_PRECONDITION(level >= 0 && level <= SP::largest_icosphere_level, "the level of an icosphere is 0 to 12");
-  const SP::internal::Icosphere icosphere(level);
-  Doubles points = make_array<double>(icosphere.points.size(), 3);
-  auto triangles = make_array<std::int32_t>(icosphere.triangles.size(), 3);
-  std::transform(icosphere.points.begin(), icosphere.points.end(),
-                 reinterpret_cast<std::array<double, 3>*>(points.mutable_data()), [](const auto& p) {
-                   return std::array<double, 3>{p.x, p.y, p.z};
-                 });
-  std::copy(icosphere.triangles.begin(), icosphere.triangles.end(),
-            reinterpret_cast<std::array<int, 3>*>(triangles.mutable_data()));
-  return py::make_tuple(points, triangles);
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::array<int, 3>> triangles;
+  SP::make_icosphere_soup(level, points, triangles);
+  Doubles point_array = make_array<double>(points.size(), 3);
+  auto triangle_array = make_array<std::int32_t>(triangles.size(), 3);
+  std::copy(points.begin(), points.end(), reinterpret_cast<std::array<double, 3>*>(point_array.mutable_data()));
+  std::copy(triangles.begin(), triangles.end(), reinterpret_cast<std::array<int, 3>*>(triangle_array.mutable_data()));
+  return py::make_tuple(point_array, triangle_array);
 }
 
 Doubles shape_signature(const Doubles& points, const py::array& triangles, const Doubles& sphere,

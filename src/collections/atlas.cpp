@@ -4,7 +4,6 @@
 #include "collections/atlas.h"
 
 #include "output/atomic_file.h"
-#include "output/csv.h"
 #include "output/text_writer.h"
 #include "output/write_json.h"
 #include "output/write_mesh.h"
@@ -124,11 +123,9 @@ std::string write_atlas(const std::string& folder, const Atlas_mesh& mesh, std::
 
   Atomic_file::create_folder(folder + "/modes");
   const Output_format ply = {Mesh_format::PLY, ascii};
-  std::vector<std::unique_ptr<Atomic_file>> files;
-  const auto open = [&](const std::string& name) -> std::ostream& {
-    files.push_back(std::make_unique<Atomic_file>(folder + '/' + name));
-    return files.back()->stream();
-  };
+  Atomic_files files;
+  const auto open = [&](const std::string& name) -> std::ostream& { return files.open(folder + '/' + name); };
+  write_json(open("report.json"), report);
   write_mesh(open("mean.ply"), ply, mesh.mesh, statistics.mean, Surface::SHAPE);
   write_variance_ply(open("variance.ply"), ascii, mesh.mesh, statistics.mean, SP::vertex_variances(policy, shapes));
   for(std::size_t k = 0; k < statistics.modes.size(); ++k)
@@ -139,11 +136,7 @@ std::string write_atlas(const std::string& folder, const Atlas_mesh& mesh, std::
                  SP::shape_of_scores(statistics, scores), Surface::SHAPE);
     }
   write_scores(open("scores.csv"), named, statistics);
-  write_json(open("report.json"), report);
-  std::vector<Atomic_file*> all;
-  for(const auto& file : files)
-    all.push_back(file.get());
-  Atomic_file::commit_all(all);
+  files.commit();
   remove_other_modes(folder + "/modes", statistics.modes.size());
 
   std::ostringstream text;

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <new>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -40,6 +41,7 @@ void run_batch(std::size_t count, int threads, const std::function<Store(std::si
     for(std::size_t i = 1; i < std::min(count, static_cast<std::size_t>(threads)); ++i)
       others.emplace_back(work);
   } catch(const std::system_error&) { // there are no more of them
+  } catch(const std::bad_alloc&) {    // nor is there memory for them
   }
   work();
   for(std::thread& other : others)

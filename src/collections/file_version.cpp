@@ -6,9 +6,12 @@
 #include "collections/database.h"
 #include <boost/algorithm/hex.hpp>
 
+#include <algorithm>
 #include <array>
 #include <fstream>
+#include <iomanip>
 #include <iterator>
+#include <sstream>
 
 #include <sys/stat.h>
 
@@ -54,6 +57,33 @@ File_version version_with_hash(const std::string& file)
   if(version.bytes >= 0)                   // a pipe has no end
     version.hash = content_hash(file);
   return version;
+}
+
+const std::string& this_program()
+{
+  static const std::string program = SPHERICAL_PARAMETERIZATION_VERSION " " + content_hash("/proc/self/exe");
+  return program;
+}
+
+std::string versions_of(const std::vector<std::string>& files)
+{
+  std::ostringstream text;
+  for(const std::string& file : files) {
+    const File_version version = version_with_hash(file);
+    text << version.bytes << ' ' << version.changed << ' ' << std::quoted(version.hash) << '\n';
+  }
+  return text.str();
+}
+
+bool are_versions(const std::string& versions, const std::vector<std::string>& files)
+{
+  std::istringstream text(versions);
+  return std::all_of(files.begin(), files.end(), [&text](const std::string& file) {
+    const File_version now = version_of(file);
+    File_version noted;
+    return text >> noted.bytes >> noted.changed >> std::quoted(noted.hash) && now.bytes == noted.bytes &&
+           (now.changed == noted.changed || version_with_hash(file).hash == noted.hash);
+  });
 }
 
 bool is_current(Database& database, const std::string& name, const std::string& file)

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace tool {
 
@@ -23,6 +24,15 @@ File_version version_of(const std::string& file);
 
 /// With the hash. The file may change meanwhile: then it has another version afterwards.
 File_version version_with_hash(const std::string& file);
+
+/// The version of the program, and a hash of its file: another build of the same version may give other results.
+const std::string& this_program();
+
+/// Sizes, times of change and hashes of files, a line each.
+std::string versions_of(const std::vector<std::string>& files);
+
+/// Whether the files are what their versions say: of the same sizes, and not changed since, or of the same contents.
+bool are_versions(const std::string& versions, const std::vector<std::string>& files);
 
 /// Whether the row `name` of the table `mesh` is about the file as it is now: its size and time of change are those of
 /// the columns `bytes` and `changed`; or its contents that of `hash`, and then the time in the row is set. Rows of what

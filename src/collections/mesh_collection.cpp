@@ -85,6 +85,7 @@ std::vector<Item> named(const std::vector<std::pair<std::string, fs::path>>& fil
 struct Item_row {
   std::string status;  ///< "OK", or the code of a refusal
   std::string message; ///< the line of the outcome, or that of the refusal
+  std::string outputs; ///< their versions
   std::string line(const Item& item) const { return status == "OK" ? item.mesh + ": " + message : message; }
 };
 
@@ -98,38 +99,27 @@ public:
   {
     if(!is_current(database_, item.name, item.mesh))
       return std::nullopt;
-    auto row =
-      database_.query("SELECT status, message, output_bytes FROM mesh WHERE name = ? AND mesh = ? AND settings = ?",
-                      item.name, item.mesh, settings);
-    if(!row.next() || row.integer(2) != size_of(job.outputs))
+    auto row = database_.query("SELECT status, message, outputs FROM mesh WHERE name = ? AND mesh = ? AND settings = ?",
+                               item.name, item.mesh, settings);
+    if(!row.next() || !are_versions(row.text(2), job.outputs))
       return std::nullopt;
-    return Item_row{row.text(0), row.text(1)};
+    return Item_row{row.text(0), row.text(1), row.text(2)};
   }
 
   /// Whether an earlier run has done it, if for another mesh or with other settings.
   bool has(const Item& item) const { return database_.query("SELECT 1 FROM mesh WHERE name = ?", item.name).next(); }
 
-  void put(const Item& item, const File_version& version, const std::string& settings, const Job& job,
-           const Item_row& row)
+  void put(const Item& item, const File_version& version, const std::string& settings, const Item_row& row)
   {
     database_.run("INSERT OR REPLACE INTO mesh VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?)", item.name, item.mesh, version.bytes,
-                  version.changed, version.hash, settings, row.status, row.message, size_of(job.outputs));
+                  version.changed, version.hash, settings, row.status, row.message, row.outputs);
   }
 
 private:
-  static constexpr Database::Format format = {0x53504d53, "the results of a folder of meshes", R"(
+  static constexpr Database::Format format = {0x53504d54, "the results of a folder of meshes", R"(
     CREATE TABLE mesh(name TEXT PRIMARY KEY, mesh TEXT NOT NULL,
       bytes INTEGER NOT NULL, changed INTEGER NOT NULL, hash TEXT NOT NULL, settings TEXT NOT NULL,
-      status TEXT NOT NULL, message TEXT NOT NULL, output_bytes INTEGER NOT NULL))"};
-
-  /// Of all files together, with -1 for one that is not there.
-  static std::int64_t size_of(const std::vector<std::string>& files)
-  {
-    std::int64_t sum = 0;
-    for(const std::string& file : files)
-      sum += version_of(file).bytes;
-    return sum;
-  }
+      status TEXT NOT NULL, message TEXT NOT NULL, outputs TEXT NOT NULL))"};
 
   Database database_;
 };
@@ -140,10 +130,11 @@ bool concerns_all(const Refusal& refusal)
   return refusal.code() == unwritable_file || refusal.code() == opencl_error;
 }
 
-/// Settings, and versions of the files besides the mesh: another result is to be expected if any of them differs.
+/// Program, settings, and versions of the files besides the mesh: another result is to be expected if any of them
+/// differs.
 std::string settings_of(const Collection& collection, const Job& job)
 {
-  std::string text = collection.settings;
+  std::string text = this_program() + ' ' + collection.settings;
   for(const std::string& file : job.inputs) {
     const File_version version = version_of(file);
     text += '\n' + file + ' ' + std::to_string(version.bytes) + ' ' + std::to_string(version.changed);
@@ -274,11 +265,12 @@ int run_collection(const Collection& collection)
         return nullptr;
       if(outcome.refusal && concerns_all(*outcome.refusal))
         throw Refusal(*outcome.refusal);
-      const Item_row row =
-        outcome.refusal ? Item_row{outcome.refusal->code(), outcome.refusal->what()} : Item_row{"OK", outcome.line};
-      return [&, i, job, settings, version, row] {
+      const std::string outputs = versions_of(job.outputs);
+      const Item_row row = outcome.refusal ? Item_row{outcome.refusal->code(), outcome.refusal->what(), outputs}
+                                           : Item_row{"OK", outcome.line, outputs};
+      return [&, i, settings, version, row] {
         if(results)
-          results->put(items[i], version, settings, job, row);
+          results->put(items[i], version, settings, row);
         rows[i] = row;
         ++done;
         print();

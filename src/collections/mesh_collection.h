@@ -6,7 +6,7 @@
 
 #include "options/collection_options.h"
 #include "options/usage.h"
-#include "system/outcome.h"
+#include "system/refusal.h"
 
 #include <functional>
 #include <map>

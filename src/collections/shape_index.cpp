@@ -18,11 +18,11 @@
 namespace tool {
 namespace {
 
-constexpr Database::Format format = {0x53484159, "an index of signatures", R"(
+constexpr Database::Format format = {0x5348415a, "an index of signatures", R"(
   CREATE TABLE mesh(id INTEGER PRIMARY KEY, name TEXT NOT NULL UNIQUE,
     bytes INTEGER NOT NULL, changed INTEGER NOT NULL, hash TEXT NOT NULL,
     vertices INTEGER NOT NULL, status TEXT NOT NULL, map TEXT NOT NULL, message TEXT NOT NULL, signature BLOB,
-    prepared INTEGER NOT NULL);
+    prepared INTEGER NOT NULL, program TEXT NOT NULL);
   CREATE TABLE code(block INTEGER PRIMARY KEY, codes BLOB NOT NULL))"};
 
 /// A signature in a quarter of the space, in steps of 1/4096 from 1 up to where 16 bits go. Zeros are no signature.
@@ -81,9 +81,10 @@ bool Shape_index::is_current(const std::string& mesh, bool is_mended)
 {
   if(!tool::is_current(database_, mesh, mesh))
     return false;
-  auto row = database_.query(is_mended ? "SELECT 1 FROM mesh WHERE name = ? AND (status = 'OK' OR prepared > 0)"
-                                       : "SELECT 1 FROM mesh WHERE name = ? AND prepared < 2",
-                             mesh);
+  auto row =
+    database_.query(is_mended ? "SELECT 1 FROM mesh WHERE name = ? AND program = ? AND (status = 'OK' OR prepared > 0)"
+                              : "SELECT 1 FROM mesh WHERE name = ? AND program = ? AND prepared < 2",
+                    mesh, this_program());
   return row.next();
 }
 
@@ -92,11 +93,11 @@ void Shape_index::put(const Signature_row& row)
   database_.run("BEGIN");
   auto inserted = database_.query(
     "INSERT OR REPLACE INTO mesh VALUES((SELECT id FROM mesh WHERE name = ?1), ?1, ?, ?, ?, ?, ?, ?, ?, "
-    "?, ?) RETURNING id",
+    "?, ?, ?) RETURNING id",
     row.name, row.version.bytes, row.version.changed, row.version.hash, static_cast<std::int64_t>(row.vertices),
     row.status, row.map, row.message,
     row.signature ? Bytes{row.signature->values.data(), sizeof row.signature->values} : Bytes(),
-    static_cast<std::int64_t>(row.mending));
+    static_cast<std::int64_t>(row.mending), this_program());
   inserted.next();
   const std::int64_t id = inserted.integer(0), block = id / codes_per_block;
   inserted.next(); // to the end, or it could not be committed

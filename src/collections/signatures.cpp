@@ -8,7 +8,7 @@
 #include "mapping/prepared_mesh.h"
 #include "mapping/spherical_map.h"
 #include "output/atomic_file.h"
-#include "output/csv.h"
+#include "output/text_writer.h"
 #include "system/interruption.h"
 #include "system/progress_bar.h"
 #include "system/refusal.h"
@@ -153,19 +153,19 @@ Batch_summary update_index(const std::vector<std::string>& meshes, const std::st
                   "the same command resumes from there");
 
   summary.removed = index.keep_only(meshes);
-  std::optional<Atomic_file> table;
-  if(output != index_of(output))
-    write_csv_header(table.emplace(output).stream());
+  Atomic_files files;
+  std::ostream* const table = files.open_if_named(output != index_of(output) ? output : "");
+  if(table)
+    write_csv_header(*table);
   for(const std::string& mesh : meshes) {
     const Signature_row row = index.row(mesh).value();
     if(table)
-      write_csv(table->stream(), row);
+      write_csv(*table, row);
     summary.mended += row.signature && row.mending == Mending::DONE;
     if(!row.signature)
       summary.without_signature.push_back(row.message);
   }
-  if(table)
-    table->commit();
+  files.commit();
   return summary;
 }
 

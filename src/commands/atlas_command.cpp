@@ -8,7 +8,6 @@
 #include "collections/mesh_collection.h"
 #include "input/files.h"
 #include "mapping/mapped_mesh.h"
-#include "mapping/registration.h"
 #include "mapping/spherical_map.h"
 #include "options/collection_options.h"
 #include "options/usage.h"
@@ -16,8 +15,9 @@
 #include "output/write_mesh.h"
 #include "system/guarded.h"
 #include "system/interruption.h"
+#include "system/stopwatch.h"
 
-#include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
+#include <CGAL/Spherical_parameterization/register_maps.h>
 #include <CGAL/Spherical_parameterization/resample.h>
 #include <CGAL/Spherical_parameterization/transfer_properties.h>
 
@@ -25,6 +25,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -88,7 +89,7 @@ public:
   /// Returns the exit code.
   int run()
   {
-    const SP::internal::Stopwatch total;
+    const Stopwatch total;
     map_meshes();
     const Mapped_file first = {template_.mesh, sphere_of(template_)};
     std::vector<Atlas_shape> shapes;
@@ -158,11 +159,11 @@ private:
           one.policy = "sequential";
         Mapped_mesh input;
         read_input(one, input);
-        Atomic_file file(sphere_of(item));
+        Atomic_files files;
+        std::ostream& file = files.open(sphere_of(item));
         map_input(one, input);
-        write_mesh(file.stream(), {}, input.mesh(), input.sphere, Surface::SPHERE);
-        stop_if_interrupted(item.mesh);
-        file.commit();
+        write_mesh(file, {}, input.mesh(), input.sphere, Surface::SPHERE);
+        files.commit(item.mesh);
         outcome.line = std::to_string(input.mesh().number_of_vertices()) + " vertices, " + input.result.method + " map";
       });
       return outcome;
@@ -200,16 +201,18 @@ private:
     read_mapped(options_, to, target);
     if(round == 1) {
       if(options_.faces == "icosphere") {
-        const SP::internal::Icosphere icosphere(options_.level);
-        const Mesh mesh(icosphere.points, icosphere.triangles);
-        mesh_ = Atlas_mesh{mesh, mesh.points()};
+        Sphere directions;
+        std::vector<std::array<int, 3>> triangles;
+        SP::make_icosphere_soup(options_.level, directions, triangles);
+        mesh_ = Atlas_mesh{Mesh(directions, triangles), directions};
       } else
         mesh_ = Atlas_mesh{target.mesh(), target.sphere};
     }
     const auto work = [&](const Item& item) {
       Outcome outcome;
       outcome.refusal = guarded(item.mesh, [&] {
-        Atomic_file file(shape_of(round, item));
+        Atomic_files files;
+        std::ostream& file = files.open(shape_of(round, item));
         Mapped_mesh input;
         read_mapped(options_, {item.mesh, sphere_of(item)}, input);
         std::ostringstream line;
@@ -217,8 +220,12 @@ private:
         if(item.mesh == to.mesh)
           line << "the template";
         else {
-          const SP::Registration_result found =
-            register_map(item.mesh, input.mesh(), input.sphere, target.mesh(), target.sphere);
+          const SP::Registration_result found = SP::register_maps(
+            SP::mapped_mesh(input.mesh(), as_map(input.sphere)), SP::mapped_mesh(target.mesh(), as_map(target.sphere)),
+            as_map(input.sphere), {}, {}, CGAL::parameters::callback([](double) { return !was_interrupted(); }));
+          stop_if_interrupted(item.mesh);
+          if(!found)
+            throw Refusal(found.error, item.mesh, "could not be registered: " + found.detail, "");
           line << "registered by " << found.start << ", mismatch of features " << found.mismatch_before << " -> "
                << found.mismatch << ", distortion " << found.distortion;
         }
@@ -226,9 +233,8 @@ private:
         std::vector<Point> points(mesh_->directions.size());
         SP::transfer_vertex_property(shape, as_map(input.mesh().points()), mesh_->mesh, as_map(mesh_->directions),
                                      as_map(points));
-        write_mesh(file.stream(), {Mesh_format::PLY, options_.ascii}, mesh_->mesh, points, Surface::SHAPE);
-        stop_if_interrupted(item.mesh);
-        file.commit();
+        write_mesh(file, {Mesh_format::PLY, options_.ascii}, mesh_->mesh, points, Surface::SHAPE);
+        files.commit(item.mesh);
         outcome.line = line.str();
       });
       return outcome;
@@ -273,8 +279,8 @@ private:
       std::ifstream old(output, std::ios::binary);
       if(std::string(std::istreambuf_iterator<char>(old), {}) == text.str())
         continue;
-      Atomic_file out(output);
-      out.stream() << text.str();
+      Atomic_files out;
+      out.open(output) << text.str();
       out.commit();
     }
     return file;

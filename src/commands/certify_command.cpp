@@ -12,9 +12,9 @@
 #include "system/guarded.h"
 #include "system/interruption.h"
 #include "system/refusal.h"
+#include "system/stopwatch.h"
 
 #include <CGAL/Spherical_parameterization/distortion_summary.h>
-#include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
 
 #include <CLI/CLI.hpp>
 
@@ -27,16 +27,11 @@ namespace tool {
 namespace {
 
 namespace SP = CGAL::Spherical_parameterization;
-using SP::internal::Stopwatch;
 
 /// The command line of `certify`.
 struct Certify_options : Mesh_options {
   std::string report;
 };
-
-std::vector<File_option> certify_inputs(const Certify_options& options) { return input_files(options); }
-
-std::vector<File_option> certify_outputs(const Certify_options& options) { return {{"--report", options.report}}; }
 
 void check_certify_options(const Certify_options&) {}
 
@@ -74,13 +69,15 @@ void certify(const Certify_options& options, Mapped_mesh& input, Report& report,
   watch_for_interruption();
   if(!options.report.empty())
     Atomic_file(options.report); // it is written at the end, also of a sphere that is not valid
+  input.settings = std::make_shared<Map_settings>();
+  input.settings->policy = make_policy(options);
   input.file = read_mesh(options.input, options.triangulate ? Polygons::TRIANGULATE : Polygons::REFUSE);
   const Given_sphere sphere = read_given_sphere(options.sphere, options.input, input.mesh());
   input.seconds_read = total.seconds();
 
   const Stopwatch certifying;
   const auto certified = [&](const std::vector<Point>& points) {
-    return tool::certify(input.mesh(), points, options.policy != "sequential");
+    return tool::certify(input.settings->policy, input.mesh(), points);
   };
   input.result = certified(sphere.points);
   input.result.seconds.certify = certifying.seconds();
@@ -88,7 +85,8 @@ void certify(const Certify_options& options, Mapped_mesh& input, Report& report,
   // the measures are of maps that keep the orientation
   input.sphere = is_mirrored ? mirror_image(sphere.on_unit_sphere) : sphere.on_unit_sphere;
   const Stopwatch measuring;
-  report.distortion = SP::distortion_summary(input.mesh(), as_map(input.sphere));
+  report.distortion = on_host(
+    input, [&](const auto& policy) { return SP::distortion_summary(policy, input.mesh(), as_map(input.sphere)); });
   report.seconds_measure = measuring.seconds();
   stop_if_interrupted(options.input);
 
@@ -119,15 +117,13 @@ void certify(const Certify_options& options, Mapped_mesh& input, Report& report,
 
 void certify_and_report(const Certify_options& options, Outcome& outcome)
 {
-  const auto refusal = reported(options.report, options,
-                                [&](Mapped_mesh& input, Report& report) { certify(options, input, report, outcome); });
-  if(refusal)
-    throw Refusal(*refusal);
+  reported(options.report, options,
+           [&](Mapped_mesh& input, Report& report) { certify(options, input, report, outcome); });
 }
 
 /// There is no output but the report.
 const Mesh_command<Certify_options> certify_command = {
-  "", {&Certify_options::report}, check_certify_options, certify_inputs, certify_outputs, certify_and_report};
+  "", check_certify_options, certify_and_report, {{"--report", &Certify_options::report}}};
 
 } // namespace
 
@@ -148,11 +144,10 @@ void add_certify_command(CLI::App& app, int& exit_code)
     ->type_name("FOLDER");
   command->add_flag("--triangulate", options->triangulate,
                     "Triangulate the polygons of MESH as 'map' does; SPHERE has triangles");
-  command->add_option("--report", options->report, "Write certificate and distortion as JSON, with the keys of 'map'")
-    ->type_name("FILE");
-  command->footer("Example: spherical-parameterization certify lh.pial.ply lh.sphere.ply --report report.json\n"
-                  "Exit code: 0 the map is valid, 1 it is not, or is mirrored (stderr says why), 2 wrong usage,\n"
-                  "130 interrupted.");
+  add_file_option(*command, "--report", options->report,
+                  "Write certificate and distortion as JSON, with the keys of 'map'");
+  add_footer(*command, "certify lh.pial.ply lh.sphere.ply --report report.json", "the map is valid",
+             "it is not, or is mirrored (stderr says why)");
   command->callback([options, command, &exit_code] {
     check_collection_options(*options);
     require(options->inputs.size() + (options->list.empty() ? 0 : 1) >= 2, "SPHERE", "is required, behind MESH");

@@ -4,6 +4,9 @@
 #ifndef SPHERICAL_PARAMETERIZATION_TOOL_COMMANDS_H
 #define SPHERICAL_PARAMETERIZATION_TOOL_COMMANDS_H
 
+#include <cstddef>
+#include <string>
+
 namespace CLI {
 class App;
 }
@@ -28,6 +31,9 @@ void add_certify_command(CLI::App& app, int& exit_code);   ///< exact certificat
 void add_view_command(CLI::App& app, int& exit_code);      ///< the mesh and its sphere as a page to look at
 void add_devices_command(CLI::App& app, int& exit_code);   ///< the execution policies, and their devices
 /// @}
+
+/// Throws a `Refusal` of a mesh with more vertices than the page of `view` has numbers for.
+void check_size_of_page(const std::string& input, std::size_t number_of_vertices);
 
 /// The program: parses the command line, and runs its command. Returns the exit code: 0, 1 for a failure, 2 for wrong
 /// usage. Throws what is thrown outside of a command.

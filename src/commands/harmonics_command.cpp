@@ -6,16 +6,16 @@
 
 #include "mapping/mapped_mesh.h"
 #include "mapping/report.h"
-#include "preparation/sampled_hausdorff.h"
+#include "preparation/surface_distance.h"
 #include "options/usage.h"
 #include "output/atomic_file.h"
 #include "output/write_json.h"
 #include "output/write_mesh.h"
 #include "system/interruption.h"
+#include "system/stopwatch.h"
 
 #include <CGAL/Spherical_parameterization/harmonic_alignment.h>
 #include <CGAL/Spherical_parameterization/harmonic_files.h>
-#include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
 #include <CGAL/Spherical_parameterization/spherical_harmonics.h>
 
 #include <CLI/CLI.hpp>
@@ -52,13 +52,6 @@ void check_harmonics_options(const Harmonics_options& options)
   if(!options.reconstruct.empty())
     output_format_of_name("--reconstruct", options.reconstruct, options.ascii);
   check_mapping_options(options);
-}
-
-std::vector<File_option> harmonics_inputs(const Harmonics_options& options) { return input_files(options); }
-
-std::vector<File_option> harmonics_outputs(const Harmonics_options& options)
-{
-  return {{"--output", options.output}, {"--reconstruct", options.reconstruct}, {"--report", options.report}};
 }
 
 SP::Coefficient_format format_of(const std::string& file)
@@ -107,7 +100,6 @@ Json errors_by_degree(const Harmonics_options& options, const Mapped_mesh& input
                       const SP::Harmonic_coefficients& coefficients)
 {
   Json rows = Json::array();
-  const Sampled_hausdorff hausdorff(input.mesh(), input.mesh().points(), options.policy != "sequential");
   for(int degree = 1;; degree = (std::min)(2 * degree, options.degree)) {
     degree = (std::min)(degree, options.degree);
     const std::vector<Point> points = reconstructed(input, SP::with_degree(coefficients, degree));
@@ -117,7 +109,7 @@ Json errors_by_degree(const Harmonics_options& options, const Mapped_mesh& input
                     {"root_mean_square", error.root_mean_square},
                     {"relative", error.relative},
                     {"largest", error.largest},
-                    {"hausdorff", hausdorff.distance(points)}});
+                    {"hausdorff", hausdorff_distance_at_vertices(input.mesh(), input.mesh().points(), points)}});
     stop_if_interrupted(options.input);
     if(degree == options.degree)
       return rows;
@@ -144,18 +136,17 @@ Json harmonics_json(const Harmonics_options& options, const Mapped_mesh& input, 
 
 void harmonics(const Harmonics_options& options, Outcome& outcome)
 {
-  const SP::internal::Stopwatch total;
+  const Stopwatch total;
   Mapped_mesh input;
   read_input(options, input);
   check_degree(options, input.mesh());
-  Atomic_file file(options.output);
-  const auto optional_file = [](const std::string& name) {
-    return name.empty() ? nullptr : std::make_unique<Atomic_file>(name);
-  };
-  const auto mesh_file = optional_file(options.reconstruct), report_file = optional_file(options.report);
+  Atomic_files files;
+  std::ostream& file = files.open(options.output);
+  std::ostream* const mesh_file = files.open_if_named(options.reconstruct);
+  std::ostream* const report_file = files.open_if_named(options.report);
   map_input(options, input);
 
-  const SP::internal::Stopwatch analyzing;
+  const Stopwatch analyzing;
   const SP::Harmonic_analysis analysis = analyzed(options, input);
   Report report;
   const double seconds_analysis = analyzing.seconds();
@@ -166,22 +157,20 @@ void harmonics(const Harmonics_options& options, Outcome& outcome)
   report.seconds_measure = analyzing.seconds();
   json["seconds"] = {{"analysis", seconds_analysis}, {"errors", report.seconds_measure - seconds_analysis}};
   stop_if_interrupted(options.input);
-  const SP::internal::Stopwatch writing;
-  SP::write_coefficients(file.stream(),
-                         options.align ? SP::aligned_to_ellipsoid(analysis.coefficients) : analysis.coefficients,
+  const Stopwatch writing;
+  SP::write_coefficients(file, options.align ? SP::aligned_to_ellipsoid(analysis.coefficients) : analysis.coefficients,
                          format_of(options.output));
   if(mesh_file)
-    write_mesh(mesh_file->stream(), output_format_of_name("--reconstruct", options.reconstruct, options.ascii),
-               input.mesh(), points, Surface::SHAPE, input.file->annotations);
+    write_mesh(*mesh_file, output_format_of_name("--reconstruct", options.reconstruct, options.ascii), input.mesh(),
+               points, Surface::SHAPE, input.file->annotations);
   report.seconds_write = writing.seconds();
   report.seconds_total = total.seconds();
   if(report_file) {
     Json whole = report_json(options, input, report);
     whole["harmonics"] = std::move(json);
-    write_json(report_file->stream(), whole);
+    write_json(*report_file, whole);
   }
-  stop_if_interrupted(options.input);
-  Atomic_file::commit_all({report_file.get(), mesh_file.get(), &file});
+  files.commit(options.input);
   std::ostringstream line, text;
   line.precision(3);
   text.precision(3);
@@ -201,26 +190,22 @@ void harmonics(const Harmonics_options& options, Outcome& outcome)
 
 const Mesh_command<Harmonics_options> harmonics_command = {
   ".csv",
-  {&Harmonics_options::reconstruct, &Harmonics_options::report},
   check_harmonics_options,
-  harmonics_inputs,
-  harmonics_outputs,
-  harmonics};
+  harmonics,
+  {{"--reconstruct", &Harmonics_options::reconstruct}, {"--report", &Harmonics_options::report}}};
 
 } // namespace
 
 void add_harmonics_command(CLI::App& app, int& exit_code)
 {
   CLI::App* command = app.add_subcommand("harmonics", "Describe a shape by spherical harmonics (SPHARM)");
-  const auto options = std::make_shared<Harmonics_options>();
-  add_collection_options(*command, *options);
+  const auto options = add_mesh_command(*command, harmonics_command, exit_code);
   add_mapping_options(*command, *options);
   add_sphere_option(*command, *options);
-  command
-    ->add_option("-o,--output", options->output,
-                 "Output file of the coefficients: .csv, .json, or .coef as SPHARM-PDM has it. Of several IN: a folder")
-    ->required()
-    ->type_name("FILE");
+  add_file_option(
+    *command, "-o,--output", options->output,
+    "Output file of the coefficients: .csv, .json, or .coef as SPHARM-PDM has it. Of several IN: a folder")
+    ->required();
   command->add_option("--degree", options->degree, "The largest degree: (DEGREE + 1)^2 coefficients per coordinate")
     ->check(CLI::Range(0, 2000))
     ->capture_default_str();
@@ -229,20 +214,12 @@ void add_harmonics_command(CLI::App& app, int& exit_code)
     ->capture_default_str();
   command->add_flag("--align", options->align,
                     "Write the coefficients of the shape moved to its first-order ellipsoid, the longest axis along x");
-  command
-    ->add_option("--reconstruct", options->reconstruct,
-                 "Write the mesh of the coefficients: vertices and faces of IN, where IN is")
-    ->type_name("FILE");
-  command
-    ->add_option("--report", options->report,
-                 "Write map, errors by degree (Hausdorff distance, too), power spectrum and ellipsoid as JSON")
-    ->type_name("FILE");
-  command->footer("Example: spherical-parameterization harmonics bunny.ply -o bunny.csv --degree 32\n"
-                  "Exit code: 0 the files were written, 1 nothing was written (stderr says why), 2 wrong usage,\n"
-                  "130 interrupted.");
+  add_file_option(*command, "--reconstruct", options->reconstruct,
+                  "Write the mesh of the coefficients: vertices and faces of IN, where IN is");
+  add_file_option(*command, "--report", options->report,
+                  "Write map, errors by degree (Hausdorff distance, too), power spectrum and ellipsoid as JSON");
+  add_footer(*command, "harmonics bunny.ply -o bunny.csv --degree 32");
   add_ascii_option(*command, options->ascii);
-  command->callback(
-    [options, command, &exit_code] { exit_code = run_mesh_command(*command, harmonics_command, *options); });
 }
 
 } // namespace tool

@@ -13,9 +13,9 @@
 #include "system/guarded.h"
 #include "system/interruption.h"
 #include "system/standard_output.h"
+#include "system/stopwatch.h"
 
 #include <CGAL/Spherical_parameterization/distortion_summary.h>
-#include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 
 #include <CLI/CLI.hpp>
@@ -30,7 +30,6 @@ namespace tool {
 namespace {
 
 namespace SP = CGAL::Spherical_parameterization;
-using SP::internal::Stopwatch;
 
 /// The command line of `map`.
 struct Map_options : Mesh_options {
@@ -44,13 +43,6 @@ void check_map_options(const Map_options& options)
   if(!options.stretch_ply.empty())
     require_extension("--stretch-ply", options.stretch_ply, {".ply"});
   check_mapping_options(options);
-}
-
-std::vector<File_option> map_inputs(const Map_options& options) { return input_files(options); }
-
-std::vector<File_option> map_outputs(const Map_options& options)
-{
-  return {{"--output", options.output}, {"--report", options.report}, {"--stretch-ply", options.stretch_ply}};
 }
 
 void say(const Map_options& options, const Mapped_mesh& input, const Report& report, Outcome& outcome)
@@ -69,8 +61,9 @@ void say(const Map_options& options, const Mapped_mesh& input, const Report& rep
          << "the sphere has the vertices and faces of the prepared mesh, which 'prepare --steps merge,orient' writes\n";
   text << name << ": " << result.number_of_vertices << " vertices, " << result.number_of_faces << " faces\n"
        << line.str() << ", residual " << result.residual;
-  if(result.moved_vertices > 0)
-    text << ", " << result.moved_vertices << " vertices moved";
+  const std::string shortfall = options.sphere.empty() ? shortfall_of(options, result) : "";
+  if(!shortfall.empty())
+    text << "\nvalid, but not quite what was asked for: " << shortfall;
   if(!options.density.empty())
     text << "\nstandard deviation of log(area / wanted area): " << result.density_deviation;
   text << '\n'
@@ -83,10 +76,13 @@ void say(const Map_options& options, const Mapped_mesh& input, const Report& rep
   if(!result.fallback_reason.empty())
     text << "automatic: " << result.fallback_reason << '\n';
   if(is_verbose()) {
+    const auto was_said = [&](const std::string& detail) {
+      return result.fallback_reason.find(detail) < std::string::npos;
+    };
     for(const SP::Result::Attempt& attempt : result.attempts)
       text << "tried " << attempt.method << " for " << attempt.seconds.total
-           << " s: " << get_error_message(attempt.error) << (attempt.detail.empty() ? "" : ": " + attempt.detail)
-           << '\n';
+           << " s: " << get_error_message(attempt.error)
+           << (attempt.detail.empty() || was_said(attempt.detail) ? "" : ": " + attempt.detail) << '\n';
     text << "smallest area " << result.smallest_area << ", smallest edge " << result.smallest_edge
          << " roundings; peak memory " << double(peak_memory_bytes()) / 1e6 << " MB\n";
   }
@@ -103,6 +99,8 @@ void say(const Map_options& options, const Mapped_mesh& input, const Report& rep
     line << ", " << input.file->triangulated_polygons << " polygons were triangulated";
   if(!preparation.empty())
     line << ", prepared";
+  if(!shortfall.empty())
+    line << "; " << shortfall;
   outcome.text = text.str();
   outcome.line = line.str();
 }
@@ -112,15 +110,15 @@ void map(const Map_options& options, Mapped_mesh& input, Report& report, Outcome
 {
   const Stopwatch total;
   read_input(options, input);
-  Atomic_file sphere_file(options.output);
-  const auto stretch_file = options.stretch_ply.empty() ? nullptr : std::make_unique<Atomic_file>(options.stretch_ply);
+  Atomic_files files;
+  std::ostream& sphere_file = files.open(options.output);
+  std::ostream* const stretch_file = files.open_if_named(options.stretch_ply);
   if(!options.report.empty())
     Atomic_file(options.report); // it is written at the end, also if there is no map
   input.needs_neighbours = !options.stretch_ply.empty();
   map_input(options, input);
   const Output_format format = output_format(options);
-  if(stores_floats(format.format))
-    certify_as_stored(options.output, format.format, input);
+  certify_as_stored(options.output, format.format, input, input.sphere);
 
   if(!options.report.empty()) {
     const Stopwatch measuring;
@@ -139,11 +137,10 @@ void map(const Map_options& options, Mapped_mesh& input, Report& report, Outcome
     report.seconds_measure += measuring.seconds();
   }
   const Stopwatch writing;
-  write_mesh(sphere_file.stream(), format, input.mesh(), input.sphere, Surface::SPHERE, input.file->annotations);
+  write_mesh(sphere_file, format, input.mesh(), input.sphere, Surface::SPHERE, input.file->annotations);
   if(stretch_file)
-    write_stretch_ply(stretch_file->stream(), options.ascii, input.mesh(), stretch);
-  stop_if_interrupted(options.input);
-  Atomic_file::commit_all({stretch_file.get(), &sphere_file});
+    write_stretch_ply(*stretch_file, options.ascii, input.mesh(), stretch);
+  files.commit(options.input);
   report.seconds_write = writing.seconds();
   report.seconds_total = total.seconds();
   say(options, input, report, outcome);
@@ -151,41 +148,33 @@ void map(const Map_options& options, Mapped_mesh& input, Report& report, Outcome
 
 void map_and_report(const Map_options& options, Outcome& outcome)
 {
-  const auto refusal = reported(options.report, options,
-                                [&](Mapped_mesh& input, Report& report) { map(options, input, report, outcome); });
-  if(refusal)
-    throw Refusal(*refusal);
+  reported(options.report, options, [&](Mapped_mesh& input, Report& report) { map(options, input, report, outcome); });
 }
 
 const Mesh_command<Map_options> map_command = {
-  ".ply",        {&Map_options::report, &Map_options::stretch_ply}, check_map_options, map_inputs, map_outputs,
-  map_and_report};
+  ".ply",
+  check_map_options,
+  map_and_report,
+  {{"--report", &Map_options::report}, {"--stretch-ply", &Map_options::stretch_ply}}};
 
 } // namespace
 
 void add_map_command(CLI::App& app, int& exit_code)
 {
   CLI::App* command = app.add_subcommand("map", "Map a closed genus-0 triangle mesh to the sphere, certified");
-  const auto options = std::make_shared<Map_options>();
-  add_collection_options(*command, *options);
+  const auto options = add_mesh_command(*command, map_command, exit_code);
   add_mapping_options(*command, *options);
   add_prepare_option(*command, *options, Prepare::HARMLESS);
   add_mesh_output(
     *command, *options,
     "Output file of the sphere, whose vertices and faces are those of IN, in the same order; of several IN a "
     "folder");
-  command
-    ->add_option("--report", options->report,
-                 "Write the certificate, distortion, times, memory and settings, or the error, as JSON")
-    ->type_name("FILE");
-  command
-    ->add_option("--stretch-ply", options->stretch_ply,
-                 "Write IN as PLY, coloured by the logarithm of the area stretch")
-    ->type_name("FILE");
-  command->footer("Example: spherical-parameterization map bunny.ply -o sphere.off --report report.json\n"
-                  "Exit code: 0 a certified map was written, 1 no map was written (stderr says why), 2 wrong usage,\n"
-                  "130 interrupted.");
-  command->callback([options, command, &exit_code] { exit_code = run_mesh_command(*command, map_command, *options); });
+  add_file_option(*command, "--report", options->report,
+                  "Write the certificate, distortion, times, memory and settings, or the error, as JSON");
+  add_file_option(*command, "--stretch-ply", options->stretch_ply,
+                  "Write IN as PLY, coloured by the logarithm of the area stretch");
+  add_footer(*command, "map bunny.ply -o sphere.off --report report.json", "a certified map was written",
+             "no map was written (stderr says why)");
 }
 
 } // namespace tool

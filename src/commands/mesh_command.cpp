@@ -13,7 +13,7 @@ namespace tool {
 std::string settings_text(const CLI::App& command, const std::set<std::string>& left_out)
 {
   static const std::set<std::string> others = {"IN", "--list", "--jobs", "--output"};
-  std::string text = command.get_name() + ' ' + SPHERICAL_PARAMETERIZATION_VERSION;
+  std::string text = command.get_name();
   for(const CLI::Option* option : command.get_options())
     if(option->count() > 0 && others.count(option->get_name()) == 0 && left_out.count(option->get_name()) == 0)
       text += ' ' + option->get_name() + '=' + CLI::detail::join(option->results(), ",");

@@ -11,7 +11,7 @@
 #include "options/mesh_output.h"
 #include "options/usage.h"
 #include "system/guarded.h"
-#include "system/outcome.h"
+#include "system/refusal.h"
 
 #include <CLI/CLI.hpp>
 
@@ -20,6 +20,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tool {
@@ -30,13 +31,31 @@ struct Mesh_options : Mapping_options, Collection_options, Mesh_output {};
 /// A command that works on a mesh: `Options` is derived from `Mesh_options`.
 template <class Options>
 struct Mesh_command {
-  std::string extension;                          ///< of outputs in a folder, without --format
-  std::vector<std::string Options::*> more_files; ///< those of the options that name further outputs
+  typedef std::vector<File_option> (*Files)(const Options&);
 
-  void (*check)(const Options&);                       ///< throws what is wrong usage
-  std::vector<File_option> (*inputs)(const Options&);  ///< the files that are read, IN first
-  std::vector<File_option> (*outputs)(const Options&); ///< the files that are written
-  void (*run)(const Options&, Outcome&);               ///< does it; throws
+  std::string extension;                 ///< of outputs in a folder, without --format; empty: --output is no file
+  void (*check)(const Options&);         ///< throws what is wrong usage
+  void (*run)(const Options&, Outcome&); ///< does it; throws
+  std::vector<std::pair<const char*, std::string Options::*>> more_files = {}; ///< options that name further outputs
+  Files more_inputs = nullptr;                                                 ///< besides those of every command
+  Files more_outputs = nullptr; ///< besides those that are named by options
+
+  /// The files that are read, IN first.
+  std::vector<File_option> inputs(const Options& options) const
+  {
+    return joined(input_files(options), more_inputs, options);
+  }
+
+  /// The files that are written.
+  std::vector<File_option> outputs(const Options& options) const
+  {
+    std::vector<File_option> files;
+    if(!extension.empty())
+      files.emplace_back("--output", options.output);
+    for(const auto& [option, file] : more_files)
+      files.emplace_back(option, options.*file);
+    return joined(std::move(files), more_outputs, options);
+  }
 
   void check_one(const Options& options) const
   {
@@ -50,10 +69,18 @@ struct Mesh_command {
     outcome.refusal = guarded(options.input, [&] { run(options, outcome); });
     return outcome;
   }
+
+private:
+  static std::vector<File_option> joined(std::vector<File_option> files, Files more, const Options& options)
+  {
+    for(const File_option& file : more != nullptr ? more(options) : std::vector<File_option>())
+      files.push_back(file);
+    return files;
+  }
 };
 
-/// What was given on the command line, and the version of the program: all that results depend on besides the files.
-/// `left_out` are options, by their long names, on which they do not depend.
+/// What was given on the command line: all that results depend on besides the program and the files. `left_out` are
+/// options, by their long names, on which they do not depend.
 std::string settings_text(const CLI::App& command, const std::set<std::string>& left_out = {});
 
 /// Throws what is wrong usage of a folder of outputs.
@@ -77,7 +104,7 @@ int run_mesh_command(const CLI::App& command, const Mesh_command<Options>& mesh_
   check_output_folder(options.output);
   while(options.output.size() > 1 && options.output.back() == '/')
     options.output.pop_back();
-  for(const auto file : mesh_command.more_files) {
+  for(const auto& [option, file] : mesh_command.more_files) {
     require((options.*file).empty() || !options.output.empty(), "--output",
             "is required: a folder for the files '" + options.*file + "' of several meshes");
     require((options.*file).find('/') == std::string::npos, "--output",
@@ -99,7 +126,7 @@ int run_mesh_command(const CLI::App& command, const Mesh_command<Options>& mesh_
     if(!options.output.empty()) {
       const std::string name = options.output + '/' + item.name;
       one.output = name + (options.format.empty() ? mesh_command.extension : extension_of_format(options.format));
-      for(const auto file : mesh_command.more_files)
+      for(const auto& [option, file] : mesh_command.more_files)
         if(!(one.*file).empty())
           one.*file = name + '.' + options.*file;
     }
@@ -132,6 +159,18 @@ int run_mesh_command(const CLI::App& command, const Mesh_command<Options>& mesh_
     if(!file.empty() && file != first.input && file != first.sphere) // one for all meshes: without it none is done
       check_readable(file);
   return run_collection(collection);
+}
+
+/// Adds the command with IN, --list and --jobs, and runs it when it is called. Returns its options, for which others
+/// may be added.
+template <class Options>
+std::shared_ptr<Options> add_mesh_command(CLI::App& command, const Mesh_command<Options>& mesh_command, int& exit_code)
+{
+  const auto options = std::make_shared<Options>();
+  add_collection_options(command, *options);
+  command.callback(
+    [options, &command, &mesh_command, &exit_code] { exit_code = run_mesh_command(command, mesh_command, *options); });
+  return options;
 }
 
 } // namespace tool

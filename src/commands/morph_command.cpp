@@ -3,6 +3,7 @@
 
 #include "commands/commands.h"
 
+#include "input/files.h"
 #include "mapping/registered_pair.h"
 #include "options/usage.h"
 #include "output/atomic_file.h"
@@ -11,23 +12,18 @@
 #include "system/guarded.h"
 #include "system/interruption.h"
 
-#include <CGAL/Spherical_parameterization/internal/algebra/rotations.h>
-#include <CGAL/Spherical_parameterization/internal/algebra/point_coordinates.h>
-
 #include <CLI/CLI.hpp>
+#include <Eigen/Geometry>
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
 namespace tool {
 namespace {
-
-using namespace CGAL::Spherical_parameterization::internal;
 
 struct Morph_options : Registration_options {
   std::string output;
@@ -41,52 +37,57 @@ struct Morph_options : Registration_options {
 class Rigid_path {
 public:
   Rigid_path(const std::vector<Point>& from, const std::vector<Point>& to)
-    : from_centre_(mean(from)), to_centre_(mean(to))
+    : from_(by_columns(from)), to_(by_columns(to)), from_centre_(from_.rowwise().mean()),
+      to_centre_(to_.rowwise().mean())
   {
-    for(std::size_t i = 0; i < from.size(); ++i) {
-      from_.push_back(sub(coordinates(from[i]), from_centre_));
-      to_.push_back(sub(coordinates(to[i]), to_centre_));
-    }
-    const Matrix_3 r = best_rotation(from_, to_);
-    const vec3 twist = {r[2][1] - r[1][2], r[0][2] - r[2][0], r[1][0] - r[0][1]}; // 2 sin(angle) times the axis
-    const double angle = std::atan2(norm(twist), r[0][0] + r[1][1] + r[2][2] - 1);
-    if(norm(twist) > 0)
-      rotation_ = scale(angle / norm(twist), twist);
-    const Matrix_3 back = rotation_about(scale(-1, rotation_));
-    for(vec3& p : to_)
-      p = rotated(back, p);
+    from_.colwise() -= from_centre_;
+    to_.colwise() -= to_centre_;
+    turn_ = Eigen::Matrix3d(Eigen::umeyama(from_, to_, false).topLeftCorner<3, 3>());
+    to_ = turn_.inverse().toRotationMatrix() * to_;
   }
 
   std::vector<Point> at(double t) const
   {
-    const Matrix_3 turn = rotation_about(scale(t, rotation_));
-    const vec3 centre = add_scaled(scale(1 - t, from_centre_), t, to_centre_);
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(t * turn_.angle(), turn_.axis()).toRotationMatrix();
+    const Points all = (turn * ((1 - t) * from_ + t * to_)).colwise() + ((1 - t) * from_centre_ + t * to_centre_);
     std::vector<Point> points;
-    for(std::size_t i = 0; i < from_.size(); ++i) {
-      const vec3 p = add(centre, rotated(turn, add_scaled(scale(1 - t, from_[i]), t, to_[i])));
-      points.push_back({p.x, p.y, p.z});
-    }
+    for(Eigen::Index v = 0; v < all.cols(); ++v)
+      points.push_back({all(0, v), all(1, v), all(2, v)});
     return points;
   }
 
 private:
-  static vec3 mean(const std::vector<Point>& points)
+  using Points = Eigen::Matrix<double, 3, Eigen::Dynamic>;
+  static Points by_columns(const std::vector<Point>& points)
   {
-    vec3 sum = {0, 0, 0};
-    for(const Point& p : points)
-      sum = add_scaled(sum, 1. / double(points.size()), coordinates(p));
-    return sum;
+    return Eigen::Map<const Points>(points.front().data(), 3, static_cast<Eigen::Index>(points.size()));
   }
 
-  vec3 from_centre_, to_centre_;
-  vec3 rotation_ = {0, 0, 0}; ///< axis times angle
-  std::vector<vec3> from_, to_;
+  Points from_, to_; ///< about their centres; those of the other shape turned back
+  Eigen::Vector3d from_centre_, to_centre_;
+  Eigen::AngleAxisd turn_;
 };
 
 std::string name_of_step(const Morph_options& options, int step)
 {
   const std::string number = std::to_string(step), last = std::to_string(options.steps);
   return options.output + "/step_" + std::string(last.size() - number.size(), '0') + number + '.' + options.format;
+}
+
+std::string page_of(const Morph_options& options) { return options.output + "/morph.html"; }
+
+/// No mesh of A, B or another run may be in the place of a step, or among the steps.
+void check_outputs(const Morph_options& options)
+{
+  const std::vector<File_option> inputs = registration_inputs(options);
+  check_files(inputs, {{"--output", page_of(options)}});
+  std::set<std::string> steps;
+  for(int step = 0; step <= options.steps; ++step) {
+    steps.insert(name_of_step(options, step));
+    check_files(inputs, {{"--output", name_of_step(options, step)}});
+  }
+  for(const std::string& file : numbered_files(options.output + "/step_", '.' + options.format))
+    require(steps.count(file) > 0, "--output", "'" + file + "' is of another run; remove it, or name another folder");
 }
 
 void morph(const Morph_options& options)
@@ -98,29 +99,27 @@ void morph(const Morph_options& options)
 
   const Mesh& mesh = pair.a.mesh();
   const Rigid_path path(mesh.points(), pair.points_on_b);
+  Atomic_files files;
+  constexpr int frames_of_page = 8; // between which the page interpolates
+  std::vector<std::vector<Point>> frames;
+  for(int k = 0; k <= frames_of_page; ++k)
+    frames.push_back(path.at(double(k) / frames_of_page));
+  write_morph_page(files.open(page_of(options)),
+                   std::filesystem::path(options.input).filename().string() + " to " +
+                     std::filesystem::path(options.other).filename().string(),
+                   mesh, frames);
   for(int step = 0; step <= options.steps; ++step) {
     const std::string name = name_of_step(options, step);
     // both ends are as they are, without rounding
     const std::vector<Point> points = step == 0               ? mesh.points()
                                       : step == options.steps ? pair.points_on_b
                                                               : path.at(double(step) / options.steps);
-    Atomic_file file(name);
-    write_mesh(file.stream(), output_format_of_name("--format", name, options.ascii), mesh, points, Surface::SHAPE,
+    write_mesh(files.open(name), output_format_of_name("--format", name, options.ascii), mesh, points, Surface::SHAPE,
                pair.a.file->annotations);
+    files.complete();
     stop_if_interrupted(options.input);
-    file.commit();
   }
-  std::vector<std::vector<Point>> frames;
-  constexpr int frames_of_page = 8; // between which the page interpolates
-  for(int k = 0; k <= frames_of_page; ++k)
-    frames.push_back(path.at(double(k) / frames_of_page));
-  Atomic_file page(options.output + "/morph.html");
-  write_morph_page(page.stream(),
-                   std::filesystem::path(options.input).filename().string() + " to " +
-                     std::filesystem::path(options.other).filename().string(),
-                   mesh, frames);
-  stop_if_interrupted(options.input);
-  page.commit();
+  files.commit(options.input);
   std::cout << "written: " << name_of_step(options, 0) << " to " << name_of_step(options, options.steps)
             << ", and morph.html to look at\nregistered map: " << pair.result.flipped_faces << " flipped faces, degree "
             << pair.result.degree << std::endl;
@@ -145,14 +144,12 @@ void add_morph_command(CLI::App& app, int& exit_code)
     ->check(CLI::IsMember({"off", "obj", "ply", "glb"}))
     ->capture_default_str();
   add_ascii_option(*command, options->ascii);
-  command->footer("Example: spherical-parameterization morph lion1.obj lion2.obj -o morph --steps 20\n"
-                  "Exit code: 0 the files were written, 1 not all were written (stderr says why), 2 wrong usage,\n"
-                  "130 interrupted.");
+  add_footer(*command, "morph lion1.obj lion2.obj -o morph --steps 20");
   command->callback([options, &exit_code] {
     while(options->output.size() > 1 && options->output.back() == '/')
       options->output.pop_back();
     check_registration_options(*options);
-    check_files(registration_inputs(*options), {{"--output", options->output + "/morph.html"}});
+    check_outputs(*options);
     exit_code = exit_code_of(guarded(options->input, [&] { morph(*options); }));
   });
 }

@@ -4,7 +4,10 @@
 #include "commands/commands.h"
 #include "commands/mesh_command.h"
 
+#include "input/compression.h"
+#include "input/files.h"
 #include "input/mesh.h"
+#include "input/mesh_format.h"
 #include "input/mesh_readers.h"
 #include "options/mesh_output.h"
 #include "options/usage.h"
@@ -18,8 +21,7 @@
 #include "system/interruption.h"
 #include "system/refusal.h"
 #include "system/standard_output.h"
-
-#include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
+#include "system/stopwatch.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -32,13 +34,13 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tool {
 namespace {
 
 namespace fs = std::filesystem;
-using CGAL::Spherical_parameterization::internal::Stopwatch;
 using Json = nlohmann::ordered_json;
 
 /// The command line of `prepare`.
@@ -78,14 +80,24 @@ std::set<std::string> steps_of(const Prepare_options& options)
 
 bool is_split(const Prepare_options& options) { return steps_of(options).count("split") > 0; }
 
-std::vector<File_option> prepare_inputs(const Prepare_options& options) { return {{"IN", options.input}}; }
-
-std::vector<File_option> prepare_outputs(const Prepare_options& options)
+/// The names of the parts of a mesh that is split have a number between these two: out.ply becomes out_1.ply
+std::pair<std::string, std::string> around_number(const std::string& file)
 {
-  return {{"--output", options.output},
-          {"--vertex-map", options.vertex_map},
-          {"--face-map", options.face_map},
-          {"--report", options.report}};
+  const std::string plain = without_compression(file);
+  const std::string extension =
+    format_of_name(plain) == Mesh_format::FREESURFER ? "" : fs::path(plain).extension().string();
+  const std::size_t end = plain.size() - extension.size();
+  return {file.substr(0, end) + '_', file.substr(end)};
+}
+
+/// Nobody has typed the names of parts, and how many there will be is not known: what has such a name stays.
+void check_parts(const Prepare_options& options)
+{
+  const auto [beginning, end] = around_number(options.output);
+  for(const std::string& file : numbered_files(beginning, end))
+    require(false, "--output",
+            "'" + file + "' is there already, and has the name of a part; remove it, or name another");
+  require(!is_numbered(options.report, beginning, end), "--report", "has the name of a part");
 }
 
 void check_prepare_options(const Prepare_options& options)
@@ -99,6 +111,7 @@ void check_prepare_options(const Prepare_options& options)
             "with split there is no one output for --vertex-map and --face-map");
     require(!options.output.empty() && options.output != standard_stream, "--steps",
             "split requires a file as --output");
+    check_parts(options);
   }
   require(!options.merge_distance || (*options.merge_distance >= 0 && std::isfinite(*options.merge_distance)),
           "--merge-distance", "must be 0 or positive");
@@ -145,19 +158,11 @@ Glued_surface joined(const std::vector<Glued_surface>& parts)
   return all;
 }
 
-/// The name of part i of a mesh that is split: out.ply becomes out_1.ply
-std::string name_of_part(const std::string& file, std::size_t i)
+void write_numbers(std::ostream* out, const std::vector<int>& numbers)
 {
-  const fs::path path(file);
-  return path.parent_path() / (path.stem().string() + '_' + std::to_string(i + 1) + path.extension().string());
-}
-
-void write_numbers(Atomic_file* file, const std::vector<int>& numbers)
-{
-  if(file == nullptr)
-    return;
-  for(const int i : numbers)
-    file->stream() << i << '\n';
+  if(out != nullptr)
+    for(const int i : numbers)
+      *out << i << '\n';
 }
 
 /// "closed, of one component, without handles", or what is left.
@@ -222,6 +227,7 @@ Json to_json(const Preparation& preparation)
                {"repeated_faces", to_json(d.repeated_faces)},
                {"merged_vertices", to_json(d.merged_vertices)},
                {"non_manifold_edges", to_json(d.non_manifold_edges)},
+               {"crowded_edges", to_json(d.crowded_edges)},
                {"copies_of_non_manifold_vertices", to_json(d.non_manifold_vertices)},
                {"slits", to_json(d.slits)},
                {"reversed_faces", to_json(d.reversed_faces)},
@@ -267,8 +273,8 @@ void write_report(const Prepare_options& options, const Prepared& prepared)
       {"total", prepared.seconds_total}}},
     {"error", prepared.refusal ? Json(prepared.refusal->what()) : Json(nullptr)},
     {"error_code", prepared.refusal ? prepared.refusal->code() : "OK"}};
-  Atomic_file out(options.report);
-  write_json(out.stream(), json);
+  Atomic_files out;
+  write_json(out.open(options.report), json);
   out.commit();
 }
 
@@ -326,40 +332,30 @@ void say(const Prepare_options& options, const Prepared& prepared, Outcome& outc
   outcome.line = line.str();
 }
 
-/// Either all of the files get their names or none.
 void write(const Prepare_options& options, Prepared& prepared)
 {
-  const std::vector<Glued_surface>& parts = prepared.preparation->parts;
-  const auto write_to = [&](Atomic_file& file, const Glued_surface& surface) {
-    write_mesh(file.stream(), output_format(options), Mesh(Mesh::Unchecked(), surface.points, surface.faces),
+  Atomic_files files;
+  std::vector<std::string> names;
+  const auto write_surface = [&](const std::string& file, const Glued_surface& surface) {
+    write_mesh(files.open(file), output_format(options), Mesh(Mesh::Unchecked(), surface.points, surface.faces),
                surface.points, Surface::SHAPE, prepared.soup->annotations);
+    files.complete();
+    names.push_back(file);
   };
+  const std::vector<Glued_surface>& parts = prepared.preparation->parts;
   if(is_split(options)) {
-    std::vector<std::unique_ptr<Atomic_file>> files;
-    for(std::size_t i = 0; i < parts.size(); ++i) {
-      prepared.files.push_back(name_of_part(options.output, i));
-      files.push_back(std::make_unique<Atomic_file>(prepared.files.back()));
-      write_to(*files.back(), parts[i]);
-    }
-    stop_if_interrupted(options.input);
-    for(const auto& file : files)
-      file->commit();
-    return;
+    const auto [beginning, end] = around_number(options.output);
+    for(const Glued_surface& part : parts)
+      write_surface(beginning + std::to_string(names.size() + 1) + end, part);
+  } else {
+    const Glued_surface all = joined(parts);
+    if(!options.output.empty())
+      write_surface(options.output, all);
+    write_numbers(files.open_if_named(options.vertex_map), all.old_vertex);
+    write_numbers(files.open_if_named(options.face_map), all.old_face);
   }
-  const auto if_given = [](const std::string& file) {
-    return file.empty() ? nullptr : std::make_unique<Atomic_file>(file);
-  };
-  const auto mesh = if_given(options.output), vertex_map = if_given(options.vertex_map),
-             face_map = if_given(options.face_map);
-  const Glued_surface all = joined(parts);
-  if(mesh) {
-    write_to(*mesh, all);
-    prepared.files.push_back(options.output);
-  }
-  write_numbers(vertex_map.get(), all.old_vertex);
-  write_numbers(face_map.get(), all.old_face);
-  stop_if_interrupted(options.input);
-  Atomic_file::commit_all({vertex_map.get(), face_map.get(), mesh.get()});
+  files.commit(options.input);
+  prepared.files = names;
 }
 
 void prepare(const Prepare_options& options, Prepared& prepared)
@@ -368,8 +364,8 @@ void prepare(const Prepare_options& options, Prepared& prepared)
   const Stopwatch total;
   watch_for_interruption();
   for(const std::string& file : {options.output, options.vertex_map, options.face_map, options.report})
-    if(!file.empty() && (!is_split(options) || file != options.output))
-      Atomic_file(std::string(file)); // before the work
+    if(!file.empty())
+      Atomic_file(std::string(file)); // before the work; parts are beside --output
   prepared.soup = read_triangles(options.input, Coordinates::ANY);
   prepared.diagonal = diagonal(*prepared.soup);
   prepared.seconds_read = total.seconds();
@@ -402,13 +398,12 @@ void prepare_and_report(const Prepare_options& options, Outcome& outcome)
   say(options, prepared, outcome);
 }
 
-const Mesh_command<Prepare_options> prepare_command = {
-  ".ply",
-  {&Prepare_options::vertex_map, &Prepare_options::face_map, &Prepare_options::report},
-  check_prepare_options,
-  prepare_inputs,
-  prepare_outputs,
-  prepare_and_report};
+const Mesh_command<Prepare_options> prepare_command = {".ply",
+                                                       check_prepare_options,
+                                                       prepare_and_report,
+                                                       {{"--vertex-map", &Prepare_options::vertex_map},
+                                                        {"--face-map", &Prepare_options::face_map},
+                                                        {"--report", &Prepare_options::report}}};
 
 } // namespace
 
@@ -423,27 +418,21 @@ void add_prepare_command(CLI::App& app, int& exit_code)
     "Output file, in which vertices and faces of IN that are left keep their order; of several IN a folder "
     "(without it the command only says what it would do)");
   command->get_option("--output")->required(false);
-  command
-    ->add_option("--vertex-map", options->vertex_map,
-                 "Write for each vertex of the output its number in IN, counted from 0, or -1 if it is new")
-    ->type_name("FILE");
-  command
-    ->add_option("--face-map", options->face_map,
-                 "Write for each face of the output its number in IN, counted from 0, or -1 if it is new")
-    ->type_name("FILE");
-  command
-    ->add_option("--report", options->report,
-                 "Write all that was found and done, distances and times, or the error, as JSON")
-    ->type_name("FILE");
+  add_file_option(*command, "--vertex-map", options->vertex_map,
+                  "Write for each vertex of the output its number in IN, counted from 0, or -1 if it is new");
+  add_file_option(*command, "--face-map", options->face_map,
+                  "Write for each face of the output its number in IN, counted from 0, or -1 if it is new");
+  add_file_option(*command, "--report", options->report,
+                  "Write all that was found and done, distances and times, or the error, as JSON");
   command
     ->add_option(
       "--steps", options->steps,
       "What is done, separated by commas: merge (stitch vertices at boundaries and at the same place), orient (always "
       "done, as is leaving out what is no face, and cutting non-manifold parts from each other), largest or split "
       "(keep "
-      "the component of largest area, or write each as OUT_1, OUT_2, ...), degenerate (remove faces without area, "
-      "which "
-      "'map' does not mind), holes (fill), handles (cut and close; of what has no holes). merge,orient alone does not "
+      "the component of largest area, or write each as OUT_1, OUT_2, ..., of which none may be there), degenerate "
+      "(remove faces without area, which 'map' does not mind), holes (fill), handles (cut and close; of what has no "
+      "holes). merge,orient alone does not "
       "change the shape, and is what 'map --prepare' does")
     ->type_name("LIST")
     ->capture_default_str();
@@ -455,9 +444,7 @@ void add_prepare_command(CLI::App& app, int& exit_code)
                       "Wrap: what a ball of this radius cannot enter is filled [diagonal / 50]");
   command->add_option("--offset", options->wrap_settings.offset,
                       "Wrap: distance of the surface from the mesh [diagonal / 1500]");
-  command->footer("Example: spherical-parameterization prepare scan.ply -o closed.ply --vertex-map vertices.txt\n"
-                  "Exit code: 0 the files were written, 1 nothing was written (stderr says why), 2 wrong usage,\n"
-                  "130 interrupted.");
+  add_footer(*command, "prepare scan.ply -o closed.ply --vertex-map vertices.txt");
   command->callback([options, command, &exit_code] {
     require(!is_split(*options) || !options->are_many(options->output), "--steps",
             "split writes as many files as there are components, which is for one IN at a time");

@@ -32,27 +32,21 @@ void register_meshes(const Register_options& options)
 {
   Registered_pair pair;
   read_pair(options, pair);
-  Atomic_file file(options.output);
-  const auto optional_file = [](const std::string& name) {
-    return name.empty() ? nullptr : std::make_unique<Atomic_file>(name);
-  };
-  const auto sphere_file = optional_file(options.output_sphere), report_file = optional_file(options.report);
+  Atomic_files files;
+  std::ostream& file = files.open(options.output);
+  std::ostream* const sphere_file = files.open_if_named(options.output_sphere);
+  std::ostream* const report_file = files.open_if_named(options.report);
   register_pair(options, pair);
 
-  write_mesh(file.stream(), output_format(options), pair.a.mesh(), pair.points_on_b, Surface::SHAPE,
-             pair.a.file->annotations);
+  write_mesh(file, output_format(options), pair.a.mesh(), pair.points_on_b, Surface::SHAPE, pair.a.file->annotations);
   if(sphere_file) {
     const Output_format format = output_format_of_name("--output-sphere", options.output_sphere, options.ascii);
-    Mapped_mesh stored = pair.a;
-    stored.sphere = pair.registered;
-    certify_as_stored(options.output_sphere, format.format, stored);
-    write_mesh(sphere_file->stream(), format, pair.a.mesh(), pair.registered, Surface::SPHERE,
-               pair.a.file->annotations);
+    certify_as_stored(options.output_sphere, format.format, pair.a, pair.registered);
+    write_mesh(*sphere_file, format, pair.a.mesh(), pair.registered, Surface::SPHERE, pair.a.file->annotations);
   }
   if(report_file)
-    write_json(report_file->stream(), registration_json(options, pair));
-  stop_if_interrupted(options.input);
-  Atomic_file::commit_all({report_file.get(), sphere_file.get(), &file});
+    write_json(*report_file, registration_json(options, pair));
+  files.commit(options.input);
   std::cout.precision(3);
   std::cout << options.output << ": " << options.input << " in the shape of " << options.other << ", "
             << pair.a.mesh().number_of_vertices() << " vertices\n"
@@ -76,14 +70,10 @@ void add_register_command(CLI::App& app, int& exit_code)
   const auto options = std::make_shared<Register_options>();
   add_registration_options(*command, *options);
   add_mesh_output(*command, *options, "Output file: the mesh A, its vertices at the corresponding points of B");
-  command
-    ->add_option("--output-sphere", options->output_sphere,
-                 "Write the registered sphere of A: equal points of it and of the sphere of B correspond")
-    ->type_name("FILE");
-  command->add_option("--report", options->report, "Write certificate, figures and times as JSON")->type_name("FILE");
-  command->footer("Example: spherical-parameterization register lion1.obj lion2.obj -o lion1_as_2.ply\n"
-                  "Exit code: 0 the files were written, 1 nothing was written (stderr says why), 2 wrong usage,\n"
-                  "130 interrupted.");
+  add_file_option(*command, "--output-sphere", options->output_sphere,
+                  "Write the registered sphere of A: equal points of it and of the sphere of B correspond");
+  add_file_option(*command, "--report", options->report, "Write certificate, figures and times as JSON");
+  add_footer(*command, "register lion1.obj lion2.obj -o lion1_as_2.ply");
   command->callback([options, &exit_code] {
     output_format(*options);
     if(!options->output_sphere.empty())

@@ -16,6 +16,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <array>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -33,13 +34,6 @@ struct Resample_options : Mesh_options {
   std::string output_sphere;
   int level = 6;
 };
-
-std::vector<File_option> resample_inputs(const Resample_options& options) { return input_files(options); }
-
-std::vector<File_option> resample_outputs(const Resample_options& options)
-{
-  return {{"--output", options.output}, {"--output-sphere", options.output_sphere}};
-}
 
 void check_resample_options(const Resample_options& options)
 {
@@ -66,24 +60,25 @@ void resample(const Resample_options& options, Outcome& outcome)
 {
   Mapped_mesh input;
   read_input(options, input);
-  Atomic_file file(options.output);
-  const auto sphere_file =
-    options.output_sphere.empty() ? nullptr : std::make_unique<Atomic_file>(options.output_sphere);
+  Atomic_files files;
+  std::ostream& file = files.open(options.output);
+  std::ostream* const sphere_file = files.open_if_named(options.output_sphere);
   map_input(options, input);
 
-  const SP::internal::Icosphere icosphere(options.level);
-  const Mesh out(icosphere.points, icosphere.triangles);
+  std::vector<Point> directions;
+  std::vector<std::array<int, 3>> triangles;
+  SP::make_icosphere_soup(options.level, directions, triangles);
+  const Mesh out(directions, triangles);
   const SP::Spherical_locator<Mesh> shape(input.mesh(), as_map(input.sphere));
   std::vector<Point> points;
   for(const Point& direction : out.points())
     points.push_back(point_at(shape, direction));
-  write_mesh(file.stream(), output_format(options), out, points, Surface::SHAPE, input.file->annotations);
+  write_mesh(file, output_format(options), out, points, Surface::SHAPE, input.file->annotations);
   if(sphere_file)
-    write_mesh(sphere_file->stream(), output_format_of_name("--output-sphere", options.output_sphere, options.ascii),
-               out, out.points(), Surface::SPHERE, input.file->annotations);
+    write_mesh(*sphere_file, output_format_of_name("--output-sphere", options.output_sphere, options.ascii), out,
+               out.points(), Surface::SPHERE, input.file->annotations);
   const Sampling_loss loss = sampling_loss(input.mesh(), out, points);
-  stop_if_interrupted(options.input);
-  Atomic_file::commit_all({sphere_file.get(), &file});
+  files.commit(options.input);
   std::ostringstream line;
   line.precision(2);
   line << out.number_of_vertices() << " vertices, " << out.number_of_faces() << " faces; " << input.result.method
@@ -97,31 +92,24 @@ void resample(const Resample_options& options, Outcome& outcome)
 }
 
 const Mesh_command<Resample_options> resample_command = {
-  ".ply", {&Resample_options::output_sphere}, check_resample_options, resample_inputs, resample_outputs, resample};
+  ".ply", check_resample_options, resample, {{"--output-sphere", &Resample_options::output_sphere}}};
 
 } // namespace
 
 void add_resample_command(CLI::App& app, int& exit_code)
 {
   CLI::App* command = app.add_subcommand("resample", "Sample a shape at the vertices of an icosphere");
-  const auto options = std::make_shared<Resample_options>();
+  const auto options = add_mesh_command(*command, resample_command, exit_code);
   options->method = "isometric"; // which loses no limb
-  add_collection_options(*command, *options);
   add_mapping_options(*command, *options);
   add_sphere_option(*command, *options);
   add_mesh_output(*command, *options, "Output file of the new mesh; of several IN a folder");
-  command
-    ->add_option("--output-sphere", options->output_sphere,
-                 "Write the icosphere as well: it is the map of the new mesh")
-    ->type_name("FILE");
+  add_file_option(*command, "--output-sphere", options->output_sphere,
+                  "Write the icosphere as well: it is the map of the new mesh");
   command->add_option("--level", options->level, "The new mesh has 10 * 4^LEVEL + 2 vertices")
     ->check(CLI::Range(0, SP::largest_icosphere_level))
     ->capture_default_str();
-  command->footer("Example: spherical-parameterization resample bunny.ply -o icosphere.off --level 7\n"
-                  "Exit code: 0 the mesh was written, 1 nothing was written (stderr says why), 2 wrong usage,\n"
-                  "130 interrupted.");
-  command->callback(
-    [options, command, &exit_code] { exit_code = run_mesh_command(*command, resample_command, *options); });
+  add_footer(*command, "resample bunny.ply -o icosphere.off --level 7", "the mesh was written");
 }
 
 } // namespace tool

@@ -32,13 +32,6 @@ struct Segment_options : Mesh_options {
   std::optional<std::int64_t> segments;
 };
 
-std::vector<File_option> segment_inputs(const Segment_options& options) { return input_files(options); }
-
-std::vector<File_option> segment_outputs(const Segment_options& options)
-{
-  return {{"--output", options.output}, {"--labels", options.labels}};
-}
-
 void check_segment_options(const Segment_options& options)
 {
   if(options.output != standard_stream)
@@ -51,8 +44,9 @@ void segment(const Segment_options& options, Outcome& outcome)
 {
   Mapped_mesh input;
   read_input(options, input);
-  Atomic_file ply(options.output);
-  const auto labels = options.labels.empty() ? nullptr : std::make_unique<Atomic_file>(options.labels);
+  Atomic_files files;
+  std::ostream& ply = files.open(options.output);
+  std::ostream* const labels = files.open_if_named(options.labels);
   map_input(options, input, Map_quality::CONVERGED);
 
   std::vector<std::size_t> segments(input.mesh().number_of_faces());
@@ -66,14 +60,12 @@ void segment(const Segment_options& options, Outcome& outcome)
   std::size_t number_of_segments = result.number_of_segments;
   if(input.prepared)
     segments = labels_of_file(*input.prepared, segments, number_of_segments);
-  on_mesh_of_file(input, [&](const Mesh& mesh) {
-    write_segments_ply(ply.stream(), options.ascii, mesh, segments, number_of_segments);
-  });
+  on_mesh_of_file(
+    input, [&](const Mesh& mesh) { write_segments_ply(ply, options.ascii, mesh, segments, number_of_segments); });
   if(labels)
     for(const std::size_t segment : segments)
-      labels->stream() << segment << '\n';
-  stop_if_interrupted(options.input);
-  Atomic_file::commit_all({labels.get(), &ply});
+      *labels << segment << '\n';
+  files.commit(options.input);
   const std::string name_of_input = shown(options.input, "standard input");
   outcome.line = std::to_string(number_of_segments) + " segments";
   outcome.text = preparation_text(name_of_input, input.prepared) + name_of_input + ": " + outcome.line;
@@ -84,7 +76,7 @@ void segment(const Segment_options& options, Outcome& outcome)
 }
 
 const Mesh_command<Segment_options> segment_command = {
-  ".ply", {&Segment_options::labels}, check_segment_options, segment_inputs, segment_outputs, segment};
+  ".ply", check_segment_options, segment, {{"--labels", &Segment_options::labels}}};
 
 } // namespace
 
@@ -98,20 +90,15 @@ void add_segment_command(CLI::App& app, int& exit_code)
   add_mapping_options(*command, *options);
   add_sphere_option(*command, *options);
   add_prepare_option(*command, *options, Prepare::ALL);
-  command
-    ->add_option("-o,--output", options->output,
-                 "Output file: .ply, IN with a colour per segment; - is the standard output. Of several IN: a folder")
-    ->required()
-    ->type_name("FILE");
-  command
-    ->add_option("--labels", options->labels, "Write the segment number of each face, counted from 0, one per line")
-    ->type_name("FILE");
+  add_file_option(*command, "-o,--output", options->output,
+                  "Output file: .ply, IN with a colour per segment; - is the standard output. Of several IN: a folder")
+    ->required();
+  add_file_option(*command, "--labels", options->labels,
+                  "Write the segment number of each face, counted from 0, one per line");
   add_ascii_option(*command, options->ascii);
   command->add_option("--segments", options->segments,
                       "Number of segments; fewer if the shape has fewer [all that the shape has]");
-  command->footer("Example: spherical-parameterization segment bunny.ply -o segments.ply --labels labels.txt\n"
-                  "Exit code: 0 the files were written, 1 nothing was written (stderr says why), 2 wrong usage,\n"
-                  "130 interrupted.");
+  add_footer(*command, "segment bunny.ply -o segments.ply --labels labels.txt");
   command->callback([options, command, &exit_code] {
     options->falls_back = command->count("--method") == 0;
     exit_code = run_mesh_command(*command, segment_command, *options);

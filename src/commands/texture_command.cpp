@@ -48,22 +48,14 @@ std::string beside(const std::string& output, const char* extension)
 /// Whether material and image are files of their own; glTF has them inside.
 bool is_obj(const Texture_command_options& options) { return output_format(options).format == Mesh_format::OBJ; }
 
-std::vector<File_option> texture_inputs(const Texture_command_options& options)
-{
-  std::vector<File_option> files = input_files(options);
-  if(!options.image.empty())
-    files.emplace_back("--image", options.image);
-  return files;
-}
+std::vector<File_option> texture_inputs(const Texture_command_options& options) { return {{"--image", options.image}}; }
 
 std::vector<File_option> texture_outputs(const Texture_command_options& options)
 {
-  std::vector<File_option> files = {{"--output", options.output}};
-  if(is_obj(options))
-    files.emplace_back("the material", beside(options.output, ".mtl"));
-  if(is_obj(options) && options.image.empty())
-    files.emplace_back("the image", beside(options.output, ".png"));
-  return files;
+  if(!is_obj(options))
+    return {};
+  return {{"the material", beside(options.output, ".mtl")},
+          {"the image", options.image.empty() ? beside(options.output, ".png") : ""}};
 }
 
 void check_texture_options(const Texture_command_options& options)
@@ -135,20 +127,20 @@ std::pair<std::vector<Uv>, SP::Texture_report> coordinates(const Texture_command
 /// Mesh, material and image as three files.
 void texture_obj(const Texture_command_options& options, Mapped_mesh& input, Outcome& outcome)
 {
-  Atomic_file obj(options.output), mtl(beside(options.output, ".mtl"));
+  Atomic_files files;
+  std::ostream &obj = files.open(options.output), &mtl = files.open(beside(options.output, ".mtl"));
   const std::string image = options.image.empty() ? beside(options.output, ".png") : options.image;
-  const auto png = options.image.empty() ? std::make_unique<Atomic_file>(image) : nullptr;
+  std::ostream* const png = options.image.empty() ? &files.open(image) : nullptr;
   map_input(options, input);
   const auto [uv, report] = coordinates(options, input);
 
   const fs::path folder = fs::absolute(options.output).parent_path();
   const std::string material = fs::path(beside(options.output, ".mtl")).filename().string();
-  on_mesh_of_file(input, [&, &uv = uv](const Mesh& mesh) { write_textured_obj(obj.stream(), mesh, uv, material); });
-  write_material(mtl.stream(), fs::absolute(image).lexically_relative(folder).string());
+  on_mesh_of_file(input, [&, &uv = uv](const Mesh& mesh) { write_textured_obj(obj, mesh, uv, material); });
+  write_material(mtl, fs::absolute(image).lexically_relative(folder).string());
   if(png)
-    write_checker(png->stream(), 32, checker_rows(options));
-  stop_if_interrupted(options.input);
-  Atomic_file::commit_all({png.get(), &mtl, &obj});
+    write_checker(*png, 32, checker_rows(options));
+  files.commit(options.input);
   say(options, input, report, outcome);
 }
 
@@ -169,15 +161,15 @@ std::string image_of(const Texture_command_options& options)
 
 void texture_gltf(const Texture_command_options& options, Mapped_mesh& input, Outcome& outcome)
 {
-  Atomic_file file(options.output);
+  Atomic_files files;
+  std::ostream& file = files.open(options.output);
   const std::string image = image_of(options);
   map_input(options, input);
   const auto [uv, report] = coordinates(options, input);
   on_mesh_of_file(input, [&, &uv = uv](const Mesh& mesh) {
-    write_textured_gltf(file.stream(), output_format(options).format, mesh, uv, image);
+    write_textured_gltf(file, output_format(options).format, mesh, uv, image);
   });
-  stop_if_interrupted(options.input);
-  file.commit();
+  files.commit(options.input);
   say(options, input, report, outcome);
 }
 
@@ -190,8 +182,8 @@ void texture(const Texture_command_options& options, Outcome& outcome)
   (is_obj(options) ? texture_obj : texture_gltf)(options, input, outcome);
 }
 
-const Mesh_command<Texture_command_options> texture_command = {
-  ".obj", {}, check_texture_options, texture_inputs, texture_outputs, texture};
+const Mesh_command<Texture_command_options> texture_command = {".obj", check_texture_options, texture,
+                                                               {},     texture_inputs,        texture_outputs};
 
 } // namespace
 
@@ -199,18 +191,14 @@ void add_texture_command(CLI::App& app, int& exit_code)
 {
   CLI::App* command =
     app.add_subcommand("texture", "Give a mesh texture coordinates, without flipped or degenerate faces");
-  const auto options = std::make_shared<Texture_command_options>();
-  add_collection_options(*command, *options);
+  const auto options = add_mesh_command(*command, texture_command, exit_code);
   add_mapping_options(*command, *options);
   add_sphere_option(*command, *options);
   add_prepare_option(*command, *options, Prepare::ALL);
-  command
-    ->add_option(
-      "-o,--output", options->output,
-      "Output file of the textured mesh: .glb or .gltf with the image inside, or .obj, with the material and a checker "
-      "next to it as .mtl and .png. Of several IN: a folder")
-    ->required()
-    ->type_name("FILE");
+  add_file_option(*command, "-o,--output", options->output,
+                  "Output file of the textured mesh: .glb or .gltf with the image inside, or .obj, with the material "
+                  "and a checker next to it as .mtl and .png. Of several IN: a folder")
+    ->required();
   command->add_option("--format", options->format, "Format of the output [by its name; of several IN: obj]")
     ->check(CLI::IsMember({"obj", "glb", "gltf"}));
   command->add_option("--chart", options->chart, "Parameterization of the sphere over the plane")
@@ -218,15 +206,9 @@ void add_texture_command(CLI::App& app, int& exit_code)
     ->capture_default_str();
   command->add_option("--north", options->north, "North pole on the sphere [where the texture has least distortion]")
     ->type_name("X Y Z");
-  command
-    ->add_option("--image", options->image,
-                 "Image of the material, instead of a checker; PNG or JPEG for .glb and .gltf")
-    ->type_name("FILE");
-  command->footer("Example: spherical-parameterization texture bunny.ply -o textured.obj --chart octahedral\n"
-                  "Exit code: 0 the files were written, 1 nothing was written (stderr says why), 2 wrong usage,\n"
-                  "130 interrupted.");
-  command->callback(
-    [options, command, &exit_code] { exit_code = run_mesh_command(*command, texture_command, *options); });
+  add_file_option(*command, "--image", options->image,
+                  "Image of the material, instead of a checker; PNG or JPEG for .glb and .gltf");
+  add_footer(*command, "texture bunny.ply -o textured.obj --chart octahedral");
 }
 
 } // namespace tool

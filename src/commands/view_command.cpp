@@ -8,7 +8,7 @@
 #include "options/usage.h"
 #include "output/atomic_file.h"
 #include "system/guarded.h"
-#include "system/interruption.h"
+#include "system/refusal.h"
 #include "view_page.h"
 
 #include <CGAL/Spherical_parameterization/distortion_summary.h>
@@ -29,6 +29,8 @@ namespace tool {
 namespace {
 
 namespace SP = CGAL::Spherical_parameterization;
+
+constexpr int bytes_of_vertex = 3; // its number, in the page
 
 struct View_options : Mapping_options {
   std::string output;
@@ -63,15 +65,23 @@ void write_page(std::ostream& out, const View_options& options, const Mapped_mes
     }
   std::vector<double> values(mesh.number_of_faces());
   const auto of_faces = as_map<Mesh::Face_index>(values);
-  SP::face_log_area_stretch(mesh, sphere, of_faces);
-  header["stretch"] = add_spread(values);
-  SP::face_angle_distortion(mesh, sphere, of_faces);
-  header["angle"] = add_spread(values);
-  SP::segmentation_via_area_stretch(mesh, sphere, of_faces);
-  header["segments"] = add_spread(values);
+  const auto add_measure = [&](const char* name, const auto& measure) {
+    on_host(input, [&](const auto& policy) {
+      measure(policy);
+      return 0;
+    });
+    header[name] = add_spread(values);
+  };
+  add_measure("stretch", [&](const auto& policy) { SP::face_log_area_stretch(policy, mesh, sphere, of_faces); });
+  add_measure("angle", [&](const auto& policy) { SP::face_angle_distortion(policy, mesh, sphere, of_faces); });
+  add_measure("segments", [&](const auto& policy) {
+    const SP::Segmentation_result result = SP::segmentation_via_area_stretch(policy, mesh, sphere, of_faces);
+    if(!result)
+      throw Refusal(result.error, options.input, get_error_message(result.error), result.detail);
+  });
   for(std::size_t f = 0; f < mesh.number_of_faces(); ++f)
     for(int v : mesh.triangle(f))
-      add(v, 3);
+      add(v, bytes_of_vertex);
   Report report;
   report.distortion = on_host(input, [&](const auto& policy) { return SP::distortion_summary(policy, mesh, sphere); });
   header["report"] = report_json(options, input, report);
@@ -85,15 +95,25 @@ void view(const View_options& options)
 {
   Mapped_mesh input;
   read_input(options, input);
-  Atomic_file page(options.output);
+  check_size_of_page(options.input, input.mesh().number_of_vertices());
+  Atomic_files files;
+  std::ostream& page = files.open(options.output);
   map_input(options, input);
-  write_page(page.stream(), options, input);
-  stop_if_interrupted(options.input);
-  page.commit();
+  write_page(page, options, input);
+  files.commit(options.input);
   std::cout << "written: " << options.output << "; open it in a browser" << std::endl;
 }
 
 } // namespace
+
+void check_size_of_page(const std::string& input, std::size_t number_of_vertices)
+{
+  constexpr std::size_t most = std::size_t(1) << 8 * bytes_of_vertex;
+  if(number_of_vertices > most)
+    throw Refusal(Error_code::TOO_LARGE, input,
+                  "has " + std::to_string(number_of_vertices) + " vertices, and a page holds " + std::to_string(most),
+                  "simplify the mesh");
+}
 
 void add_view_command(CLI::App& app, int& exit_code)
 {
@@ -102,10 +122,9 @@ void add_view_command(CLI::App& app, int& exit_code)
   add_input_option(*command, *options);
   add_mapping_options(*command, *options);
   add_sphere_option(*command, *options);
-  command->add_option("-o,--output", options->output, "Output file: .html [IN with that extension, in this folder]")
-    ->type_name("FILE");
-  command->footer("Example: spherical-parameterization view bunny.ply -o bunny.html\n"
-                  "Exit code: 0 the file was written, 1 it was not (stderr says why), 2 wrong usage, 130 interrupted.");
+  add_file_option(*command, "-o,--output", options->output,
+                  "Output file: .html [IN with that extension, in this folder]");
+  add_footer(*command, "view bunny.ply -o bunny.html", "the file was written", "it was not (stderr says why)");
   command->callback([options, &exit_code] {
     if(options->output.empty())
       options->output = std::filesystem::path(options->input).filename().replace_extension(".html").string();

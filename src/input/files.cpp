@@ -88,6 +88,26 @@ std::string read_beginning(const std::string& file, std::size_t size)
   return bytes;
 }
 
+bool is_numbered(const std::string& file, const std::string& beginning, const std::string& end)
+{
+  const std::string name = fs::path(file).lexically_normal().string(), before = fs::path(beginning).lexically_normal();
+  return name.size() > before.size() + end.size() && name.compare(0, before.size(), before) == 0 &&
+         name.compare(name.size() - end.size(), end.size(), end) == 0 &&
+         std::all_of(name.begin() + static_cast<std::ptrdiff_t>(before.size()),
+                     name.end() - static_cast<std::ptrdiff_t>(end.size()), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+std::vector<std::string> numbered_files(const std::string& beginning, const std::string& end)
+{
+  std::vector<std::string> files;
+  const fs::path folder = fs::path(beginning).parent_path();
+  std::error_code none; // of a folder that is not there
+  for(const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, none))
+    if(const std::string file = (folder / entry.path().filename()).string(); is_numbered(file, beginning, end))
+      files.push_back(file);
+  return files;
+}
+
 std::string lower_case_extension(const std::string& file) { return lower_case(fs::path(file).extension().string()); }
 
 bool is_mesh_file(const std::string& file)

@@ -20,6 +20,12 @@ std::string read_file(const std::string& file);
 /// Its first bytes, `size` at most. Throws a `Refusal`.
 std::string read_beginning(const std::string& file, std::size_t size);
 
+/// Whether the name of a file is `beginning`, digits, and `end`.
+bool is_numbered(const std::string& file, const std::string& beginning, const std::string& end);
+
+/// The files of such names that are there.
+std::vector<std::string> numbered_files(const std::string& beginning, const std::string& end);
+
 /// As in ".off".
 std::string lower_case_extension(const std::string& file);
 

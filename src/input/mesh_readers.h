@@ -7,21 +7,24 @@
 #include "input/annotations.h"
 #include "system/refusal.h"
 
-#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
+#include <boost/core/noinit_adaptor.hpp>
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace tool {
 
+/// What has no value yet is not initialized: the threads that fill the memory are the first to touch it.
+using Triangles = std::vector<std::array<int, 3>, boost::noinit_adaptor<std::allocator<std::array<int, 3>>>>;
+
 /// A mesh as a file has it: nothing is known yet about how the faces fit together.
 struct Soup {
   std::vector<std::array<double, 3>> points;
-  CGAL::Spherical_parameterization::internal::Host_array<std::array<int, 3>>
-    triangles;                   ///< polygons are cut into fans, which is right for convex ones
+  Triangles triangles;           ///< polygons are cut into fans, which is right for convex ones
   std::size_t faces = 0;         ///< in the file
   std::size_t polygons = 0;      ///< those of more than three vertices
   std::size_t first_polygon = 0; ///< its number, counted from 0

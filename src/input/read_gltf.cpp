@@ -11,6 +11,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
@@ -19,6 +21,22 @@
 
 namespace tool {
 namespace {
+
+/// The name of a file from a URI, in which a space is %20.
+std::string percent_decoded(const std::string& uri)
+{
+  std::string text;
+  for(std::size_t i = 0; i < uri.size(); ++i) {
+    unsigned char byte = 0;
+    const char* const end = uri.data() + std::min(i + 3, uri.size());
+    if(uri[i] == '%' && i + 2 < uri.size() && std::from_chars(uri.data() + i + 1, end, byte, 16).ptr == end) {
+      text += static_cast<char>(byte);
+      i += 2;
+    } else
+      text += uri[i];
+  }
+  return text;
+}
 
 using Json = nlohmann::json;
 using Matrix = std::array<double, 16>; ///< by columns
@@ -314,7 +332,7 @@ private:
         refuse("a buffer is no Base64 text", damaged_);
       return std::move(*bytes);
     }
-    const std::filesystem::path name = uri;
+    const std::filesystem::path name = percent_decoded(uri);
     const bool is_here = name.is_relative() && name.begin() != name.end() && *name.begin() != "..";
     if(!is_here || uri.find(':') != std::string::npos || file_ == standard_stream)
       refuse("has its mesh in " + in_quotes(uri) + ", which is no file next to it", "save it as .glb");

@@ -4,14 +4,11 @@
 #include "input/binary.h"
 #include "input/mesh_readers.h"
 #include "input/text_lines.h"
+#include "system/loops.h"
 #include "system/refusal.h"
 
-#include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
-#include <CGAL/Spherical_parameterization/internal/backend/execution.h>
-
-#include <CGAL/tags.h>
-
 #include <algorithm>
+#include <atomic>
 #include <cfloat>
 #include <cmath>
 #include <cstring>
@@ -305,10 +302,14 @@ private:
   template <class Read>
   static bool for_all_rows(std::size_t count, Read read)
   {
-    namespace SP = CGAL::Spherical_parameterization;
-    const auto loop = SP::internal::loop_of<CGAL::Parallel_if_available_tag>();
-    const int n = static_cast<int>(count);
-    return SP::internal::first_index(loop, n, [&](int row) { return !read(static_cast<std::size_t>(row)); }) == n;
+    constexpr std::size_t rows = 8192; // at once
+    std::atomic<bool> are_good{true};
+    for_each_index(true, count / rows + 1, [&](std::size_t part) {
+      for(std::size_t row = part * rows; row < std::min(count, (part + 1) * rows) && are_good; ++row)
+        if(!read(row))
+          are_good = false;
+    });
+    return are_good;
   }
 
   void read_row(const Element& element, std::size_t row)

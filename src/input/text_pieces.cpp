@@ -3,25 +3,13 @@
 
 #include "input/text_pieces.h"
 
+#include "system/loops.h"
 #include "system/refusal.h"
-
-#include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 
 #include <algorithm>
 #include <cstddef>
 
 namespace tool {
-namespace {
-
-template <class F>
-void for_each_piece(std::size_t number, const F& f)
-{
-  const CGAL::Spherical_parameterization::internal::Host_loop all_cores(true);
-  all_cores.for_each(static_cast<int>(number), [&f](int i) { f(static_cast<std::size_t>(i)); });
-}
-
-} // namespace
-
 std::vector<std::string_view> pieces_of(std::string_view text)
 {
   constexpr std::size_t least = 1 << 19; // bytes
@@ -37,7 +25,7 @@ std::vector<std::string_view> pieces_of(std::string_view text)
 std::vector<std::size_t> numbers_of_lines(const std::vector<std::string_view>& pieces)
 {
   std::vector<std::size_t> numbers(pieces.size());
-  for_each_piece(pieces.size(), [&](std::size_t i) {
+  for_each_index(true, pieces.size(), [&](std::size_t i) {
     const std::string_view piece = pieces[i];
     numbers[i] = static_cast<std::size_t>(std::count(piece.begin(), piece.end(), '\n')) +
                  (!piece.empty() && piece.back() != '\n' ? 1 : 0);
@@ -48,7 +36,7 @@ std::vector<std::size_t> numbers_of_lines(const std::vector<std::string_view>& p
 std::optional<Soup> read_pieces(std::size_t number, const std::function<std::optional<Soup>(std::size_t)>& read)
 {
   std::vector<std::optional<Soup>> pieces(number);
-  for_each_piece(number, [&](std::size_t i) {
+  for_each_index(true, number, [&](std::size_t i) {
     try {
       pieces[i] = read(i);
     } catch(const Refusal&) { // whoever reads the whole text will throw it
@@ -74,7 +62,7 @@ std::optional<Soup> read_pieces(std::size_t number, const std::function<std::opt
   }
   soup.points.resize(points);
   soup.triangles.resize(triangles);
-  for_each_piece(number, [&](std::size_t i) {
+  for_each_index(true, number, [&](std::size_t i) {
     std::copy(pieces[i]->points.begin(), pieces[i]->points.end(), soup.points.data() + first_point[i]);
     std::copy(pieces[i]->triangles.begin(), pieces[i]->triangles.end(), soup.triangles.data() + first_triangle[i]);
     pieces[i].reset();

@@ -8,8 +8,8 @@
 #include "system/interruption.h"
 #include "system/progress_bar.h"
 #include "system/refusal.h"
+#include "system/stopwatch.h"
 
-#include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 
 #include <algorithm>
@@ -64,7 +64,7 @@ void read_input(const Mapping_options& options, Mapped_mesh& input)
   watch_for_interruption();
   input.settings = std::make_shared<Map_settings>(map_settings(options));
   input.settings->policy = make_policy(options);
-  const CGAL::Spherical_parameterization::internal::Stopwatch reading;
+  const Stopwatch reading;
   input.file = options.prepare != Prepare::NO
                  ? read_prepared_mesh(options.input, options.prepare, input.prepared)
                  : read_mesh(options.input, options.triangulate ? Polygons::TRIANGULATE : Polygons::REFUSE);
@@ -77,7 +77,7 @@ void read_input(const Mapping_options& options, Mapped_mesh& input)
 void map_input(const Mapping_options& options, Mapped_mesh& input, Map_quality quality)
 {
   if(!options.sphere.empty())
-    input.result = read_sphere(options.sphere, options.input, input.mesh(), input.sphere);
+    input.result = read_sphere(input.settings->policy, options.sphere, options.input, input.mesh(), input.sphere);
   else {
     compute_map(options, input);
     if(options.falls_back && asks_for_another_method(input.result.error) && !was_interrupted()) {
@@ -98,21 +98,23 @@ void map_input(const Mapping_options& options, Mapped_mesh& input, Map_quality q
                               : options.sphere.empty()                    ? options.input
                                                                           : options.sphere;
     const std::string what_to_do = remedy(options, result.error);
-    std::string detail = result.detail;
-    if(result.error == Error_code::NOT_BIJECTIVE && !what_to_do.empty()) // it ends with an advice of its own
-      detail.resize(std::min(detail.rfind("; "), detail.size()));
+    const std::string detail = what_to_do.empty() ? result.detail : without_remedy(result.detail, result.remedy);
     throw Refusal(result.error, file, get_error_message(result.error) + (detail.empty() ? "" : ": " + detail),
                   what_to_do);
   }
 }
 
-void certify_as_stored(const std::string& output, Mesh_format format, Mapped_mesh& input)
+void certify_as_stored(const std::string& output, Mesh_format format, Mapped_mesh& input, const Sphere& sphere)
 {
   namespace SP = CGAL::Spherical_parameterization;
-  const Sphere stored = as_stored(format, Surface::SPHERE, input.sphere);
+  if(!stores_floats(format))
+    return;
+  const auto stored = boost::make_function_property_map<Mesh::Vertex_index>([&](Mesh::Vertex_index v) {
+    return as_stored(format, Surface::SPHERE, sphere[static_cast<std::size_t>(v.idx())]);
+  });
   on_host(input, [&](const auto& policy) {
-    input.result.flipped_faces = SP::number_of_flipped_faces(policy, input.mesh(), as_map(stored));
-    input.result.degree = SP::degree_of_map(policy, input.mesh(), as_map(stored));
+    input.result.flipped_faces = SP::number_of_flipped_faces(policy, input.mesh(), stored);
+    input.result.degree = SP::degree_of_map(policy, input.mesh(), stored);
   });
   if(input.result.flipped_faces > 0 || input.result.degree != 1)
     throw Refusal(Error_code::NOT_BIJECTIVE, output,

@@ -52,9 +52,9 @@ enum class Map_quality {
 /// map; then, too, `input.result` says what happened.
 void map_input(const Mapping_options& options, Mapped_mesh& input, Map_quality quality = Map_quality::CERTIFIED);
 
-/// Certifies the sphere as a file of `format`, which holds floats, will have it: the certificate of the result is that
-/// of the file then. Throws a `Refusal` that names `output` if rounding flips faces.
-void certify_as_stored(const std::string& output, Mesh_format format, Mapped_mesh& input);
+/// Certifies a sphere of the mesh as a file of `format` will have it, which may hold floats: the certificate of the
+/// result is that of the file then. Throws a `Refusal` that names `output` if rounding flips faces.
+void certify_as_stored(const std::string& output, Mesh_format format, Mapped_mesh& input, const Sphere& sphere);
 
 /// Calls `function` with the mesh as it is in its file, which is not that of the map if it was mended.
 template <class Function>

@@ -54,9 +54,8 @@ Input_mesh read_prepared_mesh(const std::string& file, Prepare how, std::optiona
     return {Mesh(CGAL::Parallel_if_available_tag(), surface.points, surface.faces), prepared->soup.polygons,
             prepared->soup.annotations};
   } catch(const CGAL::Spherical_parameterization::Error& error) {
-    const std::string wrong =
-      error.detail().substr(0, error.detail().find("; ")); // without advice for those who have no 'prepare'
-    throw Refusal(error.code(), file, "has, prepared without a change of shape, " + wrong,
+    throw Refusal(error.code(), file,
+                  "has, prepared without a change of shape, " + without_remedy(error.detail(), error.remedy()),
                   "the command 'prepare' mends that, too");
   }
 }

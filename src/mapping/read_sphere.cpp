@@ -13,10 +13,13 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace tool {
 namespace {
+
+namespace SP = CGAL::Spherical_parameterization;
 
 /// The vertices of a face, beginning with the smallest: files may begin with any corner.
 std::array<int, 3> corners(const Mesh& mesh, std::size_t f)
@@ -59,20 +62,17 @@ Point normalized(Point p)
 
 } // namespace
 
-CGAL::Spherical_parameterization::Result certify(const Mesh& mesh, const std::vector<Point>& points, bool on_all_cores)
+SP::Result certify(const SP::Any_policy& policy, const Mesh& mesh, const std::vector<Point>& points)
 {
-  namespace SP = CGAL::Spherical_parameterization;
   SP::Result result;
   result.number_of_vertices = mesh.number_of_vertices();
   result.number_of_faces = mesh.number_of_faces();
-  const auto measure = [&](const auto& policy) {
-    result.flipped_faces = SP::number_of_flipped_faces(policy, mesh, as_map(points));
-    result.degree = SP::degree_of_map(policy, mesh, as_map(points));
-  };
-  if(on_all_cores)
-    measure(CGAL::Parallel_if_available_tag());
-  else
-    measure(CGAL::Sequential_tag());
+  std::visit(
+    [&](const auto& chosen) {
+      result.flipped_faces = SP::number_of_flipped_faces(chosen, mesh, as_map(points));
+      result.degree = SP::degree_of_map(chosen, mesh, as_map(points));
+    },
+    policy);
   if(result.flipped_faces > 0 || result.degree != 1) {
     result.error = SP::Error_code::NOT_BIJECTIVE;
     result.detail =
@@ -101,8 +101,8 @@ Given_sphere read_given_sphere(const std::string& file, const std::string& mesh_
   return sphere;
 }
 
-CGAL::Spherical_parameterization::Result read_sphere(const std::string& file, const std::string& mesh_file,
-                                                     const Mesh& mesh, Sphere& sphere)
+SP::Result read_sphere(const SP::Any_policy& policy, const std::string& file, const std::string& mesh_file,
+                       const Mesh& mesh, Sphere& sphere)
 {
   const Given_sphere given = read_given_sphere(file, mesh_file, mesh);
   for(std::size_t v = 0; v < given.points.size(); ++v) {
@@ -115,7 +115,7 @@ CGAL::Spherical_parameterization::Result read_sphere(const std::string& file, co
                     "give a sphere that 'map' has written");
   }
   sphere = given.on_unit_sphere;
-  auto result = certify(mesh, sphere);
+  auto result = certify(policy, mesh, sphere);
   if(!result)
     result.detail += "; map the mesh again, and keep all digits";
   return result;

@@ -10,7 +10,6 @@
 #include "system/progress_bar.h"
 #include "system/refusal.h"
 
-#include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
 #include <CGAL/Spherical_parameterization/transfer_properties.h>
 
 #include <CLI/CLI.hpp>

@@ -7,12 +7,12 @@
 #include "output/atomic_file.h"
 #include "output/write_json.h"
 #include "system/guarded.h"
-
-#include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
+#include "system/stopwatch.h"
 
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <sstream>
 #include <type_traits>
 #include <variant>
 
@@ -45,6 +45,11 @@ Json to_json(const SP::Distortion_summary& d)
           {"symmetric_dirichlet", to_json(d.symmetric_dirichlet)},
           {"spherical_symmetric_dirichlet", to_json(d.spherical_symmetric_dirichlet)},
           {"degenerate_faces", d.degenerate_faces}};
+}
+
+Json to_json(const std::optional<SP::Termination>& termination)
+{
+  return termination ? Json(get_termination_name(*termination)) : Json(nullptr);
 }
 
 template <class Value>
@@ -87,12 +92,13 @@ Json attempts_of(const SP::Result& result)
     attempts.push_back({{"method", attempt.method},
                         {"error_code", get_error_name(attempt.error)},
                         {"detail", given(attempt.detail)},
+                        {"termination", to_json(attempt.termination)},
                         {"seconds", attempt.seconds.total}});
   return attempts;
 }
 
 /// Every option on how to map by its name on the command line, given or default, as far as weights and method use it.
-Json settings_of(const Mapping_options& options)
+Json settings_of(const Mapping_options& options, const SP::Result& result)
 {
   const Map_settings settings = map_settings(options);
   Json json = {{"triangulate", options.triangulate}, {"weights", options.weights}};
@@ -107,13 +113,9 @@ Json settings_of(const Mapping_options& options)
   json["policy"] = options.policy;
   json["device"] = given(options.device);
   json["precision"] = given(options.precision);
-  std::visit(
-    [&](const auto& method) {
-      using Method = std::decay_t<decltype(method)>;
-      json["accuracy"] = settings.accuracy.value_or(Method::default_accuracy);
-      json["iterations"] = settings.iterations.value_or(Method::default_number_of_iterations);
-    },
-    settings.method);
+  const auto [accuracy, iterations] = effort_of(options, result);
+  json["accuracy"] = accuracy;
+  json["iterations"] = iterations;
   json["max_time"] = known(settings.max_time.has_value(), settings.max_time.value_or(0));
   return json;
 }
@@ -129,6 +131,34 @@ std::size_t peak_memory_bytes()
 #else
   return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
 #endif
+}
+
+std::pair<double, std::size_t> effort_of(const Mapping_options& options, const SP::Result& result)
+{
+  using SP::Isometric;
+  if(options.method == "automatic" && result.method == "isometric") // what was given is for the springs
+    return {Isometric::default_accuracy, Isometric::default_number_of_iterations};
+  const Map_settings settings = map_settings(options);
+  return std::visit(
+    [&settings](const auto& method) {
+      using Method = std::decay_t<decltype(method)>;
+      return std::pair<double, std::size_t>(settings.accuracy.value_or(Method::default_accuracy),
+                                            settings.iterations.value_or(Method::default_number_of_iterations));
+    },
+    settings.method);
+}
+
+std::string shortfall_of(const Mapping_options& options, const SP::Result& result)
+{
+  std::ostringstream text;
+  text.precision(3);
+  const double accuracy = effort_of(options, result).first;
+  if(result.moved_vertices > 0)
+    text << result.moved_vertices << (result.moved_vertices == 1 ? " vertex is" : " vertices are")
+         << " not where the weights want it, for the sake of faces";
+  else if(result.residual > accuracy)
+    text << "the residual is above the accuracy of " << accuracy;
+  return text.str();
 }
 
 Json report_json(const Mapping_options& options, const Mapped_mesh& input, const Report& report)
@@ -150,10 +180,11 @@ Json report_json(const Mapping_options& options, const Mapped_mesh& input, const
           {"attempts", attempts_of(result)},
           {"policy", known(!is_given, options.policy)},
           {"device", given(result.device)},
-          {"settings", is_given ? Json(nullptr) : settings_of(options)},
+          {"settings", is_given ? Json(nullptr) : settings_of(options, result)},
           {"start_iterations", known(has_map, result.start_iterations)},
           {"iterations", known(has_map, result.iterations)},
           {"sweeps", known(has_map, result.sweeps)},
+          {"termination", to_json(result.termination)},
           {"residual", known(has_map, result.residual)},
           {"energy", known(has_map, result.energy)},
           {"density_deviation", known(has_map && !options.density.empty(), result.density_deviation)},
@@ -180,17 +211,17 @@ Json report_json(const Mapping_options& options, const Mapped_mesh& input, const
 void write_report(const std::string& file, const Mapping_options& options, const Mapped_mesh& input,
                   const Report& report)
 {
-  Atomic_file out(file);
-  write_json(out.stream(), report_json(options, input, report));
+  Atomic_files out;
+  write_json(out.open(file), report_json(options, input, report));
   out.commit();
 }
 
-std::optional<Refusal> reported(const std::string& file, const Mapping_options& options,
-                                const std::function<void(Mapped_mesh&, Report&)>& work)
+void reported(const std::string& file, const Mapping_options& options,
+              const std::function<void(Mapped_mesh&, Report&)>& work)
 {
   Report report;
   Mapped_mesh input;
-  const SP::internal::Stopwatch total;
+  const Stopwatch total;
   report.refusal = guarded(options.input, [&] { work(input, report); });
   report.seconds_total = total.seconds();
 
@@ -200,7 +231,8 @@ std::optional<Refusal> reported(const std::string& file, const Mapping_options& 
     if(!refusal)
       refusal = of_report;
   }
-  return refusal;
+  if(refusal)
+    throw Refusal(*refusal);
 }
 
 } // namespace tool

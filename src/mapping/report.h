@@ -15,6 +15,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace tool {
 
@@ -26,6 +27,13 @@ struct Report {
   double seconds_total = 0;
   std::optional<Refusal> refusal; ///< its log is too long for the JSON file
 };
+
+/// Accuracy and largest number of iterations of the method that made the map: given, or its defaults.
+std::pair<double, std::size_t> effort_of(const Mapping_options& options,
+                                         const CGAL::Spherical_parameterization::Result& result);
+
+/// Why a valid map is not what was asked for, in a sentence; empty if it is.
+std::string shortfall_of(const Mapping_options& options, const CGAL::Spherical_parameterization::Result& result);
 
 /// The most memory that the process has had so far.
 std::size_t peak_memory_bytes();
@@ -40,9 +48,9 @@ void write_report(const std::string& file, const Mapping_options& options, const
                   const Report& report);
 
 /// Does `work` on a mesh and its report, and writes that to `file`, also if the work was refused; no file if the name
-/// is empty. Returns the first refusal.
-std::optional<Refusal> reported(const std::string& file, const Mapping_options& options,
-                                const std::function<void(Mapped_mesh&, Report&)>& work);
+/// is empty. Throws the first refusal.
+void reported(const std::string& file, const Mapping_options& options,
+              const std::function<void(Mapped_mesh&, Report&)>& work);
 
 } // namespace tool
 

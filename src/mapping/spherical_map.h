@@ -24,10 +24,10 @@ CGAL::Spherical_parameterization::Result map_to_sphere(
   const Mesh& mesh, Sphere& sphere, const Map_settings& settings, const std::function<bool(double)>& go_on,
   const std::function<void()>& after_reading = [] {});
 
-/// Sizes and certificate of a map, by exact predicates on the points as they are: these need not be unit vectors, the
-/// map is their projection from the origin. Flipped faces are an error of the result.
-CGAL::Spherical_parameterization::Result certify(const Mesh& mesh, const std::vector<Point>& points,
-                                                 bool on_all_cores = true);
+/// Sizes and certificate of a map, with the cores of the policy, by exact predicates on the points as they are: these
+/// need not be unit vectors, the map is their projection from the origin. Flipped faces are an error of the result.
+CGAL::Spherical_parameterization::Result certify(const CGAL::Spherical_parameterization::Any_policy& policy,
+                                                 const Mesh& mesh, const std::vector<Point>& points);
 
 /// A sphere about the origin, of any radius.
 struct Given_sphere {
@@ -44,7 +44,8 @@ Given_sphere read_given_sphere(const std::string& file, const std::string& mesh_
 /// Reads the map of `mesh`, which was read from `mesh_file`, from a file as `map` writes it, and certifies it again.
 /// Returns sizes and certificate: flipped faces are an error of the result. Throws a `Refusal` if the file has not the
 /// same vertices and faces in the same order, or a point that is not on the unit sphere.
-CGAL::Spherical_parameterization::Result read_sphere(const std::string& file, const std::string& mesh_file,
+CGAL::Spherical_parameterization::Result read_sphere(const CGAL::Spherical_parameterization::Any_policy& policy,
+                                                     const std::string& file, const std::string& mesh_file,
                                                      const Mesh& mesh, Sphere& sphere);
 
 } // namespace tool

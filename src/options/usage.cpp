@@ -168,6 +168,19 @@ void require_extension(const std::string& option, const std::string& file, const
           "'" + file + "' must have the extension " + CLI::detail::join(extensions, " or "));
 }
 
+CLI::Option* add_file_option(CLI::App& command, const std::string& name, std::string& file,
+                             const std::string& description)
+{
+  return command.add_option(name, file, description)->type_name("FILE");
+}
+
+void add_footer(CLI::App& command, const std::string& example, const std::string& done, const std::string& not_done)
+{
+  command.footer(
+    "Example: spherical-parameterization " + example + '\n' +
+    wrapped("Exit code: 0 " + done + ", 1 " + not_done + ", 2 wrong usage, 130 interrupted.", line_length));
+}
+
 void check_files(const std::vector<File_option>& inputs, const std::vector<File_option>& outputs)
 {
   std::vector<File_option> files = inputs;

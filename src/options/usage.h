@@ -12,6 +12,7 @@
 namespace CLI {
 class App;
 class FormatterBase;
+class Option;
 class ParseError;
 } // namespace CLI
 
@@ -32,6 +33,14 @@ void require(bool condition, const std::string& option, const std::string& rule)
 /// Throws at an option that names a file without one of the extensions, as in ".off, .ply". One of a compression may
 /// follow.
 void require_extension(const std::string& option, const std::string& file, const std::vector<std::string>& extensions);
+
+/// An option that names a file.
+CLI::Option* add_file_option(CLI::App& command, const std::string& name, std::string& file,
+                             const std::string& description);
+
+/// What --help says at the end: an example, and the exit codes. `done` is what 0 stands for, `not_done` what 1 does.
+void add_footer(CLI::App& command, const std::string& example, const std::string& done = "the files were written",
+                const std::string& not_done = "nothing was written (stderr says why)");
 
 /// An option, and the file it names; empty if it was not given.
 using File_option = std::pair<std::string, std::string>;

@@ -5,39 +5,39 @@
 
 #include "input/mesh_format.h"
 #include "output/compressing_stream.h"
+#include "system/interruption.h"
 #include "system/refusal.h"
 #include "system/standard_output.h"
 
 #include <cerrno>
 #include <filesystem>
+#include <random>
 #include <system_error>
 
+#include <fcntl.h>
 #include <unistd.h>
 
 namespace tool {
 
 namespace {
 
-const std::string before_process = ".part";
+const std::string before_number = ".part";
 
 /// In the same folder, since renaming must not copy.
-std::string temporary_of(const std::string& file)
+std::string beginning_of_temporary(const std::string& file)
 {
   const std::string name =
     file == standard_stream ? (std::filesystem::temp_directory_path() / "spherical-parameterization").string() : file;
-  return name + before_process + std::to_string(getpid());
+  return name + before_number;
 }
 
 } // namespace
 
-Atomic_file::Atomic_file(const std::string& file) : file_(file), temporary_(temporary_of(file))
+Atomic_file::Atomic_file(const std::string& file) : file_(file)
 {
   if(file == standard_stream)
     keep_standard_output_for_data();
-  errno = 0;
-  out_.open(temporary_, std::ios::binary | std::ios::trunc);
-  if(!out_)
-    refuse("cannot be written (" + std::generic_category().message(errno) + ")");
+  open();
   if(const Compression compression = compression_of_name(file); compression != Compression::NONE)
     try {
       compressed_ = compressing_stream(out_, compression, file);
@@ -45,6 +45,24 @@ Atomic_file::Atomic_file(const std::string& file) : file_(file), temporary_(temp
       remove();
       throw;
     }
+}
+
+/// A new file of a name that nobody knows: in a folder that others may write to, too, there is no link of this name.
+void Atomic_file::open()
+{
+  const std::string beginning = beginning_of_temporary(file_);
+  std::random_device random;
+  int file = -1;
+  do {
+    temporary_ = beginning + std::to_string(random());
+    file = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  } while(file < 0 && errno == EEXIST);
+  if(file >= 0) {
+    close(file);
+    out_.open(temporary_, std::ios::binary | std::ios::trunc);
+  }
+  if(!out_.is_open())
+    refuse("cannot be written (" + std::generic_category().message(errno) + ")");
 }
 
 Atomic_file::~Atomic_file()
@@ -74,23 +92,11 @@ void Atomic_file::remove_leftovers(const std::string& folder, const std::functio
   std::error_code none; // what cannot be looked at stays
   for(std::filesystem::recursive_directory_iterator it(folder, none), end; it != end; it.increment(none)) {
     const std::string file = it->path().string();
-    const std::size_t process = file.rfind(before_process);
-    if(process != std::string::npos && is_ours(file.substr(0, process)) &&
-       file.find_first_not_of("0123456789", process + before_process.size()) == std::string::npos)
+    const std::size_t number = file.rfind(before_number);
+    if(number != std::string::npos && is_ours(file.substr(0, number)) &&
+       file.find_first_not_of("0123456789", number + before_number.size()) == std::string::npos)
       std::filesystem::remove(it->path(), none);
   }
-}
-
-void Atomic_file::commit() { commit_all({this}); }
-
-void Atomic_file::commit_all(const std::vector<Atomic_file*>& files)
-{
-  for(Atomic_file* file : files)
-    if(file)
-      file->complete();
-  for(Atomic_file* file : files)
-    if(file)
-      file->rename();
 }
 
 void Atomic_file::complete()
@@ -100,6 +106,15 @@ void Atomic_file::complete()
   out_.close();
   if(!out_) // the reason of an earlier failure is lost
     refuse("could not be written completely" + (errno == 0 ? "" : " (" + std::generic_category().message(errno) + ")"));
+  if(file_ == standard_stream)
+    return;
+  const int file = ::open(temporary_.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool is_on_disk = file >= 0 && fsync(file) == 0;
+  const int error = errno;
+  if(file >= 0)
+    close(file);
+  if(!is_on_disk)
+    refuse("could not be written completely (" + std::generic_category().message(error) + ")");
 }
 
 void Atomic_file::rename()
@@ -121,6 +136,32 @@ void Atomic_file::refuse(const std::string& wrong) const
 {
   throw Refusal(unwritable_file, file_ == standard_stream ? "standard output" : file_, wrong,
                 "check the folder, its permissions and the space on the disk");
+}
+
+std::ostream& Atomic_files::open(const std::string& file)
+{
+  files_.push_back(std::make_unique<Atomic_file>(file));
+  return files_.back()->stream();
+}
+
+void Atomic_files::complete()
+{
+  for(; completed_ < files_.size(); ++completed_)
+    files_[completed_]->complete();
+}
+
+void Atomic_files::commit()
+{
+  complete();
+  for(auto file = files_.rbegin(); file != files_.rend(); ++file)
+    (*file)->rename();
+}
+
+void Atomic_files::commit(const std::string& input)
+{
+  complete();
+  stop_if_interrupted(input);
+  commit();
 }
 
 } // namespace tool

@@ -4,9 +4,9 @@
 #ifndef SPHERICAL_PARAMETERIZATION_TOOL_ATOMIC_FILE_H
 #define SPHERICAL_PARAMETERIZATION_TOOL_ATOMIC_FILE_H
 
+#include <cstddef>
 #include <fstream>
 #include <functional>
-#include <ostream>
 #include <memory>
 #include <ostream>
 #include <string>
@@ -36,23 +36,45 @@ public:
   /// that `is_ours` says no other process writes.
   static void remove_leftovers(const std::string& folder, const std::function<bool(const std::string&)>& is_ours);
 
-  /// Gives the file its name, or throws a `Refusal` if not all of it could be written.
-  void commit();
+  /// Closes it when all has been written, and waits until it is on the disk. Throws a `Refusal` if that fails.
+  void complete();
 
-  /// The same for files that belong together, those that are null left out: none gets its name before all of them have
-  /// been written.
-  static void commit_all(const std::vector<Atomic_file*>& files);
+  /// Gives the file its name, once it is complete. Throws a `Refusal`.
+  void rename();
 
 private:
+  void open();
   void remove();
-  void complete();
-  void rename();
   [[noreturn]] void refuse(const std::string& wrong) const;
 
   std::string file_;
   std::string temporary_;
   std::ofstream out_;
   std::unique_ptr<std::ostream> compressed_; ///< before `out_`; may be null
+};
+
+/// The files of a command: none gets its name before all of them have been written.
+class Atomic_files {
+public:
+  /// One more file. Throws a `Refusal`, as all that follows.
+  std::ostream& open(const std::string& file);
+
+  /// Null if there is no name.
+  std::ostream* open_if_named(const std::string& file) { return file.empty() ? nullptr : &open(file); }
+
+  /// Closes the files that are open: all of them have been written. For those who write more files than a process may
+  /// have open.
+  void complete();
+
+  /// Gives the files their names, that of the first one last.
+  void commit();
+
+  /// The same, if the program, which works on `input`, has not been interrupted.
+  void commit(const std::string& input);
+
+private:
+  std::vector<std::unique_ptr<Atomic_file>> files_;
+  std::size_t completed_ = 0; ///< how many of them are closed
 };
 
 } // namespace tool

@@ -4,8 +4,10 @@
 #include "output/morph_page.h"
 
 #include "input/binary.h"
+#include "morph_html.h"
 
 #include <boost/algorithm/string/replace.hpp>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
@@ -14,94 +16,6 @@
 #include <limits>
 
 namespace tool {
-namespace {
-
-/// What draws: reads `page`, { vertices, faces, frames, data }. Data are the frames, three 16-bit numbers per vertex,
-/// then three 32-bit numbers per face, the lowest bytes first.
-const char* const script = R"(
-const bytes = Uint8Array.from(atob(page.data), c => c.charCodeAt(0)).buffer;
-const frameSize = 3 * page.vertices;
-const frames = [];
-for (let k = 0; k < page.frames; ++k) frames.push(new Uint16Array(bytes, 2 * k * frameSize, frameSize));
-const indexStart = 4 * Math.ceil(page.frames * frameSize / 2);
-const indices = new Uint32Array(bytes, indexStart, 3 * page.faces);
-const canvas = document.querySelector('canvas');
-const slider = document.querySelector('input');
-const gl = canvas.getContext('webgl2');
-if (!gl) document.body.textContent = 'This page needs WebGL 2.';
-const shader = (type, text) => {
-  const s = gl.createShader(type);
-  gl.shaderSource(s, text);
-  gl.compileShader(s);
-  return s;
-};
-const program = gl.createProgram();
-gl.attachShader(program, shader(gl.VERTEX_SHADER, `#version 300 es
-  in vec3 a, b;
-  uniform float t, aspect;
-  uniform mat3 turn;
-  out vec3 place;
-  void main() {
-    place = turn * (2.0 * mix(a, b, t) - 1.0);
-    gl_Position = vec4(place.x / max(aspect, 1.0), place.y * min(aspect, 1.0), -place.z / 4.0, 1.2);
-  }`));
-gl.attachShader(program, shader(gl.FRAGMENT_SHADER, `#version 300 es
-  precision highp float;
-  in vec3 place;
-  out vec4 colour;
-  void main() {
-    vec3 n = normalize(cross(dFdx(place), dFdy(place)));
-    float light = 0.25 + 0.75 * max(0.0, dot(n, normalize(vec3(0.3, 0.5, 1.0))));
-    colour = vec4(light * vec3(0.85, 0.78, 0.66), 1.0);
-  }`));
-gl.linkProgram(program);
-gl.useProgram(program);
-gl.enable(gl.DEPTH_TEST);
-const buffers = frames.map(f => {
-  const buffer = gl.createBuffer();
-  gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
-  gl.bufferData(gl.ARRAY_BUFFER, f, gl.STATIC_DRAW);
-  return buffer;
-});
-gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
-gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, indices, gl.STATIC_DRAW);
-const times = (p, q) => p.map((_, i) => [0, 1, 2].reduce((s, k) => s + p[i % 3 + 3 * k] * q[k + 3 * Math.floor(i / 3)], 0));
-let turn = [1, 0, 0, 0, 1, 0, 0, 0, 1];
-canvas.onpointerdown = e => canvas.setPointerCapture(e.pointerId);
-canvas.onpointermove = e => {
-  if (!e.buttons) return;
-  const [cx, sx, cy, sy] = [Math.cos(e.movementX / 150), Math.sin(e.movementX / 150),
-                            Math.cos(e.movementY / 150), Math.sin(e.movementY / 150)];
-  turn = times([cx, 0, -sx, 0, 1, 0, sx, 0, cx], times([1, 0, 0, 0, cy, sy, 0, -sy, cy], turn));
-};
-let isPlaying = true;
-slider.oninput = () => { isPlaying = false; };
-document.querySelector('button').onclick = () => { isPlaying = !isPlaying; };
-const draw = now => {
-  if (isPlaying) slider.value = (1 - Math.cos(now / 1500)) / 2;
-  canvas.width = canvas.clientWidth * devicePixelRatio;
-  canvas.height = canvas.clientHeight * devicePixelRatio;
-  gl.viewport(0, 0, canvas.width, canvas.height);
-  gl.clearColor(1, 1, 1, 1);
-  gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-  const at = slider.value * (page.frames - 1);
-  const k = Math.min(Math.floor(at), page.frames - 2);
-  ['a', 'b'].forEach((name, i) => {
-    const place = gl.getAttribLocation(program, name);
-    gl.bindBuffer(gl.ARRAY_BUFFER, buffers[k + i]);
-    gl.enableVertexAttribArray(place);
-    gl.vertexAttribPointer(place, 3, gl.UNSIGNED_SHORT, true, 0, 0);
-  });
-  gl.uniform1f(gl.getUniformLocation(program, 't'), at - k);
-  gl.uniform1f(gl.getUniformLocation(program, 'aspect'), canvas.width / canvas.height);
-  gl.uniformMatrix3fv(gl.getUniformLocation(program, 'turn'), false, turn);
-  gl.drawElements(gl.TRIANGLES, 3 * page.faces, gl.UNSIGNED_INT, 0);
-  requestAnimationFrame(draw);
-};
-requestAnimationFrame(draw);
-)";
-
-} // namespace
 
 void write_morph_page(std::ostream& out, const std::string& title, const Mesh& mesh,
                       const std::vector<std::vector<Point>>& frames)
@@ -130,21 +44,11 @@ void write_morph_page(std::ostream& out, const std::string& title, const Mesh& m
     for(int v : mesh.triangle(f))
       add(v, 4);
 
-  std::string name = title;
-  for(const auto& [from, to] : {std::pair("&", "&amp;"), std::pair("<", "&lt;"), std::pair(">", "&gt;")})
-    boost::replace_all(name, from, to);
-  out << "<!DOCTYPE html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>" << name
-      << "</title>\n<style>\n"
-         "body { margin: 0; font: 14px sans-serif }\n"
-         "canvas { display: block; width: 100vw; height: calc(100vh - 40px) }\n"
-         "footer { height: 40px; display: flex; gap: 1em; align-items: center; padding: 0 1em }\n"
-         "input { flex: 1 }\n"
-         "</style>\n<canvas></canvas>\n<footer>"
-      << name
-      << "<button>play / stop</button><input type=\"range\" min=\"0\" max=\"1\" step=\"any\" value=\"0\" "
-         "aria-label=\"time\"></footer>\n<script>\nconst page = { vertices: "
-      << mesh.number_of_vertices() << ", faces: " << mesh.number_of_faces() << ", frames: " << frames.size()
-      << ", data: '" << to_base64(bytes) << "' };" << script << "</script>\n</html>\n";
+  const std::string name = nlohmann::json(title).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  out << morph_page_before_header()
+      << "name: " << boost::replace_all_copy(name, "<", "\\u003c") // no end of the element
+      << ", vertices: " << mesh.number_of_vertices() << ", faces: " << mesh.number_of_faces()
+      << ", frames: " << frames.size() << morph_page_before_data() << to_base64(bytes) << morph_page_after_data();
 }
 
 } // namespace tool

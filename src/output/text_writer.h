@@ -14,6 +14,18 @@
 
 namespace tool {
 
+/// A field of a line of comma-separated values, in quotes where RFC 4180 asks for them: around commas, quotes and line
+/// breaks.
+inline std::string csv_quoted(const std::string& text)
+{
+  if(text.find_first_of(",\"\n\r") == std::string::npos)
+    return text;
+  std::string result = "\"";
+  for(char c : text)
+    result += c == '"' ? "\"\"" : std::string(1, c);
+  return result + '"';
+}
+
 /// Writes text to a stream in large pieces. Numbers with a fraction have the fewest digits from which the same number
 /// is read.
 class Text_writer {

@@ -9,7 +9,7 @@
 
 namespace tool {
 
-void write_freesurfer(std::ostream& out, const Mesh& mesh, const std::vector<Point>& points,
+void write_freesurfer(std::ostream& out, const Mesh& mesh, const std::vector<Point>& points, Surface surface,
                       const Annotations& annotations)
 {
   out << "\xff\xff\xfe"
@@ -19,7 +19,7 @@ void write_freesurfer(std::ostream& out, const Mesh& mesh, const std::vector<Poi
     write(static_cast<std::int32_t>(points.size()));
     write(static_cast<std::int32_t>(mesh.number_of_faces()));
     for(const Point& p : points)
-      for(const double x : p)
+      for(const double x : as_stored(Mesh_format::FREESURFER, surface, p))
         write(static_cast<float>(x));
     for(std::size_t f = 0; f < mesh.number_of_faces(); ++f)
       write(mesh.triangle(f));

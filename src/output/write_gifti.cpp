@@ -85,7 +85,7 @@ void write_gifti(std::ostream& out, const Mesh& mesh, const std::vector<Point>& 
 
   std::string bytes;
   for(const Point& p : points)
-    for(const double x : p)
+    for(const double x : as_stored(Mesh_format::GIFTI, surface, p))
       append_number(bytes, static_cast<float>(x));
   begin_array(out, "NIFTI_INTENT_POINTSET", "NIFTI_TYPE_FLOAT32", points.size());
   write_metadata(out, metadata_of_points(gifti_points_with_geometry(annotations), surface));

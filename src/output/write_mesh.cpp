@@ -89,25 +89,16 @@ Colour colour_of_segment(std::size_t segment)
 void write_mesh(std::ostream& out, const Output_format& format, const Mesh& mesh, const std::vector<Point>& points,
                 Surface surface, const Annotations& annotations)
 {
-  const double radius = surface == Surface::SPHERE ? radius_of_spheres(format.format) : 1;
-  std::vector<Point> scaled;
-  if(radius != 1) {
-    scaled = points;
-    for(Point& p : scaled)
-      for(double& x : p)
-        x *= radius;
-  }
-  const std::vector<Point>& written = radius == 1 ? points : scaled;
   if(stores_floats(format.format))
-    check_float_range(written);
+    check_float_range(points);
   switch(format.format) {
-  case Mesh_format::OFF: return write_off(out, mesh, written);
-  case Mesh_format::OBJ: return write_obj(out, mesh, written);
-  case Mesh_format::PLY: return write_ply(out, format.ascii, mesh, written);
-  case Mesh_format::GIFTI: return write_gifti(out, mesh, written, surface, annotations);
-  case Mesh_format::FREESURFER: return write_freesurfer(out, mesh, written, annotations);
+  case Mesh_format::OFF: return write_off(out, mesh, points);
+  case Mesh_format::OBJ: return write_obj(out, mesh, points);
+  case Mesh_format::PLY: return write_ply(out, format.ascii, mesh, points);
+  case Mesh_format::GIFTI: return write_gifti(out, mesh, points, surface, annotations);
+  case Mesh_format::FREESURFER: return write_freesurfer(out, mesh, points, surface, annotations);
   case Mesh_format::GLB:
-  case Mesh_format::GLTF: return write_gltf(out, format.format, mesh, written);
+  case Mesh_format::GLTF: return write_gltf(out, format.format, mesh, points);
   case Mesh_format::STL: break; // no option takes it
   }
 }
@@ -128,17 +119,15 @@ void check_float_range(const std::vector<Point>& points)
   throw Refusal(Error_code::NON_FINITE_COORDINATE, "the output", wrong.str(), "write .ply, .off or .obj");
 }
 
-std::vector<Point> as_stored(Mesh_format format, Surface surface, std::vector<Point> points)
+Point as_stored(Mesh_format format, Surface surface, Point point)
 {
-  if(stores_floats(format)) {
-    const double radius = surface == Surface::SPHERE ? radius_of_spheres(format) : 1;
-    for(Point& p : points)
-      for(double& x : p) {
-        const volatile float rounded = static_cast<float>(radius * x); // g++ 12.2 -O3 would not round in all lanes
-        x = rounded;
-      }
-  }
-  return points;
+  const double radius = surface == Surface::SPHERE ? radius_of_spheres(format) : 1;
+  if(stores_floats(format))
+    for(double& x : point) {
+      const volatile float rounded = static_cast<float>(radius * x); // g++ 12.2 -O3 would not round in all lanes
+      x = rounded;
+    }
+  return point;
 }
 
 void write_stretch_ply(std::ostream& out, bool ascii, const Mesh& mesh, const std::vector<double>& stretch)

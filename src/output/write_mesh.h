@@ -32,7 +32,7 @@ void write_mesh(std::ostream& out, const Output_format& format, const Mesh& mesh
 void check_float_range(const std::vector<Point>& points);
 
 /// The coordinates that are read from a file of that format, which may hold floats and other radii.
-std::vector<Point> as_stored(Mesh_format format, Surface surface, std::vector<Point> points);
+Point as_stored(Mesh_format format, Surface surface, Point point);
 
 /// Writes the mesh (not the sphere) as a PLY file with `stretch`, the log area stretch of every vertex, and coloured by
 /// it: white where areas keep their share, red where the map shrinks them, blue where it enlarges them.
@@ -73,11 +73,11 @@ void write_material(std::ostream& out, const std::string& image_file);
 void write_checker(std::ostream& out, int columns, int rows);
 
 /// \name One function per format
-/// The points are scaled already.
+/// With spheres of the radius that the format has.
 /// @{
 void write_gifti(std::ostream& out, const Mesh& mesh, const std::vector<Point>& points, Surface surface,
                  const Annotations& annotations);
-void write_freesurfer(std::ostream& out, const Mesh& mesh, const std::vector<Point>& points,
+void write_freesurfer(std::ostream& out, const Mesh& mesh, const std::vector<Point>& points, Surface surface,
                       const Annotations& annotations);
 void write_gltf(std::ostream& out, Mesh_format format, const Mesh& mesh, const std::vector<Point>& points);
 /// @}

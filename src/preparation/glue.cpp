@@ -171,6 +171,9 @@ public:
     return side;
   }
 
+  /// So many sides at an edge are no shape: each is compared with so many that follow in the file.
+  static constexpr std::size_t most_compared = 200;
+
   /// Glues sides that meet at an edge in pairs, the flattest first.
   template <class Key>
   void glue_flattest(std::vector<int> sides, const Key& key)
@@ -191,11 +194,9 @@ public:
       return w;
     };
     const auto runs_forward = [&](int side) { return key(corner(side)) == a; };
-    // so many are no shape; in the order of the file
-    constexpr std::size_t most = 200;
     std::vector<Pair> pairs;
     for(std::size_t i = 0; i < sides.size(); ++i)
-      for(std::size_t j = i + 1; j < std::min(sides.size(), i + most); ++j) {
+      for(std::size_t j = i + 1; j < std::min(sides.size(), i + most_compared); ++j) {
         const Point u = from_edge(sides[i]), w = from_edge(sides[j]);
         const double angle = std::atan2(norm(cross(u, w)), dot(u, w));
         const Point normal = runs_forward(sides[i]) ? cross(edge, u) : cross(u, edge);
@@ -451,6 +452,8 @@ Glued_surface glue(const Soup& soup, std::optional<double> merge_distance, Gluin
       gluing.glue(sides[0], sides[1]);
     else if(sides.size() > 2) {
       defects.non_manifold_edges.add(gluing.corner(sides[0]));
+      if(sides.size() > Gluing::most_compared)
+        defects.crowded_edges.add(gluing.corner(sides[0]));
       gluing.glue_flattest(sides, key);
     }
   });

@@ -33,6 +33,7 @@ struct Gluing_defects {
   Defect repeated_faces;        ///< faces with the same vertices as another, left out
   Defect merged_vertices;       ///< at boundaries, at the same place as another
   Defect non_manifold_edges;    ///< of more than two faces, which were glued in pairs
+  Defect crowded_edges;         ///< of so many faces that not every pair of them was compared
   Defect non_manifold_vertices; ///< copied, so that every part of the surface has its own
   Defect slits;                 ///< along a side on which other faces have vertices (T-junctions), closed
   Defect reversed_faces;        ///< turned round, so that neighbours agree

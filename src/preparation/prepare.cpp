@@ -319,6 +319,8 @@ std::vector<std::string> sentences(const Preparation& preparation)
       "vertex");
   add(lines, defects.non_manifold_edges, "glued the faces in pairs at ", "non-manifold edge", "non-manifold edges", "",
       "vertex");
+  add(lines, defects.crowded_edges, "compared only faces near each other in the file at ", "edge", "edges",
+      " of more than 200 faces", "vertex");
   add(lines, defects.non_manifold_vertices, "made ", "copy", "copies", " of non-manifold vertices", "vertex");
   add(lines, defects.slits, "closed ", "slit", "slits", " along sides on which other faces have vertices", "vertex");
   add(lines, defects.reversed_faces, "reversed ", "face", "faces", " that did not agree with their neighbours", "face");

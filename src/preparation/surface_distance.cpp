@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <queue>
@@ -26,7 +27,7 @@ namespace {
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point_3 = Kernel::Point_3;
 using Triangle_3 = Kernel::Triangle_3;
-using Triangles = std::vector<Triangle_3>;
+using Triangle_list = std::vector<Triangle_3>;
 
 Point_3 point_of(const Point& p, double unit) { return {p[0] / unit, p[1] / unit, p[2] / unit}; }
 
@@ -37,9 +38,9 @@ Triangle_3 triangle(const std::vector<Point>& points, const std::array<int, 3>& 
 }
 
 /// The faces of `mesh` over `points`.
-Triangles triangles_of(const Mesh& mesh, const std::vector<Point>& points, double unit)
+Triangle_list triangles_of(const Mesh& mesh, const std::vector<Point>& points, double unit)
 {
-  Triangles result;
+  Triangle_list result;
   result.reserve(mesh.number_of_faces());
   for(std::size_t f = 0; f < mesh.number_of_faces(); ++f)
     result.push_back(triangle(points, mesh.triangle(f), unit));
@@ -63,12 +64,12 @@ std::array<Triangle_3, 2> halves(const Triangle_3& t)
   return {Triangle_3(t[k], middle, t[k + 2]), Triangle_3(middle, t[k + 1], t[k + 2])};
 }
 
-/// Triangles of which the nearest is asked. They have to stay where they are.
+/// Triangle_list of which the nearest is asked. They have to stay where they are.
 class Triangle_tree {
 public:
   static constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max();
 
-  explicit Triangle_tree(const Triangles& triangles)
+  explicit Triangle_tree(const Triangle_list& triangles)
     : triangles_(triangles), pieces_(triangles), number_(pieces_.size())
   {
     std::iota(number_.begin(), number_.end(), std::size_t(0));
@@ -100,7 +101,7 @@ public:
   }
 
 private:
-  using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
+  using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangle_list::const_iterator>;
   using Traits = CGAL::AABB_traits<Kernel, Primitive>;
 
   /// A visitor of the tree, which goes to the nearer of two boxes first. CGAL's own starts at one of the corners, which
@@ -190,8 +191,8 @@ private:
     }
   }
 
-  const Triangles& triangles_;
-  Triangles pieces_;
+  const Triangle_list& triangles_;
+  Triangle_list pieces_;
   std::vector<std::size_t> number_; ///< by piece: of the triangle
   CGAL::AABB_tree<Traits> tree_;
 };
@@ -218,7 +219,7 @@ struct Candidate {
 };
 
 /// The largest distance of points of the triangles from those of the tree.
-Bounds farthest(const Triangles& triangles, const Triangle_tree& tree, double tolerance,
+Bounds farthest(const Triangle_list& triangles, const Triangle_tree& tree, double tolerance,
                 const std::function<void()>& go_on)
 {
   constexpr double relative_tolerance = 0.05;
@@ -287,7 +288,7 @@ Bounds farthest(const Triangles& triangles, const Triangle_tree& tree, double to
   return result;
 }
 
-CGAL::Bbox_3 box_of(const Triangles& triangles)
+CGAL::Bbox_3 box_of(const Triangle_list& triangles)
 {
   CGAL::Bbox_3 box;
   for(const auto& t : triangles)
@@ -306,7 +307,7 @@ Hausdorff_distance hausdorff_distance(const Soup& old, const std::vector<Glued_s
   const double unit = unit_of(largest);
 
   std::vector<bool> is_there(old.triangles.size(), false);
-  Triangles all_new, only_new, all_old, only_old;
+  Triangle_list all_new, only_new, all_old, only_old;
   for(const Glued_surface& part : parts)
     for(std::size_t f = 0; f < part.faces.size(); ++f) {
       all_new.push_back(triangle(part.points, part.faces[f], unit));
@@ -325,7 +326,7 @@ Hausdorff_distance hausdorff_distance(const Soup& old, const std::vector<Glued_s
         only_old.push_back(all_old.back());
     }
 
-  const auto between = [&](const Triangles& only_here, const Triangles& there) {
+  const auto between = [&](const Triangle_list& only_here, const Triangle_list& there) {
     Bounds bounds;
     if(only_here.empty())
       return bounds;
@@ -348,7 +349,7 @@ std::vector<int> nearest_faces(const Soup& old, const Glued_surface& surface)
     return result;
 
   const double unit = unit_of(std::max(largest_coordinate(old.points), largest_coordinate(surface.points)));
-  Triangles triangles;
+  Triangle_list triangles;
   for(const auto& corners : surface.faces)
     triangles.push_back(triangle(surface.points, corners, unit));
   const Triangle_tree tree(triangles);
@@ -364,12 +365,31 @@ std::vector<int> nearest_faces(const Soup& old, const Glued_surface& surface)
   return result;
 }
 
+double hausdorff_distance_at_vertices(const Mesh& mesh, const std::vector<Point>& points,
+                                      const std::vector<Point>& others)
+{
+  const double unit = unit_of(std::max(largest_coordinate(points), largest_coordinate(others)));
+  // A vertex is not farther from the other surface than from itself there: beyond what is known, none is looked at.
+  std::vector<std::pair<double, std::size_t>> bounds;
+  for(std::size_t v = 0; v < points.size(); ++v)
+    bounds.emplace_back(std::sqrt(CGAL::squared_distance(point_of(points[v], unit), point_of(others[v], unit))), v);
+  std::sort(bounds.begin(), bounds.end(), std::greater<>());
+  double farthest = 0;
+  for(const auto& [from, to] : {std::pair(&points, &others), std::pair(&others, &points)}) {
+    const Triangle_list triangles = triangles_of(mesh, *to, unit);
+    const Triangle_tree tree(triangles);
+    for(auto vertex = bounds.begin(); vertex != bounds.end() && vertex->first > farthest; ++vertex)
+      farthest = std::max(farthest, tree.nearest(point_of((*from)[vertex->second], unit), farthest).distance);
+  }
+  return unit * farthest;
+}
+
 Sampling_loss sampling_loss(const Mesh& mesh, const Mesh& sampled, const std::vector<Point>& points)
 {
   constexpr std::size_t most_queries = 100000;
   constexpr double share = 0.99;
   const double unit = unit_of(largest_coordinate(mesh.points()));
-  const Triangles shape = triangles_of(mesh, mesh.points(), unit), samples = triangles_of(sampled, points, unit);
+  const Triangle_list shape = triangles_of(mesh, mesh.points(), unit), samples = triangles_of(sampled, points, unit);
 
   Sampling_loss loss;
   const CGAL::Bbox_3 before = box_of(shape), after = box_of(samples);

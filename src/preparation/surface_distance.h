@@ -38,6 +38,11 @@ Hausdorff_distance hausdorff_distance(const Soup& old, const std::vector<Glued_s
 /// For all others that face. Faces without finite coordinates get face 0.
 std::vector<int> nearest_faces(const Soup& old, const Glued_surface& surface);
 
+/// The Hausdorff distance of two surfaces with the same faces, sampled at the vertices: the largest distance of a
+/// vertex of one from the other surface. `points` and `others` are finite.
+double hausdorff_distance_at_vertices(const Mesh& mesh, const std::vector<Point>& points,
+                                      const std::vector<Point>& others);
+
 /// What of a shape is not in a mesh that was sampled from it.
 struct Sampling_loss {
   double bounding_box = 0; ///< of its side that has lost most, in [0, 1]

@@ -5,12 +5,14 @@
 
 #include "system/refusal.h"
 
+#include <atomic>
 #include <csignal>
 #include <initializer_list>
 
 namespace {
 
-volatile std::sig_atomic_t noted_signal = 0; ///< 0: none
+std::atomic<int> noted_signal{0}; ///< 0: none. Threads read it
+static_assert(std::atomic<int>::is_always_lock_free, "or a signal handler must not write it");
 
 extern "C" void note_interruption(int signal)
 {

@@ -6,6 +6,7 @@
 
 #include <CGAL/Spherical_parameterization/values/Error.h>
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -43,6 +44,19 @@ private:
   std::string code_;
   std::string log_;
 };
+
+/// What a command has to say of a mesh.
+struct Outcome {
+  std::optional<Refusal> refusal;
+  std::string text; ///< of a mesh alone, before the refusal if there is one: lines, without the end of the last one
+  std::string line; ///< of one among many, if it is not refused: does not name the mesh, and is the same in every run
+};
+
+/// What the library says is wrong, without its own advice, for which there is a better one here.
+inline std::string without_remedy(const std::string& detail, const std::string& remedy)
+{
+  return remedy.empty() ? detail : detail.substr(0, detail.size() - remedy.size() - 2); // "; " between them
+}
 
 /// What is wrong with NaN and infinity.
 inline const char* const non_finite_remedy = "every coordinate must be a finite number";

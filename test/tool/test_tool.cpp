@@ -202,6 +202,14 @@ TEST_CASE("map: a map that leaves nothing of a limb is passed over, and the reas
   const std::string reason = report.at("fallback_reason");
   CHECK(reason.find("lengths shrink more than 1e+04 times") != std::string::npos);
   CHECK(words.find(reason) != std::string::npos);
+  CHECK(report.at("settings").at("method") == "automatic"); // and the others are those of the map
+  CHECK(report.at("settings").at("accuracy") == SP::Isometric::default_accuracy);
+  CHECK(report.at("settings").at("iterations") == SP::Isometric::default_number_of_iterations);
+  CHECK(report.count("termination") == 1);
+  for(const auto& attempt : report.at("attempts"))
+    CHECK(attempt.count("termination") == 1);
+  const std::string more = map({"-v"}).first;
+  CHECK(more.find(reason, more.find(reason) + 1) == std::string::npos);
   CHECK(map({"--largest-shrinkage", "1e30"}).second.at("method_used") == "balanced");
 }
 
@@ -361,6 +369,23 @@ TEST_CASE("map: a refusal gives its advice once", "[tool]")
   REQUIRE(first != std::string::npos);
   CHECK(text.find("automatic", first + 1) == std::string::npos);
   CHECK(text.find("--method automatic") != std::string::npos);
+}
+
+TEST_CASE("map: a valid map that is not what was asked for is said to be that", "[tool]")
+{
+  Scratch scratch;
+  const std::string input = write_off(scratch / "in.off", spiky_star(4, 1));
+  const auto line = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> command = {"map", input, "-o", scratch / "out.off", "--method", "isometric"};
+    command.insert(command.end(), options.begin(), options.end());
+    const Process_result run = run_tool(command);
+    CAPTURE(run.err);
+    REQUIRE(run.exit_code == 0);
+    return run.out;
+  };
+  CHECK(line({}).find("not quite what was asked for") == std::string::npos);
+  CHECK(line({"--accuracy", "1e-12", "--iterations", "1"}).find("the residual is above the accuracy of 1e-12") <
+        std::string::npos);
 }
 
 TEST_CASE("map: SIGINT stops it in good order", "[tool]")

@@ -367,7 +367,10 @@ TEST_CASE("morph: from one mesh to the other, without shrinking on a turn", "[to
 {
   Scratch scratch;
   const Soup a = bumpy_sphere(2);
-  const auto turn = [](const Point& p) { return Point(p.y(), p.z(), p.x()); };
+  const bool is_half = GENERATE(false, true); // by 180 degrees
+  const auto turn = [is_half](const Point& p) {
+    return is_half ? Point(-p.x(), -p.y(), p.z()) : Point(p.y(), p.z(), p.x());
+  };
   const std::string input = write_off(scratch / "a.off", a), sphere = write_off(scratch / "sphere.off", icosphere(2));
   const std::string other = write_off(scratch / "b.off", transformed(a, turn));
   const std::string turned = write_off(scratch / "turned.off", transformed(icosphere(2), turn));
@@ -386,6 +389,26 @@ TEST_CASE("morph: from one mesh to the other, without shrinking on a turn", "[to
   const std::string page = text_of(scratch / "way/morph.html");
   CHECK(page.find("vertices: 162, faces: 320, frames: 9") != std::string::npos);
   CHECK(page.find("</html>") != std::string::npos);
+}
+
+TEST_CASE("morph: no mesh has to go for a step, and no step of another run stays among them", "[tool]")
+{
+  Scratch scratch;
+  fs::create_directory(scratch / "way");
+  const std::string a = write_off(scratch / "way/step_10.off", bumpy_sphere(1)),
+                    b = write_off(scratch / "b.off", ellipsoid(1, 1.2, 1.4, 1));
+  const auto morph = [&](const std::string& from, const char* steps) {
+    return run_tool({"morph", from, b, "-o", scratch / "way", "--format", "off", "--steps", steps});
+  };
+  const std::string before = text_of(a);
+  CHECK(morph(a, "10").exit_code == 2);
+  CHECK(text_of(a) == before);
+  fs::rename(a, scratch / "a.off");
+  CHECK(morph(scratch / "a.off", "2").exit_code == 0);
+  CHECK(morph(scratch / "a.off", "2").exit_code == 0); // the same names again
+  const Process_result run = morph(scratch / "a.off", "1");
+  CHECK(run.exit_code == 2);
+  CHECK(run.err.find("step_2.off' is of another run") != std::string::npos);
 }
 
 TEST_CASE("segment: one label per face, and colours for them", "[tool]")

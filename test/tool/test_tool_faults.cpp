@@ -60,6 +60,10 @@ std::vector<Command> commands(const Scratch& scratch, const std::string& input)
           {{"register", input, input, "--spheres", sphere, sphere, "-o", scratch / "out.off", "--output-sphere",
             scratch / "moved.off", "--report", scratch / "report.json"},
            {"out.off", "moved.off", "report.json"}},
+          {{"prepare", input, "-o", scratch / "out.off", "--vertex-map", scratch / "vertices.txt", "--face-map",
+            scratch / "faces.txt", "--report", scratch / "report.json"},
+           {"out.off", "vertices.txt", "faces.txt", "report.json"}},
+          {{"view", input, "--sphere", sphere, "-o", scratch / "out.html"}, {"out.html"}},
           {{"signature", input, "-o", scratch / "index.csv"}, {"index.csv"}}};
 }
 
@@ -120,6 +124,33 @@ TEST_CASE("faults: a disk that is full leaves nothing half-written", "[tool][fau
       remove_outputs(scratch, command);
     }
   }
+}
+
+TEST_CASE("faults: of the steps of morph, and of an atlas, all are written or none", "[tool][faults]")
+{
+  Scratch scratch;
+  const std::string input = prepare(scratch, 2), sphere = scratch / "sphere.off";
+  fs::create_directory(scratch / "meshes");
+  for(const double stretch : {1., 1.5})
+    write_off(scratch / ("meshes/" + std::to_string(int(2 * stretch)) + ".off"), ellipsoid(1, stretch, 2, 2));
+  const auto check = [&](const std::vector<std::string>& command, const std::string& largest,
+                         const std::vector<std::string>& outputs) {
+    REQUIRE(run_tool(command).exit_code == 0);
+    Process_options options;
+    options.largest_file = static_cast<long>(fs::file_size(scratch / largest)) - 1;
+    for(const std::string& output : outputs) {
+      CHECK(fs::exists(scratch / output));
+      fs::remove(scratch / output);
+    }
+    CHECK(run_tool(command, options).exit_code == 1);
+    for(const std::string& output : outputs)
+      CHECK_FALSE(fs::exists(scratch / output));
+  };
+  check({"morph", input, input, "--spheres", sphere, sphere, "-o", scratch / "way", "--steps", "2"}, "way/morph.html",
+        {"way/morph.html", "way/step_0.ply", "way/step_1.ply", "way/step_2.ply"});
+  check({"atlas", scratch / "meshes", "-o", scratch / "atlas", "--level", "4"}, "atlas/variance.ply",
+        {"atlas/variance.ply", "atlas/mean.ply", "atlas/scores.csv", "atlas/report.json", "atlas/modes/mode_1_plus.ply",
+         "atlas/modes/mode_1_minus.ply"});
 }
 
 TEST_CASE("faults: an old output stays as it was where the new one cannot be written", "[tool][faults]")

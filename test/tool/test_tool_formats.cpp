@@ -32,6 +32,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// All coordinates as a file of the format has them.
+std::vector<tool::Point> all_as_stored(tool::Mesh_format format, tool::Surface surface, std::vector<tool::Point> points)
+{
+  for(tool::Point& p : points)
+    p = tool::as_stored(format, surface, p);
+  return points;
+}
+
 tool::Input_mesh input_of(const Soup& soup)
 {
   std::vector<tool::Point> points;
@@ -43,8 +51,8 @@ tool::Input_mesh input_of(const Soup& soup)
 void write(const std::string& file, const tool::Output_format& format, const tool::Input_mesh& mesh,
            tool::Surface surface = tool::Surface::SHAPE)
 {
-  tool::Atomic_file out(file);
-  tool::write_mesh(out.stream(), format, mesh.mesh, mesh.mesh.points(), surface, mesh.annotations);
+  tool::Atomic_files out;
+  tool::write_mesh(out.open(file), format, mesh.mesh, mesh.mesh.points(), surface, mesh.annotations);
   out.commit();
 }
 
@@ -85,7 +93,7 @@ TEST_CASE("formats: what is written is read back equal", "[tool][formats]")
         CAPTURE(file, ascii);
         write(file, {format, ascii}, mesh, surface);
         const tool::Mesh copy = tool::read_mesh(file).mesh;
-        CHECK((copy.points() == tool::as_stored(format, surface, mesh.mesh.points())));
+        CHECK((copy.points() == all_as_stored(format, surface, mesh.mesh.points())));
         CHECK(have_same_triangles(copy, mesh.mesh));
         CHECK((tool::stores_floats(format) || copy.points() == mesh.mesh.points()));
         fs::remove(file);
@@ -217,7 +225,7 @@ TEST_CASE("formats: the content decides, whatever the name says", "[tool][format
       write(scratch / "good", {format}, mesh);
       fs::rename(scratch / "good", scratch / other);
       CHECK((tool::read_mesh(scratch / other).mesh.points() ==
-             tool::as_stored(format, tool::Surface::SHAPE, mesh.mesh.points())));
+             all_as_stored(format, tool::Surface::SHAPE, mesh.mesh.points())));
       fs::remove(scratch / other);
     }
   write_text(scratch / "unknown.xyz", "1 2 3\n4 5 6\n");
@@ -385,7 +393,7 @@ TEST_CASE("formats: glTF is read in the space of its scene", "[tool][formats]")
         json["nodes"] = {{{"children", {1}}, {"scale", {-2, 2, 2}}}, {{"mesh", 0}, {"translation", {1, 0, 0}}}};
       }))
         .mesh;
-    const auto stored = tool::as_stored(tool::Mesh_format::GLTF, tool::Surface::SHAPE, mesh.mesh.points());
+    const auto stored = all_as_stored(tool::Mesh_format::GLTF, tool::Surface::SHAPE, mesh.mesh.points());
     for(std::size_t v = 0; v < stored.size(); ++v)
       CHECK((moved.points()[v] == tool::Point{-2 * (stored[v][0] + 1), 2 * stored[v][1], 2 * stored[v][2]}));
     const auto [a, b, c] = mesh.mesh.triangle(0);
@@ -397,7 +405,10 @@ TEST_CASE("formats: glTF is read in the space of its scene", "[tool][formats]")
     write_text(scratch / "in.bin", *tool::from_base64(std::string_view(uri).substr(uri.find(',') + 1)));
     CHECK(tool::read_mesh(with([](auto& json) { json["buffers"][0]["uri"] = "in.bin"; })).mesh.number_of_faces() ==
           mesh.mesh.number_of_faces());
-    for(const char* outside : {"../in.bin", "/etc/passwd", "https://example.org/in.bin"})
+    fs::rename(scratch / "in.bin", scratch / "my 100% mesh.bin"); // URIs have no spaces
+    CHECK(tool::read_mesh(with([](auto& json) { json["buffers"][0]["uri"] = "my%20100%25%20mesh.bin"; }))
+            .mesh.number_of_faces() == mesh.mesh.number_of_faces());
+    for(const char* outside : {"../in.bin", "%2e%2E/in.bin", "/etc/passwd", "https://example.org/in.bin"})
       CHECK(contains(refusal(with([&](auto& json) { json["buffers"][0]["uri"] = outside; })), "no file next to it"));
   }
   SECTION("what is wrong is said")
@@ -448,10 +459,11 @@ TEST_CASE("formats: broken files are refused before they cost memory", "[tool][f
       // 200 million zeros: gzip folds them to their thousandth part, and the others to less
       const std::string bomb = scratch / ("bomb.ply" + extension);
       {
-        tool::Atomic_file out(bomb);
+        tool::Atomic_files out;
+        std::ostream& bytes_of_bomb = out.open(bomb);
         const std::string zeros(1000000, '\0');
         for(int i = 0; i < 200; ++i)
-          out.stream() << zeros;
+          bytes_of_bomb << zeros;
         out.commit();
       }
       check_refused(scratch, bomb, "");

@@ -242,6 +242,12 @@ TEST_CASE("many: what has changed is done again, and nothing else", "[tool][many
     write_text(sphere, "cut sho");
     kept = 13;
   }
+  SECTION("an output of the same size is not what was written")
+  {
+    write_text(sphere, std::string(text_of(sphere).size(), 'x'));
+    kept = 13;
+  }
+  SECTION("an output was written again as it was") { write_text(sphere, std::string(text_of(sphere))); }
   SECTION("a mesh was removed, whose sphere stays")
   {
     fs::remove(mesh);
@@ -267,6 +273,54 @@ TEST_CASE("many: what has changed is done again, and nothing else", "[tool][many
                                       (kept > 0 ? ", " + std::to_string(kept) + " done by an earlier run" : ""));
   CHECK((files_in(out) == before) == is_same);
   CHECK(fs::exists(sphere) == (refused == 2));
+}
+
+TEST_CASE("many: results of other options or of another program are not taken over", "[tool][many]")
+{
+  Scratch scratch;
+  fs::create_directory(scratch / "meshes");
+  write_off(scratch / "meshes/in.off", icosphere(1));
+  std::vector<std::string> map = {"map", scratch / "meshes", "-o", scratch / "out", "--weights", "clamped"};
+  const auto is_done_again = [](const Process_result& run) {
+    CAPTURE(run.err);
+    REQUIRE(run.exit_code == 0);
+    return run.out.find("done by an earlier run") == std::string::npos;
+  };
+  CHECK(is_done_again(run_tool(map)));
+  CHECK_FALSE(is_done_again(run_tool(map)));
+  const std::vector<std::vector<std::string>> more = {{"--min-angle", "6"},
+                                                      {"--max-angle", "84"},
+                                                      {"--spring-exponent", "2"},
+                                                      {"--area-exponent", "1"},
+                                                      {"--largest-shrinkage", "9"},
+                                                      {"--accuracy", "1e-8"},
+                                                      {"--iterations", "99"},
+                                                      {"--max-time", "1e6"},
+                                                      {"--triangulate"},
+                                                      {"--prepare"},
+                                                      {"--policy", "sequential"},
+                                                      {"--report", "r.json"},
+                                                      {"--ascii"}};
+  for(const std::vector<std::string>& options : more) {
+    CAPTURE(options);
+    map.insert(map.end(), options.begin(), options.end());
+    CHECK(is_done_again(run_tool(map)));
+  }
+  CHECK_FALSE(is_done_again(run_tool(map)));
+
+  // as a compiler may make it of the same version
+  const std::string other = scratch / "another build";
+  fs::copy(TOOL, other);
+  std::ofstream(other, std::ios::app) << '\n';
+  const auto run_other = [&other](std::vector<std::string> command) {
+    command.insert(command.begin(), other);
+    return run_process(command);
+  };
+  CHECK(is_done_again(run_other(map)));
+  const std::vector<std::string> signature = {"signature", scratch / "meshes", "-o", scratch / "index.db"};
+  CHECK(run_tool(signature).out.find("earlier run") == std::string::npos);
+  CHECK(run_tool(signature).out.find("1 rows from an earlier run") < std::string::npos);
+  CHECK(run_other(signature).out.find("earlier run") == std::string::npos);
 }
 
 TEST_CASE("many: spheres that were written before", "[tool][many]")

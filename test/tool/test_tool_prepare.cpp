@@ -586,6 +586,60 @@ TEST_CASE("prepare: options restrict what is done", "[tool]")
   }
 }
 
+TEST_CASE("prepare --steps split: no other file has to go for a part", "[tool]")
+{
+  Scratch scratch;
+  const std::string input = write_off(scratch / "scan_1.off", two_spheres()), before = text_of(input);
+  const auto split = [&](const std::string& in, const std::string& out, const std::vector<std::string>& more = {}) {
+    std::vector<std::string> command = {"prepare", in, "-o", scratch / out, "--steps", "merge,split"};
+    command.insert(command.end(), more.begin(), more.end());
+    return run_tool(command);
+  };
+  SECTION("IN has the name of a part")
+  {
+    const Process_result run = split(input, "scan.off");
+    CHECK(run.exit_code == 2);
+    CHECK(run.err.find("scan_1.off' is there already") != std::string::npos);
+  }
+  SECTION("another file has")
+  {
+    write_text(scratch / "out_12.ply", "mine"); // of a run with more parts, or of the user
+    CHECK(split(input, "out.ply").exit_code == 2);
+    CHECK(text_of(scratch / "out_12.ply") == "mine");
+    CHECK(scratch.number_of_files() == 2);
+  }
+  SECTION("the report would have")
+  {
+    CHECK(split(input, "out.ply", {"--report", scratch / "out_1.ply"}).exit_code == 2);
+    CHECK(scratch.number_of_files() == 1);
+  }
+  SECTION("the number is before the extensions")
+  {
+    REQUIRE(split(input, "out.ply.gz").exit_code == 0);
+    CHECK(run_tool({"map", scratch / "out_2.ply.gz", "-o", scratch / "sphere.ply"}).exit_code == 0);
+    CHECK(fs::exists(scratch / "out_1.ply.gz"));
+    REQUIRE(split(input, "lh.white").exit_code == 0); // which is no extension
+    CHECK(fs::exists(scratch / "lh.white_2"));
+  }
+  CHECK(text_of(input) == before);
+}
+
+TEST_CASE("prepare: an edge of so many faces that not all are compared is said to be one", "[tool]")
+{
+  Scratch scratch;
+  Soup soup;
+  soup.points = {Point(0, 0, 0), Point(0, 0, 1)};
+  for(std::size_t i = 0; i < 202; ++i) {
+    soup.points.emplace_back(std::cos(0.03 * double(i)), std::sin(0.03 * double(i)), 0.5);
+    soup.faces.push_back({0, 1, i + 2});
+  }
+  const std::string input = write_off(scratch / "in.off", soup);
+  CHECK(run_tool({"prepare", input, "--steps", "merge"}).out.find("1 edge of more than 200 faces") < std::string::npos);
+  soup.faces.resize(200);
+  write_off(input, soup);
+  CHECK(run_tool({"prepare", input, "--steps", "merge"}).out.find("of more than 200 faces") == std::string::npos);
+}
+
 TEST_CASE("prepare: vertices that are at no place are left out, and the holes closed", "[tool]")
 {
   Scratch scratch;

@@ -6,10 +6,10 @@
 #include "input/mesh.h"
 #include "input/mesh_readers.h"
 #include "system/refusal.h"
+#include "system/stopwatch.h"
 
 #include <CGAL/Spherical_parameterization/distortion_summary.h>
 #include <CGAL/Spherical_parameterization/edge_weights.h>
-#include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 #include <CGAL/Spherical_parameterization/parameterize.h>
 #include <CGAL/Spherical_parameterization/segmentation.h>
@@ -18,9 +18,11 @@
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
+#include <array>
 #include <optional>
 #include <utility>
 #include <variant>
+#include <vector>
 
 namespace page {
 namespace {
@@ -195,7 +197,7 @@ val map_file(const std::string& name, const std::string& bytes, const val& setti
   refuse(answer, "OK", "");
   last_mesh.reset();
   try {
-    SP::internal::Stopwatch reading;
+    const tool::Stopwatch reading;
     if(bytes.empty())
       throw tool::Refusal(tool::unreadable_file, name, "is empty", "export it again");
     const tool::Soup soup = tool::read_soup(name, bytes);
@@ -213,7 +215,7 @@ val map_file(const std::string& name, const std::string& bytes, const val& setti
     Points sphere(soup.points.size());
     const SP::Result result = map_by_settings(mesh, sphere, settings, hear);
     const bool has_map = sphere[0] != Points::value_type(); // else nothing was written
-    const SP::internal::Stopwatch measuring;
+    const tool::Stopwatch measuring;
     if(has_map) {
       write_result(result, answer);
       measure(mesh, sphere, answer);
@@ -241,7 +243,14 @@ val map_file(const std::string& name, const std::string& bytes, const val& setti
 int orientation(const val& coordinates)
 {
   const auto x = emscripten::convertJSArrayToNumberVector<double>(coordinates);
-  return SP::internal::orientation({x[0], x[1], x[2]}, {x[3], x[4], x[5]}, {x[6], x[7], x[8]});
+  const auto is_positive = [](const Mesh::Point& a, const Mesh::Point& b, const Mesh::Point& c) {
+    // two faces of the tetrahedron are flat, and two have the orientation of a, b and c
+    const Points points = {a, b, c, {-a[0], -a[1], -a[2]}};
+    const std::vector<std::array<int, 3>> faces = {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}};
+    return SP::number_of_flipped_faces(Mesh(points, faces), as_map(points)) == 2;
+  };
+  const Mesh::Point a = {x[0], x[1], x[2]}, b = {x[3], x[4], x[5]}, c = {x[6], x[7], x[8]};
+  return is_positive(a, b, c) - is_positive(a, c, b);
 }
 
 } // namespace

@@ -262,7 +262,7 @@ private:
       internal::check_soup(loop, table_, static_cast<int>(point_.size()), [&] { return number_of_different_points(); });
     const internal::Soup_trouble& trouble = soup.trouble;
     if(trouble.code != Error_code::OK)
-      throw internal::Input_error(trouble.code, trouble.wrong + "; " + trouble.remedy);
+      throw internal::Input_error(trouble.code, trouble.wrong, trouble.remedy);
     last_corner_ = std::move(soup.last_corner);
     breadth_first_ = std::move(soup.breadth_first);
   }

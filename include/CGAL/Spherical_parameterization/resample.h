@@ -15,6 +15,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization {
@@ -45,6 +46,23 @@ void make_icosphere(int level, Graph& out, VertexSphereMap sphere_map)
   }
   for(const auto& [a, b, c] : icosphere.triangles)
     CGAL::Euler::add_face(std::array<vertex_descriptor, 3>{vertex[a], vertex[b], vertex[c]}, out);
+}
+
+/// The same as arrays.
+/// \param level      0 for an icosahedron
+/// \param points     get the unit vectors
+/// \param triangles  get the numbers of their corners, counterclockwise as seen from outside
+/// \pre the level is in 0 ... `largest_icosphere_level`
+inline void make_icosphere_soup(int level, std::vector<std::array<double, 3>>& points,
+                                std::vector<std::array<int, 3>>& triangles)
+{
+  CGAL_SP_PRECONDITION(level >= 0 && level <= largest_icosphere_level, "the level of an icosphere is 0 to 12");
+  internal::Icosphere icosphere(level);
+  points.clear();
+  points.reserve(icosphere.points.size());
+  for(const internal::vec3& p : icosphere.points)
+    points.push_back({p.x, p.y, p.z});
+  triangles = std::move(icosphere.triangles);
 }
 
 /// Remeshing by an icosphere, a shape as a function on the sphere, sampled: adds an icosphere to `out`, and to every

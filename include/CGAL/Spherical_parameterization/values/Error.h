@@ -78,14 +78,25 @@ public:
     : std::invalid_argument(std::string(get_error_message(code)) + ": " + detail), code_(code), detail_(detail)
   {}
 
+  /// \param code    what is wrong
+  /// \param where   where
+  /// \param remedy  what to do about it
+  Error(Error_code code, const std::string& where, const std::string& remedy) : Error(code, where + "; " + remedy)
+  {
+    remedy_ = remedy;
+  }
+
   /// \return what is wrong
   Error_code code() const { return code_; }
   /// \return where, and what to do about it
   const std::string& detail() const { return detail_; }
+  /// \return what to do about it, with which `detail()` ends behind "; "; empty if it does not
+  const std::string& remedy() const { return remedy_; }
 
 private:
   Error_code code_;
   std::string detail_;
+  std::string remedy_;
 };
 
 /// \cond SKIP_IN_MANUAL

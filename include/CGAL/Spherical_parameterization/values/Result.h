@@ -38,6 +38,7 @@ inline const char* get_termination_name(Termination termination)
 struct Result {
   Error_code error = Error_code::OK; ///< `OK` if and only if the map is certified
   std::string detail;                ///< what is wrong, where, and what to do; empty if `OK`
+  std::string remedy;                ///< which other method may do, with which `detail` ends behind "; "; else empty
 
   std::size_t number_of_vertices = 0; ///< of the mesh
   std::size_t number_of_faces = 0;    ///< of the mesh

@@ -84,6 +84,7 @@ CGAL_SP_CORE void describe(const Solution& solution, Result& result)
 {
   result.error = solution.error;
   result.detail = solution.detail;
+  result.remedy = solution.remedy;
   if(solution.has_map()) {
     result.flipped_faces = solution.certificate.flipped_faces;
     result.degree = solution.certificate.degree;

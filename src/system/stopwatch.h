@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef SPHERICAL_PARAMETERIZATION_TOOL_STOPWATCH_H
+#define SPHERICAL_PARAMETERIZATION_TOOL_STOPWATCH_H
+
+#include <chrono>
+
+namespace tool {
+
+/// Begins with its life.
+class Stopwatch {
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now();
+
+public:
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+};
+
+} // namespace tool
+
+#endif // SPHERICAL_PARAMETERIZATION_TOOL_STOPWATCH_H

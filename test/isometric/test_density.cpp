@@ -251,7 +251,7 @@ TEST_CASE("the first density that is wrong is named", "[density]")
   CHECK(by_face.detail.find("face 9 has the density") == 0);
 }
 
-TEST_CASE("densities too far apart for areas on the sphere are refused", "[density]")
+TEST_CASE("a density that is nothing beside another one is refused", "[density]")
 {
   const Soup soup = icosphere(2);
   const auto error_of = [&](double largest, double least) {
@@ -261,7 +261,6 @@ TEST_CASE("densities too far apart for areas on the sphere are refused", "[densi
     return solve(soup, sphere, with_density(density)).error;
   };
   CHECK(error_of(1e200, 1e-200) == Error_code::BAD_DENSITY);
-  CHECK(error_of(2e12, 1) == Error_code::BAD_DENSITY);
   CHECK(error_of(1e300, 1e295) == Error_code::OK);
 }
 

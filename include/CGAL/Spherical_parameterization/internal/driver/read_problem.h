@@ -162,16 +162,15 @@ Host_array<double> read_densities(const Range& range, const std::optional<Densit
                                                    to_string(density.back()) +
                                                    "; densities must be positive and finite");
   }
-  constexpr double largest_ratio = 1e12; // areas on the sphere that are further apart are not told from rounding
   if(density.empty())
     return density;
   const auto [least, largest] = std::minmax_element(density.begin(), density.end());
   const double unit = *largest;
-  if(!(*largest / largest_ratio <= *least))
+  if(!(*least / unit >= (std::numeric_limits<double>::min)()))
     throw Input_error(Error_code::BAD_DENSITY, what + ' ' + std::to_string(least - density.begin()) +
                                                  " has the density " + to_string(*least) + ", and " + what + ' ' +
                                                  std::to_string(largest - density.begin()) + " has " +
-                                                 to_string(*largest) + "; the largest may be 1e12 times the smallest");
+                                                 to_string(*largest) + ", beside which it is nothing");
   for(double& d : density)
     d /= unit;
   return density;

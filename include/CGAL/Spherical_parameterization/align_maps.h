@@ -88,6 +88,7 @@ Rotation aligning_rotation(const ExecutionPolicy& policy, const Spherical_locato
 }
 
 /// \overload
+/// \param a,others as above; on one core \return as above
 template <class MeshA, class... Others>
 Rotation aligning_rotation(const Spherical_locator<MeshA>& a, const Others&... others)
 {

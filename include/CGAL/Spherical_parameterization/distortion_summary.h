@@ -36,7 +36,7 @@ Distortion_summary distortion_summary(const ExecutionPolicy& policy, const Trian
 }
 
 /// \overload
-/// without `policy`: on one core
+/// \param arguments  those after `policy`: on one core \return as above
 CGAL_SP_ON_ONE_CORE(distortion_summary)
 
 /// @}

@@ -100,6 +100,7 @@ Rotation best_rotation(const ExecutionPolicy& policy, const Harmonic_coefficient
 }
 
 /// \overload
+/// \param f,others as above; on one core \return as above
 template <class... Others>
 Rotation best_rotation(const Harmonic_coefficients& f, const Others&... others)
 {
@@ -137,6 +138,7 @@ Shape_alignment best_alignment(const ExecutionPolicy& policy, const Harmonic_coe
 }
 
 /// \overload
+/// \param f,others as above; on one core \return as above
 template <class... Others>
 Shape_alignment best_alignment(const Harmonic_coefficients& f, const Others&... others)
 {

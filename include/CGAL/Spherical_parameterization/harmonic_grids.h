@@ -102,6 +102,7 @@ std::vector<double> harmonic_grid_values(const ExecutionPolicy& policy, const Ha
 }
 
 /// \overload
+/// \param coefficients,others as above; on one core \return as above
 template <class... Others>
 std::vector<double> harmonic_grid_values(const Harmonic_coefficients& coefficients, const Others&... others)
 {
@@ -139,6 +140,7 @@ Harmonic_coefficients harmonic_grid_analysis(const ExecutionPolicy& policy, cons
 }
 
 /// \overload
+/// \param grid,others as above; on one core \return as above
 template <class... Others>
 Harmonic_coefficients harmonic_grid_analysis(const Latitude_longitude_grid& grid, const Others&... others)
 {

@@ -69,7 +69,7 @@ std::size_t number_of_flipped_faces(const ExecutionPolicy& policy, const Triangl
 }
 
 /// \overload
-/// without `policy`: on one core
+/// \param arguments  those after `policy`: on one core \return as above
 CGAL_SP_ON_ONE_CORE(number_of_flipped_faces)
 
 /// The degree of the map: how often it covers the sphere, counted with orientation, by exact predicates on the
@@ -88,7 +88,7 @@ int degree_of_map(const ExecutionPolicy& policy, const TriangleMesh& mesh, Verte
 }
 
 /// \overload
-/// without `policy`: on one core
+/// \param arguments  those after `policy`: on one core \return as above
 CGAL_SP_ON_ONE_CORE(degree_of_map)
 
 /// \name Measures per face
@@ -115,7 +115,7 @@ std::pair<double, double> face_log_area_stretch(const ExecutionPolicy& policy, c
 }
 
 /// \overload
-/// without `policy`: on one core
+/// \param arguments  those after `policy`: on one core \return as above
 CGAL_SP_ON_ONE_CORE(face_log_area_stretch)
 
 /// The angle distortion of faces, 0 for a conformal map: mean over the three corners of |angle between the great
@@ -132,7 +132,7 @@ std::pair<double, double> face_angle_distortion(const ExecutionPolicy& policy, c
 }
 
 /// \overload
-/// without `policy`: on one core
+/// \param arguments  those after `policy`: on one core \return as above
 CGAL_SP_ON_ONE_CORE(face_angle_distortion)
 
 /// The quasi-conformal distortion (dilatation, shear) of faces, sigma_1 / sigma_2 >= 1 of the affine map between the
@@ -149,7 +149,7 @@ std::pair<double, double> face_dilatation(const ExecutionPolicy& policy, const T
 }
 
 /// \overload
-/// without `policy`: on one core
+/// \param arguments  those after `policy`: on one core \return as above
 CGAL_SP_ON_ONE_CORE(face_dilatation)
 
 /// The symmetric Dirichlet energy sigma_1^2 + sigma_2^2 + 1/sigma_1^2 + 1/sigma_2^2 >= 4 of the affine map between the
@@ -168,7 +168,7 @@ std::pair<double, double> face_symmetric_dirichlet(const ExecutionPolicy& policy
 }
 
 /// \overload
-/// without `policy`: on one core
+/// \param arguments  those after `policy`: on one core \return as above
 CGAL_SP_ON_ONE_CORE(face_symmetric_dirichlet)
 
 /// @}
@@ -212,7 +212,7 @@ std::pair<double, double> vertex_log_area_stretch(const ExecutionPolicy& policy,
 }
 
 /// \overload
-/// without `policy`: on one core
+/// \param arguments  those after `policy`: on one core \return as above
 CGAL_SP_ON_ONE_CORE(vertex_log_area_stretch)
 
 /// @}

@@ -131,6 +131,7 @@ Registration_result register_maps(const ExecutionPolicy& policy, const Mapped_me
 }
 
 /// \overload
+/// \param a,b,registered,method,landmarks,np as above; on one core \return as above
 template <class MeshA, class SphereMapA, class PointMapA, class MeshB, class SphereMapB, class PointMapB,
           class RegisteredMap, class CGAL_NP_TEMPLATE_PARAMETERS>
 Registration_result register_maps(const Mapped_mesh<MeshA, SphereMapA, PointMapA>& a,

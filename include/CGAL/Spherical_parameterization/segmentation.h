@@ -110,7 +110,7 @@ Segmentation_result segmentation_from_area_stretch(const ExecutionPolicy& policy
 }
 
 /// \overload
-/// without `policy`: on one core
+/// \param arguments  those after `policy`: on one core \return as above
 CGAL_SP_ON_ONE_CORE(segmentation_from_area_stretch)
 
 /// Segmentation (part decomposition) of a mesh by its map: measures the stretch and cuts, in one call.
@@ -135,7 +135,7 @@ Segmentation_result segmentation_via_area_stretch(const ExecutionPolicy& policy,
 }
 
 /// \overload
-/// without `policy`: on one core
+/// \param arguments  those after `policy`: on one core \return as above
 CGAL_SP_ON_ONE_CORE(segmentation_via_area_stretch)
 
 /// @}

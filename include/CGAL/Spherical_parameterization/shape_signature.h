@@ -80,7 +80,7 @@ Shape_signature shape_signature(const ExecutionPolicy& policy, const TriangleMes
 }
 
 /// \overload
-/// without `policy`: on one core
+/// \param arguments  those after `policy`: on one core \return as above
 CGAL_SP_ON_ONE_CORE(shape_signature)
 
 /// @}

@@ -82,6 +82,7 @@ Procrustes_alignment align_shapes(const ExecutionPolicy& policy, std::vector<Sha
 }
 
 /// \overload
+/// \param shapes,method,weights,np as above; on one core \return as above
 template <class Shape, class CGAL_NP_TEMPLATE_PARAMETERS>
 Procrustes_alignment align_shapes(std::vector<Shape>& shapes, const Procrustes& method = Procrustes(),
                                   const std::vector<double>& weights = {},
@@ -138,6 +139,7 @@ Shape_statistics<Shape> shape_statistics(const ExecutionPolicy& policy, const st
 }
 
 /// \overload
+/// \param shapes,weights,modes,np as above; on one core \return as above
 template <class Shape, class CGAL_NP_TEMPLATE_PARAMETERS>
 Shape_statistics<Shape> shape_statistics(const std::vector<Shape>& shapes, const std::vector<double>& weights = {},
                                          int modes = (std::numeric_limits<int>::max)(),
@@ -199,6 +201,7 @@ std::vector<double> left_out_errors(const ExecutionPolicy& policy, const std::ve
 }
 
 /// \overload
+/// \param shapes,weights,groups,np as above; on one core \return as above
 template <class Shape, class CGAL_NP_TEMPLATE_PARAMETERS>
 std::vector<double> left_out_errors(const std::vector<Shape>& shapes, const std::vector<double>& weights = {},
                                     int groups = 0, const CGAL_NP_CLASS& np = parameters::default_values())
@@ -227,6 +230,7 @@ std::vector<double> vertex_variances(const ExecutionPolicy& policy, const std::v
 }
 
 /// \overload
+/// \param shapes,np as above; on one core \return as above
 template <class CGAL_NP_TEMPLATE_PARAMETERS>
 std::vector<double> vertex_variances(const std::vector<Shape_points>& shapes,
                                      const CGAL_NP_CLASS& np = parameters::default_values())
@@ -262,6 +266,7 @@ std::vector<double> mean_vertex_areas(const ExecutionPolicy& policy, const Trian
 }
 
 /// \overload
+/// \param mesh,shapes,np as above; on one core \return as above
 template <class TriangleMesh, class CGAL_NP_TEMPLATE_PARAMETERS, internal::If_no_policy<TriangleMesh> = 0>
 std::vector<double> mean_vertex_areas(const TriangleMesh& mesh, const std::vector<Shape_points>& shapes,
                                       const CGAL_NP_CLASS& np = parameters::default_values())

@@ -73,6 +73,7 @@ Harmonic_analysis harmonic_analysis(const ExecutionPolicy& policy, const Triangl
 }
 
 /// \overload
+/// \param mesh,sphere_map,vertex_map,degree,others as above; on one core \return as above
 template <class TriangleMesh, class VertexSphereMap, class VertexMap, class... Others,
           internal::If_no_policy<TriangleMesh> = 0>
 Harmonic_analysis harmonic_analysis(const TriangleMesh& mesh, VertexSphereMap sphere_map, VertexMap vertex_map,
@@ -108,6 +109,7 @@ std::vector<double> harmonic_values(const ExecutionPolicy& policy, const Harmoni
 }
 
 /// \overload
+/// \param coefficients,others as above; on one core \return as above
 template <class... Others>
 std::vector<double> harmonic_values(const Harmonic_coefficients& coefficients, const Others&... others)
 {
@@ -149,6 +151,7 @@ void harmonic_synthesis(const ExecutionPolicy& policy, const Harmonic_coefficien
 }
 
 /// \overload
+/// \param coefficients,mesh,sphere_map,vertex_map,np as above; on one core
 template <class Mesh, class VertexSphereMap, class VertexMap, class CGAL_NP_TEMPLATE_PARAMETERS>
 void harmonic_synthesis(const Harmonic_coefficients& coefficients, const Mesh& mesh, VertexSphereMap sphere_map,
                         VertexMap vertex_map, const CGAL_NP_CLASS& np = parameters::default_values())

@@ -49,7 +49,7 @@ std::vector<double> stretch_histogram(const ExecutionPolicy& policy, const Trian
 }
 
 /// \overload
-/// without `policy`: on one core
+/// \param arguments  those after `policy`: on one core \return as above
 CGAL_SP_ON_ONE_CORE(stretch_histogram)
 
 /// @}

@@ -72,7 +72,7 @@ Texture_report texture_coordinates(const ExecutionPolicy& policy, const Triangle
 }
 
 /// \overload
-/// without `policy`: on one core
+/// \param arguments  those after `policy`: on one core \return as above
 CGAL_SP_ON_ONE_CORE(texture_coordinates)
 
 /// The seams of a texture: the edges whose two faces have different coordinates at one of its ends. With both maps,

@@ -81,7 +81,7 @@ void transfer_vertex_property(const ExecutionPolicy& policy, const Spherical_loc
 }
 
 /// \overload
-/// without `policy`: on one core
+/// \param arguments  those after `policy`: on one core \return as above
 CGAL_SP_ON_ONE_CORE(transfer_vertex_property)
 
 /// Carries data of faces, such as labels: every face gets the value of the face of `from` under its centre.
@@ -113,7 +113,7 @@ void transfer_face_property(const ExecutionPolicy& policy, const Spherical_locat
 }
 
 /// \overload
-/// without `policy`: on one core
+/// \param arguments  those after `policy`: on one core \return as above
 CGAL_SP_ON_ONE_CORE(transfer_face_property)
 
 /// @}

@@ -113,7 +113,7 @@ void check_file(const std::string& file, bool triangulate)
 
   tool::Sphere sphere;
   try {
-    tool::read_sphere(file, "the mesh", *mesh, sphere);
+    tool::read_sphere(CGAL::Sequential_tag(), file, "the mesh", *mesh, sphere);
     for(const tool::Point& p : sphere)
       promise(std::abs(std::hypot(p[0], p[1], p[2]) - 1) < 1e-12, "a sphere that is none");
   } catch(const tool::Refusal& refusal) {

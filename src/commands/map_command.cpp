@@ -61,9 +61,9 @@ void say(const Map_options& options, const Mapped_mesh& input, const Report& rep
          << "the sphere has the vertices and faces of the prepared mesh, which 'prepare --steps merge,orient' writes\n";
   text << name << ": " << result.number_of_vertices << " vertices, " << result.number_of_faces << " faces\n"
        << line.str() << ", residual " << result.residual;
-  const std::string shortfall = options.sphere.empty() ? shortfall_of(options, result) : "";
+  const std::string shortfall = options.sphere.empty() ? SP::get_shortcoming(result) : "";
   if(!shortfall.empty())
-    text << "\nvalid, but not quite what was asked for: " << shortfall;
+    text << "\nvalid, but " << shortfall;
   if(!options.density.empty())
     text << "\nstandard deviation of log(area / wanted area): " << result.density_deviation;
   text << '\n'

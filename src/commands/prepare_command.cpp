@@ -388,7 +388,7 @@ void prepare_and_report(const Prepare_options& options, Outcome& outcome)
   Prepared prepared;
   prepared.refusal = guarded(options.input, [&] { prepare(options, prepared); });
   std::optional<Refusal> refusal = prepared.refusal;
-  if(!options.report.empty()) {
+  if(!options.report.empty() && !was_interrupted()) {
     const auto of_report = guarded(options.input, [&] { write_report(options, prepared); });
     if(!refusal)
       refusal = of_report;

@@ -148,19 +148,6 @@ std::pair<double, std::size_t> effort_of(const Mapping_options& options, const S
     settings.method);
 }
 
-std::string shortfall_of(const Mapping_options& options, const SP::Result& result)
-{
-  std::ostringstream text;
-  text.precision(3);
-  const double accuracy = effort_of(options, result).first;
-  if(result.moved_vertices > 0)
-    text << result.moved_vertices << (result.moved_vertices == 1 ? " vertex is" : " vertices are")
-         << " not where the weights want it, for the sake of faces";
-  else if(result.residual > accuracy)
-    text << "the residual is above the accuracy of " << accuracy;
-  return text.str();
-}
-
 Json report_json(const Mapping_options& options, const Mapped_mesh& input, const Report& report)
 {
   const SP::Result& result = input.result;

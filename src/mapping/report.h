@@ -32,9 +32,6 @@ struct Report {
 std::pair<double, std::size_t> effort_of(const Mapping_options& options,
                                          const CGAL::Spherical_parameterization::Result& result);
 
-/// Why a valid map is not what was asked for, in a sentence; empty if it is.
-std::string shortfall_of(const Mapping_options& options, const CGAL::Spherical_parameterization::Result& result);
-
 /// The most memory that the process has had so far.
 std::size_t peak_memory_bytes();
 

@@ -52,7 +52,7 @@ struct Result {
   int degree = 0;                 ///< how often the map covers the sphere; 1 for a valid one
   double residual = 0;            ///< L2 norm over the free vertices (not divided by their number) of the residual of
                                   ///< the equation that the method solves, relative to the weight sum of a vertex;
-                                  ///< `Isometric`: relative gain of energy that the last step predicted
+                                  ///< `Isometric`: relative gain of energy that one more step predicts
   double energy = 0;              ///< spring energy of the map, 1/p * sum over edges; `Isometric`: mean distortion;
                                   ///< infinite if it exceeds the range of doubles
   double density_deviation = 0;   ///< where densities are given: standard deviation of log(area on the sphere / wanted

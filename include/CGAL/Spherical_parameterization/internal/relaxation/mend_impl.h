@@ -244,7 +244,7 @@ CGAL_SP_CORE Mending mend(const Host_loop& loop, const Host_array<std::array<int
     return !((std::max)({norm(sub(a, b)), norm(sub(b, c)), norm(sub(c, a))}) >= resolution);
   };
   if(flipped > largest_share * number_of_faces + few)
-    return Mending::TOO_MUCH;
+    return Mending::FAILED;
   if(std::any_of(bad.begin(), bad.end(), is_unknown))
     return Mending::FAILED;
   if(bad.empty())
@@ -271,9 +271,9 @@ CGAL_SP_CORE Mending mend(const Host_loop& loop, const Host_array<std::array<int
   }
   const Host_array<vec3> before = v;
   Patches patches = patches_of(loop, face, tries, v);
-  const auto give_up = [&] {
+  const auto give_up = [&](Mending how) {
     v = before;
-    return Mending::TOO_MUCH;
+    return how;
   };
   std::int64_t moves = 0;
   for(int rings = 1; flipped > 0; rings *= 2) {
@@ -292,7 +292,7 @@ CGAL_SP_CORE Mending mend(const Host_loop& loop, const Host_array<std::array<int
     for(const auto& patch : patches)
       moves += patch->number_of_moves();
     if(rings > most_rings || moves > moves_per_vertex * n + moves_of_few || monitor.is_interrupted())
-      return give_up();
+      return give_up(Mending::FAILED);
     std::vector<char> is_near(n, 0);
     for(int ring = 0; ring <= rings; ++ring) {
       for(int f : tangled)
@@ -301,12 +301,12 @@ CGAL_SP_CORE Mending mend(const Host_loop& loop, const Host_array<std::array<int
       tangled = faces_at(loop, face, is_near);
     }
     if(!let_try(tangled))
-      return give_up();
+      return give_up(Mending::TOO_MUCH);
     patches = patches_of(loop, face, tries, v);
   }
   for_each_patch(loop, patches, [&](Patch& patch) { polish(point, monitor, patch); });
   if(monitor.is_interrupted())
-    return give_up();
+    return give_up(Mending::FAILED);
   for(int i = 0; i < n; ++i)
     if(!is_equal(v[i], before[i]))
       is_moved[i] = 1;

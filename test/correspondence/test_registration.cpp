@@ -499,7 +499,8 @@ TEST_CASE("callback and time limit end a registration with a certified map", "[r
   std::map<Vertex, Point> out;
   const auto run = [&](const auto& parameters) {
     out.clear();
-    return SP::register_maps(a.both(), b.both(), Read_write_map<Vertex, Point>{&out}, {}, {}, parameters);
+    return SP::register_maps(a.both(), b.both(), Read_write_map<Vertex, Point>{&out}, SP::Registration(),
+                             std::vector<SP::Landmark_pair<Mesh, Mesh>>(), parameters);
   };
   const auto check_stored = [&](const SP::Registration_result& r) {
     CHECK(r.error == Error_code::INTERRUPTED);

@@ -458,11 +458,11 @@ TEST_CASE("without a policy statistics are those of one core", "[statistics]")
   Shapes a = {random_shape(300, random), random_shape(300, random), random_shape(300, random)}, b = a;
   CHECK(SP::align_shapes(a).deviation == SP::align_shapes(one_core, b).deviation);
   CHECK((a == b));
-  CHECK((SP::shape_statistics(a, {}, 1).modes == SP::shape_statistics(one_core, a, {}, 1).modes));
+  CHECK((SP::shape_statistics(a, std::vector<double>(), 1).modes == SP::shape_statistics(one_core, a, {}, 1).modes));
   CHECK(SP::left_out_errors(a) == SP::left_out_errors(one_core, a));
   CHECK(SP::vertex_variances(a) == SP::vertex_variances(one_core, a));
   const Soup soup = icosphere(1);
-  CHECK(SP::mean_vertex_areas(make_mesh(soup), {points_of(soup)}) ==
+  CHECK(SP::mean_vertex_areas(make_mesh(soup), Shapes{points_of(soup)}) ==
         SP::mean_vertex_areas(one_core, make_mesh(soup), {points_of(soup)}));
 }
 
@@ -494,9 +494,9 @@ TEST_CASE("callback and time limit end statistics, and shapes are where they wer
     }
     CHECK_THROWS_AS(call(some, CGAL::parameters::maximum_running_time(0)), SP::Error);
   };
-  check([](Shapes& s, const auto& np) { SP::align_shapes(s, {}, {}, np); });
-  check([](Shapes& s, const auto& np) { SP::shape_statistics(s, {}, 3, np); });
-  check([](Shapes& s, const auto& np) { SP::left_out_errors(s, {}, 0, np); });
+  check([](Shapes& s, const auto& np) { SP::align_shapes(s, SP::Procrustes(), std::vector<double>(), np); });
+  check([](Shapes& s, const auto& np) { SP::shape_statistics(s, std::vector<double>(), 3, np); });
+  check([](Shapes& s, const auto& np) { SP::left_out_errors(s, std::vector<double>(), 0, np); });
   check([](Shapes& s, const auto& np) { SP::vertex_variances(s, np); });
 }
 

@@ -18,8 +18,6 @@
 #include <CGAL/Spherical_parameterization/locate.h>
 #include <CGAL/Spherical_parameterization/transfer_properties.h>
 
-#include <CGAL/tags.h>
-
 #include <boost/property_map/property_map.hpp>
 
 #include <array>
@@ -59,41 +57,31 @@ Harmonic_coefficients sampled_harmonics(const Watched_loop<Host_loop>& loop,
 /// their size. The shapes have to stand in space in the same way.
 ///
 /// The best of all rotations for harmonics up to degree 31: `best_rotation()`.
-/// \param policy    `CGAL::Sequential_tag`, the default, or `CGAL::Parallel_tag`; the result does not depend on it
 /// \param a         the inverse of the first map
 /// \param points_a  readable, key vertex_descriptor of the mesh of `a`, value with x(), y(), z() or `std::array`
 /// \param b         the inverse of the second map
 /// \param points_b  readable, key vertex_descriptor of the mesh of `b`, value with x(), y(), z() or `std::array`
-/// \param np        optional named parameters: `callback` and `maximum_running_time`, as in `parameterize()`
+/// \param policy,np  see \ref pd_calls
 /// \return R such that R x under `b` is what x is under `a`; see `rotated_map()`
-/// \throws Error  `NON_FINITE_COORDINATE` for points that are not finite, `INTERRUPTED` if callback or time limit ended
-/// it
+/// \throws Error  `NON_FINITE_COORDINATE` for points that are not finite, and `INTERRUPTED`
 ///
 /// Complexity: 8,192 queries in each map, and 25 ms on one core.
 template <class ExecutionPolicy, class MeshA, class PointMapA, class MeshB, class PointMapB,
-          class CGAL_NP_TEMPLATE_PARAMETERS>
+          class CGAL_NP_TEMPLATE_PARAMETERS, internal::If_policy<ExecutionPolicy> = 0>
 Rotation aligning_rotation(const ExecutionPolicy& policy, const Spherical_locator<MeshA>& a, PointMapA points_a,
                            const Spherical_locator<MeshB>& b, PointMapB points_b,
                            const CGAL_NP_CLASS& np = parameters::default_values())
 {
   constexpr int degree = 31;
-  const internal::Host_loop bare = internal::host_loop(policy);
   internal::Monitor monitor = internal::make_monitor(np);
-  const internal::Watched_loop loop(bare, monitor);
+  const internal::Watched_loop loop(internal::host_loop(policy), monitor);
   const Harmonic_coefficients of_b = internal::sampled_harmonics(loop, b, points_b, degree),
                               of_a = internal::sampled_harmonics(loop, a, points_a, degree);
   internal::check_finite(of_b);
   internal::check_finite(of_a);
   return internal::best_correlations(loop, of_b, of_a).front().rotation;
 }
-
-/// \overload
-/// \param a,others as above; on one core \return as above
-template <class MeshA, class... Others>
-Rotation aligning_rotation(const Spherical_locator<MeshA>& a, const Others&... others)
-{
-  return aligning_rotation(CGAL::Sequential_tag(), a, others...);
-}
+CGAL_SP_ON_ONE_CORE(aligning_rotation)
 
 /// A spherical map seen through a rotation: what `transfer_vertex_property()` and the like take for a map in another
 /// position. Nothing is stored: rotated coordinates would be rounded, which can flip the faces of thin limbs.

@@ -6,7 +6,6 @@
 
 #include <CGAL/Spherical_parameterization/internal/api/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
-#include <CGAL/Spherical_parameterization/internal/backend/on_one_core.h>
 #include <CGAL/Spherical_parameterization/internal/distortion/summarize.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
 #include <CGAL/Spherical_parameterization/values/Distortion_summary.h>
@@ -34,9 +33,6 @@ Distortion_summary distortion_summary(const ExecutionPolicy& policy, const Trian
   return internal::summarize(
     loop, internal::read_map(mesh, internal::vertex_points(mesh, np), sphere_map, internal::Reading::UNCHECKED, loop));
 }
-
-/// \overload
-/// \param arguments  those after `policy`: on one core \return as above
 CGAL_SP_ON_ONE_CORE(distortion_summary)
 
 /// @}

@@ -15,8 +15,6 @@
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/ellipsoid.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/rotation.h>
 
-#include <CGAL/tags.h>
-
 namespace CGAL::Spherical_parameterization {
 
 /// \addtogroup PkgSphericalParameterizationHarmonics
@@ -25,10 +23,9 @@ namespace CGAL::Spherical_parameterization {
 /// The functions turned: f(R^-1 x), by Wigner's matrices.
 /// \param coefficients  of the functions f
 /// \param rotation      R
-/// \param np            optional named parameters: `callback` and `maximum_running_time`, as in `parameterize()`
+/// \param np  see \ref pd_calls
 /// \return the coefficients of the turned functions
-/// \throws Error  `NON_FINITE_COORDINATE` for coefficients that are not finite, `INTERRUPTED` if callback or time limit
-///                ended it
+/// \throws Error  `NON_FINITE_COORDINATE` for coefficients that are not finite, and `INTERRUPTED`
 ///
 /// Complexity: O(L^3); to 1e-12 for any degree.
 template <class CGAL_NP_TEMPLATE_PARAMETERS>
@@ -36,9 +33,8 @@ Harmonic_coefficients rotated(const Harmonic_coefficients& coefficients, const R
                               const CGAL_NP_CLASS& np = parameters::default_values())
 {
   internal::check_finite(coefficients);
-  const internal::Host_loop loop;
   internal::Monitor monitor = internal::make_monitor(np);
-  return internal::rotated_harmonics(internal::Watched_loop(loop, monitor), coefficients, rotation);
+  return internal::rotated_harmonics(internal::Watched_loop(internal::Host_loop(), monitor), coefficients, rotation);
 }
 
 /// The first-order ellipsoid. The signs of the axes are chosen so that the shape reaches farther (the integral of the
@@ -59,10 +55,9 @@ inline First_order_ellipsoid first_order_ellipsoid(const Harmonic_coefficients& 
 /// along x, and the sphere turned so that these are the images of its axes. Shapes in any pose, with any rotation of
 /// their maps, become comparable coefficient by coefficient.
 /// \param shape  three functions of degree 1 or more
-/// \param np     optional named parameters: `callback` and `maximum_running_time`, as in `parameterize()`
+/// \param np  see \ref pd_calls
 /// \return the coefficients of the moved shape
-/// \throws Error  `NON_FINITE_COORDINATE` for coefficients that are not finite, `INTERRUPTED` if callback or time limit
-///                ended it
+/// \throws Error  `NON_FINITE_COORDINATE` for coefficients that are not finite, and `INTERRUPTED`
 template <class CGAL_NP_TEMPLATE_PARAMETERS>
 Harmonic_coefficients aligned_to_ellipsoid(const Harmonic_coefficients& shape,
                                            const CGAL_NP_CLASS& np = parameters::default_values())
@@ -77,16 +72,14 @@ Harmonic_coefficients aligned_to_ellipsoid(const Harmonic_coefficients& shape,
 /// The correlation is a trigonometric polynomial in Euler's angles, and so is known everywhere by Fourier transforms
 /// (B. Kovacs, W. Wriggers, "Fast rotational matching", 2002; P. Kostelec, D. Rockmore, "FFTs on the rotation group",
 /// 2008); Newton's method starts from the eight largest of its local maxima on a grid as fine as the degree asks for.
-/// \param policy  `CGAL::Sequential_tag`, the default, or `CGAL::Parallel_tag`; the result does not depend on it
 /// \param f,g     as many functions in each; of the larger degree, what the other one has not got does not count
-/// \param np      optional named parameters: `callback` and `maximum_running_time`, as in `parameterize()`
+/// \param policy,np  see \ref pd_calls
 /// \return R, to 1e-10 radians where the maximum is sharp
-/// \throws Error  `NON_FINITE_COORDINATE` for coefficients that are not finite, `INTERRUPTED` if callback or time limit
-///                ended it
+/// \throws Error  `NON_FINITE_COORDINATE` for coefficients that are not finite, and `INTERRUPTED`
 /// \pre as many functions in f as in g
 ///
 /// Complexity: O(L^4); 25 ms for three functions of degree 31 on one core.
-template <class ExecutionPolicy, class CGAL_NP_TEMPLATE_PARAMETERS>
+template <class ExecutionPolicy, class CGAL_NP_TEMPLATE_PARAMETERS, internal::If_policy<ExecutionPolicy> = 0>
 Rotation best_rotation(const ExecutionPolicy& policy, const Harmonic_coefficients& f, const Harmonic_coefficients& g,
                        const CGAL_NP_CLASS& np = parameters::default_values())
 {
@@ -94,18 +87,12 @@ Rotation best_rotation(const ExecutionPolicy& policy, const Harmonic_coefficient
                        "functions to be correlated are as many on each side");
   internal::check_finite(f);
   internal::check_finite(g);
-  const internal::Host_loop loop = internal::host_loop(policy);
   internal::Monitor monitor = internal::make_monitor(np);
-  return internal::best_correlations(internal::Watched_loop(loop, monitor), f, g).front().rotation;
+  return internal::best_correlations(internal::Watched_loop(internal::host_loop(policy), monitor), f, g)
+    .front()
+    .rotation;
 }
-
-/// \overload
-/// \param f,others as above; on one core \return as above
-template <class... Others>
-Rotation best_rotation(const Harmonic_coefficients& f, const Others&... others)
-{
-  return best_rotation(CGAL::Sequential_tag(), f, others...);
-}
+CGAL_SP_ON_ONE_CORE(best_rotation)
 
 /// Registration of two shapes in any pose, with maps in any position: the rotations of space and of the sphere for
 /// which they are correlated best. Where the shapes are, and their sizes, does not matter.
@@ -115,16 +102,14 @@ Rotation best_rotation(const Harmonic_coefficients& f, const Others&... others)
 /// degree 8, and the best of these with all degrees, near what has been found. Shapes without symmetry, whose first
 /// degrees are not too much alike, are brought together wherever they came from; a proof that no other motion is better
 /// there is not.
-/// \param policy  `CGAL::Sequential_tag`, the default, or `CGAL::Parallel_tag`; the result does not depend on it
 /// \param f,g     three functions each; of the larger degree, what the other one has not got does not count
-/// \param np      optional named parameters: `callback` and `maximum_running_time`, as in `parameterize()`
+/// \param policy,np  see \ref pd_calls
 /// \return the rotations and the correlation
-/// \throws Error  `NON_FINITE_COORDINATE` for coefficients that are not finite, `INTERRUPTED` if callback or time limit
-///                ended it
+/// \throws Error  `NON_FINITE_COORDINATE` for coefficients that are not finite, and `INTERRUPTED`
 /// \pre three functions of degree 1 or more in both
 ///
 /// Complexity: O(L^3) per step; 50 to 70 ms for degree 31 on one core.
-template <class ExecutionPolicy, class CGAL_NP_TEMPLATE_PARAMETERS>
+template <class ExecutionPolicy, class CGAL_NP_TEMPLATE_PARAMETERS, internal::If_policy<ExecutionPolicy> = 0>
 Shape_alignment best_alignment(const ExecutionPolicy& policy, const Harmonic_coefficients& f,
                                const Harmonic_coefficients& g, const CGAL_NP_CLASS& np = parameters::default_values())
 {
@@ -132,18 +117,10 @@ Shape_alignment best_alignment(const ExecutionPolicy& policy, const Harmonic_coe
                        "shapes to be aligned are three functions each, of degree 1 or more");
   internal::check_finite(f);
   internal::check_finite(g);
-  const internal::Host_loop loop = internal::host_loop(policy);
   internal::Monitor monitor = internal::make_monitor(np);
-  return internal::best_motion(internal::Watched_loop(loop, monitor), f, g);
+  return internal::best_motion(internal::Watched_loop(internal::host_loop(policy), monitor), f, g);
 }
-
-/// \overload
-/// \param f,others as above; on one core \return as above
-template <class... Others>
-Shape_alignment best_alignment(const Harmonic_coefficients& f, const Others&... others)
-{
-  return best_alignment(CGAL::Sequential_tag(), f, others...);
-}
+CGAL_SP_ON_ONE_CORE(best_alignment)
 
 /// @}
 

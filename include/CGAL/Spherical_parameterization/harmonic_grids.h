@@ -14,8 +14,6 @@
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/analysis.h>
 
-#include <CGAL/tags.h>
-
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -79,49 +77,37 @@ private:
 };
 
 /// The values of functions on a grid.
-/// \param policy        `CGAL::Sequential_tag`, the default, or `CGAL::Parallel_tag`; the result does not depend on it
 /// \param coefficients  of the functions
 /// \param grid          where
-/// \param np            optional named parameters: `callback` and `maximum_running_time`, as in `parameterize()`
+/// \param policy,np  see \ref pd_calls
 /// \return function after function, row after row
-/// \throws Error  `NON_FINITE_COORDINATE` for coefficients that are not finite, `INTERRUPTED` if callback or time limit
-///                ended it
+/// \throws Error  `NON_FINITE_COORDINATE` for coefficients that are not finite, and `INTERRUPTED`
 ///
 /// Complexity: O(L^2) per row.
-template <class ExecutionPolicy, class CGAL_NP_TEMPLATE_PARAMETERS>
+template <class ExecutionPolicy, class CGAL_NP_TEMPLATE_PARAMETERS, internal::If_policy<ExecutionPolicy> = 0>
 std::vector<double> harmonic_grid_values(const ExecutionPolicy& policy, const Harmonic_coefficients& coefficients,
                                          const Latitude_longitude_grid& grid,
                                          const CGAL_NP_CLASS& np = parameters::default_values())
 {
   internal::check_finite(coefficients);
-  const internal::Host_loop loop = internal::host_loop(policy);
   internal::Monitor monitor = internal::make_monitor(np);
-  const auto value =
-    internal::synthesize_on_rows(internal::Watched_loop(loop, monitor), coefficients, grid.internal_rows());
+  const auto value = internal::synthesize_on_rows(internal::Watched_loop(internal::host_loop(policy), monitor),
+                                                  coefficients, grid.internal_rows());
   return std::vector<double>(value.begin(), value.end());
 }
-
-/// \overload
-/// \param coefficients,others as above; on one core \return as above
-template <class... Others>
-std::vector<double> harmonic_grid_values(const Harmonic_coefficients& coefficients, const Others&... others)
-{
-  return harmonic_grid_values(CGAL::Sequential_tag(), coefficients, others...);
-}
+CGAL_SP_ON_ONE_CORE(harmonic_grid_values)
 
 /// Analysis of values on a grid, by its quadrature.
-/// \param policy  `CGAL::Sequential_tag`, the default, or `CGAL::Parallel_tag`; the result does not depend on it
 /// \param grid    where
 /// \param values  function after function, row after row
 /// \param degree  of the coefficients
-/// \param np      optional named parameters: `callback` and `maximum_running_time`, as in `parameterize()`
+/// \param policy,np  see \ref pd_calls
 /// \return the coefficients: to rounding those of the functions, if these are of the degree for which the grid is exact
-/// \throws Error  `NON_FINITE_COORDINATE` for values that are not finite, `INTERRUPTED` if callback or time limit
-///                ended it
+/// \throws Error  `NON_FINITE_COORDINATE` for values that are not finite, and `INTERRUPTED`
 /// \pre the number of values is a multiple of the size of the grid
 ///
 /// Complexity: O(L^2) per row.
-template <class ExecutionPolicy, class CGAL_NP_TEMPLATE_PARAMETERS>
+template <class ExecutionPolicy, class CGAL_NP_TEMPLATE_PARAMETERS, internal::If_policy<ExecutionPolicy> = 0>
 Harmonic_coefficients harmonic_grid_analysis(const ExecutionPolicy& policy, const Latitude_longitude_grid& grid,
                                              const std::vector<double>& values, int degree,
                                              const CGAL_NP_CLASS& np = parameters::default_values())
@@ -132,20 +118,12 @@ Harmonic_coefficients harmonic_grid_analysis(const ExecutionPolicy& policy, cons
   for(std::size_t i = 0; i < values.size(); ++i)
     if(!std::isfinite(values[i]))
       throw internal::Input_error(Error_code::NON_FINITE_COORDINATE, "value " + std::to_string(i) + " on the grid");
-  const internal::Host_loop loop = internal::host_loop(policy);
   internal::Monitor monitor = internal::make_monitor(np);
   return internal::analyze_rows(
-    internal::Watched_loop(loop, monitor), grid.internal_rows(),
+    internal::Watched_loop(internal::host_loop(policy), monitor), grid.internal_rows(),
     {static_cast<int>(values.size() / size), internal::Host_array<double>(values.begin(), values.end())}, degree);
 }
-
-/// \overload
-/// \param grid,others as above; on one core \return as above
-template <class... Others>
-Harmonic_coefficients harmonic_grid_analysis(const Latitude_longitude_grid& grid, const Others&... others)
-{
-  return harmonic_grid_analysis(CGAL::Sequential_tag(), grid, others...);
-}
+CGAL_SP_ON_ONE_CORE(harmonic_grid_analysis)
 
 /// @}
 

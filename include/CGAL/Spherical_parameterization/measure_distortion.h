@@ -5,7 +5,6 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_MEASURE_DISTORTION_H
 
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
-#include <CGAL/Spherical_parameterization/internal/backend/on_one_core.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/api/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/distortion/Face_measures.h>
@@ -67,9 +66,6 @@ std::size_t number_of_flipped_faces(const ExecutionPolicy& policy, const Triangl
   const auto loop = internal::host_loop(policy);
   return internal::read_map(mesh, sphere_map, internal::Reading::UNCHECKED, loop).certificate(loop).flipped_faces;
 }
-
-/// \overload
-/// \param arguments  those after `policy`: on one core \return as above
 CGAL_SP_ON_ONE_CORE(number_of_flipped_faces)
 
 /// The degree of the map: how often it covers the sphere, counted with orientation, by exact predicates on the
@@ -86,9 +82,6 @@ int degree_of_map(const ExecutionPolicy& policy, const TriangleMesh& mesh, Verte
   const auto loop = internal::host_loop(policy);
   return internal::read_map(mesh, sphere_map, internal::Reading::UNCHECKED, loop).certificate(loop).degree;
 }
-
-/// \overload
-/// \param arguments  those after `policy`: on one core \return as above
 CGAL_SP_ON_ONE_CORE(degree_of_map)
 
 /// \name Measures per face
@@ -113,9 +106,6 @@ std::pair<double, double> face_log_area_stretch(const ExecutionPolicy& policy, c
 {
   return internal::measure_faces(policy, mesh, sphere_map, face_map, np, &internal::Face_measures::log_area_stretch);
 }
-
-/// \overload
-/// \param arguments  those after `policy`: on one core \return as above
 CGAL_SP_ON_ONE_CORE(face_log_area_stretch)
 
 /// The angle distortion of faces, 0 for a conformal map: mean over the three corners of |angle between the great
@@ -130,9 +120,6 @@ std::pair<double, double> face_angle_distortion(const ExecutionPolicy& policy, c
 {
   return internal::measure_faces(policy, mesh, sphere_map, face_map, np, &internal::Face_measures::angle_distortion);
 }
-
-/// \overload
-/// \param arguments  those after `policy`: on one core \return as above
 CGAL_SP_ON_ONE_CORE(face_angle_distortion)
 
 /// The quasi-conformal distortion (dilatation, shear) of faces, sigma_1 / sigma_2 >= 1 of the affine map between the
@@ -147,9 +134,6 @@ std::pair<double, double> face_dilatation(const ExecutionPolicy& policy, const T
 {
   return internal::measure_faces(policy, mesh, sphere_map, face_map, np, &internal::Face_measures::dilatation);
 }
-
-/// \overload
-/// \param arguments  those after `policy`: on one core \return as above
 CGAL_SP_ON_ONE_CORE(face_dilatation)
 
 /// The symmetric Dirichlet energy sigma_1^2 + sigma_2^2 + 1/sigma_1^2 + 1/sigma_2^2 >= 4 of the affine map between the
@@ -166,9 +150,6 @@ std::pair<double, double> face_symmetric_dirichlet(const ExecutionPolicy& policy
   return internal::measure_faces(policy, mesh, sphere_map, face_map, np,
                                  &internal::Face_measures::flat_symmetric_dirichlet);
 }
-
-/// \overload
-/// \param arguments  those after `policy`: on one core \return as above
 CGAL_SP_ON_ONE_CORE(face_symmetric_dirichlet)
 
 /// @}
@@ -210,9 +191,6 @@ std::pair<double, double> vertex_log_area_stretch(const ExecutionPolicy& policy,
     internal::read_map(mesh, internal::vertex_points(mesh, np), sphere_map, internal::Reading::CHECKED, loop);
   return internal::put_values(vertices(mesh), internal::vertex_stretch(loop, map), stretch_map);
 }
-
-/// \overload
-/// \param arguments  those after `policy`: on one core \return as above
 CGAL_SP_ON_ONE_CORE(vertex_log_area_stretch)
 
 /// @}

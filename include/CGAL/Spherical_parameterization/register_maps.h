@@ -15,8 +15,6 @@
 #include <CGAL/Spherical_parameterization/internal/surface/Vertex_numbering.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
 
-#include <CGAL/tags.h>
-
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
@@ -89,7 +87,8 @@ auto mapped_mesh(const TriangleMesh& mesh, VertexSphereMap sphere_map,
 /// Complexity: about 200 iterations, each linear in the size of the first mesh; two meshes of 10,000 vertices take 3
 /// seconds on one core.
 template <class ExecutionPolicy, class MeshA, class SphereMapA, class PointMapA, class MeshB, class SphereMapB,
-          class PointMapB, class RegisteredMap, class CGAL_NP_TEMPLATE_PARAMETERS>
+          class PointMapB, class RegisteredMap, class CGAL_NP_TEMPLATE_PARAMETERS,
+          internal::If_policy<ExecutionPolicy> = 0>
 Registration_result register_maps(const ExecutionPolicy& policy, const Mapped_mesh<MeshA, SphereMapA, PointMapA>& a,
                                   const Mapped_mesh<MeshB, SphereMapB, PointMapB>& b, RegisteredMap registered,
                                   const Registration& method = Registration(),
@@ -129,19 +128,7 @@ Registration_result register_maps(const ExecutionPolicy& policy, const Mapped_me
   result.seconds.total = total.seconds();
   return result;
 }
-
-/// \overload
-/// \param a,b,registered,method,landmarks,np as above; on one core \return as above
-template <class MeshA, class SphereMapA, class PointMapA, class MeshB, class SphereMapB, class PointMapB,
-          class RegisteredMap, class CGAL_NP_TEMPLATE_PARAMETERS>
-Registration_result register_maps(const Mapped_mesh<MeshA, SphereMapA, PointMapA>& a,
-                                  const Mapped_mesh<MeshB, SphereMapB, PointMapB>& b, RegisteredMap registered,
-                                  const Registration& method = Registration(),
-                                  const std::vector<Landmark_pair<MeshA, MeshB>>& landmarks = {},
-                                  const CGAL_NP_CLASS& np = parameters::default_values())
-{
-  return register_maps(CGAL::Sequential_tag(), a, b, registered, method, landmarks, np);
-}
+CGAL_SP_ON_ONE_CORE(register_maps)
 
 /// @}
 

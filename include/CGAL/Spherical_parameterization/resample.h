@@ -5,12 +5,11 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_RESAMPLE_H
 
 #include <CGAL/Spherical_parameterization/internal/api/precondition.h>
+#include <CGAL/Spherical_parameterization/internal/backend/execution.h>
 #include <CGAL/Spherical_parameterization/internal/surface/midpoint_refinement.h>
 #include <CGAL/Spherical_parameterization/transfer_properties.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
-#include <CGAL/tags.h>
-
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
@@ -83,22 +82,14 @@ inline void make_icosphere_soup(int level, std::vector<std::array<double, 3>>& p
 ///
 /// Complexity: 10 * 4^level + 2 queries.
 template <class ExecutionPolicy, class TriangleMesh, class VertexPointMap, class Graph, class OutPointMap,
-          class OutSphereMap>
+          class OutSphereMap, internal::If_policy<ExecutionPolicy> = 0>
 void resample(const ExecutionPolicy& policy, const Spherical_locator<TriangleMesh>& shape, VertexPointMap points,
               int level, Graph& out, OutPointMap out_points, OutSphereMap out_sphere)
 {
   make_icosphere(level, out, out_sphere);
   transfer_vertex_property(policy, shape, points, out, out_sphere, out_points);
 }
-
-/// \overload
-/// \param shape,points,level,out,out_points,out_sphere as above; on one core
-template <class TriangleMesh, class VertexPointMap, class Graph, class OutPointMap, class OutSphereMap>
-void resample(const Spherical_locator<TriangleMesh>& shape, VertexPointMap points, int level, Graph& out,
-              OutPointMap out_points, OutSphereMap out_sphere)
-{
-  resample(CGAL::Sequential_tag(), shape, points, level, out, out_points, out_sphere);
-}
+CGAL_SP_ON_ONE_CORE(resample)
 
 /// @}
 

@@ -11,7 +11,6 @@
 
 #include <CGAL/Spherical_parameterization/values/Error.h>
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
-#include <CGAL/Spherical_parameterization/internal/backend/on_one_core.h>
 #include <CGAL/Spherical_parameterization/internal/api/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/api/precondition.h>
 #include <CGAL/Spherical_parameterization/internal/distortion/Face_measures.h>
@@ -108,9 +107,6 @@ Segmentation_result segmentation_from_area_stretch(const ExecutionPolicy& policy
   };
   return internal::segment(internal::host_loop(policy), mesh, sphere_map, read_stretch, segment_map, method, np);
 }
-
-/// \overload
-/// \param arguments  those after `policy`: on one core \return as above
 CGAL_SP_ON_ONE_CORE(segmentation_from_area_stretch)
 
 /// Segmentation (part decomposition) of a mesh by its map: measures the stretch and cuts, in one call.
@@ -133,9 +129,6 @@ Segmentation_result segmentation_via_area_stretch(const ExecutionPolicy& policy,
   };
   return internal::segment(loop, mesh, sphere_map, measure_stretch, segment_map, method, np);
 }
-
-/// \overload
-/// \param arguments  those after `policy`: on one core \return as above
 CGAL_SP_ON_ONE_CORE(segmentation_via_area_stretch)
 
 /// @}

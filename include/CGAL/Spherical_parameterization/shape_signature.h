@@ -5,7 +5,6 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_SHAPE_SIGNATURE_H
 
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
-#include <CGAL/Spherical_parameterization/internal/backend/on_one_core.h>
 #include <CGAL/Spherical_parameterization/internal/api/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
 #include <CGAL/Spherical_parameterization/internal/signature/signature_values.h>
@@ -78,9 +77,6 @@ Shape_signature shape_signature(const ExecutionPolicy& policy, const TriangleMes
     internal::signature_values(loop, internal::read_map(mesh, internal::vertex_points(mesh, np), sphere_map,
                                                         internal::Reading::BREADTH_FIRST, loop))};
 }
-
-/// \overload
-/// \param arguments  those after `policy`: on one core \return as above
 CGAL_SP_ON_ONE_CORE(shape_signature)
 
 /// @}

@@ -18,8 +18,6 @@
 #include <CGAL/Spherical_parameterization/internal/statistics/vertex_figures.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
 
-#include <CGAL/tags.h>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -44,14 +42,13 @@ namespace CGAL::Spherical_parameterization {
 ///
 /// J. C. Gower, "Generalized Procrustes analysis", Psychometrika 40 (1975). By turns the mean, and all rotations: the
 /// sum falls in every step. Shapes that are nearly the same in poses far apart come together wherever they start.
-/// \param policy   `CGAL::Sequential_tag`, the default, or `CGAL::Parallel_tag`; the result does not depend on it
 /// \param shapes   `std::vector` of `Shape_points` with as many vertices each, or of `Harmonic_coefficients` with three
 ///                 functions of the same degree; they are moved
 /// \param method   what to take away
 /// \param weights  what each vertex counts, 0 or more; empty: all alike. Of coefficients empty.
-/// \param np       optional named parameters: `callback` and `maximum_running_time`, as in `parameterize()`
+/// \param policy,np  see \ref pd_calls
 /// \return the motions, and how far the shapes are from their mean
-/// \throws Error  `NON_FINITE_COORDINATE`; `INTERRUPTED` if callback or time limit ended it before they are moved
+/// \throws Error  `NON_FINITE_COORDINATE`; `INTERRUPTED` before they are moved
 /// \pre one shape or more, which fit each other and the weights
 ///
 /// Complexity: O(n V) per step for n shapes of V vertices; 10 to 50 steps.
@@ -63,9 +60,8 @@ Procrustes_alignment align_shapes(const ExecutionPolicy& policy, std::vector<Sha
 {
   CGAL_SP_PRECONDITION(method.accuracy >= 0, "the accuracy of rotations must not be negative");
   CGAL_SP_PRECONDITION(method.iterations >= 0, "the number of iterations must not be negative");
-  const internal::Host_loop bare = internal::host_loop(policy);
   internal::Monitor monitor = internal::make_monitor(np);
-  const internal::Watched_loop<internal::Host_loop> loop(bare, monitor);
+  const internal::Watched_loop loop(internal::host_loop(policy), monitor);
   const std::vector<double> share = internal::checked_weights(shapes, weights);
   std::vector<Shape> moved = shapes;
   std::vector<std::array<double, 3>> centre(shapes.size());
@@ -80,26 +76,16 @@ Procrustes_alignment align_shapes(const ExecutionPolicy& policy, std::vector<Sha
   shapes = std::move(moved);
   return result;
 }
-
-/// \overload
-/// \param shapes,method,weights,np as above; on one core \return as above
-template <class Shape, class CGAL_NP_TEMPLATE_PARAMETERS>
-Procrustes_alignment align_shapes(std::vector<Shape>& shapes, const Procrustes& method = Procrustes(),
-                                  const std::vector<double>& weights = {},
-                                  const CGAL_NP_CLASS& np = parameters::default_values())
-{
-  return align_shapes(CGAL::Sequential_tag(), shapes, method, weights, np);
-}
+CGAL_SP_ON_ONE_CORE(align_shapes)
 
 /// Mean and principal components of shapes as they stand: `align_shapes()` comes before. Components with less than
 /// 1e-10 of the largest deviation are rounding and left out, so that there are n - 1 of n shapes or fewer.
-/// \param policy   `CGAL::Sequential_tag`, the default, or `CGAL::Parallel_tag`; the result does not depend on it
 /// \param shapes   as above
 /// \param weights  as above
 /// \param modes    at most so many, by default all
-/// \param np       optional named parameters: `callback` and `maximum_running_time`, as in `parameterize()`
+/// \param policy,np  see \ref pd_calls
 /// \return mean, modes, variances and scores. The sign of a mode is that for which its longest score is positive.
-/// \throws Error  `NON_FINITE_COORDINATE`; `INTERRUPTED` if callback or time limit ended it
+/// \throws Error  `NON_FINITE_COORDINATE`; `INTERRUPTED`
 /// \pre one shape or more, which fit each other and the weights
 ///
 /// By the singular value decomposition of the triangle of a QR decomposition (`Principal_components`), to rounding of
@@ -112,9 +98,8 @@ Shape_statistics<Shape> shape_statistics(const ExecutionPolicy& policy, const st
                                          const CGAL_NP_CLASS& np = parameters::default_values())
 {
   CGAL_SP_PRECONDITION(modes >= 0, "the number of modes must not be negative");
-  const internal::Host_loop bare = internal::host_loop(policy);
   internal::Monitor monitor = internal::make_monitor(np);
-  const internal::Watched_loop<internal::Host_loop> loop(bare, monitor);
+  const internal::Watched_loop loop(internal::host_loop(policy), monitor);
   const std::vector<double> share = internal::checked_weights(shapes, weights);
   const auto set = internal::shape_set<const double>(shapes, share);
   const internal::Principal_components found = internal::principal_components(loop, set);
@@ -137,16 +122,7 @@ Shape_statistics<Shape> shape_statistics(const ExecutionPolicy& policy, const st
   }
   return result;
 }
-
-/// \overload
-/// \param shapes,weights,modes,np as above; on one core \return as above
-template <class Shape, class CGAL_NP_TEMPLATE_PARAMETERS>
-Shape_statistics<Shape> shape_statistics(const std::vector<Shape>& shapes, const std::vector<double>& weights = {},
-                                         int modes = (std::numeric_limits<int>::max)(),
-                                         const CGAL_NP_CLASS& np = parameters::default_values())
-{
-  return shape_statistics(CGAL::Sequential_tag(), shapes, weights, modes, np);
-}
+CGAL_SP_ON_ONE_CORE(shape_statistics)
 
 /// The shape with these scores: the mean plus the sum of scores times modes.
 /// \param statistics  of a set of shapes
@@ -173,14 +149,13 @@ Shape shape_of_scores(const Shape_statistics<Shape>& statistics, const std::vect
 /// reconstructed by the mean of the others and their first components. (Generalization ability: R. H. Davies,
 /// "Learning shape: optimal models for analysing natural variability", 2002.) All are compared as they stand: the
 /// alignment of the set is not computed anew.
-/// \param policy   `CGAL::Sequential_tag`, the default, or `CGAL::Parallel_tag`; the result does not depend on it
 /// \param shapes   as above
 /// \param weights  as above
 /// \param groups   the shapes are left out in so many groups, i with group i mod groups; 0: one by one
-/// \param np       optional named parameters: `callback` and `maximum_running_time`, as in `parameterize()`
+/// \param policy,np  see \ref pd_calls
 /// \return by the number of components, from 0 on, as far as the others have them: the root mean square distance of the
 ///         left out from their reconstructions
-/// \throws Error  `NON_FINITE_COORDINATE`; `INTERRUPTED` if callback or time limit ended it
+/// \throws Error  `NON_FINITE_COORDINATE`; `INTERRUPTED`
 /// \pre two shapes or more, which fit each other and the weights; not 1 group, and not more groups than shapes
 ///
 /// Complexity: O(V n^2 + groups n^3) for n shapes of V vertices.
@@ -193,29 +168,19 @@ std::vector<double> left_out_errors(const ExecutionPolicy& policy, const std::ve
   const int n = static_cast<int>(shapes.size());
   CGAL_SP_PRECONDITION(n >= 2, "to leave shapes out there have to be two or more");
   CGAL_SP_PRECONDITION(groups == 0 || (groups >= 2 && groups <= n), "shapes are left out in 2 to n groups");
-  const internal::Host_loop bare = internal::host_loop(policy);
   internal::Monitor monitor = internal::make_monitor(np);
-  const internal::Watched_loop<internal::Host_loop> loop(bare, monitor);
+  const internal::Watched_loop loop(internal::host_loop(policy), monitor);
   const std::vector<double> share = internal::checked_weights(shapes, weights);
   return internal::errors_of_left_out(loop, internal::shape_set<const double>(shapes, share), groups == 0 ? n : groups);
 }
-
-/// \overload
-/// \param shapes,weights,groups,np as above; on one core \return as above
-template <class Shape, class CGAL_NP_TEMPLATE_PARAMETERS>
-std::vector<double> left_out_errors(const std::vector<Shape>& shapes, const std::vector<double>& weights = {},
-                                    int groups = 0, const CGAL_NP_CLASS& np = parameters::default_values())
-{
-  return left_out_errors(CGAL::Sequential_tag(), shapes, weights, groups, np);
-}
+CGAL_SP_ON_ONE_CORE(left_out_errors)
 
 /// The variance of every vertex: the sum of those of its three coordinates. The weighted mean over the vertices is
 /// `Shape_statistics::total_variance`.
-/// \param policy  `CGAL::Sequential_tag`, the default, or `CGAL::Parallel_tag`; the result does not depend on it
 /// \param shapes  one or more, with as many vertices each, as they stand
-/// \param np       optional named parameters: `callback` and `maximum_running_time`, as in `parameterize()`
+/// \param policy,np  see \ref pd_calls
 /// \return by vertex; of one shape 0
-/// \throws Error  `NON_FINITE_COORDINATE`; `INTERRUPTED` if callback or time limit ended it
+/// \throws Error  `NON_FINITE_COORDINATE`; `INTERRUPTED`
 ///
 /// Complexity: O(n V).
 template <class ExecutionPolicy, class CGAL_NP_TEMPLATE_PARAMETERS, internal::If_policy<ExecutionPolicy> = 0>
@@ -223,29 +188,19 @@ std::vector<double> vertex_variances(const ExecutionPolicy& policy, const std::v
                                      const CGAL_NP_CLASS& np = parameters::default_values())
 {
   static_cast<void>(internal::checked_weights(shapes, {}));
-  const internal::Host_loop bare = internal::host_loop(policy);
   internal::Monitor monitor = internal::make_monitor(np);
-  const internal::Watched_loop<internal::Host_loop> loop(bare, monitor);
+  const internal::Watched_loop loop(internal::host_loop(policy), monitor);
   return internal::variances_of_vertices(loop, shapes);
 }
-
-/// \overload
-/// \param shapes,np as above; on one core \return as above
-template <class CGAL_NP_TEMPLATE_PARAMETERS>
-std::vector<double> vertex_variances(const std::vector<Shape_points>& shapes,
-                                     const CGAL_NP_CLASS& np = parameters::default_values())
-{
-  return vertex_variances(CGAL::Sequential_tag(), shapes, np);
-}
+CGAL_SP_ON_ONE_CORE(vertex_variances)
 
 /// What each vertex counts by the surface: a third of the areas of its faces, mean over the shapes. Samples that crowd,
 /// as those of an icosphere do on limbs, so count no more than what they stand for.
-/// \param policy  `CGAL::Sequential_tag`, the default, or `CGAL::Parallel_tag`; the result does not depend on it
 /// \param mesh    whose vertices and faces the shapes have: a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param shapes  one or more; vertex i of each is the one that `vertices(mesh)` has as number i
-/// \param np       optional named parameters: `callback` and `maximum_running_time`, as in `parameterize()`
+/// \param policy,np  see \ref pd_calls
 /// \return by vertex, for the weights of the functions above
-/// \throws Error  `NON_FINITE_COORDINATE`; `INTERRUPTED` if callback or time limit ended it
+/// \throws Error  `NON_FINITE_COORDINATE`; `INTERRUPTED`
 /// \pre the shapes have the vertices of the mesh
 ///
 /// Complexity: O(n V).
@@ -256,23 +211,14 @@ std::vector<double> mean_vertex_areas(const ExecutionPolicy& policy, const Trian
                                       const CGAL_NP_CLASS& np = parameters::default_values())
 {
   static_cast<void>(internal::checked_weights(shapes, {}));
-  const internal::Host_loop bare = internal::host_loop(policy);
   internal::Monitor monitor = internal::make_monitor(np);
-  const internal::Watched_loop<internal::Host_loop> loop(bare, monitor);
+  const internal::Watched_loop loop(internal::host_loop(policy), monitor);
   internal::Vertices<TriangleMesh> vertex;
-  const auto face = internal::read_faces(mesh, internal::Reading::UNCHECKED, bare, vertex).face;
+  const auto face = internal::read_faces(mesh, internal::Reading::UNCHECKED, loop.bare(), vertex).face;
   CGAL_SP_PRECONDITION(shapes[0].size() == num_vertices(mesh), "the shapes have the vertices of the mesh");
   return internal::mean_areas_of_vertices(loop, face, shapes);
 }
-
-/// \overload
-/// \param mesh,shapes,np as above; on one core \return as above
-template <class TriangleMesh, class CGAL_NP_TEMPLATE_PARAMETERS, internal::If_no_policy<TriangleMesh> = 0>
-std::vector<double> mean_vertex_areas(const TriangleMesh& mesh, const std::vector<Shape_points>& shapes,
-                                      const CGAL_NP_CLASS& np = parameters::default_values())
-{
-  return mean_vertex_areas(CGAL::Sequential_tag(), mesh, shapes, np);
-}
+CGAL_SP_ON_ONE_CORE(mean_vertex_areas)
 
 /// @}
 

@@ -19,8 +19,6 @@
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/read_fields.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
 
-#include <CGAL/tags.h>
-
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
@@ -50,7 +48,7 @@ namespace CGAL::Spherical_parameterization {
 /// \return the coefficients of one or of three functions, and how least squares went
 /// \throws Error  `NON_FINITE_COORDINATE` for an image that is no direction, or a value that is not finite;
 ///                `NOT_BIJECTIVE` for a map with flipped faces, or of another degree than 1; `DEGENERATE_FACE` if all
-///                vertices weigh 0; `INTERRUPTED` if callback or time limit ended it
+///                vertices weigh 0; `INTERRUPTED`
 /// \pre for `Least_squares` there are (degree + 1)^2 vertices or more, and the degree is at most 8191
 ///
 /// Complexity: O(n) and O(L^3) for every iteration, or O(L^3) and the number of quadrature points for integrals.
@@ -61,38 +59,29 @@ Harmonic_analysis harmonic_analysis(const ExecutionPolicy& policy, const Triangl
                                     const CGAL_NP_CLASS& np = parameters::default_values())
 {
   static_cast<void>(Harmonic_coefficients(degree, 0)); // checks it
-  const internal::Host_loop loop = internal::host_loop(policy);
   internal::Monitor monitor = internal::make_monitor(np);
+  const internal::Watched_loop loop(internal::host_loop(policy), monitor);
   constexpr internal::Reading reading = internal::Reading::CHECKED;
   return internal::analyze_vertices(
-    internal::Watched_loop(loop, monitor),
+    loop,
     internal::needs_points(method)
-      ? internal::read_map(mesh, internal::vertex_points(mesh, np), sphere_map, reading, loop)
-      : internal::read_map(mesh, sphere_map, reading, loop),
+      ? internal::read_map(mesh, internal::vertex_points(mesh, np), sphere_map, reading, loop.bare())
+      : internal::read_map(mesh, sphere_map, reading, loop.bare()),
     internal::read_fields(mesh, vertex_map), degree, method);
 }
-
-/// \overload
-/// \param mesh,sphere_map,vertex_map,degree,others as above; on one core \return as above
-template <class TriangleMesh, class VertexSphereMap, class VertexMap, class... Others,
-          internal::If_no_policy<TriangleMesh> = 0>
-Harmonic_analysis harmonic_analysis(const TriangleMesh& mesh, VertexSphereMap sphere_map, VertexMap vertex_map,
-                                    int degree, const Others&... others)
-{
-  return harmonic_analysis(CGAL::Sequential_tag(), mesh, sphere_map, vertex_map, degree, others...);
-}
+CGAL_SP_ON_ONE_CORE(harmonic_analysis)
 
 /// The values of the functions at directions, to 1e-12 of the root of their power.
-/// \param policy        `CGAL::Sequential_tag`, the default, or `CGAL::Parallel_tag`; the result does not depend on it
 /// \param coefficients  of the functions
 /// \param directions    a range of vectors of any length but 0: with x(), y(), z() or operator[]
-/// \param np            optional named parameters: `callback` and `maximum_running_time`, as in `parameterize()`
+/// \param policy,np  see \ref pd_calls
 /// \return direction after direction, the values of all functions
 /// \throws Error  `NON_FINITE_COORDINATE` for what is no direction, and for coefficients that are not finite;
 ///                `INTERRUPTED` if callback or time limit ended it
 ///
 /// Complexity: O(L^3 + n).
-template <class ExecutionPolicy, class DirectionRange, class CGAL_NP_TEMPLATE_PARAMETERS>
+template <class ExecutionPolicy, class DirectionRange, class CGAL_NP_TEMPLATE_PARAMETERS,
+          internal::If_policy<ExecutionPolicy> = 0>
 std::vector<double> harmonic_values(const ExecutionPolicy& policy, const Harmonic_coefficients& coefficients,
                                     const DirectionRange& directions,
                                     const CGAL_NP_CLASS& np = parameters::default_values())
@@ -102,28 +91,20 @@ std::vector<double> harmonic_values(const ExecutionPolicy& policy, const Harmoni
     direction.push_back(internal::coordinates(d));
   internal::check_finite(coefficients);
   internal::check_directions(direction);
-  const internal::Host_loop loop = internal::host_loop(policy);
   internal::Monitor monitor = internal::make_monitor(np);
-  const auto value = internal::evaluate_harmonics(internal::Watched_loop(loop, monitor), coefficients, direction);
+  const auto value =
+    internal::evaluate_harmonics(internal::Watched_loop(internal::host_loop(policy), monitor), coefficients, direction);
   return std::vector<double>(value.begin(), value.end());
 }
-
-/// \overload
-/// \param coefficients,others as above; on one core \return as above
-template <class... Others>
-std::vector<double> harmonic_values(const Harmonic_coefficients& coefficients, const Others&... others)
-{
-  return harmonic_values(CGAL::Sequential_tag(), coefficients, others...);
-}
+CGAL_SP_ON_ONE_CORE(harmonic_values)
 
 /// Synthesis: gives every vertex the value at its image. With the mesh and the map that were analyzed it is a
 /// reconstruction; with an icosphere (`make_icosphere()`) every shape gets the same vertices and faces.
-/// \param policy        `CGAL::Sequential_tag`, the default, or `CGAL::Parallel_tag`; the result does not depend on it
 /// \param coefficients  of one function if the values are numbers, of three if they are points
 /// \param mesh          a model of `VertexListGraph`
 /// \param sphere_map    readable, key vertex_descriptor, value vectors of any length but 0
 /// \param vertex_map    writable, key vertex_descriptor; value a number, or constructible from three numbers
-/// \param np            optional named parameters: `callback` and `maximum_running_time`, as in `parameterize()`
+/// \param policy,np  see \ref pd_calls
 /// \throws Error  as `harmonic_values()`, before anything is written
 /// \pre there are as many functions as the values have coordinates
 ///
@@ -149,15 +130,7 @@ void harmonic_synthesis(const ExecutionPolicy& policy, const Harmonic_coefficien
     x += fields;
   }
 }
-
-/// \overload
-/// \param coefficients,mesh,sphere_map,vertex_map,np as above; on one core
-template <class Mesh, class VertexSphereMap, class VertexMap, class CGAL_NP_TEMPLATE_PARAMETERS>
-void harmonic_synthesis(const Harmonic_coefficients& coefficients, const Mesh& mesh, VertexSphereMap sphere_map,
-                        VertexMap vertex_map, const CGAL_NP_CLASS& np = parameters::default_values())
-{
-  harmonic_synthesis(CGAL::Sequential_tag(), coefficients, mesh, sphere_map, vertex_map, np);
-}
+CGAL_SP_ON_ONE_CORE(harmonic_synthesis)
 
 /// How far a reconstructed shape is from the shape.
 struct Reconstruction_error {

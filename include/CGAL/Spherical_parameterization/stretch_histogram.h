@@ -7,7 +7,6 @@
 #include <CGAL/Spherical_parameterization/internal/api/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/api/precondition.h>
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
-#include <CGAL/Spherical_parameterization/internal/backend/on_one_core.h>
 #include <CGAL/Spherical_parameterization/internal/distortion/stretch_shares.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
 #include <CGAL/Spherical_parameterization/values/Stretch_histogram.h>
@@ -47,9 +46,6 @@ std::vector<double> stretch_histogram(const ExecutionPolicy& policy, const Trian
     internal::read_map(mesh, internal::vertex_points(mesh, np), sphere_map, internal::Reading::CHECKED, loop);
   return internal::stretch_shares(loop, map, options);
 }
-
-/// \overload
-/// \param arguments  those after `policy`: on one core \return as above
 CGAL_SP_ON_ONE_CORE(stretch_histogram)
 
 /// @}

@@ -5,7 +5,6 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_TEXTURE_COORDINATES_H
 
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
-#include <CGAL/Spherical_parameterization/internal/backend/on_one_core.h>
 #include <CGAL/Spherical_parameterization/internal/api/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/plane.h>
 #include <CGAL/Spherical_parameterization/internal/api/precondition.h>
@@ -70,9 +69,6 @@ Texture_report texture_coordinates(const ExecutionPolicy& policy, const Triangle
   }
   return layout.report;
 }
-
-/// \overload
-/// \param arguments  those after `policy`: on one core \return as above
 CGAL_SP_ON_ONE_CORE(texture_coordinates)
 
 /// The seams of a texture: the edges whose two faces have different coordinates at one of its ends. With both maps,

@@ -4,7 +4,6 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_TRANSFER_PROPERTIES_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_TRANSFER_PROPERTIES_H
 
-#include <CGAL/Spherical_parameterization/internal/backend/on_one_core.h>
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
 #include <CGAL/Spherical_parameterization/internal/locate/weighted_mean.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
@@ -79,9 +78,6 @@ void transfer_vertex_property(const ExecutionPolicy& policy, const Spherical_loc
   for(auto v : vertices(to))
     put(to_map, v, interpolate(from.mesh(), place[i++], from_map));
 }
-
-/// \overload
-/// \param arguments  those after `policy`: on one core \return as above
 CGAL_SP_ON_ONE_CORE(transfer_vertex_property)
 
 /// Carries data of faces, such as labels: every face gets the value of the face of `from` under its centre.
@@ -111,9 +107,6 @@ void transfer_face_property(const ExecutionPolicy& policy, const Spherical_locat
   for(auto f : faces(to))
     put(to_map, f, get(from_map, place[i++].first));
 }
-
-/// \overload
-/// \param arguments  those after `policy`: on one core \return as above
 CGAL_SP_ON_ONE_CORE(transfer_face_property)
 
 /// @}

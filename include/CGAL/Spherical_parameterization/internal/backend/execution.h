@@ -9,6 +9,7 @@
 #include <CGAL/tags.h>
 
 #include <type_traits>
+#include <utility>
 
 namespace CGAL::Spherical_parameterization::internal {
 
@@ -79,5 +80,15 @@ struct Choice_of_backend {
 };
 
 } // namespace CGAL::Spherical_parameterization::internal
+
+/// Defines the overload of a function `f(policy, first, ...)` that is called without a policy, and runs on one core.
+/// The parameter `policy` of f is constrained by `internal::If_policy`.
+#define CGAL_SP_ON_ONE_CORE(function)                                                                                  \
+  template <class First, class... Arguments,                                                                           \
+            ::CGAL::Spherical_parameterization::internal::If_no_policy<std::decay_t<First>> = 0>                       \
+  auto function(First&& first, Arguments&&... arguments)                                                               \
+  {                                                                                                                    \
+    return function(::CGAL::Sequential_tag(), std::forward<First>(first), std::forward<Arguments>(arguments)...);      \
+  }
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_EXECUTION_H

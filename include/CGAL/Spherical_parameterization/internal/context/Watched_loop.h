@@ -56,7 +56,7 @@ public:
   }
 
 private:
-  const Loop& loop_;
+  Loop loop_;
   Monitor& monitor_;
 };
 

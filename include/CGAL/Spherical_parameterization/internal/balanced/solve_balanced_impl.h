@@ -213,7 +213,7 @@ bool solve_harmonic(const Backend& backend, const Problem& problem, double accur
   Host_array<vec3> positions;
   if(!is_free)
     positions = start_positions(backend, problem, monitor, solution.report.start_iterations);
-  Multigrid<Backend> multigrid(backend, with_fixed_vertices(backend.host_loop(), problem));
+  Multigrid<Backend> multigrid(backend, with_fixed_vertices(backend.host_loop(), problem), &monitor);
   const typename Backend::Matrix& matrix = multigrid.matrix(0);
   const typename Backend::Scalars& area = backend.upload(problem.vertex_area(backend.host_loop()));
   typename Backend::Scalars mass = backend.scalars(problem.size());

@@ -211,7 +211,7 @@ template <class Backend>
 Host_array<vec3> start_positions(const Backend& backend, const Problem& problem, Monitor& monitor,
                                  std::size_t& iterations)
 {
-  Multigrid<Backend> multigrid(backend, problem.graph);
+  Multigrid<Backend> multigrid(backend, problem.graph, &monitor);
   Host_array<vec3> start = backend.download(start_map(backend, multigrid, problem, monitor, iterations));
 
   if(problem.has_fixed()) {

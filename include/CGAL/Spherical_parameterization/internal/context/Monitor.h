@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CONTEXT_MONITOR_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CONTEXT_MONITOR_H
 
+#include <CGAL/Spherical_parameterization/values/Error.h>
 #include <CGAL/Spherical_parameterization/values/Result.h>
 
 #include <algorithm>
@@ -62,6 +63,13 @@ public:
         state_ = State::CALLBACK;
     }
     return !is_interrupted();
+  }
+
+  /// The same where there is no map yet that could be handed out. Throws Error if the computation has to end.
+  void advance_or_throw(double fraction = 0)
+  {
+    if(!advance(fraction))
+      throw Input_error(Error_code::INTERRUPTED, reason() + " before there was a map");
   }
 
   /// Share of the way, on a logarithmic scale, that a residual has come from `first` down to `goal`.

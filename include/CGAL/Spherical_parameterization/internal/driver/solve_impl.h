@@ -26,10 +26,13 @@ Solution attempt(const Backend& backend, const Method_solver<Method>& solver, co
   const Stopwatch watch;
   Solution solution;
   try {
+    monitor.advance_or_throw();
     solution = solver.solve(backend, problem, effort, monitor);
   } catch(const Input_error& error) {
     solution.error = error.code();
     solution.detail = error.detail();
+    if(monitor.is_interrupted())
+      solution.termination = monitor.termination();
     solution.seconds.solve = watch.seconds();
   }
   if(solution.has_map() && solution.attempts.empty())
@@ -115,10 +118,10 @@ Solution Method_solver<Automatic>::solve(const Backend& backend, const Problem& 
   const bool has_springs = problem.missing_weights.empty();
   if(!has_springs || !try_method(Method_solver<Balanced>(Balanced{method_.spring_exponent}), effort, 0, 0.5))
     try_method(Method_solver<Isometric>(Isometric{method_.area_exponent}), Effort(), has_springs ? 0.5 : 0, 1);
-  if(best.error != Error_code::OK && best.error != Error_code::INTERRUPTED && monitor.is_interrupted()) {
+  if(best.error != Error_code::OK && best.has_map() && monitor.is_interrupted() &&
+     best.error != Error_code::INTERRUPTED) {
     best.error = Error_code::INTERRUPTED;
-    best.detail =
-      monitor.reason() + (best.has_map() ? "; the best map so far: " + best.detail : " before there was a map");
+    best.detail = monitor.reason() + "; the best map so far: " + best.detail;
     best.remedy.clear();
   }
   best.attempts = std::move(attempts);

@@ -87,7 +87,7 @@ public:
           relax_level();
         if(!has_second_start_ && mesh_.number_of_vertices() >= size_of_second_start && !are_landmarks_present_)
           start_again();
-        advance_or_give_up();
+        monitor_.advance_or_throw(progress());
       }
     }
     finish(report);
@@ -158,8 +158,7 @@ private:
         rounds_with_landmarks_ = rounds_.size();
       const double done =
         std::log(double(problem_.size()) / mesh_.number_of_vertices()) / std::log(problem_.size() / 4.);
-      if(!monitor_.advance(share_of_decimation * done))
-        give_up();
+      monitor_.advance_or_throw(share_of_decimation * done);
     }
   }
 
@@ -247,7 +246,7 @@ private:
         return;
       round = std::move(failed);
       make_room();
-      advance_or_give_up();
+      monitor_.advance_or_throw(progress());
     }
     throw Input_error(Error_code::NOT_BIJECTIVE, "no position in double precision was found for " +
                                                    counted(round.size(), "vertex", "vertices") + "; repair the mesh");
@@ -341,10 +340,9 @@ private:
     if(!is_last_level && level_.size() < growth * last_placement_)
       return;
     last_placement_ = level_.size();
-    if(Landmark_placement(loop_, distortion_, level_, landmarks_, *attempt_.budget).run([&] { return advance(); }))
+    if(Landmark_placement(loop_, distortion_, level_, landmarks_, *attempt_.budget).run([&] { return monitor_.advance(progress()); }))
       return;
-    if(monitor_.is_interrupted())
-      give_up();
+    monitor_.advance_or_throw();
     if(is_last_level || attempt_.budget->is_spent() ||
        (!attempt_.is_last && level_.size() > levels_of_attempt * attempt_.size))
       refuse_landmarks();
@@ -437,8 +435,7 @@ private:
     if(!is_level_coarse()) {
       Solver_report report;
       descend(number_of_steps(), report);
-      if(monitor_.is_interrupted())
-        give_up();
+      monitor_.advance_or_throw();
     }
     level_.store(map_);
   }
@@ -456,7 +453,7 @@ private:
       level_.energy(distortion) < distortion_of_limbs ? least_gain_without_limbs : least_gain_with_limbs;
     for(int s = 0; s < steps && newton.step(maximum_iterations, linear_tolerance) > least_gain; ++s) {
       level_.relax(distortion);
-      advance_or_give_up();
+      monitor_.advance_or_throw(progress());
     }
   }
 
@@ -467,7 +464,7 @@ private:
     constexpr double growth_of_exponent = 1.5;
     are_landmarks_present_ = true;
     assign_level(final_bounds);
-    for(int s = 0; s < sweeps_of_levels && advance(); ++s)
+    for(int s = 0; s < sweeps_of_levels && monitor_.advance(progress()); ++s)
       level_.relax(distortion_);
     place_landmarks(true);
     descend(number_of_steps(), report);
@@ -508,7 +505,7 @@ private:
     const double accuracy =
       effort_.accuracy.value_or(Isometric::default_accuracy) * std::clamp(level_.size() / small_size, least_part, 1.);
     Newton_relaxation newton(loop_, distortion_, level_);
-    for(std::size_t s = 0; s < maximum_steps && advance(); ++s) {
+    for(std::size_t s = 0; s < maximum_steps && monitor_.advance(progress()); ++s) {
       newton.step(maximum_linear_iterations, linear_tolerance);
       report.residual = newton.promised_gain();
       ++report.iterations;
@@ -529,23 +526,12 @@ private:
       std::ceil(double(steps) * std::clamp(full_size / double(level_.size()), least_share, 1.)));
   }
 
-  /// Tells the user about the progress; returns whether to go on.
-  bool advance()
+  /// How far the work has come, in [0,1].
+  double progress() const
   {
     constexpr double share_of_last_level = 0.4;
     const double done = double(mesh_.number_of_vertices()) / problem_.size();
-    return monitor_.advance(share_of_decimation + (1 - share_of_decimation - share_of_last_level) * done);
-  }
-
-  void advance_or_give_up()
-  {
-    if(!advance())
-      give_up();
-  }
-
-  [[noreturn]] void give_up() const
-  {
-    throw Input_error(Error_code::INTERRUPTED, monitor_.reason() + " before there was a map");
+    return share_of_decimation + (1 - share_of_decimation - share_of_last_level) * done;
   }
 
   static constexpr double share_of_decimation = 0.15;

@@ -40,7 +40,8 @@ class Multigrid {
   typedef typename Backend::Matrix Matrix;
 
 public:
-  Multigrid(const Backend& backend, Shared_graph fine) : backend_(backend)
+  /// `monitor`, if any, is asked before each level. Throws Error if the computation has to end.
+  Multigrid(const Backend& backend, Shared_graph fine, Monitor* monitor = nullptr) : backend_(backend)
   {
     bool is_singular = fine->excess.empty();
     for(int i = 0; is_singular && i < fine->size(); ++i)
@@ -49,6 +50,8 @@ public:
     const auto& loop = backend.host_loop();
     Shared_graph a = std::move(fine);
     while(a->size() > bottom_size) {
+      if(monitor)
+        monitor->advance_or_throw();
       const double radius = spectral_radius(loop, *a);
       Aggregates aggregates = aggregate(loop, *a, strength_threshold);
       if(aggregates.count > slow_coarsening * a->size())

@@ -124,9 +124,9 @@ void compute(const Options& options, Row& row)
   row["flipped faces"] = std::to_string(result.flipped_faces);
   if(!result)
     return;
-  const std::size_t flipped_faces = SP::number_of_flipped_faces(map.mesh(), tool::as_map(map.sphere));
+  const auto [flipped_faces, degree] = SP::certify_map(map.mesh(), tool::as_map(map.sphere));
   row["flipped faces"] = std::to_string(flipped_faces);
-  if(flipped_faces > 0 || SP::degree_of_map(map.mesh(), tool::as_map(map.sphere)) != 1) {
+  if(flipped_faces > 0 || degree != 1) {
     row["outcome"] = "WRONG_CERTIFICATE";
     return;
   }

@@ -13,11 +13,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
-#include <memory>
 #include <sstream>
 #include <system_error>
 #include <utility>
@@ -25,7 +23,6 @@
 namespace tool {
 namespace {
 
-namespace SP = CGAL::Spherical_parameterization;
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 using Shapes = std::vector<std::vector<Point>>;

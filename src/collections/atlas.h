@@ -36,8 +36,7 @@ struct Atlas_shape {
 };
 
 /// Brings shapes together.
-CGAL::Spherical_parameterization::Procrustes_alignment
-align(const Atlas_mesh& mesh, std::vector<std::vector<Point>>& shapes, Placement placement);
+SP::Procrustes_alignment align(const Atlas_mesh& mesh, std::vector<std::vector<Point>>& shapes, Placement placement);
 
 /// The mean of shapes that have been brought together.
 std::vector<Point> mean_of(const std::vector<std::vector<Point>>& shapes);

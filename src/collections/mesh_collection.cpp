@@ -9,17 +9,14 @@
 #include "input/files.h"
 #include "options/usage.h"
 #include "output/atomic_file.h"
-#include "system/guarded.h"
 #include "system/interruption.h"
 #include "system/progress_bar.h"
 #include "system/standard_output.h"
 #include "system/refusal.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <filesystem>
 #include <iostream>
-#include <iterator>
 #include <optional>
 #include <system_error>
 #include <unordered_map>

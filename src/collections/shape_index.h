@@ -6,11 +6,11 @@
 
 #include "collections/database.h"
 #include "collections/file_version.h"
+#include "system/refusal.h"
 
 #include <CGAL/Spherical_parameterization/shape_signature.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <set>
 #include <string>
@@ -19,7 +19,7 @@
 
 namespace tool {
 
-using CGAL::Spherical_parameterization::Shape_signature;
+using SP::Shape_signature;
 
 /// What was done to a mesh before it was mapped.
 enum class Mending { NOT_ASKED = 0, NOTHING_TO_DO = 1, DONE = 2 };

@@ -25,7 +25,7 @@
 namespace tool {
 namespace {
 
-using CGAL::Spherical_parameterization::Result;
+using SP::Result;
 
 /// Whether there is a map to work with, good or bad.
 bool has_map(Error_code code)
@@ -68,7 +68,7 @@ void sign(const std::string& file, bool mends, Signature_row& row)
       sphere = std::move(barycentric);
     }
   }
-  row.signature = CGAL::Spherical_parameterization::shape_signature(mesh, as_map(sphere));
+  row.signature = SP::shape_signature(mesh, as_map(sphere));
 }
 
 void write_csv_header(std::ostream& out)

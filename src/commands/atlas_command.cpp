@@ -1,19 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "commands/commands.h"
 #include "commands/mesh_command.h"
 
 #include "collections/atlas.h"
-#include "collections/mesh_collection.h"
-#include "input/files.h"
-#include "mapping/mapped_mesh.h"
 #include "mapping/spherical_map.h"
-#include "options/collection_options.h"
-#include "options/usage.h"
-#include "output/atomic_file.h"
-#include "output/write_mesh.h"
-#include "system/guarded.h"
 #include "system/interruption.h"
 #include "system/stopwatch.h"
 
@@ -21,7 +12,6 @@
 #include <CGAL/Spherical_parameterization/resample.h>
 #include <CGAL/Spherical_parameterization/transfer_properties.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -29,21 +19,13 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <iostream>
-#include <map>
-#include <memory>
 #include <optional>
-#include <set>
 #include <sstream>
-#include <string>
 #include <system_error>
-#include <utility>
-#include <vector>
 
 namespace tool {
 namespace {
 
-namespace SP = CGAL::Spherical_parameterization;
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
@@ -322,32 +304,25 @@ void add_atlas_command(CLI::App& app, int& exit_code)
     ->add_option("--template", options->template_mesh,
                  "The mesh that all are registered to first, one of IN or another one [the first of IN that has a map]")
     ->type_name("FILE");
-  command
-    ->add_option("--rounds", options->rounds,
-                 "How often they are registered: from the second time on to the mean of the time before")
-    ->check(CLI::Range(1, 100))
-    ->capture_default_str();
-  command
-    ->add_option("--faces", options->faces, "All shapes get the vertices and faces of an icosphere, or of the template")
-    ->check(CLI::IsMember({"icosphere", "template"}))
-    ->capture_default_str();
-  command->add_option("--level", options->level, "The icosphere has 10 * 4^LEVEL + 2 vertices")
-    ->check(CLI::Range(0, SP::largest_icosphere_level))
-    ->capture_default_str();
+  add_checked_option(*command, "--rounds", options->rounds,
+                     "How often they are registered: from the second time on to the mean of the time before",
+                     CLI::Range(1, 100));
+  add_checked_option(*command, "--faces", options->faces,
+                     "All shapes get the vertices and faces of an icosphere, or of the template",
+                     CLI::IsMember({"icosphere", "template"}));
+  add_checked_option(*command, "--level", options->level, "The icosphere has 10 * 4^LEVEL + 2 vertices",
+                     CLI::Range(0, SP::largest_icosphere_level));
   const std::map<std::string, Placement> placements = {{"none", Placement::AS_THEY_STAND},
                                                        {"centre", Placement::CENTRED},
                                                        {"rigid", Placement::RIGID},
                                                        {"similarity", Placement::SIMILARITY}};
   const auto placement = std::make_shared<std::string>("rigid");
-  command
-    ->add_option("--align", *placement,
-                 "What is no difference of shapes: nothing, their place, rotations, too (generalized Procrustes\n"
-                 "alignment), or sizes as well")
-    ->check(CLI::IsMember({"none", "centre", "rigid", "similarity"}))
-    ->capture_default_str();
-  command->add_option("--modes", options->modes, "How many principal components are written at most")
-    ->check(CLI::Range(0, 1000000))
-    ->capture_default_str();
+  add_checked_option(*command, "--align", *placement,
+                     "What is no difference of shapes: nothing, their place, rotations, too (generalized Procrustes\n"
+                     "alignment), or sizes as well",
+                     CLI::IsMember({"none", "centre", "rigid", "similarity"}));
+  add_checked_option(*command, "--modes", options->modes, "How many principal components are written at most",
+                     CLI::Range(0, 1000000));
   add_ascii_option(*command, options->ascii);
   command->footer(
     "The same command resumes a run that was stopped, and brings an atlas up to date: only new and edited\n"

@@ -1,32 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "commands/commands.h"
 #include "commands/mesh_command.h"
 
-#include "mapping/mapped_mesh.h"
 #include "mapping/report.h"
 #include "mapping/spherical_map.h"
-#include "options/usage.h"
-#include "output/atomic_file.h"
-#include "system/guarded.h"
 #include "system/interruption.h"
-#include "system/refusal.h"
 #include "system/stopwatch.h"
 
 #include <CGAL/Spherical_parameterization/distortion_summary.h>
 
-#include <CLI/CLI.hpp>
-
 #include <cmath>
-#include <memory>
 #include <sstream>
-#include <string>
 
 namespace tool {
 namespace {
-
-namespace SP = CGAL::Spherical_parameterization;
 
 /// The command line of `certify`.
 struct Certify_options : Mesh_options {

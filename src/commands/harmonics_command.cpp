@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "commands/commands.h"
 #include "commands/mesh_command.h"
 
-#include "mapping/mapped_mesh.h"
 #include "mapping/report.h"
 #include "preparation/surface_distance.h"
-#include "options/usage.h"
-#include "output/atomic_file.h"
 #include "output/write_json.h"
-#include "output/write_mesh.h"
 #include "system/interruption.h"
 #include "system/stopwatch.h"
 
@@ -18,22 +13,16 @@
 #include <CGAL/Spherical_parameterization/harmonic_files.h>
 #include <CGAL/Spherical_parameterization/spherical_harmonics.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <memory>
-#include <optional>
 #include <sstream>
-#include <string>
-#include <vector>
 
 namespace tool {
 namespace {
 
-namespace SP = CGAL::Spherical_parameterization;
 using Json = nlohmann::ordered_json;
 
 struct Harmonics_options : Mesh_options {
@@ -206,12 +195,11 @@ void add_harmonics_command(CLI::App& app, int& exit_code)
     *command, "-o,--output", options->output,
     "Output file of the coefficients: .csv, .json, or .coef as SPHARM-PDM has it. Of several IN: a folder")
     ->required();
-  command->add_option("--degree", options->degree, "The largest degree: (DEGREE + 1)^2 coefficients per coordinate")
-    ->check(CLI::Range(0, 2000))
-    ->capture_default_str();
-  command->add_option("--fit", options->fit, "By least squares at the vertices, or by integrals over the faces")
-    ->check(CLI::IsMember({"least-squares", "integrals"}))
-    ->capture_default_str();
+  add_checked_option(*command, "--degree", options->degree,
+                     "The largest degree: (DEGREE + 1)^2 coefficients per coordinate", CLI::Range(0, 2000));
+  add_checked_option(*command, "--fit", options->fit,
+                     "By least squares at the vertices, or by integrals over the faces",
+                     CLI::IsMember({"least-squares", "integrals"}));
   command->add_flag("--align", options->align,
                     "Write the coefficients of the shape moved to its first-order ellipsoid, the longest axis along x");
   add_file_option(*command, "--reconstruct", options->reconstruct,

@@ -1,35 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "commands/commands.h"
 #include "commands/mesh_command.h"
 
-#include "mapping/mapped_mesh.h"
 #include "mapping/report.h"
-#include "options/mesh_output.h"
-#include "options/usage.h"
-#include "output/atomic_file.h"
-#include "output/write_mesh.h"
-#include "system/guarded.h"
-#include "system/interruption.h"
 #include "system/standard_output.h"
 #include "system/stopwatch.h"
 
 #include <CGAL/Spherical_parameterization/distortion_summary.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 
-#include <CLI/CLI.hpp>
-
-#include <memory>
-#include <optional>
 #include <sstream>
-#include <string>
-#include <vector>
 
 namespace tool {
 namespace {
-
-namespace SP = CGAL::Spherical_parameterization;
 
 /// The command line of `map`.
 struct Map_options : Mesh_options {

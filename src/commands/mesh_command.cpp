@@ -3,8 +3,6 @@
 
 #include "commands/mesh_command.h"
 
-#include "input/files.h"
-
 #include <filesystem>
 #include <system_error>
 

@@ -5,12 +5,14 @@
 #define SPHERICAL_PARAMETERIZATION_TOOL_MESH_COMMAND_H
 
 #include "collections/mesh_collection.h"
+#include "commands/commands.h"
 #include "input/files.h"
+#include "mapping/mapped_mesh.h"
 #include "options/collection_options.h"
 #include "options/mapping_options.h"
 #include "options/mesh_output.h"
 #include "options/usage.h"
-#include "system/guarded.h"
+#include "output/atomic_file.h"
 #include "system/refusal.h"
 
 #include <CLI/CLI.hpp>

@@ -3,20 +3,28 @@
 
 #include "commands/commands.h"
 
+#include "input/binary.h"
 #include "input/files.h"
 #include "mapping/registered_pair.h"
+#include "morph_html.h"
+#include "options/mesh_output.h"
 #include "options/usage.h"
 #include "output/atomic_file.h"
-#include "output/morph_page.h"
 #include "output/write_mesh.h"
-#include "system/guarded.h"
+#include "system/refusal.h"
 #include "system/interruption.h"
 
 #include <CLI/CLI.hpp>
 #include <Eigen/Geometry>
+#include <boost/algorithm/string/replace.hpp>
+#include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <set>
 #include <string>
@@ -67,6 +75,42 @@ private:
   Eigen::Vector3d from_centre_, to_centre_;
   Eigen::AngleAxisd turn_;
 };
+
+/// Writes one HTML file that shows a mesh moving from the first frame to the last one and back, drawn by WebGL 2.
+/// Nothing is loaded from elsewhere.
+void write_morph_page(std::ostream& out, const std::string& title, const Mesh& mesh,
+                      const std::vector<std::vector<Point>>& frames)
+{
+  std::array<double, 3> low, high;
+  low.fill(std::numeric_limits<double>::infinity());
+  high.fill(-std::numeric_limits<double>::infinity());
+  for(const auto& points : frames)
+    for(const Point& p : points)
+      for(std::size_t k = 0; k < 3; ++k) {
+        low[k] = std::min(low[k], p[k]);
+        high[k] = std::max(high[k], p[k]);
+      }
+  const double size = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2], 1e-300});
+  std::string bytes;
+  const auto add = [&bytes](long number, int length) {
+    for(int byte = 0; byte < length; ++byte)
+      bytes += static_cast<char>(number >> 8 * byte & 255);
+  };
+  for(const auto& points : frames)
+    for(const Point& p : points)
+      for(std::size_t k = 0; k < 3; ++k)
+        add(std::lround(65535 * (0.5 + (p[k] / 2 - low[k] / 4 - high[k] / 4) * 2 / size)), 2);
+  bytes.append((4 - bytes.size() % 4) % 4, '\0');
+  for(std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+    for(int v : mesh.triangle(f))
+      add(v, 4);
+
+  const std::string name = nlohmann::json(title).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  out << morph_page_before_header()
+      << "name: " << boost::replace_all_copy(name, "<", "\\u003c") // no end of the element
+      << ", vertices: " << mesh.number_of_vertices() << ", faces: " << mesh.number_of_faces()
+      << ", frames: " << frames.size() << morph_page_before_data() << to_base64(bytes) << morph_page_after_data();
+}
 
 std::string name_of_step(const Morph_options& options, int step)
 {
@@ -137,12 +181,10 @@ void add_morph_command(CLI::App& app, int& exit_code)
                  "Output folder: step_0, which is A, to step_STEPS, which is A in the shape of B, and morph.html")
     ->required()
     ->type_name("FOLDER");
-  command->add_option("--steps", options->steps, "The number of steps: one mesh more is written")
-    ->check(CLI::Range(1, 10000))
-    ->capture_default_str();
-  command->add_option("--format", options->format, "Format of the meshes")
-    ->check(CLI::IsMember({"off", "obj", "ply", "glb"}))
-    ->capture_default_str();
+  add_checked_option(*command, "--steps", options->steps, "The number of steps: one mesh more is written",
+                     CLI::Range(1, 10000));
+  add_checked_option(*command, "--format", options->format, "Format of the meshes",
+                     CLI::IsMember({"off", "obj", "ply", "glb"}));
   add_ascii_option(*command, options->ascii);
   add_footer(*command, "morph lion1.obj lion2.obj -o morph --steps 20");
   command->callback([options, &exit_code] {

@@ -1,41 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "commands/commands.h"
 #include "commands/mesh_command.h"
 
 #include "input/compression.h"
-#include "input/files.h"
-#include "input/mesh.h"
-#include "input/mesh_format.h"
 #include "input/mesh_readers.h"
-#include "options/mesh_output.h"
-#include "options/usage.h"
-#include "output/atomic_file.h"
 #include "output/write_json.h"
-#include "output/write_mesh.h"
 #include "preparation/points.h"
 #include "preparation/prepare.h"
 #include "preparation/surface_distance.h"
-#include "system/guarded.h"
 #include "system/interruption.h"
-#include "system/refusal.h"
 #include "system/standard_output.h"
 #include "system/stopwatch.h"
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <memory>
 #include <optional>
-#include <set>
 #include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace tool {
 namespace {

@@ -4,21 +4,18 @@
 #include "commands/commands.h"
 
 #include "mapping/registered_pair.h"
-#include "mapping/spherical_map.h"
 #include "options/mesh_output.h"
 #include "options/usage.h"
 #include "output/atomic_file.h"
 #include "output/write_json.h"
 #include "output/write_mesh.h"
-#include "system/guarded.h"
-#include "system/interruption.h"
+#include "system/refusal.h"
 
 #include <CLI/CLI.hpp>
 
 #include <iostream>
 #include <memory>
 #include <string>
-#include <vector>
 
 namespace tool {
 namespace {

@@ -1,31 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "commands/commands.h"
 #include "commands/mesh_command.h"
 
-#include "mapping/mapped_mesh.h"
 #include "preparation/surface_distance.h"
-#include "options/mesh_output.h"
-#include "options/usage.h"
-#include "output/atomic_file.h"
-#include "output/write_mesh.h"
-#include "system/interruption.h"
+#include "system/standard_output.h"
 
 #include <CGAL/Spherical_parameterization/resample.h>
 
-#include <CLI/CLI.hpp>
-
 #include <array>
-#include <memory>
 #include <sstream>
-#include <string>
-#include <vector>
 
 namespace tool {
 namespace {
-
-namespace SP = CGAL::Spherical_parameterization;
 
 /// What may be lost without a word, of the diagonal and of a side of the bounding box.
 constexpr double largest_distance = 0.01, largest_loss_of_box = 0.03;
@@ -106,9 +93,8 @@ void add_resample_command(CLI::App& app, int& exit_code)
   add_mesh_output(*command, *options, "Output file of the new mesh; of several IN a folder");
   add_file_option(*command, "--output-sphere", options->output_sphere,
                   "Write the icosphere as well: it is the map of the new mesh");
-  command->add_option("--level", options->level, "The new mesh has 10 * 4^LEVEL + 2 vertices")
-    ->check(CLI::Range(0, SP::largest_icosphere_level))
-    ->capture_default_str();
+  add_checked_option(*command, "--level", options->level, "The new mesh has 10 * 4^LEVEL + 2 vertices",
+                     CLI::Range(0, SP::largest_icosphere_level));
   add_footer(*command, "resample bunny.ply -o icosphere.off --level 7", "the mesh was written");
 }
 

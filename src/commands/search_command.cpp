@@ -5,6 +5,7 @@
 
 #include "collections/signatures.h"
 #include "input/files.h"
+#include "options/usage.h"
 #include "system/interruption.h"
 #include "system/refusal.h"
 
@@ -63,9 +64,7 @@ void add_search_command(CLI::App& app, int& exit_code)
   command->add_option("--index", options->index, "Index that the command 'signature' has written")
     ->required()
     ->type_name("FILE");
-  command->add_option("-k", options->count, "Number of meshes to list")
-    ->check(CLI::PositiveNumber)
-    ->capture_default_str();
+  add_checked_option(*command, "-k", options->count, "Number of meshes to list", CLI::PositiveNumber);
   command->add_flag("--prepare", options->prepare, "Mend QUERY first as the command 'prepare' does");
   command->footer("Prints a line per mesh: the distance of its signature, and its name. Typical distances are 0.2\n"
                   "between poses of the same shape and 2 between different shapes.\n"

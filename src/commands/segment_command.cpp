@@ -1,31 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "commands/commands.h"
 #include "commands/mesh_command.h"
 
-#include "mapping/mapped_mesh.h"
-#include "options/mesh_output.h"
-#include "options/usage.h"
-#include "output/atomic_file.h"
-#include "output/write_mesh.h"
-#include "system/interruption.h"
-#include "system/refusal.h"
+#include "system/standard_output.h"
 
 #include <CGAL/Spherical_parameterization/segmentation.h>
 
-#include <CLI/CLI.hpp>
-
 #include <cstdint>
-#include <memory>
 #include <optional>
-#include <string>
-#include <vector>
 
 namespace tool {
 namespace {
-
-namespace SP = CGAL::Spherical_parameterization;
 
 struct Segment_options : Mesh_options {
   std::string labels;

@@ -1,36 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "commands/commands.h"
 #include "commands/mesh_command.h"
 
-#include "input/files.h"
-#include "input/mesh_format.h"
-#include "mapping/mapped_mesh.h"
-#include "options/usage.h"
-#include "output/atomic_file.h"
-#include "output/write_mesh.h"
-#include "system/interruption.h"
-#include "system/refusal.h"
-
 #include <CGAL/Spherical_parameterization/texture_coordinates.h>
-
-#include <CLI/CLI.hpp>
 
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace tool {
 namespace {
 
-namespace SP = CGAL::Spherical_parameterization;
 namespace fs = std::filesystem;
 
 struct Texture_command_options : Mesh_options {
@@ -201,9 +184,8 @@ void add_texture_command(CLI::App& app, int& exit_code)
     ->required();
   command->add_option("--format", options->format, "Format of the output [by its name; of several IN: obj]")
     ->check(CLI::IsMember({"obj", "glb", "gltf"}));
-  command->add_option("--chart", options->chart, "Parameterization of the sphere over the plane")
-    ->check(CLI::IsMember({"latitude-longitude", "octahedral"}))
-    ->capture_default_str();
+  add_checked_option(*command, "--chart", options->chart, "Parameterization of the sphere over the plane",
+                     CLI::IsMember({"latitude-longitude", "octahedral"}));
   command->add_option("--north", options->north, "North pole on the sphere [where the texture has least distortion]")
     ->type_name("X Y Z");
   add_file_option(*command, "--image", options->image,

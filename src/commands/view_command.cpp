@@ -7,7 +7,6 @@
 #include "mapping/report.h"
 #include "options/usage.h"
 #include "output/atomic_file.h"
-#include "system/guarded.h"
 #include "system/refusal.h"
 #include "view_page.h"
 
@@ -27,8 +26,6 @@
 
 namespace tool {
 namespace {
-
-namespace SP = CGAL::Spherical_parameterization;
 
 constexpr int bytes_of_vertex = 3; // its number, in the page
 

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstring>
 #include <optional>
+#include <ostream>
 #include <string>
 #include <string_view>
 
@@ -32,6 +33,13 @@ Number number_at(const char* bytes, Byte_order order = Byte_order::LITTLE)
   return number;
 }
 
+/// The same as a double, for tables of number types.
+template <class Number>
+double double_at(const char* bytes, Byte_order order)
+{
+  return static_cast<double>(number_at<Number>(bytes, order));
+}
+
 template <class Number>
 void append_number(std::string& bytes, Number number, Byte_order order = Byte_order::LITTLE)
 {
@@ -42,6 +50,40 @@ void append_number(std::string& bytes, Number number, Byte_order order = Byte_or
   bytes.append(copy.data(), copy.size());
 }
 /// @}
+
+/// Writes numbers as bytes to a stream in large pieces.
+class Byte_writer {
+public:
+  explicit Byte_writer(std::ostream& out, Byte_order order = Byte_order::LITTLE) : out_(out), order_(order) {}
+  ~Byte_writer() { flush(); }
+  Byte_writer(const Byte_writer&) = delete;
+  Byte_writer& operator=(const Byte_writer&) = delete;
+
+  template <class Number>
+  void operator()(Number number)
+  {
+    append_number(bytes_, number, order_);
+    if(bytes_.size() > 1 << 16)
+      flush();
+  }
+  template <class Number, std::size_t n>
+  void operator()(const std::array<Number, n>& numbers)
+  {
+    for(const Number number : numbers)
+      (*this)(number);
+  }
+
+private:
+  void flush()
+  {
+    out_.write(bytes_.data(), static_cast<std::streamsize>(bytes_.size()));
+    bytes_.clear();
+  }
+
+  std::ostream& out_;
+  Byte_order order_;
+  std::string bytes_;
+};
 
 /// \name Base64 (RFC 4648)
 /// @{

@@ -12,10 +12,10 @@
 #include <boost/iostreams/filter/gzip.hpp>
 #include <boost/iostreams/filter/lzma.hpp>
 #include <boost/iostreams/filter/zstd.hpp>
+#include <boost/iostreams/filtering_stream.hpp>
 #include <boost/iostreams/filtering_streambuf.hpp>
 #endif
 
-#include <algorithm>
 #include <filesystem>
 #include <ios>
 
@@ -38,21 +38,6 @@ constexpr Kind kinds[] = {{Compression::GZIP, ".gz", "\x1f\x8b"sv},
 
 #ifdef SPHERICAL_PARAMETERIZATION_WITH_COMPRESSION
 namespace io = boost::iostreams;
-
-/// Calls `read(bytes, size)` until there are no more; `false` if that is more than `most`.
-bool read_all(io::filtering_istreambuf& source, std::size_t most, std::string& result)
-{
-  constexpr std::size_t step = std::size_t(1) << 20;
-  std::string part(step, '\0');
-  while(true) {
-    const std::streamsize n = source.sgetn(part.data(), static_cast<std::streamsize>(step));
-    if(n <= 0)
-      return true;
-    result.append(part, 0, static_cast<std::size_t>(n));
-    if(result.size() > most)
-      return false;
-  }
-}
 #endif
 
 } // namespace
@@ -101,27 +86,47 @@ std::string decompressed(const std::string& file, const std::string& bytes, Comp
   case Compression::BZIP2: source.push(io::bzip2_decompressor()); break;
   }
   source.push(io::array_source(bytes.data(), bytes.size()));
-  std::string result;
-  const auto refuse_damaged = [&file] {
-    throw Refusal(unreadable_file, file, "is compressed, and damaged or cut short", "compress or download it again");
-  };
+  std::string result, part(std::size_t(1) << 20, '\0');
   try {
-    if(!read_all(source, largest_ratio * bytes.size(), result))
-      throw Refusal(unreadable_file, file,
-                    "unfolds to more than " + std::to_string(largest_ratio) + " times its size, as no mesh does",
-                    "decompress it yourself if you trust it");
+    for(std::streamsize n; (n = source.sgetn(part.data(), static_cast<std::streamsize>(part.size()))) > 0;) {
+      result.append(part, 0, static_cast<std::size_t>(n));
+      if(result.size() > largest_ratio * bytes.size())
+        throw Refusal(unreadable_file, file,
+                      "unfolds to more than " + std::to_string(largest_ratio) + " times its size, as no mesh does",
+                      "decompress it yourself if you trust it");
+    }
   } catch(const std::ios_base::failure&) { // all errors of the decompressors are of this kind
-    refuse_damaged();
+    result.clear();
   }
   if(result.empty())
-    refuse_damaged();
+    throw Refusal(unreadable_file, file, "is compressed, and damaged or cut short", "compress or download it again");
   return result;
+}
+
+std::unique_ptr<std::ostream> compressing_stream(std::ostream& out, Compression compression, const std::string&)
+{
+  auto stream = std::make_unique<io::filtering_ostream>();
+  switch(compression) {
+  case Compression::NONE: break;
+  case Compression::GZIP: stream->push(io::gzip_compressor()); break;
+  case Compression::XZ: stream->push(io::lzma_compressor()); break;
+  case Compression::ZSTD: stream->push(io::zstd_compressor()); break;
+  case Compression::BZIP2: stream->push(io::bzip2_compressor()); break;
+  }
+  stream->push(out);
+  return stream;
 }
 #else
 std::string decompressed(const std::string& file, const std::string&, Compression)
 {
   throw Refusal(unreadable_file, file, "is compressed, which this build does not read",
                 "decompress it, or build with Boost.Iostreams (libboost-iostreams-dev)");
+}
+
+std::unique_ptr<std::ostream> compressing_stream(std::ostream&, Compression, const std::string& file)
+{
+  throw Refusal(unwritable_file, file, "would be compressed, which this build cannot do",
+                "leave the last extension out, or build with Boost.Iostreams (libboost-iostreams-dev)");
 }
 #endif
 

@@ -4,7 +4,8 @@
 #ifndef SPHERICAL_PARAMETERIZATION_TOOL_COMPRESSION_H
 #define SPHERICAL_PARAMETERIZATION_TOOL_COMPRESSION_H
 
-#include <cstddef>
+#include <memory>
+#include <ostream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +29,10 @@ std::string without_compression(const std::string& file);
 /// The content of compressed bytes. Throws a `Refusal` if they are damaged or cut short, if they unfold to more than a
 /// thousand times their size, as no mesh does, and if this build lacks Boost.Iostreams.
 std::string decompressed(const std::string& file, const std::string& bytes, Compression compression);
+
+/// A stream that writes what it gets, compressed, to `out`; all of it when it is destroyed. `file` is the name for the
+/// `Refusal` that is thrown if this build lacks Boost.Iostreams.
+std::unique_ptr<std::ostream> compressing_stream(std::ostream& out, Compression compression, const std::string& file);
 
 } // namespace tool
 

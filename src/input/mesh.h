@@ -4,7 +4,7 @@
 #ifndef SPHERICAL_PARAMETERIZATION_TOOL_MESH_H
 #define SPHERICAL_PARAMETERIZATION_TOOL_MESH_H
 
-#include "input/annotations.h"
+#include "input/mesh_readers.h"
 
 #include <CGAL/Spherical_parameterization/Indexed_triangle_mesh.h>
 
@@ -16,7 +16,7 @@
 
 namespace tool {
 
-using Mesh = CGAL::Spherical_parameterization::Indexed_triangle_mesh;
+using Mesh = SP::Indexed_triangle_mesh;
 using Point = Mesh::Point;
 
 /// The place of every vertex on the unit sphere.

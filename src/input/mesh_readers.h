@@ -4,7 +4,6 @@
 #ifndef SPHERICAL_PARAMETERIZATION_TOOL_MESH_READERS_H
 #define SPHERICAL_PARAMETERIZATION_TOOL_MESH_READERS_H
 
-#include "input/annotations.h"
 #include "system/refusal.h"
 
 #include <boost/core/noinit_adaptor.hpp>
@@ -14,9 +13,21 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tool {
+
+/// What neuroimaging files say beside the surface: of which hemisphere and subject it is, and how the volume lies from
+/// which it was made. It is kept when a file of the same format is written, and the last, when one of the other is.
+struct Annotations {
+  using Metadata = std::vector<std::pair<std::string, std::string>>; ///< names and values
+
+  Metadata gifti;                                           ///< of the file
+  Metadata gifti_points;                                    ///< of the points
+  std::vector<std::array<std::string, 3>> gifti_transforms; ///< of the points: from a space, to a space, matrix
+  std::string freesurfer; ///< the bytes behind the triangles: the volume geometry and other tags
+};
 
 /// What has no value yet is not initialized: the threads that fill the memory are the first to touch it.
 using Triangles = std::vector<std::array<int, 3>, boost::noinit_adaptor<std::allocator<std::array<int, 3>>>>;

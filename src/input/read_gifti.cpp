@@ -30,6 +30,9 @@ struct Data_array {
 };
 
 /// GIFTI surfaces as of "GIFTI Surface Data Format, version 1.0" (2011). Expat takes the XML apart.
+///
+/// Not by the library giftiio: version 1.0.9 reads named files only, not bytes that were decompressed or came from a
+/// pipe, and takes arrays that are cut short, or have words for numbers, for good ones.
 class Gifti_reader {
 public:
   explicit Gifti_reader(const std::string& file) : file_(file) {}

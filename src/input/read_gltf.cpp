@@ -9,6 +9,7 @@
 #include "input/welded_points.h"
 #include "system/refusal.h"
 
+#include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -17,6 +18,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace tool {
@@ -39,35 +41,19 @@ std::string percent_decoded(const std::string& uri)
 }
 
 using Json = nlohmann::json;
-using Matrix = std::array<double, 16>; ///< by columns
+using Matrix = Eigen::Matrix4d;
 
-constexpr Matrix identity = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-
-Matrix product(const Matrix& a, const Matrix& b)
+/// Column by column: then the order of the sums does not depend on what Eigen does on a processor.
+Eigen::Vector4d product(const Matrix& m, const Eigen::Vector4d& v)
 {
-  Matrix c = {};
-  for(std::size_t column = 0; column < 4; ++column)
-    for(std::size_t row = 0; row < 4; ++row)
-      for(std::size_t k = 0; k < 4; ++k)
-        c[4 * column + row] += a[4 * k + row] * b[4 * column + k];
-  return c;
-}
-
-std::array<double, 3> transformed(const Matrix& m, const std::array<double, 3>& p)
-{
-  std::array<double, 3> q;
-  for(std::size_t row = 0; row < 3; ++row)
-    q[row] = m[row] * p[0] + m[4 + row] * p[1] + m[8 + row] * p[2] + m[12 + row];
-  return q;
-}
-
-double determinant(const Matrix& m)
-{
-  return m[0] * (m[5] * m[10] - m[6] * m[9]) - m[4] * (m[1] * m[10] - m[2] * m[9]) + m[8] * (m[1] * m[6] - m[2] * m[5]);
+  return m.col(0) * v[0] + m.col(1) * v[1] + m.col(2) * v[2] + m.col(3) * v[3];
 }
 
 /// The triangles of the scene of a glTF 2.0 file ("glTF 2.0 Specification", Khronos Group, 2021), in the space of the
 /// scene. The format splits vertices where texture coordinates or normals differ; those at the same place become one.
+///
+/// By hand: tinygltf 2.7, as Debian has it, crashes on deeply nested `extras`, and checks neither that accessors are
+/// within their views nor that buffers are files next to this one, which would be most of the work here.
 class Gltf_reader {
 public:
   explicit Gltf_reader(const std::string& file) : file_(file) {}
@@ -116,11 +102,10 @@ private:
     json_ = Json::parse(text.begin(), text.end(), nullptr, false);
     if(!json_.is_object())
       refuse("its description is no JSON", damaged_);
-    if(const Json* required = find(json_, "extensionsRequired"); required && required->is_array())
-      for(const Json& extension : *required)
-        if(extension.is_string() && (extension == "KHR_draco_mesh_compression" ||
-                                     extension == "EXT_meshopt_compression" || extension == "KHR_mesh_quantization"))
-          refuse("is compressed with " + extension.get<std::string>(), "export it without compression");
+    for(const Json& extension : list(json_, "extensionsRequired"))
+      if(extension == "KHR_draco_mesh_compression" || extension == "EXT_meshopt_compression" ||
+         extension == "KHR_mesh_quantization")
+        refuse("is compressed with " + extension.get<std::string>(), "export it without compression");
     read_scene();
     if(soup_.triangles.empty())
       throw Refusal(Error_code::EMPTY_MESH, file_, "has no triangles", "check that there is a mesh in it");
@@ -131,58 +116,44 @@ private:
 
   void read_scene()
   {
-    if(const Json* scenes = find(json_, "scenes"); scenes && scenes->is_array() && !scenes->empty()) {
-      const Json& scene = element("scenes", number(json_, "scene", 0));
-      if(const Json* nodes = find(scene, "nodes"); nodes && nodes->is_array())
-        for(const Json& node : *nodes)
-          read_nodes(index(node));
-    } else if(const Json* meshes = find(json_, "meshes"); meshes && meshes->is_array())
-      for(std::size_t mesh = 0; mesh < meshes->size(); ++mesh)
-        read_mesh(mesh, identity);
+    if(list(json_, "scenes").empty())
+      for(std::size_t mesh = 0; mesh < list(json_, "meshes").size(); ++mesh)
+        read_mesh(mesh, Matrix::Identity());
+    else
+      for(const Json& node : list(element("scenes", number(json_, "scene", 0)), "nodes"))
+        read_nodes(index(node));
   }
 
   /// The tree below a node. Not by recursion, since it may be as deep as the file is long.
   void read_nodes(std::size_t root)
   {
-    std::vector<std::pair<std::size_t, Matrix>> open = {{root, identity}};
+    std::vector<std::pair<std::size_t, Matrix>> open = {{root, Matrix::Identity()}};
     while(!open.empty()) {
       const auto [number_of_node, outer] = open.back();
       open.pop_back();
       const Json& node = element("nodes", number_of_node);
-      if(!visited_.emplace(number_of_node, true).second)
+      if(!visited_.insert(number_of_node).second)
         refuse("node " + std::to_string(number_of_node) + " has two parents", damaged_);
-      const Matrix matrix = product(outer, transformation(node));
+      Matrix matrix = transformation(node);
+      for(int column = 0; column < 4; ++column)
+        matrix.col(column) = product(outer, matrix.col(column));
       if(find(node, "mesh"))
         read_mesh(number(node, "mesh", 0), matrix);
-      if(const Json* children = find(node, "children"); children && children->is_array())
-        for(auto child = children->rbegin(); child != children->rend(); ++child)
-          open.emplace_back(index(*child), matrix);
+      const Json& children = list(node, "children");
+      for(auto child = children.rbegin(); child != children.rend(); ++child)
+        open.emplace_back(index(*child), matrix);
     }
   }
 
   Matrix transformation(const Json& node) const
   {
     if(find(node, "matrix"))
-      return numbers<16>(node, "matrix", identity);
+      return Matrix(numbers<16>(node, "matrix", {}).data());
     const auto t = numbers<3>(node, "translation", {0, 0, 0});
-    const auto [x, y, z, w] = numbers<4>(node, "rotation", {0, 0, 0, 1});
+    const auto r = numbers<4>(node, "rotation", {0, 0, 0, 1});
     const auto s = numbers<3>(node, "scale", {1, 1, 1});
-    return {s[0] * (1 - 2 * (y * y + z * z)),
-            s[0] * 2 * (x * y + z * w),
-            s[0] * 2 * (x * z - y * w),
-            0,
-            s[1] * 2 * (x * y - z * w),
-            s[1] * (1 - 2 * (x * x + z * z)),
-            s[1] * 2 * (y * z + x * w),
-            0,
-            s[2] * 2 * (x * z + y * w),
-            s[2] * 2 * (y * z - x * w),
-            s[2] * (1 - 2 * (x * x + y * y)),
-            0,
-            t[0],
-            t[1],
-            t[2],
-            1};
+    return (Eigen::Translation3d(t[0], t[1], t[2]) * Eigen::Quaterniond(r.data()) * Eigen::Scaling(s[0], s[1], s[2]))
+      .matrix();
   }
 
   void read_mesh(std::size_t number_of_mesh, const Matrix& matrix)
@@ -204,7 +175,7 @@ private:
       const auto place = vertices.try_emplace(accessor);
       if(place.second)
         place.first->second = read_positions(accessor, matrix);
-      add_triangles(primitive, mode, place.first->second, determinant(matrix) < 0);
+      add_triangles(primitive, mode, place.first->second, matrix.topLeftCorner<3, 3>().determinant() < 0);
     }
   }
 
@@ -217,10 +188,9 @@ private:
     std::vector<int> result;
     result.reserve(view.count);
     for(std::size_t i = 0; i < view.count; ++i) {
-      std::array<double, 3> p;
-      for(std::size_t k = 0; k < 3; ++k)
-        p[k] = number_at<float>(&view.bytes[view.stride * i + 4 * k]);
-      p = transformed(matrix, p);
+      const auto at = [&](std::size_t k) -> double { return number_at<float>(&view.bytes[view.stride * i + 4 * k]); };
+      const Eigen::Vector4d place = product(matrix, {at(0), at(1), at(2), 1});
+      const std::array<double, 3> p = {place[0], place[1], place[2]};
       for(const double x : p)
         if(!std::isfinite(x) && !soup_.non_finite)
           soup_.non_finite.emplace(Error_code::NON_FINITE_COORDINATE, file_,
@@ -361,6 +331,14 @@ private:
     return found == object.end() ? nullptr : &*found;
   }
 
+  /// Empty if there is none.
+  static const Json& list(const Json& object, const char* key)
+  {
+    static const Json none = Json::array();
+    const Json* const found = find(object, key);
+    return found && found->is_array() ? *found : none;
+  }
+
   std::size_t index(const Json& value) const
   {
     if(!value.is_number_unsigned() || value.get<std::uint64_t>() >= std::uint64_t(1) << 40)
@@ -396,10 +374,10 @@ private:
 
   const Json& element(const char* key, std::size_t i) const
   {
-    const Json* const list = find(json_, key);
-    if(!list || !list->is_array() || i >= list->size())
+    const Json& all = list(json_, key);
+    if(i >= all.size())
       refuse("number " + std::to_string(i) + " of its " + key + " is missing", damaged_);
-    return (*list)[i];
+    return all[i];
   }
   /// @}
 
@@ -415,7 +393,7 @@ private:
   Json json_;
   std::optional<std::string_view> binary_;
   std::map<std::size_t, std::string> buffers_;
-  std::map<std::size_t, bool> visited_;
+  std::set<std::size_t> visited_;
   Welded_points welded_;
   Soup soup_;
 };

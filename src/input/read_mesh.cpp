@@ -13,7 +13,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <string_view>
 #include <utility>
 
 namespace tool {
@@ -108,7 +107,7 @@ Input_mesh read_mesh(const std::string& file, Polygons polygons)
   try {
     return {Mesh(CGAL::Parallel_if_available_tag(), std::move(soup.points), std::move(soup.triangles)), soup.polygons,
             std::move(soup.annotations)};
-  } catch(const CGAL::Spherical_parameterization::Error& error) {
+  } catch(const SP::Error& error) {
     throw Refusal(error.code(), file, "has " + error.detail(), "the command 'prepare' does it");
   }
 }

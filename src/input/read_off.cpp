@@ -7,7 +7,6 @@
 #include "system/refusal.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace tool {

@@ -9,9 +9,9 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cfloat>
 #include <cmath>
-#include <cstring>
+#include <cstdint>
+#include <limits>
 #include <utility>
 
 namespace tool {
@@ -25,13 +25,20 @@ struct Type {
   bool is_integer;
   double smallest;
   double largest;
+  double (*read)(const char* bytes, Byte_order order);
 };
 
-constexpr Type types[] = {
-  {"char", "int8", 1, true, INT8_MIN, INT8_MAX},     {"uchar", "uint8", 1, true, 0, UINT8_MAX},
-  {"short", "int16", 2, true, INT16_MIN, INT16_MAX}, {"ushort", "uint16", 2, true, 0, UINT16_MAX},
-  {"int", "int32", 4, true, INT32_MIN, INT32_MAX},   {"uint", "uint32", 4, true, 0, UINT32_MAX},
-  {"float", "float32", 4, false, -FLT_MAX, FLT_MAX}, {"double", "float64", 8, false, -DBL_MAX, DBL_MAX}};
+template <class Number>
+constexpr Type type_of(std::string_view name, std::string_view other_name)
+{
+  using Limits = std::numeric_limits<Number>;
+  return {name, other_name, sizeof(Number), Limits::is_integer, Limits::lowest(), Limits::max(), double_at<Number>};
+}
+
+constexpr Type types[] = {type_of<std::int8_t>("char", "int8"),    type_of<std::uint8_t>("uchar", "uint8"),
+                          type_of<std::int16_t>("short", "int16"), type_of<std::uint16_t>("ushort", "uint16"),
+                          type_of<std::int32_t>("int", "int32"),   type_of<std::uint32_t>("uint", "uint32"),
+                          type_of<float>("float", "float32"),      type_of<double>("double", "float64")};
 
 struct Property {
   std::string name;
@@ -257,7 +264,7 @@ private:
       for(std::size_t k = 0; k < 3; ++k) {
         const char* const bytes = rest_.data() + row * size + place[k];
         double& x = soup_.points[row][k];
-        x = coordinate_[k]->type->size == 4 ? double(number_at<float>(bytes)) : number_at<double>(bytes);
+        x = coordinate_[k]->type->read(bytes, Byte_order::LITTLE);
         if(!std::isfinite(x))
           return false;
       }
@@ -373,18 +380,9 @@ private:
       return next_in_text(type, element, row);
     if(rest_.size() < type.size)
       refuse_cut_short(element, row);
-    std::array<char, 8> bytes;
-    std::memcpy(bytes.data(), rest_.data(), type.size);
+    const char* const bytes = rest_.data();
     rest_.remove_prefix(type.size);
-    if(format_ == Format::BIG_ENDIAN_BINARY) // the machine is taken to be little-endian
-      std::reverse(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(type.size));
-    if(!type.is_integer)
-      return type.size == 4 ? as<float>(bytes) : as<double>(bytes);
-    switch(type.size) {
-    case 1: return type.smallest < 0 ? as<std::int8_t>(bytes) : as<std::uint8_t>(bytes);
-    case 2: return type.smallest < 0 ? as<std::int16_t>(bytes) : as<std::uint16_t>(bytes);
-    default: return type.smallest < 0 ? as<std::int32_t>(bytes) : as<std::uint32_t>(bytes);
-    }
+    return type.read(bytes, format_ == Format::BIG_ENDIAN_BINARY ? Byte_order::BIG : Byte_order::LITTLE);
   }
 
   double next_in_text(const Type& type, const Element& element, std::size_t row)
@@ -408,14 +406,6 @@ private:
     float rounded = 0; // once, and not by way of a double
     to_number(token, rounded);
     return rounded;
-  }
-
-  template <class T>
-  static double as(const std::array<char, 8>& bytes)
-  {
-    T value;
-    std::memcpy(&value, bytes.data(), sizeof(value));
-    return static_cast<double>(value);
   }
 
   [[noreturn]] void refuse_cut_short(const Element& element, std::size_t row) const

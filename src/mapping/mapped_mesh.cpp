@@ -12,8 +12,8 @@
 
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 
-#include <algorithm>
 #include <string>
+#include <tuple>
 
 namespace tool {
 namespace {
@@ -40,13 +40,11 @@ void compute_map(const Mapping_options& options, Mapped_mesh& input)
       read_densities(options.density, input.mesh().number_of_vertices(), input.mesh().number_of_faces());
 
   Progress_bar bar("mapping");
-  const auto go_on = [&bar](double fraction) {
-    bar.show(fraction);
-    return !was_interrupted();
-  };
-  input.result = map_to_sphere(input.mesh(), input.sphere, *input.settings, go_on, [&input] {
+  input.result = map_to_sphere(input.mesh(), input.sphere, *input.settings, [&](double fraction) {
     if(!input.needs_neighbours)
       input.file->mesh.forget_neighbours();
+    bar.show(fraction);
+    return !was_interrupted();
   });
   input.seconds_read += input.result.seconds.read; // the library checks, too
 }
@@ -89,7 +87,7 @@ void map_input(const Mapping_options& options, Mapped_mesh& input, Map_quality q
   }
   stop_if_interrupted(options.input);
 
-  const CGAL::Spherical_parameterization::Result& result = input.result;
+  const SP::Result& result = input.result;
   const bool is_accepted =
     result || (quality == Map_quality::CONVERGED && result.error == Error_code::NOT_BIJECTIVE && !input.sphere.empty());
   if(!is_accepted) {
@@ -106,15 +104,13 @@ void map_input(const Mapping_options& options, Mapped_mesh& input, Map_quality q
 
 void certify_as_stored(const std::string& output, Mesh_format format, Mapped_mesh& input, const Sphere& sphere)
 {
-  namespace SP = CGAL::Spherical_parameterization;
   if(!stores_floats(format))
     return;
   const auto stored = boost::make_function_property_map<Mesh::Vertex_index>([&](Mesh::Vertex_index v) {
     return as_stored(format, Surface::SPHERE, sphere[static_cast<std::size_t>(v.idx())]);
   });
   on_host(input, [&](const auto& policy) {
-    input.result.flipped_faces = SP::number_of_flipped_faces(policy, input.mesh(), stored);
-    input.result.degree = SP::degree_of_map(policy, input.mesh(), stored);
+    std::tie(input.result.flipped_faces, input.result.degree) = SP::certify_map(policy, input.mesh(), stored);
   });
   if(input.result.flipped_faces > 0 || input.result.degree != 1)
     throw Refusal(Error_code::NOT_BIJECTIVE, output,

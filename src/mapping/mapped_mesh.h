@@ -30,10 +30,10 @@ namespace tool {
 struct Mapped_mesh {
   const Mesh& mesh() const { return file->mesh; }
 
-  std::optional<Input_mesh> file;                  ///< what has been read, and prepared if that is asked for
-  std::optional<Prepared_mesh> prepared;           ///< with --prepare: what it was before
-  Sphere sphere;                                   ///< unit vectors
-  CGAL::Spherical_parameterization::Result result; ///< of mapping; with --sphere nothing but sizes and certificate
+  std::optional<Input_mesh> file;        ///< what has been read, and prepared if that is asked for
+  std::optional<Prepared_mesh> prepared; ///< with --prepare: what it was before
+  Sphere sphere;                         ///< unit vectors
+  SP::Result result;                     ///< of mapping; with --sphere nothing but sizes and certificate
   std::shared_ptr<Map_settings> settings;
   bool needs_neighbours = true; ///< after mapping; without them the mesh takes less memory
   double seconds_read = 0;      ///< reading and checking

@@ -53,7 +53,7 @@ Input_mesh read_prepared_mesh(const std::string& file, Prepare how, std::optiona
   try {
     return {Mesh(CGAL::Parallel_if_available_tag(), surface.points, surface.faces), prepared->soup.polygons,
             prepared->soup.annotations};
-  } catch(const CGAL::Spherical_parameterization::Error& error) {
+  } catch(const SP::Error& error) {
     throw Refusal(error.code(), file,
                   "has, prepared without a change of shape, " + without_remedy(error.detail(), error.remedy()),
                   "the command 'prepare' mends that, too");

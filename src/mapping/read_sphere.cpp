@@ -13,13 +13,12 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <tuple>
 #include <variant>
 #include <vector>
 
 namespace tool {
 namespace {
-
-namespace SP = CGAL::Spherical_parameterization;
 
 /// The vertices of a face, beginning with the smallest: files may begin with any corner.
 std::array<int, 3> corners(const Mesh& mesh, std::size_t f)
@@ -67,12 +66,8 @@ SP::Result certify(const SP::Any_policy& policy, const Mesh& mesh, const std::ve
   SP::Result result;
   result.number_of_vertices = mesh.number_of_vertices();
   result.number_of_faces = mesh.number_of_faces();
-  std::visit(
-    [&](const auto& chosen) {
-      result.flipped_faces = SP::number_of_flipped_faces(chosen, mesh, as_map(points));
-      result.degree = SP::degree_of_map(chosen, mesh, as_map(points));
-    },
-    policy);
+  std::tie(result.flipped_faces, result.degree) =
+    std::visit([&](const auto& chosen) { return SP::certify_map(chosen, mesh, as_map(points)); }, policy);
   if(result.flipped_faces > 0 || result.degree != 1) {
     result.error = SP::Error_code::NOT_BIJECTIVE;
     result.detail =

@@ -15,19 +15,14 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
 #include <set>
 #include <string_view>
-#include <utility>
 
 namespace tool {
 namespace {
-
-namespace SP = CGAL::Spherical_parameterization;
 
 using Landmarks = std::vector<SP::Landmark_pair<Mesh, Mesh>>;
 
@@ -105,7 +100,7 @@ void add_registration_options(CLI::App& command, Registration_options& options)
     ->check(CLI::IsMember({"rotation", "moebius", "deformation"}))
     ->capture_default_str();
   const auto add_weight = [&command](const char* name, double& weight, const char* what) {
-    command.add_option(name, weight, what)->check(CLI::Range(0., 1e6))->capture_default_str();
+    add_checked_option(command, name, weight, what, CLI::Range(0., 1e6));
   };
   SP::Registration& registration = options.registration;
   add_weight("--curvature-weight", registration.curvature_weight, "Deformation: weight of the mean curvature");

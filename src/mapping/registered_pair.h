@@ -29,7 +29,7 @@ struct Registration_options : Mapping_options {
   std::vector<std::string> spheres; ///< of both; or none
   std::string landmarks;
   std::string motion = "deformation";
-  CGAL::Spherical_parameterization::Registration registration;
+  SP::Registration registration;
 };
 
 /// Both meshes with their maps, and what registration has made of the first one's.
@@ -37,7 +37,7 @@ struct Registered_pair {
   Mapped_mesh a, b;
   Sphere registered;              ///< of the vertices of A
   std::vector<Point> points_on_b; ///< where the vertices of A come to lie on the surface of B
-  CGAL::Spherical_parameterization::Registration_result result;
+  SP::Registration_result result;
 };
 
 /// A, B and all options but for the outputs.

@@ -6,13 +6,12 @@
 #include "options/map_settings.h"
 #include "output/atomic_file.h"
 #include "output/write_json.h"
-#include "system/guarded.h"
+#include "system/refusal.h"
 #include "system/stopwatch.h"
 
 #include <nlohmann/json.hpp>
 
 #include <cmath>
-#include <sstream>
 #include <type_traits>
 #include <variant>
 
@@ -21,7 +20,6 @@
 namespace tool {
 namespace {
 
-namespace SP = CGAL::Spherical_parameterization;
 using Json = nlohmann::ordered_json;
 
 Json to_json(const SP::Distribution& d)

@@ -21,16 +21,15 @@ namespace tool {
 
 /// What one run of `map` or `certify` did besides mapping.
 struct Report {
-  std::optional<CGAL::Spherical_parameterization::Distortion_summary> distortion; ///< of a map, if it was measured
-  double seconds_measure = 0;                                                     ///< the distortion
+  std::optional<SP::Distortion_summary> distortion; ///< of a map, if it was measured
+  double seconds_measure = 0;                       ///< the distortion
   double seconds_write = 0;
   double seconds_total = 0;
   std::optional<Refusal> refusal; ///< its log is too long for the JSON file
 };
 
 /// Accuracy and largest number of iterations of the method that made the map: given, or its defaults.
-std::pair<double, std::size_t> effort_of(const Mapping_options& options,
-                                         const CGAL::Spherical_parameterization::Result& result);
+std::pair<double, std::size_t> effort_of(const Mapping_options& options, const SP::Result& result);
 
 /// The most memory that the process has had so far.
 std::size_t peak_memory_bytes();

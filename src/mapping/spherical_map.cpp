@@ -15,8 +15,6 @@
 namespace tool {
 namespace {
 
-namespace SP = CGAL::Spherical_parameterization;
-
 /// Any of the weights, so that reading is compiled once per policy and method only.
 using Weight_map = boost::function_property_map<std::function<double(Mesh::Edge_index)>, Mesh::Edge_index, double>;
 using Weights = std::variant<SP::Conformal_weights, Weight_map>;
@@ -46,7 +44,7 @@ struct Density_of {
 } // namespace
 
 SP::Result map_to_sphere(const Mesh& mesh, Sphere& sphere, const Map_settings& settings,
-                         const std::function<bool(double)>& go_on, const std::function<void()>& after_reading)
+                         const std::function<bool(double)>& go_on)
 {
   const std::size_t n = mesh.number_of_vertices();
   std::vector<bool> is_fixed(n, false);
@@ -86,14 +84,9 @@ SP::Result map_to_sphere(const Mesh& mesh, Sphere& sphere, const Map_settings& s
                             .number_of_iterations(settings.iterations.value_or(Method::default_number_of_iterations))
                             .maximum_running_time(settings.max_time.value_or(std::numeric_limits<double>::infinity()))
                             .callback(go_on);
-      const auto parameters =
-        CGAL::parameters::vertex_density_map(of_vertices, CGAL::parameters::face_density_map(of_faces, common));
-      return SP::internal::run(policy, method, parameters, sphere_map, [&](const auto& read) {
-        auto problem =
-          read(mesh, SP::internal::Mesh_inputs<Mesh, std::decay_t<decltype(parameters)>>{mesh, parameters});
-        after_reading();
-        return problem;
-      });
+      return SP::parameterize(
+        policy, mesh, method, sphere_map,
+        CGAL::parameters::vertex_density_map(of_vertices, CGAL::parameters::face_density_map(of_faces, common)));
     },
     settings.policy, settings.method);
 }

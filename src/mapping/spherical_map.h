@@ -17,17 +17,14 @@
 namespace tool {
 
 /// Does what `parameterize()` does, as `settings` say: the one place where it is instantiated, and where names and
-/// numbers become types. `go_on` is told the fraction of the work done, and stops it by returning `false`. `sphere`
-/// gets the size that it needs. From the call of `after_reading` on, the neighbours of the mesh are not needed any
-/// more.
-CGAL::Spherical_parameterization::Result map_to_sphere(
-  const Mesh& mesh, Sphere& sphere, const Map_settings& settings, const std::function<bool(double)>& go_on,
-  const std::function<void()>& after_reading = [] {});
+/// numbers become types. `go_on` is told the fraction of the work done, and stops it by returning `false`; from its
+/// first call on the neighbours of the mesh are not needed any more. `sphere` gets the size that it needs.
+SP::Result map_to_sphere(const Mesh& mesh, Sphere& sphere, const Map_settings& settings,
+                         const std::function<bool(double)>& go_on);
 
 /// Sizes and certificate of a map, with the cores of the policy, by exact predicates on the points as they are: these
 /// need not be unit vectors, the map is their projection from the origin. Flipped faces are an error of the result.
-CGAL::Spherical_parameterization::Result certify(const CGAL::Spherical_parameterization::Any_policy& policy,
-                                                 const Mesh& mesh, const std::vector<Point>& points);
+SP::Result certify(const SP::Any_policy& policy, const Mesh& mesh, const std::vector<Point>& points);
 
 /// A sphere about the origin, of any radius.
 struct Given_sphere {
@@ -44,9 +41,8 @@ Given_sphere read_given_sphere(const std::string& file, const std::string& mesh_
 /// Reads the map of `mesh`, which was read from `mesh_file`, from a file as `map` writes it, and certifies it again.
 /// Returns sizes and certificate: flipped faces are an error of the result. Throws a `Refusal` if the file has not the
 /// same vertices and faces in the same order, or a point that is not on the unit sphere.
-CGAL::Spherical_parameterization::Result read_sphere(const CGAL::Spherical_parameterization::Any_policy& policy,
-                                                     const std::string& file, const std::string& mesh_file,
-                                                     const Mesh& mesh, Sphere& sphere);
+SP::Result read_sphere(const SP::Any_policy& policy, const std::string& file, const std::string& mesh_file,
+                       const Mesh& mesh, Sphere& sphere);
 
 } // namespace tool
 

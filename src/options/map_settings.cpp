@@ -13,8 +13,6 @@
 
 namespace tool {
 
-namespace SP = CGAL::Spherical_parameterization;
-
 Map_settings map_settings(const Mapping_options& options)
 {
   Map_settings settings;

@@ -29,10 +29,8 @@ struct Clamped_weights {
 /// All that decides about the map of a given mesh.
 struct Map_settings {
   std::variant<Conformal_weights, Barycentric_weights, Clamped_weights, Mean_value_weights> weights;
-  std::variant<CGAL::Spherical_parameterization::Balanced, CGAL::Spherical_parameterization::Saddle_point,
-               CGAL::Spherical_parameterization::Isometric, CGAL::Spherical_parameterization::Automatic>
-    method;
-  CGAL::Spherical_parameterization::Any_policy policy;
+  std::variant<SP::Balanced, SP::Saddle_point, SP::Isometric, SP::Automatic> method;
+  SP::Any_policy policy;
   std::optional<double> accuracy;        ///< default: that of the method
   std::optional<std::size_t> iterations; ///< default: that of the method
   std::optional<double> max_time;        ///< seconds; default: no limit
@@ -46,7 +44,7 @@ Map_settings map_settings(const Mapping_options& options);
 
 /// The policy. Looks for a device only if it is for the policy, since drivers take their time to start. Throws an
 /// `OpenCL_error` if there is no such device. Can be called on any threads.
-CGAL::Spherical_parameterization::Any_policy make_policy(const Mapping_options& options);
+SP::Any_policy make_policy(const Mapping_options& options);
 
 } // namespace tool
 

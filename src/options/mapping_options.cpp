@@ -14,8 +14,6 @@
 namespace tool {
 namespace {
 
-namespace SP = CGAL::Spherical_parameterization;
-
 /// " [balanced 2e-09, saddle-point 1e-07, isometric 0.0005]"
 template <class Number>
 std::string defaults(Number balanced, Number saddle_point, Number isometric)

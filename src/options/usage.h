@@ -38,6 +38,14 @@ void require_extension(const std::string& option, const std::string& file, const
 CLI::Option* add_file_option(CLI::App& command, const std::string& name, std::string& file,
                              const std::string& description);
 
+/// An option whose value is checked, and whose default --help says.
+template <class App, class Value, class Check>
+void add_checked_option(App& command, const std::string& name, Value& value, const std::string& description,
+                        const Check& check)
+{
+  command.add_option(name, value, description)->check(check)->capture_default_str();
+}
+
 /// What --help says at the end: an example, and the exit codes. `done` is what 0 stands for, `not_done` what 1 does.
 void add_footer(CLI::App& command, const std::string& example, const std::string& done = "the files were written",
                 const std::string& not_done = "nothing was written (stderr says why)");

@@ -4,7 +4,7 @@
 #include "output/atomic_file.h"
 
 #include "input/mesh_format.h"
-#include "output/compressing_stream.h"
+#include "input/compression.h"
 #include "system/interruption.h"
 #include "system/refusal.h"
 #include "system/standard_output.h"

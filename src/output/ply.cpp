@@ -3,7 +3,7 @@
 
 #include "output/ply.h"
 
-#include "output/byte_writer.h"
+#include "input/binary.h"
 #include "output/text_writer.h"
 
 #include <cstdint>

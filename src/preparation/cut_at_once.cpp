@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "preparation/cut_at_once.h"
-
-#include "preparation/fill_holes.h"
+#include "preparation/mend.h"
 #include "preparation/points.h"
 
 #include <cstddef>

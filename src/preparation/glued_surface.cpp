@@ -9,7 +9,6 @@
 #include <cmath>
 #include <numeric>
 #include <tuple>
-#include <utility>
 
 namespace tool {
 namespace {

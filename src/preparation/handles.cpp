@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "preparation/handles.h"
-
-#include "preparation/cut_at_once.h"
-#include "preparation/fill_holes.h"
+#include "preparation/mend.h"
 #include "preparation/points.h"
 
 #include <algorithm>
@@ -13,7 +10,6 @@
 #include <functional>
 #include <limits>
 #include <queue>
-#include <tuple>
 #include <unordered_map>
 #include <utility>
 

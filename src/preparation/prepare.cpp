@@ -3,18 +3,13 @@
 
 #include "preparation/prepare.h"
 
-#include "preparation/degenerate_faces.h"
-#include "preparation/fill_holes.h"
-#include "preparation/handles.h"
+#include "preparation/mend.h"
 #include "preparation/points.h"
-#include "preparation/wrap.h"
 #include "system/interruption.h"
 #include "system/refusal.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 #include <sstream>
 #include <utility>
 

@@ -7,7 +7,6 @@
 
 #include <atomic>
 #include <csignal>
-#include <initializer_list>
 
 namespace {
 

@@ -6,13 +6,15 @@
 
 #include <CGAL/Spherical_parameterization/values/Error.h>
 
+#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
 
 namespace tool {
 
-using CGAL::Spherical_parameterization::Error_code;
+namespace SP = CGAL::Spherical_parameterization;
+using SP::Error_code;
 
 /// Why a command did not do what it should: one line for the user, and a code for programs that read the report.
 class Refusal : public std::runtime_error {
@@ -72,6 +74,12 @@ inline const char* const internal_error = "INTERNAL_ERROR";
 inline const char* const no_signature = "NO_SIGNATURE";
 inline const char* const bad_degree = "BAD_DEGREE";
 /// @}
+
+/// Calls `action`, which works on the file `input`. Whatever it throws is returned as a `Refusal`.
+std::optional<Refusal> guarded(const std::string& input, const std::function<void()>& action);
+
+/// Prints the refusal, if there is one, on stderr. Returns the exit code of the program: 0 or 1.
+int exit_code_of(const std::optional<Refusal>& refusal);
 
 } // namespace tool
 

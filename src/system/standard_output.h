@@ -4,7 +4,6 @@
 #ifndef SPHERICAL_PARAMETERIZATION_TOOL_STANDARD_OUTPUT_H
 #define SPHERICAL_PARAMETERIZATION_TOOL_STANDARD_OUTPUT_H
 
-#include <ostream>
 #include <string>
 
 namespace tool {

@@ -3,7 +3,7 @@
 
 #include "helpers/meshes.h"
 
-#include "preparation/cut_at_once.h"
+#include "preparation/mend.h"
 #include "preparation/glue.h"
 
 #include <catch2/catch.hpp>

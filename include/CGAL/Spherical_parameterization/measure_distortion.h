@@ -52,6 +52,26 @@ std::pair<double, double> measure_faces(const ExecutionPolicy& policy, const Tri
 
 } // namespace internal
 
+/// The certificate of a map: `number_of_flipped_faces()` and `degree_of_map()` at once.
+/// \param policy      `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result does not depend on it
+/// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \param sphere_map  readable, key vertex_descriptor; need not be normalized
+/// \return both in this order: 0 and 1 for a valid map
+///
+/// Complexity: linear.
+template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, internal::If_policy<ExecutionPolicy> = 0>
+std::pair<std::size_t, int> certify_map(const ExecutionPolicy& policy, const TriangleMesh& mesh,
+                                        VertexSphereMap sphere_map)
+{
+  const auto loop = internal::host_loop(policy);
+  const auto certificate = internal::read_map(mesh, sphere_map, internal::Reading::UNCHECKED, loop).certificate(loop);
+  return {certificate.flipped_faces, certificate.degree};
+}
+
+/// \overload
+/// \param arguments  those after `policy`: on one core \return as above
+CGAL_SP_ON_ONE_CORE(certify_map)
+
 /// Number of flipped faces: faces (a, b, c) with orientation(O, a, b, c) <= 0, by exact predicates on the coordinates
 /// as doubles. A map without such faces and of degree 1 is bijective.
 /// \param policy      `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result does not depend on it
@@ -63,8 +83,7 @@ std::pair<double, double> measure_faces(const ExecutionPolicy& policy, const Tri
 template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, internal::If_policy<ExecutionPolicy> = 0>
 std::size_t number_of_flipped_faces(const ExecutionPolicy& policy, const TriangleMesh& mesh, VertexSphereMap sphere_map)
 {
-  const auto loop = internal::host_loop(policy);
-  return internal::read_map(mesh, sphere_map, internal::Reading::UNCHECKED, loop).certificate(loop).flipped_faces;
+  return certify_map(policy, mesh, sphere_map).first;
 }
 CGAL_SP_ON_ONE_CORE(number_of_flipped_faces)
 
@@ -79,8 +98,7 @@ CGAL_SP_ON_ONE_CORE(number_of_flipped_faces)
 template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, internal::If_policy<ExecutionPolicy> = 0>
 int degree_of_map(const ExecutionPolicy& policy, const TriangleMesh& mesh, VertexSphereMap sphere_map)
 {
-  const auto loop = internal::host_loop(policy);
-  return internal::read_map(mesh, sphere_map, internal::Reading::UNCHECKED, loop).certificate(loop).degree;
+  return certify_map(policy, mesh, sphere_map).second;
 }
 CGAL_SP_ON_ONE_CORE(degree_of_map)
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "system/guarded.h"
+#include "system/refusal.h"
 
 #include "system/interruption.h"
 
@@ -23,7 +23,7 @@ std::optional<Refusal> guarded(const std::string& input, const std::function<voi
     return refusal;
   }
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
-  catch(const CGAL::Spherical_parameterization::OpenCL_error& error) {
+  catch(const SP::OpenCL_error& error) {
     if(was_interrupted()) // and so was the compiler of the kernels, which Ctrl-C reaches, too
       return Refusal(Error_code::INTERRUPTED, input, "interrupted", "nothing has been written");
     const std::string& log = error.build_log();

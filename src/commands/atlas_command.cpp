@@ -202,9 +202,10 @@ private:
         if(item.mesh == to.mesh)
           line << "the template";
         else {
-          const SP::Registration_result found = SP::register_maps(
-            SP::mapped_mesh(input.mesh(), as_map(input.sphere)), SP::mapped_mesh(target.mesh(), as_map(target.sphere)),
-            as_map(input.sphere), {}, {}, CGAL::parameters::callback([](double) { return !was_interrupted(); }));
+          const SP::Registration_result found =
+            SP::register_maps(CGAL::Sequential_tag(), SP::mapped_mesh(input.mesh(), as_map(input.sphere)),
+                              SP::mapped_mesh(target.mesh(), as_map(target.sphere)), as_map(input.sphere), {}, {},
+                              CGAL::parameters::callback([](double) { return !was_interrupted(); }));
           stop_if_interrupted(item.mesh);
           if(!found)
             throw Refusal(found.error, item.mesh, "could not be registered: " + found.detail, "");

@@ -89,17 +89,21 @@ TEMPLATE_LIST_TEST_CASE("callback and time limit interrupt every backend", "[pol
   SP::Saddle_point published;
   published.check_interval = 10;
   settings.method = GENERATE_COPY(decltype(settings.method)(SP::Balanced()), published);
+  constexpr int last_call = 12; // of reading, levels, and the solver
   int calls = 0;
   SECTION("callback")
   {
-    settings.callback = [&](double) { return ++calls < 4; };
+    settings.callback = [&](double) { return ++calls < last_call; };
   }
   SECTION("time limit") { settings.maximum_running_time = 0; }
   Sphere sphere;
   const Result result = solve(soup, sphere, settings);
   CHECK(result.error == Error_code::INTERRUPTED);
-  CHECK(calls <= 4);
-  check_certificate(result, soup, sphere, settings);
+  CHECK(calls <= last_call);
+  if(calls > 0)
+    check_certificate(result, soup, sphere, settings);
+  else
+    CHECK(result.detail.find("before there was a map") != std::string::npos);
 }
 
 TEMPLATE_LIST_TEST_CASE("several threads may share a policy", "[policies]", Parallel_policies)

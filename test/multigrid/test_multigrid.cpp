@@ -301,6 +301,22 @@ TEST_CASE("a cycle is symmetric and positive", "[multigrid]")
   }
 }
 
+TEST_CASE("the set-up of a hierarchy hears a limit at each level", "[multigrid]")
+{
+  const Host host{I::Host_loop()};
+  const auto graph = graph_of(octasphere(5), false);
+  int calls = 0, most = 0;
+  I::Monitor all(
+    std::numeric_limits<double>::infinity(), [&](double) { return ++calls > 0; }, false);
+  const auto levels = static_cast<int>(I::Multigrid<Host>(host, graph, &all).number_of_levels());
+  REQUIRE(levels > 2);
+  CHECK(calls == levels - 1); // the last one is not coarsened
+  I::Monitor some(
+    std::numeric_limits<double>::infinity(), [&](double) { return ++most < 2; }, false);
+  CHECK_THROWS_AS(I::Multigrid<Host>(host, graph, &some), CGAL::Spherical_parameterization::Error);
+  CHECK(most == 2);
+}
+
 TEST_CASE("conjugate gradients solve, in few steps, and no fixed vertex moves", "[multigrid]")
 {
   const int kind = GENERATE(0, 1, 2); // singular, with excess, with fixed vertices

@@ -87,6 +87,24 @@ TEST_CASE("limits and refusals have their own reasons", "[termination]")
     CHECK(result.error == Error_code::INTERRUPTED);
     CHECK(result.termination == Termination::CALLBACK);
   }
+  SECTION("before there is a map")
+  {
+    int calls = 0;
+    settings.callback = [&](double) { return ++calls < 2; }; // of the method's levels, not yet of its solver
+    const Result result = solve(soup, sphere, settings);
+    CHECK(result.error == Error_code::INTERRUPTED);
+    CHECK(result.termination == Termination::CALLBACK);
+    CHECK(result.detail == "stopped by the callback before there was a map");
+    CHECK(calls == 2);
+  }
+  SECTION("no time at all")
+  {
+    settings.maximum_running_time = 0;
+    const Result result = solve(soup, sphere, settings);
+    CHECK(result.error == Error_code::INTERRUPTED);
+    CHECK(result.termination == Termination::TIME);
+    CHECK(result.iterations == 0);
+  }
   SECTION("stalled")
   {
     settings.accuracy = 1e-30;

@@ -67,9 +67,6 @@ std::pair<std::size_t, int> certify_map(const ExecutionPolicy& policy, const Tri
   const auto certificate = internal::read_map(mesh, sphere_map, internal::Reading::UNCHECKED, loop).certificate(loop);
   return {certificate.flipped_faces, certificate.degree};
 }
-
-/// \overload
-/// \param arguments  those after `policy`: on one core \return as above
 CGAL_SP_ON_ONE_CORE(certify_map)
 
 /// Number of flipped faces: faces (a, b, c) with orientation(O, a, b, c) <= 0, by exact predicates on the coordinates

@@ -18,29 +18,40 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
+/// The matrices of Eigen, by a parameter on which they do not depend. Their expressions take seconds to compile: so
+/// they are compiled where statistics are called, and not where this header is included.
+template <class>
+struct Dense {
+  typedef Eigen::MatrixXd Matrix;
+  typedef Eigen::VectorXd Vector;
+};
+
 /// R of the QR decomposition: at most as many rows as columns.
-inline Eigen::MatrixXd triangle_of(const Eigen::MatrixXd& matrix)
+template <class Matrix>
+Matrix triangle_of(const Matrix& matrix)
 {
   const Eigen::Index rows = (std::min)(matrix.rows(), matrix.cols());
-  return Eigen::HouseholderQR<Eigen::MatrixXd>(matrix).matrixQR().topRows(rows).triangularView<Eigen::Upper>();
+  return Eigen::HouseholderQR<Matrix>(matrix).matrixQR().topRows(rows).template triangularView<Eigen::Upper>();
 }
 
 /// Distances of the shapes from their mean.
+template <class Matrix>
 struct Deviations {
-  Eigen::MatrixXd triangle; ///< whose columns have the same inner products, weighted
-  double rounding = 0;      ///< what singular values have to exceed in any case
+  Matrix triangle;     ///< whose columns have the same inner products, weighted
+  double rounding = 0; ///< what singular values have to exceed in any case
 };
 
 template <class Loop>
-Deviations deviations_of(const Loop& loop, const Shape_set<const double>& shapes)
+auto deviations_of(const Loop& loop, const Shape_set<const double>& shapes)
 {
+  typedef typename Dense<Loop>::Matrix Matrix;
   const int n = shapes.size(), entries_of_block = (std::max)(256, 2 * n); // six rows for every column
   const int blocks = (shapes.entries() + entries_of_block - 1) / entries_of_block;
-  std::vector<Eigen::MatrixXd> triangle(static_cast<std::size_t>(blocks));
+  std::vector<Matrix> triangle(static_cast<std::size_t>(blocks));
   std::vector<double> square(triangle.size());
   const auto triangle_of_block = [&](int block) {
     const int begin = block * entries_of_block, end = (std::min)(begin + entries_of_block, shapes.entries());
-    Eigen::MatrixXd rows(3 * (end - begin), n);
+    Matrix rows(3 * (end - begin), n);
     for(int j = begin; j < end; ++j) {
       const double factor = std::sqrt(shapes.weight(j));
       for(int i = 0; i < n; ++i)
@@ -48,29 +59,30 @@ Deviations deviations_of(const Loop& loop, const Shape_set<const double>& shapes
           rows(3 * (j - begin) + c, i) = factor * shapes(i, j, c);
     }
     square[block] = rows.squaredNorm();
-    const Eigen::VectorXd mean = rows.rowwise().mean();
+    const typename Dense<Loop>::Vector mean = rows.rowwise().mean();
     rows.colwise() -= mean;
     return triangle_of(rows);
   };
   // So many blocks at a time that every core has some: their order decides the bits, and is always the same.
   constexpr int at_a_time = 16;
-  Eigen::MatrixXd all(0, n);
+  Matrix all(0, n);
   for(int first = 0; first < blocks; first += at_a_time) {
     const int last = (std::min)(first + at_a_time, blocks);
     loop.for_each(last - first, [&](int k) { triangle[first + k] = triangle_of_block(first + k); });
     for(int block = first; block < last; ++block) {
-      Eigen::MatrixXd both(all.rows() + triangle[block].rows(), n);
+      Matrix both(all.rows() + triangle[block].rows(), n);
       both << all, triangle[block];
       all = triangle_of(both);
       triangle[block].resize(0, 0);
     }
   }
   const double size = std::sqrt(std::accumulate(square.begin(), square.end(), 0.));
-  return {all, 4 * std::numeric_limits<double>::epsilon() * size};
+  return Deviations<Matrix>{all, 4 * std::numeric_limits<double>::epsilon() * size};
 }
 
 /// How many singular values, largest first, are more than rounding.
-inline Eigen::Index rank_of(const Eigen::VectorXd& values, double rounding)
+template <class Vector>
+Eigen::Index rank_of(const Vector& values, double rounding)
 {
   const auto is_rounding = [&](double value) { return value <= (std::max)(smallest_deviation * values[0], rounding); };
   return std::find_if(values.data(), values.data() + values.size(), is_rounding) - values.data();
@@ -80,9 +92,9 @@ template <class Loop>
 Principal_components principal_components(const Loop& loop, const Shape_set<const double>& shapes)
 {
   const int n = shapes.size();
-  const Deviations deviations = deviations_of(loop, shapes);
-  const Eigen::BDCSVD<Eigen::MatrixXd> svd(deviations.triangle, Eigen::ComputeThinV);
-  const Eigen::VectorXd& values = svd.singularValues();
+  const auto deviations = deviations_of(loop, shapes);
+  const Eigen::BDCSVD<typename Dense<Loop>::Matrix> svd(deviations.triangle, Eigen::ComputeThinV);
+  const typename Dense<Loop>::Vector& values = svd.singularValues();
   const Eigen::Index rank = (std::min)(rank_of(values, deviations.rounding), Eigen::Index(n - 1));
   Principal_components result;
   result.square_sum = deviations.triangle.squaredNorm();
@@ -131,28 +143,30 @@ template <class Loop>
 std::vector<double> errors_of_left_out(const Loop& loop, const Shape_set<const double>& shapes, int groups)
 {
   const int n = shapes.size();
-  const Deviations deviations = deviations_of(loop, shapes);
-  const Eigen::MatrixXd& r = deviations.triangle;
+  const auto deviations = deviations_of(loop, shapes);
+  typedef typename Dense<Loop>::Matrix Matrix;
+  typedef typename Dense<Loop>::Vector Vector;
+  const Matrix& r = deviations.triangle;
   const int most = n - (n + groups - 1) / groups; // shapes outside of the largest group, and so components and mean
   std::vector<std::vector<double>> square(static_cast<std::size_t>(groups));
   loop.for_each(groups, [&](int group) {
     const int inside = (n - group + groups - 1) / groups;
-    Eigen::MatrixXd others(r.rows(), n - inside), left_out(r.rows(), inside);
+    Matrix others(r.rows(), n - inside), left_out(r.rows(), inside);
     for(int i = 0, in = 0, out = 0; i < n; ++i) {
       if(i % groups == group)
         left_out.col(in++) = r.col(i);
       else
         others.col(out++) = r.col(i);
     }
-    const Eigen::VectorXd mean = others.rowwise().mean();
+    const Vector mean = others.rowwise().mean();
     others.colwise() -= mean;
     left_out.colwise() -= mean;
-    const Eigen::BDCSVD<Eigen::MatrixXd> svd(others, Eigen::ComputeThinU);
+    const Eigen::BDCSVD<Matrix> svd(others, Eigen::ComputeThinU);
     square[group].push_back(left_out.squaredNorm());
     const Eigen::Index rank = rank_of(svd.singularValues(), deviations.rounding);
     for(Eigen::Index k = 0; k + 1 < most; ++k) {
       if(k < rank) {
-        const Eigen::VectorXd u = svd.matrixU().col(k);
+        const Vector u = svd.matrixU().col(k);
         left_out -= u * (u.transpose() * left_out);
       }
       square[group].push_back(left_out.squaredNorm());

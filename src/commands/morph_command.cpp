@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <iostream>
 #include <limits>
@@ -92,18 +93,15 @@ void write_morph_page(std::ostream& out, const std::string& title, const Mesh& m
       }
   const double size = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2], 1e-300});
   std::string bytes;
-  const auto add = [&bytes](long number, int length) {
-    for(int byte = 0; byte < length; ++byte)
-      bytes += static_cast<char>(number >> 8 * byte & 255);
-  };
   for(const auto& points : frames)
     for(const Point& p : points)
       for(std::size_t k = 0; k < 3; ++k)
-        add(std::lround(65535 * (0.5 + (p[k] / 2 - low[k] / 4 - high[k] / 4) * 2 / size)), 2);
+        append_number(bytes, static_cast<std::uint16_t>(
+                               std::lround(65535 * (0.5 + (p[k] / 2 - low[k] / 4 - high[k] / 4) * 2 / size))));
   bytes.append((4 - bytes.size() % 4) % 4, '\0');
   for(std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-    for(int v : mesh.triangle(f))
-      add(v, 4);
+    for(const std::int32_t v : mesh.triangle(f))
+      append_number(bytes, v);
 
   const std::string name = nlohmann::json(title).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   out << morph_page_before_header()

@@ -77,7 +77,7 @@ CGAL_SP_ON_ONE_CORE(harmonic_analysis)
 /// \param policy,np  see \ref pd_calls
 /// \return direction after direction, the values of all functions
 /// \throws Error  `NON_FINITE_COORDINATE` for what is no direction, and for coefficients that are not finite;
-///                `INTERRUPTED` if callback or time limit ended it
+///                `INTERRUPTED`
 ///
 /// Complexity: O(L^3 + n).
 template <class ExecutionPolicy, class DirectionRange, class CGAL_NP_TEMPLATE_PARAMETERS,

@@ -69,7 +69,7 @@ public:
   void advance_or_throw(double fraction = 0)
   {
     if(!advance(fraction))
-      throw Input_error(Error_code::INTERRUPTED, reason() + " before there was a map");
+      throw Input_error(Error_code::INTERRUPTED, reason_without_map());
   }
 
   /// Share of the way, on a logarithmic scale, that a residual has come from `first` down to `goal`.
@@ -93,6 +93,7 @@ public:
   {
     return state_ == State::TIME ? "the time limit was reached" : "stopped by the callback";
   }
+  std::string reason_without_map() const { return reason() + " before there was a map"; }
 
 private:
   enum class State { RUNNING, TIME, CALLBACK };

@@ -118,10 +118,10 @@ Solution Method_solver<Automatic>::solve(const Backend& backend, const Problem& 
   const bool has_springs = problem.missing_weights.empty();
   if(!has_springs || !try_method(Method_solver<Balanced>(Balanced{method_.spring_exponent}), effort, 0, 0.5))
     try_method(Method_solver<Isometric>(Isometric{method_.area_exponent}), Effort(), has_springs ? 0.5 : 0, 1);
-  if(best.error != Error_code::OK && best.has_map() && monitor.is_interrupted() &&
-     best.error != Error_code::INTERRUPTED) {
+  if(best.error != Error_code::OK && best.error != Error_code::INTERRUPTED && monitor.is_interrupted()) {
     best.error = Error_code::INTERRUPTED;
-    best.detail = monitor.reason() + "; the best map so far: " + best.detail;
+    best.detail =
+      best.has_map() ? monitor.reason() + "; the best map so far: " + best.detail : monitor.reason_without_map();
     best.remedy.clear();
   }
   best.attempts = std::move(attempts);

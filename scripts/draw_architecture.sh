@@ -38,6 +38,7 @@ rooms='
 5|beside|locate|kd-tree, barycentric coordinates
 5|beside|segmentation|girths, creases, regions
 5|beside|signature|conformal factor, intrinsic Laplacian
+5|beside|spectrum|eigenfunctions of the Laplacian
 5|beside|statistics|Procrustes alignment, principal components
 6|beside|spherical_harmonics|transforms, least squares, rotations
 6|beside|texture|charts, poles, grid of coordinates

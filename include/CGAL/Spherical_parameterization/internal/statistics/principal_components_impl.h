@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_STATISTICS_PRINCIPAL_COMPONENTS_IMPL_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_STATISTICS_PRINCIPAL_COMPONENTS_IMPL_H
 
+#include <CGAL/Spherical_parameterization/internal/algebra/dense_matrices.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/statistics/principal_components.h>
 
@@ -17,14 +18,6 @@
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
-
-/// The matrices of Eigen, by a parameter on which they do not depend. Their expressions take seconds to compile: so
-/// they are compiled where statistics are called, and not where this header is included.
-template <class>
-struct Dense {
-  typedef Eigen::MatrixXd Matrix;
-  typedef Eigen::VectorXd Vector;
-};
 
 /// R of the QR decomposition: at most as many rows as columns.
 template <class Matrix>

@@ -9,6 +9,7 @@
 #include "options/mapping_options.h"
 #include "preparation/prepare.h"
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -16,6 +17,12 @@
 #include <vector>
 
 namespace tool {
+
+/// A point of a mesh: a face, and the weights of its corners in their order; or none.
+struct Place {
+  int face = -1;
+  std::array<double, 3> weights = {0, 0, 0};
+};
 
 /// A mesh that was mended before it was mapped: how it was in its file, and what was done.
 struct Prepared_mesh {

@@ -7,19 +7,23 @@
 #include "input/text_lines.h"
 #include "mapping/report.h"
 #include "system/interruption.h"
+#include "system/loops.h"
 #include "system/progress_bar.h"
 #include "system/refusal.h"
 
 #include <CGAL/Spherical_parameterization/transfer_properties.h>
+#include <CGAL/tags.h>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
 #include <set>
 #include <string_view>
+#include <type_traits>
 
 namespace tool {
 namespace {
@@ -145,6 +149,7 @@ void register_pair(const Registration_options& options, Registered_pair& pair)
                         : options.motion == "moebius" ? SP::Registration::Motion::MOEBIUS
                                                       : SP::Registration::Motion::DEFORMATION;
   pair.registered.resize(a.number_of_vertices());
+  pair.places_on_b.resize(a.number_of_vertices());
   pair.points_on_b.resize(a.number_of_vertices());
   Progress_bar bar("registering");
   const auto go_on = [&bar](double fraction) {
@@ -158,9 +163,16 @@ void register_pair(const Registration_options& options, Registered_pair& pair)
     pair.result =
       SP::register_maps(policy, SP::mapped_mesh(a, as_map(pair.a.sphere)), SP::mapped_mesh(b, as_map(pair.b.sphere)),
                         as_map(pair.registered), registration, landmarks, watched);
-    if(pair.result)
-      SP::transfer_vertex_property(policy, SP::Spherical_locator<Mesh>(policy, b, as_map(pair.b.sphere)),
-                                   as_map(b.points()), a, as_map(pair.registered), as_map(pair.points_on_b));
+    if(pair.result) {
+      const SP::Spherical_locator<Mesh> locator(policy, b, as_map(pair.b.sphere));
+      for_each_index(!std::is_same_v<std::decay_t<decltype(policy)>, CGAL::Sequential_tag>, pair.registered.size(),
+                     [&](std::size_t v) {
+                       const SP::Face_location<Mesh> location = locator.locate(pair.registered[v]);
+                       const auto& [last, first, second] = location.second; // halfedge(face) begins at the last corner
+                       pair.places_on_b[v] = {location.first.idx(), {first, second, last}};
+                       pair.points_on_b[v] = SP::interpolate(b, location, as_map(b.points()));
+                     });
+    }
     return 0;
   });
   bar.hide();

@@ -36,7 +36,8 @@ struct Registration_options : Mapping_options {
 struct Registered_pair {
   Mapped_mesh a, b;
   Sphere registered;              ///< of the vertices of A
-  std::vector<Point> points_on_b; ///< where the vertices of A come to lie on the surface of B
+  std::vector<Place> places_on_b; ///< where the vertices of A come to lie on the surface of B
+  std::vector<Point> points_on_b; ///< the same as points
   SP::Registration_result result;
 };
 

@@ -162,7 +162,8 @@ void morph(const Morph_options& options)
     stop_if_interrupted(options.input);
   }
   files.commit(options.input);
-  std::cout << "written: " << name_of_step(options, 0) << " to " << name_of_step(options, options.steps)
+  std::cout << preparation_text(options, pair) << "written: " << name_of_step(options, 0) << " to "
+            << name_of_step(options, options.steps)
             << ", and morph.html to look at\nregistered map: " << pair.result.flipped_faces << " flipped faces, degree "
             << pair.result.degree << std::endl;
 }

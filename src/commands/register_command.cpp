@@ -59,13 +59,14 @@ void register_meshes(const Register_options& options)
     write_mesh(*sphere_file, format, pair.a.mesh(), pair.registered, Surface::SPHERE, pair.a.file->annotations);
   }
   if(correspondence_file)
-    write_correspondence(*correspondence_file, pair.places_on_b);
+    write_correspondence(*correspondence_file, places_by_files(pair));
   if(report_file)
     write_json(*report_file, registration_json(options, pair));
   files.commit(options.input);
   std::cout.precision(3);
-  std::cout << (file ? options.output : options.correspondence) << ": " << options.input << " in the shape of "
-            << options.other << ", " << pair.a.mesh().number_of_vertices() << " vertices\n"
+  std::cout << preparation_text(options, pair) << (file ? options.output : options.correspondence) << ": "
+            << options.input << " in the shape of " << options.other << ", " << pair.a.mesh().number_of_vertices()
+            << " vertices\n"
             << "registered map: " << pair.result.flipped_faces << " flipped faces, degree " << pair.result.degree
             << "; rotation by " << pair.result.start;
   if(options.motion == "deformation")

@@ -99,7 +99,7 @@ Soup read_triangles(const std::string& file, Coordinates coordinates)
   return read_soup(file, read_file(file), coordinates);
 }
 
-Input_mesh read_mesh(const std::string& file, Polygons polygons)
+Input_mesh read_mesh(const std::string& file, Polygons polygons, const std::string& how_to_mend)
 {
   Soup soup = read_triangles(file);
   if(polygons == Polygons::REFUSE)
@@ -108,7 +108,7 @@ Input_mesh read_mesh(const std::string& file, Polygons polygons)
     return {Mesh(CGAL::Parallel_if_available_tag(), std::move(soup.points), std::move(soup.triangles)), soup.polygons,
             std::move(soup.annotations)};
   } catch(const SP::Error& error) {
-    throw Refusal(error.code(), file, "has " + error.detail(), "the command 'prepare' does it");
+    throw Refusal(error.code(), file, "has " + error.detail(), how_to_mend);
   }
 }
 

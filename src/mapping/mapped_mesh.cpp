@@ -63,9 +63,10 @@ void read_input(const Mapping_options& options, Mapped_mesh& input)
   input.settings = std::make_shared<Map_settings>(map_settings(options));
   input.settings->policy = make_policy(options);
   const Stopwatch reading;
-  input.file = options.prepare != Prepare::NO
-                 ? read_prepared_mesh(options.input, options.prepare, input.prepared)
-                 : read_mesh(options.input, options.triangulate ? Polygons::TRIANGULATE : Polygons::REFUSE);
+  const Polygons polygons = options.triangulate ? Polygons::TRIANGULATE : Polygons::REFUSE;
+  input.file = options.prepare != Prepare::NO ? read_prepared_mesh(options.input, options.prepare, input.prepared)
+               : options.can_prepare_all      ? read_mesh(options.input, polygons, "--prepare does it")
+                                              : read_mesh(options.input, polygons);
   input.seconds_read = reading.seconds();
   input.result.number_of_vertices = input.mesh().number_of_vertices();
   input.result.number_of_faces = input.mesh().number_of_faces();

@@ -11,32 +11,58 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 
 namespace tool {
 namespace {
 
-/// The weights of the corners at the point of a triangle that is near to `p`: its foot in the plane, and for those
-/// outside of the triangle what is left when negative weights are 0.
-std::array<double, 3> weights_of_place(const std::array<Vector, 3>& corners, const Vector& p)
+using Corners = std::array<Vector, 3>;
+
+template <class Points>
+Corners corners_of(const Points& points, const std::array<int, 3>& triangle)
 {
+  return {points[place(triangle[0])], points[place(triangle[1])], points[place(triangle[2])]};
+}
+
+/// The weights of the corners at the point of a triangle that is nearest to `p`. The triangle may have no area.
+std::array<double, 3> weights_of_nearest(const Corners& corners, const Vector& p)
+{
+  std::array<double, 3> weights = {0, 0, 0};
   for(std::size_t k = 0; k < 3; ++k)
     if(corners[k] == p) {
-      std::array<double, 3> weights = {0, 0, 0};
       weights[k] = 1;
       return weights;
     }
-  const Vector normal = cross(minus(corners[1], corners[0]), minus(corners[2], corners[0]));
-  std::array<double, 3> weights;
-  double sum = 0;
-  for(std::size_t k = 0; k < 3; ++k) {
-    const Vector &a = corners[(k + 1) % 3], &b = corners[(k + 2) % 3];
-    weights[k] = std::max(0., dot(cross(minus(a, p), minus(b, p)), normal));
-    sum += weights[k];
+  std::vector<Vector> from_p; // in a unit in which products are numbers
+  for(const Vector& corner : corners)
+    from_p.push_back(minus(corner, p));
+  const double unit = unit_of(largest_coordinate(from_p));
+  for(Vector& corner : from_p)
+    for(double& x : corner)
+      x /= unit;
+
+  const Vector normal = cross(minus(from_p[1], from_p[0]), minus(from_p[2], from_p[0]));
+  for(std::size_t k = 0; k < 3; ++k)
+    weights[k] = dot(cross(from_p[(k + 1) % 3], from_p[(k + 2) % 3]), normal);
+  const double sum = weights[0] + weights[1] + weights[2];
+  if(sum > 0 && *std::min_element(weights.begin(), weights.end()) >= 0) { // the foot in the plane is inside
+    for(double& w : weights)
+      w /= sum;
+    return weights;
   }
-  if(!(sum > 0))
-    return {1. / 3, 1. / 3, 1. / 3};
-  for(double& w : weights)
-    w /= sum;
+  double least = std::numeric_limits<double>::infinity();
+  for(std::size_t k = 0; k < 3; ++k) {
+    const Vector &a = from_p[k], &b = from_p[(k + 1) % 3], ab = minus(b, a);
+    const double square = dot(ab, ab), t = square > 0 ? std::clamp(-dot(a, ab) / square, 0., 1.) : 0;
+    const double distance = std::hypot(a[0] + t * ab[0], a[1] + t * ab[1], a[2] + t * ab[2]);
+    if(distance < least) {
+      least = distance;
+      weights = {0, 0, 0};
+      weights[k] = 1 - t;
+      weights[(k + 1) % 3] = t;
+    }
+  }
   return weights;
 }
 
@@ -91,6 +117,64 @@ std::vector<std::size_t> labels_of_file(const Prepared_mesh& prepared, const std
   return result;
 }
 
+std::vector<int> mended_vertices(const Prepared_mesh& prepared)
+{
+  const Soup& soup = prepared.soup;
+  const Glued_surface& surface = prepared.preparation.parts.front();
+  std::vector<int> result(soup.points.size(), Glued_surface::none);
+  const auto set_first = [&result](int old, int v) {
+    if(int& mended = result[place(old)]; mended == Glued_surface::none)
+      mended = v;
+  };
+  for(int v = 0; v < surface.number_of_vertices(); ++v)
+    if(const int old = surface.old_vertex[place(v)]; old != Glued_surface::none)
+      set_first(old, v);
+  // a vertex that was merged with another one is a corner of its faces, at the same place
+  for(std::size_t f = 0; f < surface.faces.size(); ++f)
+    if(const int old_face = surface.old_face[f]; old_face != Glued_surface::none)
+      for(const int old : soup.triangles[place(old_face)])
+        for(const int v : surface.faces[f])
+          if(soup.points[place(old)] == surface.point(v))
+            set_first(old, v);
+  return result;
+}
+
+std::vector<Place> places_of_file(const Prepared_mesh& prepared, const std::vector<Place>& places)
+{
+  const Soup& soup = prepared.soup;
+  const Glued_surface& surface = prepared.preparation.parts.front();
+  const auto corners = [&surface](int face) { return corners_of(surface.points, surface.faces[place(face)]); };
+  std::vector<Place> result = places;
+  std::vector<std::size_t> in_new_faces;
+  std::vector<Vector> points; // there
+  for(std::size_t i = 0; i < places.size(); ++i)
+    if(const auto& [face, w] = places[i]; surface.old_face[place(face)] == Glued_surface::none) {
+      const auto [a, b, c] = corners(face);
+      in_new_faces.push_back(i);
+      points.emplace_back();
+      for(std::size_t k = 0; k < 3; ++k)
+        points.back()[k] = w[0] * a[k] + w[1] * b[k] + w[2] * c[k];
+    }
+  const std::vector<int> nearest = nearest_old_faces(points, surface);
+  for(std::size_t i = 0; i < points.size(); ++i)
+    result[in_new_faces[i]] = {nearest[i], weights_of_nearest(corners(nearest[i]), points[i])};
+
+  for(auto& [face, weights] : result) {
+    const int old_face = surface.old_face[place(face)];
+    const Corners old_corners = corners_of(soup.points, soup.triangles[place(old_face)]);
+    std::array<double, 3> old_weights = {0, 0, 0};
+    for(std::size_t k = 0; k < 3;
+        ++k) { // a corner of the mended face is one of the old face, or on a side that was split
+      const std::array<double, 3> of_corner = weights_of_nearest(old_corners, corners(face)[k]);
+      for(std::size_t i = 0; i < 3; ++i)
+        old_weights[i] = std::min(1., old_weights[i] + weights[k] * of_corner[i]);
+    }
+    face = old_face;
+    weights = old_weights;
+  }
+  return result;
+}
+
 std::vector<std::pair<double, double>> coordinates_of_file(const Prepared_mesh& prepared,
                                                            const std::vector<std::pair<double, double>>& coordinates)
 {
@@ -100,11 +184,9 @@ std::vector<std::pair<double, double>> coordinates_of_file(const Prepared_mesh& 
   std::vector<std::pair<double, double>> result(3 * soup.triangles.size());
   for(std::size_t f = 0; f < soup.triangles.size(); ++f) {
     const std::size_t g = place(nearest[f]);
-    std::array<Vector, 3> corners;
-    for(std::size_t k = 0; k < 3; ++k)
-      corners[k] = surface.point(surface.faces[g][k]);
+    const Corners corners = corners_of(surface.points, surface.faces[g]);
     for(std::size_t k = 0; k < 3; ++k) {
-      const std::array<double, 3> weights = weights_of_place(corners, soup.points[place(soup.triangles[f][k])]);
+      const std::array<double, 3> weights = weights_of_nearest(corners, soup.points[place(soup.triangles[f][k])]);
       auto& uv = result[3 * f + (k + 2) % 3]; // the halfedge that ends at corner k
       for(std::size_t i = 0; i < 3; ++i) {
         uv.first += weights[i] * coordinates[3 * g + (i + 2) % 3].first;

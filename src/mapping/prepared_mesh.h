@@ -45,6 +45,12 @@ std::string preparation_text(const std::string& file, const std::optional<Prepar
 std::vector<std::size_t> labels_of_file(const Prepared_mesh& prepared, const std::vector<std::size_t>& labels,
                                         std::size_t& number_of_labels);
 
+/// By vertex of the file: the mended vertex, or one of its copies; -1 if it was left out.
+std::vector<int> mended_vertices(const Prepared_mesh& prepared);
+
+/// The same places on the mesh of the file; for those in new faces the nearest ones in faces that were not left out.
+std::vector<Place> places_of_file(const Prepared_mesh& prepared, const std::vector<Place>& places);
+
 /// Texture coordinates of the corners of the file, by the halfedges that end there, from those of the mended mesh:
 /// those of the same corner, or for what was left out those of the nearest place of the nearest face.
 std::vector<std::pair<double, double>> coordinates_of_file(const Prepared_mesh& prepared,

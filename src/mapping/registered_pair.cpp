@@ -20,6 +20,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -40,32 +41,47 @@ Mapping_options options_of(const Registration_options& options, bool is_second)
   return result;
 }
 
-Landmarks read_landmarks(const std::string& file, const Mesh& a, const Mesh& b)
+/// By vertex of the file: that of the mesh which is mapped, -1 if it was left out.
+std::vector<int> mapped_vertices(const Mapped_mesh& input)
 {
+  if(input.prepared)
+    return mended_vertices(*input.prepared);
+  std::vector<int> all(input.mesh().number_of_vertices());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+Landmarks read_landmarks(const std::string& file, const Registered_pair& pair)
+{
+  const std::vector<int> mapped[2] = {mapped_vertices(pair.a), mapped_vertices(pair.b)};
   const std::string remedy = "a line must be 'vertex-of-A vertex-of-B'";
   Landmarks landmarks;
-  std::set<std::int64_t> seen[2];
+  std::set<int> seen[2];
   Text_lines lines(file, read_file(file));
   while(lines.next()) {
-    std::int64_t index[2];
+    int index[2];
     for(int side = 0; side < 2; ++side) {
       const std::string_view token = lines.token();
       const std::optional<std::int64_t> number = to_integer(token);
       if(!number)
         lines.refuse(token.empty() ? "fewer than two vertices" : in_quotes(token) + " is not a vertex index", remedy);
-      const auto vertices = std::int64_t((side == 0 ? a : b).number_of_vertices());
+      const auto vertices = std::int64_t(mapped[side].size());
       if(*number < 0 || *number >= vertices)
         lines.refuse("vertex " + std::to_string(*number) + " is not in 0.." + std::to_string(vertices - 1) +
                        (side == 0 ? " of A" : " of B"),
                      "vertices are numbered from 0 in the order of the mesh file");
-      if(!seen[side].insert(*number).second)
+      index[side] = mapped[side][static_cast<std::size_t>(*number)];
+      if(index[side] < 0)
+        lines.refuse("vertex " + std::to_string(*number) + (side == 0 ? " of A" : " of B") +
+                       " was left out when the mesh was mended",
+                     "name another one");
+      if(!seen[side].insert(index[side]).second)
         lines.refuse("vertex " + std::to_string(*number) + (side == 0 ? " of A" : " of B") + " is listed twice",
                      "list every vertex once");
-      index[side] = *number;
     }
     if(!lines.token().empty())
       lines.refuse("more than two values", remedy);
-    landmarks.emplace_back(Mesh::Vertex_index(int(index[0])), Mesh::Vertex_index(int(index[1])));
+    landmarks.emplace_back(Mesh::Vertex_index(index[0]), Mesh::Vertex_index(index[1]));
   }
   if(landmarks.empty())
     throw Refusal(unreadable_file, file, "has no landmark", remedy);
@@ -82,6 +98,10 @@ void add_registration_options(CLI::App& command, Registration_options& options)
     ->type_name("FILE");
   command.add_option("B", options.other, "The other mesh, likewise")->required()->type_name("FILE");
   add_mapping_options(command, options);
+  add_prepare_option(command, options, Prepare::ALL);
+  command.get_option("--prepare")
+    ->description("Mend A and B first as the command 'prepare' does: holes, handles, components, ...; output meshes "
+                  "have the faces of A as 'prepare' writes it");
   const auto how_to_map = command.get_options([](const CLI::Option* option) {
     return option->get_group() != "Options" && option->get_name() != "--max-time"; // which limits registration, too
   });
@@ -141,7 +161,7 @@ void read_pair(const Registration_options& options, Registered_pair& pair)
 void register_pair(const Registration_options& options, Registered_pair& pair)
 {
   const Mesh &a = pair.a.mesh(), &b = pair.b.mesh();
-  const Landmarks landmarks = options.landmarks.empty() ? Landmarks() : read_landmarks(options.landmarks, a, b);
+  const Landmarks landmarks = options.landmarks.empty() ? Landmarks() : read_landmarks(options.landmarks, pair);
   map_input(options_of(options, false), pair.a);
   map_input(options_of(options, true), pair.b);
   SP::Registration registration = options.registration;
@@ -180,6 +200,21 @@ void register_pair(const Registration_options& options, Registered_pair& pair)
   if(!pair.result)
     throw Refusal(pair.result.error, options.input, std::string("cannot be registered: ") + pair.result.detail,
                   pair.result.error == SP::Error_code::INTERRUPTED ? "allow more --max-time" : "");
+}
+
+std::vector<Place> places_by_files(const Registered_pair& pair)
+{
+  const std::vector<Place> places =
+    pair.b.prepared ? places_of_file(*pair.b.prepared, pair.places_on_b) : pair.places_on_b;
+  std::vector<Place> result;
+  for(const int v : mapped_vertices(pair.a))
+    result.push_back(v < 0 ? Place() : places[static_cast<std::size_t>(v)]);
+  return result;
+}
+
+std::string preparation_text(const Registration_options& options, const Registered_pair& pair)
+{
+  return preparation_text(options.input, pair.a.prepared) + preparation_text(options.other, pair.b.prepared);
 }
 
 nlohmann::ordered_json registration_json(const Registration_options& options, const Registered_pair& pair)

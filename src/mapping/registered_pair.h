@@ -56,6 +56,12 @@ void read_pair(const Registration_options& options, Registered_pair& pair);
 /// Maps both and registers them. Throws a `Refusal` if there is no certified registered map.
 void register_pair(const Registration_options& options, Registered_pair& pair);
 
+/// By vertex of the file of A its place on the mesh of the file of B; none if it was left out when A was mended.
+std::vector<Place> places_by_files(const Registered_pair& pair);
+
+/// What was done to both meshes before, in lines, each with its end.
+std::string preparation_text(const Registration_options& options, const Registered_pair& pair);
+
 /// The figures of the registration, for reports.
 nlohmann::ordered_json registration_json(const Registration_options& options, const Registered_pair& pair);
 

@@ -195,6 +195,7 @@ void add_sphere_option(CLI::App& command, Mapping_options& options)
 
 void add_prepare_option(CLI::App& command, Mapping_options& options, Prepare how)
 {
+  options.can_prepare_all = how == Prepare::ALL;
   command.add_flag_function(
     "--prepare", [&options, how](std::int64_t) { options.prepare = how; },
     how == Prepare::ALL

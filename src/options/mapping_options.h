@@ -36,7 +36,8 @@ struct Mapping_options {
   std::string input;
   bool triangulate = false;
   Prepare prepare = Prepare::NO;
-  std::string sphere; ///< a map computed before; then nothing below is given
+  bool can_prepare_all = false; ///< with --prepare, so that refusals name it
+  std::string sphere;           ///< a map computed before; then nothing below is given
 
   std::string weights = "conformal";
   std::optional<double> min_angle;

@@ -296,6 +296,8 @@ CGAL::Bbox_3 box_of(const Triangle_list& triangles)
   return box;
 }
 
+constexpr std::size_t most_looks_at_overlaps = 10'000; // where so many faces overlap, any of them is the nearest
+
 } // namespace
 
 Hausdorff_distance hausdorff_distance(const Soup& old, const std::vector<Glued_surface>& parts, double tolerance,
@@ -338,6 +340,25 @@ Hausdorff_distance hausdorff_distance(const Soup& old, const std::vector<Glued_s
   return {between(only_new, all_old), between(only_old, all_new)};
 }
 
+std::vector<int> nearest_old_faces(const std::vector<Point>& points, const Glued_surface& surface)
+{
+  if(points.empty())
+    return {};
+  const double unit = unit_of(std::max(largest_coordinate(points), largest_coordinate(surface.points)));
+  Triangle_list triangles;
+  std::vector<int> number;
+  for(std::size_t f = 0; f < surface.faces.size(); ++f)
+    if(surface.old_face[f] != Glued_surface::none) {
+      triangles.push_back(triangle(surface.points, surface.faces[f], unit));
+      number.push_back(static_cast<int>(f));
+    }
+  const Triangle_tree tree(triangles);
+  std::vector<int> result;
+  for(const Point& p : points)
+    result.push_back(number[tree.nearest(point_of(p, unit), 0, most_looks_at_overlaps).number]);
+  return result;
+}
+
 std::vector<int> nearest_faces(const Soup& old, const Glued_surface& surface)
 {
   std::vector<int> result(old.triangles.size(), Glued_surface::none);
@@ -353,14 +374,13 @@ std::vector<int> nearest_faces(const Soup& old, const Glued_surface& surface)
   for(const auto& corners : surface.faces)
     triangles.push_back(triangle(surface.points, corners, unit));
   const Triangle_tree tree(triangles);
-  constexpr std::size_t most_looks = 10'000; // where so many overlap, any of them will do
   for(std::size_t f = 0; f < result.size(); ++f) {
     if(result[f] != Glued_surface::none)
       continue;
     result[f] = 0;
     if(has_finite_corners(old, old.triangles[f]) && !tree.is_empty())
       result[f] = static_cast<int>(
-        tree.nearest(CGAL::centroid(triangle(old.points, old.triangles[f], unit)), 0, most_looks).number);
+        tree.nearest(CGAL::centroid(triangle(old.points, old.triangles[f], unit)), 0, most_looks_at_overlaps).number);
   }
   return result;
 }

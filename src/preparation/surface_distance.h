@@ -38,6 +38,10 @@ Hausdorff_distance hausdorff_distance(const Soup& old, const std::vector<Glued_s
 /// For all others that face. Faces without finite coordinates get face 0.
 std::vector<int> nearest_faces(const Soup& old, const Glued_surface& surface);
 
+/// For each point the nearest of those faces of `surface` that the mesh as it was has, too (or one that is near, as
+/// above). \pre there is one
+std::vector<int> nearest_old_faces(const std::vector<Point>& points, const Glued_surface& surface);
+
 /// The Hausdorff distance of two surfaces with the same faces, sampled at the vertices: the largest distance of a
 /// vertex of one from the other surface. `points` and `others` are finite.
 double hausdorff_distance_at_vertices(const Mesh& mesh, const std::vector<Point>& points,

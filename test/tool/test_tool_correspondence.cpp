@@ -15,6 +15,7 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace test;
@@ -79,6 +80,50 @@ double size_of(const Soup& soup)
 
 Point turned(const Point& p) { return Point(p.y(), p.z(), p.x()); }
 
+double distance_to(const Soup& soup, const Point& p)
+{
+  double least = 1e300;
+  for(const auto& face : soup.faces)
+    if(const CGAL::Triangle_3<Kernel> t(soup.points[face[0]], soup.points[face[1]], soup.points[face[2]]);
+       !t.is_degenerate())
+      least = std::min(least, CGAL::to_double(CGAL::squared_distance(p, t)));
+  return std::sqrt(least);
+}
+
+/// Registers `a` to `b` with --prepare. Returns the places, and the mesh that is written.
+struct Prepared_pair {
+  Process_result run;
+  std::vector<Place> places;
+  Soup out;
+
+  Prepared_pair(const Scratch& scratch, const Soup& a, const Soup& b, const std::vector<std::string>& options = {})
+  {
+    std::vector<std::string> command = {"register",
+                                        write_off(scratch / "a.off", a),
+                                        write_off(scratch / "b.off", b),
+                                        "--prepare",
+                                        "-o",
+                                        scratch / "out.off",
+                                        "--correspondence",
+                                        scratch / "places.csv"};
+    command.insert(command.end(), options.begin(), options.end());
+    run = run_tool(command);
+    CAPTURE(run.err);
+    REQUIRE(run.exit_code == 0);
+    places = read_places(scratch / "places.csv", a, b);
+    out = read(scratch / "out.off");
+  }
+};
+
+Soup with_isolated_vertex(Soup soup)
+{
+  soup.points.insert(soup.points.begin(), Point(7, 7, 7));
+  for(auto& face : soup.faces)
+    for(std::size_t& i : face)
+      ++i;
+  return soup;
+}
+
 } // namespace
 
 TEST_CASE("register --correspondence: a mesh and itself, turned and renumbered", "[tool]")
@@ -88,10 +133,10 @@ TEST_CASE("register --correspondence: a mesh and itself, turned and renumbered",
   std::vector<std::size_t> order;
   const Soup b = renumbered(transformed(a, turned), 3, order),
              sphere_of_b = renumbered(transformed(sphere, turned), 3, order);
-  const Process_result run = run_tool(
-    {"register", write_off(scratch / "a.off", a), write_off(scratch / "b.off", b), "--spheres",
-     write_off(scratch / "sphere_a.off", sphere), write_off(scratch / "sphere_b.off", sphere_of_b), "-o",
-     scratch / "out.off", "--correspondence", scratch / "places.csv"});
+  const Process_result run =
+    run_tool({"register", write_off(scratch / "a.off", a), write_off(scratch / "b.off", b), "--spheres",
+              write_off(scratch / "sphere_a.off", sphere), write_off(scratch / "sphere_b.off", sphere_of_b), "-o",
+              scratch / "out.off", "--correspondence", scratch / "places.csv"});
   CAPTURE(run.err);
   REQUIRE(run.exit_code == 0);
   const std::vector<Place> places = read_places(scratch / "places.csv", a, b);
@@ -152,4 +197,133 @@ TEST_CASE("register --correspondence: wrong usage", "[tool]")
     CHECK(run.exit_code == 2);
     CHECK(scratch.number_of_files() == 2);
   }
+}
+
+TEST_CASE("register --prepare: an isolated vertex has no place, and the others have theirs", "[tool]")
+{
+  Scratch scratch;
+  const Soup ball = bumpy_sphere(3), a = with_isolated_vertex(ball), b = transformed(a, turned);
+  const Prepared_pair pair(scratch, a, b);
+  CHECK(pair.run.out.find("a.off: removed 1 isolated vertex (vertex 0)") != std::string::npos);
+  CHECK(pair.run.out.find("b.off: removed 1 isolated vertex (vertex 0)") != std::string::npos);
+  CHECK(pair.places[0].face == -1);
+  CHECK(pair.out.faces == ball.faces);
+  for(std::size_t v = 1; v < a.points.size(); ++v) {
+    CHECK(distance(pair.places[v].on(b), b.points[v]) < 1e-3);
+    CHECK(distance(pair.places[v].on(b), pair.out.points[v - 1]) < 1e-12 * size_of(b));
+  }
+}
+
+TEST_CASE("register --prepare: of two surfaces with a common vertex the vertices of one have places", "[tool]")
+{
+  Scratch scratch;
+  const Soup a = make_soup(hourglass());
+  const Prepared_pair pair(scratch, a, bumpy_sphere(2));
+  std::size_t left_out = 0, whole_faces = 0;
+  for(const Place& place : pair.places)
+    left_out += place.face < 0 ? 1 : 0;
+  for(const auto& face : a.faces)
+    whole_faces +=
+      std::all_of(face.begin(), face.end(), [&](std::size_t v) { return pair.places[v].face >= 0; }) ? 1 : 0;
+  CHECK(left_out == a.points.size() - pair.out.points.size());
+  CHECK(left_out > 0);
+  CHECK(whole_faces == pair.out.faces.size());
+}
+
+TEST_CASE("register --prepare: a vertex of two sheets has the place of one, and one that is merged that of the other",
+          "[tool]")
+{
+  Scratch scratch;
+  Soup a = make_soup(pinched_sphere());
+  a.points.push_back(a.points[a.faces[0][0]]);
+  a.faces[0][0] = a.points.size() - 1;
+  const Soup before = make_soup(pinched_sphere());
+  const Prepared_pair pair(scratch, a, bumpy_sphere(3));
+  CHECK(pair.run.out.find("merged 1 vertex") != std::string::npos);
+  CHECK(pair.run.out.find("made 1 copy of non-manifold vertices") != std::string::npos);
+  for(const Place& place : pair.places)
+    CHECK(place.face >= 0);
+  const Place &merged = pair.places.back(), &with = pair.places[before.faces[0][0]];
+  CHECK(merged.face == with.face);
+  CHECK(merged.weights == with.weights);
+}
+
+TEST_CASE("register --prepare: places on what was mended are the nearest ones on the file", "[tool]")
+{
+  Scratch scratch;
+  const Soup whole = transformed(bumpy_sphere(3), turned);
+  Soup b = whole, a = bumpy_sphere(3);
+  SECTION("a hole") { b.faces.resize(b.faces.size() - 40); }
+  SECTION("inside out")
+  {
+    for(auto& face : b.faces)
+      std::swap(face[0], face[1]);
+  }
+  SECTION("some faces reversed")
+  {
+    for(std::size_t f = 0; f < b.faces.size(); f += 3)
+      std::swap(b.faces[f][1], b.faces[f][2]);
+  }
+  SECTION("a handle") { a = b = torus(16, 8); }
+  SECTION("a handle of few faces, and edges with the same ends") { a = b = torus(3, 3); }
+  const Prepared_pair pair(scratch, a, b);
+  std::size_t on_new_faces = 0;
+  for(std::size_t v = 0; v < a.points.size(); ++v) {
+    REQUIRE(pair.places[v].face >= 0);
+    const double nearest = distance_to(b, pair.out.points[v]);
+    CHECK(distance(pair.places[v].on(b), pair.out.points[v]) == Approx(nearest).margin(1e-12 * size_of(b)));
+    on_new_faces += nearest > 1e-12 * size_of(b) ? 1 : 0;
+  }
+  if(b.faces.size() < whole.faces.size() && a.points.size() == whole.points.size())
+    CHECK(on_new_faces > 5);
+}
+
+TEST_CASE("register --prepare: landmarks have the numbers of the files", "[tool]")
+{
+  Scratch scratch;
+  const Soup ball = bumpy_sphere(3), a = with_isolated_vertex(ball), b = transformed(ball, turned);
+  const std::string landmarks = scratch / "landmarks.txt";
+  write_text(landmarks, "1 0\n301 300\n601 600\n");
+  const Prepared_pair pair(scratch, a, b, {"--landmarks", landmarks});
+  CHECK(pair.run.out.find("rotation by landmarks") != std::string::npos);
+  for(const std::size_t v : {0, 300, 600})
+    CHECK(distance(pair.places[v + 1].on(b), b.points[v]) < 1e-3);
+  write_text(landmarks, "0 0\n");
+  const Process_result run = run_tool({"register", scratch / "a.off", scratch / "b.off", "--prepare", "--landmarks",
+                                       landmarks, "--correspondence", scratch / "others.csv"});
+  CHECK(run.exit_code == 1);
+  CHECK(run.err.find("vertex 0 of A was left out when the mesh was mended") != std::string::npos);
+  CHECK_FALSE(fs::exists(scratch / "others.csv"));
+}
+
+TEST_CASE("register and morph: what is no sphere is refused, or mended with --prepare", "[tool]")
+{
+  Scratch scratch;
+  const std::string closed = write_off(scratch / "closed.off", icosphere(2)),
+                    open = write_off(scratch / "open.off", open_sphere(2));
+  for(const auto& [a, b] : {std::pair(open, closed), std::pair(closed, open)})
+    for(const std::vector<std::string>& outputs :
+        {std::vector<std::string>{"register", "-o", scratch / "out.off", "--correspondence", scratch / "places.csv"},
+         {"morph", "-o", scratch / "way", "--steps", "2", "--format", "off"}}) {
+      std::vector<std::string> command = outputs;
+      command.insert(command.end(), {a, b});
+      const Process_result refused = run_tool(command);
+      CAPTURE(command, refused.err);
+      CHECK(refused.exit_code == 1);
+      CHECK(is_one_line(refused.err));
+      CHECK(refused.err.find("open.off: has 5 boundary edges") != std::string::npos);
+      CHECK(refused.err.find("; --prepare does it\n") != std::string::npos);
+      CHECK(scratch.number_of_files() == 2);
+      command.emplace_back("--prepare");
+      const Process_result run = run_tool(command);
+      CAPTURE(run.err);
+      CHECK(run.exit_code == 0);
+      CHECK(run.out.find("open.off: filled 1 hole (5 edges") != std::string::npos);
+      if(outputs[0] == "morph") { // the first step is the mended mesh
+        REQUIRE(run_tool({"prepare", a, "-o", scratch / "mended.off"}).exit_code == 0);
+        CHECK(text_of(scratch / "way/step_0.off") == text_of(scratch / "mended.off"));
+      }
+      for(const char* output : {"out.off", "places.csv", "way", "mended.off"})
+        fs::remove_all(scratch / output);
+    }
 }

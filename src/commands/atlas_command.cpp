@@ -52,10 +52,11 @@ struct Mapped_file {
   std::string mesh, sphere;
 };
 
-/// Reads the mesh and the certified map of the file.
-void read_mapped(const Atlas_options& options, const Mapped_file& file, Mapped_mesh& input)
+/// Reads the mesh, mended as it was mapped, and the certified map of the file.
+void read_mapped(const Atlas_options& options, const Mapped_file& file, Prepare how, Mapped_mesh& input)
 {
   Atlas_options one = options;
+  one.prepare = how;
   one.input = file.mesh;
   one.sphere = file.sphere;
   one.policy = "sequential"; // the other cores have meshes of their own
@@ -146,7 +147,8 @@ private:
         map_input(one, input);
         write_mesh(file, {}, input.mesh(), input.sphere, Surface::SPHERE);
         files.commit(item.mesh);
-        outcome.line = std::to_string(input.mesh().number_of_vertices()) + " vertices, " + input.result.method + " map";
+        outcome.line = std::to_string(input.mesh().number_of_vertices()) + " vertices, " + input.result.method +
+                       " map" + (preparation_text(item.mesh, input.prepared).empty() ? "" : ", prepared");
       });
       return outcome;
     };
@@ -180,7 +182,7 @@ private:
   void register_meshes(int round, const Mapped_file& to, const Mapped_file& first)
   {
     Mapped_mesh target;
-    read_mapped(options_, to, target);
+    read_mapped(options_, to, round == 1 ? options_.prepare : Prepare::NO, target); // a mean is a sphere
     if(round == 1) {
       if(options_.faces == "icosphere") {
         Sphere directions;
@@ -196,7 +198,7 @@ private:
         Atomic_files files;
         std::ostream& file = files.open(shape_of(round, item));
         Mapped_mesh input;
-        read_mapped(options_, {item.mesh, sphere_of(item)}, input);
+        read_mapped(options_, {item.mesh, sphere_of(item)}, options_.prepare, input);
         std::ostringstream line;
         line.precision(2);
         if(item.mesh == to.mesh)
@@ -295,6 +297,9 @@ void add_atlas_command(CLI::App& app, int& exit_code)
   const auto options = std::make_shared<Atlas_options>();
   add_collection_options(*command, *options);
   add_mapping_options(*command, *options);
+  add_prepare_option(*command, *options, Prepare::ALL);
+  command->get_option("--prepare")
+    ->description("Mend meshes first as the command 'prepare' does: holes, handles, components, ...");
   command
     ->add_option("-o,--output", options->output,
                  "Output folder: mean.ply; variance.ply, coloured; modes/, the mean plus and minus two standard\n"

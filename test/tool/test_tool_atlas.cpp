@@ -137,6 +137,35 @@ TEST_CASE("atlas: faces of a template that is not in the set; sizes are no diffe
         Approx(4));
 }
 
+TEST_CASE("atlas --prepare: a mesh with a hole, and a template with one, are mended first", "[tool]")
+{
+  Scratch scratch;
+  const Soup body = bumpy_sphere(3);
+  std::vector<std::string> command = {"atlas"};
+  for(int i = 0; i < 3; ++i) {
+    Soup soup = transformed(body, [i](const Point& p) { return Point((1 + 0.2 * i) * p.x(), p.y(), p.z()); });
+    if(i != 1)
+      soup.faces.pop_back(); // is filled with one face
+    command.push_back(write_off(scratch / std::to_string(i) + ".off", soup));
+  }
+  const bool has_template_faces = GENERATE(false, true);
+  command.insert(command.end(), {"-o", scratch / "atlas", "--template", command[1], "--rounds", "2", "--faces",
+                                 has_template_faces ? "template" : "icosphere", "--level", "3"});
+  const Process_result refused = run_tool(command);
+  CHECK(refused.exit_code == 1);
+  CHECK((refused.out + refused.err).find("; --prepare does it") != std::string::npos);
+  command.emplace_back("--prepare");
+  const Process_result run = run_tool(command);
+  CAPTURE(run.out, run.err);
+  REQUIRE(run.exit_code == 0);
+  CHECK(run.out.find("map, prepared") != std::string::npos);
+  const auto report = nlohmann::json::parse(text_of(scratch / "atlas/report.json"));
+  CHECK(report["shapes"] == 3);
+  CHECK(report["faces"] == (has_template_faces ? body.faces.size() : 1280));
+  CHECK(report["modes"][0]["explained"] > 0.97);
+  CHECK(run_tool(command).out.find("3 done by an earlier run") != std::string::npos);
+}
+
 TEST_CASE("atlas: where there is nothing to compare, nothing is written", "[tool]")
 {
   Scratch scratch;

@@ -21,11 +21,13 @@ namespace {
 struct Flat_star {
   std::vector<std::array<double, 2>> ring;
 
-  explicit Flat_star(unsigned seed)
+  /// \param dent  by which every other radius is shortened: the kernel is then far smaller than the star
+  explicit Flat_star(unsigned seed, double dent = 1)
   {
     Random random(seed);
     for(int k = 0; k < 6; ++k) {
-      const double radius = random.number(0.7, 1.4), angle = (k + random.number(-0.3, 0.3)) * 1.0471975511965976;
+      const double radius = random.number(0.7, 1.4) * (k % 2 == 1 ? dent : 1),
+                   angle = (k + random.number(-0.3, 0.3)) * 1.0471975511965976;
       ring.push_back({radius * std::cos(angle), radius * std::sin(angle)});
     }
   }
@@ -190,6 +192,28 @@ TEST_CASE("a step lowers the energy by what it says; the last one is at a minimu
     }
 }
 
+TEST_CASE("near its minimum a step squares the distance, on a star that is no plane, too", "[star]")
+{
+  const vec3 centre = I::unit({0.2, -0.3, -0.9});
+  for(double theta : {0., 1.})
+    for(double size : {0.8, 0.3}) {
+      CAPTURE(theta, size);
+      const I::Distortion distortion(theta);
+      const I::Star star = Flat_star(5).on_sphere(centre, size, 0.2);
+      vec3 minimum = centre;
+      double energy = 0;
+      for(int steps = 0; steps < 20; ++steps)
+        I::relax_centre(distortion, star, minimum, energy);
+      const double away = 1e-3 * size;
+      for(int k = 0; k < 6; ++k) {
+        const I::Planar step = {away * std::cos(k), away * std::sin(k)};
+        vec3 x = I::unit(I::add(minimum, I::tangents_at(minimum).combined(step)));
+        I::relax_centre(distortion, star, x, energy);
+        CHECK(I::norm(I::sub(x, minimum)) < 0.02 * away);
+      }
+    }
+}
+
 TEST_CASE("solve_positive: Newton's direction where that descends, and always a descent", "[star]")
 {
   Random random;
@@ -206,6 +230,17 @@ TEST_CASE("solve_positive: Newton's direction where that descends, and always a 
       CHECK(I::inner(h, h) == Approx(I::inner(g, g)));
     }
   }
+}
+
+TEST_CASE("the kernel point of a dented star sees its whole ring", "[star]")
+{
+  const vec3 at = I::unit({-0.4, 0.1, 0.6});
+  for(double size : {0.5, 1e-3, 1e-9})
+    for(unsigned seed = 1; seed < 50; ++seed) {
+      const I::Star star = Flat_star(seed, 0.25).on_sphere(at, size);
+      REQUIRE(I::is_valid_centre(star, at));
+      CHECK(I::is_valid_centre(star, I::kernel_point(star, at)));
+    }
 }
 
 TEST_CASE("a vertex is inserted where it sees its ring, from a centre on the border of the kernel", "[star]")

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Eigenfunctions of the Laplacian: of the definition, and where they are known.
+
+#include "helpers/arrays.h"
+
+#include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
+#include <CGAL/Spherical_parameterization/internal/spectrum/laplacian_spectrum.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <vector>
+
+using namespace test;
+
+namespace {
+
+constexpr double no_limit = std::numeric_limits<double>::infinity();
+const I::Host_loop one_core;
+
+/// The cotangent Laplacian of a mesh, and a third of the areas of the faces at every vertex.
+struct Surface {
+  I::Weighted_graph laplacian;
+  I::Host_array<double> mass;
+};
+
+Surface surface_of(const Plain_mesh& mesh)
+{
+  const std::size_t n = mesh.point.size();
+  std::vector<std::map<int, double>> weight(n);
+  Surface surface;
+  surface.mass.assign(n, 0);
+  for(const std::array<int, 3>& f : mesh.face)
+    for(int k = 0; k < 3; ++k) {
+      const int i = f[k], j = f[(k + 1) % 3], apex = f[(k + 2) % 3];
+      const vec3 a = I::sub(mesh.point[i], mesh.point[apex]), b = I::sub(mesh.point[j], mesh.point[apex]);
+      const double twice_area = I::norm(I::outer(a, b));
+      weight[i][j] += I::inner(a, b) / twice_area / 2;
+      weight[j][i] += I::inner(a, b) / twice_area / 2;
+      surface.mass[i] += twice_area / 6;
+    }
+  for(const auto& row : weight) {
+    for(const auto& [j, w] : row) {
+      surface.laplacian.target.push_back(j);
+      surface.laplacian.weight.push_back(w);
+    }
+    surface.laplacian.offset.push_back(static_cast<int>(surface.laplacian.target.size()));
+  }
+  return surface;
+}
+
+/// A sphere whose points are pushed to and fro: no symmetry is left.
+Plain_mesh bumpy(int level)
+{
+  Plain_mesh mesh = octasphere(level);
+  for(vec3& p : mesh.point)
+    p = I::scale(1 + 0.2 * std::sin(3 * p.x + 1) + 0.1 * std::cos(5 * p.y + p.z + 2), p);
+  return mesh;
+}
+
+I::Laplacian_spectrum spectrum_of(const Surface& surface, int number)
+{
+  I::Monitor monitor(no_limit, nullptr, false);
+  return I::laplacian_spectrum(one_core, surface.laplacian, surface.mass, number, monitor);
+}
+
+const double* function(const I::Laplacian_spectrum& s, int k)
+{
+  return s.function.data() + static_cast<std::ptrdiff_t>(k) * s.number_of_vertices;
+}
+
+/// sum of mass f g
+double product(const I::Laplacian_spectrum& s, const double* f, const double* g)
+{
+  double sum = 0;
+  for(int i = 0; i < s.number_of_vertices; ++i)
+    sum += s.mass[i] * f[i] * g[i];
+  return sum;
+}
+
+} // namespace
+
+TEST_CASE("eigenfunctions are orthonormal, and solve the equation", "[spectrum]")
+{
+  const int level = GENERATE(3, 4), number = GENERATE(1, 2, 30, 60); // dense matrices, and Lanczos iteration
+  Plain_mesh mesh = bumpy(level);
+  const double length = GENERATE(1, 30); // of long bodies the first bases are too small
+  for(vec3& p : mesh.point)
+    p.z *= length;
+  const Surface surface = surface_of(mesh);
+  const I::Laplacian_spectrum s = spectrum_of(surface, number);
+  REQUIRE(s.number == number);
+  REQUIRE(s.value.size() == std::size_t(number));
+  CHECK(s.value[0] == 0);
+  CHECK(std::is_sorted(s.value.begin(), s.value.end()));
+  double largest_product = 0, largest_residual = 0;
+  for(int k = 0; k < number; ++k) {
+    const double* const u = function(s, k);
+    for(int l = 0; l <= k; ++l)
+      largest_product = std::max(largest_product, std::abs(product(s, u, function(s, l)) - (k == l)));
+    for(int i = 0; i < s.number_of_vertices; ++i) {
+      double lu = 0;
+      for(int e = surface.laplacian.offset[i]; e < surface.laplacian.offset[i + 1]; ++e)
+        lu += surface.laplacian.weight[e] * (u[i] - u[surface.laplacian.target[e]]);
+      largest_residual = std::max(largest_residual, std::abs(lu - s.value[k] * s.mass[i] * u[i]));
+    }
+    const double longest =
+      *std::max_element(u, u + s.number_of_vertices, [](double a, double b) { return std::abs(a) < std::abs(b); });
+    CHECK(longest > 0);
+  }
+  CHECK(largest_product < 1e-9);
+  CHECK(largest_residual < 1e-10);
+}
+
+TEST_CASE("no eigenvalue is missed: the first ones are those of the whole matrix", "[spectrum]")
+{
+  const Surface surface = surface_of(GENERATE(0, 1) == 0 ? octasphere(3) : bumpy(3));
+  const int few = 12, n = static_cast<int>(surface.mass.size());
+  REQUIRE(n >= 3 * few + 100); // by iteration
+  const I::Laplacian_spectrum first = spectrum_of(surface, few), all = spectrum_of(surface, n);
+  for(int k = 0; k < few; ++k)
+    CHECK(first.value[k] == Approx(all.value[k]).margin(1e-8));
+}
+
+TEST_CASE("the sphere has the eigenvalues l (l + 1), each 2 l + 1 times", "[spectrum]")
+{
+  const I::Laplacian_spectrum s = spectrum_of(surface_of(octasphere(5)), 36);
+  int k = 0;
+  for(int l = 0; l < 6; ++l)
+    for(int m = -l; m <= l; ++m, ++k)
+      CHECK(s.value[k] == Approx(l * (l + 1)).epsilon(0.02).margin(1e-8));
+}
+
+TEST_CASE("what has no spectrum is refused, and callback and time limit end it", "[spectrum]")
+{
+  Surface surface = surface_of(bumpy(4));
+  const auto code_of = [&](I::Monitor& monitor) {
+    try {
+      I::laplacian_spectrum(one_core, surface.laplacian, surface.mass, 40, monitor);
+    } catch(const CGAL::Spherical_parameterization::Error& error) {
+      return error.code();
+    }
+    return CGAL::Spherical_parameterization::Error_code::OK;
+  };
+  using CGAL::Spherical_parameterization::Error_code;
+  int calls = 0, last = (std::numeric_limits<int>::max)();
+  const auto ask = [&](double) { return ++calls < last; };
+  I::Monitor unlimited(no_limit, ask, false);
+  CHECK(code_of(unlimited) == Error_code::OK);
+  CHECK(calls > 10);
+  last = calls / 2;
+  calls = 0;
+  I::Monitor stopped(no_limit, ask, false);
+  CHECK(code_of(stopped) == Error_code::INTERRUPTED);
+  CHECK(calls == last);
+  I::Monitor over(0, nullptr, false);
+  CHECK(code_of(over) == Error_code::INTERRUPTED);
+  surface.mass[17] = 0;
+  CHECK(code_of(unlimited) == Error_code::DEGENERATE_FACE);
+}

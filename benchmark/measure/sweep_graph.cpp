@@ -6,12 +6,14 @@
 #include "measure/measure.h"
 
 #include <CGAL/Spherical_parameterization/internal/backend/Host_backend.h>
+#include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
 #include <CGAL/Spherical_parameterization/internal/driver/read_springs.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
 #include <CGAL/spherical_parameterization.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -56,11 +58,13 @@ struct Sweeper {
 Sweep_graph::Sweep_graph(const Mesh& mesh, Weights weights)
 {
   const internal::Host_loop one_core;
+  internal::Monitor no_limit(std::numeric_limits<double>::infinity(), nullptr, false);
+  const internal::Watched_loop watched(one_core, no_limit);
   internal::Vertices<Mesh> vertex;
   const internal::Surface source =
     internal::read_surface(mesh, mesh.points(), internal::Reading::BREADTH_FIRST, one_core, vertex);
   visit_weights(weights, mesh,
-                [&](auto map) { graph = internal::read_springs(mesh, source, vertex, map, one_core).graph; });
+                [&](auto map) { graph = internal::read_springs(mesh, source, vertex, map, watched).graph; });
   graph.update_diagonal({});
   for(const vec3& p : source.point)
     point.emplace_back(p.x, p.y, p.z);

@@ -89,18 +89,17 @@ TEMPLATE_LIST_TEST_CASE("callback and time limit interrupt every backend", "[pol
   SP::Saddle_point published;
   published.check_interval = 10;
   settings.method = GENERATE_COPY(decltype(settings.method)(SP::Balanced()), published);
-  constexpr int last_call = 12; // of reading, levels, and the solver
-  int calls = 0;
+  bool has_map = false;
   SECTION("callback")
   {
-    settings.callback = [&](double) { return ++calls < last_call; };
+    settings.callback = [](double fraction) { return !(fraction > 0); };
+    has_map = true;
   }
   SECTION("time limit") { settings.maximum_running_time = 0; }
   Sphere sphere;
   const Result result = solve(soup, sphere, settings);
   CHECK(result.error == Error_code::INTERRUPTED);
-  CHECK(calls <= last_call);
-  if(calls > 0)
+  if(has_map)
     check_certificate(result, soup, sphere, settings);
   else
     CHECK(result.detail.find("before there was a map") != std::string::npos);

@@ -6,6 +6,7 @@
 #include "helpers/solve.h"
 
 #include <CGAL/Spherical_parameterization/distortion_summary.h>
+#include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
 #include <CGAL/Spherical_parameterization/internal/multigrid/coarsening.h>
 #include <CGAL/Spherical_parameterization/internal/relaxation/Face_hessian.h>
@@ -76,7 +77,9 @@ Positions positions_of(const std::vector<Point>& points)
 }
 
 /// The springs of conformal weights, numbered as the soup is, and the lengths of their edges.
-SP::internal::Weighted_graph graph_of(const Soup& soup, SP::internal::Host_array<double>& length)
+template <class Loop = SP::internal::Host_loop>
+SP::internal::Weighted_graph graph_of(const Soup& soup, SP::internal::Host_array<double>& length,
+                                      const Loop& loop = Loop())
 {
   namespace I = SP::internal;
   I::Spring_lengths lengths;
@@ -88,7 +91,7 @@ SP::internal::Weighted_graph graph_of(const Soup& soup, SP::internal::Host_array
     for(int& i : f)
       i = source.position[i];
   const auto points = positions_of(soup.points);
-  I::Weighted_graph graph = I::conformal_graph(I::Host_loop(), table, points, lengths);
+  I::Weighted_graph graph = I::conformal_graph(loop, table, points, lengths);
   length = lengths.of_all(graph, points);
   return graph;
 }
@@ -102,6 +105,31 @@ Sphere sphere_of(const Positions& positions)
 }
 
 } // namespace
+
+TEST_CASE("conformal weights can be interrupted while they are computed, the flips included", "[conformal]")
+{
+  namespace I = SP::internal;
+  const Soup smooth = icosphere(6), soup = twisted(smooth, 1.5);
+  int calls = 0, last = (std::numeric_limits<int>::max)();
+  const auto calls_of = [&](const Soup& of, I::Weighted_graph& graph) {
+    I::Host_array<double> length;
+    I::Monitor monitor(
+      std::numeric_limits<double>::infinity(), [&](double) { return ++calls < last; }, false);
+    calls = 0;
+    graph = graph_of(of, length, I::Watched_loop(I::Host_loop(), monitor));
+    return calls;
+  };
+  I::Host_array<double> length;
+  I::Weighted_graph graph;
+  const int all = calls_of(soup, graph);
+  CHECK(all > 5);
+  CHECK(graph.weight == graph_of(soup, length).weight);
+  for(const int no : {1, 3, all / 2}) { // how many calls there are depends on the time that they take
+    last = no;
+    CHECK_THROWS_AS(calls_of(soup, graph), SP::Error);
+    CHECK(calls == no);
+  }
+}
 
 TEST_CASE("conformal weights: obtuse triangles do no harm", "[conformal][each_policy]")
 {

@@ -64,7 +64,7 @@ Result run(const ExecutionPolicy& policy, const Method& method, const NamedParam
   if constexpr(is_supported_policy<ExecutionPolicy>())
     try {
       const auto input = with_input([&](const auto& mesh, const auto& inputs) {
-        return read_problem<ExecutionPolicy>(mesh, solver, sphere_map, effort, inputs, result);
+        return read_problem<ExecutionPolicy>(mesh, solver, sphere_map, effort, inputs, monitor, result);
       });
       result.seconds.read = total.seconds() - result.seconds.weights;
       monitor.advance(0);
@@ -74,7 +74,9 @@ Result run(const ExecutionPolicy& policy, const Method& method, const NamedParam
       monitor.advance(1);
     } catch(const Input_error& error) { // of reading
       result.error = error.code();
-      result.detail = error.detail();
+      result.detail = monitor.is_interrupted() ? monitor.reason_without_map() : error.detail();
+      if(monitor.is_interrupted())
+        result.termination = monitor.termination();
       result.seconds.read = total.seconds() - result.seconds.weights;
     }
   result.seconds.total = total.seconds();

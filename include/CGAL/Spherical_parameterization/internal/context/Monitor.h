@@ -38,6 +38,9 @@ public:
     : limit_(maximum_running_time), callback_(std::move(callback)), verbose_(verbose)
   {}
 
+  /// Whether the callback may not be called for the moment: while the mesh is read, which it may change.
+  void set_silent(bool is_silent) { is_silent_ = is_silent; }
+
   /// From here on `advance()` counts within the stage of the work from `begin` to `end`, in [0,1].
   void begin_stage(double begin, double end)
   {
@@ -59,7 +62,7 @@ public:
     if(!is_interrupted()) {
       if(watch_.seconds() >= limit_)
         state_ = State::TIME;
-      else if(callback_ && std::this_thread::get_id() == owner_ && !callback_(fraction_))
+      else if(callback_ && !is_silent_ && std::this_thread::get_id() == owner_ && !callback_(fraction_))
         state_ = State::CALLBACK;
     }
     return !is_interrupted();
@@ -102,6 +105,7 @@ private:
   double limit_;
   std::function<bool(double)> callback_;
   bool verbose_;
+  bool is_silent_ = false;
   double fraction_ = 0;
   double begin_ = 0, end_ = 1; ///< of the stage
   std::atomic<State> state_ = State::RUNNING;

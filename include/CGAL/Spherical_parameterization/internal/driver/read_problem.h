@@ -8,6 +8,7 @@
 #include <CGAL/Spherical_parameterization/values/Result.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
+#include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/api/precondition.h>
 #include <CGAL/Spherical_parameterization/internal/text/text.h>
@@ -192,10 +193,11 @@ Host_array<double> face_densities(const TriangleMesh& mesh, const Inputs& inputs
 }
 
 /// Reads mesh and property maps, each once, and checks them. Sets the sizes and `seconds.weights` of `result`. Throws
-/// Error. Numbers that several threads may read at once are read on the threads of the policy.
+/// Error. Numbers that several threads may read at once are read on the threads of the policy. The callback is not
+/// called before all has been read; conformal weights come after that.
 template <class ExecutionPolicy, class TriangleMesh, class Solver, class VertexSphereMap, class Inputs>
 Input<TriangleMesh> read_problem(const TriangleMesh& mesh, const Solver& solver, VertexSphereMap sphere_map,
-                                 const Effort& effort, const Inputs& inputs, Result& result)
+                                 const Effort& effort, const Inputs& inputs, Monitor& monitor, Result& result)
 {
   const bool has_face_density = inputs.face_densities().has_value();
   const bool has_density = has_face_density || inputs.vertex_densities().has_value();
@@ -210,16 +212,25 @@ Input<TriangleMesh> read_problem(const TriangleMesh& mesh, const Solver& solver,
   Input<TriangleMesh> input;
   Problem& problem = input.problem;
   Vertices<TriangleMesh>& vertex = input.vertices;
+  monitor.set_silent(true);
   static_cast<Surface&>(problem) = read_surface(mesh, points, Reading::BREADTH_FIRST, loop, vertex);
   result.number_of_vertices = vertex.size();
   result.number_of_faces = problem.face.size();
+  monitor.advance_or_throw();
   problem.density = face_densities(mesh, inputs, problem.face, problem.position);
+  problem.is_fixed = fixed_vertices(vertex, inputs.constraints());
+  const bool needs_start = solver.needs_given_start();
+  if(problem.has_fixed() || needs_start)
+    problem.given = given_positions(vertex, problem.position, sphere_map, problem.is_fixed, needs_start,
+                                    are_positions_rounded<Sphere_point>() ? 1e-6 : 1e-15);
   const Stopwatch weights_watch;
   if(has_density)
     problem.missing_weights = "springs do not follow densities";
   else if(solver.weights() != Weights::UNUSED)
     try {
-      Springs springs = read_springs(mesh, problem, vertex, inputs.weights(), loop);
+      const auto weights = inputs.weights();
+      monitor.set_silent(!is_of_surface(weights));
+      Springs springs = read_springs(mesh, problem, vertex, weights, Watched_loop(loop, monitor));
       springs.graph.update_diagonal({}, loop);
       problem.graph = std::make_shared<const Weighted_graph>(std::move(springs.graph));
       problem.spring_lengths = std::move(springs.lengths);
@@ -230,12 +241,8 @@ Input<TriangleMesh> read_problem(const TriangleMesh& mesh, const Solver& solver,
         throw;
       problem.missing_weights = error.detail();
     }
+  monitor.set_silent(false);
   result.seconds.weights = weights_watch.seconds();
-  problem.is_fixed = fixed_vertices(vertex, inputs.constraints());
-  const bool needs_start = solver.needs_given_start();
-  if(problem.has_fixed() || needs_start)
-    problem.given = given_positions(vertex, problem.position, sphere_map, problem.is_fixed, needs_start,
-                                    are_positions_rounded<Sphere_point>() ? 1e-6 : 1e-15);
   problem.effort = effort;
   if constexpr(are_positions_rounded<Sphere_point>()) {
     problem.as_stored = position_as_stored<Sphere_point>;

@@ -5,6 +5,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DRIVER_READ_SPRINGS_H
 
 #include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
+#include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Spring_lengths.h>
@@ -29,6 +30,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <variant>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -79,14 +81,14 @@ template <class TriangleMesh>
 /// \param surface  read breadth-first
 template <class TriangleMesh, class EdgeWeightMap>
 Springs read_springs(const TriangleMesh& mesh, const Surface& surface, const Vertices<TriangleMesh>& vertex,
-                     const EdgeWeightMap& weights, const Host_loop& loop)
+                     const EdgeWeightMap& weights, const Watched_loop<Host_loop>& loop)
 {
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
   Springs springs;
-  springs.graph = neighbours(loop, surface);
+  springs.graph = neighbours(loop.bare(), surface);
   const int n = springs.graph.size();
   const auto numbering = numbering_of<typename Graph_traits::vertex_descriptor>(mesh, vertices(mesh));
-  const Host_array<int> index = inverse_permutation(loop, surface.position);
+  const Host_array<int> index = inverse_permutation(loop.bare(), surface.position);
   const Host_array<int>&offset = springs.graph.offset, &target = springs.graph.target;
   Host_array<double>& weight = springs.graph.weight;
   weight.resize(target.size());
@@ -126,14 +128,14 @@ Springs read_springs(const TriangleMesh& mesh, const Surface& surface, const Ver
       if(target[k] > i)
         weight[k] = weight[place(target[k], i) + (k - place(i, target[k]))];
   });
-  springs.weight_unit = choose_weight_unit(loop, weight);
+  springs.weight_unit = choose_weight_unit(loop.bare(), weight);
   return springs;
 }
 
 /// The edges of the intrinsic Delaunay triangulation of the surface, with cotangent weights.
 template <class TriangleMesh>
 Springs read_springs(const TriangleMesh&, const Surface& surface, const Vertices<TriangleMesh>&, Conformal_weights,
-                     const Host_loop& loop)
+                     const Watched_loop<Host_loop>& loop)
 {
   Springs springs;
   springs.graph = conformal_graph(loop, surface.copy_of_corner_table(loop), surface.point, springs.lengths.emplace());
@@ -142,9 +144,21 @@ Springs read_springs(const TriangleMesh&, const Surface& surface, const Vertices
 
 template <class TriangleMesh, class EdgeWeightMap>
 Springs read_springs(const TriangleMesh& mesh, const Surface& surface, const Vertices<TriangleMesh>& vertex,
-                     const std::variant<Conformal_weights, EdgeWeightMap>& weights, const Host_loop& loop)
+                     const std::variant<Conformal_weights, EdgeWeightMap>& weights, const Watched_loop<Host_loop>& loop)
 {
   return std::visit([&](const auto& chosen) { return read_springs(mesh, surface, vertex, chosen, loop); }, weights);
+}
+
+/// Whether the weights follow from the surface alone, so that the mesh is not looked at for them.
+template <class EdgeWeightMap>
+bool is_of_surface(const EdgeWeightMap&)
+{
+  return std::is_same_v<EdgeWeightMap, Conformal_weights>;
+}
+template <class EdgeWeightMap>
+bool is_of_surface(const std::variant<Conformal_weights, EdgeWeightMap>& weights)
+{
+  return std::holds_alternative<Conformal_weights>(weights);
 }
 
 } // namespace CGAL::Spherical_parameterization::internal

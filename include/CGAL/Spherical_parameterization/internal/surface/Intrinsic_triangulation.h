@@ -28,8 +28,9 @@ class Intrinsic_triangulation : public Corner_table {
 public:
   /// \param table  the triangles
   /// \param points by vertex
-  /// \param loop   runs all but the flips
-  Intrinsic_triangulation(Corner_table table, const Host_array<vec3>& points, const Host_loop& loop = Host_loop())
+  /// \param loop   a Host_loop or a Watched_loop; flips are made one by one all the same
+  template <class Loop = Host_loop>
+  Intrinsic_triangulation(Corner_table table, const Host_array<vec3>& points, const Loop& loop = Loop())
     : Corner_table(std::move(table)), length_(number_of_halfedges()), cotangent_(number_of_halfedges()),
       number_of_vertices_(static_cast<int>(points.size()))
   {
@@ -89,7 +90,8 @@ private:
 
   /// Lengthens all edges by the same little, so that every triangle has an area: N. Sharp, K. Crane, "A Laplacian for
   /// nonmanifold triangle meshes", SGP 2020.
-  void mollify(const Host_loop& loop)
+  template <class Loop>
+  void mollify(const Loop& loop)
   {
     constexpr double relative_slack = 1e-6; // of the triangle inequality, in mean edge lengths
     double mean = 0;
@@ -122,8 +124,10 @@ private:
   /// Looks at all halfedges, from the last one down to the first one, and before it goes on once more at those that a
   /// flip has made edges of other triangles. All but the edges that are flipped and those around them are known to be
   /// Delaunay from the start.
-  void make_delaunay(const Host_loop& loop)
+  template <class Loop>
+  void make_delaunay(const Loop& loop)
   {
+    constexpr int looks_at_once = 1 << 16;
     std::vector<char> is_to_be_seen_again(number_of_halfedges(), 0);
     is_to_be_seen_.resize(number_of_halfedges());
     for_each_index(loop, number_of_halfedges(), [&](int h) { is_to_be_seen_[h] = h < twin[h] && !is_delaunay(h); });
@@ -142,10 +146,10 @@ private:
       while(before >= 0 && !is_to_be_seen_[before]);
       return before;
     };
-    for(int h = take_next(); h >= 0; h = take_next()) {
+    const auto look_at = [&](int h) {
       const int t = twin[h];
       if((h > t && is_open(t)) || is_delaunay(h) || !flip(h)) // an open one will come up again
-        continue;
+        return;
       for(int f : {h / 3, t / 3}) {
         set_cotangents(f);
         for(int e = 3 * f; e < 3 * f + 3; ++e)
@@ -156,7 +160,12 @@ private:
           is_to_be_seen_again[e] = 1;
           again.push_back(e);
         }
-    }
+    };
+    for(int h = take_next(); h >= 0;)
+      loop.for_each(1, [&](int) { // a watched one asks before
+        for(int k = 0; k < looks_at_once && h >= 0; ++k, h = take_next())
+          look_at(h);
+      });
   }
 
   /// Replaces the common edge of two triangles by the other diagonal. Returns false where the quadrangle is not convex,

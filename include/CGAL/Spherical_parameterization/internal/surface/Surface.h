@@ -93,7 +93,8 @@ struct Surface {
   void set_twin(Host_array<int> twin) { twin_.set(std::move(twin)); }
 
   /// For those who change it. The opposite halfedges are not kept here.
-  Corner_table copy_of_corner_table(const Host_loop& loop) const
+  template <class Loop>
+  Corner_table copy_of_corner_table(const Loop& loop) const
   {
     return {face, twin_.known() ? *twin_.known() : matched_halfedges(loop)};
   }
@@ -121,7 +122,8 @@ protected:
   }
 
 private:
-  Host_array<int> matched_halfedges(const Host_loop& loop) const
+  template <class Loop>
+  Host_array<int> matched_halfedges(const Loop& loop) const
   {
     Host_array<int> twin;
     match_halfedges(loop, face, number_of_vertices, twin);

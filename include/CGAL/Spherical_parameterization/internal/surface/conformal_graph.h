@@ -25,9 +25,11 @@ namespace CGAL::Spherical_parameterization::internal {
 ///
 /// Two edges between the same vertices are one spring of their mean length; an edge from a vertex to itself pulls at
 /// nothing. The edges of cocircular points have weight 0 and get `smallest_weight`, which keeps the graph connected.
+/// \param loop     a Host_loop or a Watched_loop
 /// \param lengths  gets the lengths of the springs
-inline Weighted_graph conformal_graph(const Host_loop& loop, Corner_table table, const Host_array<vec3>& point,
-                                      Spring_lengths& lengths)
+template <class Loop>
+Weighted_graph conformal_graph(const Loop& loop, Corner_table table, const Host_array<vec3>& point,
+                               Spring_lengths& lengths)
 {
   constexpr double smallest_weight = 1e-6;
   const int n = static_cast<int>(point.size());

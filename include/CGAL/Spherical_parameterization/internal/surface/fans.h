@@ -37,8 +37,8 @@ struct Fan {
 /// A counting sort in two steps. The first distributes the corners to the blocks, in parallel, since every part of the
 /// faces knows where its corners go; the second one sorts a block in the cache of a core. O(n) time, and 4 bytes per
 /// corner.
-template <class Part, class Visit>
-std::vector<Part> parts_of_fans(const Host_loop& loop, const Host_array<std::array<int, 3>>& face, int n, Visit visit)
+template <class Part, class Loop, class Visit>
+std::vector<Part> parts_of_fans(const Loop& loop, const Host_array<std::array<int, 3>>& face, int n, Visit visit)
 {
   constexpr int smallest_block = 11, most_blocks = 1024, most_parts = 64; // the first one as a power of 2
   int shift = smallest_block;

@@ -173,8 +173,9 @@ struct Vertex_walks {
 ///
 /// O(n) for bounded degrees, and d log d for a vertex of degree d.
 /// \param walks  filled if it is not null
-inline Matching_troubles match_halfedges(const Host_loop& loop, const Host_array<std::array<int, 3>>& face, int n,
-                                         Host_array<int>& twin, Vertex_walks* walks = nullptr)
+template <class Loop>
+Matching_troubles match_halfedges(const Loop& loop, const Host_array<std::array<int, 3>>& face, int n,
+                                  Host_array<int>& twin, Vertex_walks* walks = nullptr)
 {
   twin.resize(3 * face.size());
   if(walks) {

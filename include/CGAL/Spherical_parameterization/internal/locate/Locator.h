@@ -51,17 +51,20 @@ class Locator {
 public:
   Locator(const Host_loop& loop, Valid_map map) : tree_(loop, map.image)
   {
-    Host_array<int> rank(map.image.size());
-    point_.reserve(map.image.size());
-    for(int i : tree_.order()) {
-      rank[i] = static_cast<int>(point_.size());
-      point_.push_back(map.image[i]);
-    }
+    const auto n = static_cast<int>(map.image.size());
+    Host_array<int> rank(n);
+    point_.resize(n);
+    for_each_index(loop, n, [&](int i) {
+      const int of_tree = tree_.order()[i];
+      rank[of_tree] = i;
+      point_[i] = map.image[of_tree];
+    });
     Corner_table table = map.copy_of_corner_table(loop);
-    for(std::array<int, 3>& corner : table.face)
-      for(int& v : corner)
+    for_each_index(loop, static_cast<int>(table.face.size()), [&](int f) {
+      for(int& v : table.face[f])
         v = rank[v];
-    sort_faces(table);
+    });
+    sort_faces(loop, table);
     choose_some_faces();
   }
 
@@ -84,20 +87,26 @@ public:
 
 private:
   /// Faces are sorted by their first vertex, so that walks stay in a small part of the memory.
-  void sort_faces(const Corner_table& unsorted)
+  void sort_faces(const Host_loop& loop, const Corner_table& unsorted)
   {
-    std::vector<int> place(unsorted.face.size());
-    number_of_face_.resize(place.size());
-    std::iota(number_of_face_.begin(), number_of_face_.end(), 0);
-    std::stable_sort(number_of_face_.begin(), number_of_face_.end(),
-                     [&](int f, int g) { return unsorted.face[f][0] < unsorted.face[g][0]; });
-    for(std::size_t i = 0; i < place.size(); ++i)
-      place[number_of_face_[i]] = static_cast<int>(i);
-    for(int f : number_of_face_) {
-      table_.face.push_back(unsorted.face[f]);
-      for(int h = 3 * f; h < 3 * f + 3; ++h)
-        table_.twin.push_back(3 * place[unsorted.twin[h] / 3] + unsorted.twin[h] % 3);
+    std::vector<int> next(point_.size() + 1, 0); // by first vertex, the place of its next face
+    for(const std::array<int, 3>& corner : unsorted.face)
+      ++next[corner[0] + 1];
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    const auto m = static_cast<int>(unsorted.face.size());
+    Host_array<int> place(m);
+    number_of_face_.resize(m);
+    for(int f = 0; f < m; ++f) {
+      place[f] = next[unsorted.face[f][0]]++;
+      number_of_face_[place[f]] = f;
     }
+    table_.face.resize(m);
+    table_.twin.resize(unsorted.twin.size());
+    for_each_index(loop, m, [&](int f) {
+      table_.face[place[f]] = unsorted.face[f];
+      for(int k = 0; k < 3; ++k)
+        table_.twin[3 * place[f] + k] = 3 * place[unsorted.twin[3 * f + k] / 3] + unsorted.twin[3 * f + k] % 3;
+    });
   }
 
   /// Of every vertex that face in which its smallest neighbour follows on it.

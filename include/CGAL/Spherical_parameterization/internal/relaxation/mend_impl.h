@@ -252,27 +252,32 @@ CGAL_SP_CORE Mending mend(const Host_loop& loop, const Host_array<std::array<int
 
   // The vertices that try to untangle now, and those that have tried, which are polished in the end.
   std::vector<char> tries, is_moving(n, 0);
-  const auto most_moving = static_cast<std::ptrdiff_t>(always_moved + largest_moved_share * n);
+  std::vector<std::pair<int, vec3>> before; // of those that move: where they were
+  const auto most_moving = static_cast<std::size_t>(always_moved + largest_moved_share * n);
   const auto let_try = [&](const std::vector<int>& faces) { // returns whether they are few enough
     tries.assign(n, 0);
     for(int f : faces)
       for(int i : face[f])
-        if(is_fixed.empty() || !is_fixed[i])
-          tries[i] = is_moving[i] = 1;
-    return std::count(is_moving.begin(), is_moving.end(), 1) <= most_moving;
+        if(is_fixed.empty() || !is_fixed[i]) {
+          tries[i] = 1;
+          if(!std::exchange(is_moving[i], 1))
+            before.emplace_back(i, v[i]);
+        }
+    return before.size() <= most_moving;
   };
   if(!let_try(bad)) {
     bad.erase(std::remove_if(bad.begin(), bad.end(), [&](int f) { return !is_flipped(f); }), bad.end());
     if(bad.empty())
       return Mending::DONE;
     is_moving.assign(n, 0);
+    before.clear();
     if(!let_try(bad))
       return Mending::TOO_MUCH;
   }
-  const Host_array<vec3> before = v;
   Patches patches = patches_of(loop, face, tries, v);
   const auto give_up = [&](Mending how) {
-    v = before;
+    for(const auto& [i, x] : before)
+      v[i] = x;
     return how;
   };
   std::int64_t moves = 0;
@@ -307,8 +312,8 @@ CGAL_SP_CORE Mending mend(const Host_loop& loop, const Host_array<std::array<int
   for_each_patch(loop, patches, [&](Patch& patch) { polish(point, monitor, patch); });
   if(monitor.is_interrupted())
     return give_up(Mending::FAILED);
-  for(int i = 0; i < n; ++i)
-    if(!is_equal(v[i], before[i]))
+  for(const auto& [i, x] : before)
+    if(!is_equal(v[i], x))
       is_moved[i] = 1;
   return Mending::DONE;
 }

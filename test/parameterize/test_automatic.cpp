@@ -8,8 +8,10 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
+#include <random>
 #include <vector>
 
 using namespace test;
@@ -71,6 +73,39 @@ TEST_CASE("automatic: a valid map that leaves nothing of a limb is passed over, 
   CHECK(result.method == "balanced");
   CHECK(result.fallback_reason.empty());
   CHECK(sphere == first);
+}
+
+TEST_CASE("automatic: the spikes of noise are no limbs", "[automatic]")
+{
+  std::minstd_rand random;
+  const Soup soup = transformed(icosphere(6), [&](const Point& p) {
+    const double radius = 0.95 + 0.1 * static_cast<double>(random()) / static_cast<double>(std::minstd_rand::max());
+    return Point(radius * p.x(), radius * p.y(), radius * p.z());
+  });
+  SP::Automatic method;
+  method.largest_shrinkage = 30;
+  Settings settings;
+  settings.method = method;
+  settings.weights = Weights::CONFORMAL;
+  Sphere sphere;
+  const Result result = solve(soup, sphere, settings);
+  REQUIRE(bool(result));
+  CHECK(result.method == "balanced");
+  CHECK(result.fallback_reason.empty());
+
+  // There are such spikes.
+  const auto area = [](const Point& a, const Point& b, const Point& c) {
+    return std::sqrt(CGAL::cross_product(b - a, c - a).squared_length()) / 2;
+  };
+  double whole = 0, shrunk = 0;
+  for(const auto& [i, j, k] : soup.faces)
+    whole += area(soup.points[i], soup.points[j], soup.points[k]);
+  for(const auto& [i, j, k] : soup.faces) {
+    const double of_face = area(soup.points[i], soup.points[j], soup.points[k]);
+    if(area(sphere[i], sphere[j], sphere[k]) < 4 * 3.14159265 / whole / 900 * of_face)
+      shrunk += of_face;
+  }
+  CHECK(shrunk / whole > 1e-3);
 }
 
 TEST_CASE("automatic: an extreme map is better than none", "[automatic]")

@@ -164,6 +164,7 @@ struct Automatic {
   double spring_exponent = 2;                         ///< of the first map, see `Balanced`
   std::optional<double> area_exponent = std::nullopt; ///< of the second map, see `Isometric`
   /// How many times lengths may shrink, against the mean of the map, on more than a thousandth of the surface; >= 1.
+  /// Regions of less than a ten-thousandth of the faces are no limbs, but noise, and do not count.
   /// Infinite: every valid map will do. The default leaves the faces of a limb on the sphere a few units of the last
   /// place of a float.
   double largest_shrinkage = 1e4;

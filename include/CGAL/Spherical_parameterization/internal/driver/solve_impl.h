@@ -8,6 +8,8 @@
 #include <CGAL/Spherical_parameterization/internal/backend/Host_backend.h>
 #include <CGAL/Spherical_parameterization/internal/driver/solve.h>
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -57,10 +59,12 @@ inline std::string fallback_reason(const Problem& problem, const std::vector<Res
   return reason;
 }
 
-/// The share of the surface on which a valid map shrinks lengths more than so many times, against their mean.
+/// The share of the surface that is limbs of which a valid map leaves next to nothing: it shrinks their lengths more
+/// than so many times, against their mean. The spikes of noise, of a few faces each, are no limbs of a fine mesh.
 inline double shrunk_share(const Host_loop& loop, const Problem& problem, const Host_array<vec3>& position,
                            double times)
 {
+  constexpr double least_limb = 1e-4; // of the faces
   const int number_of_faces = static_cast<int>(problem.face.size());
   const auto area = [&](int f) {
     const vec3 n = normal(problem.point, problem.face[f]);
@@ -68,13 +72,38 @@ inline double shrunk_share(const Host_loop& loop, const Problem& problem, const 
   };
   const double whole = sum_by_parts(loop, number_of_faces, area);
   const double least = 4 * pi / whole / times / times; // area on the sphere, per area of the surface
-  return sum_by_parts(loop, number_of_faces,
-                      [&](int f) {
-                        const auto [i, j, k] = problem.face[f];
-                        const double of_face = area(f);
-                        return spherical_area(position[i], position[j], position[k]) < least * of_face ? of_face : 0;
-                      }) /
-         whole;
+  std::vector<int> shrunk;
+  for(const std::vector<int>&part : results_of_parts(loop, number_of_faces, [&](int begin, int end) {
+        std::vector<int> of_part;
+        for(int f = begin; f < end; ++f) {
+          const auto [i, j, k] = problem.face[f];
+          if(spherical_area(position[i], position[j], position[k]) < least * area(f))
+            of_part.push_back(f);
+        }
+        return of_part;
+      }))
+    shrunk.insert(shrunk.end(), part.begin(), part.end());
+
+  // Faces with a common corner are of the same limb.
+  std::vector<int> corners;
+  for(int f : shrunk)
+    corners.insert(corners.end(), problem.face[f].begin(), problem.face[f].end());
+  std::sort(corners.begin(), corners.end());
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  const auto place = [&](int v) { return std::lower_bound(corners.begin(), corners.end(), v) - corners.begin(); };
+  boost::disjoint_sets_with_storage<> limbs(corners.size());
+  for(int f : shrunk)
+    for(int k : {1, 2})
+      limbs.union_set(place(problem.face[f][0]), place(problem.face[f][k]));
+  std::vector<int> faces_of_limb(corners.size(), 0);
+  const auto limb = [&](int f) { return limbs.find_set(place(problem.face[f][0])); };
+  for(int f : shrunk)
+    ++faces_of_limb[limb(f)];
+  double of_limbs = 0;
+  for(int f : shrunk)
+    if(faces_of_limb[limb(f)] >= least_limb * number_of_faces)
+      of_limbs += area(f);
+  return of_limbs / whole;
 }
 
 template <class Backend>

@@ -4,6 +4,7 @@
 // Spherical harmonics.
 
 #include "harmonic_arrays.h"
+#include "watch.h"
 
 #include <CGAL/Spherical_parameterization/harmonic_alignment.h>
 #include <CGAL/Spherical_parameterization/harmonic_files.h>
@@ -32,11 +33,10 @@ Doubles to_array(const SP::Harmonic_coefficients& c)
 }
 
 /// Of all columns; three of them at once are the coordinates of points.
-template <class Policy, class Method>
+template <class Policy, class Method, class NamedParameters>
 SP::Harmonic_analysis analyze(const Policy& policy, const Mesh& mesh, const Sphere& sphere, const double* values,
-                              std::size_t columns, int degree, const Method& method, const Sphere& points)
+                              std::size_t columns, int degree, const Method& method, const NamedParameters& np)
 {
-  const auto np = CGAL::parameters::vertex_point_map(points);
   if(columns == 3)
     return SP::harmonic_analysis(policy, mesh, sphere, Sphere(reinterpret_cast<const std::array<double, 3>*>(values)),
                                  degree, method, np);
@@ -67,10 +67,11 @@ py::tuple harmonic_analysis(const py::array& triangles, const Doubles& sphere, c
   method.weights = weights == "surface-area" ? SP::Vertex_weights::SURFACE_AREA
                    : weights == "equal"      ? SP::Vertex_weights::EQUAL
                                              : SP::Vertex_weights::SPHERE_AREA;
-  const SP::Harmonic_analysis result = on(policy, [&](const auto& p) {
+  const SP::Harmonic_analysis result = on_watched(policy, [&](const auto& p, const auto& watched) {
+    const auto np = watched.vertex_point_map(positions);
     if(fit == "integrals")
-      return analyze(p, mesh, images, first, columns, degree, SP::Integration{accuracy}, positions);
-    return analyze(p, mesh, images, first, columns, degree, method, positions);
+      return analyze(p, mesh, images, first, columns, degree, SP::Integration{accuracy}, np);
+    return analyze(p, mesh, images, first, columns, degree, method, np);
   });
   return py::make_tuple(to_array(result.coefficients), result.has_converged, result.iterations);
 }
@@ -79,7 +80,8 @@ Doubles harmonic_values(const Doubles& coefficients, const Doubles& directions, 
 {
   const SP::Harmonic_coefficients c = of_array(coefficients);
   const Rows<double> rows(directions);
-  const std::vector<double> values = on(policy, [&](const auto& p) { return SP::harmonic_values(p, c, rows); });
+  const std::vector<double> values =
+    on_watched(policy, [&](const auto& p, const auto& np) { return SP::harmonic_values(p, c, rows, np); });
   Doubles result = make_array<double>(rows.size, c.number_of_fields());
   std::copy(values.begin(), values.end(), result.mutable_data());
   return result;
@@ -90,7 +92,8 @@ Doubles harmonic_grid(const Doubles& coefficients, int rows, int columns, const 
 {
   const SP::Harmonic_coefficients c = of_array(coefficients);
   const auto grid = SP::Latitude_longitude_grid::equidistant(rows, columns);
-  const std::vector<double> values = on(policy, [&](const auto& p) { return SP::harmonic_grid_values(p, c, grid); });
+  const std::vector<double> values =
+    on_watched(policy, [&](const auto& p, const auto& np) { return SP::harmonic_grid_values(p, c, grid, np); });
   Doubles result = make_array<double>(c.number_of_fields(), rows, columns);
   std::copy(values.begin(), values.end(), result.mutable_data());
   return result;
@@ -107,13 +110,14 @@ Doubles rotated_harmonics(const Doubles& coefficients, const Doubles& rotation)
 SP::Rotation best_rotation(const Doubles& f, const Doubles& g, const std::string& policy)
 {
   const SP::Harmonic_coefficients of_f = of_array(f), of_g = of_array(g);
-  return on(policy, [&](const auto& p) { return SP::best_rotation(p, of_f, of_g); });
+  return on_watched(policy, [&](const auto& p, const auto& np) { return SP::best_rotation(p, of_f, of_g, np); });
 }
 
 auto best_alignment(const Doubles& f, const Doubles& g, const std::string& policy)
 {
   const SP::Harmonic_coefficients of_f = of_array(f), of_g = of_array(g);
-  const SP::Shape_alignment a = on(policy, [&](const auto& p) { return SP::best_alignment(p, of_f, of_g); });
+  const SP::Shape_alignment a =
+    on_watched(policy, [&](const auto& p, const auto& np) { return SP::best_alignment(p, of_f, of_g, np); });
   return std::tuple(a.space, a.sphere, a.correlation);
 }
 

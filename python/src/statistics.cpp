@@ -4,6 +4,7 @@
 // Statistics of shapes. A set of n shapes is an array (n, m, 3): of vertices, or of coefficients of harmonics.
 
 #include "harmonic_arrays.h"
+#include "watch.h"
 
 #include <CGAL/Spherical_parameterization/shape_statistics.h>
 
@@ -65,8 +66,8 @@ py::tuple align_shapes(const Doubles& array, bool are_harmonics, const std::vect
                        bool scale, double accuracy, int iterations, const std::string& policy)
 {
   return with_shapes(array, are_harmonics, [&](auto shapes) {
-    const SP::Procrustes_alignment a = on(policy, [&](const auto& p) {
-      return SP::align_shapes(p, shapes, SP::Procrustes{rotate, scale, accuracy, iterations}, weights);
+    const SP::Procrustes_alignment a = on_watched(policy, [&](const auto& p, const auto& np) {
+      return SP::align_shapes(p, shapes, SP::Procrustes{rotate, scale, accuracy, iterations}, weights, np);
     });
     std::vector<double> scales;
     std::vector<std::array<std::array<double, 3>, 3>> rotations;
@@ -85,7 +86,8 @@ py::tuple shape_statistics(const Doubles& array, bool are_harmonics, const std::
                            const std::string& policy)
 {
   return with_shapes(array, are_harmonics, [&](const auto& shapes) {
-    const auto s = on(policy, [&](const auto& p) { return SP::shape_statistics(p, shapes, weights, modes); });
+    const auto s = on_watched(
+      policy, [&](const auto& p, const auto& np) { return SP::shape_statistics(p, shapes, weights, modes, np); });
     const auto rows = static_cast<std::size_t>(array.shape(1));
     Doubles mean = make_array<double>(rows, 3);
     write_shape(s.mean, mean.mutable_data());
@@ -97,7 +99,8 @@ py::tuple left_out_errors(const Doubles& array, bool are_harmonics, const std::v
                           const std::string& policy)
 {
   return with_shapes(array, are_harmonics, [&](const auto& shapes) {
-    return py::make_tuple(on(policy, [&](const auto& p) { return SP::left_out_errors(p, shapes, weights, groups); }));
+    return py::make_tuple(on_watched(
+      policy, [&](const auto& p, const auto& np) { return SP::left_out_errors(p, shapes, weights, groups, np); }));
   });
 }
 
@@ -107,7 +110,7 @@ std::vector<double> mean_vertex_areas(const Doubles& array, const py::array& tri
   Doubles first = make_array<double>(array.shape(1), 3);
   write_shape(shapes.front(), first.mutable_data());
   const Mesh mesh = make_mesh(first, triangles);
-  return on(policy, [&](const auto& p) { return SP::mean_vertex_areas(p, mesh, shapes); });
+  return on_watched(policy, [&](const auto& p, const auto& np) { return SP::mean_vertex_areas(p, mesh, shapes, np); });
 }
 
 } // namespace

@@ -6,11 +6,13 @@
 
 #include "arrays.h"
 
+#include <CGAL/Named_function_parameters.h>
+
 #include <chrono>
 
 /// The callback of a call: asks Python now and then whether to go on.
 struct Watch {
-  py::object progress; ///< None, or a callable
+  py::object progress = py::none(); ///< or a callable
   bool was_ctrl_c = false;
   std::chrono::steady_clock::time_point last = std::chrono::steady_clock::now();
 
@@ -35,5 +37,22 @@ struct Watch {
     }
   }
 };
+
+/// Calls f(policy, np) as on() does, with named parameters by which Ctrl-C ends it with a KeyboardInterrupt.
+template <class F>
+auto on_watched(const std::string& policy, F f)
+{
+  Watch watch;
+  try {
+    return on(policy, [&](const auto& p) {
+      return f(p, CGAL::parameters::callback([&watch](double fraction) { return watch.go_on(fraction); }));
+    });
+  } catch(const SP::Error&) {
+    if(!watch.was_ctrl_c)
+      throw;
+    PyErr_SetNone(PyExc_KeyboardInterrupt);
+    throw py::error_already_set();
+  }
+}
 
 #endif // SPHERICAL_PARAMETERIZATION_PYTHON_WATCH_H

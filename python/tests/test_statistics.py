@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """Alignment, mean and principal components of shapes."""
 
+import signal
+import time
+
 import numpy as np
 import pytest
 import spherical_parameterization as sp
@@ -65,6 +68,35 @@ def test_errors_of_the_left_out():
     assert errors[0] == pytest.approx(np.sqrt((np.array(mean) ** 2).sum() / 30 / 6))
     assert len(errors) == 5 and (np.diff(errors) <= 0).all()
     assert len(sp.left_out_errors(shapes, groups=2)) == 3
+
+
+def long_statistics():
+    sp.left_out_errors(np.random.default_rng(1).normal(size=(80, 20000, 3)), policy="sequential")
+
+
+def long_harmonics():
+    sphere, triangles = sp.icosphere(6)
+    sp.harmonics(triangles, sphere, sphere, 80, fit="integrals", policy="sequential")
+
+
+@pytest.mark.parametrize("work", [long_statistics, long_harmonics])
+def test_ctrl_c_ends_what_takes_long(work):
+    def press(*_):
+        raise KeyboardInterrupt
+
+    start = time.process_time()
+    work()
+    needed = time.process_time() - start
+    before = signal.signal(signal.SIGPROF, press)
+    try:
+        start = time.process_time()
+        signal.setitimer(signal.ITIMER_PROF, needed / 4)
+        with pytest.raises(KeyboardInterrupt):
+            work()
+        assert time.process_time() - start < 0.8 * needed  # of the processor: other programs do not count
+    finally:
+        signal.setitimer(signal.ITIMER_PROF, 0)
+        signal.signal(signal.SIGPROF, before)
 
 
 def test_vertices_count_with_their_area():

@@ -7,6 +7,7 @@
 #include "output/text_writer.h"
 #include "output/write_json.h"
 #include "output/write_mesh.h"
+#include "system/interruption.h"
 
 #include <CGAL/Spherical_parameterization/Any_policy.h>
 #include <CGAL/Spherical_parameterization/shape_statistics.h>
@@ -77,10 +78,14 @@ SP::Procrustes_alignment align(const Atlas_mesh& mesh, Shapes& shapes, Placement
   SP::Procrustes method;
   method.rotate = placement != Placement::CENTRED;
   method.scale = placement == Placement::SIMILARITY;
-  return SP::align_shapes(policy, shapes, method, SP::mean_vertex_areas(policy, mesh.mesh, shapes));
+  return SP::align_shapes(policy, shapes, method,
+                          SP::mean_vertex_areas(policy, mesh.mesh, shapes, stopped_by_signals()));
 }
 
-std::vector<Point> mean_of(const Shapes& shapes) { return SP::shape_statistics(policy, shapes, {}, 0).mean; }
+std::vector<Point> mean_of(const Shapes& shapes)
+{
+  return SP::shape_statistics(policy, shapes, {}, 0, stopped_by_signals()).mean;
+}
 
 std::string write_atlas(const std::string& folder, const Atlas_mesh& mesh, std::vector<Atlas_shape> named,
                         Placement placement, int modes, bool ascii, Json report)
@@ -89,10 +94,10 @@ std::string write_atlas(const std::string& folder, const Atlas_mesh& mesh, std::
   for(Atlas_shape& shape : named)
     shapes.push_back(std::move(shape.points));
   const SP::Procrustes_alignment alignment = align(mesh, shapes, placement);
-  const std::vector<double> weights = SP::mean_vertex_areas(policy, mesh.mesh, shapes);
-  const auto statistics = SP::shape_statistics(policy, shapes, weights, modes);
+  const std::vector<double> weights = SP::mean_vertex_areas(policy, mesh.mesh, shapes, stopped_by_signals());
+  const auto statistics = SP::shape_statistics(policy, shapes, weights, modes, stopped_by_signals());
   const int groups = shapes.size() <= most_left_out_alone ? static_cast<int>(shapes.size()) : groups_beyond;
-  const std::vector<double> errors = SP::left_out_errors(policy, shapes, weights, groups);
+  const std::vector<double> errors = SP::left_out_errors(policy, shapes, weights, groups, stopped_by_signals());
   const double variance = statistics.total_variance;
 
   report["alignment"] = {{"converged", alignment.has_converged}, {"iterations", alignment.iterations}};
@@ -124,7 +129,8 @@ std::string write_atlas(const std::string& folder, const Atlas_mesh& mesh, std::
   const auto open = [&](const std::string& name) -> std::ostream& { return files.open(folder + '/' + name); };
   write_json(open("report.json"), report);
   write_mesh(open("mean.ply"), ply, mesh.mesh, statistics.mean, Surface::SHAPE);
-  write_variance_ply(open("variance.ply"), ascii, mesh.mesh, statistics.mean, SP::vertex_variances(policy, shapes));
+  write_variance_ply(open("variance.ply"), ascii, mesh.mesh, statistics.mean,
+                     SP::vertex_variances(policy, shapes, stopped_by_signals()));
   for(std::size_t k = 0; k < statistics.modes.size(); ++k)
     for(const auto& [word, sign] : {std::pair("plus", 1.), std::pair("minus", -1.)}) {
       std::vector<double> scores(k + 1, 0);

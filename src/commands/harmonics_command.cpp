@@ -67,7 +67,7 @@ SP::Harmonic_analysis analyzed(const Harmonics_options& options, const Mapped_me
   const auto analyze = [&](const auto& method) {
     return on_host(input, [&](const auto& policy) {
       return SP::harmonic_analysis(policy, input.mesh(), as_map(input.sphere), as_map(input.mesh().points()),
-                                   options.degree, method);
+                                   options.degree, method, stopped_by_signals());
     });
   };
   return options.fit == "integrals" ? analyze(SP::Integration()) : analyze(SP::Least_squares());
@@ -78,7 +78,8 @@ std::vector<Point> reconstructed(const Mapped_mesh& input, const SP::Harmonic_co
 {
   std::vector<Point> points(input.mesh().number_of_vertices());
   on_host(input, [&](const auto& policy) {
-    SP::harmonic_synthesis(policy, coefficients, input.mesh(), as_map(input.sphere), as_map(points));
+    SP::harmonic_synthesis(policy, coefficients, input.mesh(), as_map(input.sphere), as_map(points),
+                           stopped_by_signals());
     return 0;
   });
   return points;

@@ -4,6 +4,8 @@
 #ifndef SPHERICAL_PARAMETERIZATION_TOOL_INTERRUPTION_H
 #define SPHERICAL_PARAMETERIZATION_TOOL_INTERRUPTION_H
 
+#include <CGAL/Named_function_parameters.h>
+
 #include <string>
 
 namespace tool {
@@ -12,6 +14,12 @@ namespace tool {
 void watch_for_interruption();
 
 bool was_interrupted();
+
+/// Named parameters of a function of the library, which it then ends with an Error.
+inline auto stopped_by_signals()
+{
+  return CGAL::parameters::callback([](double) { return !was_interrupted(); });
+}
 
 /// Throws a `Refusal` of the file `input` if it was.
 void stop_if_interrupted(const std::string& input);

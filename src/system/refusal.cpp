@@ -14,6 +14,14 @@
 #include <new>
 
 namespace tool {
+namespace {
+
+Refusal interrupted(const std::string& input)
+{
+  return {Error_code::INTERRUPTED, input, "interrupted", "nothing has been written"};
+}
+
+} // namespace
 
 std::optional<Refusal> guarded(const std::string& input, const std::function<void()>& action)
 {
@@ -25,7 +33,7 @@ std::optional<Refusal> guarded(const std::string& input, const std::function<voi
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
   catch(const SP::OpenCL_error& error) {
     if(was_interrupted()) // and so was the compiler of the kernels, which Ctrl-C reaches, too
-      return Refusal(Error_code::INTERRUPTED, input, "interrupted", "nothing has been written");
+      return interrupted(input);
     const std::string& log = error.build_log();
     const std::string text = error.what(); // its lines from the second on are the log
     return Refusal(opencl_error, input, log.empty() ? text : text.substr(0, text.find('\n')),
@@ -35,6 +43,8 @@ std::optional<Refusal> guarded(const std::string& input, const std::function<voi
   catch(const std::bad_alloc&) {
     return Refusal(out_of_memory, input, "not enough memory", "simplify the mesh");
   } catch(const std::exception& exception) {
+    if(was_interrupted()) // the library says so, too
+      return interrupted(input);
     return Refusal(internal_error, input, exception.what(), "please report this");
   }
   return std::nullopt;

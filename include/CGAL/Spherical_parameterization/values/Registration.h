@@ -8,6 +8,7 @@
 #include <CGAL/Spherical_parameterization/values/Rotation.h>
 
 #include <cstddef>
+#include <limits>
 #include <string>
 
 namespace CGAL::Spherical_parameterization {
@@ -31,8 +32,8 @@ struct Registration {
   /// in which the surfaces have the area 4 pi. Stretching is the mean symmetric Dirichlet energy of the
   /// faces of the first surface, carried to the second one (4 where that is isometric).
   /// @{
-  double curvature_weight = 5; ///< of the mean curvature at two scales
-  double stretch_weight = 5;   ///< of the logarithmic area stretch of the maps; for maps of the same method
+  double curvature_weight = 20; ///< of the mean curvature at two scales
+  double stretch_weight = 0;   ///< of the logarithmic area stretch of the maps; for maps of the same method
   double isometry_weight = 1; ///< of the mean stretching of the first surface onto the second, from the second level on
   double position_weight = 0; ///< of the coordinates, after the best motion in space: for shapes in the same pose
   double landmark_weight = 300; ///< of the squared distances of the landmarks on the sphere
@@ -52,7 +53,10 @@ struct Registration_result {
   std::size_t flipped_faces = 0; ///< of the registered map, exactly, as it is stored
   int degree = 0;                ///< of the registered map, exactly; 1 for a valid one
 
-  std::string start; ///< what found the rotation: "landmarks", "coordinates" or "features"
+  std::string start; ///< what found the start: "spectrum", or for a rotation "landmarks", "coordinates" or "features"
+  /// By the spectrum: how much worse the best of all other answers is, on a logarithmic scale. Small where shapes are
+  /// nearly symmetric or not alike; infinite if there is no other answer, or if the spectrum was not asked.
+  double margin = std::numeric_limits<double>::infinity();
   Rotation rotation = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}; ///< of the first map, to start with
 
   /// \name Of the Registered Map, as It Is Stored

@@ -16,6 +16,12 @@ struct Dense {
   typedef Eigen::VectorXd Vector;
 };
 
+/// The same, of floats.
+template <class>
+struct Floats {
+  typedef Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> Rows;
+};
+
 } // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_ALGEBRA_DENSE_MATRICES_H

@@ -11,7 +11,11 @@
 #include <CGAL/Spherical_parameterization/internal/algebra/point_coordinates.h>
 #include <CGAL/Spherical_parameterization/internal/api/precondition.h>
 #include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
+#include <CGAL/Spherical_parameterization/internal/correspondence/Spectral_matching.h>
+#include <CGAL/Spherical_parameterization/internal/correspondence/Spectral_shape.h>
+#include <CGAL/Spherical_parameterization/internal/correspondence/coarse_map.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/register_surfaces.h>
+#include <CGAL/Spherical_parameterization/internal/isometric/solve_isometric.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Locator.h>
 #include <CGAL/Spherical_parameterization/internal/moebius/Centring.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/certificate.h>
@@ -106,8 +110,10 @@ public:
             Registration_result& result)
     : loop_(loop), monitor_(monitor), a_(a), b_(b), settings_(settings), result_(result), start_(a.surface.image)
   {
-    for(const auto& [i, j] : landmarks)
+    for(const auto& [i, j] : landmarks) {
       landmarks_.push_back({i, b.surface.image[j]});
+      landmark_of_b_.push_back(j);
+    }
   }
 
   /// The images of the vertices of A.
@@ -115,13 +121,14 @@ public:
   {
     const Stopwatch watch;
     try {
-      align();
+      if(!is_found_by_spectrum())
+        align();
     } catch(const Input_error& error) {
       if(error.code() != Error_code::INTERRUPTED)
         throw;
     }
     result_.seconds.align = watch.seconds();
-    Host_array<vec3> x = start_;
+    Host_array<vec3> x = deformed_.empty() ? start_ : deformed_;
     if(settings_.motion == Registration::Motion::DEFORMATION && !monitor_.is_interrupted())
       deform(x);
     result_.seconds.refine = watch.seconds() - result_.seconds.align;
@@ -146,6 +153,66 @@ public:
 
 private:
   static constexpr double share_to_align = 0.3; ///< of the work, for the callback
+
+  /// Finds corresponding points of the surfaces, and maps A anew so that they lie near each other on the sphere: then
+  /// `deformed_` is that map, and the start is its rotation that comes nearest. Returns false where that is not asked
+  /// for, or where there are too few vertices for eigenfunctions.
+  bool is_found_by_spectrum()
+  {
+    constexpr int least_vertices = 100, most_vertices = 5500;
+    constexpr int most_places = 200; // that pull, spread evenly: each of them may be wrong by a little
+    constexpr double pull = 1000;
+    if(settings_.motion != Registration::Motion::DEFORMATION || settings_.position_weight > 0 ||
+       (std::min)(a_.surface.point.size(), b_.surface.point.size()) < least_vertices)
+      return false;
+    typedef Watched_loop<Host_loop> Loop;
+    const auto coarse = [&](const Registered_surface& surface, const std::vector<int>& kept) {
+      return Coarse_map(loop_.bare(), surface, surface.point, surface.image, kept, most_vertices, monitor_);
+    };
+    std::vector<int> landmark_of_a;
+    for(const Registration_landmark& l : landmarks_)
+      landmark_of_a.push_back(l.vertex);
+    const Coarse_map coarse_a = coarse(a_.surface, landmark_of_a), coarse_b = coarse(b_.surface, landmark_of_b_);
+    typename Spectral_matching<Host_loop>::Landmarks landmarks;
+    for(std::size_t k = 0; k < landmarks_.size(); ++k)
+      landmarks.emplace_back(coarse_a.number_of(landmark_of_a[k]), coarse_b.number_of(landmark_of_b_[k]));
+    const Spectral_shape<Host_loop> a(loop_.bare(), coarse_a, monitor_), b(loop_.bare(), coarse_b, monitor_);
+    const auto match = Spectral_matching<Host_loop>(loop_, a, b, landmarks).run();
+    result_.margin = match.margin;
+    result_.start = "spectrum";
+
+    Problem problem;
+    problem.face = a_.surface.face;
+    problem.point = a_.surface.point;
+    scale_to_unit_box(problem.point);
+    problem.number_of_vertices = static_cast<int>(problem.point.size());
+    problem.position.resize(problem.point.size());
+    std::iota(problem.position.begin(), problem.position.end(), 0);
+    problem.is_fixed.assign(problem.point.size(), 0);
+    problem.given.assign(problem.point.size(), {0, 0, 0});
+    const auto pull_to = [&](int v, vec3 place) {
+      problem.is_fixed[v] = 1;
+      problem.given[v] = place;
+    };
+    std::vector<vec3> from, to;
+    for(std::size_t i = 0; i < match.map.size(); ++i) {
+      const int v = coarse_a.vertex[a.sample[i]];
+      from.push_back(a_.surface.image[v]);
+      to.push_back(b.image[match.map[i]]);
+      if(i < most_places)
+        pull_to(v, to.back());
+    }
+    for(const Registration_landmark& l : landmarks_)
+      pull_to(l.vertex, l.place);
+    result_.rotation = best_rotation(from, to);
+    start_ = turned(result_.rotation);
+    Isometric method;
+    method.landmark_weight = pull;
+    Solution solution = solve_isometric(loop_.bare(), method, problem, {}, monitor_);
+    if(solution.certificate.is_valid())
+      deformed_ = std::move(solution.position);
+    return true;
+  }
 
   Host_array<vec3> turned(const Rotation& rotation) const
   {
@@ -228,7 +295,7 @@ private:
       Host_array<vec3> x = start;
       monitor_.begin_stage(all * k / proposed.size(), all * (k + 1) / proposed.size());
       const double energy =
-        refined(features, {settings_.landmark_weight, 0, settings_.iterations, settings_.accuracy}, x).energy;
+        refined(a_.surface, features, {settings_.landmark_weight, 0, settings_.iterations, settings_.accuracy}, x).energy;
       if(energy < least || k == 0) { // the first one also where all of them are infinite
         least = (std::min)(least, energy);
         start_ = start;
@@ -282,10 +349,15 @@ private:
 
   void deform(Host_array<vec3>& x)
   {
-    double size = settings_.coarsest_scale;
+    const int first_level = deformed_.empty() ? 0 : settings_.levels - 1; // what is far off has been moved already
+    const Registered_surface from = {a_.surface, a_.surface.point, x};
+    double size = std::ldexp(settings_.coarsest_scale, -first_level);
     Refinement refinement = {settings_.landmark_weight, 0, settings_.iterations, settings_.accuracy};
     Registration_features features;
-    for(int level = 0; level < settings_.levels && (level == 0 || !monitor_.is_interrupted()); ++level, size /= 2) {
+    if(first_level > 0)
+      refinement.isometry_weight = settings_.isometry_weight;
+    for(int level = first_level; level < settings_.levels && (level == first_level || !monitor_.is_interrupted());
+        ++level, size /= 2) {
       const double share = (1 - share_to_align) / settings_.levels;
       monitor_.begin_stage(share_to_align + level * share, share_to_align + (level + 1) * share);
       shape_ = features = weighted(size);
@@ -294,7 +366,7 @@ private:
         for(int k = 0; k < 3; ++k)
           append(features, a[k], b[k], std::sqrt(settings_.position_weight));
       }
-      const Refinement_report report = refined(features, refinement, x);
+      const Refinement_report report = refined(from, features, refinement, x);
       result_.iterations += static_cast<std::size_t>(report.iterations);
       if(!std::isfinite(report.energy_before))
         throw Input_error(
@@ -313,7 +385,7 @@ private:
     constexpr double stiffer = 10;
     for(int round = 0; round < rounds && !monitor_.is_interrupted() && !place(x); ++round) {
       refinement.landmark_weight *= stiffer;
-      result_.iterations += static_cast<std::size_t>(refined(features, refinement, x).iterations);
+      result_.iterations += static_cast<std::size_t>(refined(from, features, refinement, x).iterations);
     }
     place(x);
   }
@@ -328,15 +400,17 @@ private:
     return !(difference(before) <= difference(after)) || !std::isfinite(difference(before));
   }
 
-  Refinement_report refined(const Registration_features& features, const Refinement& refinement, Host_array<vec3>& x)
+  /// \param from  A, with the map whose deformation is held small
+  Refinement_report refined(const Registered_surface& from, const Registration_features& features,
+                            const Refinement& refinement, Host_array<vec3>& x)
   {
-    return refine(loop_.bare(), a_.surface, b_.surface, features, landmarks_, refinement, monitor_, x);
+    return refine(loop_.bare(), from, b_.surface, features, landmarks_, refinement, monitor_, x);
   }
 
   /// What is there without a step.
   Refinement_report look_at(const Registration_features& features, Host_array<vec3> x)
   {
-    return refined(features, {0, 1, 0, 0}, x);
+    return refined(a_.surface, features, {0, 1, 0, 0}, x);
   }
 
   /// Returns whether all landmarks are in place.
@@ -354,7 +428,9 @@ private:
   Registration_result& result_;
   std::vector<Registration_landmark> landmarks_;
   Rotation space_ = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  std::vector<int> landmark_of_b_;
   Host_array<vec3> start_;      ///< the images of A before they are deformed
+  Host_array<vec3> deformed_;   ///< the images to begin with instead, if there are
   bool is_deformed_ = false;    ///< or at least that was tried
   Registration_features shape_; ///< of the finest level that was reached, without positions
 };

@@ -1,0 +1,449 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CORRESPONDENCE_SPECTRAL_MATCHING_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CORRESPONDENCE_SPECTRAL_MATCHING_H
+
+#include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/rotations.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
+#include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
+#include <CGAL/Spherical_parameterization/internal/correspondence/Spectral_shape.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+/// Rotations that cover all of them evenly: M. Alexa, "Super-Fibonacci spirals", CVPR 2022.
+inline Matrix_3 super_fibonacci_rotation(int i, int number)
+{
+  constexpr double psi = 1.533751168755204288118041;
+  const double s = i + 0.5, r = std::sqrt(s / number), other = std::sqrt(1 - s / number);
+  const double alpha = 2 * pi * s / std::sqrt(2.), beta = 2 * pi * s / psi;
+  return rotation_of_quaternion(
+    {other * std::cos(beta), r * std::sin(alpha), r * std::cos(alpha), other * std::sin(beta)});
+}
+
+/// Which points of B are those of A: a map of samples of A to vertices of B, without anything but the shapes and their
+/// maps to the sphere.
+///
+/// Eigenfunctions say precisely where a point belongs once it is known roughly (spectral upsampling), and see no
+/// difference between a shape and its mirror image. The sphere knows that difference: a map that keeps orientation
+/// there is none of a left hand to a right one. So candidates come from rotations of the sphere, and the limbs of those
+/// that are found are put onto each other anew with orientation kept, and with left and right exchanged by the symmetry
+/// that B has itself. Each candidate is refined, and what decides is how much signatures and curvatures differ, and how
+/// much of the surface keeps its orientation. See doc/registration.md.
+template <class Loop>
+class Spectral_matching {
+public:
+  typedef Spectral_shape<Loop> Shape;
+  typedef typename Shape::Rows Rows;
+  typedef std::vector<int> Map; ///< of samples of A, in their order: vertices of B
+
+  /// Vertices of A and of B that correspond.
+  typedef std::vector<std::pair<int, int>> Landmarks;
+
+  struct Match {
+    Map map;           ///< of all samples
+    double margin = 0; ///< how much worse the best of all other answers is; infinite if there is none
+  };
+
+  Spectral_matching(const Watched_loop<Loop>& loop, const Shape& a, const Shape& b, const Landmarks& landmarks)
+    : loop_(loop), a_(a), b_(b), most_functions_((std::min)(a.number_of_functions(), b.number_of_functions()))
+  {
+    for(const auto& [v, w] : landmarks)
+      landmarks_.push_back({v, w, b.graph.distances(w)});
+  }
+
+  Match run() const
+  {
+    constexpr double share_of_symmetries = 0.3, share_of_starts = 0.6;
+    loop_.begin_stage(0, share_of_symmetries);
+    const std::vector<Map> symmetries = Spectral_matching(loop_, b_, b_, {}).symmetries();
+
+    loop_.begin_stage(share_of_symmetries, share_of_starts);
+    const std::vector<Map> roughly = distinct(coarse_maps(), 5, a_.some, rough_distance);
+    std::vector<Map> starts;
+    for(std::size_t k = 0; k < roughly.size() && k < 3; ++k)
+      for(double width : {0.3, 0.5}) {
+        starts.push_back(turned(roughly[k], width));
+        for(const Map& symmetry : symmetries)
+          starts.push_back(turned(composed(roughly[k], symmetry), width));
+      }
+    for(double width : {0.3, 0.5, 0.7})
+      if(landmarks_.size() >= 3)
+        starts.push_back(turned_to_landmarks(width));
+    std::vector<Candidate> pool = upsampled(starts, {14, 17, 20, 25, 30});
+    for(Candidate& c : upsampled(roughly, {20, 25, 30}))
+      pool.push_back(std::move(c));
+    loop_.begin_stage(share_of_starts, 1);
+    std::vector<Candidate> found = judged(best_distinct(std::move(pool), 6, 0.25));
+
+    // A duel of the best one with itself where left and right are exchanged
+    starts.clear();
+    for(const Map& symmetry : symmetries)
+      for(double width : {0.2, 0.3, 0.4, 0.5, 0.7})
+        starts.push_back(turned(composed(first(found.front().map), symmetry), width));
+    pool = upsampled(starts, {14, 17, 20, 25, 30});
+    for(Candidate& c : upsampled(starts, {20, 25, 30}))
+      pool.push_back(std::move(c));
+    for(Candidate& c : judged(best_distinct(std::move(pool), 2, 0.2)))
+      found.push_back(std::move(c));
+    std::stable_sort(found.begin(), found.end(), is_better);
+
+    Match result;
+    const Candidate& best = found.front();
+    result.margin = std::numeric_limits<double>::infinity();
+    for(const Candidate& other : found)
+      if(distance(best.map, other.map, a_.all) > rough_distance)
+        result.margin = (std::min)(result.margin, other.score - best.score);
+    result.map = upsample(best.map, a_.all, all_vertices(), {80, 100, 120}).map;
+    return result;
+  }
+
+private:
+  static constexpr double rough_distance = 0.35; ///< from which on two maps are different answers
+  static constexpr double orientation_weight = 0.3;
+
+  struct Candidate {
+    Map map;         ///< of the first samples
+    Rows functional; ///< C = Phi_A^T M_A Phi_B[map]
+    double residual = 0;
+    double orientation = 0; ///< the share of the area that keeps its orientation less that which does not
+    double score = 0;       ///< the less the better
+  };
+
+  struct Landmark {
+    int of_a, of_b;
+    std::vector<double> distance; ///< on B
+  };
+
+  static bool is_better(const Candidate& x, const Candidate& y) { return x.score < y.score; }
+
+  Map first(const Map& map) const { return Map(map.begin(), map.begin() + a_.some.size()); }
+
+  Map on_all_samples(const Map& map) const
+  {
+    Map result;
+    for(int v : a_.sample)
+      result.push_back(map[a_.some.of_vertex[v]]);
+    return result;
+  }
+
+  Map all_vertices() const
+  {
+    Map result(b_.size());
+    std::iota(result.begin(), result.end(), 0);
+    return result;
+  }
+
+  static Map composed(Map map, const Map& of_b)
+  {
+    for(int& t : map)
+      t = of_b[t];
+    return map;
+  }
+
+  static Rows rows(const Rows& all, const std::vector<int>& which, int columns)
+  {
+    Rows result(which.size(), columns);
+    for(std::size_t r = 0; r < which.size(); ++r)
+      result.row(r) = all.row(which[r]).head(columns);
+    return result;
+  }
+
+  /// Calls f(r, s, square) with the nearest row s of `to`, and its squared distance, for every row r of `from`.
+  template <class F>
+  static void for_each_nearest(const Rows& from, const Rows& to, F f)
+  {
+    constexpr int block = 64;
+    const auto half = (to.rowwise().squaredNorm() / 2).eval();
+    const Rows transposed = to.transpose();
+    Rows product;
+    for(int begin = 0; begin < from.rows(); begin += block) {
+      const int size = (std::min)(block, static_cast<int>(from.rows()) - begin);
+      product.noalias() = from.middleRows(begin, size) * transposed;
+      for(int r = 0; r < size; ++r) {
+        const float* p = product.row(r).data();
+        int nearest = 0;
+        for(int s = 1; s < to.rows(); ++s)
+          if(p[s] - half[s] > p[nearest] - half[nearest])
+            nearest = s;
+        const float square = from.row(begin + r).squaredNorm() - 2 * (p[nearest] - half[nearest]);
+        f(begin + r, nearest, (std::max)(0.f, square));
+      }
+    }
+  }
+
+  /// With more and more eigenfunctions: S. Melzi, J. Ren, E. Rodola, A. Sharma, P. Wonka, M. Ovsjanikov, "ZoomOut",
+  /// ACM TOG 38 (2019).
+  Candidate upsample(Map map, const typename Shape::Cells& cells, const std::vector<int>& targets,
+                     const std::vector<int>& numbers) const
+  {
+    const std::vector<int> samples(a_.sample.begin(), a_.sample.begin() + cells.size());
+    Candidate c;
+    for(int number : numbers) {
+      const int k = (std::min)(number, most_functions_);
+      const Rows from = rows(a_.function, samples, k);
+      Rows weighted = from;
+      for(int r = 0; r < cells.size(); ++r)
+        weighted.row(r) *= static_cast<float>(cells.area[r]);
+      c.functional.noalias() = weighted.transpose() * rows(b_.function, map, k);
+      double sum = 0;
+      for_each_nearest(from, rows(b_.function, targets, k) * c.functional.transpose(), [&](int r, int s, float square) {
+        map[r] = targets[s];
+        sum += cells.area[r] * square;
+      });
+      c.residual = std::sqrt(sum / k);
+    }
+    c.map = std::move(map);
+    c.orientation = orientation(c.functional);
+    c.score = c.residual - orientation_weight * c.orientation + landmark_error(c.map, cells);
+    return c;
+  }
+
+  /// Of the smooth map to the sphere that C stands for.
+  double orientation(const Rows& functional) const
+  {
+    const int k = static_cast<int>(functional.rows());
+    const Rows carried = functional * b_.sphere.topRows(functional.cols());
+    double sum = 0;
+    for(const std::array<int, 3>& f : a_.some_face) {
+      std::array<vec3, 3> at;
+      for(int c = 0; c < 3; ++c) {
+        const auto p = (a_.function.row(f[c]).head(k) * carried).eval();
+        at[c] = {p(0), p(1), p(2)};
+      }
+      const double d = determinant(at[0], at[1], at[2]);
+      sum += d > 0 ? 1 : d < 0 ? -1 : 0;
+    }
+    return sum / static_cast<double>(a_.some_face.size());
+  }
+
+  /// The mean distance on B from where landmarks should be, so weighted that nothing outweighs it.
+  double landmark_error(const Map& map, const typename Shape::Cells& cells) const
+  {
+    constexpr double weight = 10;
+    double sum = 0;
+    for(const Landmark& l : landmarks_)
+      sum += weight * l.distance[map[cells.of_vertex[l.of_a]]] / static_cast<double>(landmarks_.size());
+    return sum;
+  }
+
+  /// Root mean square distance of two maps in the embedding by eigenfunctions.
+  double distance(const Map& x, const Map& y, const typename Shape::Cells& cells) const
+  {
+    const int k = (std::min)(20, most_functions_ - 1);
+    double sum = 0;
+    for(int r = 0; r < cells.size(); ++r)
+      sum += cells.area[r] * (b_.function.row(x[r]).segment(1, k) - b_.function.row(y[r]).segment(1, k)).squaredNorm();
+    return std::sqrt(sum / k);
+  }
+
+  /// The first few maps that are farther from each other than `limit`, and from one that is known.
+  std::vector<Map> distinct(const std::vector<Map>& maps, std::size_t number, const typename Shape::Cells& cells,
+                            double limit, const Map& known = {}) const
+  {
+    std::vector<Map> result;
+    for(const Map& m : maps)
+      if(result.size() < number && (known.empty() || distance(m, known, cells) > limit) &&
+         std::all_of(result.begin(), result.end(), [&](const Map& o) { return distance(m, o, cells) > limit; }))
+        result.push_back(m);
+    return result;
+  }
+
+  std::vector<Candidate> best_distinct(std::vector<Candidate> pool, std::size_t number, double limit) const
+  {
+    std::stable_sort(pool.begin(), pool.end(), is_better);
+    std::vector<Candidate> result;
+    for(Candidate& c : pool)
+      if(result.size() < number && std::all_of(result.begin(), result.end(), [&](const Candidate& o) {
+           return distance(c.map, o.map, a_.some) > limit;
+         }))
+        result.push_back(std::move(c));
+    return result;
+  }
+
+  std::vector<Candidate> upsampled(const std::vector<Map>& starts, const std::vector<int>& numbers) const
+  {
+    std::vector<Candidate> result(starts.size());
+    loop_.for_each(static_cast<int>(starts.size()),
+                   [&](int k) { result[k] = upsample(starts[k], a_.some, b_.sample, numbers); });
+    return result;
+  }
+
+  /// Maps of the first samples by rotations and reflections of the sphere, best first. What is compared is what bending
+  /// does not change much.
+  std::vector<Map> coarse_maps(double weight_of_orientation = orientation_weight) const
+  {
+    constexpr int number = 600, most = 50, features = 3;
+    constexpr double most_stretch = 2;
+    const std::vector<int> samples(a_.sample.begin(), a_.sample.begin() + a_.few.size());
+    const auto by_scale = b_.signature.array().square().colwise().mean().sqrt().inverse().eval();
+    const Rows signature_a = rows(a_.signature, samples, Shape::number_of_energies).array().rowwise() * by_scale;
+    const Rows signature_b = b_.signature.array().rowwise() * by_scale;
+    std::vector<Map> map(2 * number, Map(samples.size()));
+    std::vector<std::array<double, features>> difference(map.size());
+    loop_.for_each(static_cast<int>(map.size()), [&](int r) {
+      const Matrix_3 rotation = super_fibonacci_rotation(r % number, number);
+      difference[r] = {};
+      for(std::size_t i = 0; i < samples.size(); ++i) {
+        const int v = samples[i];
+        const vec3 p = a_.image[v];
+        const int t = map[r][i] = b_.vertex_near(rotated(rotation, {p.x, p.y, r < number ? p.z : -p.z}));
+        const double area = a_.few.area[i];
+        difference[r][0] += area * std::abs(a_.remoteness[v] - b_.remoteness[t]);
+        difference[r][1] += area * (signature_a.row(i) - signature_b.row(t)).cwiseAbs().mean();
+        difference[r][2] += area * (std::min)(most_stretch, std::abs(a_.stretch[v] - b_.stretch[t]));
+      }
+    });
+    std::vector<double> sum(map.size(), 0.);
+    for(int k = 0; k < features; ++k) {
+      std::vector<double> all;
+      for(const auto& d : difference)
+        all.push_back(d[k]);
+      std::nth_element(all.begin(), all.begin() + number, all.end());
+      for(std::size_t r = 0; r < map.size(); ++r)
+        sum[r] += difference[r][k] / (std::max)(all[number], 1e-300);
+    }
+    std::vector<Map> starts;
+    for(int first : {0, number}) {
+      std::vector<int> order(number);
+      std::iota(order.begin(), order.end(), first);
+      std::stable_sort(order.begin(), order.end(), [&](int x, int y) { return sum[x] < sum[y]; });
+      for(int k = 0; k < most; ++k) {
+        Map start;
+        for(int i = 0; i < a_.some.size(); ++i)
+          start.push_back(map[order[k]][a_.few.of_vertex[a_.sample[i]]]);
+        starts.push_back(std::move(start));
+      }
+    }
+    std::vector<Candidate> candidates = upsampled(starts, {6, 10, 14, 20});
+    for(Candidate& c : candidates)
+      c.score += (orientation_weight - weight_of_orientation) * c.orientation;
+    std::stable_sort(candidates.begin(), candidates.end(), is_better);
+    std::vector<Map> result;
+    for(Candidate& c : candidates)
+      result.push_back(std::move(c.map));
+    return result;
+  }
+
+  /// Of a shape to itself: up to two isometries other than the identity, of every vertex. They exchange left and right,
+  /// and turn the surface over.
+  std::vector<Map> symmetries() const
+  {
+    std::vector<Candidate> found;
+    for(const Map& start : distinct(coarse_maps(-orientation_weight), 5, a_.some, rough_distance, first(a_.sample))) {
+      Candidate c;
+      c.map = start;
+      c = judged({std::move(c)}).front();
+      c.score += 2 * c.orientation;
+      if(distance(c.map, a_.sample, a_.all) > rough_distance)
+        found.push_back(std::move(c));
+    }
+    std::vector<Map> result;
+    for(const Candidate& c : best_distinct(std::move(found), 2, rough_distance)) {
+      Map map(a_.size());
+      const Rows from = a_.function.leftCols(c.functional.rows());
+      const Rows to = rows(a_.function, a_.target, static_cast<int>(c.functional.cols())) * c.functional.transpose();
+      for_each_nearest(from, to, [&](int r, int s, float) { map[r] = a_.target[s]; });
+      result.push_back(std::move(map));
+    }
+    return result;
+  }
+
+  /// A start that keeps orientation: the samples are rotated on the sphere as anchors want it, and moved smoothly
+  /// towards where these belong. \param weight  of the anchors
+  Map turned(const std::vector<int>& anchor, const std::vector<vec3>& place, const std::vector<double>& weight,
+             double width) const
+  {
+    Matrix_3 products = {};
+    std::vector<vec3> from;
+    for(std::size_t k = 0; k < anchor.size(); ++k) {
+      const vec3 p = a_.image[anchor[k]];
+      const std::array<double, 3> f = {p.x, p.y, p.z}, t = {place[k].x, place[k].y, place[k].z};
+      for(int i = 0; i < 3; ++i)
+        for(int j = 0; j < 3; ++j)
+          products[i][j] += weight[k] * f[i] * t[j];
+    }
+    const Matrix_3 rotation = rotation_of_products(products);
+    for(int v : anchor)
+      from.push_back(rotated(rotation, a_.image[v]));
+    Map result;
+    for(int i = 0; i < a_.some.size(); ++i) {
+      const vec3 p = rotated(rotation, a_.image[a_.sample[i]]);
+      vec3 d = {0, 0, 0};
+      double sum = 0;
+      for(std::size_t k = 0; k < anchor.size(); ++k) {
+        const double w = std::exp((inner(p, from[k]) - 1) / (width * width)) * weight[k];
+        d = add_scaled(d, w, sub(place[k], from[k]));
+        sum += w;
+      }
+      result.push_back(b_.vertex_near(unit(add_scaled(p, sum > 0 ? 1 / sum : 0, d))));
+    }
+    return result;
+  }
+
+  /// Limbs, which are remote, stay where a map has them.
+  Map turned(const Map& map, double width) const
+  {
+    std::vector<int> anchor(a_.sample.begin(), a_.sample.begin() + a_.some.size());
+    std::vector<vec3> place;
+    std::vector<double> weight;
+    for(int i = 0; i < a_.some.size(); ++i) {
+      place.push_back(b_.image[map[i]]);
+      const double remoteness = a_.remoteness[anchor[i]];
+      weight.push_back(a_.some.area[i] * remoteness * remoteness * remoteness);
+    }
+    return turned(anchor, place, weight, width);
+  }
+
+  Map turned_to_landmarks(double width) const
+  {
+    std::vector<int> anchor;
+    std::vector<vec3> place;
+    for(const Landmark& l : landmarks_) {
+      anchor.push_back(l.of_a);
+      place.push_back(b_.image[l.of_b]);
+    }
+    return turned(anchor, place, std::vector<double>(anchor.size(), 1.), width);
+  }
+
+  /// With the score that decides.
+  std::vector<Candidate> judged(const std::vector<Candidate>& candidates) const
+  {
+    constexpr double least = 1e-9;
+    std::vector<Candidate> result(candidates.size());
+    loop_.for_each(static_cast<int>(candidates.size()), [&](int n) {
+      Candidate& c = result[n];
+      c = upsample(on_all_samples(candidates[n].map), a_.all, b_.target, {30, 40, 50, 60});
+      double signatures = 0, curvatures = 0;
+      for(int i = 0; i < a_.all.size(); ++i) {
+        const int v = a_.sample[i], t = c.map[i];
+        const auto x = a_.signature.row(v), y = b_.signature.row(t);
+        signatures += a_.all.area[i] * (x - y).cwiseAbs().sum() / (x + y).cwiseAbs().sum();
+        curvatures += a_.all.area[i] * std::abs(a_.curvature[v] - b_.curvature[t]);
+      }
+      c.score = std::log((std::max)(signatures, least)) + std::log((std::max)(curvatures, least)) / 2 +
+                std::log((std::max)(c.residual, least)) / 2 - c.orientation + landmark_error(c.map, a_.all);
+    });
+    return result;
+  }
+
+  const Watched_loop<Loop>& loop_;
+  const Shape& a_;
+  const Shape& b_;
+  int most_functions_;
+  std::vector<Landmark> landmarks_;
+};
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CORRESPONDENCE_SPECTRAL_MATCHING_H

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CORRESPONDENCE_SPECTRAL_SHAPE_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CORRESPONDENCE_SPECTRAL_SHAPE_H
+
+#include <CGAL/Spherical_parameterization/internal/algebra/dense_matrices.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
+#include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
+#include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
+#include <CGAL/Spherical_parameterization/internal/correspondence/Geodesic_graph.h>
+#include <CGAL/Spherical_parameterization/internal/locate/Locator.h>
+#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
+#include <CGAL/Spherical_parameterization/internal/spectrum/laplacian_spectrum.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Mapped_surface.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Spring_lengths.h>
+#include <CGAL/Spherical_parameterization/internal/surface/conformal_graph.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+/// A map to the sphere as a table: of every direction, a vertex near it.
+template <class Loop>
+class Vertex_table {
+public:
+  /// \param map  a valid one
+  Vertex_table(const Loop& loop, const Mapped_surface& map) : vertex_(6 * cells_of_edge * cells_of_edge)
+  {
+    const Locator locator(loop, Valid_map(map, loop));
+    loop.for_each(6 * cells_of_edge, [&](int row) {
+      const int side = row / cells_of_edge, i = row % cells_of_edge;
+      for(int j = 0; j < cells_of_edge; ++j) {
+        const double u = (2 * i + 1.) / cells_of_edge - 1, v = (2 * j + 1.) / cells_of_edge - 1, s = side % 2 ? 1 : -1;
+        const vec3 q = side < 2 ? make_vec3(s, u, v) : side < 4 ? make_vec3(u, s, v) : make_vec3(u, v, s);
+        const auto [face, weight] = locator.locate(q);
+        vertex_[cell(q)] = map.face[face][std::max_element(weight.begin(), weight.end()) - weight.begin()];
+      }
+    });
+  }
+
+  int operator()(vec3 q) const { return vertex_[cell(q)]; }
+
+private:
+  static constexpr int cells_of_edge = 64; ///< of a cube round the sphere
+
+  static int cell(vec3 q)
+  {
+    const double x = std::abs(q.x), y = std::abs(q.y), z = std::abs(q.z), most = (std::max)({x, y, z});
+    const auto place = [&](double u) {
+      return (std::min)(cells_of_edge - 1, static_cast<int>((u / most + 1) / 2 * cells_of_edge));
+    };
+    const auto number = [&](int side, double u, double v) {
+      return (side * cells_of_edge + place(u)) * cells_of_edge + place(v);
+    };
+    if(x == most)
+      return number(q.x > 0, q.y, q.z);
+    if(y == most)
+      return number(2 + (q.y > 0), q.x, q.z);
+    return number(4 + (q.z > 0), q.x, q.y);
+  }
+
+  std::vector<int> vertex_;
+};
+
+/// What the correspondence of two shapes is found by: eigenfunctions, signatures and samples of a surface, and where it
+/// lies on the sphere. `Loop` makes the matrices of Eigen dependent, as `Dense` does.
+template <class Loop>
+struct Spectral_shape {
+  /// A row for each vertex. Floats are enough to choose by.
+  typedef typename Floats<Loop>::Rows Rows;
+
+  static constexpr int most_functions = 120, number_of_energies = 40;
+
+  Rows function;                             ///< the eigenfunctions of the surface of area 1
+  Rows signature;                            ///< the wave kernel signature
+  std::vector<double> area;                  ///< of every vertex, 1 in all
+  std::vector<double> remoteness;            ///< of every vertex: the mean geodesic distance to all others, from 0 to 1
+  std::vector<double> stretch;               ///< of every vertex: the logarithm of its area by that on the sphere
+  std::vector<double> curvature;             ///< of every vertex: the mean curvature, smooth, of variance 1
+  Host_array<vec3> image;                    ///< on the sphere
+  Vertex_table<Loop> vertex_near;            ///< by direction
+  std::vector<int> sample;                   ///< vertices far from each other, those first that are farthest
+  std::vector<int> target;                   ///< the samples, and others: what another shape is mapped to
+  std::vector<std::array<int, 3>> some_face; ///< each stands for as much area
+  Rows sphere;                               ///< by eigenfunction: the coefficients of the image
+  Geodesic_graph graph;
+
+  /// The parts of the surface that are nearest to each of the first samples.
+  struct Cells {
+    std::vector<double> area;
+    std::vector<int> of_vertex;
+    int size() const { return static_cast<int>(area.size()); }
+  };
+  Cells few, some, all; ///< of 250, 400, 800 samples
+
+  int size() const { return static_cast<int>(image.size()); }
+  int number_of_functions() const { return static_cast<int>(function.cols()); }
+
+  /// \param map  a valid one; of a surface of area 1
+  Spectral_shape(const Loop& loop, const Mapped_surface& map, Monitor& monitor)
+    : area(map.number_of_vertices, 0.), stretch(map.number_of_vertices), image(map.image), vertex_near(loop, map),
+      graph(map.copy_of_corner_table(loop), map.point)
+  {
+    const Corner_table table = map.copy_of_corner_table(loop);
+    const int n = size();
+    std::vector<double> on_sphere(n, 0.);
+    for(const std::array<int, 3>& f : map.face)
+      for(int i : f) {
+        area[i] += norm(normal(map.point, f)) / 6;
+        on_sphere[i] += norm(normal(image, f)) / 6;
+      }
+    constexpr double least = 1e-12;
+    for(int i = 0; i < n; ++i)
+      stretch[i] = std::log((std::max)(area[i], least) / (std::max)(on_sphere[i] / (4 * pi), least));
+    Spring_lengths lengths;
+    const Weighted_graph laplacian = conformal_graph(loop, table, map.point, lengths);
+    Host_array<double> mass(area.begin(), area.end());
+    for(double& m : mass)
+      m = (std::max)(m, least / n); // of needles
+    const Laplacian_spectrum spectrum =
+      laplacian_spectrum(loop, laplacian, mass, (std::min)(most_functions, n / 2), monitor);
+    function.resize(n, spectrum.number);
+    for(int k = 0; k < spectrum.number; ++k)
+      for(int i = 0; i < n; ++i)
+        function(i, k) = static_cast<float>(spectrum.function[static_cast<std::size_t>(k) * n + i]);
+    sphere = Rows::Zero(spectrum.number, 3);
+    for(int i = 0; i < n; ++i)
+      for(int c = 0; c < 3; ++c)
+        sphere.col(c) +=
+          static_cast<float>(area[i] * std::array<double, 3>{image[i].x, image[i].y, image[i].z}[c]) *
+          function.row(i).transpose();
+    monitor.advance_or_throw();
+    sign(spectrum.value);
+    bend(table, map.point, spectrum.value);
+    choose_faces(map);
+    choose_samples(loop, map.point);
+  }
+
+private:
+  /// Wave kernel signature: M. Aubry, U. Schlickewei, D. Cremers, ICCV Workshops 2011.
+  void sign(const Host_array<double>& value)
+  {
+    constexpr int most = 100;
+    constexpr double least = 1e-9;
+    const int last = (std::min)(most, number_of_functions());
+    std::vector<double> energy;
+    for(int k = 1; k < last; ++k)
+      energy.push_back(std::log((std::max)(value[k], least)));
+    const double width = energy.back() - energy.front(), sigma = 7 * width / number_of_energies;
+    const double low = energy.front() + 2 * sigma, high = energy.back() - 2 * sigma;
+    Rows filter(last - 1, number_of_energies);
+    for(int e = 0; e < number_of_energies; ++e) {
+      const double at = low + (high - low) * e / (number_of_energies - 1);
+      for(int k = 0; k + 1 < last; ++k) {
+        const double d = sigma > 0 ? (at - energy[k]) / sigma : 0;
+        filter(k, e) = static_cast<float>(std::exp(-d * d / 2));
+      }
+      filter.col(e) /= filter.col(e).sum();
+    }
+    const Rows square = function.middleCols(1, last - 1).array().square();
+    signature = square * filter;
+  }
+
+  /// Mean curvature by the angles at the edges, low frequencies only.
+  void bend(const Corner_table& table, const Host_array<vec3>& point, const Host_array<double>& value)
+  {
+    constexpr double scale = 0.03; // of the heat flow that it is seen through, as a length
+    const int n = size(), number = number_of_functions();
+    std::vector<double> bending(n, 0.);
+    for(int h = 0; h < table.number_of_halfedges(); ++h) {
+      const int t = table.twin[h];
+      if(t < h)
+        continue;
+      const vec3 e = sub(point[table.target(h)], point[table.origin(h)]), u = normal(point, table.face[h / 3]),
+                 v = normal(point, table.face[t / 3]);
+      const double angle = std::atan2(inner(outer(u, v), e), norm(e) * inner(u, v));
+      bending[table.origin(h)] += norm(e) * angle / 4;
+      bending[table.target(h)] += norm(e) * angle / 4;
+    }
+    std::vector<double> coefficient(number, 0.);
+    double square = 0;
+    for(int k = 1; k < number; ++k) { // the constant is no feature
+      for(int i = 0; i < n; ++i)
+        coefficient[k] += bending[i] * function(i, k);
+      coefficient[k] *= std::exp(-value[k] * scale * scale / 2);
+      square += coefficient[k] * coefficient[k];
+    }
+    curvature.assign(n, 0.);
+    for(int i = 0; i < n; ++i)
+      for(int k = 1; k < number; ++k)
+        curvature[i] += coefficient[k] / std::sqrt((std::max)(square, 1e-300)) * function(i, k);
+  }
+
+  void choose_faces(const Mapped_surface& map)
+  {
+    constexpr int number = 1000;
+    std::vector<double> sum;
+    for(const std::array<int, 3>& f : map.face)
+      sum.push_back((sum.empty() ? 0 : sum.back()) + norm(normal(map.point, f)));
+    for(int k = 0; k < number; ++k) {
+      const auto it = std::lower_bound(sum.begin(), sum.end(), (k + 0.5) / number * sum.back());
+      some_face.push_back(map.face[(std::min)(it - sum.begin(), static_cast<std::ptrdiff_t>(map.face.size()) - 1)]);
+    }
+  }
+
+  void choose_samples(const Loop& loop, const Host_array<vec3>& point)
+  {
+    constexpr int most_far = 150, most_few = 250, most_some = 400, most_all = 800, most_others = 1700;
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const int n = size(), far = (std::min)(most_far, n), number = (std::min)(most_all, n);
+    const auto farthest = [](const std::vector<double>& d) {
+      return static_cast<int>(std::max_element(d.begin(), d.end()) - d.begin());
+    };
+    // The first ones by geodesic distances, which also say how remote vertices are
+    std::vector<double> near(n, infinity);
+    std::vector<int> cell(n, 0);
+    std::vector<std::vector<double>> distance;
+    int next = farthest(graph.distances(0));
+    for(int k = 0; k < far; ++k) {
+      sample.push_back(next);
+      distance.push_back(graph.distances(next));
+      for(int i = 0; i < n; ++i)
+        if(distance[k][i] < near[i]) {
+          near[i] = distance[k][i];
+          cell[i] = k;
+        }
+      next = farthest(near);
+    }
+    std::vector<double> of_cell(far, 0.);
+    for(int i = 0; i < n; ++i)
+      of_cell[cell[i]] += area[i];
+    remoteness.assign(n, 0.);
+    for_each_index(loop, n, [&](int i) {
+      for(int k = 0; k < far; ++k)
+        remoteness[i] += of_cell[k] * distance[k][i];
+    });
+    const auto [low, high] = std::minmax_element(remoteness.begin(), remoteness.end());
+    const double least = *low, width = (std::max)(*high - *low, 1e-300);
+    for(double& r : remoteness)
+      r = (r - least) / width;
+
+    // The others by distances in space
+    const auto cells = [&](int m) {
+      Cells result = {std::vector<double>(m, 0.), cell};
+      for(int i = 0; i < n; ++i)
+        result.area[cell[i]] += area[i];
+      return result;
+    };
+    std::fill(near.begin(), near.end(), infinity);
+    for(int k = 0; k < number; ++k) {
+      if(k >= far)
+        sample.push_back(farthest(near));
+      const vec3 p = point[sample[k]];
+      for(int i = 0; i < n; ++i) {
+        const vec3 d = sub(point[i], p);
+        if(inner(d, d) < near[i]) {
+          near[i] = inner(d, d);
+          cell[i] = k;
+        }
+      }
+      if(k + 1 == (std::min)(most_few, number))
+        few = cells(k + 1);
+      if(k + 1 == (std::min)(most_some, number))
+        some = cells(k + 1);
+    }
+    all = cells(number);
+
+    target = sample;
+    std::vector<char> is_target(n, 0);
+    for(int i : sample)
+      is_target[i] = 1;
+    const int others = (std::min)(most_others, n);
+    for(int k = 0; k < others; ++k) {
+      const auto i = static_cast<int>(static_cast<long long>(k) * n / others);
+      if(!is_target[i])
+        target.push_back(i);
+    }
+  }
+};
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CORRESPONDENCE_SPECTRAL_SHAPE_H

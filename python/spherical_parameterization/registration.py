@@ -21,7 +21,10 @@ class RegisteredMap(OneLine):
 
     sphere: Doubles  #: (n, 3), of the first mesh
     is_complete: bool  #: False: `progress` or the time limit has ended it, and this is how far it came
-    start: str  #: what found the rotation: "landmarks", "coordinates" or "features"
+    start: str  #: what found the start: "spectrum", or for a rotation "landmarks", "coordinates" or "features"
+    margin: float  #: how much worse the best of all other answers is, as a logarithm; infinite if there is none
+    signature_difference: float  #: of corresponding points, from 0 to 1; about 0.03 between poses of one body
+    trust: str  #: what these two are worth: "sure", "unsure", "unlike" (shapes), or "unknown" without the spectrum
     rotation: Doubles  #: (3, 3), of the first map, to start with
     mismatch_before: float  #: root mean square difference of curvature and stretch on the finest level, rotated
     mismatch: float  #: and in the end
@@ -41,8 +44,8 @@ def register_maps(
     other_sphere: Sphere,
     *,
     motion: str = "deformation",
-    curvature_weight: float = 5,
-    stretch_weight: float = 5,
+    curvature_weight: float = 20,
+    stretch_weight: float = 0,
     isometry_weight: float = 1,
     position_weight: float = 0,
     landmarks: npt.ArrayLike | None = None,
@@ -111,7 +114,7 @@ def register_maps(
         raise ValueError(f"landmarks: shape (k, 2) is needed, not {pairs.shape}")
     if pairs.size and (pairs.min() < 0 or pairs[:, 0].max() >= len(a) or pairs[:, 1].max() >= len(b)):
         raise ValueError("landmarks: there is no such vertex")
-    was_ctrl_c, registered, is_complete, start, rotation, *figures = _core.register_maps(
+    was_ctrl_c, registered, is_complete, start, margin, difference, trust, rotation, *figures = _core.register_maps(
         a,
         index_triples(triangles),
         directions("sphere", sphere, len(a)),
@@ -131,7 +134,7 @@ def register_maps(
     )
     if was_ctrl_c:
         raise KeyboardInterrupt
-    return RegisteredMap(registered, is_complete, start, np.array(rotation), *figures)
+    return RegisteredMap(registered, is_complete, start, margin, difference, trust, np.array(rotation), *figures)
 
 
 def moebius_centred(sphere: Sphere, triangles: npt.ArrayLike, masses: npt.ArrayLike) -> Doubles:

@@ -32,7 +32,9 @@ def test_landmarks_are_put_onto_each_other() -> None:
     other = mapped(3)
     pairs = [[0, 0], [40, 40], [100, 100], [300, 300]]  # in the same directions
     r = sp.register_maps(points, triangles, sphere, *other, landmarks=pairs)
-    assert r.start == "landmarks"
+    assert r.start == "spectrum" and r.margin >= 0 and 0 <= r.signature_difference <= 1
+    assert r.trust in ("sure", "unsure", "unlike")
+    assert sp.register_maps(points, triangles, sphere, *other, motion="rotation").trust == "unknown"
     assert sp.certify(triangles, r.sphere).is_valid
     distance = np.linalg.norm(r.sphere[[i for i, _ in pairs]] - other[2][[j for _, j in pairs]], axis=1)
     assert distance.max() <= r.largest_landmark_distance + 1e-12 and distance.max() < 0.1

@@ -68,14 +68,14 @@ void register_meshes(const Register_options& options)
             << options.input << " in the shape of " << options.other << ", " << pair.a.mesh().number_of_vertices()
             << " vertices\n"
             << "registered map: " << pair.result.flipped_faces << " flipped faces, degree " << pair.result.degree
-            << "; rotation by " << pair.result.start;
+            << "; start by " << pair.result.start;
   if(options.motion == "deformation")
     std::cout << ", then deformed: mismatch of features from " << pair.result.mismatch_before << " to "
               << pair.result.mismatch << ", mean distortion " << pair.result.distortion << " (4: none)";
   if(!options.landmarks.empty())
     std::cout << "\nlandmarks: at most " << pair.result.largest_landmark_distance << " radians from their places";
   std::cout << '\n'
-            << pair.result.seconds.total << " s, and " << pair.a.result.seconds.total + pair.b.result.seconds.total
+            << trust_text(pair.result) << pair.result.seconds.total << " s, and " << pair.a.result.seconds.total + pair.b.result.seconds.total
             << " s for the maps" << std::endl;
 }
 

@@ -88,6 +88,21 @@ Landmarks read_landmarks(const std::string& file, const Registered_pair& pair)
   return landmarks;
 }
 
+const char* name_of(SP::Registration_result::Trust trust)
+{
+  switch(trust) {
+  case SP::Registration_result::Trust::SURE:
+    return "sure";
+  case SP::Registration_result::Trust::UNSURE:
+    return "unsure";
+  case SP::Registration_result::Trust::UNLIKE:
+    return "unlike";
+  case SP::Registration_result::Trust::UNKNOWN:
+    break;
+  }
+  return "unknown";
+}
+
 } // namespace
 
 void add_registration_options(CLI::App& command, Registration_options& options)
@@ -217,6 +232,21 @@ std::string preparation_text(const Registration_options& options, const Register
   return preparation_text(options.input, pair.a.prepared) + preparation_text(options.other, pair.b.prepared);
 }
 
+std::string trust_text(const SP::Registration_result& result)
+{
+  switch(result.trust()) {
+  case SP::Registration_result::Trust::SURE:
+    return "correspondence: sure\n";
+  case SP::Registration_result::Trust::UNSURE:
+    return "correspondence: not sure, other answers are nearly as good; look at it, or give --landmarks\n";
+  case SP::Registration_result::Trust::UNLIKE:
+    return "correspondence: the shapes are unlike; look at it\n";
+  case SP::Registration_result::Trust::UNKNOWN:
+    break;
+  }
+  return "";
+}
+
 nlohmann::ordered_json registration_json(const Registration_options& options, const Registered_pair& pair)
 {
   const SP::Registration_result& r = pair.result;
@@ -230,6 +260,9 @@ nlohmann::ordered_json registration_json(const Registration_options& options, co
           {"isometry_weight", options.registration.isometry_weight},
           {"position_weight", options.registration.position_weight},
           {"start", r.start},
+          {"margin", r.margin},
+          {"signature_difference", r.signature_difference},
+          {"trust", name_of(r.trust())},
           {"rotation", r.rotation},
           {"iterations", r.iterations},
           {"mismatch_before", r.mismatch_before},

@@ -63,6 +63,9 @@ std::vector<Place> places_by_files(const Registered_pair& pair);
 std::string preparation_text(const Registration_options& options, const Registered_pair& pair);
 
 /// The figures of the registration, for reports.
+/// One line about how far to trust the correspondence; empty if nothing is known.
+std::string trust_text(const SP::Registration_result& result);
+
 nlohmann::ordered_json registration_json(const Registration_options& options, const Registered_pair& pair);
 
 } // namespace tool

@@ -6,6 +6,7 @@
 #include "helpers/property_maps.h"
 #include "helpers/solve.h"
 
+#include <CGAL/Spherical_parameterization/internal/correspondence/Geodesic_graph.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/Registration_energy.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/register_surfaces.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
@@ -178,12 +179,107 @@ TEST_CASE("landmarks are put onto each other, or their distance is said", "[regi
     landmarks.emplace_back(Vertex(unsigned(i)), Vertex(unsigned(i)));
   const Registered r = registered(a, b, {}, landmarks);
   check_certificate(a, r);
-  CHECK(r.result.start == "landmarks");
+  CHECK(r.result.start == "spectrum");
   double largest = 0;
   for(const auto& [v, w] : landmarks)
     largest = (std::max)(largest, 2 * std::asin(std::sqrt((r.sphere[v] - b.sphere[w]).squared_length()) / 2));
   CHECK(largest == Approx(r.result.largest_landmark_distance).margin(1e-7));
   CHECK(largest < 0.05);
+}
+
+namespace {
+
+/// Bent: turned about an axis, the more the farther out.
+Soup in_another_pose(const Soup& soup)
+{
+  return transformed(soup, [](const Point& p) {
+    const double angle = 0.5 * (std::sqrt((p - CGAL::ORIGIN).squared_length()) - 1), c = std::cos(angle),
+                 s = std::sin(angle);
+    return Point(c * p.x() - s * p.y(), s * p.x() + c * p.y(), p.z());
+  });
+}
+
+/// How far the vertices of A, in the mean, are from where f says on B.
+double mean_error(const Mapped& a, const Registered& r, const Mapped& b, const std::function<Point(Vertex)>& f)
+{
+  const SP::Spherical_locator<Mesh> locator(b.mesh, b.map());
+  double error = 0;
+  for(Vertex v : vertices(a.mesh)) {
+    const Point p = SP::interpolate(b.mesh, locator.locate(r.sphere[v]), b.mesh.points());
+    error += std::sqrt((p - f(v)).squared_length()) / double(a.sphere.size());
+  }
+  return error;
+}
+
+} // namespace
+
+TEST_CASE("a body is found in another pose, whatever the numbers of its vertices", "[registration]")
+{
+  const Mapped a(limbs(1.4));
+  std::vector<std::size_t> order;
+  const Soup posed = in_another_pose(a.soup);
+  const Mapped b(renumbered(posed, 5, order));
+  const Registered r = registered(a, b);
+  check_certificate(a, r);
+  CHECK(r.result.start == "spectrum");
+  CHECK(r.result.trust() == SP::Registration_result::Trust::SURE);
+  CHECK(mean_error(a, r, b, [&](Vertex v) { return posed.points[v]; }) < 0.1); // limbs are 1.2 to 2 long
+}
+
+TEST_CASE("a fine mesh follows the coarse one", "[registration]")
+{
+  const auto body = [](int level) {
+    const std::vector<Vector>& d = six_directions();
+    return body_with_limbs({{d[0], 0.4, 1.4}, {d[1], 0.3, 2}, {d[2], 0.4, 1.2}, {d[4], 0.35, 1.6}}, level).soup;
+  };
+  const Mapped a(body(5)), b(in_another_pose(body(4)));
+  REQUIRE(a.sphere.size() > 10000); // more than eigenfunctions are computed of
+  const Soup posed = in_another_pose(a.soup);
+  const Registered r = registered(a, b);
+  check_certificate(a, r);
+  CHECK(r.result.start == "spectrum");
+  CHECK(mean_error(a, r, b, [&](Vertex v) { return posed.points[v]; }) < 0.1);
+}
+
+TEST_CASE("shapes that have nothing to do with each other are not trusted to correspond", "[registration]")
+{
+  typedef SP::Registration_result::Trust Trust;
+  const Mapped a(limbs(5)), b(bumpy_sphere(4));
+  const Registered r = registered(a, b);
+  check_certificate(a, r);
+  CHECK((r.result.trust() == Trust::UNSURE || r.result.trust() == Trust::UNLIKE));
+  SP::Registration_result result = r.result;
+  result.signature_difference = 0.02;
+  result.stretching = 5;
+  result.margin = 1;
+  CHECK(result.trust() == Trust::SURE);
+  result.margin = 0.1;
+  CHECK(result.trust() == Trust::UNSURE);
+  result.stretching = 30;
+  CHECK(result.trust() == Trust::UNLIKE);
+}
+
+TEST_CASE("nothing is trusted that was not asked", "[registration]")
+{
+  const Mapped a(limbs(1.4));
+  SP::Registration method;
+  method.motion = Motion::ROTATION;
+  CHECK(registered(a, a, method).result.trust() == SP::Registration_result::Trust::UNKNOWN);
+}
+
+TEST_CASE("ways along edges and diagonals are hardly longer than geodesics", "[registration]")
+{
+  const Mapped ball(icosphere(4), icosphere(4).points);
+  const auto map = SP::internal::read_map(ball.mesh, ball.mesh.points(), ball.map(), SP::internal::Reading::CHECKED,
+                                          SP::internal::host_loop(CGAL::Sequential_tag()));
+  const SP::internal::Geodesic_graph graph(map.copy_of_corner_table(SP::internal::Host_loop()), map.image);
+  const std::vector<double> distance = graph.distances(0);
+  for(std::size_t i = 0; i < distance.size(); ++i) {
+    const auto p = map.image[0], q = map.image[i];
+    const double arc = 2 * std::asin(SP::internal::norm(SP::internal::sub(p, q)) / 2);
+    CHECK(distance[i] >= 0.995 * arc); // the faces lie below the sphere
+    CHECK(distance[i] <= 1.08 * arc);
+  }
 }
 
 TEST_CASE("positions count if that is asked for", "[registration]")
@@ -553,7 +649,7 @@ TEST_CASE("registration is the same bits on several threads", "[registration]")
   const SP::Registration_result r =
     SP::register_maps(CGAL::Parallel_tag(), a.both(), b.both(), Read_write_map<Vertex, Point>{&on_several}, method);
   REQUIRE(r);
-  CHECK(r.iterations == 6);
+  CHECK(r.iterations >= 3);
   const Sphere on_one = registered(a, b, method).sphere;
   REQUIRE(on_several.size() == on_one.size());
   CHECK(std::all_of(on_several.begin(), on_several.end(),

@@ -352,7 +352,7 @@ TEST_CASE("register: landmarks are read, and wrong ones refused with their line"
   };
   const Process_result run = run_with("# A B\n0 0\n50 50\n100 100\n");
   CHECK(run.exit_code == 0);
-  CHECK(run.out.find("rotation by landmarks") != std::string::npos);
+  CHECK(run.out.find("start by spectrum") != std::string::npos);
   std::filesystem::remove(scratch / "out.off");
   check_exit(run_with("0 0\n1 162\n"), "line 2: vertex 162 is not in 0..161 of B");
   check_exit(run_with("0 0\n1 0\n"), "line 2: vertex 0 of B is listed twice");

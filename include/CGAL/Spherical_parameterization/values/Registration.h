@@ -33,9 +33,9 @@ struct Registration {
   /// faces of the first surface, carried to the second one (4 where that is isometric).
   /// @{
   double curvature_weight = 20; ///< of the mean curvature at two scales
-  double stretch_weight = 0;   ///< of the logarithmic area stretch of the maps; for maps of the same method
-  double isometry_weight = 1; ///< of the mean stretching of the first surface onto the second, from the second level on
-  double position_weight = 0; ///< of the coordinates, after the best motion in space: for shapes in the same pose
+  double stretch_weight = 0;    ///< of the logarithmic area stretch of the maps; for maps of the same method
+  double isometry_weight = 1;   ///< of the mean stretching of the first surface onto the second, from the second level on
+  double position_weight = 0;   ///< of the coordinates, after the best motion in space: for shapes in the same pose
   double landmark_weight = 300; ///< of the squared distances of the landmarks on the sphere
 
   double coarsest_scale = 0.6; ///< of the features that are compared first, as a length on the surface of area 4 pi
@@ -54,9 +54,15 @@ struct Registration_result {
   int degree = 0;                ///< of the registered map, exactly; 1 for a valid one
 
   std::string start; ///< what found the start: "spectrum", or for a rotation "landmarks", "coordinates" or "features"
-  /// By the spectrum: how much worse the best of all other answers is, on a logarithmic scale. Small where shapes are
-  /// nearly symmetric or not alike; infinite if there is no other answer, or if the spectrum was not asked.
+  /// \name Of the Points That the Spectrum Has Found
+  /// @{
+  /// How much worse the best of all other answers is, on a logarithmic scale. Small where shapes are nearly symmetric or
+  /// not alike; infinite if there is no other answer, or if the spectrum was not asked.
   double margin = std::numeric_limits<double>::infinity();
+  /// Mean relative difference of the wave kernel signatures of corresponding points, from 0 to 1: about 0.03 between poses
+  /// of one body, 0.1 between different bodies. 0 if the spectrum was not asked.
+  double signature_difference = 0;
+  /// @}
   Rotation rotation = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}; ///< of the first map, to start with
 
   /// \name Of the Registered Map, as It Is Stored
@@ -77,6 +83,24 @@ struct Registration_result {
     double total = 0;  ///< the whole call
   };
   Seconds seconds; ///< wall-clock
+
+  /// How far to trust that corresponding points were found: by margin, signatures and stretching.
+  enum class Trust {
+    UNKNOWN, ///< the spectrum was not asked
+    SURE,
+    UNSURE, ///< another answer is nearly as good, or the shapes are not very alike
+    UNLIKE  ///< the shapes differ so much that points can hardly be said to correspond
+  };
+  Trust trust() const
+  {
+    // chosen on poses 0 to 79 of FAUST and on animals of TOSCA: doc/registration.md
+    constexpr double least_margin = 0.25, largest_difference = 0.06, unlike = 0.09, largest_stretching = 15;
+    if(start != "spectrum")
+      return Trust::UNKNOWN;
+    if(signature_difference > unlike || stretching > largest_stretching)
+      return Trust::UNLIKE;
+    return margin >= least_margin && signature_difference <= largest_difference ? Trust::SURE : Trust::UNSURE;
+  }
 
   /// \return `true` iff the registered map is complete and certified
   explicit operator bool() const { return error == Error_code::OK; }

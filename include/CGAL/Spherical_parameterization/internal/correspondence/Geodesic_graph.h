@@ -60,6 +60,14 @@ public:
     }
   }
 
+  /// Calls f(neighbour, length of the way to it).
+  template <class F>
+  void for_each_way(int from, F f) const
+  {
+    for(int k = offset_[from]; k < offset_[from + 1]; ++k)
+      f(way_[k].first, way_[k].second);
+  }
+
   /// Of all vertices from one of them: E. Dijkstra, "A note on two problems in connexion with graphs", 1959.
   std::vector<double> distances(int from) const
   {
@@ -73,13 +81,12 @@ public:
       queue.pop();
       if(way > distance[i])
         continue;
-      for(int k = offset_[i]; k < offset_[i + 1]; ++k) {
-        const auto [j, length] = way_[k];
-        if(way + length < distance[j]) {
-          distance[j] = way + length;
+      for_each_way(i, [&, so_far = way](int j, double length) {
+        if(so_far + length < distance[j]) {
+          distance[j] = so_far + length;
           queue.emplace(distance[j], j);
         }
-      }
+      });
     }
     return distance;
   }

@@ -9,6 +9,7 @@
 #include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/Spectral_shape.h>
+#include <CGAL/Spherical_parameterization/internal/relaxation/Star.h>
 
 #include <algorithm>
 #include <array>
@@ -45,14 +46,15 @@ class Spectral_matching {
 public:
   typedef Spectral_shape<Loop> Shape;
   typedef typename Shape::Rows Rows;
-  typedef std::vector<int> Map; ///< of samples of A, in their order: vertices of B
+  typedef std::vector<int> Map; ///< of samples of A, in their order, or of all its vertices: vertices of B
 
   /// Vertices of A and of B that correspond.
   typedef std::vector<std::pair<int, int>> Landmarks;
 
   struct Match {
-    Map map;           ///< of all samples
+    Map map;           ///< of all vertices
     double margin = 0; ///< how much worse the best of all other answers is; infinite if there is none
+    double difference = 0; ///< of the signatures of points that correspond, from 0 to 1
   };
 
   Spectral_matching(const Watched_loop<Loop>& loop, const Shape& a, const Shape& b, const Landmarks& landmarks)
@@ -80,6 +82,8 @@ public:
     for(double width : {0.3, 0.5, 0.7})
       if(landmarks_.size() >= 3)
         starts.push_back(turned_to_landmarks(width));
+    for(Map& start : turned_to_tips())
+      starts.push_back(std::move(start));
     std::vector<Candidate> pool = upsampled(starts, {14, 17, 20, 25, 30});
     for(Candidate& c : upsampled(roughly, {20, 25, 30}))
       pool.push_back(std::move(c));
@@ -104,7 +108,9 @@ public:
     for(const Candidate& other : found)
       if(distance(best.map, other.map, a_.all) > rough_distance)
         result.margin = (std::min)(result.margin, other.score - best.score);
-    result.map = upsample(best.map, a_.all, all_vertices(), {80, 100, 120}).map;
+    result.map = on_all_vertices(upsample(best.map, a_.all, all_vertices(), {80, 100, 120}));
+    for(int i = 0; i < a_.size(); ++i)
+      result.difference += a_.area[i] * signature_difference(a_, i, b_, result.map[i]);
     return result;
   }
 
@@ -180,6 +186,29 @@ private:
         f(begin + r, nearest, (std::max)(0.f, square));
       }
     }
+  }
+
+  /// Every vertex goes downhill in the embedding by eigenfunctions, from where its sample has been mapped to.
+  Map on_all_vertices(const Candidate& of_samples) const
+  {
+    const Rows &c = of_samples.functional, to = b_.function.leftCols(c.cols()) * c.transpose();
+    Map result(a_.size());
+    loop_.for_each(a_.size(), [&](int i) {
+      const auto square = [&](int w) { return (a_.function.row(i).head(c.rows()) - to.row(w)).squaredNorm(); };
+      int at = of_samples.map[a_.all.of_vertex[i]];
+      float least = square(at);
+      for(int before = -1; before != at;) {
+        before = at;
+        b_.graph.for_each_way(before, [&](int w, double) {
+          if(const float s = square(w); s < least) {
+            least = s;
+            at = w;
+          }
+        });
+      }
+      result[i] = at;
+    });
+    return result;
   }
 
   /// With more and more eigenfunctions: S. Melzi, J. Ren, E. Rodola, A. Sharma, P. Wonka, M. Ovsjanikov, "ZoomOut",
@@ -391,6 +420,55 @@ private:
     return result;
   }
 
+  /// Starts by the ends of limbs: by those assignments of them that differ least in remoteness, signature, and geodesic
+  /// distance from each other.
+  std::vector<Map> turned_to_tips() const
+  {
+    constexpr std::size_t most = 12, least_tips = 3;
+    const bool has_a_fewer = a_.tip.size() <= b_.tip.size();
+    const Shape &fewer = has_a_fewer ? a_ : b_, &more = has_a_fewer ? b_ : a_;
+    const std::size_t n = fewer.tip.size();
+    if(n < least_tips)
+      return {};
+    typedef std::pair<double, std::vector<int>> Assignment; // difference, and the other tip of every tip
+    std::vector<Assignment> found;
+    std::vector<int> order(more.tip.size());
+    std::iota(order.begin(), order.end(), 0);
+    do {
+      if(!std::is_sorted(order.begin() + static_cast<std::ptrdiff_t>(n), order.end()))
+        continue; // the same but for those that are left over
+      double difference = 0;
+      for(std::size_t i = 0; i < n; ++i) {
+        const int v = fewer.tip[i], w = more.tip[order[i]];
+        difference += std::abs(fewer.remoteness[v] - more.remoteness[w]) + signature_difference(fewer, v, more, w);
+        for(std::size_t j = 0; j < i; ++j)
+          difference += std::abs(fewer.tip_distance[i][j] - more.tip_distance[order[i]][order[j]]);
+      }
+      found.emplace_back(difference, order);
+    } while(std::next_permutation(order.begin(), order.end()));
+    std::stable_sort(found.begin(), found.end());
+    std::vector<Map> result;
+    for(std::size_t k = 0; k < (std::min)(most, found.size()); ++k) {
+      std::vector<int> anchor;
+      std::vector<vec3> place;
+      for(std::size_t i = 0; i < n; ++i) {
+        const int own = fewer.tip[i], other = more.tip[found[k].second[i]];
+        anchor.push_back(has_a_fewer ? own : other);
+        place.push_back(b_.image[has_a_fewer ? other : own]);
+      }
+      for(double width : {0.4, 0.7})
+        result.push_back(turned(anchor, place, std::vector<double>(n, 1.), width));
+    }
+    return result;
+  }
+
+  /// From 0 to 1.
+  static double signature_difference(const Shape& a, int v, const Shape& b, int w)
+  {
+    const auto x = a.signature.row(v), y = b.signature.row(w);
+    return (x - y).cwiseAbs().sum() / (x + y).cwiseAbs().sum();
+  }
+
   /// Limbs, which are remote, stay where a map has them.
   Map turned(const Map& map, double width) const
   {
@@ -427,8 +505,7 @@ private:
       double signatures = 0, curvatures = 0;
       for(int i = 0; i < a_.all.size(); ++i) {
         const int v = a_.sample[i], t = c.map[i];
-        const auto x = a_.signature.row(v), y = b_.signature.row(t);
-        signatures += a_.all.area[i] * (x - y).cwiseAbs().sum() / (x + y).cwiseAbs().sum();
+        signatures += a_.all.area[i] * signature_difference(a_, v, b_, t);
         curvatures += a_.all.area[i] * std::abs(a_.curvature[v] - b_.curvature[t]);
       }
       c.score = std::log((std::max)(signatures, least)) + std::log((std::max)(curvatures, least)) / 2 +

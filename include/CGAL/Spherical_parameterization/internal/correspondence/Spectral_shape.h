@@ -88,6 +88,8 @@ struct Spectral_shape {
   Host_array<vec3> image;                    ///< on the sphere
   Vertex_table<Loop> vertex_near;            ///< by direction
   std::vector<int> sample;                   ///< vertices far from each other, those first that are farthest
+  std::vector<int> tip;                      ///< vertices more remote than all near them: ends of limbs, remotest first
+  std::vector<std::vector<double>> tip_distance; ///< of the tips from each other, geodesic
   std::vector<int> target;                   ///< the samples, and others: what another shape is mapped to
   std::vector<std::array<int, 3>> some_face; ///< each stands for as much area
   Rows sphere;                               ///< by eigenfunction: the coefficients of the image
@@ -199,6 +201,29 @@ private:
         curvature[i] += coefficient[k] / std::sqrt((std::max)(square, 1e-300)) * function(i, k);
   }
 
+  /// \param distance  from the first samples
+  void choose_tips(const std::vector<std::vector<double>>& distance)
+  {
+    constexpr double near = 0.25;
+    constexpr std::size_t most = 7;
+    std::vector<std::size_t> found;
+    for(std::size_t k = 0; k < distance.size(); ++k)
+      if(std::none_of(sample.begin(), sample.begin() + distance.size(), [&](int other) {
+           return distance[k][other] < near && remoteness[other] > remoteness[sample[k]];
+         }))
+        found.push_back(k);
+    std::stable_sort(found.begin(), found.end(),
+                     [&](std::size_t k, std::size_t l) { return remoteness[sample[k]] > remoteness[sample[l]]; });
+    found.resize((std::min)(found.size(), most));
+    for(std::size_t k : found) {
+      tip.push_back(sample[k]);
+      std::vector<double> row;
+      for(std::size_t l : found)
+        row.push_back(distance[k][sample[l]]);
+      tip_distance.push_back(std::move(row));
+    }
+  }
+
   void choose_faces(const Mapped_surface& map)
   {
     constexpr int number = 1000;
@@ -246,6 +271,8 @@ private:
     const double least = *low, width = (std::max)(*high - *low, 1e-300);
     for(double& r : remoteness)
       r = (r - least) / width;
+
+    choose_tips(distance);
 
     // The others by distances in space
     const auto cells = [&](int m) {

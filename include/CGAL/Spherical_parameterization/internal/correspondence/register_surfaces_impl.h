@@ -11,11 +11,8 @@
 #include <CGAL/Spherical_parameterization/internal/algebra/point_coordinates.h>
 #include <CGAL/Spherical_parameterization/internal/api/precondition.h>
 #include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
-#include <CGAL/Spherical_parameterization/internal/correspondence/Spectral_matching.h>
-#include <CGAL/Spherical_parameterization/internal/correspondence/Spectral_shape.h>
-#include <CGAL/Spherical_parameterization/internal/correspondence/coarse_map.h>
+#include <CGAL/Spherical_parameterization/internal/correspondence/Spectral_registration.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/register_surfaces.h>
-#include <CGAL/Spherical_parameterization/internal/isometric/solve_isometric.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Locator.h>
 #include <CGAL/Spherical_parameterization/internal/moebius/Centring.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/certificate.h>
@@ -45,6 +42,7 @@ public:
   {}
 
   const Registered_surface& surface;
+  const Locator& locator() const { return locator_; }
 
   /// Fields of the vertices; the map is seen through a centring if there is one.
   Harmonic_coefficients harmonics(const std::vector<Host_array<double>>& fields,
@@ -108,12 +106,11 @@ public:
   Registrar(const Watched_loop<Host_loop>& loop, Monitor& monitor, const Registered_side& a, const Registered_side& b,
             const std::vector<std::pair<int, int>>& landmarks, const Registration& settings,
             Registration_result& result)
-    : loop_(loop), monitor_(monitor), a_(a), b_(b), settings_(settings), result_(result), start_(a.surface.image)
+    : loop_(loop), monitor_(monitor), a_(a), b_(b), landmark_vertices_(landmarks), settings_(settings), result_(result),
+      start_(a.surface.image)
   {
-    for(const auto& [i, j] : landmarks) {
+    for(const auto& [i, j] : landmarks)
       landmarks_.push_back({i, b.surface.image[j]});
-      landmark_of_b_.push_back(j);
-    }
   }
 
   /// The images of the vertices of A.
@@ -154,63 +151,21 @@ public:
 private:
   static constexpr double share_to_align = 0.3; ///< of the work, for the callback
 
-  /// Finds corresponding points of the surfaces, and maps A anew so that they lie near each other on the sphere: then
-  /// `deformed_` is that map, and the start is its rotation that comes nearest. Returns false where that is not asked
-  /// for, or where there are too few vertices for eigenfunctions.
+  /// Finds a start by eigenfunctions: then `deformed_` is one, if there is a valid one. Returns false where that is not
+  /// asked for, or where there are too few vertices.
   bool is_found_by_spectrum()
   {
-    constexpr int least_vertices = 100, most_vertices = 5500;
-    constexpr int most_places = 200; // that pull, spread evenly: each of them may be wrong by a little
-    constexpr double pull = 1000;
     if(settings_.motion != Registration::Motion::DEFORMATION || settings_.position_weight > 0 ||
-       (std::min)(a_.surface.point.size(), b_.surface.point.size()) < least_vertices)
+       (std::min)(a_.surface.point.size(), b_.surface.point.size()) < Spectral_registration::least_vertices)
       return false;
-    typedef Watched_loop<Host_loop> Loop;
-    const auto coarse = [&](const Registered_surface& surface, const std::vector<int>& kept) {
-      return Coarse_map(loop_.bare(), surface, surface.point, surface.image, kept, most_vertices, monitor_);
-    };
-    std::vector<int> landmark_of_a;
-    for(const Registration_landmark& l : landmarks_)
-      landmark_of_a.push_back(l.vertex);
-    const Coarse_map coarse_a = coarse(a_.surface, landmark_of_a), coarse_b = coarse(b_.surface, landmark_of_b_);
-    typename Spectral_matching<Host_loop>::Landmarks landmarks;
-    for(std::size_t k = 0; k < landmarks_.size(); ++k)
-      landmarks.emplace_back(coarse_a.number_of(landmark_of_a[k]), coarse_b.number_of(landmark_of_b_[k]));
-    const Spectral_shape<Host_loop> a(loop_.bare(), coarse_a, monitor_), b(loop_.bare(), coarse_b, monitor_);
-    const auto match = Spectral_matching<Host_loop>(loop_, a, b, landmarks).run();
-    result_.margin = match.margin;
+    Spectral_registration found(loop_, monitor_, a_.surface, b_.surface, b_.locator(), landmark_vertices_);
     result_.start = "spectrum";
-
-    Problem problem;
-    problem.face = a_.surface.face;
-    problem.point = a_.surface.point;
-    scale_to_unit_box(problem.point);
-    problem.number_of_vertices = static_cast<int>(problem.point.size());
-    problem.position.resize(problem.point.size());
-    std::iota(problem.position.begin(), problem.position.end(), 0);
-    problem.is_fixed.assign(problem.point.size(), 0);
-    problem.given.assign(problem.point.size(), {0, 0, 0});
-    const auto pull_to = [&](int v, vec3 place) {
-      problem.is_fixed[v] = 1;
-      problem.given[v] = place;
-    };
-    std::vector<vec3> from, to;
-    for(std::size_t i = 0; i < match.map.size(); ++i) {
-      const int v = coarse_a.vertex[a.sample[i]];
-      from.push_back(a_.surface.image[v]);
-      to.push_back(b.image[match.map[i]]);
-      if(i < most_places)
-        pull_to(v, to.back());
-    }
-    for(const Registration_landmark& l : landmarks_)
-      pull_to(l.vertex, l.place);
-    result_.rotation = best_rotation(from, to);
-    start_ = turned(result_.rotation);
-    Isometric method;
-    method.landmark_weight = pull;
-    Solution solution = solve_isometric(loop_.bare(), method, problem, {}, monitor_);
-    if(solution.certificate.is_valid())
-      deformed_ = std::move(solution.position);
+    result_.margin = found.margin;
+    result_.signature_difference = found.difference;
+    result_.iterations = found.iterations;
+    result_.rotation = found.rotation;
+    start_ = turned(found.rotation);
+    deformed_ = std::move(found.image);
     return true;
   }
 
@@ -424,11 +379,11 @@ private:
   const Watched_loop<Host_loop>& loop_;
   Monitor& monitor_;
   Registered_side a_, b_;
+  const std::vector<std::pair<int, int>>& landmark_vertices_;
   const Registration& settings_;
   Registration_result& result_;
   std::vector<Registration_landmark> landmarks_;
   Rotation space_ = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  std::vector<int> landmark_of_b_;
   Host_array<vec3> start_;      ///< the images of A before they are deformed
   Host_array<vec3> deformed_;   ///< the images to begin with instead, if there are
   bool is_deformed_ = false;    ///< or at least that was tried

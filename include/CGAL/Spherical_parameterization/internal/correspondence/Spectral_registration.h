@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CORRESPONDENCE_SPECTRAL_REGISTRATION_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CORRESPONDENCE_SPECTRAL_REGISTRATION_H
+
+#include <CGAL/Spherical_parameterization/values/Rotation.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/rotations.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
+#include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
+#include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
+#include <CGAL/Spherical_parameterization/internal/correspondence/Spectral_matching.h>
+#include <CGAL/Spherical_parameterization/internal/correspondence/Spectral_shape.h>
+#include <CGAL/Spherical_parameterization/internal/correspondence/coarse_map.h>
+#include <CGAL/Spherical_parameterization/internal/correspondence/refine.h>
+#include <CGAL/Spherical_parameterization/internal/isometric/solve_isometric.h>
+#include <CGAL/Spherical_parameterization/internal/locate/Locator.h>
+#include <CGAL/Spherical_parameterization/internal/surface/match_halfedges.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+/// A first bijection of two surfaces: `Spectral_matching` says where the vertices of A belong on B, on coarse surfaces;
+/// A is mapped to the sphere anew, so that some of them lie where these points of B are; and that map is deformed until
+/// all of them are near. A fine surface follows the coarse one in the same two steps. Maps keep the barrier of their
+/// energies: they are without flips.
+class Spectral_registration {
+public:
+  static constexpr int least_vertices = 100; ///< below there are too few eigenfunctions
+
+  Host_array<vec3> image;  ///< of the vertices of A; empty if there is no valid map with these places
+  Rotation rotation;       ///< of A's map, which comes nearest
+  double margin = 0, difference = 0; ///< see `Registration_result`
+  std::size_t iterations = 0;        ///< of the deformation
+
+  /// \param landmarks  vertices of A and B
+  Spectral_registration(const Watched_loop<Host_loop>& loop, Monitor& monitor, const Registered_surface& a,
+                        const Registered_surface& b, const Locator& locator_b,
+                        const std::vector<std::pair<int, int>>& landmarks)
+    : loop_(loop), monitor_(monitor), b_(b), locator_b_(locator_b)
+  {
+    std::vector<int> landmark_of_a, landmark_of_b;
+    for(const auto& [v, w] : landmarks) {
+      landmark_of_a.push_back(v);
+      landmark_of_b.push_back(w);
+    }
+    const Coarse_map coarse_a = coarse(a, landmark_of_a), coarse_b = coarse(b, landmark_of_b);
+    typename Spectral_matching<Host_loop>::Landmarks coarse_landmarks;
+    for(const auto& [v, w] : landmarks)
+      coarse_landmarks.emplace_back(coarse_a.number_of(v), coarse_b.number_of(w));
+    const Spectral_shape<Host_loop> shape_a(loop.bare(), coarse_a, monitor), shape_b(loop.bare(), coarse_b, monitor);
+    const auto match = Spectral_matching<Host_loop>(loop, shape_a, shape_b, coarse_landmarks).run();
+    margin = match.margin;
+    difference = match.difference;
+
+    const int n = coarse_a.number_of_vertices;
+    Registered_surface surface;
+    surface.face = coarse_a.face;
+    match_halfedges(loop.bare(), surface.face, n, surface.twin);
+    Host_array<vec3> place, target;
+    for(int i = 0; i < n; ++i) {
+      surface.point.push_back(a.point[coarse_a.vertex[i]]);
+      surface.image.push_back(a.image[coarse_a.vertex[i]]);
+      place.push_back(shape_b.image[match.map[i]]);
+      target.push_back(b.point[coarse_b.vertex[match.map[i]]]);
+    }
+    for(std::size_t k = 0; k < landmarks.size(); ++k) {
+      place[coarse_landmarks[k].first] = b.image[landmarks[k].second];
+      target[coarse_landmarks[k].first] = b.point[landmarks[k].second];
+    }
+    rotation = best_rotation(surface.image, place);
+    std::vector<int> spread(shape_a.sample.begin(),
+                            shape_a.sample.begin() + (std::min)(most_places, static_cast<int>(shape_a.sample.size())));
+    for(const auto& [v, w] : coarse_landmarks)
+      spread.push_back(v);
+    image = moved_to(surface, spread, place, target);
+    if(image.empty() || n == static_cast<int>(a.point.size()))
+      return;
+
+    // The whole surface follows the coarse one
+    const Locator locator_a(loop.bare(), Valid_map(coarse_a, loop.bare()));
+    Host_array<vec3> all_places(a.point.size()), all_targets(a.point.size());
+    loop.for_each(static_cast<int>(a.point.size()), [&](int v) {
+      const auto [face, weight] = locator_a.locate(a.image[v]);
+      vec3 p = {0, 0, 0};
+      for(int c = 0; c < 3; ++c)
+        p = add_scaled(p, weight[c], image[coarse_a.face[face][c]]);
+      all_places[v] = unit(p);
+      all_targets[v] = on_b(all_places[v]);
+    });
+    for(const auto& [v, w] : landmarks) {
+      all_places[v] = b.image[w];
+      all_targets[v] = b.point[w];
+    }
+    for(int& v : spread)
+      v = coarse_a.vertex[v];
+    image = moved_to(a, spread, all_places, all_targets);
+  }
+
+private:
+  static constexpr int most_vertices = 5500, most_places = 200;
+
+  Coarse_map coarse(const Registered_surface& surface, const std::vector<int>& kept) const
+  {
+    return Coarse_map(loop_.bare(), surface, surface.point, surface.image, kept, most_vertices, monitor_);
+  }
+
+  /// The point of B that has this image.
+  vec3 on_b(vec3 q) const
+  {
+    const auto [face, weight] = locator_b_.locate(q);
+    vec3 p = {0, 0, 0};
+    for(int c = 0; c < 3; ++c)
+      p = add_scaled(p, weight[c], b_.point[b_.face[face][c]]);
+    return p;
+  }
+
+  /// A map of a surface with some vertices, spread evenly, near their places, and then all of them near their targets on
+  /// B. Places and targets may be wrong by a little, and contradict each other.
+  Host_array<vec3> moved_to(const Registered_surface& a, const std::vector<int>& spread, const Host_array<vec3>& place,
+                            Host_array<vec3> target)
+  {
+    constexpr double pull = 3000, target_weight = 5000, isometry_weight = 1, accuracy = 1e-4;
+    constexpr double farthest = 0.3; // what is farther off pulls less, since it is more likely to be wrong
+    constexpr int most_iterations = 100;
+    const int n = static_cast<int>(a.point.size());
+    Problem problem;
+    problem.face = a.face;
+    problem.point = a.point;
+    scale_to_unit_box(problem.point);
+    problem.number_of_vertices = n;
+    problem.position.resize(n);
+    std::iota(problem.position.begin(), problem.position.end(), 0);
+    problem.is_fixed.assign(n, 0);
+    problem.given.assign(n, {0, 0, 0});
+    for(int v : spread) {
+      problem.is_fixed[v] = 1;
+      problem.given[v] = place[v];
+    }
+    Isometric method;
+    method.landmark_weight = pull;
+    Solution solution = solve_isometric(loop_.bare(), method, problem, {}, monitor_);
+    if(!solution.certificate.is_valid())
+      return {};
+    Host_array<vec3>& x = solution.position;
+
+    loop_.for_each(n, [&](int v) {
+      const vec3 at = on_b(x[v]), way = sub(target[v], at);
+      if(const double square = inner(way, way); square > farthest * farthest)
+        target[v] = add_scaled(at, farthest * farthest / square, way);
+    });
+    Registration_features features;
+    for(double vec3::*coordinate : {&vec3::x, &vec3::y, &vec3::z}) {
+      for(const vec3& p : target)
+        features.a.push_back(std::sqrt(target_weight) * p.*coordinate);
+      for(const vec3& p : b_.point)
+        features.b.push_back(std::sqrt(target_weight) * p.*coordinate);
+      ++features.number;
+    }
+    const Registered_surface from = {{a.face, a.twin}, a.point, x};
+    iterations += static_cast<std::size_t>(
+      refine(loop_.bare(), from, b_, features, {}, {0, isometry_weight, most_iterations, accuracy}, monitor_, x).iterations);
+    return std::move(x);
+  }
+
+  const Watched_loop<Host_loop>& loop_;
+  Monitor& monitor_;
+  const Registered_surface& b_;
+  const Locator& locator_b_;
+};
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CORRESPONDENCE_SPECTRAL_REGISTRATION_H

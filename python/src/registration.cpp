@@ -59,8 +59,9 @@ py::tuple register_maps(const Doubles& points_a, const py::array& triangles_a, c
                             : r.trust() == Trust::UNSURE ? "unsure"
                             : r.trust() == Trust::UNLIKE ? "unlike"
                                                          : "unknown";
-  return py::make_tuple(watch.was_ctrl_c, registered, is_complete, r.start, r.margin, r.signature_difference, trust, r.rotation, r.mismatch_before, r.mismatch,
-                        r.stretching, r.distortion, r.largest_landmark_distance, r.iterations, r.seconds.total);
+  return py::make_tuple(watch.was_ctrl_c, registered, is_complete, r.start, r.margin, r.signature_difference, trust,
+                        r.rotation, r.mismatch_before, r.mismatch, r.stretching, r.distortion,
+                        r.largest_landmark_distance, r.iterations, r.seconds.total);
 }
 
 std::pair<Doubles, double> moebius_centred(const Doubles& sphere, const py::array& triangles, const Doubles& masses)

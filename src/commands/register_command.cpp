@@ -75,8 +75,8 @@ void register_meshes(const Register_options& options)
   if(!options.landmarks.empty())
     std::cout << "\nlandmarks: at most " << pair.result.largest_landmark_distance << " radians from their places";
   std::cout << '\n'
-            << trust_text(pair.result) << pair.result.seconds.total << " s, and " << pair.a.result.seconds.total + pair.b.result.seconds.total
-            << " s for the maps" << std::endl;
+            << trust_text(pair.result) << pair.result.seconds.total << " s, and "
+            << pair.a.result.seconds.total + pair.b.result.seconds.total << " s for the maps" << std::endl;
 }
 
 } // namespace

@@ -91,14 +91,10 @@ Landmarks read_landmarks(const std::string& file, const Registered_pair& pair)
 const char* name_of(SP::Registration_result::Trust trust)
 {
   switch(trust) {
-  case SP::Registration_result::Trust::SURE:
-    return "sure";
-  case SP::Registration_result::Trust::UNSURE:
-    return "unsure";
-  case SP::Registration_result::Trust::UNLIKE:
-    return "unlike";
-  case SP::Registration_result::Trust::UNKNOWN:
-    break;
+  case SP::Registration_result::Trust::SURE: return "sure";
+  case SP::Registration_result::Trust::UNSURE: return "unsure";
+  case SP::Registration_result::Trust::UNLIKE: return "unlike";
+  case SP::Registration_result::Trust::UNKNOWN: break;
   }
   return "unknown";
 }
@@ -235,14 +231,11 @@ std::string preparation_text(const Registration_options& options, const Register
 std::string trust_text(const SP::Registration_result& result)
 {
   switch(result.trust()) {
-  case SP::Registration_result::Trust::SURE:
-    return "correspondence: sure\n";
+  case SP::Registration_result::Trust::SURE: return "correspondence: sure\n";
   case SP::Registration_result::Trust::UNSURE:
     return "correspondence: not sure, other answers are nearly as good; look at it, or give --landmarks\n";
-  case SP::Registration_result::Trust::UNLIKE:
-    return "correspondence: the shapes are unlike; look at it\n";
-  case SP::Registration_result::Trust::UNKNOWN:
-    break;
+  case SP::Registration_result::Trust::UNLIKE: return "correspondence: the shapes are unlike; look at it\n";
+  case SP::Registration_result::Trust::UNKNOWN: break;
   }
   return "";
 }

@@ -34,8 +34,8 @@ struct Registration {
   /// @{
   double curvature_weight = 20; ///< of the mean curvature at two scales
   double stretch_weight = 0;    ///< of the logarithmic area stretch of the maps; for maps of the same method
-  double isometry_weight = 1;   ///< of the mean stretching of the first surface onto the second, from the second level on
-  double position_weight = 0;   ///< of the coordinates, after the best motion in space: for shapes in the same pose
+  double isometry_weight = 1; ///< of the mean stretching of the first surface onto the second, from the second level on
+  double position_weight = 0; ///< of the coordinates, after the best motion in space: for shapes in the same pose
   double landmark_weight = 300; ///< of the squared distances of the landmarks on the sphere
 
   double coarsest_scale = 0.6; ///< of the features that are compared first, as a length on the surface of area 4 pi
@@ -56,11 +56,11 @@ struct Registration_result {
   std::string start; ///< what found the start: "spectrum", or for a rotation "landmarks", "coordinates" or "features"
   /// \name Of the Points That the Spectrum Has Found
   /// @{
-  /// How much worse the best of all other answers is, on a logarithmic scale. Small where shapes are nearly symmetric or
-  /// not alike; infinite if there is no other answer, or if the spectrum was not asked.
+  /// How much worse the best of all other answers is, on a logarithmic scale. Small where shapes are nearly symmetric
+  /// or not alike; infinite if there is no other answer, or if the spectrum was not asked.
   double margin = std::numeric_limits<double>::infinity();
-  /// Mean relative difference of the wave kernel signatures of corresponding points, from 0 to 1: about 0.03 between poses
-  /// of one body, 0.1 between different bodies. 0 if the spectrum was not asked.
+  /// Mean relative difference of the wave kernel signatures of corresponding points, from 0 to 1: about 0.03 between
+  /// poses of one body, 0.1 between different bodies. 0 if the spectrum was not asked.
   double signature_difference = 0;
   /// @}
   Rotation rotation = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}; ///< of the first map, to start with

@@ -52,8 +52,8 @@ public:
   typedef std::vector<std::pair<int, int>> Landmarks;
 
   struct Match {
-    Map map;           ///< of all vertices
-    double margin = 0; ///< how much worse the best of all other answers is; infinite if there is none
+    Map map;               ///< of all vertices
+    double margin = 0;     ///< how much worse the best of all other answers is; infinite if there is none
     double difference = 0; ///< of the signatures of points that correspond, from 0 to 1
   };
 

@@ -34,8 +34,8 @@ class Spectral_registration {
 public:
   static constexpr int least_vertices = 100; ///< below there are too few eigenfunctions
 
-  Host_array<vec3> image;  ///< of the vertices of A; empty if there is no valid map with these places
-  Rotation rotation;       ///< of A's map, which comes nearest
+  Host_array<vec3> image;            ///< of the vertices of A; empty if there is no valid map with these places
+  Rotation rotation;                 ///< of A's map, which comes nearest
   double margin = 0, difference = 0; ///< see `Registration_result`
   std::size_t iterations = 0;        ///< of the deformation
 
@@ -121,8 +121,8 @@ private:
     return p;
   }
 
-  /// A map of a surface with some vertices, spread evenly, near their places, and then all of them near their targets on
-  /// B. Places and targets may be wrong by a little, and contradict each other.
+  /// A map of a surface with some vertices, spread evenly, near their places, and then all of them near their targets
+  /// on B. Places and targets may be wrong by a little, and contradict each other.
   Host_array<vec3> moved_to(const Registered_surface& a, const std::vector<int>& spread, const Host_array<vec3>& place,
                             Host_array<vec3> target)
   {
@@ -165,7 +165,8 @@ private:
     }
     const Registered_surface from = {{a.face, a.twin}, a.point, x};
     iterations += static_cast<std::size_t>(
-      refine(loop_.bare(), from, b_, features, {}, {0, isometry_weight, most_iterations, accuracy}, monitor_, x).iterations);
+      refine(loop_.bare(), from, b_, features, {}, {0, isometry_weight, most_iterations, accuracy}, monitor_, x)
+        .iterations);
     return std::move(x);
   }
 

@@ -79,20 +79,20 @@ struct Spectral_shape {
 
   static constexpr int most_functions = 120, number_of_energies = 40;
 
-  Rows function;                             ///< the eigenfunctions of the surface of area 1
-  Rows signature;                            ///< the wave kernel signature
-  std::vector<double> area;                  ///< of every vertex, 1 in all
-  std::vector<double> remoteness;            ///< of every vertex: the mean geodesic distance to all others, from 0 to 1
-  std::vector<double> stretch;               ///< of every vertex: the logarithm of its area by that on the sphere
-  std::vector<double> curvature;             ///< of every vertex: the mean curvature, smooth, of variance 1
-  Host_array<vec3> image;                    ///< on the sphere
-  Vertex_table<Loop> vertex_near;            ///< by direction
-  std::vector<int> sample;                   ///< vertices far from each other, those first that are farthest
-  std::vector<int> tip;                      ///< vertices more remote than all near them: ends of limbs, remotest first
+  Rows function;                  ///< the eigenfunctions of the surface of area 1
+  Rows signature;                 ///< the wave kernel signature
+  std::vector<double> area;       ///< of every vertex, 1 in all
+  std::vector<double> remoteness; ///< of every vertex: the mean geodesic distance to all others, from 0 to 1
+  std::vector<double> stretch;    ///< of every vertex: the logarithm of its area by that on the sphere
+  std::vector<double> curvature;  ///< of every vertex: the mean curvature, smooth, of variance 1
+  Host_array<vec3> image;         ///< on the sphere
+  Vertex_table<Loop> vertex_near; ///< by direction
+  std::vector<int> sample;        ///< vertices far from each other, those first that are farthest
+  std::vector<int> tip;           ///< vertices more remote than all near them: ends of limbs, remotest first
   std::vector<std::vector<double>> tip_distance; ///< of the tips from each other, geodesic
-  std::vector<int> target;                   ///< the samples, and others: what another shape is mapped to
-  std::vector<std::array<int, 3>> some_face; ///< each stands for as much area
-  Rows sphere;                               ///< by eigenfunction: the coefficients of the image
+  std::vector<int> target;                       ///< the samples, and others: what another shape is mapped to
+  std::vector<std::array<int, 3>> some_face;     ///< each stands for as much area
+  Rows sphere;                                   ///< by eigenfunction: the coefficients of the image
   Geodesic_graph graph;
 
   /// The parts of the surface that are nearest to each of the first samples.
@@ -136,9 +136,8 @@ struct Spectral_shape {
     sphere = Rows::Zero(spectrum.number, 3);
     for(int i = 0; i < n; ++i)
       for(int c = 0; c < 3; ++c)
-        sphere.col(c) +=
-          static_cast<float>(area[i] * std::array<double, 3>{image[i].x, image[i].y, image[i].z}[c]) *
-          function.row(i).transpose();
+        sphere.col(c) += static_cast<float>(area[i] * std::array<double, 3>{image[i].x, image[i].y, image[i].z}[c]) *
+                         function.row(i).transpose();
     monitor.advance_or_throw();
     sign(spectrum.value);
     bend(table, map.point, spectrum.value);

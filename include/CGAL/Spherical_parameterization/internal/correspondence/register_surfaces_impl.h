@@ -250,7 +250,8 @@ private:
       Host_array<vec3> x = start;
       monitor_.begin_stage(all * k / proposed.size(), all * (k + 1) / proposed.size());
       const double energy =
-        refined(a_.surface, features, {settings_.landmark_weight, 0, settings_.iterations, settings_.accuracy}, x).energy;
+        refined(a_.surface, features, {settings_.landmark_weight, 0, settings_.iterations, settings_.accuracy}, x)
+          .energy;
       if(energy < least || k == 0) { // the first one also where all of them are infinite
         least = (std::min)(least, energy);
         start_ = start;

@@ -9,7 +9,8 @@ set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME main) # the Python package is the other
 set(config_folder ${CMAKE_INSTALL_LIBDIR}/cmake/CGAL_Spherical_parameterization)
 install(TARGETS CGAL_Spherical_parameterization EXPORT CGAL_Spherical_parameterization)
 # An export of its own: it depends on the components that it was built with, which users of the headers need not have.
-install(TARGETS CGAL_Spherical_parameterization_compiled EXPORT CGAL_Spherical_parameterization_compiled)
+install(TARGETS CGAL_Spherical_parameterization_compiled CGAL_Spherical_parameterization_preparation
+  EXPORT CGAL_Spherical_parameterization_compiled)
 install(EXPORT CGAL_Spherical_parameterization_compiled DESTINATION ${config_folder}
   NAMESPACE CGAL_Spherical_parameterization:: FILE CGAL_Spherical_parameterization-compiled.cmake)
 set(CGAL_SP_COMPILED_WITH "")

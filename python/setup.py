@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Builds the compiled core with CMake, for pip: see pyproject.toml."""
+"""Builds the compiled core with CMake, for pip: see pyproject.toml. preparation/setup.py runs it for its own module."""
 
 import os
 import re
@@ -12,6 +12,7 @@ from setuptools.command.build_ext import build_ext
 
 here = Path(__file__).resolve().parent
 root = here.parent
+module = globals().get("MODULE", "core")
 version_file = root / "include/CGAL/Spherical_parameterization/version.h"
 
 
@@ -34,7 +35,7 @@ class CMakeBuild(build_ext):
         subprocess.run(configure, check=True)
         jobs = os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL", str(os.cpu_count()))
         subprocess.run(
-            ["cmake", "--build", folder, "--target", "spherical_parameterization_core", "--parallel", jobs], check=True
+            ["cmake", "--build", folder, "--target", f"spherical_parameterization_{module}", "--parallel", jobs], check=True
         )
         target.parent.mkdir(parents=True, exist_ok=True)
         built = folder / "python" / "spherical_parameterization" / target.name
@@ -43,6 +44,6 @@ class CMakeBuild(build_ext):
 
 setup(
     version=re.search(r'VERSION "(.*)"', version_file.read_text()).group(1),
-    ext_modules=[Extension("spherical_parameterization._core", [])],
+    ext_modules=[Extension(f"spherical_parameterization._{module}", [])],
     cmdclass={"build_ext": CMakeBuild},
 )

@@ -16,8 +16,6 @@ import numpy as np
 
 import spherical_parameterization as sp
 
-RADIUS = 100  # as FreeSurfer has it
-
 parser = argparse.ArgumentParser()
 parser.add_argument("surface")
 parser.add_argument("sphere")
@@ -30,23 +28,15 @@ points, triangles = sp.read_mesh(arguments.surface)
 result = sp.parameterize(points, triangles, sp.Isometric(arguments.area_exponent))
 print(result)
 
-stored = (RADIUS * result.sphere).astype(np.float32)
+sp.write_mesh(arguments.sphere, result.sphere, triangles, sphere=True, like=arguments.surface)
+stored, _ = sp.read_mesh(arguments.sphere)
 print(f"as the file has it: {sp.certify(triangles, stored)}")
 print(sp.distortion(points, triangles, stored))
-
-Array = nibabel.gifti.GiftiDataArray
-image = nibabel.GiftiImage(
-    darrays=[
-        Array(stored, intent="NIFTI_INTENT_POINTSET", datatype="NIFTI_TYPE_FLOAT32"),
-        Array(triangles.astype(np.int32), intent="NIFTI_INTENT_TRIANGLE", datatype="NIFTI_TYPE_INT32"),
-    ]
-)
-nibabel.save(image, arguments.sphere)
 
 if arguments.overlay:
     values = nibabel.load(arguments.overlay).agg_data()
     directions, _ = sp.icosphere(arguments.level)
     carried = sp.Locator(triangles, result.sphere).transfer(values, directions).astype(np.float32)
     name = f"{os.path.splitext(arguments.overlay)[0].removesuffix('.shape')}.ico{arguments.level}.shape.gii"
-    nibabel.save(nibabel.GiftiImage(darrays=[Array(carried, intent="NIFTI_INTENT_SHAPE")]), name)
+    nibabel.save(nibabel.GiftiImage(darrays=[nibabel.gifti.GiftiDataArray(carried, intent="NIFTI_INTENT_SHAPE")]), name)
     print(f"{name}: {len(carried)} values")

@@ -16,7 +16,7 @@ from .analysis import (
 )
 from .atlas import Atlas, atlas
 from .errors import DeviceError, ErrorCode, MapWarning, MeshError
-from .files import read_mesh
+from .files import read_mesh, write_mesh
 from .maps import Attempt, Certificate, Result, Seconds, certify, edges, opencl_device, opencl_devices, parameterize
 from .methods import (
     Automatic, Balanced, ClampedWeights, GirthProfiles, Isometric, MajorityVote, RegionGrowing, SaddlePoint,
@@ -35,4 +35,5 @@ __all__ = [
     "mean_over_faces", "mean_vertex_areas", "moebius_centred", "opencl_device", "opencl_devices", "parameterize",
     "prepare", "read_harmonics", "read_mesh", "register_maps", "search", "segment", "shape_signature",
     "shape_statistics", "stretch_histogram", "texture_coordinates", "texture_seams", "vertex_log_area_stretch",
+    "write_mesh",
 ]

@@ -1,25 +1,32 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Meshes from files, by the libraries that read them."""
+"""Mesh files, by the readers and writers of the command-line tool."""
 
 from __future__ import annotations
 
-import itertools
 import os
-from typing import Any
+from typing import Union
 
 import numpy as np
+import numpy.typing as npt
 
-from .arrays import Doubles, Integers
+from . import _core
+from .arrays import Doubles, Integers, check, index_triples, vectors
 from .errors import ErrorCode, MeshError
 
+Path = Union[str, "os.PathLike[str]"]
 
-def read_mesh(path: str | os.PathLike[str]) -> tuple[Doubles, Integers]:
-    """Points and triangles of a file: GIFTI and FreeSurfer's surfaces by nibabel, OFF, OBJ, all others by meshio.
+
+def read_mesh(path: Path, *, triangulate: bool = False) -> tuple[Doubles, Integers]:
+    """Points and triangles of a file: OFF, OBJ, PLY, STL, GIFTI, FreeSurfer's surfaces and glTF, also compressed.
+
+    What is in the file decides about its format. Of STL and glTF, points at the same place are one. Files of other formats
+    are read by meshio, if it is there.
 
     Parameters
     ----------
     path : str or path
-        `.gii` and `.gii.gz` are GIFTI; what has no extension that meshio knows is tried as FreeSurfer geometry.
+    triangulate : bool
+        Whether polygons are cut into triangles, which is right for convex ones.
 
     Returns
     -------
@@ -29,97 +36,75 @@ def read_mesh(path: str | os.PathLike[str]) -> tuple[Doubles, Integers]:
     Raises
     ------
     MeshError
-        If there are no triangles in the file, or other faces than triangles.
-    ImportError
-        If nibabel or meshio is needed and not there.
-    OSError, and exceptions of the library
-        If the file cannot be read.
+        If a face is no triangle, or a coordinate not finite.
+    OSError
+        If the file cannot be read, or is damaged: the text says where.
     """
-    name = os.fspath(path)
-    if name.endswith((".gii", ".gii.gz")):
-        import nibabel
+    check(read_mesh, locals())
+    os.stat(path)  # FileNotFoundError
+    name = os.fsencode(path)
+    if not _core.is_format_known(name):
+        try:
+            import meshio
+        except ImportError:
+            pass
+        else:
+            if os.path.splitext(os.fsdecode(path))[1].lower() in meshio.extension_to_filetypes:
+                return _by_meshio(os.fsdecode(path))
+    return _core.read_mesh(name, triangulate)
 
-        image: Any = nibabel.load(name) if name.endswith(".gii") else _gifti_gz(name)
-        points, triangles = image.agg_data(("pointset", "triangle"))
-        return np.asarray(points, dtype=np.float64), np.asarray(triangles)
-    extension = os.path.splitext(name)[1].lower()
-    if extension == ".off":
-        return _read_off(name)
-    if extension == ".obj":
-        return _read_obj(name)
+
+def _by_meshio(name: str) -> tuple[Doubles, Integers]:
     import meshio
 
-    if extension in meshio.extension_to_filetypes:
-        try:
-            mesh = meshio.read(name)
-        except SystemExit as error:  # of some versions of meshio, at a file that they cannot read
-            raise OSError(f"meshio cannot read {name}") from error
-        others = sorted({c.type for c in mesh.cells if c.type not in ("triangle", "vertex", "line")})
-        if others:
-            raise MeshError(ErrorCode.NOT_TRIANGULAR, f"{name} has cells of type {', '.join(others)}; triangulate it")
-        blocks = [c.data for c in mesh.cells if c.type == "triangle"]
-        if not blocks:
-            raise MeshError(ErrorCode.EMPTY_MESH, f"{name} has no triangles")
-        return np.asarray(mesh.points, dtype=np.float64), np.concatenate(blocks)
-    import nibabel.freesurfer
-
-    points, triangles = nibabel.freesurfer.read_geometry(name)[:2]
-    return np.asarray(points, dtype=np.float64), np.asarray(triangles)
-
-
-def _triangles(name: str, faces: list[list[int]]) -> Integers:
-    for corners in faces:
-        if len(corners) != 3:
-            raise MeshError(ErrorCode.NOT_TRIANGULAR, f"{name} has a face of {len(corners)} corners; triangulate it")
-    return np.array(faces, dtype=np.int64).reshape(-1, 3)
-
-
-def _read_off(name: str) -> tuple[Doubles, Integers]:
-    """All variants of the header, and colours of vertices or faces; meshio knows one."""
-    with open(name) as file:
-        text = file.read()
-    if "#" in text:
-        text = "\n".join(line.partition("#")[0] for line in text.splitlines())
-    words = text.split()
-    if not words or words[0].removeprefix("\ufeff") not in ("OFF", "COFF", "NOFF", "CNOFF"):
-        raise OSError(f"{name} is not an OFF file: the first word is not OFF")
     try:
-        n, m = int(words[1]), int(words[2])
-        corners = words[4 + 3 * n :]
-        if len(corners) == 4 * m and corners[::4] == ["3"] * m:  # triangles and nothing else: three times as fast
-            triangles = np.array(corners, dtype=np.int64).reshape(-1, 4)[:, 1:]
-            return np.array(words[4 : 4 + 3 * n], dtype=np.float64).reshape(-1, 3), triangles
-        lines = (line.split() for line in text.splitlines() if line.strip())
-        if len(next(lines)) == 1:
-            next(lines)
-        points = np.array([next(lines)[:3] for _ in range(n)], dtype=np.float64).reshape(-1, 3)
-        faces = [[int(i) for i in line[1 : 1 + int(line[0])]] for line in itertools.islice(lines, m)]
-    except (StopIteration, IndexError, ValueError) as error:
-        raise OSError(f"{name} is cut off, or has no numbers where they have to be") from error
-    if len(faces) < m:
-        raise OSError(f"{name} is cut off")
-    return points, _triangles(name, faces)
+        mesh = meshio.read(name)
+    except (SystemExit, meshio.ReadError) as error:  # some versions of it exit
+        raise OSError(f"{name}: meshio cannot read it: {error}") from error
+    others = sorted({c.type for c in mesh.cells if c.type not in ("triangle", "vertex", "line")})
+    if others:
+        raise MeshError(ErrorCode.NOT_TRIANGULAR, f"{name} has cells of type {', '.join(others)}; triangulate it")
+    blocks = [c.data for c in mesh.cells if c.type == "triangle"]
+    if not blocks:
+        raise MeshError(ErrorCode.EMPTY_MESH, f"{name} has no triangles")
+    return np.asarray(mesh.points, dtype=np.float64), np.concatenate(blocks)
 
 
-def _read_obj(name: str) -> tuple[Doubles, Integers]:
-    """Points and faces alone: meshio refuses files with more texture coordinates than points."""
-    points: list[list[str]] = []
-    faces: list[list[int]] = []
-    with open(name) as file:
-        for line in file:
-            words = line.split()
-            if words[:1] == ["v"]:
-                points.append(words[1:4])
-            elif words[:1] == ["f"]:
-                corners = [int(word.split("/")[0]) for word in words[1:]]
-                faces.append([corner - 1 if corner > 0 else corner + len(points) for corner in corners])
-    return np.array(points, dtype=np.float64).reshape(-1, 3), _triangles(name, faces)
+def write_mesh(
+    path: Path,
+    points: npt.ArrayLike,
+    triangles: npt.ArrayLike,
+    *,
+    sphere: bool = False,
+    ascii: bool = False,
+    like: Path | None = None,
+) -> None:
+    """Writes a mesh to a file, which is there complete or not at all.
 
+    Parameters
+    ----------
+    path : str or path
+        .off, .obj, .ply, .gii, .glb, .gltf, or lh.NAME and rh.NAME for FreeSurfer's; behind it may be .gz, .xz, .zst or .bz2.
+    points : array_like (n, 3) of float
+    triangles : array_like (m, 3) of int
+    sphere : bool
+        Whether the points are a map: then files of GIFTI and FreeSurfer get spheres of radius 100, as their programs have them.
+    ascii : bool
+        Whether PLY is written as text.
+    like : str or path, optional
+        The file of which GIFTI's metadata and FreeSurfer's volume geometry are kept.
 
-def _gifti_gz(name: str) -> Any:
-    import gzip
-
-    import nibabel
-
-    with gzip.open(name) as file:
-        return nibabel.GiftiImage.from_bytes(file.read())
+    Raises
+    ------
+    ValueError
+        If the name is of no format that is written.
+    MeshError
+        If a triangle names a point that is not there, or the format cannot hold the coordinates.
+    OSError
+        If the file cannot be written.
+    """
+    check(write_mesh, locals())
+    points, triangles = vectors("points", points), index_triples(triangles)
+    if triangles.size and not 0 <= triangles.min() <= triangles.max() < len(points):
+        raise MeshError(ErrorCode.BAD_INDEX, "points are numbered from 0 on")
+    _core.write_mesh(os.fsencode(path), points, triangles, sphere, ascii, b"" if like is None else os.fsencode(like))

@@ -1,14 +1,11 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Mending meshes, by the command-line tool: it stands on parts of CGAL that are under the GPL, and runs as a program of its own."""
+"""Mending meshes, by the module `_preparation`, which is under the GPL, as the packages of CGAL are that it stands on."""
 
 from __future__ import annotations
 
 import dataclasses
+import importlib
 import json
-import os
-import shutil
-import subprocess
-import tempfile
 from typing import Any
 
 import numpy as np
@@ -16,8 +13,6 @@ import numpy.typing as npt
 
 from .arrays import Doubles, Integers, OneLine, check, index_triples, one_of, vectors
 from .errors import ErrorCode, MeshError
-
-_CORNERS = np.dtype([("size", "u1"), ("corners", "<i4", 3)])
 
 
 @dataclasses.dataclass(frozen=True, repr=False)
@@ -28,7 +23,7 @@ class Prepared(OneLine):
     triangles: Integers  #: (m, 3)
     vertex_map: Integers  #: (n,), for every point its number before, or -1 if it is new
     face_map: Integers  #: (m,), for every triangle its number before, or -1 if it is new
-    report: dict[str, Any]  #: as the tool writes it with `--report`; `report["preparation"]["done"]` has it in sentences
+    report: dict[str, Any]  #: a part of what the tool writes with `--report`; `report["preparation"]["done"]` has it in sentences
 
 
 def prepare(
@@ -40,14 +35,11 @@ def prepare(
     fill_holes: bool = True,
     cut_handles: bool = True,
     merge_distance: float = 0.0,
-    wrap: bool | tuple[float, float] = False,
+    wrap: bool | tuple[float | None, float | None] = False,
+    maximum_running_time: float = float("inf"),
 ) -> Prepared:
     """Mends a mesh until it is one closed surface of genus 0: merges points at the same place, orients, cuts non-manifold parts
     from each other, keeps the largest component, fills holes and cuts handles along shortest loops.
-
-    The command-line tool does it, which has to be installed: the program that the environment variable
-    SPHERICAL_PARAMETERIZATION_TOOL names, or else `spherical-parameterization` in PATH. Arrays go through files in a
-    temporary folder.
 
     Parameters
     ----------
@@ -61,6 +53,8 @@ def prepare(
         Up to which points at boundaries are merged.
     wrap : bool or (alpha, offset)
         A surface around everything takes the place of the mesh: what a ball of radius alpha cannot enter is filled.
+    maximum_running_time : float
+        Seconds after which it gives up: `MeshError` with the code INTERRUPTED.
 
     Returns
     -------
@@ -70,86 +64,30 @@ def prepare(
     ------
     MeshError
         If there is no triangle that can be used. Those at points that are not finite cannot.
-    FileNotFoundError
-        If the tool is not there.
-    RuntimeError
-        If it failed: with what it said.
+    ImportError
+        If the module that does it is not there: it is under the GPL, and comes separately.
     """
+    try:
+        module = importlib.import_module("._preparation", __package__)
+    except ImportError as error:
+        raise ImportError(
+            "spherical_parameterization._preparation is not there: it is under the GPL, and comes separately, by "
+            "'pip install ./python/preparation' or with the .deb"
+        ) from error
     check(prepare, locals())
     one_of("components", components, "largest", "all")
+    if not 0 <= merge_distance < np.inf:
+        raise ValueError(f"merge_distance: a number from 0 on is needed, not {merge_distance}")
+    sizes = None if wrap is False else (None, None) if wrap is True else tuple(wrap)
+    if sizes and (len(sizes) != 2 or not all(x is None or 0 < x < np.inf for x in sizes)):
+        raise ValueError(f"wrap: True, or two positive numbers, are needed, not {wrap}")
     points, triangles = vectors("points", points), index_triples(triangles)
     if triangles.size and (triangles.min() < 0 or triangles.max() >= len(points)):
         raise MeshError(ErrorCode.BAD_INDEX, "a triangle names a point that is not there; points are numbered from 0 on")
-    steps = ["merge", "orient"]
-    if not harmless:
-        steps += ["largest"] * (components == "largest") + ["holes"] * fill_holes + ["handles"] * cut_handles
-    options = ["--steps", ",".join(steps), "--merge-distance", repr(float(merge_distance))]
-    if wrap:
-        options.append("--wrap")
-        if wrap is not True:
-            alpha, offset = wrap
-            options += ["--alpha", repr(float(alpha)), "--offset", repr(float(offset))]
-
-    tool = _tool()
-    with tempfile.TemporaryDirectory(prefix="spherical-parameterization-") as folder:
-        path = {name: os.path.join(folder, name) for name in ("in.ply", "out.ply", "vertices", "faces", "report")}
-        _write_ply(path["in.ply"], points, triangles)
-        maps = ["--vertex-map", path["vertices"], "--face-map", path["faces"], "--report", path["report"]]
-        run = subprocess.run(
-            [tool, "prepare", path["in.ply"], "-o", path["out.ply"], *maps, *options],
-            stdin=subprocess.DEVNULL,
-            capture_output=True,
-            text=True,
-            check=False,
-        )
-        report: dict[str, Any] = {}
-        if os.path.exists(path["report"]):
-            with open(path["report"]) as file:
-                report = json.load(file)
-        if run.returncode != 0:
-            if report.get("error_code") in set(ErrorCode):
-                raise MeshError(ErrorCode(report["error_code"]), str(report["error"]).removeprefix(path["in.ply"] + ": "))
-            raise RuntimeError(f"{tool} failed with exit code {run.returncode}: {run.stderr.strip()}")
-        vertex_map, face_map = (np.loadtxt(path[name], dtype=np.int64, ndmin=1) for name in ("vertices", "faces"))
-        return Prepared(*_read_ply(path["out.ply"]), vertex_map, face_map, report)
-
-
-def _tool() -> str:
-    named = os.environ.get("SPHERICAL_PARAMETERIZATION_TOOL")
-    tool = shutil.which(named or "spherical-parameterization")
-    if tool is None:
-        where = f"SPHERICAL_PARAMETERIZATION_TOOL names {named!r}, which is no program" if named else "it is not in PATH"
-        raise FileNotFoundError(
-            f"the command-line tool spherical-parameterization is needed, but {where}; install it, or set "
-            "SPHERICAL_PARAMETERIZATION_TOOL"
-        )
-    return tool
-
-
-def _write_ply(name: str, points: Doubles, triangles: Integers) -> None:
-    faces = np.empty(len(triangles), dtype=_CORNERS)
-    faces["size"], faces["corners"] = 3, triangles
-    properties = "".join(f"property double {axis}\n" for axis in "xyz")
-    with open(name, "wb") as file:
-        file.write(
-            f"ply\nformat binary_little_endian 1.0\nelement vertex {len(points)}\n{properties}"
-            f"element face {len(triangles)}\nproperty list uchar int vertex_indices\nend_header\n".encode()
-        )
-        file.write(points.astype("<f8", copy=False).tobytes())
-        file.write(faces.tobytes())
-
-
-def _read_ply(name: str) -> tuple[Doubles, Integers]:
-    """What the tool writes: doubles and triangles, as text or in binary."""
-    with open(name, "rb") as file:
-        sizes, is_text = {}, False
-        for line in iter(file.readline, b"end_header\n"):
-            words = line.decode().split()
-            is_text = is_text or words[:2] == ["format", "ascii"]
-            if words[:1] == ["element"]:
-                sizes[words[1]] = int(words[2])
-        if is_text:
-            points = np.loadtxt(file, max_rows=sizes["vertex"], ndmin=2)
-            return points, np.loadtxt(file, dtype=np.int32, max_rows=sizes["face"], ndmin=2)[:, 1:]
-        points = np.fromfile(file, "<f8", 3 * sizes["vertex"]).reshape(-1, 3)
-        return points, np.fromfile(file, _CORNERS, sizes["face"])["corners"].astype(np.int32)
+    was_ctrl_c, mended, faces, vertex_map, face_map, report = module.prepare(
+        points, triangles.astype(np.int32), merge_distance, not harmless and components == "largest",
+        fill_holes and not harmless, cut_handles and not harmless, sizes, maximum_running_time,
+    )
+    if was_ctrl_c:
+        raise KeyboardInterrupt
+    return Prepared(mended, faces, vertex_map, face_map, json.loads(report))

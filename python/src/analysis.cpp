@@ -208,22 +208,22 @@ public:
   py::tuple locate(const Doubles& directions, const std::string& policy) const
   {
     const Rows<double> queries(directions);
-    auto faces = make_array<std::int32_t>(queries.size);
-    auto weights = make_array<double>(queries.size, 3);
+    auto faces = make_array<std::int32_t>(queries.size());
+    auto weights = make_array<double>(queries.size(), 3);
     std::int32_t* const face = faces.mutable_data();
     auto* const weight = reinterpret_cast<std::array<double, 3>*>(weights.mutable_data());
     const auto one = [&](std::size_t i) {
-      const auto [f, w] = locator_.locate(queries.first[i]);
+      const auto [f, w] = locator_.locate(queries[i]);
       face[i] = f.idx();
       weight[i] = {w[1], w[2], w[0]}; // the halfedge of a face starts at its last corner
     };
     on(policy, [&](const auto& p) {
       if constexpr(std::is_same_v<std::decay_t<decltype(p)>, CGAL::Sequential_tag>)
-        for(std::size_t i = 0; i < queries.size; ++i)
+        for(std::size_t i = 0; i < queries.size(); ++i)
           one(i);
 #ifdef CGAL_LINKED_WITH_TBB
       else
-        tbb::parallel_for(std::size_t(0), queries.size, one);
+        tbb::parallel_for(std::size_t(0), queries.size(), one);
 #endif
     });
     return py::make_tuple(faces, weights);
@@ -234,13 +234,13 @@ public:
   {
     const Rows<double> weight(weights);
     const auto columns = static_cast<std::size_t>(values.shape(1));
-    Doubles result = make_array<double>(weight.size, columns);
+    Doubles result = make_array<double>(weight.size(), columns);
     double* out = result.mutable_data();
     const double* const in = values.data();
     const std::int32_t* const face = faces.data();
     const py::gil_scoped_release no_lock;
-    for(std::size_t i = 0; i < weight.size; ++i) {
-      const std::array<double, 3>& w = weight.first[i];
+    for(std::size_t i = 0; i < weight.size(); ++i) {
+      const std::array<double, 3>& w = weight[i];
       const SP::Face_location<Mesh> place(Mesh::Face_index(face[i]), {w[2], w[0], w[1]});
       for(std::size_t k = 0; k < columns; ++k)
         *out++ = SP::interpolate(mesh_, place, Column{in + k, columns});
@@ -267,11 +267,7 @@ py::tuple icosphere(int level)
   std::vector<std::array<double, 3>> points;
   std::vector<std::array<int, 3>> triangles;
   SP::make_icosphere_soup(level, points, triangles);
-  Doubles point_array = make_array<double>(points.size(), 3);
-  auto triangle_array = make_array<std::int32_t>(triangles.size(), 3);
-  std::copy(points.begin(), points.end(), reinterpret_cast<std::array<double, 3>*>(point_array.mutable_data()));
-  std::copy(triangles.begin(), triangles.end(), reinterpret_cast<std::array<int, 3>*>(triangle_array.mutable_data()));
-  return py::make_tuple(point_array, triangle_array);
+  return py::make_tuple(rows_of<double>(points), rows_of<std::int32_t>(triangles));
 }
 
 Doubles shape_signature(const Doubles& points, const py::array& triangles, const Doubles& sphere,

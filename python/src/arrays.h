@@ -13,6 +13,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -30,14 +31,18 @@ typedef py::array_t<double, py::array::c_style> Doubles;
 /// The rows of an array (n, 3) where it is: nothing is copied.
 template <class Number>
 struct Rows {
-  const std::array<Number, 3>* first;
-  std::size_t size;
-
   explicit Rows(const py::array& array)
-    : first(static_cast<const std::array<Number, 3>*>(array.data())), size(static_cast<std::size_t>(array.shape(0)))
+    : first_(static_cast<const std::array<Number, 3>*>(array.data())), size_(static_cast<std::size_t>(array.shape(0)))
   {}
-  const std::array<Number, 3>* begin() const { return first; }
-  const std::array<Number, 3>* end() const { return first + size; }
+  const std::array<Number, 3>* data() const { return first_; }
+  std::size_t size() const { return size_; }
+  const std::array<Number, 3>* begin() const { return first_; }
+  const std::array<Number, 3>* end() const { return first_ + size_; }
+  const std::array<Number, 3>& operator[](std::size_t i) const { return first_[i]; }
+
+private:
+  const std::array<Number, 3>* first_;
+  std::size_t size_;
 };
 
 /// Calls f with the triangles as they are, of 32 or of 64 bits.
@@ -129,6 +134,15 @@ py::array_t<Number, py::array::c_style> make_array(Sizes... sizes)
   return py::array_t<Number, py::array::c_style>(std::vector<py::ssize_t>{static_cast<py::ssize_t>(sizes)...});
 }
 
+/// A vector of triples as an array (n, 3).
+template <class Number, class Triples>
+py::array_t<Number, py::array::c_style> rows_of(const Triples& triples)
+{
+  auto array = make_array<Number>(triples.size(), 3);
+  std::copy(triples.begin(), triples.end(), reinterpret_cast<std::array<Number, 3>*>(array.mutable_data()));
+  return array;
+}
+
 /// A column of an array (n, d), read from its first number on.
 struct Column {
   typedef Mesh::Vertex_index key_type;
@@ -146,6 +160,7 @@ struct Column {
 };
 
 void add_analysis(py::module_& module);
+void add_files(py::module_& module);
 void add_harmonics(py::module_& module);
 void add_statistics(py::module_& module);
 void add_registration(py::module_& module);

@@ -82,7 +82,7 @@ Doubles harmonic_values(const Doubles& coefficients, const Doubles& directions, 
   const Rows<double> rows(directions);
   const std::vector<double> values =
     on_watched(policy, [&](const auto& p, const auto& np) { return SP::harmonic_values(p, c, rows, np); });
-  Doubles result = make_array<double>(rows.size, c.number_of_fields());
+  Doubles result = make_array<double>(rows.size(), c.number_of_fields());
   std::copy(values.begin(), values.end(), result.mutable_data());
   return result;
 }

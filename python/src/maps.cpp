@@ -5,6 +5,7 @@
 // map.
 
 #include "arrays.h"
+#include "errors.h"
 #include "watch.h"
 
 #include <CGAL/Spherical_parameterization/edge_weights.h>
@@ -12,8 +13,6 @@
 #include <CGAL/Spherical_parameterization/version.h>
 
 #include <pybind11/stl.h>
-
-#include <CGAL/assertions.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
@@ -263,35 +262,10 @@ void add_devices(py::module_& module)
 #endif
 }
 
-/// An exception of errors.py.
-template <class... Arguments>
-void raise(const char* type, Arguments&&... arguments)
-{
-  const py::object exception = py::module_::import("spherical_parameterization.errors").attr(type);
-  PyErr_SetObject(exception.ptr(), exception(std::forward<Arguments>(arguments)...).ptr());
-}
-
-void translate(std::exception_ptr pointer)
-{
-  try {
-    if(pointer)
-      std::rethrow_exception(pointer);
-  } catch(const SP::Error& error) {
-    raise("MeshError", SP::get_error_name(error.code()), error.detail());
-  } catch(const CGAL::Failure_exception& failure) {
-    PyErr_SetString(PyExc_ValueError, failure.message().c_str());
-#ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
-  } catch(const SP::OpenCL_error& error) {
-    raise("DeviceError", error.what());
-#endif
-  }
-}
-
 } // namespace
 
 PYBIND11_MODULE(_core, module)
 {
-  CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {}); // exceptions say it all
   py::register_exception_translator(translate);
   module.attr("__version__") = CGAL_SPHERICAL_PARAMETERIZATION_VERSION;
   module.def("parameterize", parameterize);
@@ -301,6 +275,7 @@ PYBIND11_MODULE(_core, module)
   });
   add_devices(module);
   add_analysis(module);
+  add_files(module);
   add_harmonics(module);
   add_statistics(module);
   add_registration(module);

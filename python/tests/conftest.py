@@ -44,21 +44,6 @@ def tube(rings: int = 300, sides: int = 12) -> tuple[np.ndarray, np.ndarray]:
     return points, np.concatenate(walls + caps)
 
 
-def write_off(path: Path, points: np.ndarray, triangles: np.ndarray) -> Path:
-    with open(path, "w") as file:
-        file.write(f"OFF\n{len(points)} {len(triangles)} 0\n")
-        np.savetxt(file, points, "%.17g")
-        np.savetxt(file, np.column_stack([np.full(len(triangles), 3), triangles]), "%d")
-    return path
-
-
-def read_off(path: Path) -> tuple[np.ndarray, np.ndarray]:
-    numbers = path.read_text().split()[1:]
-    n, m = int(numbers[0]), int(numbers[1])
-    points = np.array(numbers[3 : 3 + 3 * n], dtype=float).reshape(n, 3)
-    return points, np.array(numbers[3 + 3 * n :], dtype=int).reshape(m, 4)[:, 1:]
-
-
 class Tool:
     """The command-line tool, named by SPHERICAL_PARAMETERIZATION_TOOL; ctest sets that."""
 
@@ -70,7 +55,8 @@ class Tool:
         """Runs a command on a mesh; returns its output file."""
         if not self.program:
             pytest.skip("SPHERICAL_PARAMETERIZATION_TOOL is not set")
-        mesh = write_off(self.folder / "in.off", points, triangles)
+        mesh = self.folder / "in.ply"
+        sp.write_mesh(mesh, points, triangles)
         output = self.folder / out
         subprocess.run([self.program, command, mesh, "-o", output, *options], check=True, capture_output=True)
         return output

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import spherical_parameterization as sp
-from conftest import bumpy, write_off
+from conftest import bumpy
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
 
@@ -49,7 +49,7 @@ def test_cortex_to_sphere(tmp_path: Path) -> None:
 def test_any_format(tmp_path: Path) -> None:
     meshio = pytest.importorskip("meshio")
     points, triangles = bumpy(3)
-    write_off(tmp_path / "in.off", points, triangles)
+    sp.write_mesh(tmp_path / "in.off", points, triangles)
     assert "valid spherical map" in run("any_format.py", tmp_path / "in.off", tmp_path / "out.vtu")
     mesh = meshio.read(tmp_path / "out.vtu")
     assert (mesh.points == points).all() and (mesh.cells_dict["triangle"] == triangles).all()
@@ -59,7 +59,7 @@ def test_any_format(tmp_path: Path) -> None:
 
 def test_pictures(tmp_path: Path) -> None:
     matplotlib_image = pytest.importorskip("matplotlib.image")
-    write_off(tmp_path / "in.off", *bumpy(3))
+    sp.write_mesh(tmp_path / "in.off", *bumpy(3))
     run("pictures.py", tmp_path / "in.off", tmp_path / "out.png")
     assert matplotlib_image.imread(tmp_path / "out.png")[:, :, :3].std() > 0.05
 
@@ -72,8 +72,8 @@ def test_collection(tmp_path: Path) -> None:
     pytest.importorskip("distributed")
     pytest.importorskip("meshio")
     (tmp_path / "scans").mkdir()
-    write_off(tmp_path / "scans/a.off", *bumpy(2))
-    write_off(tmp_path / "scans/b.off", bumpy(2)[0], bumpy(2)[1][1:])
+    sp.write_mesh(tmp_path / "scans/a.off", *bumpy(2))
+    sp.write_mesh(tmp_path / "scans/b.off", bumpy(2)[0], bumpy(2)[1][1:])
     output = run("collection.py", tmp_path / "scans", tmp_path / "results.sqlite").splitlines()
     assert output[0] == "{'BOUNDARY': 1, 'OK': 1}"
     assert output[1].endswith("a.off OK, by balanced") and "the mesh is not closed" in output[2]
@@ -90,7 +90,6 @@ def test_notebook() -> None:
 
 
 def test_read_mesh(tmp_path: Path) -> None:
-    pytest.importorskip("meshio")
     freesurfer = pytest.importorskip("nibabel.freesurfer")
     points, triangles = bumpy(1)
     freesurfer.write_geometry(str(tmp_path / "lh.white"), points, triangles)
@@ -105,7 +104,7 @@ def test_read_mesh(tmp_path: Path) -> None:
         with pytest.raises(OSError, match="wrong.off"):
             sp.read_mesh(tmp_path / "wrong.off")
     (tmp_path / "wrong.ply").write_text("no PLY")
-    with pytest.raises(Exception):
+    with pytest.raises(OSError, match="wrong.ply"):
         sp.read_mesh(tmp_path / "wrong.ply")
     with_seam = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nvt 1 1\nf 1/1 2/2 3/3\nf -3/4 -1/3 -2/2\n"
     (tmp_path / "seam.obj").write_text(with_seam)

@@ -14,6 +14,7 @@ import pytest
 
 BUILD = os.environ.get("SPHERICAL_PARAMETERIZATION_BUILD", "")
 PROGRAM = "import spherical_parameterization as sp; print(sp.__file__, sp.parameterize(*sp.icosphere(2)).is_valid)"
+PREPARED = "import spherical_parameterization as sp; p, t = sp.icosphere(3); print(len(sp.prepare(p, t[1:]).points))"
 
 pytestmark = pytest.mark.skipif(not BUILD, reason="SPHERICAL_PARAMETERIZATION_BUILD is not set")
 
@@ -34,6 +35,10 @@ def test_pip(tmp_path: Path) -> None:
     run(python, "-m", "pip", "install", "--no-build-isolation", "--no-index", source)
     where, is_valid = run(python, "-c", PROGRAM).split()
     assert where.startswith(str(tmp_path)) and is_valid == "True"
+    modules = [file.name.partition(".")[0] for file in Path(where).parent.glob("*.so")]
+    assert modules == ["_core"]  # what is under the GPL comes separately
+    run(python, "-m", "pip", "install", "--no-build-isolation", "--no-index", source / "preparation")
+    assert run(python, "-c", PREPARED).split() == ["642"]
 
 
 @pytest.mark.skipif(not shutil.which("dpkg-deb"), reason="not on Debian")
@@ -46,3 +51,4 @@ def test_deb(tmp_path: Path) -> None:
     folder = tmp_path / "root/usr/lib/python3/dist-packages"
     where, is_valid = run(sys.executable, "-c", PROGRAM, PYTHONPATH=str(folder)).split()
     assert where.startswith(str(folder)) and is_valid == "True"
+    assert run(sys.executable, "-c", PREPARED, PYTHONPATH=str(folder)).split() == ["642"]

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Meshes mended by the tool."""
+"""Meshes mended."""
 
 from __future__ import annotations
+
+import json
 
 import numpy as np
 import pytest
@@ -10,10 +12,7 @@ from conftest import Tool, bumpy
 import spherical_parameterization as sp
 
 
-@pytest.fixture(autouse=True)
-def needs_tool(tool: Tool) -> None:
-    if not tool.program:
-        pytest.skip("SPHERICAL_PARAMETERIZATION_TOOL is not set")
+pytest.importorskip("spherical_parameterization._preparation")
 
 
 def torus(n: int = 16, m: int = 8) -> tuple[np.ndarray, np.ndarray]:
@@ -67,13 +66,27 @@ def test_a_point_that_is_not_finite_is_left_out() -> None:
     assert sp.parameterize(prepared.points, prepared.triangles).is_valid
 
 
-def test_errors(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_tool_does_the_same(tool: Tool) -> None:
+    points, triangles = bumpy(3)
+    points, triangles = np.concatenate([points, torus()[0]]), np.concatenate([triangles[5:], torus()[1] + len(points)])
+    report = tool.folder / "report.json"
+    expected = sp.read_mesh(tool.run("prepare", points, triangles, "--report", str(report), out="out.ply"))
+    prepared = sp.prepare(points, triangles)
+    assert np.array_equal(prepared.points, expected[0]) and np.array_equal(prepared.triangles, expected[1])
+    said = json.loads(report.read_text())
+    assert {key: said[key] for key in prepared.report} == prepared.report
+
+
+def test_errors() -> None:
     points, triangles = bumpy(2)
     with pytest.raises(sp.MeshError) as error:
         sp.prepare(points, triangles[:0])
     assert error.value.code == "EMPTY_MESH"
     with pytest.raises(sp.MeshError):
         sp.prepare(points * [1, np.nan, 1], triangles)
-    monkeypatch.setenv("SPHERICAL_PARAMETERIZATION_TOOL", "/no/such/program")
-    with pytest.raises(FileNotFoundError, match="/no/such/program"):
-        sp.prepare(points, triangles)
+    for wrong in ({"merge_distance": -1.0}, {"wrap": (1.0, 0.0)}, {"maximum_running_time": -1.0}):
+        with pytest.raises(ValueError):
+            sp.prepare(points, triangles, **wrong)  # type: ignore[arg-type]
+    with pytest.raises(sp.MeshError) as late:
+        sp.prepare(*torus(), maximum_running_time=0.0)
+    assert late.value.code == "INTERRUPTED"

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import spherical_parameterization as sp
-from conftest import Tool, bumpy, ellipsoid, read_off, tube
+from conftest import Tool, bumpy, ellipsoid, tube
 
 MESHES = {"ellipsoid": ellipsoid(), "bumpy": bumpy(5, 3), "tube": tube()}
 SETTINGS = {
@@ -35,7 +35,7 @@ def test_maps(tool: Tool, mesh: str, settings: str) -> None:
     if not result:
         pytest.skip("the tool writes certified maps only")
     report = tool.folder / "report.json"
-    sphere, _ = read_off(tool.run("map", *MESHES[mesh], *options, "--report", str(report)))
+    sphere, _ = sp.read_mesh(tool.run("map", *MESHES[mesh], *options, "--report", str(report)))
     assert (result.sphere == sphere).all()
     expected = json.loads(report.read_text())
     assert result.method == expected["method_used"]
@@ -56,14 +56,14 @@ def test_fixed_vertices(tool: Tool) -> None:
     file = tool.folder / "fixed.txt"
     np.savetxt(file, np.column_stack([numbers, directions]), ["%d", "%.17g", "%.17g", "%.17g"])
     result = sp.parameterize(points, triangles, sp.Balanced(), fixed=(numbers, directions))
-    sphere, _ = read_off(tool.run("map", points, triangles, "--method", "balanced", "--fixed", str(file)))
+    sphere, _ = sp.read_mesh(tool.run("map", points, triangles, "--method", "balanced", "--fixed", str(file)))
     assert (result.sphere == sphere).all()
 
 
 def test_resample(tool: Tool) -> None:
     points, triangles = bumpy()
     sphere = sp.parameterize(points, triangles, sp.Isometric()).sphere
-    expected = read_off(tool.run("resample", points, triangles, "--level", "4"))
+    expected = sp.read_mesh(tool.run("resample", points, triangles, "--level", "4"))
     found = sp.Locator(triangles, sphere).resample(points, 4)
     assert (found[0] == expected[0]).all() and (found[1] == expected[1]).all()
 

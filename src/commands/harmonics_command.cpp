@@ -4,7 +4,7 @@
 #include "commands/mesh_command.h"
 
 #include "mapping/report.h"
-#include "preparation/surface_distance.h"
+#include "preparation/prepare.h"
 #include "output/write_json.h"
 #include "system/interruption.h"
 #include "system/stopwatch.h"

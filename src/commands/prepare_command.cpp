@@ -6,9 +6,8 @@
 #include "input/compression.h"
 #include "input/mesh_readers.h"
 #include "output/write_json.h"
-#include "preparation/points.h"
 #include "preparation/prepare.h"
-#include "preparation/surface_distance.h"
+#include "preparation/report.h"
 #include "system/interruption.h"
 #include "system/standard_output.h"
 #include "system/stopwatch.h"
@@ -125,23 +124,6 @@ Preparation_settings settings_of(const Prepare_options& options)
   return settings;
 }
 
-/// One part after the other.
-Glued_surface joined(const std::vector<Glued_surface>& parts)
-{
-  Glued_surface all;
-  for(const Glued_surface& part : parts) {
-    const int vertices = all.number_of_vertices(), sides = all.number_of_sides();
-    all.points.insert(all.points.end(), part.points.begin(), part.points.end());
-    all.old_vertex.insert(all.old_vertex.end(), part.old_vertex.begin(), part.old_vertex.end());
-    all.old_face.insert(all.old_face.end(), part.old_face.begin(), part.old_face.end());
-    for(const auto& [a, b, c] : part.faces)
-      all.faces.push_back({a + vertices, b + vertices, c + vertices});
-    for(const int twin : part.twin)
-      all.twin.push_back(twin == Glued_surface::none ? twin : twin + sides);
-  }
-  return all;
-}
-
 void write_numbers(std::ostream* out, const std::vector<int>& numbers)
 {
   if(out != nullptr)
@@ -169,66 +151,6 @@ std::string shape_of(const std::vector<Glued_surface>& parts)
     return "a closed surface of genus 0, as 'map' takes it";
   return left(pieces, "component") + ", " + left(static_cast<std::size_t>(holes), "hole") + ", " +
          left(static_cast<std::size_t>(handles), "handle");
-}
-
-Json to_json(const Defect& defect)
-{
-  return {{"count", defect.count}, {"first", defect.count > 0 ? Json(defect.first) : Json(nullptr)}};
-}
-
-Json to_json(const std::vector<Loop>& loops)
-{
-  Json json = Json::array();
-  for(const Loop& loop : loops)
-    json.push_back({{"edges", loop.edges},
-                    {"length", loop.length},
-                    {"vertex", loop.vertex >= 0 ? Json(loop.vertex) : Json(nullptr)}});
-  return json;
-}
-
-Json to_json(const std::vector<Piece>& pieces)
-{
-  Json json = Json::array();
-  for(const Piece& piece : pieces)
-    json.push_back({{"faces", piece.size.faces},
-                    {"area", piece.size.area},
-                    {"holes", piece.size.holes},
-                    {"handles", piece.size.genus()},
-                    {"vertex", piece.vertex >= 0 ? Json(piece.vertex) : Json(nullptr)},
-                    {"kept", piece.is_kept}});
-  return json;
-}
-
-Json to_json(const Bounds& bounds) { return {bounds.low, bounds.high}; }
-
-Json to_json(const Preparation& preparation)
-{
-  const Gluing_defects& d = preparation.defects;
-  Json json = {{"done", sentences(preparation)},
-               {"non_finite_vertices", to_json(d.non_finite_vertices)},
-               {"isolated_vertices", to_json(d.isolated_vertices)},
-               {"faces_with_repeated_corners", to_json(d.repeated_corners)},
-               {"repeated_faces", to_json(d.repeated_faces)},
-               {"merged_vertices", to_json(d.merged_vertices)},
-               {"non_manifold_edges", to_json(d.non_manifold_edges)},
-               {"crowded_edges", to_json(d.crowded_edges)},
-               {"copies_of_non_manifold_vertices", to_json(d.non_manifold_vertices)},
-               {"slits", to_json(d.slits)},
-               {"reversed_faces", to_json(d.reversed_faces)},
-               {"cut_edges", to_json(d.cut_edges)},
-               {"components", to_json(preparation.pieces)},
-               {"holes", to_json(preparation.holes)},
-               {"holes_filled", preparation.is_filled},
-               {"handle_loops", to_json(preparation.handles)},
-               {"handles_cut_at_once", preparation.handles_cut_at_once},
-               {"degenerate_faces", to_json(preparation.degenerate_faces)},
-               {"degenerate_faces_removed", !preparation.has_degenerate_faces},
-               {"split_edges", preparation.split_edges},
-               {"turned_outwards", preparation.is_turned_outwards},
-               {"wrap", nullptr}};
-  if(preparation.wrap)
-    json["wrap"] = {{"alpha", *preparation.wrap->alpha}, {"offset", *preparation.wrap->offset}};
-  return json;
 }
 
 void write_report(const Prepare_options& options, const Prepared& prepared)

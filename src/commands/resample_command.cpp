@@ -3,7 +3,7 @@
 
 #include "commands/mesh_command.h"
 
-#include "preparation/surface_distance.h"
+#include "preparation/prepare.h"
 #include "system/standard_output.h"
 
 #include <CGAL/Spherical_parameterization/resample.h>

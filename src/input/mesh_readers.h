@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
 #ifndef SPHERICAL_PARAMETERIZATION_TOOL_MESH_READERS_H
@@ -72,8 +72,12 @@ Soup read_soup(const std::string& file, std::string bytes, Coordinates coordinat
 /// Reads any triangles, and polygons as triangles, from a mesh file. Throws a `Refusal`.
 Soup read_triangles(const std::string& file, Coordinates coordinates = Coordinates::FINITE);
 
+/// Whether the name of a file, or its first bytes, are those of a mesh. Throws a `Refusal` if it cannot be read.
+bool is_format_known(const std::string& file);
+
 /// Throws a `Refusal` of polygons that are no triangles.
-void check_triangles(const std::string& file, const Soup& soup);
+void check_triangles(const std::string& file, const Soup& soup,
+                     const std::string& remedy = "triangulate the mesh, or use --triangulate");
 
 /// Throws a `Refusal` if `corner` is not the number of one of so many vertices.
 void check_corner(const std::string& file, std::size_t face, int corner, std::size_t number_of_vertices);

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
 #include "input/mesh.h"
@@ -29,17 +29,6 @@ void refuse_unknown(const std::string& file)
                 std::string("meshes are read from ") + mesh_extensions + " files");
 }
 
-/// Refuses what neither its name nor its first bytes say to be a mesh, before it costs memory.
-void check_format(const std::string& file)
-{
-  constexpr std::size_t beginning = 4096;
-  if(file == standard_stream || format_of_name(file))
-    return;
-  const std::string bytes = read_beginning(file, beginning);
-  if(compression_of_content(bytes) == Compression::NONE && !format_of_content(bytes, fs::file_size(file)))
-    refuse_unknown(file);
-}
-
 Soup read_format(Mesh_format format, const std::string& file, std::string bytes)
 {
   switch(format) {
@@ -57,7 +46,16 @@ Soup read_format(Mesh_format format, const std::string& file, std::string bytes)
 
 } // namespace
 
-void check_triangles(const std::string& file, const Soup& soup)
+bool is_format_known(const std::string& file)
+{
+  constexpr std::size_t beginning = 4096;
+  if(file == standard_stream || format_of_name(file))
+    return true;
+  const std::string bytes = read_beginning(file, beginning);
+  return compression_of_content(bytes) != Compression::NONE || format_of_content(bytes, fs::file_size(file));
+}
+
+void check_triangles(const std::string& file, const Soup& soup, const std::string& remedy)
 {
   if(soup.polygons > 0)
     throw Refusal(Error_code::NOT_TRIANGULAR, file,
@@ -65,7 +63,7 @@ void check_triangles(const std::string& file, const Soup& soup)
                     (soup.polygons == 1 ? " face that is no triangle" : " faces that are no triangles") +
                     " (first: face " + std::to_string(soup.first_polygon) + " with " +
                     std::to_string(soup.size_of_first_polygon) + " vertices)",
-                  "triangulate the mesh, or use --triangulate");
+                  remedy);
 }
 
 void check_corner(const std::string& file, std::size_t face, int corner, std::size_t number_of_vertices)
@@ -95,7 +93,8 @@ Soup read_soup(const std::string& file, std::string bytes, Coordinates coordinat
 Soup read_triangles(const std::string& file, Coordinates coordinates)
 {
   check_readable(file);
-  check_format(file);
+  if(!is_format_known(file)) // before it costs memory
+    refuse_unknown(file);
   return read_soup(file, read_file(file), coordinates);
 }
 

@@ -3,7 +3,7 @@
 
 #include "mapping/prepared_mesh.h"
 
-#include "preparation/surface_distance.h"
+#include "preparation/prepare.h"
 #include "preparation/points.h"
 #include "system/refusal.h"
 

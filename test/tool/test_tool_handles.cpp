@@ -14,21 +14,23 @@
 
 namespace {
 
-tool::Glued_surface glued(const test::Soup& mesh)
+namespace preparation = CGAL::Spherical_parameterization::preparation;
+
+preparation::Glued_surface glued(const test::Soup& mesh)
 {
-  tool::Soup soup;
+  preparation::Wrapping soup;
   for(const test::Point& p : mesh.points)
     soup.points.push_back({p.x(), p.y(), p.z()});
   for(const auto& face : mesh.faces)
     soup.triangles.push_back({int(face[0]), int(face[1]), int(face[2])});
-  tool::Gluing_defects none;
-  return tool::glue(soup, 0, none);
+  preparation::Gluing_defects none;
+  return preparation::glue(soup, 0, none);
 }
 
 /// Closed, random, with hundreds of handles: both sides of every edge are those of any two triangles.
-tool::Glued_surface random_surface(int faces)
+preparation::Glued_surface random_surface(int faces)
 {
-  tool::Glued_surface surface;
+  preparation::Glued_surface surface;
   std::vector<int> sides;
   unsigned random = 1;
   for(int f = 0; f < faces; ++f) {
@@ -44,7 +46,7 @@ tool::Glued_surface random_surface(int faces)
   }
   for(std::size_t i = 0; i < sides.size(); i += 2)
     surface.glue(sides[i], sides[i + 1]);
-  tool::derive_vertices(surface);
+  preparation::derive_vertices(surface);
   return surface;
 }
 
@@ -52,13 +54,13 @@ tool::Glued_surface random_surface(int faces)
 
 TEST_CASE("handles that are cut at once leave a sphere", "[tool]")
 {
-  const auto check = [](tool::Glued_surface surface, int least_genus) {
+  const auto check = [](preparation::Glued_surface surface, int least_genus) {
     std::vector<int> unused;
     const int faces = surface.number_of_faces();
-    REQUIRE(tool::components(surface, unused).size() == 1);
-    CHECK(tool::components(surface, unused)[0].genus() >= least_genus);
-    tool::cut_handles_at_once(surface);
-    const auto components = tool::components(surface, unused);
+    REQUIRE(preparation::components(surface, unused).size() == 1);
+    CHECK(preparation::components(surface, unused)[0].genus() >= least_genus);
+    preparation::cut_handles_at_once(surface);
+    const auto components = preparation::components(surface, unused);
     REQUIRE(components.size() == 1);
     CHECK(components[0].genus() == 0);
     CHECK(components[0].holes == 0);

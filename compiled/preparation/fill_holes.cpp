@@ -19,7 +19,7 @@
 #include <tuple>
 #include <utility>
 
-namespace tool {
+namespace CGAL::Spherical_parameterization::preparation {
 namespace {
 
 namespace PMP = CGAL::Polygon_mesh_processing;
@@ -261,4 +261,4 @@ void fill_hole(Glued_surface& surface, const std::vector<int>& boundary)
   add_disk(surface, boundary, disk);
 }
 
-} // namespace tool
+} // namespace CGAL::Spherical_parameterization::preparation

@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_POINTS_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_POINTS_H
+#ifndef SPHERICAL_PARAMETERIZATION_PREPARATION_POINTS_H
+#define SPHERICAL_PARAMETERIZATION_PREPARATION_POINTS_H
 
-#include "input/mesh_readers.h"
-#include "preparation/glued_surface.h"
+#include <CGAL/Spherical_parameterization/preparation/glued_surface.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
-#include <vector>
 
-namespace tool {
+namespace CGAL::Spherical_parameterization::preparation {
 
 inline std::size_t place(int i) { return static_cast<std::size_t>(i); }
 
@@ -30,7 +27,8 @@ inline double norm(const Vector& a) { return std::hypot(a[0], a[1], a[2]); }
 inline bool is_finite(const Vector& p) { return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); }
 
 /// Of finite points.
-inline double largest_coordinate(const std::vector<Vector>& points)
+template <class Points>
+double largest_coordinate(const Points& points)
 {
   double largest = 0;
   for(const Vector& p : points)
@@ -46,21 +44,6 @@ inline double unit_of(double largest_coordinate)
   return largest_coordinate > 0 ? std::ldexp(1., std::ilogb(largest_coordinate)) : 1;
 }
 
-/// The diagonal of the bounding box of the finite vertices that have faces.
-inline double diagonal(const Soup& soup)
-{
-  constexpr double largest = std::numeric_limits<double>::infinity();
-  Vector low = {largest, largest, largest}, high = {-largest, -largest, -largest};
-  for(const auto& triangle : soup.triangles)
-    for(const int v : triangle)
-      if(const Vector& p = soup.points[place(v)]; is_finite(p))
-        for(std::size_t k = 0; k < 3; ++k) {
-          low[k] = std::min(low[k], p[k]);
-          high[k] = std::max(high[k], p[k]);
-        }
-  return soup.triangles.empty() ? 0 : norm(minus(high, low));
-}
+} // namespace CGAL::Spherical_parameterization::preparation
 
-} // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_POINTS_H
+#endif // SPHERICAL_PARAMETERIZATION_PREPARATION_POINTS_H

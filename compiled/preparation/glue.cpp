@@ -16,10 +16,11 @@
 #include <utility>
 #include <vector>
 
-namespace tool {
+namespace CGAL::Spherical_parameterization::preparation {
 namespace {
 
 using Point = Vector;
+using Points = boost::iterator_range<const Point*>;
 using Triangle = std::array<int, 3>;
 
 bool has_repeated_corner(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
@@ -91,7 +92,7 @@ void for_each_edge(const std::vector<Triangle>& triangles, const std::vector<int
 /// For every vertex the one that stands for its place: itself, or for those marked, the first of them at a place.
 class Places {
 public:
-  Places(const std::vector<Point>& points, const std::vector<bool>& is_marked, double distance)
+  Places(const Points& points, const std::vector<bool>& is_marked, double distance)
     : points_(points), distance_(distance), representative_(points.size())
   {
     std::iota(representative_.begin(), representative_.end(), 0);
@@ -126,7 +127,7 @@ private:
     return v;
   }
 
-  const std::vector<Point>& points_;
+  const Points& points_;
   double distance_;
   std::vector<int> representative_;
   std::unordered_map<Cell, std::vector<int>, boost::hash<Cell>> cells_;
@@ -135,7 +136,7 @@ private:
 /// The gluing while it is made: sides may still run in the same direction.
 class Gluing {
 public:
-  Gluing(const std::vector<Point>& points, Faces faces) : points_(&points), faces_(std::move(faces))
+  Gluing(const Points& points, Faces faces) : points_(&points), faces_(std::move(faces))
   {
     twin_.assign(3 * faces_.triangles.size(), Glued_surface::none);
   }
@@ -212,7 +213,7 @@ public:
   }
 
 private:
-  const std::vector<Point>* points_;
+  const Points* points_;
   Faces faces_;
   std::vector<int> twin_;
 };
@@ -260,7 +261,7 @@ std::vector<bool> orient(Gluing& gluing, const Key& key, Gluing_defects& defects
   return is_reversed;
 }
 
-Faces usable_faces(const Soup& soup, Gluing_defects& defects)
+Faces usable_faces(const Triangle_soup& soup, Gluing_defects& defects)
 {
   Faces faces;
   faces.triangles.assign(soup.triangles.begin(), soup.triangles.end());
@@ -310,7 +311,7 @@ void glue_pairs(Gluing& gluing)
 template <class Key>
 class Slits {
 public:
-  Slits(const std::vector<Point>& points, const Key& key, double distance, Gluing& gluing)
+  Slits(const Points& points, const Key& key, double distance, Gluing& gluing)
     : points_(points), key_(key), distance_(distance), gluing_(gluing)
   {
     for(const int side : gluing.open_sides()) {
@@ -360,7 +361,8 @@ private:
     const Point &a = points_[place(at)], edge = minus(points_[place(end)], a);
     const double squared_length = dot(edge, edge);
     const double tolerance =
-      std::max({distance_, rounding * largest_coordinate({a, points_[place(end)]}), 1e-6 * std::sqrt(squared_length)});
+      std::max({distance_, rounding * largest_coordinate(std::array<Point, 2>{a, points_[place(end)]}),
+                1e-6 * std::sqrt(squared_length)});
     double t = 0;
     std::vector<Step> steps;
     while(at != end) {
@@ -392,7 +394,7 @@ private:
     return steps;
   }
 
-  const std::vector<Point>& points_;
+  const Points& points_;
   const Key& key_;
   double distance_;
   Gluing& gluing_;
@@ -410,7 +412,7 @@ std::vector<bool> vertices_of_open_sides(const Gluing& gluing, std::size_t numbe
 
 } // namespace
 
-Glued_surface glue(const Soup& soup, std::optional<double> merge_distance, Gluing_defects& defects)
+Glued_surface glue(const Triangle_soup& soup, std::optional<double> merge_distance, Gluing_defects& defects)
 {
   Gluing gluing(soup.points, usable_faces(soup, defects));
   glue_pairs(gluing);
@@ -466,7 +468,7 @@ Glued_surface glue(const Soup& soup, std::optional<double> merge_distance, Gluin
     return side == Glued_surface::none || !is_reversed[place(side / 3)] ? side : side - side % 3 + 2 - side % 3;
   };
   Glued_surface surface;
-  surface.points = soup.points;
+  surface.points.assign(soup.points.begin(), soup.points.end());
   surface.old_vertex.resize(soup.points.size());
   std::iota(surface.old_vertex.begin(), surface.old_vertex.end(), 0);
   surface.faces = gluing.faces().triangles;
@@ -488,4 +490,4 @@ Glued_surface glue(const Soup& soup, std::optional<double> merge_distance, Gluin
   return surface;
 }
 
-} // namespace tool
+} // namespace CGAL::Spherical_parameterization::preparation

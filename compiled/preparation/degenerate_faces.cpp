@@ -17,7 +17,7 @@
 #include <tuple>
 #include <utility>
 
-namespace tool {
+namespace CGAL::Spherical_parameterization::preparation {
 namespace {
 
 namespace PMP = CGAL::Polygon_mesh_processing;
@@ -132,4 +132,4 @@ bool remove_degenerate_faces(Glued_surface& surface)
   return true;
 }
 
-} // namespace tool
+} // namespace CGAL::Spherical_parameterization::preparation

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "preparation/surface_distance.h"
+#include <CGAL/Spherical_parameterization/preparation/surface_distance.h>
 
 #include "preparation/points.h"
 
@@ -21,7 +21,7 @@
 #include <queue>
 #include <utility>
 
-namespace tool {
+namespace CGAL::Spherical_parameterization::preparation {
 namespace {
 
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -31,7 +31,8 @@ using Triangle_list = std::vector<Triangle_3>;
 
 Point_3 point_of(const Point& p, double unit) { return {p[0] / unit, p[1] / unit, p[2] / unit}; }
 
-Triangle_3 triangle(const std::vector<Point>& points, const std::array<int, 3>& corners, double unit)
+template <class Points>
+Triangle_3 triangle(const Points& points, const std::array<int, 3>& corners, double unit)
 {
   const auto corner = [&](std::size_t k) { return point_of(points[place(corners[k])], unit); };
   return Triangle_3(corner(0), corner(1), corner(2));
@@ -197,7 +198,7 @@ private:
   CGAL::AABB_tree<Traits> tree_;
 };
 
-bool has_finite_corners(const Soup& soup, const std::array<int, 3>& corners)
+bool has_finite_corners(const Triangle_soup& soup, const std::array<int, 3>& corners)
 {
   return std::all_of(corners.begin(), corners.end(), [&soup](int v) { return is_finite(soup.points[place(v)]); });
 }
@@ -300,8 +301,8 @@ constexpr std::size_t most_looks_at_overlaps = 10'000; // where so many faces ov
 
 } // namespace
 
-Hausdorff_distance hausdorff_distance(const Soup& old, const std::vector<Glued_surface>& parts, double tolerance,
-                                      const std::function<void()>& go_on)
+Hausdorff_distance hausdorff_distance(const Triangle_soup& old, const std::vector<Glued_surface>& parts,
+                                      double tolerance, const std::function<void()>& go_on)
 {
   double largest = largest_coordinate(old.points);
   for(const Glued_surface& part : parts)
@@ -359,7 +360,7 @@ std::vector<int> nearest_old_faces(const std::vector<Point>& points, const Glued
   return result;
 }
 
-std::vector<int> nearest_faces(const Soup& old, const Glued_surface& surface)
+std::vector<int> nearest_faces(const Triangle_soup& old, const Glued_surface& surface)
 {
   std::vector<int> result(old.triangles.size(), Glued_surface::none);
   for(std::size_t f = 0; f < surface.faces.size(); ++f)
@@ -443,4 +444,4 @@ Sampling_loss sampling_loss(const Mesh& mesh, const Mesh& sampled, const std::ve
   return loss;
 }
 
-} // namespace tool
+} // namespace CGAL::Spherical_parameterization::preparation

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_MEND_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_MEND_H
+#ifndef SPHERICAL_PARAMETERIZATION_PREPARATION_MEND_H
+#define SPHERICAL_PARAMETERIZATION_PREPARATION_MEND_H
 
-#include "input/mesh_readers.h"
-#include "preparation/glued_surface.h"
+#include <CGAL/Spherical_parameterization/preparation/glued_surface.h>
 
+#include <array>
 #include <functional>
 #include <vector>
 
-namespace tool {
+namespace CGAL::Spherical_parameterization::preparation {
 
 /// Closes a hole, given by its boundary, with a disk: the triangulation of least angles and area (P. Liepa, "Filling
 /// holes in meshes", 2003; CGAL's triangulate_hole_polyline), refined until its triangles are as large as those around
@@ -61,11 +61,16 @@ std::vector<int> degenerate_faces(const Glued_surface& surface);
 /// \pre no two edges have the same ends (`split_parallel_edges()`)
 bool remove_degenerate_faces(Glued_surface& surface);
 
+struct Wrapping {
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::array<int, 3>> triangles;
+};
+
 /// A closed surface around triangles of any kind, at a distance of `offset`; what a ball of radius `alpha` cannot enter
 /// is filled (C. Portaneri, M. Rouxel-Labbe, M. Hemmer, D. Cohen-Steiner, P. Alliez, "Alpha wrapping with an offset",
 /// 2022; CGAL's alpha_wrap_3).
-Soup wrap(const Soup& soup, double alpha, double offset);
+Wrapping wrap(const Triangle_soup& soup, double alpha, double offset);
 
-} // namespace tool
+} // namespace CGAL::Spherical_parameterization::preparation
 
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_MEND_H
+#endif // SPHERICAL_PARAMETERIZATION_PREPARATION_MEND_H

@@ -12,7 +12,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace tool {
+namespace CGAL::Spherical_parameterization::preparation {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -20,7 +20,7 @@ using Wrap_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 } // namespace
 
-Soup wrap(const Soup& soup, double alpha, double offset)
+Wrapping wrap(const Triangle_soup& soup, double alpha, double offset)
 {
   std::vector<Kernel::Point_3> points;
   for(const auto& p : soup.points)
@@ -39,18 +39,18 @@ Soup wrap(const Soup& soup, double alpha, double offset)
   }
   Wrap_mesh mesh;
   CGAL::alpha_wrap_3(points, triangles, alpha, offset, mesh);
-  Soup result;
+  Wrapping result;
   for(const auto v : mesh.vertices()) {
     const Kernel::Point_3& p = mesh.point(v);
     result.points.push_back({p.x(), p.y(), p.z()});
   }
   for(const auto f : mesh.faces()) {
-    std::vector<int> corners;
+    std::array<int, 3>& corners = result.triangles.emplace_back();
+    std::size_t k = 0;
     for(const auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
-      corners.push_back(static_cast<int>(v.idx()));
-    result.add_face(corners);
+      corners[k++] = static_cast<int>(v.idx());
   }
   return result;
 }
 
-} // namespace tool
+} // namespace CGAL::Spherical_parameterization::preparation

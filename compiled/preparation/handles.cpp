@@ -13,7 +13,7 @@
 #include <unordered_map>
 #include <utility>
 
-namespace tool {
+namespace CGAL::Spherical_parameterization::preparation {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -450,4 +450,4 @@ int cut_handles(Glued_surface& surface, const std::function<void(const std::vect
   return handles - cut;
 }
 
-} // namespace tool
+} // namespace CGAL::Spherical_parameterization::preparation

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace tool {
+namespace CGAL::Spherical_parameterization::preparation {
 namespace {
 
 /// The part of the surface that has been glued, a sphere with holes; its boundary as lists of sides, and the number of
@@ -120,4 +120,4 @@ void cut_handles_at_once(Glued_surface& surface)
   derive_vertices(surface);
 }
 
-} // namespace tool
+} // namespace CGAL::Spherical_parameterization::preparation

@@ -1,14 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_GLUED_SURFACE_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_GLUED_SURFACE_H
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_PREPARATION_GLUED_SURFACE_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_PREPARATION_GLUED_SURFACE_H
+
+#include <boost/range/iterator_range_core.hpp>
 
 #include <array>
 #include <cstddef>
 #include <vector>
 
-namespace tool {
+/// What mends meshes. It stands on packages of CGAL that are under the GPL, and so is it.
+namespace CGAL::Spherical_parameterization::preparation {
+
+/// Points and triangles of any kind, where they are: arrays that have to stay there.
+struct Triangle_soup {
+  typedef std::array<double, 3> Point;
+  typedef std::array<int, 3> Triangle;
+
+  boost::iterator_range<const Point*> points;
+  boost::iterator_range<const Triangle*> triangles; ///< numbers of points, in range
+
+  template <class Points, class Triangles>
+  Triangle_soup(const Points& p, const Triangles& t)
+    : points(p.data(), p.data() + p.size()), triangles(t.data(), t.data() + t.size())
+  {}
+  /// Of whatever has members of these names.
+  template <class Soup>
+  Triangle_soup(const Soup& soup) : Triangle_soup(soup.points, soup.triangles)
+  {}
+  Triangle_soup(const Triangle_soup&) = default;
+};
 
 /// Triangles glued along their sides, with or without boundary. Side `3 f + k` of face `f` runs from its corner `k` to
 /// the next one. The gluing decides what a vertex is: the corners that meet when one turns round it through glued
@@ -43,6 +65,9 @@ struct Glued_surface {
   int add_face(const std::array<int, 3>& corners, int old_face = none); ///< glued to nothing yet
 };
 
+/// One surface after the other, as one.
+Glued_surface joined(const std::vector<Glued_surface>& parts);
+
 /// Gives every corner the vertex that the gluing says. A vertex that has come apart is copied, vertices that have been
 /// glued together become the first of them, and those without faces are left out; the others keep their order.
 void derive_vertices(Glued_surface& surface);
@@ -70,6 +95,6 @@ std::vector<Component> components(const Glued_surface& surface, std::vector<int>
 /// \pre the vertices are derived
 std::size_t split_parallel_edges(Glued_surface& surface);
 
-} // namespace tool
+} // namespace CGAL::Spherical_parameterization::preparation
 
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_GLUED_SURFACE_H
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_PREPARATION_GLUED_SURFACE_H

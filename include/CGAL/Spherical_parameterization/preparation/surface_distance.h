@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_SURFACE_DISTANCE_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_SURFACE_DISTANCE_H
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_PREPARATION_SURFACE_DISTANCE_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_PREPARATION_SURFACE_DISTANCE_H
 
-#include "input/mesh.h"
-#include "input/mesh_readers.h"
-#include "preparation/glued_surface.h"
+#include <CGAL/Spherical_parameterization/Indexed_triangle_mesh.h>
+#include <CGAL/Spherical_parameterization/preparation/glued_surface.h>
 
 #include <functional>
 #include <vector>
 
-namespace tool {
+namespace CGAL::Spherical_parameterization::preparation {
+
+typedef Indexed_triangle_mesh Mesh;
+typedef Mesh::Point Point;
 
 /// Bounds of a number.
 struct Bounds {
@@ -30,13 +32,13 @@ struct Hausdorff_distance {
 /// case; where surfaces run along each other closer than `tolerance`, or thousands of faces lie across each other, the
 /// work ends before the bounds are so close. Faces that are the same in both are at distance 0, and are not looked at.
 /// `go_on` is called now and then, and may throw.
-Hausdorff_distance hausdorff_distance(const Soup& old, const std::vector<Glued_surface>& parts, double tolerance,
-                                      const std::function<void()>& go_on);
+Hausdorff_distance hausdorff_distance(const Triangle_soup& old, const std::vector<Glued_surface>& parts,
+                                      double tolerance, const std::function<void()>& go_on);
 
 /// For faces of the mesh as it was that have no face in `surface`: the nearest one there, measured from the centre (or
 /// one that is near, where thousands lie across each other).
 /// For all others that face. Faces without finite coordinates get face 0.
-std::vector<int> nearest_faces(const Soup& old, const Glued_surface& surface);
+std::vector<int> nearest_faces(const Triangle_soup& old, const Glued_surface& surface);
 
 /// For each point the nearest of those faces of `surface` that the mesh as it was has, too (or one that is near, as
 /// above). \pre there is one
@@ -57,6 +59,6 @@ struct Sampling_loss {
 /// \param points  by vertex of `sampled`
 Sampling_loss sampling_loss(const Mesh& mesh, const Mesh& sampled, const std::vector<Point>& points);
 
-} // namespace tool
+} // namespace CGAL::Spherical_parameterization::preparation
 
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_SURFACE_DISTANCE_H
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_PREPARATION_SURFACE_DISTANCE_H

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "preparation/glued_surface.h"
+#include <CGAL/Spherical_parameterization/preparation/glued_surface.h>
 
 #include "preparation/points.h"
 
@@ -10,7 +10,7 @@
 #include <numeric>
 #include <tuple>
 
-namespace tool {
+namespace CGAL::Spherical_parameterization::preparation {
 namespace {
 
 /// The corners that are one vertex: the smallest of them stands for all.
@@ -110,6 +110,22 @@ int Glued_surface::add_face(const std::array<int, 3>& corners, int its_old_face)
   twin.insert(twin.end(), 3, none);
   old_face.push_back(its_old_face);
   return number_of_faces() - 1;
+}
+
+Glued_surface joined(const std::vector<Glued_surface>& parts)
+{
+  Glued_surface all;
+  for(const Glued_surface& part : parts) {
+    const int vertices = all.number_of_vertices(), sides = all.number_of_sides();
+    all.points.insert(all.points.end(), part.points.begin(), part.points.end());
+    all.old_vertex.insert(all.old_vertex.end(), part.old_vertex.begin(), part.old_vertex.end());
+    all.old_face.insert(all.old_face.end(), part.old_face.begin(), part.old_face.end());
+    for(const auto& [a, b, c] : part.faces)
+      all.faces.push_back({a + vertices, b + vertices, c + vertices});
+    for(const int twin : part.twin)
+      all.twin.push_back(twin == Glued_surface::none ? twin : twin + sides);
+  }
+  return all;
 }
 
 void derive_vertices(Glued_surface& surface)
@@ -248,4 +264,4 @@ std::size_t split_parallel_edges(Glued_surface& surface)
   }
 }
 
-} // namespace tool
+} // namespace CGAL::Spherical_parameterization::preparation

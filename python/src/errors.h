@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+//
+// Exceptions of C++ as those of Python.
+
+#ifndef SPHERICAL_PARAMETERIZATION_PYTHON_ERRORS_H
+#define SPHERICAL_PARAMETERIZATION_PYTHON_ERRORS_H
+
+#include "system/refusal.h"
+
+#include <CGAL/Spherical_parameterization/values/Error.h>
+#include <CGAL/assertions.h>
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
+#include <CGAL/Spherical_parameterization/values/OpenCL_error.h>
+#endif
+
+#include <pybind11/pybind11.h>
+
+#include <exception>
+#include <utility>
+
+namespace py = pybind11;
+namespace SP = CGAL::Spherical_parameterization;
+
+/// An exception of errors.py.
+template <class... Arguments>
+void raise(const char* type, Arguments&&... arguments)
+{
+  const py::object exception = py::module_::import("spherical_parameterization.errors").attr(type);
+  PyErr_SetObject(exception.ptr(), exception(std::forward<Arguments>(arguments)...).ptr());
+}
+
+inline void translate(std::exception_ptr pointer)
+{
+  try {
+    if(pointer)
+      std::rethrow_exception(pointer);
+  } catch(const SP::Error& error) {
+    raise("MeshError", SP::get_error_name(error.code()), error.detail());
+  } catch(const tool::Refusal& refusal) { // of a file
+    if(refusal.code() == tool::unreadable_file || refusal.code() == tool::unwritable_file)
+      PyErr_SetString(PyExc_OSError, refusal.what());
+    else
+      raise("MeshError", refusal.code(), refusal.what());
+  } catch(const CGAL::Failure_exception& failure) {
+    PyErr_SetString(PyExc_ValueError, failure.message().c_str());
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
+  } catch(const SP::OpenCL_error& error) {
+    raise("DeviceError", error.what());
+#endif
+  }
+}
+
+#endif // SPHERICAL_PARAMETERIZATION_PYTHON_ERRORS_H

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+//
+// Mesh files, by the readers and writers of the tool.
+
+#include "arrays.h"
+
+#include "input/files.h"
+#include "input/mesh.h"
+#include "input/mesh_format.h"
+#include "output/atomic_file.h"
+#include "output/write_mesh.h"
+
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace {
+
+py::tuple read_mesh(const std::string& file, bool triangulate)
+{
+  tool::Soup soup;
+  {
+    const py::gil_scoped_release no_lock;
+    soup = tool::read_triangles(file);
+    if(!triangulate)
+      tool::check_triangles(file, soup, "triangulate the mesh, or read it with triangulate=True");
+  }
+  return py::make_tuple(rows_of<double>(soup.points), rows_of<std::int32_t>(soup.triangles));
+}
+
+/// `like`: the file of the annotations, or empty.
+void write_mesh(const std::string& file, const Doubles& points, const py::array& triangles, bool is_sphere, bool ascii,
+                const std::string& like)
+{
+  const std::optional<tool::Mesh_format> format = tool::format_of_name(file);
+  if(!format || *format == tool::Mesh_format::STL)
+    throw py::value_error("file: the extension .off, .obj, .ply, .gii, .glb or .gltf, or a name that begins with lh. "
+                          "or rh., is needed, not '" +
+                          file + "'");
+  with_triangles(triangles, [&](auto faces) {
+    const Rows<double> rows(points);
+    const py::gil_scoped_release no_lock;
+    const tool::Annotations annotations = like.empty() ? tool::Annotations() : tool::read_triangles(like).annotations;
+    const std::vector<tool::Point> places(rows.begin(), rows.end());
+    tool::Atomic_files files;
+    tool::write_mesh(files.open(file), {*format, ascii}, tool::Mesh(tool::Mesh::Unchecked(), places, faces), places,
+                     is_sphere ? tool::Surface::SPHERE : tool::Surface::SHAPE, annotations);
+    files.commit();
+  });
+}
+
+} // namespace
+
+void add_files(py::module_& module)
+{
+  module.def("read_mesh", read_mesh);
+  module.def("write_mesh", write_mesh);
+  module.def("is_format_known", [](const std::string& file) { return tool::is_format_known(file); });
+  module.def("meshes_in", [](const std::string& folder) { return tool::list_meshes({folder}, ""); });
+}

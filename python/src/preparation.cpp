@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+//
+// The module spherical_parameterization._preparation. It is under the GPL, as the packages of CGAL are that mend
+// meshes, and a module by itself, so that the others are not.
+
+#include "arrays.h"
+#include "errors.h"
+#include "watch.h"
+
+#include "preparation/report.h"
+
+#include <nlohmann/json.hpp>
+
+#include <pybind11/stl.h>
+
+#include <functional>
+#include <optional>
+#include <utility>
+
+namespace {
+
+namespace preparation = SP::preparation;
+
+/// Points, triangles, both maps, the report as JSON, and whether Ctrl-C has ended the call.
+py::tuple prepare(const Doubles& points, const py::array_t<std::int32_t>& triangles, double merge_distance,
+                  bool largest, bool fills_holes, bool cuts_handles,
+                  const std::optional<std::pair<std::optional<double>, std::optional<double>>>& wrap,
+                  double maximum_running_time)
+{
+  preparation::Preparation_settings settings;
+  settings.merge_distance = merge_distance;
+  if(!largest)
+    settings.components = preparation::Preparation_settings::Components::TOGETHER;
+  settings.fills_holes = fills_holes;
+  settings.cuts_handles = cuts_handles;
+  if(wrap)
+    settings.wrap = preparation::Preparation_settings::Wrap{wrap->first, wrap->second};
+  const Rows<double> places(points);
+  const Rows<std::int32_t> corners(triangles);
+  const preparation::Triangle_soup soup(places, corners);
+  Watch watch{py::none()};
+  const auto watched = CGAL::parameters::maximum_running_time(maximum_running_time).callback([&watch](double fraction) {
+    return watch.go_on(fraction);
+  });
+  preparation::Glued_surface result;
+  nlohmann::ordered_json report;
+  try {
+    const py::gil_scoped_release no_lock;
+    const preparation::Preparation done = preparation::prepare(soup, settings, watched);
+    result = preparation::joined(done.parts);
+    const double diagonal = preparation::diagonal(soup);
+    constexpr double tolerance = 1e-4; // as a part of the diagonal, as the tool has it
+    const auto distance = preparation::hausdorff_distance(soup, done.parts, tolerance * diagonal, [&watch] {
+      if(!watch.go_on(0))
+        throw SP::Error(SP::Error_code::INTERRUPTED, "by Ctrl-C");
+    });
+    report = {{"preparation", tool::to_json(done)},
+              {"diagonal", diagonal},
+              {"distance_from_output_to_input", tool::to_json(distance.from_new)},
+              {"distance_from_input_to_output", tool::to_json(distance.from_old)}};
+  } catch(const SP::Error&) {
+    if(!watch.was_ctrl_c)
+      throw;
+  }
+  const auto numbers = [](const std::vector<int>& values) {
+    return py::array_t<std::int32_t>(static_cast<py::ssize_t>(values.size()), values.data());
+  };
+  return py::make_tuple(watch.was_ctrl_c, rows_of<double>(result.points), rows_of<std::int32_t>(result.faces),
+                        numbers(result.old_vertex), numbers(result.old_face), report.dump());
+}
+
+} // namespace
+
+PYBIND11_MODULE(_preparation, module)
+{
+  py::register_local_exception_translator(translate);
+  module.def("prepare", prepare);
+}

@@ -13,11 +13,8 @@ import itertools
 import json
 import os
 import queue
-import re
 import sqlite3
-import stat
 import sys
-import threading
 import time
 import types
 from collections.abc import Callable, Iterable, Iterator
@@ -148,45 +145,25 @@ def _computation(function: Any) -> Any:
     return _plainly(code), _plainly(tuple(defaults)), [(name, _plainly(value)) for name, value in outside.items()]
 
 
+@functools.lru_cache(maxsize=None)
+def _package() -> str:
+    """The version, and what was built of it."""
+    return f"{_core.__version__} {_core.version(_core.__file__)[2]}"
+
+
 def _digest(*parts: Any) -> str:
     return hashlib.blake2b(_repr(parts).encode(), digest_size=16).hexdigest()
 
 
-@functools.lru_cache(maxsize=None)
-def _package() -> str:
-    """The version, and what was built of it."""
-    return f"{_core.__version__} {_hash_of(_core.__file__)}"
+_Line = tuple[Any, tuple[int, int, str], str, str, str]  # item, version of its file, error, message, value
 
 
-def _hash_of(file: str) -> str:
-    """A hash of what is in a file, empty if it cannot be read."""
-    digest = hashlib.blake2b(digest_size=16)
+def _version(item: Any) -> tuple[int, int, str]:
+    """Size, time of change and hash of the file, if the item is one."""
     try:
-        with open(file, "rb") as stream:
-            for part in iter(lambda: stream.read(2**20), b""):
-                digest.update(part)
-    except (OSError, ValueError):  # there are items that are no files
-        return ""
-    return digest.hexdigest()
-
-
-def _state(item: Any) -> str:
-    """Size and times of the file, if it is one, and what else is in a tuple."""
-    others = _digest(item[1:]) if isinstance(item, tuple) else ""
-    try:
-        file = os.stat(_key(item))
-    except (OSError, ValueError):
-        return others
-    return f"{file.st_size} {file.st_mtime_ns} {file.st_ctime_ns} {others}" if stat.S_ISREG(file.st_mode) else others
-
-
-def _contents(item: Any) -> str:
-    """The same of the contents of the file."""
-    contents = _hash_of(_key(item))
-    return contents and contents + (_digest(item[1:]) if isinstance(item, tuple) else "")
-
-
-_Line = tuple[str, str, str, Any, str, str]  # key, error, message, value, state and contents
+        return _core.version(os.fsencode(_key(item)))
+    except ValueError:  # no name of a file
+        return -1, -1, ""
 
 
 def _run(function: Callable[[Any], Any], items: list[Any]) -> tuple[list[_Line], float]:
@@ -194,88 +171,44 @@ def _run(function: Callable[[Any], Any], items: list[Any]) -> tuple[list[_Line],
     start = time.perf_counter()
     rows: list[_Line] = []
     for item in items:
-        error, message, value = "OK", "", None
-        file = _state(item), _contents(item)  # before the file is read: if it is changed meanwhile, the next call computes it again
+        error, message, value = "OK", "", ""
+        version = _version(item)  # before the file is read: if it is changed meanwhile, the next call computes it again
         try:
             value = json.dumps(function(item), default=_plain, sort_keys=True)
         except MeshError as wrong:
             error, message = str(wrong.code), str(wrong)
         except (Exception, SystemExit) as wrong:  # some readers exit
             error, message = type(wrong).__name__, str(wrong)
-        rows.append((_key(item), error, message, value, *file))
+        rows.append((item, version, error, message, value))
     return rows, time.perf_counter() - start
 
 
 class _Store:
-    """The SQLite file. Only this process writes to it, in the journal mode that works on network drives, too."""
+    """The database, which is that of the tool. Only this process writes to it."""
 
     def __init__(self, path: str | os.PathLike[str], function: Callable[[Any], Any]) -> None:
-        name = _name(function)
+        self._store = _core.Store(os.fsencode(path))
+        self._name = _name(function)
         self._computation = _digest(_computation(function), _package())
-        self._lock = threading.Lock()
-        self._timer: threading.Timer | None = None
-        self._connection = sqlite3.connect(path, check_same_thread=False)
-        with self._connection as c:
-            c.execute("CREATE TABLE IF NOT EXISTS about (function TEXT)")
-            c.execute(
-                "CREATE TABLE IF NOT EXISTS results (key TEXT PRIMARY KEY, error TEXT, message TEXT, value TEXT, "
-                "state TEXT, contents TEXT, computation TEXT)"
-            )
-            stored = c.execute("SELECT function FROM about").fetchone()
-            if stored is None:
-                c.execute("INSERT INTO about VALUES (?)", (name,))
-            elif stored[0] != name:
-                raise ValueError(f"{os.fspath(path)} has results of {stored[0]}, not of {name}: name another file")
+        other = self._store.some_settings().partition("\n")[0]
+        if other not in ("", self._name):
+            self.close()
+            raise ValueError(f"{os.fspath(path)} has results of {other}, not of {self._name}: name another file")
+
+    def _key_of(self, item: Any) -> tuple[bytes, str]:
+        """The name, and all that a row depends on but the file."""
+        others = _digest(item[1:]) if isinstance(item, tuple) else ""
+        return os.fsencode(_key(item)), f"{self._name}\n{self._computation} {others}"
 
     def has(self, item: Any) -> bool:
-        """Whether there is a row of this computation, and of the file as it is now. Any other row is deleted."""
-        key, now = _key(item), _state(item)
-        query = "SELECT state, contents FROM results WHERE key = ? AND computation = ?"
-        with self._lock:
-            row = self._connection.execute(query, (key, self._computation)).fetchone()
-        if row is not None and row[0] == now:
-            return True
-        if row is not None and row[1] and row[1] == _contents(item):  # touched, or copied
-            self._write("UPDATE results SET state = ? WHERE key = ?", [(now, key)])
-            return True
-        self._write("DELETE FROM results WHERE key = ?", [(key,)])
-        return False
+        return self._store.is_current(*self._key_of(item))
 
-    def save(self, rows: list[_Line]) -> int:
-        """Returns how many are new: a row that is there already stays."""
-        statement = "INSERT OR IGNORE INTO results VALUES (?, ?, ?, ?, ?, ?, ?)"
-        return self._write(statement, [(*row, self._computation) for row in rows])
-
-    def _write(self, statement: str, rows: list[Any]) -> int:
-        """It is on the disk half a second later, whatever is computed meanwhile."""
-        with self._lock:
-            if self._timer is None:
-                self._timer = threading.Timer(0.5, self._commit)
-                self._timer.daemon = True
-                self._timer.start()
-            return self._connection.executemany(statement, rows).rowcount
-
-    def _commit(self) -> None:
-        with self._lock:
-            if self._timer is not None:
-                self._timer = None
-                self._connection.commit()
-
-    def counts(self) -> dict[str, int]:
-        with self._lock:
-            return dict(self._connection.execute("SELECT error, COUNT(*) FROM results GROUP BY error ORDER BY error"))
+    def save(self, rows: list[_Line]) -> None:
+        for item, version, error, message, value in rows:
+            self._store.put(*self._key_of(item), version, error, os.fsencode(message), value)
 
     def close(self) -> None:
-        with self._lock:
-            if self._timer is not None:
-                self._timer.cancel()
-                self._timer = None
-            self._connection.commit()
-            self._connection.close()
-
-
-_SURFACES = "white|pial|orig|smoothwm|sphere|inflated|midthickness|graymid"
-_MESH = re.compile(rf"(?<!\.func)(?<!\.label)(?<!\.shape)\.gii(\.gz)?$|\.(off|obj|ply|stl|vtk)$|\b[lr]h\.({_SURFACES})[^/\\]*$", re.IGNORECASE)
+        self._store.close()
 
 
 def _items(files_or_bag: Any, client: Any) -> Iterator[Any]:
@@ -284,8 +217,7 @@ def _items(files_or_bag: Any, client: Any) -> Iterator[Any]:
         folder = os.fsdecode(files_or_bag)
         if not os.path.isdir(folder):
             raise TypeError(f"files_or_bag: {folder!r} is no folder; names have to be in a list")
-        places = (os.path.join(at, name) for at, _, names in os.walk(folder) for name in names)
-        return iter(sorted(place for place in places if _MESH.search(place)))
+        return iter(_core.meshes_in(os.fsencode(folder)))
     if hasattr(files_or_bag, "to_delayed"):
         parts = (part.compute() if client is None else client.compute(part).result() for part in files_or_bag.to_delayed())
         return itertools.chain.from_iterable(parts)
@@ -353,7 +285,7 @@ class _Cluster:
             self._forget(batch)
             if len(batch.items) == 1:
                 item = batch.items[0]
-                return [(_key(item), "WORKER_LOST", str(result), None, _state(item), _contents(item))], 0
+                return [(item, _version(item), "WORKER_LOST", str(result), "")], 0
             for item in batch.items:
                 self.submit(_Batch([item]))
             return [], 0
@@ -407,7 +339,7 @@ def map(
 
     Items that the store has already are left out: after an interruption, or with more files, call it again. A file that
     has changed is computed again, and so is everything when the function or this package has. What goes wrong with an
-    item becomes its row, which is on the disk within a second. Workers may come, go and die meanwhile.
+    item becomes its row. A row is on the disk before `progress` is told. Workers may come, go and die meanwhile.
 
     Parameters
     ----------
@@ -420,7 +352,7 @@ def map(
     client : distributed.Client, optional
         The cluster. Without one all is done in this process, one after the other; the rows are the same.
     store : str or path
-        An SQLite file with the table results (key, error, message, value, ...); value is JSON.
+        An SQLite file with a table `mesh`, as the tool writes it: name, mesh, status, message, value, ...; value is JSON.
     batch_seconds : float
         Items are sent in batches that take about so long. For a thousand workers 10 is better.
     stall_seconds : float
@@ -462,9 +394,9 @@ def map(
     todo = (item for item in items if not results.has(item))
 
     def save(rows: list[_Line]) -> None:
-        new = results.save(rows) if rows else 0
-        if progress is not None and new > 0:
-            progress(new)
+        results.save(rows)
+        if progress is not None and rows:
+            progress(len(rows))
 
     try:
         if client is None:
@@ -472,9 +404,9 @@ def map(
                 save(_run(function, [item])[0])
         else:
             _map_on_cluster(todo, _Cluster(client, function, stall_seconds), save, batch_seconds)
-        return results.counts()
     finally:
         results.close()
+    return dict(_select(store, "SELECT status, COUNT(*) FROM mesh GROUP BY status ORDER BY status"))
 
 
 def _map_on_cluster(todo: Iterator[Any], cluster: _Cluster, save: Callable[[Any], None], batch_seconds: float) -> None:
@@ -514,13 +446,14 @@ def read(store: str | os.PathLike[str]) -> Iterator[Row]:
     """
     if not os.path.exists(store):
         raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), os.fspath(store))
-    return _rows(store)
+    rows = _select(store, "SELECT name, status, message, value FROM mesh ORDER BY name")
+    return (Row(key, error, text, json.loads(value) if value else None) for key, error, text, value in rows)
 
 
-def _rows(store: str | os.PathLike[str]) -> Iterator[Row]:
+def _select(store: str | os.PathLike[str], query: str) -> Iterator[Any]:
     connection = sqlite3.connect(store)
+    connection.text_factory = os.fsdecode
     try:
-        for key, error, message, value in connection.execute("SELECT key, error, message, value FROM results ORDER BY key"):
-            yield Row(key, error, message, None if value is None else json.loads(value))
+        yield from connection.execute(query)
     finally:
         connection.close()

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 //
-// Mesh files, by the readers and writers of the tool.
+// Mesh files and stores of results, by the readers and writers of the tool.
 
 #include "arrays.h"
 
+#include "collections/results.h"
 #include "input/files.h"
 #include "input/mesh.h"
 #include "input/mesh_format.h"
@@ -14,7 +15,9 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 namespace {
@@ -52,6 +55,35 @@ void write_mesh(const std::string& file, const Doubles& points, const py::array&
   });
 }
 
+typedef std::tuple<std::int64_t, std::int64_t, std::string> Version; ///< bytes, changed, hash
+
+Version version(const std::string& file)
+{
+  const py::gil_scoped_release no_lock;
+  const tool::File_version v = tool::version_with_hash(file);
+  return {v.bytes, v.changed, v.hash};
+}
+
+/// A store of results, which others may use when it is closed.
+struct Store {
+  std::optional<tool::Results> results;
+
+  explicit Store(const std::string& file) { results.emplace(file); }
+  bool is_current(const std::string& name, const std::string& settings)
+  {
+    return results->current(name, name, settings).has_value();
+  }
+  std::string some_settings() const { return results->some_settings(); }
+  void put(const std::string& name, const std::string& settings, const Version& version, const std::string& status,
+           const std::string& message, const std::string& value)
+  {
+    const py::gil_scoped_release no_lock;
+    const auto& [bytes, changed, hash] = version;
+    results->put(name, name, {bytes, changed, hash}, settings, {status, message, "", value});
+  }
+  void close() { results.reset(); }
+};
+
 } // namespace
 
 void add_files(py::module_& module)
@@ -59,5 +91,12 @@ void add_files(py::module_& module)
   module.def("read_mesh", read_mesh);
   module.def("write_mesh", write_mesh);
   module.def("is_format_known", [](const std::string& file) { return tool::is_format_known(file); });
+  module.def("version", version);
+  py::class_<Store>(module, "Store")
+    .def(py::init<const std::string&>())
+    .def("is_current", &Store::is_current)
+    .def("some_settings", &Store::some_settings)
+    .def("put", &Store::put)
+    .def("close", &Store::close);
   module.def("meshes_in", [](const std::string& folder) { return tool::list_meshes({folder}, ""); });
 }

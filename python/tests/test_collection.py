@@ -7,6 +7,7 @@ import functools
 import os
 import signal
 import sqlite3
+import subprocess
 import threading
 import time
 from collections.abc import Iterator
@@ -17,10 +18,9 @@ import numpy as np
 import pytest
 
 import spherical_parameterization as sp
-from conftest import bumpy, write_off
+from conftest import Tool, bumpy
 
 distributed = pytest.importorskip("distributed")
-pytest.importorskip("meshio")
 
 
 @pytest.fixture(scope="module")
@@ -30,7 +30,8 @@ def files(tmp_path_factory: pytest.TempPathFactory) -> list[str]:
     names = []
     for i in range(60):
         points, triangles = bumpy(2, i)
-        names.append(str(write_off(folder / f"{i:02}.off", points, triangles[i % 12 == 5 :])))
+        names.append(str(folder / f"{i:02}.off"))
+        sp.write_mesh(names[-1], points, triangles[i % 12 == 5 :])
     return [*names, str(folder / "missing.off")]
 
 
@@ -45,7 +46,7 @@ def rows(store: Path) -> list[tuple[str, ...]]:
     """As they are in the file, to the byte."""
     connection = sqlite3.connect(store)
     try:
-        return connection.execute("SELECT key, error, message, value FROM results ORDER BY key").fetchall()
+        return connection.execute("SELECT name, status, message, value FROM mesh ORDER BY name").fetchall()
     finally:
         connection.close()
 
@@ -68,6 +69,21 @@ def test_rows(files: list[str], tmp_path: Path) -> None:
     assert found[files[0]].value["verdict"] == "OK" and found[files[0]].value["vertices"] == 162
     assert found[files[5]].error == "BOUNDARY" and "is not closed" in found[files[5]].message
     assert found[files[5]].value is None
+
+
+def test_the_tools_results_are_read(tool: Tool) -> None:
+    """The tool writes the same kind of store; neither takes the rows of the other for its own."""
+    if not tool.program:
+        pytest.skip("SPHERICAL_PARAMETERIZATION_TOOL is not set")
+    (tool.folder / "in").mkdir()
+    for i in range(3):
+        sp.write_mesh(tool.folder / f"in/{i}.off", bumpy(2)[0], bumpy(2)[1][i % 2 :])
+    run = [tool.program, "map", tool.folder / "in", "-o", tool.folder / "out"]
+    assert subprocess.run(run, capture_output=True).returncode == 1
+    found = list(sp.collection.read(tool.folder / "out/meshes.db"))
+    assert [(row.key, row.error, row.value) for row in found] == [("0", "OK", None), ("1", "BOUNDARY", None), ("2", "OK", None)]
+    with pytest.raises(ValueError, match="name another file"):
+        sp.collection.map([], len, store=tool.folder / "out/meshes.db")
 
 
 def test_it_goes_on_where_it_was(files: list[str], tmp_path: Path) -> None:

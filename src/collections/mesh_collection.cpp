@@ -4,8 +4,7 @@
 #include "collections/mesh_collection.h"
 
 #include "collections/batch.h"
-#include "collections/database.h"
-#include "collections/file_version.h"
+#include "collections/results.h"
 #include "input/files.h"
 #include "options/usage.h"
 #include "output/atomic_file.h"
@@ -78,48 +77,10 @@ std::vector<Item> named(const std::vector<std::pair<std::string, fs::path>>& fil
   return items;
 }
 
-/// What is known of an item.
-struct Item_row {
-  std::string status;  ///< "OK", or the code of a refusal
-  std::string message; ///< the line of the outcome, or that of the refusal
-  std::string outputs; ///< their versions
-  std::string line(const Item& item) const { return status == "OK" ? item.mesh + ": " + message : message; }
-};
-
-/// The file `meshes.db` of an output folder.
-class Results {
-public:
-  explicit Results(const std::string& folder) : database_(folder + "/meshes.db", format, Database::Access::WRITE) {}
-
-  /// None if it has to be computed.
-  std::optional<Item_row> current(const Item& item, const std::string& settings, const Job& job)
-  {
-    if(!is_current(database_, item.name, item.mesh))
-      return std::nullopt;
-    auto row = database_.query("SELECT status, message, outputs FROM mesh WHERE name = ? AND mesh = ? AND settings = ?",
-                               item.name, item.mesh, settings);
-    if(!row.next() || !are_versions(row.text(2), job.outputs))
-      return std::nullopt;
-    return Item_row{row.text(0), row.text(1), row.text(2)};
-  }
-
-  /// Whether an earlier run has done it, if for another mesh or with other settings.
-  bool has(const Item& item) const { return database_.query("SELECT 1 FROM mesh WHERE name = ?", item.name).next(); }
-
-  void put(const Item& item, const File_version& version, const std::string& settings, const Item_row& row)
-  {
-    database_.run("INSERT OR REPLACE INTO mesh VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?)", item.name, item.mesh, version.bytes,
-                  version.changed, version.hash, settings, row.status, row.message, row.outputs);
-  }
-
-private:
-  static constexpr Database::Format format = {0x53504d54, "the results of a folder of meshes", R"(
-    CREATE TABLE mesh(name TEXT PRIMARY KEY, mesh TEXT NOT NULL,
-      bytes INTEGER NOT NULL, changed INTEGER NOT NULL, hash TEXT NOT NULL, settings TEXT NOT NULL,
-      status TEXT NOT NULL, message TEXT NOT NULL, outputs TEXT NOT NULL))"};
-
-  Database database_;
-};
+std::string line_of(const Item& item, const Results::Row& row)
+{
+  return row.status == "OK" ? item.mesh + ": " + row.message : row.message;
+}
 
 /// Whether the reason is not the mesh, but what all meshes have in common: then there is no use in going on.
 bool concerns_all(const Refusal& refusal)
@@ -208,7 +169,7 @@ int run_collection(const Collection& collection)
   std::optional<Results> results;
   if(!collection.folder.empty()) {
     Atomic_file::create_folder(collection.folder);
-    results.emplace(collection.folder);
+    results.emplace(collection.folder + "/meshes.db");
     std::unordered_set<std::string> ours; // nobody else's: there is one run at a time
     for(const Item& item : items)
       for(const std::string& output : collection.job(item).outputs)
@@ -216,16 +177,18 @@ int run_collection(const Collection& collection)
     Atomic_file::remove_leftovers(collection.folder, [&ours](const std::string& file) { return ours.count(file) > 0; });
   }
 
-  std::vector<std::optional<Item_row>> rows(items.size());
+  std::vector<std::optional<Results::Row>> rows(items.size());
   std::vector<std::size_t> missing;
   std::vector<bool> is_outdated(items.size(), false);
   for(std::size_t i = 0; i < items.size(); ++i) {
     const Job job = collection.job(items[i]);
     if(results)
-      rows[i] = results->current(items[i], settings_of(collection, job), job);
+      rows[i] = results->current(items[i].name, items[i].mesh, settings_of(collection, job));
+    if(rows[i] && !are_versions(rows[i]->outputs, job.outputs))
+      rows[i].reset();
     if(!rows[i]) {
       missing.push_back(i);
-      is_outdated[i] = results && results->has(items[i]);
+      is_outdated[i] = results && results->has(items[i].name);
     }
   }
   const std::size_t earlier = items.size() - missing.size();
@@ -236,7 +199,7 @@ int run_collection(const Collection& collection)
     const auto print = [&] { // in the order of the items, whatever the threads do
       bar.hide();
       for(; printed < items.size() && rows[printed]; ++printed)
-        std::cout << rows[printed]->line(items[printed]) << '\n';
+        std::cout << line_of(items[printed], *rows[printed]) << '\n';
       flush_standard_output();
       bar.show(static_cast<double>(done) / static_cast<double>(items.size()));
     };
@@ -263,11 +226,12 @@ int run_collection(const Collection& collection)
       if(outcome.refusal && concerns_all(*outcome.refusal))
         throw Refusal(*outcome.refusal);
       const std::string outputs = versions_of(job.outputs);
-      const Item_row row = outcome.refusal ? Item_row{outcome.refusal->code(), outcome.refusal->what(), outputs}
-                                           : Item_row{"OK", outcome.line, outputs};
+      const Results::Row row = outcome.refusal
+                                 ? Results::Row{outcome.refusal->code(), outcome.refusal->what(), outputs, ""}
+                                 : Results::Row{"OK", outcome.line, outputs, ""};
       return [&, i, settings, version, row] {
         if(results)
-          results->put(items[i], version, settings, row);
+          results->put(items[i].name, items[i].mesh, version, settings, row);
         rows[i] = row;
         ++done;
         print();
@@ -282,7 +246,7 @@ int run_collection(const Collection& collection)
   for(std::size_t i = 0; i < items.size() && collection.tell; ++i)
     collection.tell(items[i], rows[i]->status, rows[i]->message);
   const auto refused =
-    std::count_if(rows.begin(), rows.end(), [](const std::optional<Item_row>& row) { return row->status != "OK"; });
+    std::count_if(rows.begin(), rows.end(), [](const std::optional<Results::Row>& row) { return row->status != "OK"; });
   std::cout << prefix << items.size() << (items.size() == 1 ? " mesh, " : " meshes, ") << refused << " refused";
   if(earlier > 0)
     std::cout << ", " << earlier << " done by an earlier run";

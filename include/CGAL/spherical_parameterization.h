@@ -21,6 +21,7 @@
 #include <CGAL/Spherical_parameterization/register_maps.h>
 #include <CGAL/Spherical_parameterization/resample.h>
 #include <CGAL/Spherical_parameterization/segmentation.h>
+#include <CGAL/Spherical_parameterization/shape_atlas.h>
 #include <CGAL/Spherical_parameterization/shape_signature.h>
 #include <CGAL/Spherical_parameterization/shape_statistics.h>
 #include <CGAL/Spherical_parameterization/spherical_harmonics.h>

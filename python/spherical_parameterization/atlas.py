@@ -9,20 +9,21 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from .analysis import Locator, icosphere
-from .arrays import Doubles, OneLine, check, index_triples, one_of, vectors
+from . import _core
+from .arrays import Doubles, Integers, OneLine, check, index_triples, one_of, vectors
 from .errors import MeshError
 from .maps import parameterize
 from .methods import Isometric
-from .registration import register_maps
-from .statistics import ShapeStatistics, align_shapes, mean_vertex_areas, shape_statistics
+from .statistics import ShapeStatistics
+
+_PLACEMENTS = ("none", "centre", "rigid", "similarity")
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Atlas(OneLine):
     """Shapes with the same vertices and faces, aligned, and their statistics."""
 
-    triangles: npt.NDArray[np.int32]  #: (f, 3), of all shapes: those of an icosphere
+    triangles: npt.NDArray[np.int32]  #: (f, 3), of all shapes
     sphere: Doubles  #: (m, 3), the directions of the vertices
     shapes: Doubles  #: (n, m, 3), aligned
     weights: Doubles  #: (m,), what each vertex counts: its area, mean over the shapes
@@ -36,6 +37,7 @@ def atlas(
     *,
     template: int | None = None,
     rounds: int = 1,
+    faces: str = "icosphere",
     level: int = 5,
     align: str = "rigid",
     modes: int | None = None,
@@ -51,6 +53,8 @@ def atlas(
         The number of the mesh that all are registered to first. Default: the first that has a map.
     rounds : int
         How often they are registered: from the second time on to the mean of the time before.
+    faces : {"icosphere", "template"}
+        All shapes get the vertices and faces of an icosphere, or of the template.
     level : int
         The icosphere has 10 * 4**level + 2 vertices.
     align : {"none", "centre", "rigid", "similarity"}
@@ -66,7 +70,9 @@ def atlas(
     Raises
     ------
     ValueError
-        Fewer than two meshes can be mapped and registered, or not the template.
+        The template cannot be mapped.
+    MeshError
+        Fewer than two meshes can be mapped and registered.
 
     Examples
     --------
@@ -77,9 +83,10 @@ def atlas(
     (162, 3)
     """
     check(atlas, locals())
-    one_of("align", align, "none", "centre", "rigid", "similarity")
-    spheres: dict[int, Doubles] = {}
+    one_of("align", align, *_PLACEMENTS)
+    one_of("faces", faces, "icosphere", "template")
     arrays = [(vectors("points", points), index_triples(triangles)) for points, triangles in meshes]
+    mapped: dict[int, tuple[Doubles, Integers, Doubles]] = {}
     refused: dict[int, str] = {}
     for i, (points, triangles) in enumerate(arrays):
         try:
@@ -88,36 +95,23 @@ def atlas(
             refused[i] = str(error)
             continue
         if result.is_valid:
-            spheres[i] = result.sphere
+            mapped[i] = points, triangles, result.sphere
         else:
             refused[i] = str(result)
-    if template is None and spheres:
-        template = min(spheres)
-    if template not in spheres:
+    if template is None and mapped:
+        template = min(mapped)
+    if template not in mapped:
         raise ValueError(f"template: mesh {template} has no map: {refused.get(template or 0, 'there is no such mesh')}")
-    directions, faces = icosphere(level)
-    other = (*arrays[template], spheres[template])
-    for round_number in range(rounds):
-        shapes: dict[int, Doubles] = {}
-        for i, sphere in spheres.items():
-            moved = sphere
-            if round_number > 0 or i != template:
-                try:
-                    moved = register_maps(*arrays[i], sphere, *other, policy=policy).sphere
-                except MeshError as error:
-                    refused[i] = str(error)
-                    continue
-            shapes[i] = Locator(arrays[i][1], moved, policy=policy).transfer(arrays[i][0], directions)
-        if len(shapes) < 2:
-            raise ValueError(f"meshes: two or more are needed that can be mapped and registered, not {len(shapes)}")
-        stacked = np.array(list(shapes.values()))
-        if align != "none":
-            weights = mean_vertex_areas(stacked, faces, policy=policy)
-            stacked = align_shapes(
-                stacked, weights=weights, rotate=align != "centre", scale=align == "similarity", policy=policy
-            ).shapes
-        other = (stacked.mean(axis=0), faces, directions)
-    weights = mean_vertex_areas(stacked, faces, policy=policy)
-    statistics = shape_statistics(stacked, weights=weights, modes=modes, policy=policy)
-    refused = {i: refused[i] for i in range(len(arrays)) if i not in shapes}
-    return Atlas(faces, directions, stacked, weights, statistics, list(shapes), refused)
+    numbers = list(mapped)
+    placement, most = _PLACEMENTS.index(align), 2**31 - 1 if modes is None else modes
+    where = level if faces == "icosphere" else -1
+    corners, sphere, shapes, weights, statistics, members, others = _core.shape_atlas(
+        list(mapped.values()), numbers.index(template), rounds, where, placement, most, policy
+    )
+    refused.update((numbers[i], why) for i, why in others)
+    mean, shape_modes, variances, scores, total = statistics
+    return Atlas(
+        corners, sphere, shapes, np.array(weights),
+        ShapeStatistics(mean, shape_modes, np.array(variances), np.array(scores), total),
+        [numbers[i] for i in members], refused,
+    )

@@ -6,11 +6,12 @@
 #include "harmonic_arrays.h"
 #include "watch.h"
 
-#include <CGAL/Spherical_parameterization/shape_statistics.h>
+#include <CGAL/Spherical_parameterization/shape_atlas.h>
 
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <optional>
 #include <tuple>
 
 namespace {
@@ -82,16 +83,21 @@ py::tuple align_shapes(const Doubles& array, bool are_harmonics, const std::vect
   });
 }
 
+template <class Statistics>
+py::tuple to_python(const Statistics& s, std::size_t rows)
+{
+  Doubles mean = make_array<double>(rows, 3);
+  write_shape(s.mean, mean.mutable_data());
+  return py::make_tuple(mean, to_array(s.modes, rows), s.variances, s.scores, s.total_variance);
+}
+
 py::tuple shape_statistics(const Doubles& array, bool are_harmonics, const std::vector<double>& weights, int modes,
                            const std::string& policy)
 {
   return with_shapes(array, are_harmonics, [&](const auto& shapes) {
     const auto s = on_watched(
       policy, [&](const auto& p, const auto& np) { return SP::shape_statistics(p, shapes, weights, modes, np); });
-    const auto rows = static_cast<std::size_t>(array.shape(1));
-    Doubles mean = make_array<double>(rows, 3);
-    write_shape(s.mean, mean.mutable_data());
-    return py::make_tuple(mean, to_array(s.modes, rows), s.variances, s.scores, s.total_variance);
+    return to_python(s, static_cast<std::size_t>(array.shape(1)));
   });
 }
 
@@ -113,6 +119,33 @@ std::vector<double> mean_vertex_areas(const Doubles& array, const py::array& tri
   return on_watched(policy, [&](const auto& p, const auto& np) { return SP::mean_vertex_areas(p, mesh, shapes, np); });
 }
 
+/// Of points, triangles and maps. `level` of the icosphere, or -1 for the vertices of the template. Returns the
+/// parts of an Atlas.
+py::tuple shape_atlas(const std::vector<std::tuple<Doubles, py::array, Doubles>>& meshes, std::size_t first, int rounds,
+                      int level, int placement, int modes, const std::string& policy)
+{
+  std::vector<Mesh> made;
+  for(const auto& [points, triangles, sphere] : meshes)
+    made.push_back(make_mesh(points, triangles));
+  std::vector<decltype(SP::mapped_mesh(made[0], sphere_of(Doubles())))> maps;
+  for(std::size_t i = 0; i < meshes.size(); ++i)
+    maps.push_back(SP::mapped_mesh(made[i], sphere_of(std::get<2>(meshes[i]))));
+  const Rows<double> of_template(std::get<2>(meshes[first]));
+  std::optional<SP::Atlas_mesh> mesh;
+  const SP::Shape_atlas atlas = on_watched(policy, [&](const auto& p, const auto& np) {
+    mesh =
+      level < 0 ? SP::Atlas_mesh{made[first], {of_template.begin(), of_template.end()}} : SP::icosphere_of_atlas(level);
+    return SP::shape_atlas(p, maps, first, rounds, *mesh, static_cast<SP::Atlas_placement>(placement), modes, np);
+  });
+  std::vector<std::array<std::int32_t, 3>> triangles;
+  for(std::size_t f = 0; f < mesh->mesh.number_of_faces(); ++f)
+    triangles.push_back(mesh->mesh.triangle(f));
+  const std::size_t rows = mesh->directions.size();
+  return py::make_tuple(rows_of<std::int32_t>(triangles), rows_of<double>(mesh->directions),
+                        to_array(atlas.shapes, rows), atlas.weights, to_python(atlas.statistics, rows), atlas.members,
+                        atlas.refused);
+}
+
 } // namespace
 
 void add_statistics(py::module_& module)
@@ -121,4 +154,5 @@ void add_statistics(py::module_& module)
   module.def("shape_statistics", shape_statistics);
   module.def("left_out_errors", left_out_errors);
   module.def("mean_vertex_areas", mean_vertex_areas);
+  module.def("shape_atlas", shape_atlas);
 }

@@ -2,11 +2,13 @@
 """Alignment, mean and principal components of shapes."""
 
 import signal
+import subprocess
 import time
 
 import numpy as np
 import pytest
 import spherical_parameterization as sp
+from conftest import bumpy
 
 
 def rotation(random):
@@ -139,3 +141,20 @@ def test_atlas_of_a_family():
         sp.atlas([open_mesh, *family], template=0)
     with pytest.raises(ValueError, match="two or more"):
         sp.atlas(family[:1])
+
+
+def test_the_tool_makes_the_same_atlas(tool):
+    if not tool.program:
+        pytest.skip("SPHERICAL_PARAMETERIZATION_TOOL is not set")
+    (tool.folder / "in").mkdir()
+    family = [bumpy(3, seed) for seed in range(3)]
+    for i, mesh in enumerate(family):
+        sp.write_mesh(tool.folder / f"in/{i}.ply", *mesh)
+    options = ["--level", "3", "--rounds", "2", "--modes", "1", "--align", "similarity"]
+    run = [tool.program, "atlas", tool.folder / "in", "-o", tool.folder / "out", *options]
+    subprocess.run(run, check=True, capture_output=True)
+    found = sp.atlas(family, level=3, rounds=2, modes=1, align="similarity")
+    mean, triangles = sp.read_mesh(tool.folder / "out/mean.ply")
+    assert np.array_equal(found.statistics.mean, mean) and np.array_equal(found.triangles, triangles)
+    plus, _ = sp.read_mesh(tool.folder / "out/modes/mode_1_plus.ply")
+    assert np.array_equal(found.statistics.shape([2 * np.sqrt(found.statistics.variances[0])]), plus)

@@ -10,7 +10,6 @@
 #include "system/interruption.h"
 
 #include <CGAL/Spherical_parameterization/Any_policy.h>
-#include <CGAL/Spherical_parameterization/shape_statistics.h>
 
 #include <nlohmann/json.hpp>
 
@@ -71,31 +70,14 @@ void write_scores(std::ostream& out, const std::vector<Atlas_shape>& shapes,
 
 } // namespace
 
-SP::Procrustes_alignment align(const Atlas_mesh& mesh, Shapes& shapes, Placement placement)
-{
-  if(placement == Placement::AS_THEY_STAND)
-    return {};
-  SP::Procrustes method;
-  method.rotate = placement != Placement::CENTRED;
-  method.scale = placement == Placement::SIMILARITY;
-  return SP::align_shapes(policy, shapes, method,
-                          SP::mean_vertex_areas(policy, mesh.mesh, shapes, stopped_by_signals()));
-}
-
-std::vector<Point> mean_of(const Shapes& shapes)
-{
-  return SP::shape_statistics(policy, shapes, {}, 0, stopped_by_signals()).mean;
-}
-
 std::string write_atlas(const std::string& folder, const Atlas_mesh& mesh, std::vector<Atlas_shape> named,
-                        Placement placement, int modes, bool ascii, Json report)
+                        SP::Atlas_placement placement, int modes, bool ascii, Json report)
 {
   Shapes shapes;
   for(Atlas_shape& shape : named)
     shapes.push_back(std::move(shape.points));
-  const SP::Procrustes_alignment alignment = align(mesh, shapes, placement);
-  const std::vector<double> weights = SP::mean_vertex_areas(policy, mesh.mesh, shapes, stopped_by_signals());
-  const auto statistics = SP::shape_statistics(policy, shapes, weights, modes, stopped_by_signals());
+  const auto [alignment, weights, statistics] =
+    SP::atlas_statistics(policy, mesh, shapes, placement, modes, stopped_by_signals());
   const int groups = shapes.size() <= most_left_out_alone ? static_cast<int>(shapes.size()) : groups_beyond;
   const std::vector<double> errors = SP::left_out_errors(policy, shapes, weights, groups, stopped_by_signals());
   const double variance = statistics.total_variance;

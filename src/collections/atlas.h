@@ -6,7 +6,7 @@
 
 #include "input/mesh.h"
 
-#include <CGAL/Spherical_parameterization/values/Procrustes.h>
+#include <CGAL/Spherical_parameterization/shape_atlas.h>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -15,19 +15,7 @@
 
 namespace tool {
 
-/// How the shapes of an atlas are brought together in space.
-enum class Placement {
-  AS_THEY_STAND,
-  CENTRED,   ///< centres at the origin
-  RIGID,     ///< turned, too
-  SIMILARITY ///< and of one size
-};
-
-/// Vertices and faces that all shapes of an atlas get, by the directions of the vertices.
-struct Atlas_mesh {
-  Mesh mesh;         ///< its points do not matter
-  Sphere directions; ///< of the vertices
-};
+using SP::Atlas_mesh;
 
 /// A mesh of an atlas, sampled at the directions.
 struct Atlas_shape {
@@ -35,18 +23,12 @@ struct Atlas_shape {
   std::vector<Point> points;
 };
 
-/// Brings shapes together.
-SP::Procrustes_alignment align(const Atlas_mesh& mesh, std::vector<std::vector<Point>>& shapes, Placement placement);
-
-/// The mean of shapes that have been brought together.
-std::vector<Point> mean_of(const std::vector<std::vector<Point>>& shapes);
-
 /// Writes the statistics of shapes into a folder: `mean.ply`, `variance.ply`, `scores.csv`, and of every mode the mean
 /// plus and minus two standard deviations, `modes/mode_K_plus.ply` and `_minus.ply`; and, as the last one,
 /// `report.json`: `report`, to which they are added. Files of modes of an earlier run are removed. None of them gets
 /// its name before all have been written. Returns what was found, in lines without the end of the last one.
 std::string write_atlas(const std::string& folder, const Atlas_mesh& mesh, std::vector<Atlas_shape> shapes,
-                        Placement placement, int modes, bool ascii, nlohmann::ordered_json report);
+                        SP::Atlas_placement placement, int modes, bool ascii, nlohmann::ordered_json report);
 
 } // namespace tool
 

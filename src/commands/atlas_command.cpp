@@ -8,9 +8,7 @@
 #include "system/interruption.h"
 #include "system/stopwatch.h"
 
-#include <CGAL/Spherical_parameterization/register_maps.h>
-#include <CGAL/Spherical_parameterization/resample.h>
-#include <CGAL/Spherical_parameterization/transfer_properties.h>
+#include <CGAL/Spherical_parameterization/shape_atlas.h>
 
 #include <nlohmann/json.hpp>
 
@@ -37,7 +35,7 @@ struct Atlas_options : Mapping_options, Collection_options {
   int rounds = 1;
   std::string faces = "icosphere";
   int level = 5;
-  Placement placement = Placement::RIGID;
+  SP::Atlas_placement placement = SP::Atlas_placement::RIGID;
   int modes = 5;
   bool ascii = false;
 };
@@ -184,13 +182,8 @@ private:
     Mapped_mesh target;
     read_mapped(options_, to, round == 1 ? options_.prepare : Prepare::NO, target); // a mean is a sphere
     if(round == 1) {
-      if(options_.faces == "icosphere") {
-        Sphere directions;
-        std::vector<std::array<int, 3>> triangles;
-        SP::make_icosphere_soup(options_.level, directions, triangles);
-        mesh_ = Atlas_mesh{Mesh(directions, triangles), directions};
-      } else
-        mesh_ = Atlas_mesh{target.mesh(), target.sphere};
+      mesh_ = options_.faces == "icosphere" ? SP::icosphere_of_atlas(options_.level)
+                                            : Atlas_mesh{target.mesh(), target.sphere};
     }
     const auto work = [&](const Item& item) {
       Outcome outcome;
@@ -214,11 +207,9 @@ private:
           line << "registered by " << found.start << ", mismatch of features " << found.mismatch_before << " -> "
                << found.mismatch << ", distortion " << found.distortion;
         }
-        const SP::Spherical_locator<Mesh> shape(input.mesh(), as_map(input.sphere));
-        std::vector<Point> points(mesh_->directions.size());
-        SP::transfer_vertex_property(shape, as_map(input.mesh().points()), mesh_->mesh, as_map(mesh_->directions),
-                                     as_map(points));
-        write_mesh(file, {Mesh_format::PLY, options_.ascii}, mesh_->mesh, points, Surface::SHAPE);
+        write_mesh(file, {Mesh_format::PLY, options_.ascii}, mesh_->mesh,
+                   SP::shape_at(CGAL::Sequential_tag(), SP::mapped_mesh(input.mesh(), as_map(input.sphere)), *mesh_),
+                   Surface::SHAPE);
         files.commit(item.mesh);
         outcome.line = line.str();
       });
@@ -253,12 +244,13 @@ private:
     std::vector<std::vector<Point>> points;
     for(Atlas_shape& shape : shapes)
       points.push_back(std::move(shape.points));
-    align(*mesh_, points, options_.placement);
     const std::string name = options_.output + "/templates/" + std::to_string(round);
     Mapped_file file = {name + ".ply", name + "_sphere.ply"};
     Atomic_file::create_folder(options_.output + "/templates");
-    for(const auto& [output, of_points, surface] : {std::tuple(file.mesh, mean_of(points), Surface::SHAPE),
-                                                    std::tuple(file.sphere, mesh_->directions, Surface::SPHERE)}) {
+    const std::vector<Point> mean = SP::mean_shape(CGAL::Parallel_if_available_tag(), *mesh_, std::move(points),
+                                                   options_.placement, stopped_by_signals());
+    for(const auto& [output, of_points, surface] :
+        {std::tuple(file.mesh, mean, Surface::SHAPE), std::tuple(file.sphere, mesh_->directions, Surface::SPHERE)}) {
       std::ostringstream text;
       write_mesh(text, {}, mesh_->mesh, of_points, surface);
       std::ifstream old(output, std::ios::binary);
@@ -318,6 +310,7 @@ void add_atlas_command(CLI::App& app, int& exit_code)
                      CLI::IsMember({"icosphere", "template"}));
   add_checked_option(*command, "--level", options->level, "The icosphere has 10 * 4^LEVEL + 2 vertices",
                      CLI::Range(0, SP::largest_icosphere_level));
+  using Placement = SP::Atlas_placement;
   const std::map<std::string, Placement> placements = {{"none", Placement::AS_THEY_STAND},
                                                        {"centre", Placement::CENTRED},
                                                        {"rigid", Placement::RIGID},

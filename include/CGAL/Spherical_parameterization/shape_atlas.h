@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_SHAPE_ATLAS_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_SHAPE_ATLAS_H
+
+#include <CGAL/Spherical_parameterization/Indexed_triangle_mesh.h>
+#include <CGAL/Spherical_parameterization/register_maps.h>
+#include <CGAL/Spherical_parameterization/resample.h>
+#include <CGAL/Spherical_parameterization/shape_statistics.h>
+#include <CGAL/Spherical_parameterization/transfer_properties.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization {
+
+/// \addtogroup PkgSphericalParameterizationStatistics
+/// @{
+
+/// What is no difference of the shapes of an atlas.
+enum class Atlas_placement {
+  AS_THEY_STAND, ///< nothing
+  CENTRED,       ///< their place: centres come to the origin
+  RIGID,         ///< rotations, too
+  SIMILARITY     ///< and sizes
+};
+
+/// The vertices and faces that all shapes of an atlas get, and the places of the vertices on the sphere.
+struct Atlas_mesh {
+  Indexed_triangle_mesh mesh;                    ///< its points do not matter
+  std::vector<std::array<double, 3>> directions; ///< of the vertices
+};
+
+/// \param level  of the icosphere
+/// \return an icosphere with its own vertices as directions
+inline Atlas_mesh icosphere_of_atlas(int level)
+{
+  std::vector<std::array<double, 3>> directions;
+  std::vector<std::array<int, 3>> triangles;
+  make_icosphere_soup(level, directions, triangles);
+  return {Indexed_triangle_mesh(directions, triangles), directions};
+}
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+/// By the vertices of an `Indexed_triangle_mesh`.
+template <class Points>
+auto by_vertex(Points& points)
+{
+  return boost::make_function_property_map<Indexed_triangle_mesh::Vertex_index>([&points](
+                                                                                  Indexed_triangle_mesh::Vertex_index v)
+                                                                                  -> auto& {
+    return points[static_cast<std::size_t>(v.idx())];
+  });
+}
+} // namespace internal
+/// \endcond
+
+/// The shape of a mesh at the vertices of an atlas.
+/// \param policy  `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result does not depend on it
+/// \param shape   the mesh, with a map that was registered to the template
+/// \param atlas   where to sample
+/// \return by vertex of the atlas
+/// \throws Error if the map is not valid
+template <class ExecutionPolicy, class TriangleMesh, class SphereMap, class PointMap>
+Shape_points shape_at(const ExecutionPolicy& policy, const Mapped_mesh<TriangleMesh, SphereMap, PointMap>& shape,
+                      const Atlas_mesh& atlas)
+{
+  Shape_points points(atlas.directions.size());
+  const Spherical_locator<TriangleMesh> inverse(policy, shape.mesh, shape.sphere_map);
+  transfer_vertex_property(policy, inverse, shape.points, atlas.mesh, internal::by_vertex(atlas.directions),
+                           internal::by_vertex(points));
+  return points;
+}
+
+/// Brings the shapes of an atlas together; every vertex counts with its area.
+/// \param policy     as above
+/// \param atlas      whose vertices they have
+/// \param shapes     are moved
+/// \param placement  what is taken away
+/// \param np         see \ref pd_calls
+/// \return the motions; none if the shapes stay as they stand
+template <class ExecutionPolicy, class CGAL_NP_TEMPLATE_PARAMETERS>
+Procrustes_alignment place_shapes(const ExecutionPolicy& policy, const Atlas_mesh& atlas,
+                                  std::vector<Shape_points>& shapes, Atlas_placement placement,
+                                  const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  if(placement == Atlas_placement::AS_THEY_STAND)
+    return {};
+  Procrustes method;
+  method.rotate = placement != Atlas_placement::CENTRED;
+  method.scale = placement == Atlas_placement::SIMILARITY;
+  return align_shapes(policy, shapes, method, mean_vertex_areas(policy, atlas.mesh, shapes, np), np);
+}
+
+/// The template of the next round: the mean of the shapes, brought together.
+/// \param policy,atlas,placement,np  as above
+/// \param shapes  a copy, which is moved
+/// \return by vertex of the atlas
+template <class ExecutionPolicy, class CGAL_NP_TEMPLATE_PARAMETERS>
+Shape_points mean_shape(const ExecutionPolicy& policy, const Atlas_mesh& atlas, std::vector<Shape_points> shapes,
+                        Atlas_placement placement, const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  place_shapes(policy, atlas, shapes, placement, np);
+  return shape_statistics(policy, shapes, {}, 0, np).mean;
+}
+
+/// Mean and modes of shapes.
+struct Atlas_statistics {
+  Procrustes_alignment alignment;            ///< how they were brought together
+  std::vector<double> weights;               ///< what each vertex counts: its area, mean over the shapes
+  Shape_statistics<Shape_points> statistics; ///< with these weights
+};
+
+/// Brings the shapes of an atlas together, and takes mean and principal components.
+/// \param policy,atlas,shapes,placement,np  as for `place_shapes()`
+/// \param modes  at most so many
+/// \return statistics of the shapes as they stand then
+template <class ExecutionPolicy, class CGAL_NP_TEMPLATE_PARAMETERS>
+Atlas_statistics atlas_statistics(const ExecutionPolicy& policy, const Atlas_mesh& atlas,
+                                  std::vector<Shape_points>& shapes, Atlas_placement placement,
+                                  int modes = (std::numeric_limits<int>::max)(),
+                                  const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  Atlas_statistics result;
+  result.alignment = place_shapes(policy, atlas, shapes, placement, np);
+  result.weights = mean_vertex_areas(policy, atlas.mesh, shapes, np);
+  result.statistics = shape_statistics(policy, shapes, result.weights, modes, np);
+  return result;
+}
+
+/// An atlas in memory.
+struct Shape_atlas : Atlas_statistics {
+  std::vector<Shape_points> shapes;                         ///< brought together
+  std::vector<std::size_t> members;                         ///< by shape: the number of the mesh
+  std::vector<std::pair<std::size_t, std::string>> refused; ///< numbers of the other meshes: why
+};
+
+/// Registers maps to that of a template, from the second round on to the mean of the round before, samples the shapes,
+/// and takes mean and principal components.
+/// \param policy     as above
+/// \param maps       meshes with valid maps of low isometric distortion
+/// \param first      the number of the template of the first round
+/// \param rounds     1 or more
+/// \param atlas      whose vertices the shapes get
+/// \param placement  what is no difference of shapes
+/// \param modes      at most so many
+/// \param np         `callback` and the like of every step, see \ref pd_calls
+/// \return the atlas
+/// \throws Error `EMPTY_MESH` if there are fewer than two maps that can be registered, `INTERRUPTED`
+template <class ExecutionPolicy, class TriangleMesh, class SphereMap, class PointMap, class CGAL_NP_TEMPLATE_PARAMETERS>
+Shape_atlas
+shape_atlas(const ExecutionPolicy& policy, const std::vector<Mapped_mesh<TriangleMesh, SphereMap, PointMap>>& maps,
+            std::size_t first, int rounds, const Atlas_mesh& atlas, Atlas_placement placement = Atlas_placement::RIGID,
+            int modes = (std::numeric_limits<int>::max)(), const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  CGAL_SP_PRECONDITION(rounds >= 1 && first < maps.size(), "one round or more, and a template among the maps");
+  Shape_atlas result;
+  Shape_points mean;
+  for(int round = 0; round < rounds; ++round) {
+    result.shapes.clear();
+    result.members.clear();
+    result.refused.clear();
+    for(std::size_t i = 0; i < maps.size(); ++i) {
+      const auto& [mesh, sphere, points] = maps[i];
+      std::vector<std::array<double, 3>> moved;
+      for(const auto v : vertices(mesh)) {
+        const auto& p = get(sphere, v);
+        moved.push_back({p[0], p[1], p[2]});
+      }
+      const auto registered = internal::by_vertex(moved);
+      Registration_result found;
+      if(round > 0)
+        found = register_maps(policy, maps[i],
+                              mapped_mesh(atlas.mesh, internal::by_vertex(atlas.directions),
+                                          parameters::vertex_point_map(internal::by_vertex(mean))),
+                              registered, {}, {}, np);
+      else if(i != first)
+        found = register_maps(policy, maps[i], maps[first], registered, {}, {}, np);
+      if(found.error == Error_code::INTERRUPTED)
+        throw internal::Input_error(found.error, found.detail);
+      if(!found) {
+        result.refused.emplace_back(i, std::string(get_error_message(found.error)) + ": " + found.detail);
+        continue;
+      }
+      result.shapes.push_back(
+        shape_at(policy, mapped_mesh(mesh, registered, parameters::vertex_point_map(points)), atlas));
+      result.members.push_back(i);
+    }
+    if(result.shapes.size() < 2)
+      throw internal::Input_error(Error_code::EMPTY_MESH,
+                                  "two or more shapes are needed, and of " + std::to_string(maps.size()) + " maps " +
+                                    std::to_string(result.shapes.size()) + " could be registered");
+    if(round + 1 < rounds)
+      mean = mean_shape(policy, atlas, result.shapes, placement, np);
+  }
+  static_cast<Atlas_statistics&>(result) = atlas_statistics(policy, atlas, result.shapes, placement, modes, np);
+  return result;
+}
+
+/// @}
+
+} // namespace CGAL::Spherical_parameterization
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_SHAPE_ATLAS_H

@@ -38,7 +38,7 @@ class Distribution:
     max: float
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class DistortionSummary:
     """The distortion of a map in figures."""
 
@@ -48,6 +48,10 @@ class DistortionSummary:
     symmetric_dirichlet: Distribution  #: between flat triangles; 4 is isometric
     spherical_symmetric_dirichlet: Distribution  #: with det(a, b, c) / 2 as area on the sphere
     degenerate_faces: int  #: source faces without area: they do not count
+
+    def __repr__(self) -> str:
+        means = (f"{field.name} {getattr(self, field.name).mean:.4g}" for field in fields(self)[:-1])
+        return f"<DistortionSummary: means of {', '.join(means)}>"
 
     def __str__(self) -> str:
         rows = [f"{'':30s}{'mean':>12s}{'median':>12s}{'95 %':>12s}{'max':>12s}"]
@@ -326,12 +330,11 @@ class Locator:
     def __init__(self, triangles: npt.ArrayLike, sphere: Sphere, *, policy: str = "parallel") -> None:
         check(Locator.__init__, locals())
         sphere, triangles = directions("sphere", sphere), index_triples(triangles)
-        self._number_of_vertices, self._number_of_faces = len(sphere), len(triangles)
-        self._policy = policy
+        self._number_of_vertices, self._triangles, self._policy = len(sphere), triangles, policy
         self._locator = _core.Locator(triangles, sphere, policy)
 
     def __repr__(self) -> str:
-        return f"<Locator: {self._number_of_vertices} vertices, {self._number_of_faces} faces>"
+        return f"<Locator: {self._number_of_vertices} vertices, {len(self._triangles)} faces>"
 
     def locate(self, directions: npt.ArrayLike) -> tuple[npt.NDArray[np.int32], Doubles]:
         """The faces whose images contain the directions.
@@ -348,6 +351,13 @@ class Locator:
             Barycentric, of the corners of the faces.
         """
         return self._locator.locate(vectors("directions", directions), self._policy)
+
+    @staticmethod
+    def _of(values: npt.ArrayLike, size: int) -> npt.NDArray[Any]:
+        array = np.asarray(values)
+        if array.shape[:1] != (size,):
+            raise ValueError(f"values: {size} rows are needed, not {array.shape}")
+        return array
 
     def interpolate(self, values: npt.ArrayLike, faces: npt.ArrayLike, weights: npt.ArrayLike) -> Doubles:
         """Values of vertices at places in faces, between the values at the corners.
@@ -367,26 +377,32 @@ class Locator:
             raise ValueError(f"values: {self._number_of_vertices} rows are needed, not {given.shape}")
         table = np.ascontiguousarray(given.reshape(len(given), -1))
         places = np.ascontiguousarray(integers("faces", faces), dtype=np.int32)
-        if places.size and not 0 <= places.min() <= places.max() < self._number_of_faces:
-            raise IndexError(f"faces are numbers from 0 to {self._number_of_faces - 1}")
+        if places.size and not 0 <= places.min() <= places.max() < len(self._triangles):
+            raise IndexError(f"faces are numbers from 0 to {len(self._triangles) - 1}")
         result = self._locator.interpolate(table, places, vectors("weights", weights, len(places)))
         return result.reshape((len(places), *given.shape[1:]))
 
-    def transfer(self, values: npt.ArrayLike, directions: npt.ArrayLike) -> Doubles:
+    def transfer(self, values: npt.ArrayLike, directions: npt.ArrayLike, *, nearest: bool = False) -> Any:
         """Values of vertices at directions, such as those of another map: `locate()` and `interpolate()`.
-
-        Labels are not to be interpolated: that of the nearest corner is `labels[triangles[faces, weights.argmax(axis=1)]]`.
 
         Parameters
         ----------
-        values : array_like (n,) or (n, d) of float
+        values : array_like (n,) or (n, d)
+            Numbers; with `nearest` anything.
         directions : array_like (k, 3) of float
+        nearest : bool
+            The value of the corner with the largest weight, instead of one between the corners: for labels.
 
         Returns
         -------
-        ndarray (k,) or (k, d) of float64
+        ndarray (k,) or (k, d)
+            Of float64, or with `nearest` of the type of the values.
         """
-        return self.interpolate(values, *self.locate(directions))
+        check(Locator.transfer, locals())
+        faces, weights = self.locate(directions)
+        if not nearest:
+            return self.interpolate(values, faces, weights)
+        return self._of(values, self._number_of_vertices)[self._triangles[faces, weights.argmax(axis=1)]]
 
     def transfer_faces(self, values: npt.ArrayLike, triangles: npt.ArrayLike, sphere: Sphere) -> Any:
         """Values of faces, such as labels, on another mesh: each face gets that of the face under its centre.
@@ -404,9 +420,7 @@ class Locator:
         -------
         ndarray (k, ...)
         """
-        of_faces = np.asarray(values)
-        if of_faces.shape[:1] != (self._number_of_faces,):
-            raise ValueError(f"values: {self._number_of_faces} rows are needed, not {of_faces.shape}")
+        of_faces = self._of(values, len(self._triangles))
         a, b, c = directions("sphere", sphere)[index_triples(triangles)].swapaxes(0, 1)
         return of_faces[self.locate(a + (b + c))[0]]
 

@@ -34,6 +34,10 @@ class RegisteredMap(OneLine):
     iterations: int  #: of all levels together
     seconds: float  #: wall-clock
 
+    def __repr__(self) -> str:
+        state = "valid" if self.is_complete else "valid, not complete"
+        return f"<RegisteredMap: {state}, {len(self.sphere)} vertices, correspondence {self.trust}>"
+
 
 def register_maps(
     points: npt.ArrayLike,

@@ -180,3 +180,15 @@ def test_devices() -> None:
         assert device["name"] and device["memory"] > 0
     with pytest.raises((sp.DeviceError, ValueError), match="no OpenCL"):
         sp.opencl_device("no such device")
+
+
+def test_labels_are_those_of_the_nearest_corner() -> None:
+    points, triangles = sp.icosphere(3)
+    names = np.array([f"label {i}" for i in range(len(points))])
+    locator = sp.Locator(triangles, points)
+    nearby = points + 1e-3 * np.random.default_rng(0).normal(size=points.shape)
+    assert (locator.transfer(names, nearby, nearest=True) == names).all()
+    faces, weights = locator.locate(points[triangles].mean(axis=1))
+    assert np.array_equal(triangles[faces, weights.argmax(axis=1)], locator.transfer(np.arange(len(points)), points[triangles].mean(axis=1), nearest=True))
+    with pytest.raises(ValueError, match="rows are needed"):
+        locator.transfer(names[1:], nearby, nearest=True)

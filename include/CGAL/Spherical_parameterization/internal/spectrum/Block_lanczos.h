@@ -17,8 +17,8 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-/// An orthonormal basis of the vectors x, A x, A^2 x ... of a few random ones, for a symmetric A, and what A is in it, a
-/// band matrix T. A vector that is known to be an eigenvector is kept out. G. Golub, R. Underwood, "The block Lanczos
+/// An orthonormal basis of the vectors x, A x, A^2 x ... of a few random ones, for a symmetric A, and what A is in it,
+/// a band matrix T. A vector that is known to be an eigenvector is kept out. G. Golub, R. Underwood, "The block Lanczos
 /// method for computing eigenvalues", 1977; with full reorthogonalization.
 ///
 /// A block finds eigenvalues that are as often there as it is wide; and products of matrices take a third of the time
@@ -59,7 +59,8 @@ public:
   void grow()
   {
     const int last = 1 + size_, next = last + width; // columns
-    operator_.apply([&](int i, int b) { return at(i, last + b); }, [&](int i, int b, double x) { at(i, next + b) = x; });
+    operator_.apply([&](int i, int b) { return at(i, last + b); },
+                    [&](int i, int b, double x) { at(i, next + b) = x; });
     t_.conservativeResize(size_ + width, size_ + width);
     t_.rightCols(width).setZero();
     t_.bottomRows(width).setZero();
@@ -129,9 +130,9 @@ private:
       at(i, column) = static_cast<double>(random_()) / static_cast<double>(std::minstd_rand::max()) - 0.5;
   }
 
-  /// Makes the block at `column`, which is orthogonal to all columns before, orthonormal; it was that times the triangle
-  /// that is returned. What the columns before it leave nothing of, because the basis holds all that A makes of it,
-  /// becomes random, with a zero in the triangle.
+  /// Makes the block at `column`, which is orthogonal to all columns before, orthonormal; it was that times the
+  /// triangle that is returned. What the columns before it leave nothing of, because the basis holds all that A makes
+  /// of it, becomes random, with a zero in the triangle.
   /// \param original  lengths before anything was subtracted
   Matrix orthonormalize(int column, const Matrix& original)
   {

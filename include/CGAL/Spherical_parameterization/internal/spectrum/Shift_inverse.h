@@ -28,8 +28,8 @@ struct Sparse {
 ///
 /// With a shift amid the eigenvalues the matrix is not definite. Without pivoting its L D L^T exists all the same but
 /// for few shifts, from which `set_shift()` keeps away, and the signs of D tell how many eigenvalues are below the
-/// shift (J. Sylvester's law of inertia). Shifts of this kind for the spectra of surfaces: B. Vallet, B. Levy, "Spectral
-/// geometry processing with manifold harmonics", Eurographics 2008.
+/// shift (J. Sylvester's law of inertia). Shifts of this kind for the spectra of surfaces: B. Vallet, B. Levy,
+/// "Spectral geometry processing with manifold harmonics", Eurographics 2008.
 template <class Loop>
 class Shift_inverse {
   typedef typename Sparse<Loop>::Matrix Matrix;

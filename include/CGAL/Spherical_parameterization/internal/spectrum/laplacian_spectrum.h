@@ -24,11 +24,10 @@ struct Laplacian_spectrum {
 
 /// By block Lanczos iteration with the factorization of L - shift M (`Block_lanczos`, `Shift_inverse`).
 ///
-/// The graph is that of a surface: by H. Weyl's law eigenvalue k is about 4 pi k over its area, which is where the shift
-/// comes from. Much else is slow, and not wrong.
+/// The graph is that of a surface: by H. Weyl's law eigenvalue k is about 4 pi k over its area, which is where the
+/// shift comes from. Much else is slow, and not wrong. Throws Error: `DEGENERATE_FACE` where a mass is not positive, or
+/// the matrix cannot be factorized; `NOT_CONVERGED`; `INTERRUPTED`.
 /// \param mass  by vertex
-/// Throws Error: `DEGENERATE_FACE` where a mass is not positive, or the matrix cannot be factorized; `NOT_CONVERGED`;
-/// `INTERRUPTED`.
 /// \pre 1 <= number <= number of vertices
 ///
 /// Memory: 3 numbers per vertex and pair. Time: the factorization, O(n^1.5), and O(n number^2).

@@ -35,6 +35,14 @@ public:
     double weight = 1;         ///< of its energy
   };
 
+  /// What lasts from one time that the patch is worked on to the next. There may be very many of them.
+  struct Part {
+    std::vector<int> vertices; ///< of the mesh, by their places in the patch
+    std::vector<Face> faces;
+    int attempt = 3;        ///< with which the next step begins; the first one is far from a minimum
+    std::int64_t moves = 0; ///< of single vertices, in all steps
+  };
+
   /// What a step has done
   struct Step {
     double energy; ///< before
@@ -46,11 +54,11 @@ public:
     double length_on_sphere; ///< the longest step of a vertex as an angle
   };
 
-  /// \param vertices  of the mesh, by their places in the patch
-  /// \param v         all positions of the mesh; those of the patch are changed
-  Patch(std::vector<int> vertices, std::vector<Face> faces, Host_array<vec3>& v)
-    : vertex_(std::move(vertices)), face_(std::move(faces)), v_(v), matrix_(neighbours()), tangents_(size()),
-      diagonal_(size()), gradient_(size()), around_(size())
+  /// \param part  outlives the patch
+  /// \param v     all positions of the mesh; those of the patch are changed
+  Patch(Part& part, Host_array<vec3>& v)
+    : vertex_(part.vertices), face_(part.faces), v_(v), matrix_(neighbours()), tangents_(size()), diagonal_(size()),
+      gradient_(size()), around_(size()), attempt_(part.attempt), moves_(part.moves)
   {
     for(const Face& f : face_)
       for(int m = 0; m < 3; ++m)
@@ -69,8 +77,7 @@ public:
 
   int size() const { return static_cast<int>(vertex_.size()); }
   std::vector<Face>& faces() { return face_; }
-  vec3 position(int i) const { return v_[i]; }            ///< of any vertex of the mesh
-  std::int64_t number_of_moves() const { return moves_; } ///< of single vertices, in all steps
+  vec3 position(int i) const { return v_[i]; } ///< of any vertex of the mesh
 
   std::vector<vec3> positions() const
   {
@@ -312,8 +319,8 @@ private:
     }
   }
 
-  std::vector<int> vertex_;
-  std::vector<Face> face_;
+  const std::vector<int>& vertex_;
+  std::vector<Face>& face_;
   Host_array<vec3>& v_;
   Sparse_cholesky matrix_;
   std::vector<int> at_;                       ///< where the matrix has blocks before the elimination
@@ -323,8 +330,8 @@ private:
   Sparse_cholesky::Blocks hessian_, lift_;
   std::vector<vec3> gradient_;
   std::vector<double> around_; ///< the energy of the faces at a vertex
-  int attempt_ = 3;            ///< with which the next step begins; the first one is far from a minimum
-  std::int64_t moves_ = 0;
+  int& attempt_;
+  std::int64_t& moves_;
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -17,7 +17,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <memory>
 #include <utility>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -59,14 +58,14 @@ inline std::vector<int> faces_at(const Host_loop& loop, const Host_array<std::ar
                      [&](int f) { return is_in_set[face[f][0]] || is_in_set[face[f][1]] || is_in_set[face[f][2]]; });
 }
 
-typedef std::vector<std::unique_ptr<Patch>> Patches;
+typedef std::vector<Patch::Part> Patches;
 
 /// The patches of the vertices that move: the sets of them that faces connect.
 inline Patches patches_of(const Host_loop& loop, const Host_array<std::array<int, 3>>& face,
-                          const std::vector<char>& is_moving, Host_array<vec3>& v)
+                          const std::vector<char>& is_moving)
 {
   const std::vector<int> concerned = faces_at(loop, face, is_moving);
-  Host_array<int> number(v.size()); // of moving vertices, in the order in which faces name them
+  Host_array<int> number(is_moving.size()); // of moving vertices, in the order in which faces name them
   std::vector<int> moving;
   for(int g : concerned)
     for(int i : face[g])
@@ -84,20 +83,16 @@ inline Patches patches_of(const Host_loop& loop, const Host_array<std::array<int
       if(const int i = face[g][m], j = face[g][(m + 1) % 3]; is_moving[i] && is_moving[j])
         sets.union_set(number[i], number[j]);
 
-  struct Parts {
-    std::vector<int> vertices;
-    std::vector<Patch::Face> faces;
-  };
-  std::vector<Parts> parts;
+  Patches patches;
   std::vector<int> patch_of(moving.size(), -1), place(moving.size()); // the former by set
   for(std::size_t k = 0; k < moving.size(); ++k) {
     int& patch = patch_of[sets.find_set(k)];
     if(patch < 0) {
-      patch = static_cast<int>(parts.size());
-      parts.emplace_back();
+      patch = static_cast<int>(patches.size());
+      patches.emplace_back();
     }
-    place[k] = static_cast<int>(parts[patch].vertices.size());
-    parts[patch].vertices.push_back(moving[k]);
+    place[k] = static_cast<int>(patches[patch].vertices.size());
+    patches[patch].vertices.push_back(moving[k]);
   }
   for(int g : concerned) {
     Patch::Face of_patch = {face[g], {-1, -1, -1}, {}, 0, 0};
@@ -107,28 +102,28 @@ inline Patches patches_of(const Host_loop& loop, const Host_array<std::array<int
         of_patch.moving[m] = place[number[i]];
         patch = patch_of[sets.find_set(number[i])];
       }
-    parts[patch].faces.push_back(of_patch);
+    patches[patch].faces.push_back(of_patch);
   }
-  Patches patches(parts.size());
-  loop.for_each(static_cast<int>(parts.size()), [&](int k) {
-    patches[k] = std::make_unique<Patch>(std::move(parts[k].vertices), std::move(parts[k].faces), v);
-  });
   return patches;
 }
 
-/// Calls f(patch) for all patches, in any order. Those that take long come one by one, on the thread of the caller: it
-/// is the one that may call his callback.
+/// Calls f(patch) for all patches, in any order, each of which lives that long. Those that take long come one by one,
+/// on the thread of the caller: it is the one that may call his callback.
 template <class F>
-void for_each_patch(const Host_loop& loop, const Patches& patches, F f)
+void for_each_patch(const Host_loop& loop, Patches& patches, Host_array<vec3>& v, F f)
 {
-  constexpr int large = 2000;
-  std::vector<Patch*> small;
-  for(const auto& patch : patches)
-    if(patch->size() > large)
-      f(*patch);
+  constexpr std::size_t large = 2000;
+  const auto work_on = [&](Patch::Part& part) {
+    Patch patch(part, v);
+    f(patch);
+  };
+  std::vector<Patch::Part*> small;
+  for(Patch::Part& part : patches)
+    if(part.vertices.size() > large)
+      work_on(part);
     else
-      small.push_back(patch.get());
-  loop.for_each(static_cast<int>(small.size()), [&](int k) { f(*small[k]); });
+      small.push_back(&part);
+  loop.for_each(static_cast<int>(small.size()), [&](int k) { work_on(*small[k]); });
 }
 
 /// Makes all faces of a patch positive, if it can, by Newton's method for energies that are regularized less and less.
@@ -274,7 +269,7 @@ CGAL_SP_CORE Mending mend(const Host_loop& loop, const Host_array<std::array<int
     if(!let_try(bad))
       return Mending::TOO_MUCH;
   }
-  Patches patches = patches_of(loop, face, tries, v);
+  Patches patches = patches_of(loop, face, tries);
   const auto give_up = [&](Mending how) {
     for(const auto& [i, x] : before)
       v[i] = x;
@@ -282,7 +277,7 @@ CGAL_SP_CORE Mending mend(const Host_loop& loop, const Host_array<std::array<int
   };
   std::int64_t moves = 0;
   for(int rings = 1; flipped > 0; rings *= 2) {
-    for_each_patch(loop, patches, [&](Patch& patch) {
+    for_each_patch(loop, patches, v, [&](Patch& patch) {
       const std::vector<vec3> start = patch.positions();
       const auto at_first = patch.number_of_flipped_faces();
       if(at_first > 0 && !untangle(point, monitor, patch) && patch.number_of_flipped_faces() >= at_first)
@@ -291,11 +286,11 @@ CGAL_SP_CORE Mending mend(const Host_loop& loop, const Host_array<std::array<int
     std::vector<int> tangled = faces_where(loop, face, is_flipped);
     if(tangled.empty()) {
       if(rings > 1)
-        patches = patches_of(loop, face, is_moving, v);
+        patches = patches_of(loop, face, is_moving);
       break;
     }
-    for(const auto& patch : patches)
-      moves += patch->number_of_moves();
+    for(const Patch::Part& part : patches)
+      moves += part.moves;
     if(rings > most_rings || moves > moves_per_vertex * n + moves_of_few || monitor.is_interrupted())
       return give_up(Mending::FAILED);
     std::vector<char> is_near(n, 0);
@@ -307,9 +302,9 @@ CGAL_SP_CORE Mending mend(const Host_loop& loop, const Host_array<std::array<int
     }
     if(!let_try(tangled))
       return give_up(Mending::TOO_MUCH);
-    patches = patches_of(loop, face, tries, v);
+    patches = patches_of(loop, face, tries);
   }
-  for_each_patch(loop, patches, [&](Patch& patch) { polish(point, monitor, patch); });
+  for_each_patch(loop, patches, v, [&](Patch& patch) { polish(point, monitor, patch); });
   if(monitor.is_interrupted())
     return give_up(Mending::FAILED);
   for(const auto& [i, x] : before)

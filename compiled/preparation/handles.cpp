@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
+//
+// By hand, since CGAL's Surface_mesh_topology finds the shortest cycle that is not contractible, which need not open a
+// handle where there are two of them; and takes hundreds of times as long: 23 s on the kitten of 1,850 vertices, where
+// this takes 0.06 s for the same loop.
 
 #include "preparation/mend.h"
 #include "preparation/points.h"

@@ -43,7 +43,7 @@ Harmonic_coefficients rotated(const Harmonic_coefficients& coefficients, const R
 /// \param shape  three functions of degree 1 or more
 /// \return the ellipsoid
 /// \throws Error  `NON_FINITE_COORDINATE` for coefficients that are not finite
-inline First_order_ellipsoid first_order_ellipsoid(const Harmonic_coefficients& shape)
+CGAL_SP_INLINE First_order_ellipsoid first_order_ellipsoid(const Harmonic_coefficients& shape)
 {
   CGAL_SP_PRECONDITION(shape.number_of_fields() == 3 && shape.degree() >= 1,
                        "an ellipsoid needs three functions of degree 1 or more");

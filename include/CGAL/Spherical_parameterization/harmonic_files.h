@@ -29,7 +29,8 @@ enum class Coefficient_format {
 /// \param coefficients  of any number of functions; of three for `SPHARM_PDM`
 /// \param format        of the text
 /// \throws std::runtime_error  if the format is for three functions, and there are not three
-inline void write_coefficients(std::ostream& out, const Harmonic_coefficients& coefficients, Coefficient_format format)
+CGAL_SP_INLINE void write_coefficients(std::ostream& out, const Harmonic_coefficients& coefficients,
+                                       Coefficient_format format)
 {
   out << (format == Coefficient_format::CSV    ? internal::csv_of(coefficients)
           : format == Coefficient_format::JSON ? internal::json_of(coefficients)
@@ -41,7 +42,7 @@ inline void write_coefficients(std::ostream& out, const Harmonic_coefficients& c
 /// \param format  of the text
 /// \return the coefficients; from CSV and JSON the same bits
 /// \throws std::runtime_error  if the text is not of this format: the message says what is wrong and where
-inline Harmonic_coefficients read_coefficients(std::istream& in, Coefficient_format format)
+CGAL_SP_INLINE Harmonic_coefficients read_coefficients(std::istream& in, Coefficient_format format)
 {
   const std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
   return format == Coefficient_format::CSV    ? internal::coefficients_of_csv(text)

@@ -6,17 +6,17 @@
 
 /// \file
 /// The core, all that does not depend on the type of the mesh, comes in two forms of the same text:
-/// - headers only, the default: every declaration of the core includes its X_impl.h, and functions are inline;
-/// - compiled: users who link the target CGAL_Spherical_parameterization::Compiled have
-///   CGAL_SPHERICAL_PARAMETERIZATION_COMPILED defined. They read declarations only; compiled/*.cpp holds the
-///   definitions.
-
+/// - headers only, the default: every declaration of the core includes its X_impl.h. Functions are templates, of no
+///   parameters: g++ compiles those only in files that call them, but inline functions wherever they are read;
+/// - compiled: users of CGAL_Spherical_parameterization::Compiled have CGAL_SPHERICAL_PARAMETERIZATION_COMPILED
+///   defined. They read declarations only; compiled/*.cpp holds the definitions.
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_COMPILED
 #define CGAL_SP_CORE
+#define CGAL_SP_INLINE inline
 #else
-#define CGAL_SP_CORE inline
+#define CGAL_SP_CORE template <class...>
+#define CGAL_SP_INLINE template <class...>
 #endif
-
 // Definitions of templates are read in the headers-only form, and by all of compiled/*.cpp. Those of functions are read
 // in the headers-only form; of compiled/*.cpp one includes them.
 #if !defined(CGAL_SPHERICAL_PARAMETERIZATION_COMPILED) || defined(CGAL_SPHERICAL_PARAMETERIZATION_COMPILES_CORE)

@@ -61,6 +61,7 @@ private:
 };
 
 /// The energy of the map x of the vertices of A, and its gradient.
+template <class...>
 class Registration_energy {
 public:
   Registration_energy(const Host_loop& loop, const Registered_surface& a, const Registered_surface& b,

@@ -30,6 +30,7 @@ namespace CGAL::Spherical_parameterization::internal {
 /// A is mapped to the sphere anew, so that some of them lie where these points of B are; and that map is deformed until
 /// all of them are near. A fine surface follows the coarse one in the same two steps. Maps keep the barrier of their
 /// energies: they are without flips.
+template <class...>
 class Spectral_registration {
 public:
   static constexpr int least_vertices = 100; ///< below there are too few eigenfunctions

@@ -22,6 +22,7 @@
 namespace CGAL::Spherical_parameterization::internal {
 
 /// Fields of a surface by vertex, smoothed by the heat flow of the surface for a time: M f' + time L f' = M f.
+template <class...>
 class Heat_flow {
 public:
   Heat_flow(const Host_loop& loop, const Registered_surface& surface)
@@ -74,7 +75,7 @@ CGAL_SP_CORE std::vector<Host_array<double>> shape_features(const Host_loop& loo
                                                             double scale_of_details, Monitor& monitor)
 {
   const int n = static_cast<int>(surface.point.size());
-  const Heat_flow flow(loop, surface);
+  const Heat_flow<> flow(loop, surface);
   const Host_array<double>& area = flow.area();
   Host_array<double> sphere_area(n, 0.);
   Host_array<vec3> normals(n, make_vec3(0, 0, 0));
@@ -131,7 +132,7 @@ CGAL_SP_CORE Refinement_report refine(const Host_loop& loop, const Registered_su
   constexpr double isometric = 4;
   constexpr int maximum_halvings = 25, window = 10;
   const int n = static_cast<int>(x.size());
-  Registration_energy energy(loop, a, b, features, landmarks, settings, x);
+  Registration_energy<> energy(loop, a, b, features, landmarks, settings, x);
   Refinement_report report;
   double now = energy.value(x);
   report.energy_before = now;
@@ -234,7 +235,7 @@ CGAL_SP_CORE void place_landmarks(const Host_loop& loop, const Registered_surfac
                                   const std::vector<Registration_landmark>& landmarks, Host_array<vec3>& x)
 {
   const Registration_features none;
-  const Registration_energy energy(loop, a, a, none, landmarks, {}, a.image);
+  const Registration_energy<> energy(loop, a, a, none, landmarks, {}, a.image);
   for(const Registration_landmark& l : landmarks)
     if(is_valid_centre(energy.star(l.vertex, x), l.place))
       x[l.vertex] = l.place;

@@ -23,17 +23,17 @@ namespace CGAL::Spherical_parameterization::internal {
 typedef std::function<Host_array<vec3>(const Host_array<vec3>&)> Store;
 
 /// Throws the precondition for weights and limits that are none.
-void check_registration(const Registration& settings);
+CGAL_SP_CORE void check_registration(const Registration& settings);
 
 /// For the registration: in units in which its area is 4 pi, with its centre at the origin. Throws Error for a surface
 /// without area, and for images that rounding to unit vectors flips.
-Registered_surface registered_surface(const Host_loop& loop, const Valid_map& map);
+CGAL_SP_CORE Registered_surface registered_surface(const Host_loop& loop, const Valid_map& map);
 
 /// Registers the surface a with b: see `register_maps()`. All but the whole time is in the result. Throws Error if one
 /// of them cannot be registered. \param landmarks  vertices of a and of b
-Registration_result register_surfaces(const Host_loop& loop, const Valid_map& a, const Valid_map& b,
-                                      const std::vector<std::pair<int, int>>& landmarks, const Registration& settings,
-                                      Monitor& monitor, const Store& store);
+CGAL_SP_CORE Registration_result register_surfaces(const Host_loop& loop, const Valid_map& a, const Valid_map& b,
+                                                   const std::vector<std::pair<int, int>>& landmarks,
+                                                   const Registration& settings, Monitor& monitor, const Store& store);
 
 } // namespace CGAL::Spherical_parameterization::internal
 

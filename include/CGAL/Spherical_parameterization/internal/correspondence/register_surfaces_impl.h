@@ -101,6 +101,7 @@ private:
   std::vector<Host_array<double>> features_;
 };
 
+template <class...>
 class Registrar {
 public:
   Registrar(const Watched_loop<Host_loop>& loop, Monitor& monitor, const Registered_side& a, const Registered_side& b,
@@ -156,9 +157,9 @@ private:
   bool is_found_by_spectrum()
   {
     if(settings_.motion != Registration::Motion::DEFORMATION || settings_.position_weight > 0 ||
-       (std::min)(a_.surface.point.size(), b_.surface.point.size()) < Spectral_registration::least_vertices)
+       (std::min)(a_.surface.point.size(), b_.surface.point.size()) < Spectral_registration<>::least_vertices)
       return false;
-    Spectral_registration found(loop_, monitor_, a_.surface, b_.surface, b_.locator(), landmark_vertices_);
+    Spectral_registration<> found(loop_, monitor_, a_.surface, b_.surface, b_.locator(), landmark_vertices_);
     result_.start = "spectrum";
     result_.margin = found.margin;
     result_.signature_difference = found.difference;
@@ -434,8 +435,8 @@ CGAL_SP_CORE Registration_result register_surfaces(const Host_loop& loop, const 
   const Locator locator_a(loop, map_a), locator_b(loop, map_b);
   const Watched_loop<Host_loop> watched(loop, monitor);
   Registration_result result;
-  Registrar registrar(watched, monitor, Registered_side(watched, monitor, a, locator_a),
-                      Registered_side(watched, monitor, b, locator_b), landmarks, settings, result);
+  Registrar<> registrar(watched, monitor, Registered_side(watched, monitor, a, locator_a),
+                        Registered_side(watched, monitor, b, locator_b), landmarks, settings, result);
   const Host_array<vec3> stored = store(registrar.run());
   const Certificate certificate = certify(loop, a.face, stored);
   result.flipped_faces = certificate.flipped_faces;

@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DISTORTION_STRETCH_SHARES_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DISTORTION_STRETCH_SHARES_H
 
+#include <CGAL/Spherical_parameterization/internal/api/compiled.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/histogram.h>
 #include <CGAL/Spherical_parameterization/internal/distortion/vertex_means.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
@@ -24,8 +25,9 @@ namespace CGAL::Spherical_parameterization::internal {
 
 /// How many area-uniform points lie in the barycentric cell of each vertex. `accumulated` has the areas of the faces,
 /// added up in their order.
-inline std::vector<double> sample_cells(const Stretch_histogram& options, const std::vector<double>& accumulated,
-                                        const Host_array<std::array<int, 3>>& corners, std::size_t cells)
+CGAL_SP_INLINE std::vector<double> sample_cells(const Stretch_histogram& options,
+                                                const std::vector<double>& accumulated,
+                                                const Host_array<std::array<int, 3>>& corners, std::size_t cells)
 {
   std::vector<double> count(cells, 0);
   // At `position` in [0, 1) of all area; (s, t) in the unit square chooses a point of the face there.
@@ -59,8 +61,8 @@ inline std::vector<double> sample_cells(const Stretch_histogram& options, const 
 }
 
 /// How much of the surface every bin has.
-inline std::vector<double> stretch_shares(const Host_loop& loop, const Mapped_surface& map,
-                                          const Stretch_histogram& options)
+CGAL_SP_INLINE std::vector<double> stretch_shares(const Host_loop& loop, const Mapped_surface& map,
+                                                  const Stretch_histogram& options)
 {
   const Host_array<double>& area = map.face_area(loop);
   std::vector<double> accumulated(area.size());

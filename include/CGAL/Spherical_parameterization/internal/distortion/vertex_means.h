@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DISTORTION_VERTEX_MEANS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DISTORTION_VERTEX_MEANS_H
 
+#include <CGAL/Spherical_parameterization/internal/api/compiled.h>
 #include <CGAL/Spherical_parameterization/internal/distortion/Face_measures.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
@@ -27,7 +28,7 @@ Host_array<double> means_over_faces(const Host_loop& loop, const Surface& surfac
 }
 
 /// The logarithmic area stretch of the vertices.
-inline Host_array<double> vertex_stretch(const Host_loop& loop, const Mapped_surface& map)
+CGAL_SP_INLINE Host_array<double> vertex_stretch(const Host_loop& loop, const Mapped_surface& map)
 {
   return means_over_faces(loop, map, Face_measures(map, loop).values(loop, &Face_measures::log_area_stretch));
 }

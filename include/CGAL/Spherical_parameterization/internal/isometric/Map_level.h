@@ -55,6 +55,7 @@ struct Anchor {
 ///
 /// Vertices are sorted by colour. Those of one colour are not adjacent, so that all of them can be moved at once, with
 /// the same result as one after the other.
+template <class...>
 class Map_level {
 public:
   /// A face (i, j, k) at vertex i.

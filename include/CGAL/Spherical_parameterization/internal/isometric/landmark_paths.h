@@ -64,9 +64,10 @@ inline void append_arc(Path& path, vec3 end)
 ///
 /// The paths go from vertex to vertex of the map, and have no vertex in common. Those to places nearby are laid first.
 /// One that finds no way crosses others, as few as possible, and these are laid anew.
+template <class...>
 class Landmark_paths {
 public:
-  Landmark_paths(const Map_level& level, const Landmarks& landmarks, Landmark_budget& budget)
+  Landmark_paths(const Map_level<>& level, const Landmarks& landmarks, Landmark_budget& budget)
     : level_(level), landmarks_(landmarks), budget_(budget), owner_(level.size(), nobody), cost_(level.size(), 1.),
       goal_(landmarks.size(), nobody), route_(landmarks.size())
   {}
@@ -213,7 +214,7 @@ private:
     return route;
   }
 
-  const Map_level& level_;
+  const Map_level<>& level_;
   const Landmarks& landmarks_;
   Landmark_budget& budget_;
   std::vector<int> owner_;   ///< of a vertex: the landmark whose path goes through it

@@ -20,7 +20,7 @@ namespace CGAL::Spherical_parameterization::internal {
 
 /// Rotates a valid map so that its landmarks are near their places in the sense of least squares, unless rounding would
 /// make it invalid.
-inline void rotate_to_landmarks(const Landmarks& landmarks, Map_level& level)
+CGAL_SP_INLINE void rotate_to_landmarks(const Landmarks& landmarks, Map_level<>& level)
 {
   std::vector<vec3> from, to;
   for(const Landmark& l : landmarks) {
@@ -36,7 +36,7 @@ inline void rotate_to_landmarks(const Landmarks& landmarks, Map_level& level)
 }
 
 /// Pins the landmarks of a level that are placed; no other vertex is held.
-inline void pin_placed(const Landmarks& landmarks, Map_level& level)
+CGAL_SP_INLINE void pin_placed(const Landmarks& landmarks, Map_level<>& level)
 {
   level.release();
   for(const Landmark& l : landmarks)
@@ -56,9 +56,10 @@ inline void pin_placed(const Landmarks& landmarks, Map_level& level)
 /// others stuck head to head. Then areas count less: so the mesh gives way at the tips of limbs, where it is small on
 /// the sphere, and has to grow before landmarks can pass each other. Those that are stuck even so follow paths that do
 /// not meet, a few edges at a time; after each step the mesh is relaxed while the landmarks are held.
+template <class...>
 class Landmark_placement {
 public:
-  Landmark_placement(const Host_loop& loop, const Distortion& distortion, Map_level& level, Landmarks& landmarks,
+  Landmark_placement(const Host_loop& loop, const Distortion& distortion, Map_level<>& level, Landmarks& landmarks,
                      Landmark_budget& budget)
     : loop_(loop), full_distortion_(distortion), distortion_(distortion), level_(level), landmarks_(landmarks),
       budget_(budget)
@@ -75,7 +76,7 @@ public:
     };
     for(const Stage stage : {Stage{true, 1}, Stage{true, 0.5}, Stage{false, 0.5}}) {
       is_straight_ = stage.is_straight;
-      path_ = is_straight_ ? straight_paths() : Landmark_paths(level_, landmarks_, budget_).find();
+      path_ = is_straight_ ? straight_paths() : Landmark_paths<>(level_, landmarks_, budget_).find();
       if(path_.empty())
         return false;
       const Host_array<vec3> position = level_.position();
@@ -107,7 +108,7 @@ private:
     return paths;
   }
 
-  double step(Newton_relaxation& newton)
+  double step(Newton_relaxation<>& newton)
   {
     budget_.spend(level_.size());
     return newton.step(maximum_iterations, linear_tolerance);
@@ -129,7 +130,7 @@ private:
     constexpr int maximum_steps = 10;
     constexpr double least_gain = 0.01, tolerable = 1.5;
     pin_placed(landmarks_, level_);
-    Newton_relaxation newton(loop_, distortion_, level_);
+    Newton_relaxation<> newton(loop_, distortion_, level_);
     for(int s = 0; s < maximum_steps && advance(); ++s) {
       const double gain = step(newton);
       level_.relax(distortion_);
@@ -151,7 +152,7 @@ private:
     double stiffness = first;
     const double whole_way = way_to_go();
     double before = whole_way, milestone = whole_way;
-    Newton_relaxation newton(loop_, distortion_, level_);
+    Newton_relaxation<> newton(loop_, distortion_, level_);
     for(int s = 0, since = 0; s < maximum_steps && !put_in_place(stiffness) && !budget_.is_spent() && advance(); ++s) {
       step(newton);
       const double length = newton.step_length();
@@ -177,7 +178,7 @@ private:
 
   /// Relaxes the map while the landmarks stay where they are.
   template <class Advance>
-  void relax_round_landmarks(Newton_relaxation& newton, Advance advance)
+  void relax_round_landmarks(Newton_relaxation<>& newton, Advance advance)
   {
     constexpr int maximum_steps = 5;
     constexpr double sufficient = 0.02; // gain that is left
@@ -260,7 +261,7 @@ private:
   const Host_loop& loop_;
   const Distortion full_distortion_;
   Distortion distortion_; ///< at the moment
-  Map_level& level_;
+  Map_level<>& level_;
   Landmarks& landmarks_;
   Landmark_budget& budget_;
   std::vector<Path> path_;           ///< of every landmark

@@ -29,9 +29,10 @@ namespace CGAL::Spherical_parameterization::internal {
 /// Single precision is enough for the blocks, since they only give a direction.
 ///
 /// Anchors pull with their energy; vertices that are pinned have rows and columns of the identity.
+template <class...>
 class Newton_relaxation {
 public:
-  Newton_relaxation(const Host_loop& loop, const Distortion& distortion, Map_level& level)
+  Newton_relaxation(const Host_loop& loop, const Distortion& distortion, Map_level<>& level)
     : loop_(loop), distortion_(distortion), level_(level), tangents_(level.size()), factor_(level.size()),
       gradient_(level.size()), middle_(level.size()), entry_(level.offset(level.size()))
   {}
@@ -76,13 +77,13 @@ private:
     Host_array<Face_blocks> blocks(level_.number_of_faces());
     level_.for_each_vertex([&](int i) {
       for(int c = level_.offset(i); c < level_.offset(i + 1); ++c)
-        if(const Map_level::Corner& corner = level_.corner(c); corner.number == 0)
+        if(const Map_level<>::Corner& corner = level_.corner(c); corner.number == 0)
           blocks[corner.face] = blocks_of_face(i, corner, lift);
     });
     level_.for_each_vertex([&](int i) { assemble_row(i, blocks); });
   }
 
-  Face_blocks blocks_of_face(int i, const Map_level::Corner& corner, double lift) const
+  Face_blocks blocks_of_face(int i, const Map_level<>::Corner& corner, double lift) const
   {
     const vec3 x = level_.position()[i];
     const Star_face face = level_.star_face(corner);
@@ -120,7 +121,7 @@ private:
     };
     vec3 gradient = {0, 0, 0};
     for(int c = begin; c < end; ++c) {
-      const Map_level::Corner& corner = level_.corner(c);
+      const Map_level<>::Corner& corner = level_.corner(c);
       const Face_blocks& of_face = blocks[corner.face];
       gradient = add(gradient, of_face.gradient.at(x, level_.star_face(corner)));
       const int m = corner.number;
@@ -257,7 +258,7 @@ private:
       double t = 1;
       for(int i = begin; i < end; ++i)
         for(int c = level_.offset(i); c < level_.offset(i + 1); ++c) {
-          const Map_level::Corner& corner = level_.corner(c);
+          const Map_level<>::Corner& corner = level_.corner(c);
           if(corner.number > 0)
             continue;
           const auto moved = [&](int v, double s) { return add_scaled(level_.position()[v], s, direction[v]); };
@@ -343,7 +344,7 @@ private:
 
   const Host_loop& loop_;
   const Distortion& distortion_;
-  Map_level& level_;
+  Map_level<>& level_;
   Host_array<Tangents> tangents_; ///< in which the diagonal blocks are the identity
   Host_array<Block> factor_;      ///< which make them of the orthonormal ones
   Host_array<Planar> gradient_;

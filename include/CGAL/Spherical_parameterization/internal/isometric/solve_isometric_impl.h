@@ -41,6 +41,7 @@ namespace CGAL::Spherical_parameterization::internal {
 /// Fixed vertices are landmarks. The decimation keeps them while there are many more vertices than landmarks. On the
 /// coarsest mesh that has all of them the map is rotated to fit their places, and they are moved there; where that mesh
 /// is too coarse, on one of the next. From then on they do not move.
+template <class...>
 class Coarse_to_fine_map {
 public:
   /// How landmarks are brought to their places.
@@ -340,7 +341,7 @@ private:
     if(!is_last_level && level_.size() < growth * last_placement_)
       return;
     last_placement_ = level_.size();
-    if(Landmark_placement(loop_, distortion_, level_, landmarks_, *attempt_.budget).run([&] {
+    if(Landmark_placement<>(loop_, distortion_, level_, landmarks_, *attempt_.budget).run([&] {
          return monitor_.advance(progress());
        }))
       return;
@@ -449,7 +450,7 @@ private:
     constexpr int maximum_steps = 100, maximum_work = 200000, maximum_iterations = 50;
     if(!is_level_coarse())
       return;
-    Newton_relaxation newton(loop_, distortion, level_);
+    Newton_relaxation<> newton(loop_, distortion, level_);
     const int steps = (std::min)(maximum_steps, maximum_work / level_.size());
     const double least_gain =
       level_.energy(distortion) < distortion_of_limbs ? least_gain_without_limbs : least_gain_with_limbs;
@@ -490,7 +491,7 @@ private:
     if(monitor_.is_interrupted()) // there is no time to know
       return;
     report.residual =
-      Newton_relaxation(loop_, distortion_, level_).gain_ahead(maximum_linear_iterations, linear_tolerance);
+      Newton_relaxation<>(loop_, distortion_, level_).gain_ahead(maximum_linear_iterations, linear_tolerance);
     const double accuracy = effort_.accuracy.value_or(Isometric::default_accuracy);
     const bool are_defaults = accuracy >= Isometric::default_accuracy &&
                               effort_.number_of_iterations.value_or(Isometric::default_number_of_iterations) >=
@@ -506,7 +507,7 @@ private:
     constexpr double small_size = 2000, least_part = 0.05; // steps are cheap on small meshes
     const double accuracy =
       effort_.accuracy.value_or(Isometric::default_accuracy) * std::clamp(level_.size() / small_size, least_part, 1.);
-    Newton_relaxation newton(loop_, distortion_, level_);
+    Newton_relaxation<> newton(loop_, distortion_, level_);
     for(std::size_t s = 0; s < maximum_steps && monitor_.advance(progress()); ++s) {
       newton.step(maximum_linear_iterations, linear_tolerance);
       report.residual = newton.promised_gain();
@@ -551,7 +552,7 @@ private:
   const std::vector<int> order_of_faces_;
   Carried_density density_;
   Progressive_mesh mesh_;
-  Map_level level_;
+  Map_level<> level_;
   Partial_map map_;
   std::vector<std::vector<int>> rounds_; ///< the collapsed half-edges of every round
   std::vector<Level_size> level_sizes_;  ///< of which levels are relaxed, those to come
@@ -565,7 +566,7 @@ private:
 };
 
 /// Throws the Error if there is no map whose edges are geodesic: these are determined by their ends.
-inline void check_simplicial(const Problem& problem)
+CGAL_SP_INLINE void check_simplicial(const Problem& problem)
 {
   const std::string wrong = "there is no map with geodesic edges: ";
   if(problem.size() < 4)
@@ -575,7 +576,7 @@ inline void check_simplicial(const Problem& problem)
 }
 
 /// Throws the Error if a face cannot be positively oriented since all of its corners are fixed.
-inline void check_fixed_faces(const Problem& problem)
+CGAL_SP_INLINE void check_fixed_faces(const Problem& problem)
 {
   if(!problem.has_fixed())
     return;
@@ -594,17 +595,18 @@ inline void check_fixed_faces(const Problem& problem)
 /// Runs `Coarse_to_fine_map`. Where landmarks get stuck, they do so by how the coarse mesh happens to be, or since the
 /// map of it is far from the map of the whole mesh, which they may have been taken from. Then again, from the map
 /// without landmarks, on coarse meshes that grow up to the whole mesh.
-inline Host_array<vec3> coarse_to_fine_map(const Host_loop& loop, const Isometric& method, const Problem& problem,
-                                           const Effort& effort, Monitor& monitor, Solver_report& report)
+CGAL_SP_INLINE Host_array<vec3> coarse_to_fine_map(const Host_loop& loop, const Isometric& method,
+                                                   const Problem& problem, const Effort& effort, Monitor& monitor,
+                                                   Solver_report& report)
 {
-  typedef Coarse_to_fine_map::Attempt Attempt;
+  typedef Coarse_to_fine_map<>::Attempt Attempt;
   constexpr int least_size = 500, vertices_per_landmark = 8, growth = 3;
   const auto landmarks = std::count(problem.is_fixed.begin(), problem.is_fixed.end(), 1);
   double size = (std::max)(double(least_size), vertices_per_landmark * double(landmarks));
   Landmark_budget budget(problem.size());
   const auto run = [&](const Problem& of, const Attempt& attempt) {
     report = Solver_report();
-    return Coarse_to_fine_map(loop, method, of, effort, monitor, attempt).run(report);
+    return Coarse_to_fine_map<>(loop, method, of, effort, monitor, attempt).run(report);
   };
   const auto is_next_worth_while = [&](const Input_error& error) {
     return !budget.is_spent() &&
@@ -630,7 +632,7 @@ inline Host_array<vec3> coarse_to_fine_map(const Host_loop& loop, const Isometri
 }
 
 /// See `Result::density_deviation`.
-inline double density_deviation(const Host_loop& loop, const Problem& problem, const Host_array<vec3>& position)
+CGAL_SP_INLINE double density_deviation(const Host_loop& loop, const Problem& problem, const Host_array<vec3>& position)
 {
   const int number_of_faces = static_cast<int>(problem.face.size());
   const auto wanted = [&](int f) { return problem.density[f] * norm(normal(problem.point, problem.face[f])); };

@@ -20,13 +20,13 @@ class Centring {
 public:
   /// \param mass  not negative, with a positive sum
   /// \param v     unit vectors
-  Centring(const Host_loop& loop, const Host_array<double>& mass, Host_array<vec3> v);
+  CGAL_SP_CORE Centring(const Host_loop& loop, const Host_array<double>& mass, Host_array<vec3> v);
 
   /// Of the centroid from the centre, in the end
   double distance() const { return distance_; }
 
-  vec3 operator()(vec3 p) const;
-  vec3 inverse(vec3 p) const;
+  CGAL_SP_CORE vec3 operator()(vec3 p) const;
+  CGAL_SP_CORE vec3 inverse(vec3 p) const;
 
 private:
   std::vector<vec3> centre_; ///< of the boosts, one after the other
@@ -35,7 +35,7 @@ private:
 
 /// Moves vectors of any length but 0 to the sphere, and centres them. Returns the distance of the centroid. Throws
 /// Error for what is no direction, and for masses that are none.
-double centre_by_mass(const Host_array<double>& mass, Host_array<vec3>& image);
+CGAL_SP_CORE double centre_by_mass(const Host_array<double>& mass, Host_array<vec3>& image);
 
 } // namespace CGAL::Spherical_parameterization::internal
 

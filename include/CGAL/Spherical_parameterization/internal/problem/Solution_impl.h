@@ -19,7 +19,7 @@ struct Reason_for_flips {
   const char *cause, *remedy;
 };
 
-inline Reason_for_flips reason_for_flips(const Problem& problem, const Certificate& certificate)
+CGAL_SP_INLINE Reason_for_flips reason_for_flips(const Problem& problem, const Certificate& certificate)
 {
   const char* const other_springs = "a larger spring exponent or other weights";
   // Corners at this distance have three digits of their own; the area of triangles that are as small.
@@ -42,7 +42,7 @@ inline Reason_for_flips reason_for_flips(const Problem& problem, const Certifica
 }
 
 /// Why a map is what it is.
-inline Termination termination_of(const Monitor& monitor, const Solution& solution)
+CGAL_SP_INLINE Termination termination_of(const Monitor& monitor, const Solution& solution)
 {
   const Solver_report& report = solution.report;
   if(report.residual <= solution.accuracy)

@@ -26,8 +26,6 @@ public:
     double value, first, second; ///< psi and its derivatives
   };
 
-  static constexpr bool needs_positive_faces = true;
-
   explicit Distortion(double theta) : theta_(theta) {}
 
   /// With so much of the exponent of the area

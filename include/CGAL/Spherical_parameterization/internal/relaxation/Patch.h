@@ -8,6 +8,7 @@
 #include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 #include <CGAL/Spherical_parameterization/internal/relaxation/Face_hessian.h>
 #include <CGAL/Spherical_parameterization/internal/relaxation/Sparse_cholesky.h>
+#include <CGAL/Spherical_parameterization/internal/relaxation/untangling_energy.h>
 
 #include <algorithm>
 #include <array>
@@ -16,15 +17,32 @@
 #include <cstdint>
 #include <limits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 
+/// What a patch minimizes. It is one type, so that Newton's method is compiled once.
+struct Patch_energy : std::variant<Distortion, Untangling_energy> {
+  using variant::variant;
+
+  /// Whether flipped faces make it infinite
+  bool needs_positive_faces() const { return index() == 0; }
+
+  Distortion::Psi psi(double ratio) const
+  {
+    const auto* const distortion = std::get_if<Distortion>(this);
+    return distortion ? distortion->psi(ratio) : std::get_if<Untangling_energy>(this)->psi(ratio);
+  }
+  Distortion::Psi phi(double ratio, const Distortion::Psi& psi) const
+  {
+    const auto* const distortion = std::get_if<Distortion>(this);
+    return distortion ? distortion->phi(ratio, psi) : std::get_if<Untangling_energy>(this)->phi(ratio, psi);
+  }
+};
+
 /// A connected set of vertices, and all faces that have one of them as a corner: Newton's method for an energy of the
 /// faces, in which these vertices move and no others do. The linear systems are solved by a Cholesky factorization.
-///
-/// An energy has psi(J) and phi(J), see `Face_hessian`, and `needs_positive_faces`: whether flipped faces make it
-/// infinite.
 class Patch {
 public:
   struct Face {
@@ -119,8 +137,7 @@ public:
   /// One step of Newton's method, taken only if the energy falls (Armijo) or the rounding of its sum hides whether it
   /// does, and faces that have to be positive stay it.
   /// \param damping  share of the diagonal that is added to Newton's matrix, at least
-  template <class Energy>
-  Step step(const Energy& energy, double damping)
+  Step step(const Patch_energy& energy, double damping)
   {
     constexpr double longest_step = 0.5; // as an angle
     moves_ += size();
@@ -161,7 +178,7 @@ public:
     if(!(slope < 0))
       return result;
     double t = longest > longest_step ? longest_step / longest : 1;
-    if(energy.needs_positive_faces)
+    if(energy.needs_positive_faces())
       t = feasible_step(direction, t);
     search(energy, direction, t, slope, result);
     return result;
@@ -190,10 +207,9 @@ private:
   }
 
   /// The gradient, the second derivatives, and what lifts their negative eigenvalues. Returns the energy.
-  template <class Energy>
-  double assemble(const Energy& energy, bool has_lift)
+  double assemble(const Patch_energy& energy, bool has_lift)
   {
-    constexpr bool is_stiff = !Energy::needs_positive_faces; // which is fast, but holds limbs that have to turn
+    const bool is_stiff = !energy.needs_positive_faces(); // which is fast, but holds limbs that have to turn
     double sum = 0;
     auto place = place_.begin();
     std::fill(hessian_.begin(), hessian_.end(), Block{0, 0, 0, 0});
@@ -239,21 +255,19 @@ private:
     }
   }
 
-  template <class Energy>
-  double face_value(const Energy& energy, const Face& f) const
+  double face_value(const Patch_energy& energy, const Face& f) const
   {
     const Star_face star_face = this->star_face(f);
     const vec3 x = v_[f.corner[0]];
     const double determinant = star_face.determinant(x);
-    if(energy.needs_positive_faces && !(determinant > 0))
+    if(energy.needs_positive_faces() && !(determinant > 0))
       return std::numeric_limits<double>::infinity();
     const double ratio = determinant / f.twice_area;
     const Distortion::Psi psi = energy.psi(ratio);
     return f.weight * (star_face.dirichlet(x) * psi.value + f.twice_area / 2 * energy.phi(ratio, psi).value);
   }
 
-  template <class Energy>
-  double value(const Energy& energy) const
+  double value(const Patch_energy& energy) const
   {
     double sum = 0;
     for(const Face& f : face_)
@@ -282,8 +296,7 @@ private:
     return t;
   }
 
-  template <class Energy>
-  void search(const Energy& energy, const std::vector<vec3>& direction, double t, double slope, Step& step)
+  void search(const Patch_energy& energy, const std::vector<vec3>& direction, double t, double slope, Step& step)
   {
     constexpr double armijo = 1e-4, rounding = 1e-10; // of the energy; a Newton step that gains less is in no doubt
     constexpr double farthest = 2, worth_a_trial = 1.3;
@@ -294,7 +307,7 @@ private:
         v_[vertex_[i]] = unit(add_scaled(start[i], s, direction[i]));
       return step.energy - value(energy);
     };
-    const auto may_be_taken = [&] { return !energy.needs_positive_faces || has_positive_faces(); };
+    const auto may_be_taken = [&] { return !energy.needs_positive_faces() || has_positive_faces(); };
     for(int halving = 0; halving < maximum_halvings; ++halving, t /= 2) {
       step.gain = gain_at(t);
       step.is_taken = (step.gain >= -armijo * t * slope || -slope < rounding * step.energy) && may_be_taken();

@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RELAXATION_STAR_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RELAXATION_STAR_H
 
+#include <CGAL/Spherical_parameterization/internal/api/compiled.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/relaxation/Distortion.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
@@ -84,7 +85,7 @@ struct Star_face {
 typedef boost::container::small_vector<Star_face, 12> Star;
 
 /// The distortion of the star with centre x, integrated over the source; infinite unless all faces are positive.
-inline double star_energy(const Distortion& distortion, const Star& star, vec3 x)
+CGAL_SP_INLINE double star_energy(const Distortion& distortion, const Star& star, vec3 x)
 {
   double energy = 0;
   for(const Star_face& f : star) {
@@ -96,7 +97,7 @@ inline double star_energy(const Distortion& distortion, const Star& star, vec3 x
 }
 
 /// Whether all faces of the star with centre x are positively oriented, exactly.
-inline bool is_valid_centre(const Star& star, vec3 x)
+CGAL_SP_INLINE bool is_valid_centre(const Star& star, vec3 x)
 {
   return std::all_of(star.begin(), star.end(), [x](const Star_face& f) { return is_positively_oriented(x, f.j, f.k); });
 }
@@ -124,14 +125,14 @@ struct Star_trial {
 };
 
 /// Whether the star of the trial, with centre x, has positively oriented faces, exactly.
-inline bool is_valid_trial(const Star_trial& trial, const Star& star, vec3 x)
+CGAL_SP_INLINE bool is_valid_trial(const Star_trial& trial, const Star& star, vec3 x)
 {
   return trial.is_surely_valid ? std::isfinite(trial.energy) : is_valid_centre(star, x);
 }
 
 /// The solution of |H| s = -g, |H| the symmetric matrix with the absolute eigenvalues of H (and none much smaller than
 /// the other): a descent direction, and Newton's if H is positive definite.
-inline Planar solve_positive(double h11, double h12, double h22, Planar g)
+CGAL_SP_INLINE Planar solve_positive(double h11, double h12, double h22, Planar g)
 {
   constexpr double smallest_share = 1e-3;
   const double mean = (h11 + h22) / 2, half = (h11 - h22) / 2;
@@ -151,7 +152,7 @@ inline Planar solve_positive(double h11, double h12, double h22, Planar g)
 /// taken only if the energy falls (Armijo) and all faces stay positively oriented, by the exact predicate: a valid
 /// star stays valid. `energy` is that of the star, on return.
 /// Returns by how much it fell; 0 if there was no step.
-inline double relax_centre(const Distortion& distortion, const Star& star, vec3& x, double& energy)
+CGAL_SP_INLINE double relax_centre(const Distortion& distortion, const Star& star, vec3& x, double& energy)
 {
   constexpr double share_of_the_way_to_a_flip = 0.8, armijo = 1e-4;
   constexpr int maximum_halvings = 12;
@@ -216,7 +217,7 @@ inline double relax_centre(const Distortion& distortion, const Star& star, vec3&
 /// A point well inside the kernel of the star round v, on whose boundary v may lie: the mean of the corners of the
 /// kernel polygon in the tangent plane at v (by the gnomonic projection great circles are lines), clipped to a square a
 /// few times as large as the star. Found with rounding errors: to be checked.
-inline vec3 kernel_point(const Star& star, vec3 v)
+CGAL_SP_INLINE vec3 kernel_point(const Star& star, vec3 v)
 {
   typedef boost::container::small_vector<Planar, 24> Polygon;
   const Tangents tangents = tangents_at(v);
@@ -256,7 +257,7 @@ inline vec3 kernel_point(const Star& star, vec3 v)
 ///
 /// The best of some candidates is improved by Newton's method. The first one with which the star is distorted no more
 /// than `sufficient` in the mean will do.
-inline bool insert_vertex(const Distortion& distortion, const Star& star, vec3 v, double sufficient, vec3& x)
+CGAL_SP_INLINE bool insert_vertex(const Distortion& distortion, const Star& star, vec3 v, double sufficient, vec3& x)
 {
   constexpr int maximum_steps = 6;
   constexpr double sufficient_gain = 1e-2;

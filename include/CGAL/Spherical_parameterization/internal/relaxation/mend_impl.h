@@ -22,7 +22,8 @@
 namespace CGAL::Spherical_parameterization::internal {
 
 /// What a face is in the source. \param f  its corners
-inline Face_metric metric_of(const Host_array<vec3>& point, const std::array<int, 3>& f, const Metric_bounds& bounds)
+CGAL_SP_INLINE Face_metric metric_of(const Host_array<vec3>& point, const std::array<int, 3>& f,
+                                     const Metric_bounds& bounds)
 {
   return face_metric(sub(point[f[1]], point[f[0]]), sub(point[f[2]], point[f[0]]), bounds);
 }
@@ -51,8 +52,8 @@ std::vector<int> faces_where(const Host_loop& loop, const Host_array<std::array<
 }
 
 /// The faces that have a corner in a set of vertices.
-inline std::vector<int> faces_at(const Host_loop& loop, const Host_array<std::array<int, 3>>& face,
-                                 const std::vector<char>& is_in_set)
+CGAL_SP_INLINE std::vector<int> faces_at(const Host_loop& loop, const Host_array<std::array<int, 3>>& face,
+                                         const std::vector<char>& is_in_set)
 {
   return faces_where(loop, face,
                      [&](int f) { return is_in_set[face[f][0]] || is_in_set[face[f][1]] || is_in_set[face[f][2]]; });
@@ -61,8 +62,8 @@ inline std::vector<int> faces_at(const Host_loop& loop, const Host_array<std::ar
 typedef std::vector<Patch::Part> Patches;
 
 /// The patches of the vertices that move: the sets of them that faces connect.
-inline Patches patches_of(const Host_loop& loop, const Host_array<std::array<int, 3>>& face,
-                          const std::vector<char>& is_moving)
+CGAL_SP_INLINE Patches patches_of(const Host_loop& loop, const Host_array<std::array<int, 3>>& face,
+                                  const std::vector<char>& is_moving)
 {
   const std::vector<int> concerned = faces_at(loop, face, is_moving);
   Host_array<int> number(is_moving.size()); // of moving vertices, in the order in which faces name them
@@ -128,7 +129,7 @@ void for_each_patch(const Host_loop& loop, Patches& patches, Host_array<vec3>& v
 
 /// Makes all faces of a patch positive, if it can, by Newton's method for energies that are regularized less and less.
 /// Returns whether it could.
-inline bool untangle(const Host_array<vec3>& point, Monitor& monitor, Patch& patch)
+CGAL_SP_INLINE bool untangle(const Host_array<vec3>& point, Monitor& monitor, Patch& patch)
 {
   constexpr int most_steps = 200;
   constexpr Metric_bounds bounds = {30, 1e-30}; // needles are untangled as if they were better
@@ -173,7 +174,7 @@ inline bool untangle(const Host_array<vec3>& point, Monitor& monitor, Patch& pat
 
 /// Newton's method for MIPS, on a patch of positive faces. Returns whether it ended at a minimum, and was not sliding
 /// on when nothing was gained any more: its steps got no shorter.
-inline bool minimize_mips(double damping, Monitor& monitor, Patch& patch)
+CGAL_SP_INLINE bool minimize_mips(double damping, Monitor& monitor, Patch& patch)
 {
   constexpr int most_steps = 100, most_vain_steps = 8;
   constexpr double short_step = 1e-4;                         // to the faces around: Newton's method squares it
@@ -199,7 +200,7 @@ inline bool minimize_mips(double damping, Monitor& monitor, Patch& patch)
 /// damping is what it takes to find its place all the same. A limb whose place is below the rounding of its faces
 /// slides on for ever: then a damping that holds it where it was. What is stiffer is at its minimum in the end,
 /// whatever the numbers of vertices and faces.
-inline void polish(const Host_array<vec3>& point, Monitor& monitor, Patch& patch)
+CGAL_SP_INLINE void polish(const Host_array<vec3>& point, Monitor& monitor, Patch& patch)
 {
   constexpr double hardly = 1e-10, held = 1e-6;
   for(Patch::Face& f : patch.faces()) {

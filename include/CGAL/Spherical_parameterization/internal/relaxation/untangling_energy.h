@@ -17,8 +17,6 @@ namespace CGAL::Spherical_parameterization::internal {
 /// Without the share `a` of the areas it would be MIPS for e = 0, and lead faces to shrink to points for e > 0.
 class Untangling_energy {
 public:
-  static constexpr bool needs_positive_faces = false;
-
   explicit Untangling_energy(double regularization) : e2_(regularization * regularization) {}
 
   /// 1 / chi and its derivatives

@@ -19,7 +19,7 @@ namespace CGAL::Spherical_parameterization::internal {
 
 /// Greedy colouring in vertex order: vertices of one colour have no edge between them, so that a Gauss-Seidel sweep may
 /// treat them at once, and gives the same result on every backend.
-inline std::vector<Host_array<int>> greedy_colouring(const Weighted_graph& a)
+CGAL_SP_INLINE std::vector<Host_array<int>> greedy_colouring(const Weighted_graph& a)
 {
   std::vector<Host_array<int>> colours;
   Host_array<int> colour(a.size(), -1);

@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SEGMENTATION_REGION_GRAPH_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SEGMENTATION_REGION_GRAPH_H
 
+#include <CGAL/Spherical_parameterization/internal/api/compiled.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/Segmentation_mesh.h>
 #include <CGAL/Spherical_parameterization/values/segmentation_methods.h>
 
@@ -23,7 +24,7 @@ namespace CGAL::Spherical_parameterization::internal {
 typedef std::vector<std::array<double, 3>> Side_costs;
 
 /// The connected components of equal labels, numbered from 0 in the order of their first faces.
-inline std::vector<int> connected_components(const Segmentation_mesh& mesh, const std::vector<int>& label)
+CGAL_SP_INLINE std::vector<int> connected_components(const Segmentation_mesh& mesh, const std::vector<int>& label)
 {
   std::vector<int> component(label.size(), -1);
   int count = 0;
@@ -151,7 +152,7 @@ private:
 };
 
 /// The length of every side: what borders are measured with where nothing else is known.
-inline Side_costs side_lengths(const Segmentation_mesh& mesh)
+CGAL_SP_INLINE Side_costs side_lengths(const Segmentation_mesh& mesh)
 {
   Side_costs length(mesh.face.size());
   for(int f = 0; f < mesh.number_of_faces(); ++f)
@@ -230,8 +231,8 @@ void absorb_small_regions(Region_graph& regions, double minimum_area, Key key, M
 
 /// Connected segments from labels: parts that are too small go to the neighbour with the longest common border. While
 /// there are too many, the least significant cut is taken back: that of the smallest area over its squared length.
-inline std::vector<int> selected_segments(const Segmentation_mesh& mesh, const std::vector<int>& label,
-                                          const Segment_limits& limits)
+CGAL_SP_INLINE std::vector<int> selected_segments(const Segmentation_mesh& mesh, const std::vector<int>& label,
+                                                  const Segment_limits& limits)
 {
   Region_graph regions(mesh, connected_components(mesh, label), side_lengths(mesh));
   absorb_small_regions(regions, limits.minimum_area,

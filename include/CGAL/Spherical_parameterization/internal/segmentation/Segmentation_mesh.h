@@ -5,6 +5,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SEGMENTATION_SEGMENTATION_MESH_H
 
 #include <CGAL/Spherical_parameterization/values/Error.h>
+#include <CGAL/Spherical_parameterization/internal/api/compiled.h>
 #include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Corner_table.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Mapped_surface.h>
@@ -94,7 +95,7 @@ void flood(const Segmentation_mesh& mesh, int first, Takes takes)
 }
 
 /// The mean of the values at the corners of a face.
-inline double mean_of_corners(const Segmentation_mesh& mesh, const std::vector<double>& value, int f)
+CGAL_SP_INLINE double mean_of_corners(const Segmentation_mesh& mesh, const std::vector<double>& value, int f)
 {
   const auto [a, b, c] = mesh.face[f];
   return (value[a] + value[b] + value[c]) / 3;
@@ -103,7 +104,8 @@ inline double mean_of_corners(const Segmentation_mesh& mesh, const std::vector<d
 /// The logarithmic area stretch of the vertices from that of the faces, log(source area / spherical area) of the star:
 /// a mean of the reciprocal stretches, weighted with the source areas, so that a face that is much too small on the
 /// sphere, or flipped, does not count.
-inline std::vector<double> stretch_of_vertices(const Segmentation_mesh& mesh, const std::vector<double>& face_stretch)
+CGAL_SP_INLINE std::vector<double> stretch_of_vertices(const Segmentation_mesh& mesh,
+                                                       const std::vector<double>& face_stretch)
 {
   const int n = mesh.number_of_vertices();
   std::vector<double> least(n, 1e300), sum(n, 0), area(n, 0);
@@ -122,7 +124,7 @@ inline std::vector<double> stretch_of_vertices(const Segmentation_mesh& mesh, co
 }
 
 /// Damped Jacobi sweeps of a Laplacian with weights 1 / length: takes the noise of single triangles away.
-inline std::vector<double> smoothed(const Segmentation_mesh& mesh, std::vector<double> value, int sweeps)
+CGAL_SP_INLINE std::vector<double> smoothed(const Segmentation_mesh& mesh, std::vector<double> value, int sweeps)
 {
   std::vector<double> next(value.size());
   for(int sweep = 0; sweep < sweeps; ++sweep) {

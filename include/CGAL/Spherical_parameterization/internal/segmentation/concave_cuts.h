@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SEGMENTATION_CONCAVE_CUTS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SEGMENTATION_CONCAVE_CUTS_H
 
+#include <CGAL/Spherical_parameterization/internal/api/compiled.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
 #include <CGAL/Spherical_parameterization/internal/backend/Host_backend.h>
 #include <CGAL/Spherical_parameterization/internal/multigrid/Multigrid.h>
@@ -67,7 +68,7 @@ Host_array<vec3> smoothed_normals(const Loop& loop, const Segmentation_mesh& mes
 }
 
 /// How much the normal turns inwards across each side along a way of length r: positive in concave places.
-inline Side_costs inward_turn(const Segmentation_mesh& mesh, const Host_array<vec3>& normal, double radius)
+CGAL_SP_INLINE Side_costs inward_turn(const Segmentation_mesh& mesh, const Host_array<vec3>& normal, double radius)
 {
   Side_costs turn(mesh.face.size());
   for(int f = 0; f < mesh.number_of_faces(); ++f)
@@ -85,7 +86,7 @@ inline Side_costs inward_turn(const Segmentation_mesh& mesh, const Host_array<ve
 /// inwards more than it does at a wider scale, so that the inside of a bowl, which is concave everywhere, is none.
 /// `fine` and `wide` are inward_turn() of normals smoothed at radius r and at that scale. On a rugged surface, like
 /// curly hair, valleys are everywhere, and say little: the costs of all edges rise as their mean falls.
-inline Side_costs cutting_costs(const Segmentation_mesh& mesh, const Side_costs& fine, const Side_costs& wide)
+CGAL_SP_INLINE Side_costs cutting_costs(const Segmentation_mesh& mesh, const Side_costs& fine, const Side_costs& wide)
 {
   constexpr double sharpness = 60; // a turn by 0.2 radians makes a cut 50 times cheaper
   constexpr double least = 0.02;   // of the length: the shorter of two perfect valleys is the better cut
@@ -112,7 +113,7 @@ inline Side_costs cutting_costs(const Segmentation_mesh& mesh, const Side_costs&
 /// 2008): from single faces on, the two neighbours are merged that lower the sum over all segments of (cost of the
 /// perimeter) / area most, until the best merger lowers it by less than `stop`. Areas are shares of the whole, and
 /// costs lengths relative to its square root.
-inline std::vector<int> normalized_cuts(const Segmentation_mesh& mesh, const Side_costs& costs, double stop)
+CGAL_SP_INLINE std::vector<int> normalized_cuts(const Segmentation_mesh& mesh, const Side_costs& costs, double stop)
 {
   std::vector<int> single(mesh.face.size());
   std::iota(single.begin(), single.end(), 0);

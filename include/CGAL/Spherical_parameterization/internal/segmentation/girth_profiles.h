@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SEGMENTATION_GIRTH_PROFILES_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SEGMENTATION_GIRTH_PROFILES_H
 
+#include <CGAL/Spherical_parameterization/internal/api/compiled.h>
 #include <CGAL/Spherical_parameterization/internal/surface/persistence.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/Segmentation_mesh.h>
 
@@ -26,7 +27,7 @@ struct Bundle {
 };
 
 /// The nodes of the single-linkage tree of the tips, by their distances on the sphere, except for the root.
-inline std::vector<Bundle> bundles_of_tips(const std::vector<vec3>& tips)
+CGAL_SP_INLINE std::vector<Bundle> bundles_of_tips(const std::vector<vec3>& tips)
 {
   const int n = static_cast<int>(tips.size());
   const auto distance = [](vec3 a, vec3 b) { return norm(sub(a, b)); };
@@ -73,7 +74,7 @@ inline std::vector<Bundle> bundles_of_tips(const std::vector<vec3>& tips)
 
 /// rho = log(t / sqrt(1 - t^2 / 4)) of every vertex, t its chord to `centre`: log(2 tan(half the angle)). A conformal
 /// map of a tube round the centre has rho as its length over its radius; a turn is isolines of rho.
-inline std::vector<double> log_radius(const Segmentation_mesh& mesh, vec3 centre)
+CGAL_SP_INLINE std::vector<double> log_radius(const Segmentation_mesh& mesh, vec3 centre)
 {
   std::vector<double> rho(mesh.image.size());
   for(std::size_t v = 0; v < rho.size(); ++v) {
@@ -95,8 +96,8 @@ struct Girth_profile {
   double significance(std::size_t i) const { return (std::min)(area[i], 1 - area[i]) / (girth[i] * girth[i]); }
 };
 
-inline Girth_profile girth_profile(const Segmentation_mesh& mesh, const std::vector<double>& rho, double first,
-                                   double last)
+CGAL_SP_INLINE Girth_profile girth_profile(const Segmentation_mesh& mesh, const std::vector<double>& rho, double first,
+                                           double last)
 {
   constexpr double resolution = 0.05;
   const int n = std::clamp(static_cast<int>((last - first) / resolution), 20, 2000);
@@ -132,7 +133,8 @@ inline Girth_profile girth_profile(const Segmentation_mesh& mesh, const std::vec
 
 /// The minima of a profile that lie at least `prominence` below a maximum on both sides. If `open_end`, also one
 /// between such a maximum and the end. Values that are infinite are left out.
-inline std::vector<std::size_t> prominent_minima(const std::vector<double>& value, double prominence, bool open_end)
+CGAL_SP_INLINE std::vector<std::size_t> prominent_minima(const std::vector<double>& value, double prominence,
+                                                         bool open_end)
 {
   std::vector<std::size_t> minima;
   bool is_falling = false; // has fallen by the prominence since the last maximum
@@ -170,7 +172,7 @@ struct Girth_cut {
 /// Where the limbs that end in `bundle` are cut off. On a tube d log(girth) / d rho is 0, on a cone the sine of its
 /// slope, on a flat body 1: a limb ends where the girth starts to grow like that of a body, at the minimum of log
 /// girth - slope * rho.
-inline void add_girth_cuts(const Segmentation_mesh& mesh, const Bundle& bundle, std::vector<Girth_cut>& cuts)
+CGAL_SP_INLINE void add_girth_cuts(const Segmentation_mesh& mesh, const Bundle& bundle, std::vector<Girth_cut>& cuts)
 {
   constexpr double slope = 0.3;               // between that of a tube and that of a body
   constexpr double prominence = 0.05;         // of a change of slope; 5 % of the girth

@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SEGMENTATION_MAJORITY_VOTE_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SEGMENTATION_MAJORITY_VOTE_H
 
+#include <CGAL/Spherical_parameterization/internal/api/compiled.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/Region_graph.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/Segmentation_mesh.h>
 
@@ -69,8 +70,8 @@ private:
 /// The segmentation that disagrees little with the voters, counted in pairs of points like the Rand index does: from
 /// the common refinement on, those neighbours are merged that have most votes for it, while they have more than half
 /// of them. If the limits have a number of segments, until there are that many.
-inline std::vector<int> majority_segments(const Segmentation_mesh& mesh, const std::vector<Voter>& voters,
-                                          const Segment_limits& limits)
+CGAL_SP_INLINE std::vector<int> majority_segments(const Segmentation_mesh& mesh, const std::vector<Voter>& voters,
+                                                  const Segment_limits& limits)
 {
   std::map<std::vector<int>, int> number_of;
   std::vector<int> label(mesh.face.size()), key(voters.size());

@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SEGMENTATION_REGION_GROWING_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SEGMENTATION_REGION_GROWING_H
 
+#include <CGAL/Spherical_parameterization/internal/api/compiled.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/Segmentation_mesh.h>
 
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace CGAL::Spherical_parameterization::internal {
 
 /// Seeds of Definition 2: the vertices where the stretch is a strict local minimum or maximum, those with the largest
 /// stretch first.
-inline std::vector<int> seeds(const Segmentation_mesh& mesh, const std::vector<double>& stretch)
+CGAL_SP_INLINE std::vector<int> seeds(const Segmentation_mesh& mesh, const std::vector<double>& stretch)
 {
   std::vector<int> result;
   for(int v = 0; v < mesh.number_of_vertices(); ++v) {
@@ -33,8 +34,8 @@ inline std::vector<int> seeds(const Segmentation_mesh& mesh, const std::vector<d
 /// Section 5.1 of the paper: from every seed that no region has reached yet, a region grows over the faces whose
 /// stretch differs from the seed's by at most `threshold`. Returns a label for every face; 0 is what no region has
 /// reached.
-inline std::vector<int> grown_labels(const Segmentation_mesh& mesh, const std::vector<double>& face_stretch,
-                                     double threshold)
+CGAL_SP_INLINE std::vector<int> grown_labels(const Segmentation_mesh& mesh, const std::vector<double>& face_stretch,
+                                             double threshold)
 {
   constexpr int smoothing = 5; // of the stretch, or almost every second vertex would be a seed
   const std::vector<double> stretch = smoothed(mesh, stretch_of_vertices(mesh, face_stretch), smoothing);

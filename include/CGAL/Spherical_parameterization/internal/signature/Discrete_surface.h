@@ -25,13 +25,15 @@
 namespace CGAL::Spherical_parameterization::internal {
 
 /// A closed surface scaled to area 4 pi, with the operators on its piecewise linear functions. The Laplacian is the
-/// cotangent one, not clamped; the triangulation being Delaunay, no weight is negative.
-class Discrete_surface {
+/// cotangent one, not clamped; the triangulation being Delaunay, no weight is negative. A template, so that it is
+/// compiled only where it is used.
+template <class...>
+class Discrete_surface_of {
 public:
   typedef Eigen::VectorXd Vector;
   typedef Eigen::SparseMatrix<double> Matrix;
 
-  explicit Discrete_surface(Intrinsic_triangulation triangulation)
+  explicit Discrete_surface_of(Intrinsic_triangulation triangulation)
     : triangulation_(std::move(triangulation)), size_(triangulation_.number_of_vertices()), mass_(Vector::Zero(size_)),
       defect_(Vector::Constant(size_, 2 * pi)), laplacian_(size_, size_)
   {
@@ -90,6 +92,7 @@ private:
   Vector mass_, defect_;
   Matrix laplacian_;
 };
+typedef Discrete_surface_of<> Discrete_surface;
 
 /// Solves (L + shift M) x = b on a surface, set up once for several right-hand sides.
 template <class Loop>

@@ -78,7 +78,7 @@ private:
   }
 
   /// A third of the areas round every vertex, without sign. All pieces of a face have the same share of its image.
-  Discrete_surface::Vector spherical_areas(const Mapped_surface& map) const
+  CGAL_SP_INLINE Discrete_surface::Vector spherical_areas(const Mapped_surface& map) const
   {
     const std::size_t pieces = fine.face.size() / map.face.size();
     Discrete_surface::Vector area = Discrete_surface::Vector::Zero(surface.size());

@@ -24,7 +24,8 @@ constexpr double girth_unit = 0.685;
 constexpr double limb_unit = 21;
 
 /// Histograms of log |grad u|, linearly interpolated between bins. On a cylinder of radius r, |grad u| is 2 / r.
-inline void add_girths(const Discrete_surface& surface, const Discrete_surface::Vector& u, Signature_values& signature)
+CGAL_SP_INLINE void add_girths(const Discrete_surface& surface, const Discrete_surface::Vector& u,
+                               Signature_values& signature)
 {
   constexpr double log_low = -1, log_high = 5; // from a radius of 5 to a hundredth, where a ball of the same area has 1
   const Discrete_surface::Vector gradient = surface.gradient_norm(u);
@@ -42,7 +43,8 @@ inline void add_girths(const Discrete_surface& surface, const Discrete_surface::
 }
 
 /// The minima of u are the tips of limbs. A limb's persistence is about twice its length over its radius.
-inline void add_limbs(const Discrete_surface& surface, const Discrete_surface::Vector& u, Signature_values& signature)
+CGAL_SP_INLINE void add_limbs(const Discrete_surface& surface, const Discrete_surface::Vector& u,
+                              Signature_values& signature)
 {
   constexpr double shortest = 1; // what is shorter than half its radius is a bump; limbs fade in from there
   constexpr double mass_weight = 6;

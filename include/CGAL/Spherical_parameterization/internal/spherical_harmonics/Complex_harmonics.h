@@ -4,6 +4,8 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPHERICAL_HARMONICS_COMPLEX_HARMONICS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPHERICAL_HARMONICS_COMPLEX_HARMONICS_H
 
+#include <CGAL/Spherical_parameterization/internal/api/compiled.h>
+
 #include <CGAL/Spherical_parameterization/values/Harmonic_coefficients.h>
 
 #include <cmath>
@@ -64,7 +66,7 @@ private:
 };
 
 /// The sum over all coefficients of conj(f) g: the integral over the sphere of the product.
-inline double inner(const Complex_harmonics& f, const Complex_harmonics& g)
+CGAL_SP_INLINE double inner(const Complex_harmonics& f, const Complex_harmonics& g)
 {
   double sum = 0;
   for(int field = 0; field < f.number_of_fields(); ++field)

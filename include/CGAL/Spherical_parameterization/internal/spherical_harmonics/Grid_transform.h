@@ -86,6 +86,7 @@ struct Angular_grid {
 /// weights, are the function there; and the transposed map. With `Scattered_points` it is a fast transform at any
 /// points (S. Kunis, D. Potts, "Fast spherical Fourier algorithms", J. Comput. Appl. Math. 161, 2003, by Legendre
 /// functions on equidistant rows instead of a fast polynomial transform).
+template <class...>
 class Grid_transform {
 public:
   explicit Grid_transform(int degree) : Grid_transform(degree, degree) {}
@@ -108,7 +109,7 @@ public:
     Latitude_series coarse(degree + 1, fields, coarse_ / 2 + 1), fine(degree + 1, fields, n_ / 2 + 1);
     legendre_.synthesize(loop, c, coarse);
     for_each_range(loop, degree + 1, [&](int begin, int end) {
-      Fourier fourier;
+      Fourier<> fourier;
       std::vector<std::complex<double>> z(coarse_), spectrum, fine_spectrum(n_), fine_z;
       for(int m = begin; m < end; ++m)
         for(int field = 0; field < fields; ++field) {
@@ -131,7 +132,7 @@ public:
     });
     for(int field = 0; field < fields; ++field)
       for_each_range(loop, n_ / 2 + 1, [&](int begin, int end) {
-        Fourier fourier;
+        Fourier<> fourier;
         std::vector<std::complex<double>> spectrum(n_ / 2 + 1);
         for(int j = begin; j < end; ++j) {
           for(int m = 0; m <= degree; ++m)
@@ -154,7 +155,7 @@ public:
     Latitude_series coarse(degree + 1, fields, coarse_ / 2 + 1), fine(degree + 1, fields, n_ / 2 + 1);
     for(int field = 0; field < fields; ++field)
       for_each_range(loop, n_ / 2 + 1, [&](int begin, int end) {
-        Fourier fourier;
+        Fourier<> fourier;
         std::vector<std::complex<double>> spectrum;
         for(int j = begin; j < end; ++j) {
           fourier.forward(spectrum, grid.row(field, j) + Kernel::half_width, n_);
@@ -165,7 +166,7 @@ public:
         }
       });
     for_each_range(loop, degree + 1, [&](int begin, int end) {
-      Fourier fourier;
+      Fourier<> fourier;
       std::vector<std::complex<double>> z, spectrum(coarse_), fine_spectrum, fine_z(n_);
       for(int m = begin; m < end; ++m)
         for(int field = 0; field < fields; ++field) {

@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPHERICAL_HARMONICS_QUARTER_TURN_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPHERICAL_HARMONICS_QUARTER_TURN_H
 
+#include <CGAL/Spherical_parameterization/internal/api/compiled.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/rotations.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/Complex_harmonics.h>
 
@@ -96,8 +97,8 @@ struct Euler_angles {
 
 /// Turns the functions' part of one degree. A turn about y is one about z in a frame where y points up:
 /// exp(-i beta Jy) = Z(90) D exp(-i beta Jz) D^T Z(-90) with the quarter turn D about y.
-inline void turn_degree(const Quarter_turn& quarter, const Euler_angles& angles, const Complex_harmonics& from,
-                        Complex_harmonics& to)
+CGAL_SP_INLINE void turn_degree(const Quarter_turn& quarter, const Euler_angles& angles, const Complex_harmonics& from,
+                                Complex_harmonics& to)
 {
   typedef std::complex<double> Complex;
   const int l = quarter.degree();

@@ -30,7 +30,7 @@ struct Sampled_fields {
 
 /// Scales numbers by a power of two, which changes no digit, to where their squares neither overflow nor vanish.
 /// Returns its exponent.
-inline int scale_to_one(double* begin, double* end)
+CGAL_SP_INLINE int scale_to_one(double* begin, double* end)
 {
   double largest = 0;
   for(const double* x = begin; x != end; ++x)
@@ -42,7 +42,7 @@ inline int scale_to_one(double* begin, double* end)
 }
 
 /// Throws Error for what is not finite, and directions of length 0.
-inline void check_directions(const Host_array<vec3>& directions)
+CGAL_SP_INLINE void check_directions(const Host_array<vec3>& directions)
 {
   for(std::size_t i = 0; i < directions.size(); ++i)
     if(const double square = inner(directions[i], directions[i]); !(square > 0) || !std::isfinite(square))

@@ -96,8 +96,8 @@ Harmonic_analysis analyze_vertices(const Loop& loop, Mapped_surface given, Sampl
   constexpr int part = 256;      // faces on a thread at a time
   const int d = fields.number_of_fields;
   const std::size_t vertices = map.image.size();
-  const Face_quadrature quadrature(degree, method.accuracy);
-  const Grid_transform transform(degree);
+  const Face_quadrature<> quadrature(degree, method.accuracy);
+  const Grid_transform<> transform(degree);
   Angular_grid grid = transform.grid(d);
   std::fill(grid.value.begin(), grid.value.end(), 0);
   struct Samples {
@@ -148,7 +148,7 @@ Host_array<double> evaluate_harmonics(const Loop& loop, const Harmonic_coefficie
   Host_array<double> values(directions.size() * d);
   if(values.empty())
     return values;
-  const Grid_transform transform(coefficients.degree());
+  const Grid_transform<> transform(coefficients.degree());
   Angular_grid grid = transform.grid(d);
   transform.synthesize(loop, coefficients, grid);
   for(int begin = 0; begin < n; begin += chunk) {
@@ -164,7 +164,7 @@ Host_array<double> evaluate_harmonics(const Loop& loop, const Harmonic_coefficie
 }
 
 /// The northern half of a grid.
-inline Legendre_transform legendre_transform(const Latitude_rows& grid, int degree)
+CGAL_SP_INLINE Legendre_transform legendre_transform(const Latitude_rows& grid, int degree)
 {
   const int rows = static_cast<int>(grid.cos.size());
   std::vector<Latitude> north;
@@ -177,7 +177,7 @@ inline Legendre_transform legendre_transform(const Latitude_rows& grid, int degr
 // there. The Fourier transform is then one of a multiple of the columns.
 
 /// A multiple of the columns, and of 4, that tells all frequencies up to the degree from each other.
-inline int longitudes(const Latitude_rows& grid, int degree)
+CGAL_SP_INLINE int longitudes(const Latitude_rows& grid, int degree)
 {
   int n = grid.columns;
   while(n % 4 != 0 || n < 2 * degree + 2)
@@ -195,7 +195,7 @@ Host_array<double> synthesize_on_rows(const Loop& loop, const Harmonic_coefficie
   legendre_transform(grid, degree).synthesize(loop, coefficients, series);
   Host_array<double> values(static_cast<std::size_t>(d) * rows * grid.columns);
   for_each_range(loop, d * rows, [&](int begin, int end) {
-    Fourier fourier;
+    Fourier<> fourier;
     std::vector<std::complex<double>> spectrum(n / 2 + 1);
     std::vector<double> circle(n);
     for(int i = begin; i < end; ++i) {
@@ -218,7 +218,7 @@ Harmonic_coefficients analyze_rows(const Loop& loop, const Latitude_rows& grid, 
   const int rows = static_cast<int>(grid.cos.size()), d = fields.number_of_fields, n = longitudes(grid, degree);
   Latitude_series series(degree + 1, d, rows);
   for_each_range(loop, d * rows, [&](int begin, int end) {
-    Fourier fourier;
+    Fourier<> fourier;
     std::vector<std::complex<double>> spectrum;
     std::vector<double> circle(n);
     for(int i = begin; i < end; ++i) {

@@ -14,12 +14,12 @@ namespace CGAL::Spherical_parameterization::internal {
 /// \name Coefficients as text
 /// What is read throws std::runtime_error where the text is not of the format.
 /// @{
-std::string csv_of(const Harmonic_coefficients& coefficients);
-std::string json_of(const Harmonic_coefficients& coefficients);
-std::string spharm_pdm_of(const Harmonic_coefficients& coefficients);
-Harmonic_coefficients coefficients_of_csv(const std::string& text);
-Harmonic_coefficients coefficients_of_json(const std::string& text);
-Harmonic_coefficients coefficients_of_spharm_pdm(const std::string& text);
+CGAL_SP_CORE std::string csv_of(const Harmonic_coefficients& coefficients);
+CGAL_SP_CORE std::string json_of(const Harmonic_coefficients& coefficients);
+CGAL_SP_CORE std::string spharm_pdm_of(const Harmonic_coefficients& coefficients);
+CGAL_SP_CORE Harmonic_coefficients coefficients_of_csv(const std::string& text);
+CGAL_SP_CORE Harmonic_coefficients coefficients_of_json(const std::string& text);
+CGAL_SP_CORE Harmonic_coefficients coefficients_of_spharm_pdm(const std::string& text);
 /// @}
 
 } // namespace CGAL::Spherical_parameterization::internal

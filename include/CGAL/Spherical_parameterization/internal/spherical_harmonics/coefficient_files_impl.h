@@ -6,25 +6,22 @@
 
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/coefficient_files.h>
 
-#include <boost/property_tree/json_parser.hpp>
-#include <boost/property_tree/ptree.hpp>
-
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 
 /// The digits that give the same number when read, in every locale.
-inline std::string digits(double x)
+CGAL_SP_INLINE std::string digits(double x)
 {
   std::array<char, 32> text;
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
@@ -85,7 +82,7 @@ private:
 };
 
 /// The degree of so many coefficients.
-inline int degree_of_size(std::size_t size)
+CGAL_SP_INLINE int degree_of_size(std::size_t size)
 {
   const int degree = static_cast<int>(std::lround(std::sqrt(static_cast<double>(size)))) - 1;
   if(degree < 0 || degree > largest_harmonic_degree ||
@@ -156,30 +153,34 @@ CGAL_SP_CORE std::string json_of(const Harmonic_coefficients& c)
   return text + "]\n}\n";
 }
 
+/// Of the object, the array "coefficients". (Boost.PropertyTree would have to be compiled in every file that includes
+/// the package, with notes about Boost's own headers.)
 CGAL_SP_CORE Harmonic_coefficients coefficients_of_json(const std::string& text)
 {
-  std::istringstream in(text);
-  boost::property_tree::ptree tree;
-  try {
-    boost::property_tree::read_json(in, tree);
-    std::vector<std::vector<double>> functions;
-    for(const auto& function : tree.get_child("coefficients")) {
-      functions.emplace_back();
-      for(const auto& number : function.second)
-        functions.back().push_back(Number_reader(number.second.data()).number<double>());
-    }
-    if(functions.empty())
-      throw std::runtime_error("no file of harmonic coefficients: \"coefficients\" is empty");
-    Harmonic_coefficients c(degree_of_size(functions.front().size()), static_cast<int>(functions.size()));
-    for(std::size_t k = 0; k < functions.size(); ++k) {
-      if(functions[k].size() != functions.front().size())
-        throw std::runtime_error("no file of harmonic coefficients: not all functions have as many");
-      std::copy(functions[k].begin(), functions[k].end(), c.field_begin(static_cast<int>(k)));
-    }
-    return c;
-  } catch(const boost::property_tree::ptree_error& error) {
-    throw std::runtime_error(std::string("no file of harmonic coefficients: ") + error.what());
-  }
+  const std::string key = "\"coefficients\"";
+  const std::size_t begin = text.find(key);
+  if(begin == std::string::npos || text.find_last_not_of(" \t\r\n") != text.rfind('}'))
+    Number_reader(text).fail(key + " or the end is missing");
+  Number_reader reader(std::string_view(text).substr(begin + key.size()));
+  reader.expect(':');
+  reader.expect('[');
+  std::vector<double> value; // function after function
+  int functions = 0;
+  std::size_t size = 0; // of the first one
+  do {
+    reader.expect('[');
+    do
+      value.push_back(reader.number<double>());
+    while(reader.follows(','));
+    reader.expect(']');
+    size = functions++ == 0 ? value.size() : size;
+    if(value.size() != static_cast<std::size_t>(functions) * size)
+      reader.fail("not all functions have as many");
+  } while(reader.follows(','));
+  reader.expect(']');
+  Harmonic_coefficients c(degree_of_size(size), functions);
+  c.values() = std::move(value);
+  return c;
 }
 
 /// What SPHARM-PDM's functions are times to be ours: they have the Condon-Shortley phase and no sqrt 2. For every

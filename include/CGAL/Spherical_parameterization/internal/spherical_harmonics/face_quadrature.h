@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPHERICAL_HARMONICS_FACE_QUADRATURE_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPHERICAL_HARMONICS_FACE_QUADRATURE_H
 
+#include <CGAL/Spherical_parameterization/internal/api/compiled.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 
 #include <boost/math/special_functions/legendre.hpp>
@@ -17,7 +18,7 @@
 namespace CGAL::Spherical_parameterization::internal {
 
 /// The Gauss rule of n points on [-1, 1]: positions, increasing, and weights.
-inline std::vector<std::pair<double, double>> gauss_rule(int n)
+CGAL_SP_INLINE std::vector<std::pair<double, double>> gauss_rule(int n)
 {
   std::vector<std::pair<double, double>> rule;
   for(const double x : boost::math::legendre_p_zeros<double>(n)) { // those that are not negative
@@ -41,6 +42,7 @@ struct Quadrature_point {
 /// Integrals over spherical triangles of harmonics times what is smooth on the triangle: products of Gauss rules in
 /// collapsed coordinates (A. Stroud, "Approximate Calculation of Multiple Integrals", 1971). Triangles that would need
 /// more than eight points in each direction are cut into four.
+template <class...>
 class Face_quadrature {
 public:
   Face_quadrature(int degree, double accuracy) : frequency_(degree + margin), accuracy_(accuracy)

@@ -4,6 +4,8 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPHERICAL_HARMONICS_FOURIER_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPHERICAL_HARMONICS_FOURIER_H
 
+#include <CGAL/Spherical_parameterization/internal/api/compiled.h>
+
 #include <unsupported/Eigen/FFT>
 
 #include <complex>
@@ -12,7 +14,7 @@
 namespace CGAL::Spherical_parameterization::internal {
 
 /// The least multiple of 4 that is not less than n and has no prime factor above 5: Fourier transforms like it.
-inline int fourier_size(int n)
+CGAL_SP_INLINE int fourier_size(int n)
 {
   for(int size = n + (4 - n % 4) % 4;; size += 4) {
     int rest = size;
@@ -25,6 +27,7 @@ inline int fourier_size(int n)
 }
 
 /// Discrete Fourier transforms without factors, one after the other. A thread needs one of its own.
+template <class...>
 class Fourier {
 public:
   Fourier()

@@ -40,11 +40,11 @@ struct Latitude_rows {
 
 /// The zeros of the Legendre polynomial of this number of rows (C. F. Gauss, 1814), and so many columns or a few more,
 /// of a number that Fourier transforms like.
-Latitude_rows gauss_legendre_rows(int rows, int columns);
+CGAL_SP_CORE Latitude_rows gauss_legendre_rows(int rows, int columns);
 /// Twice as fine as functions of this degree ask for: of what is sampled there, details alias less.
-inline Latitude_rows grid_to_sample(int degree) { return gauss_legendre_rows(2 * degree + 2, 4 * degree + 4); }
+CGAL_SP_INLINE Latitude_rows grid_to_sample(int degree) { return gauss_legendre_rows(2 * degree + 2, 4 * degree + 4); }
 /// Equidistant rows with both poles (C. Clenshaw, A. Curtis, 1960).
-Latitude_rows equidistant_rows(int rows, int columns);
+CGAL_SP_CORE Latitude_rows equidistant_rows(int rows, int columns);
 
 } // namespace CGAL::Spherical_parameterization::internal
 

@@ -35,10 +35,10 @@ public:
       right_hand_side_(degree, fields.number_of_fields)
   {
     const int n = static_cast<int>(directions.size());
-    const Grid_transform of_density(2 * degree), of_fields(degree, 2 * degree);
+    const Grid_transform<> of_density(2 * degree), of_fields(degree, 2 * degree);
     Angular_grid grid = of_density.grid(1); // one field at a time: for high degrees this is the most memory
     const Scattered_points points(loop, grid, directions);
-    const auto inner_products = [&](const Host_array<double>& values, const Grid_transform& transform) {
+    const auto inner_products = [&](const Host_array<double>& values, const Grid_transform<>& transform) {
       Harmonic_coefficients c(transform.degree(), 1);
       std::fill(grid.value.begin(), grid.value.end(), 0);
       points.spread(loop, values.data(), grid);

@@ -18,7 +18,8 @@ template <class Loop>
 Harmonic_coefficients rotated_harmonics(const Loop& loop, const Harmonic_coefficients& f, const Rotation& rotation);
 
 /// The first degrees of three functions without their constants, turned in space.
-inline Harmonic_coefficients turned_in_space(const Harmonic_coefficients& f, const Rotation& rotation, int degree)
+CGAL_SP_INLINE Harmonic_coefficients turned_in_space(const Harmonic_coefficients& f, const Rotation& rotation,
+                                                     int degree)
 {
   Harmonic_coefficients result(degree, 3);
   for(int k = 0; k < 3; ++k)

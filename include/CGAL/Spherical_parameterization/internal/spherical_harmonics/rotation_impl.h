@@ -42,6 +42,7 @@ Harmonic_coefficients rotated_harmonics(const Loop& loop, const Harmonic_coeffic
 }
 
 /// The correlation of f and of g turned by R, for all R.
+template <class...>
 class Rotation_search {
 public:
   template <class Loop>
@@ -198,7 +199,7 @@ private:
       return series[(static_cast<std::size_t>(j) * (degree_ + 1) + m) * orders + (m2 + degree_)];
     };
     loop.for_each(degree_ + 1, [&](int m) {
-      Fourier fourier;
+      Fourier<> fourier;
       std::vector<Complex> sum(n), values;
       for(int m2 = -degree_; m2 <= degree_; ++m2) {
         std::fill(sum.begin(), sum.end(), 0);
@@ -222,7 +223,7 @@ private:
     });
     std::vector<double> result(static_cast<std::size_t>(half + 1) * n * n);
     loop.for_each(half + 1, [&](int j) {
-      Fourier fourier;
+      Fourier<> fourier;
       std::vector<Complex> spectrum(n), values;
       std::vector<Complex> half_spectrum(static_cast<std::size_t>(n) * (half + 1), 0); // of every gamma
       for(int m = 0; m <= degree_; ++m) {
@@ -270,7 +271,7 @@ std::vector<Correlation> best_correlations(const Loop& loop, const Harmonic_coef
   constexpr std::size_t refined = 8; // a peak between grid points may seem lower than another one
   constexpr double apart = 0.98;     // cosine of half of the angle between two rotations that count as the same start
   const auto [f, g, exponent] = Comparable(of_f, of_g);
-  const Rotation_search search(loop, f, g);
+  const Rotation_search<> search(loop, f, g);
   const std::vector<Correlation> maxima = search.maxima_on_grid(loop);
   std::vector<Correlation> starts;
   for(const Correlation& start : maxima) {
@@ -292,7 +293,7 @@ std::vector<Correlation> best_correlations(const Loop& loop, const Harmonic_coef
 }
 
 /// The rotation of space that brings g to f where it is, constants left out.
-inline Matrix_3 best_turn_in_space(const Harmonic_coefficients& f, const Harmonic_coefficients& g)
+CGAL_SP_INLINE Matrix_3 best_turn_in_space(const Harmonic_coefficients& f, const Harmonic_coefficients& g)
 {
   std::vector<vec3> from, to;
   for(int i = 1; i < g.size(); ++i) {
@@ -327,7 +328,7 @@ Motion alternated(const Loop& loop, const Harmonic_coefficients& f, const Harmon
     if(among == Among::ALL)
       best = best_correlations(loop, target, turned_source);
     else
-      Rotation_search(loop, target, turned_source).refine(loop, best);
+      Rotation_search<>(loop, target, turned_source).refine(loop, best);
     motion.sphere = best.front().rotation;
     const Harmonic_coefficients turned = rotated_harmonics(loop, source, motion.sphere);
     motion.space = best_turn_in_space(target, turned);

@@ -19,7 +19,7 @@
 namespace CGAL::Spherical_parameterization::internal {
 
 /// The mean square of the entries of a shape.
-inline double square_size(const Shape_set<double>& shapes, int shape)
+CGAL_SP_INLINE double square_size(const Shape_set<double>& shapes, int shape)
 {
   double sum = 0;
   for(int j = 0; j < shapes.entries(); ++j) {
@@ -30,7 +30,7 @@ inline double square_size(const Shape_set<double>& shapes, int shape)
 }
 
 /// The rotation of a shape to where it is closest to `mean`.
-inline Matrix_3 rotation_to(const Host_array<vec3>& mean, const Shape_set<double>& shapes, int shape)
+CGAL_SP_INLINE Matrix_3 rotation_to(const Host_array<vec3>& mean, const Shape_set<double>& shapes, int shape)
 {
   Matrix_3 sum = {};
   for(int j = 0; j < shapes.entries(); ++j) {
@@ -45,7 +45,7 @@ inline Matrix_3 rotation_to(const Host_array<vec3>& mean, const Shape_set<double
   return rotation_of_products(sum);
 }
 
-inline Matrix_3 transposed(const Matrix_3& r)
+CGAL_SP_INLINE Matrix_3 transposed(const Matrix_3& r)
 {
   return {{{r[0][0], r[1][0], r[2][0]}, {r[0][1], r[1][1], r[2][1]}, {r[0][2], r[1][2], r[2][2]}}};
 }

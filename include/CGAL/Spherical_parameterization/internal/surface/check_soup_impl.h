@@ -21,8 +21,8 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-inline void add_edge_troubles(Soup_trouble& trouble, const Matching_troubles& edges, int n,
-                              const std::function<std::size_t()>& number_of_different_points)
+CGAL_SP_INLINE void add_edge_troubles(Soup_trouble& trouble, const Matching_troubles& edges, int n,
+                                      const std::function<std::size_t()>& number_of_different_points)
 {
   const auto first = [](const Edge_trouble& t) {
     return " (first: between vertices " + std::to_string(t.first.first) + " and " + std::to_string(t.first.second) +
@@ -50,7 +50,7 @@ inline void add_edge_troubles(Soup_trouble& trouble, const Matching_troubles& ed
   }
 }
 
-inline std::size_t number_of_components(const Host_array<std::array<int, 3>>& face, int n)
+CGAL_SP_INLINE std::size_t number_of_components(const Host_array<std::array<int, 3>>& face, int n)
 {
   boost::disjoint_sets_with_storage<> sets(n);
   for(const std::array<int, 3>& f : face)

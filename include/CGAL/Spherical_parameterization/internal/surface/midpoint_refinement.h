@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_MIDPOINT_REFINEMENT_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_MIDPOINT_REFINEMENT_H
 
+#include <CGAL/Spherical_parameterization/internal/api/compiled.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Corner_table.h>
 #include <CGAL/Spherical_parameterization/internal/surface/match_halfedges.h>
@@ -24,7 +25,7 @@ struct Triangle_surface : Corner_table {
 
 /// Every face is cut into four at the midpoints of its edges: the surface stays, and so do the numbers of its vertices.
 /// Corner k of face f is in face 4f + k, as the first one; face 4f + 3 is the middle one.
-inline Triangle_surface refined_at_midpoints(const Triangle_surface& mesh)
+CGAL_SP_INLINE Triangle_surface refined_at_midpoints(const Triangle_surface& mesh)
 {
   Triangle_surface fine;
   fine.point = mesh.point;

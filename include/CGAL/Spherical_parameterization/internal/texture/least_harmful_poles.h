@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_TEXTURE_LEAST_HARMFUL_POLES_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_TEXTURE_LEAST_HARMFUL_POLES_H
 
+#include <CGAL/Spherical_parameterization/internal/api/compiled.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Mapped_surface.h>
 #include <CGAL/Spherical_parameterization/internal/distortion/Face_measures.h>
@@ -26,7 +27,7 @@ struct Face_sample {
 
 /// Directions that may become a pole: the tips of the limbs first, since a limb with a pole in its tip has all of u
 /// round it, and elsewhere is a speck. Vertices by falling stretch, none closer to another than 0.1.
-inline std::vector<vec3> pole_candidates(const Host_array<vec3>& directions, const std::vector<double>& stretch)
+CGAL_SP_INLINE std::vector<vec3> pole_candidates(const Host_array<vec3>& directions, const std::vector<double>& stretch)
 {
   constexpr std::size_t most = 48;
   std::vector<std::size_t> order(directions.size());
@@ -43,7 +44,7 @@ inline std::vector<vec3> pole_candidates(const Host_array<vec3>& directions, con
 
 /// How far the texture of latitude and longitude is from an isometry up to scale: the variance, over the area, of the
 /// logarithms of the singular values.
-inline double texture_distortion(const std::vector<Face_sample>& samples, vec3 pole)
+CGAL_SP_INLINE double texture_distortion(const std::vector<Face_sample>& samples, vec3 pole)
 {
   double weight = 0, sum = 0, squares = 0;
   for(const Face_sample& s : samples) {

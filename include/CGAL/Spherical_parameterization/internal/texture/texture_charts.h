@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_TEXTURE_TEXTURE_CHARTS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_TEXTURE_TEXTURE_CHARTS_H
 
+#include <CGAL/Spherical_parameterization/internal/api/compiled.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/plane.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
@@ -48,7 +49,7 @@ struct Charted_face {
 };
 
 /// to - from, brought to [-1/2, 1/2] by whole turns
-inline double shortest_turn(double from, double to)
+CGAL_SP_INLINE double shortest_turn(double from, double to)
 {
   const double d = to - from;
   return d - std::nearbyint(d);
@@ -163,7 +164,7 @@ private:
 };
 
 /// By the exact predicate, one dimension up: seen from the origin, the plane z = 1 keeps its orientation.
-inline bool is_counterclockwise(const Uv_triangle& t)
+CGAL_SP_INLINE bool is_counterclockwise(const Uv_triangle& t)
 {
   const auto lifted = [](vec2 p) { return make_vec3(p.x, p.y, 1); };
   return is_positively_oriented(lifted(t[0]), lifted(t[1]), lifted(t[2]));

@@ -18,7 +18,7 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-inline Frame frame_of(const Texture_axes& axes)
+CGAL_SP_INLINE Frame frame_of(const Texture_axes& axes)
 {
   const vec3 north = {axes.north[0], axes.north[1], axes.north[2]};
   const vec3 meridian = {axes.meridian[0], axes.meridian[1], axes.meridian[2]};
@@ -30,7 +30,7 @@ inline Frame frame_of(const Texture_axes& axes)
 }
 
 /// Any meridian will do: that of the coordinate axis farthest from the pole.
-inline Texture_axes axes_with_south_pole(vec3 south)
+CGAL_SP_INLINE Texture_axes axes_with_south_pole(vec3 south)
 {
   const double x = std::abs(south.x), y = std::abs(south.y), z = std::abs(south.z);
   Texture_axes axes = {{-south.x, -south.y, -south.z}, {0, 0, 0}};

@@ -47,9 +47,9 @@ install(FILES README.md CHANGELOG.md CITATION.cff LICENSE LICENSE.GPL DESTINATIO
 install(DIRECTORY ${PROJECT_BINARY_DIR}/doc/html DESTINATION ${CMAKE_INSTALL_DOCDIR} OPTIONAL) # if the target doc is built
 if(CGAL_SP_WITH_TOOL)
   install(TARGETS spherical-parameterization)
-  install(FILES doc/man/spherical-parameterization.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+  install(FILES ${PROJECT_BINARY_DIR}/src/manual/spherical-parameterization.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
   # where bash-completion looks: under the name of the program
-  install(FILES src/completion/spherical-parameterization.bash RENAME spherical-parameterization
+  install(FILES ${PROJECT_BINARY_DIR}/src/manual/spherical-parameterization.bash RENAME spherical-parameterization
     DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
 endif()
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "commands/commands.h"
+#include "runner/step.h"
 #include "system/interruption.h"
 
 #include <CGAL/assertions.h>
@@ -23,7 +23,7 @@ void print_nothing(const char*, const char*, const char*, int, const char*) {}
 int run_guarded(int argc, char** argv)
 {
   try {
-    return tool::run(argc, argv);
+    return tool::run(argc, argv, tool::steps());
   } catch(const std::bad_alloc&) {
     std::cerr << "spherical-parameterization: not enough memory" << std::endl;
   } catch(const std::exception& exception) {

@@ -3,7 +3,6 @@
 
 #include "collections/atlas.h"
 
-#include "output/atomic_file.h"
 #include "output/text_writer.h"
 #include "output/write_json.h"
 #include "output/write_mesh.h"
@@ -40,18 +39,6 @@ constexpr int groups_beyond = 20;
 /// Meshes of modes show so many standard deviations.
 constexpr double deviations_shown = 2;
 
-void remove_other_modes(const fs::path& folder, std::size_t modes)
-{
-  std::error_code none;
-  for(std::size_t k = modes + 1;; ++k) {
-    const fs::path name = folder / ("mode_" + std::to_string(k));
-    const bool plus = fs::remove(name.string() + "_plus.ply", none),
-               minus = fs::remove(name.string() + "_minus.ply", none);
-    if(!plus && !minus)
-      return;
-  }
-}
-
 void write_scores(std::ostream& out, const std::vector<Atlas_shape>& shapes,
                   const SP::Shape_statistics<std::vector<Point>>& statistics)
 {
@@ -70,8 +57,21 @@ void write_scores(std::ostream& out, const std::vector<Atlas_shape>& shapes,
 
 } // namespace
 
-std::string write_atlas(const std::string& folder, const Atlas_mesh& mesh, std::vector<Atlas_shape> named,
-                        SP::Atlas_placement placement, int modes, bool ascii, Json report)
+void remove_other_modes(const std::string& folder, std::size_t modes)
+{
+  std::error_code none;
+  for(std::size_t k = modes + 1;; ++k) {
+    const fs::path name = fs::path(folder) / ("mode_" + std::to_string(k));
+    const bool plus = fs::remove(name.string() + "_plus.ply", none),
+               minus = fs::remove(name.string() + "_minus.ply", none);
+    if(!plus && !minus)
+      return;
+  }
+}
+
+Written_atlas write_atlas(const std::function<std::ostream&(const std::string&)>& open, const Atlas_mesh& mesh,
+                          std::vector<Atlas_shape> named, SP::Atlas_placement placement, int modes, bool ascii,
+                          Json& report)
 {
   Shapes shapes;
   for(Atlas_shape& shape : named)
@@ -105,10 +105,7 @@ std::string write_atlas(const std::string& folder, const Atlas_mesh& mesh, std::
   report["modes"] = std::move(rows);
   report["left_out"] = {{"groups", groups}, {"root_mean_square_by_modes", errors}};
 
-  Atomic_file::create_folder(folder + "/modes");
   const Output_format ply = {Mesh_format::PLY, ascii};
-  Atomic_files files;
-  const auto open = [&](const std::string& name) -> std::ostream& { return files.open(folder + '/' + name); };
   write_json(open("report.json"), report);
   write_mesh(open("mean.ply"), ply, mesh.mesh, statistics.mean, Surface::SHAPE);
   write_variance_ply(open("variance.ply"), ascii, mesh.mesh, statistics.mean,
@@ -121,9 +118,6 @@ std::string write_atlas(const std::string& folder, const Atlas_mesh& mesh, std::
                  SP::shape_of_scores(statistics, scores), Surface::SHAPE);
     }
   write_scores(open("scores.csv"), named, statistics);
-  files.commit();
-  remove_other_modes(folder + "/modes", statistics.modes.size());
-
   std::ostringstream text;
   text.precision(3);
   text << shapes.size() << " shapes of " << mesh.mesh.number_of_vertices()
@@ -135,7 +129,7 @@ std::string write_atlas(const std::string& folder, const Atlas_mesh& mesh, std::
          << statistics.modes.size() << " that are written " << 100 * explained / variance << " %";
   text << "\na shape that is left out is reconstructed to " << errors.front() << " by the mean of the others, to "
        << errors.back() << " with all of their modes (" << errors.size() - 1 << ')';
-  return text.str();
+  return {text.str(), statistics.modes.size()};
 }
 
 } // namespace tool

@@ -10,6 +10,9 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <cstddef>
+#include <functional>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -23,12 +26,20 @@ struct Atlas_shape {
   std::vector<Point> points;
 };
 
-/// Writes the statistics of shapes into a folder: `mean.ply`, `variance.ply`, `scores.csv`, and of every mode the mean
-/// plus and minus two standard deviations, `modes/mode_K_plus.ply` and `_minus.ply`; and, as the last one,
-/// `report.json`: `report`, to which they are added. Files of modes of an earlier run are removed. None of them gets
-/// its name before all have been written. Returns what was found, in lines without the end of the last one.
-std::string write_atlas(const std::string& folder, const Atlas_mesh& mesh, std::vector<Atlas_shape> shapes,
-                        SP::Atlas_placement placement, int modes, bool ascii, nlohmann::ordered_json report);
+struct Written_atlas {
+  std::string text; ///< what was found, in lines without the end of the last one
+  std::size_t modes;
+};
+
+/// Writes the statistics of shapes to files: `mean.ply`, `variance.ply`, `scores.csv`, and of every mode the mean plus
+/// and minus two standard deviations, `modes/mode_K_plus.ply` and `_minus.ply`; and `report.json`, the first one:
+/// `report`, to which they are added.
+Written_atlas write_atlas(const std::function<std::ostream&(const std::string&)>& open, const Atlas_mesh& mesh,
+                          std::vector<Atlas_shape> shapes, SP::Atlas_placement placement, int modes, bool ascii,
+                          nlohmann::ordered_json& report);
+
+/// Removes the files of modes that an earlier run has left beyond so many.
+void remove_other_modes(const std::string& folder, std::size_t modes);
 
 } // namespace tool
 

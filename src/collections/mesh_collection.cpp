@@ -18,6 +18,7 @@
 #include <iostream>
 #include <optional>
 #include <system_error>
+#include <thread>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
@@ -117,6 +118,20 @@ void check_outputs(const Collection& collection)
 }
 
 } // namespace
+
+std::vector<std::string> Collection_options::meshes() const
+{
+  std::vector<std::string> files = list_meshes(inputs, list);
+  if(files.empty())
+    throw Refusal(unreadable_file, inputs.empty() ? list : inputs.front(), "has no mesh file",
+                  std::string("meshes are read from ") + mesh_extensions + " files");
+  return files;
+}
+
+int Collection_options::number_of_jobs() const
+{
+  return static_cast<int>(jobs.value_or(std::max(1u, std::thread::hardware_concurrency())));
+}
 
 std::vector<Item> items_of(const Collection_options& options, const std::vector<File_option>& other_folders)
 {

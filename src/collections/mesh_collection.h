@@ -4,16 +4,31 @@
 #ifndef SPHERICAL_PARAMETERIZATION_TOOL_MESH_COLLECTION_H
 #define SPHERICAL_PARAMETERIZATION_TOOL_MESH_COLLECTION_H
 
-#include "options/collection_options.h"
 #include "options/usage.h"
 #include "system/refusal.h"
 
+#include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace tool {
+
+/// Which meshes a step works on, and how many of them at the same time.
+struct Collection_options {
+  std::vector<std::string> inputs;
+  std::string list;
+  std::optional<std::int64_t> jobs;
+
+  /// Each once, folders replaced by the mesh files in them and in their subfolders. Throws a `Refusal`, also if there
+  /// is none.
+  std::vector<std::string> meshes() const;
+
+  /// All cores if it was not given.
+  int number_of_jobs() const;
+};
 
 /// One mesh among many.
 struct Item {

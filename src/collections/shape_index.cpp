@@ -131,7 +131,8 @@ std::optional<Signature_row> Shape_index::row(const std::string& mesh) const
   const File_version version = {row.integer(2), row.integer(3), row.text(4)};
   const auto vertices = static_cast<std::size_t>(row.integer(5));
   const auto mending = static_cast<Mending>(row.integer(10));
-  return Signature_row{mesh, version, vertices, row.text(6), row.text(7), row.text(8), mending, signature(row, 9)};
+  return Signature_row{mesh,        version, vertices,          row.text(6), row.text(7),
+                       row.text(8), mending, signature(row, 9), std::nullopt};
 }
 
 std::size_t Shape_index::keep_only(const std::vector<std::string>& meshes)

@@ -34,6 +34,7 @@ struct Signature_row {
   std::string message;      ///< what is wrong, in one line; empty if OK
   Mending mending = Mending::NOT_ASKED;
   std::optional<Shape_signature> signature;
+  std::optional<Refusal> refusal = std::nullopt; ///< what is wrong, of a row that has just been computed
 };
 
 /// The index of what `--output` and `--index` name: next to a table .csv it is a file .db of the same name.

@@ -44,14 +44,15 @@ void sign(const std::string& file, bool mends, Signature_row& row)
     row.mending = Mending::DONE;
   prepared.reset();
   row.vertices = mesh.number_of_vertices();
-  const auto compute = [&](Sphere& sphere, const auto& weights) {
-    Map_settings settings;
-    settings.weights = weights;
-    settings.policy = CGAL::Sequential_tag(); // the other cores have meshes of their own
-    return map_to_sphere(mesh, sphere, settings, [](double) { return !was_interrupted(); });
+  Mapping_options options;
+  options.method = "balanced";
+  const Map_data on_one_core = {CGAL::Sequential_tag(), {}, {}}; // the others have meshes of their own
+  const auto compute = [&](Sphere& sphere, const char* weights) {
+    options.weights = weights;
+    return map_to_sphere(mesh, sphere, options, on_one_core, [](double) { return !was_interrupted(); });
   };
   Sphere sphere;
-  const Result result = compute(sphere, Clamped_weights());
+  const Result result = compute(sphere, "clamped");
   if(result.error == Error_code::INTERRUPTED)
     return;
   if(!has_map(result.error))
@@ -60,7 +61,7 @@ void sign(const std::string& file, bool mends, Signature_row& row)
   row.map = result ? "clamped" : "uncertified";
   if(result.error == Error_code::NOT_CONVERGED) {
     Sphere barycentric;
-    const Result other = compute(barycentric, Barycentric_weights());
+    const Result other = compute(barycentric, "barycentric");
     if(other.error == Error_code::INTERRUPTED)
       return;
     if(other) {
@@ -109,6 +110,7 @@ std::optional<Signature_row> sign_mesh(const std::string& file, bool mends)
   const auto fail = [&row](const Refusal& refusal) {
     row.status = refusal.code();
     row.message = refusal.what();
+    row.refusal = refusal;
     row.map.clear();
   };
   try {

@@ -34,13 +34,13 @@ std::string remedy(const Mapping_options& options, Error_code code)
 void compute_map(const Mapping_options& options, Mapped_mesh& input)
 {
   if(!options.fixed.empty())
-    input.settings->fixed_vertices = read_fixed_vertices(options.fixed, input.mesh().number_of_vertices());
+    input.data.fixed_vertices = read_fixed_vertices(options.fixed, input.mesh().number_of_vertices());
   if(!options.density.empty())
-    input.settings->density =
+    input.data.density =
       read_densities(options.density, input.mesh().number_of_vertices(), input.mesh().number_of_faces());
 
   Progress_bar bar("mapping");
-  input.result = map_to_sphere(input.mesh(), input.sphere, *input.settings, [&](double fraction) {
+  input.result = map_to_sphere(input.mesh(), input.sphere, options, input.data, [&](double fraction) {
     if(!input.needs_neighbours)
       input.file->mesh.forget_neighbours();
     bar.show(fraction);
@@ -60,8 +60,7 @@ bool asks_for_another_method(Error_code code)
 void read_input(const Mapping_options& options, Mapped_mesh& input)
 {
   watch_for_interruption();
-  input.settings = std::make_shared<Map_settings>(map_settings(options));
-  input.settings->policy = make_policy(options);
+  input.data.policy = make_policy(options);
   const Stopwatch reading;
   const Polygons polygons = options.triangulate ? Polygons::TRIANGULATE : Polygons::REFUSE;
   input.file = options.prepare != Prepare::NO ? read_prepared_mesh(options.input, options.prepare, input.prepared)
@@ -76,14 +75,13 @@ void read_input(const Mapping_options& options, Mapped_mesh& input)
 void map_input(const Mapping_options& options, Mapped_mesh& input, Map_quality quality)
 {
   if(!options.sphere.empty())
-    input.result = read_sphere(input.settings->policy, options.sphere, options.input, input.mesh(), input.sphere);
+    input.result = read_sphere(input.data.policy, options.sphere, options.input, input.mesh(), input.sphere);
   else {
     compute_map(options, input);
     if(options.falls_back && asks_for_another_method(input.result.error) && !was_interrupted()) {
       Mapping_options others = options;
       others.method = "automatic";
-      input.settings->method = map_settings(others).method;
-      compute_map(options, input);
+      compute_map(others, input);
     }
   }
   stop_if_interrupted(options.input);

@@ -7,12 +7,11 @@
 #include "input/mesh.h"
 #include "input/mesh_format.h"
 #include "mapping/prepared_mesh.h"
-#include "options/map_settings.h"
+#include "mapping/spherical_map.h"
 #include "options/mapping_options.h"
 
 #include <CGAL/Spherical_parameterization/values/Result.h>
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -34,7 +33,7 @@ struct Mapped_mesh {
   std::optional<Prepared_mesh> prepared; ///< with --prepare: what it was before
   Sphere sphere;                         ///< unit vectors
   SP::Result result;                     ///< of mapping; with --sphere nothing but sizes and certificate
-  std::shared_ptr<Map_settings> settings;
+  Map_data data;
   bool needs_neighbours = true; ///< after mapping; without them the mesh takes less memory
   double seconds_read = 0;      ///< reading and checking
 };
@@ -70,7 +69,7 @@ void on_mesh_of_file(const Mapped_mesh& input, Function function)
 template <class Function>
 auto on_host(const Mapped_mesh& input, Function function)
 {
-  return std::visit(function, input.settings->policy);
+  return std::visit(function, input.data.policy);
 }
 
 } // namespace tool

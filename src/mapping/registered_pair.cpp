@@ -14,15 +14,18 @@
 #include <CGAL/Spherical_parameterization/transfer_properties.h>
 #include <CGAL/tags.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <numeric>
 #include <optional>
 #include <set>
+#include <sstream>
 #include <string_view>
 #include <type_traits>
 
@@ -101,66 +104,29 @@ const char* name_of(SP::Registration_result::Trust trust)
 
 } // namespace
 
-void add_registration_options(CLI::App& command, Registration_options& options)
+void add_registration_options(Options& all, Registration_options& options)
 {
-  const std::string format = std::string("closed triangle mesh of genus 0: ") + mesh_extensions;
-  command.add_option("A", options.input, "The mesh that is brought to the other one, a " + format)
-    ->required()
-    ->type_name("FILE");
-  command.add_option("B", options.other, "The other mesh, likewise")->required()->type_name("FILE");
-  add_mapping_options(command, options);
-  add_prepare_option(command, options, Prepare::ALL);
-  command.get_option("--prepare")
-    ->description("Mend A and B first as the command 'prepare' does: holes, handles, components, ...; output meshes "
-                  "have the faces of A as 'prepare' writes it");
-  const auto how_to_map = command.get_options([](const CLI::Option* option) {
-    return option->get_group() != "Options" && option->get_name() != "--max-time"; // which limits registration, too
-  });
-  CLI::Option* spheres =
-    command
-      .add_option("--spheres", options.spheres,
-                  "Spheres of A and of B that 'map' has written; they are used instead of new maps, and exclude all "
-                  "mapping options but --max-time")
-      ->expected(2)
-      ->type_name("FILE");
-  for(CLI::Option* option : how_to_map)
-    spheres->excludes(option);
-  command
-    .add_option("--landmarks", options.landmarks,
-                "Pairs of vertices that correspond: a line 'vertex-of-A vertex-of-B' for each, numbered from 0")
-    ->type_name("FILE");
-  command
-    .add_option("--motion", options.motion,
-                "What A's map may be moved by: rotation, moebius (for conformal maps), or deformation")
-    ->check(CLI::IsMember({"rotation", "moebius", "deformation"}))
-    ->capture_default_str();
-  const auto add_weight = [&command](const char* name, double& weight, const char* what) {
-    add_checked_option(command, name, weight, what, CLI::Range(0., 1e6));
+  all
+    .add("--landmarks", options.landmarks,
+         "Pairs of vertices that correspond: a line 'vertex-of-A vertex-of-B' for each, numbered from 0. They are put "
+         "onto each other where that flips no face; three or more also say how to turn the sphere")
+    .is("FILE");
+  all
+    .add("--motion", options.motion,
+         "What A's map may be moved by: rotation, moebius (for conformal maps), or deformation")
+    .of({"rotation", "moebius", "deformation"});
+  const auto add_weight = [&all](const char* name, double& weight, const char* what) -> Option& {
+    return all.add(name, weight, std::string("Deformation: weight of ") + what).in("[0,1000000]");
   };
   SP::Registration& registration = options.registration;
-  add_weight("--curvature-weight", registration.curvature_weight, "Deformation: weight of the mean curvature");
+  add_weight("--curvature-weight", registration.curvature_weight, "the mean curvature");
   add_weight("--stretch-weight", registration.stretch_weight,
-             "Deformation: weight of the area stretch of the maps, which have to be of the same method");
+             "the area stretch of the maps, which have to be of the same method");
   add_weight("--isometry-weight", registration.isometry_weight,
-             "Deformation: weight of how much the surface of A is stretched onto that of B");
-  add_weight("--position-weight", registration.position_weight,
-             "Deformation: weight of the positions in space, for shapes in the same pose");
-  add_weight("--landmark-stiffness", registration.landmark_weight,
-             "Deformation: weight of the landmarks to begin with");
-}
-
-void check_registration_options(const Registration_options& options)
-{
-  check_mapping_options(options);
-  require(options.fixed.empty(), "--fixed", "is of one mesh: here corresponding vertices are given with --landmarks");
-}
-
-std::vector<File_option> registration_inputs(const Registration_options& options)
-{
-  std::vector<File_option> files = {{"A", options.input}, {"B", options.other}, {"--landmarks", options.landmarks}};
-  for(const std::string& sphere : options.spheres)
-    files.emplace_back("--spheres", sphere);
-  return files;
+             "how much the surface of A is stretched onto that of B");
+  add_weight("--position-weight", registration.position_weight, "the positions in space, for shapes in the same pose");
+  add_weight("--landmark-weight", registration.landmark_weight, "the landmarks to begin with");
+  add_weight("--landmark-stiffness", registration.landmark_weight, "").group.clear(); // its name before
 }
 
 void read_pair(const Registration_options& options, Registered_pair& pair)
@@ -188,7 +154,7 @@ void register_pair(const Registration_options& options, Registered_pair& pair)
     return !was_interrupted();
   };
   const auto watched =
-    CGAL::parameters::maximum_running_time(pair.a.settings->max_time.value_or(std::numeric_limits<double>::infinity()))
+    CGAL::parameters::maximum_running_time(options.max_time.value_or(std::numeric_limits<double>::infinity()))
       .callback(go_on);
   on_host(pair.a, [&](const auto& policy) {
     pair.result =
@@ -228,21 +194,103 @@ std::string preparation_text(const Registration_options& options, const Register
   return preparation_text(options.input, pair.a.prepared) + preparation_text(options.other, pair.b.prepared);
 }
 
-std::string trust_text(const SP::Registration_result& result)
+namespace {
+
+/// How far to trust the correspondence; empty if nothing is known.
+const char* trust_text(const SP::Registration_result& result)
 {
   switch(result.trust()) {
-  case SP::Registration_result::Trust::SURE: return "correspondence: sure\n";
+  case SP::Registration_result::Trust::SURE: return "\ncorrespondence: sure";
   case SP::Registration_result::Trust::UNSURE:
-    return "correspondence: not sure, other answers are nearly as good; look at it, or give --landmarks\n";
-  case SP::Registration_result::Trust::UNLIKE: return "correspondence: the shapes are unlike; look at it\n";
+    return "\ncorrespondence: not sure, other answers are nearly as good; look at it, or give --landmarks";
+  case SP::Registration_result::Trust::UNLIKE: return "\ncorrespondence: the shapes are unlike; look at it";
   case SP::Registration_result::Trust::UNKNOWN: break;
   }
   return "";
 }
 
+/// How many times lengths of A become longer or shorter on the way to B, against their mean, in the direction in which
+/// they do so most.
+struct Changes_of_lengths {
+  double median;         ///< by area of A
+  double share_of_large; ///< of the area of A, on which it is more than `large`
+  static constexpr double large = 3;
+
+  /// What people see of that.
+  const char* verdict() const
+  {
+    return share_of_large < 0.02 ? "no part of A is lost"
+           : share_of_large < 0.1
+             ? "some of A is crushed or smeared over B, as where B has no such part"
+             : "parts of A are crushed or smeared over B; --landmarks can say what belongs together";
+  }
+};
+
+Changes_of_lengths changes_of_lengths(const Mesh& mesh, const std::vector<Point>& on_b)
+{
+  typedef std::array<double, 3> Gram; // of two sides of a triangle
+  const auto gram = [](const std::vector<Point>& points, const std::array<int, 3>& face) {
+    Gram g = {0, 0, 0};
+    for(std::size_t k = 0; k < 3; ++k) {
+      const double p = points[std::size_t(face[0])][k], u = points[std::size_t(face[1])][k] - p,
+                   v = points[std::size_t(face[2])][k] - p;
+      g = {g[0] + u * u, g[1] + u * v, g[2] + v * v};
+    }
+    return g;
+  };
+  const auto det = [](const Gram& g) { return std::max(0., g[0] * g[2] - g[1] * g[1]); };
+  std::vector<std::pair<double, double>> changes; // square of the larger factor, area
+  double area_a = 0, area_b = 0;
+  for(std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    const Gram a = gram(mesh.points(), mesh.triangle(f)), b = gram(on_b, mesh.triangle(f));
+    area_a += std::sqrt(det(a));
+    area_b += std::sqrt(det(b));
+  }
+  const double scale = area_a / area_b;
+  for(std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    const Gram a = gram(mesh.points(), mesh.triangle(f)), b = gram(on_b, mesh.triangle(f));
+    if(det(a) == 0)
+      continue;
+    // the squares of the factors are the eigenvalues of a^-1 b
+    const double half = scale * (a[2] * b[0] - 2 * a[1] * b[1] + a[0] * b[2]) / (2 * det(a));
+    const double product = scale * scale * det(b) / det(a);
+    const double larger = half + std::sqrt(std::max(0., half * half - product));
+    changes.emplace_back(std::max(larger, larger / product), std::sqrt(det(a)));
+  }
+  std::sort(changes.begin(), changes.end());
+  double below = 0, large = 0;
+  std::size_t middle = 0;
+  for(std::size_t i = 0; i < changes.size(); ++i) {
+    below += changes[i].second;
+    middle = below <= area_a / 2 ? i : middle;
+    large += changes[i].first > Changes_of_lengths::large * Changes_of_lengths::large ? changes[i].second : 0;
+  }
+  return {changes.empty() ? 1 : std::sqrt(changes[middle].first), large / area_a};
+}
+
+} // namespace
+
+std::string registration_text(const Registration_options& options, const Registered_pair& pair)
+{
+  const SP::Registration_result& r = pair.result;
+  std::ostringstream text;
+  text.precision(3);
+  text << "registered map: " << r.flipped_faces << " flipped faces, degree " << r.degree << "; start by " << r.start;
+  if(options.motion == "deformation")
+    text << ", then deformed: mismatch of features from " << r.mismatch_before << " to " << r.mismatch
+         << ", mean distortion " << r.distortion << " (4: none)";
+  const Changes_of_lengths changes = changes_of_lengths(pair.a.mesh(), pair.points_on_b);
+  text << "\nlengths of A change " << changes.median << " times (median), and more than " << changes.large
+       << " times on " << 100 * changes.share_of_large << " % of it: " << changes.verdict() << trust_text(r);
+  if(!options.landmarks.empty())
+    text << "\nlandmarks: at most " << r.largest_landmark_distance << " radians from their places";
+  return text.str();
+}
+
 nlohmann::ordered_json registration_json(const Registration_options& options, const Registered_pair& pair)
 {
   const SP::Registration_result& r = pair.result;
+  const Changes_of_lengths changes = changes_of_lengths(pair.a.mesh(), pair.points_on_b);
   return {{"version", SPHERICAL_PARAMETERIZATION_VERSION},
           {"inputs", {options.input, options.other}},
           {"vertices", {pair.a.mesh().number_of_vertices(), pair.b.mesh().number_of_vertices()}},
@@ -262,6 +310,8 @@ nlohmann::ordered_json registration_json(const Registration_options& options, co
           {"mismatch", r.mismatch},
           {"stretching", r.stretching},
           {"distortion", r.distortion},
+          {"change_of_lengths", changes.median},
+          {"share_of_large_changes", changes.share_of_large},
           {"largest_landmark_distance", r.largest_landmark_distance},
           {"flipped_faces", r.flipped_faces},
           {"degree", r.degree},

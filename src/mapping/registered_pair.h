@@ -15,16 +15,10 @@
 #include <string>
 #include <vector>
 
-namespace CLI {
-class App;
-}
-
 namespace tool {
 
 /// Two meshes, how they are mapped, and how the map of the first one is registered to that of the second one.
 struct Registration_options : Mapping_options {
-  Registration_options() { method = "isometric"; }
-
   std::string other;                ///< the second mesh; `input` is the first one
   std::vector<std::string> spheres; ///< of both; or none
   std::string landmarks;
@@ -41,14 +35,8 @@ struct Registered_pair {
   SP::Registration_result result;
 };
 
-/// A, B and all options but for the outputs.
-void add_registration_options(CLI::App& command, Registration_options& options);
-
-/// Throws what is wrong usage.
-void check_registration_options(const Registration_options& options);
-
-/// The files that are read.
-std::vector<File_option> registration_inputs(const Registration_options& options);
+/// The options that say how they are registered.
+void add_registration_options(Options& all, Registration_options& options);
 
 /// Reads both meshes. Throws a `Refusal`.
 void read_pair(const Registration_options& options, Registered_pair& pair);
@@ -62,10 +50,10 @@ std::vector<Place> places_by_files(const Registered_pair& pair);
 /// What was done to both meshes before, in lines, each with its end.
 std::string preparation_text(const Registration_options& options, const Registered_pair& pair);
 
-/// The figures of the registration, for reports.
-/// One line about how far to trust the correspondence; empty if nothing is known.
-std::string trust_text(const SP::Registration_result& result);
+/// What has come of it, in lines without the end of the last one: figures, and how good they are in words.
+std::string registration_text(const Registration_options& options, const Registered_pair& pair);
 
+/// The figures of the registration, for reports.
 nlohmann::ordered_json registration_json(const Registration_options& options, const Registered_pair& pair);
 
 } // namespace tool

@@ -3,15 +3,12 @@
 
 #include "mapping/report.h"
 
-#include "options/map_settings.h"
-#include "output/atomic_file.h"
-#include "output/write_json.h"
-#include "system/refusal.h"
-#include "system/stopwatch.h"
+#include "options/option.h"
 
+#include <boost/algorithm/string/replace.hpp>
 #include <nlohmann/json.hpp>
 
-#include <cmath>
+#include <tuple>
 #include <type_traits>
 #include <variant>
 
@@ -56,30 +53,6 @@ Json known(bool is_known, const Value& value)
   return is_known ? Json(value) : Json(nullptr);
 }
 
-/// The options of weights and methods, by their names on the command line.
-template <class Weights>
-Json own_options(const Weights&)
-{
-  return Json::object();
-}
-Json own_options(const Clamped_weights& w) { return {{"min_angle", w.min_degrees}, {"max_angle", w.max_degrees}}; }
-Json own_options(const SP::Balanced& m) { return {{"spring_exponent", m.spring_exponent}}; }
-Json own_options(const SP::Isometric& m)
-{
-  return {{"landmark_weight", known(std::isfinite(m.landmark_weight), m.landmark_weight)}};
-}
-Json own_options(const SP::Automatic& m)
-{
-  return {{"spring_exponent", m.spring_exponent}, {"largest_shrinkage", m.largest_shrinkage}};
-}
-Json own_options(const SP::Saddle_point& m)
-{
-  return {{"splitting", m.splitting == SP::Saddle_point::Splitting::GAUSS_SEIDEL ? "gauss-seidel" : "jacobi"},
-          {"relaxation", m.relaxation},
-          {"check_interval", m.check_interval},
-          {"start", m.start == SP::Saddle_point::Start::HARMONIC ? "harmonic" : "centroid"}};
-}
-
 Json given(const std::string& text) { return known(!text.empty(), text); }
 
 /// Every method that was tried.
@@ -96,25 +69,18 @@ Json attempts_of(const SP::Result& result)
 }
 
 /// Every option on how to map by its name on the command line, given or default, as far as weights and method use it.
-Json settings_of(const Mapping_options& options, const SP::Result& result)
+Json settings_of(Mapping_options options, const SP::Result& result)
 {
-  const Map_settings settings = map_settings(options);
-  Json json = {{"triangulate", options.triangulate}, {"weights", options.weights}};
-  json.update(std::visit([](const auto& weights) { return own_options(weights); }, settings.weights));
-  json["method"] = options.method;
-  json.update(std::visit([](const auto& method) { return own_options(method); }, settings.method));
-  if(options.method == "isometric" || options.method == "automatic")
-    json["area_exponent"] = options.area_exponent.value_or(
-      options.density.empty() ? SP::Isometric::default_area_exponent : SP::Isometric::area_exponent_of_densities);
-  json["fixed"] = given(options.fixed);
-  json["density"] = given(options.density);
-  json["policy"] = options.policy;
-  json["device"] = given(options.device);
-  json["precision"] = given(options.precision);
-  const auto [accuracy, iterations] = effort_of(options, result);
-  json["accuracy"] = accuracy;
-  json["iterations"] = iterations;
-  json["max_time"] = known(settings.max_time.has_value(), settings.max_time.value_or(0));
+  std::tie(options.accuracy, options.iterations) = effort_of(options, result);
+  if(!options.area_exponent)
+    options.area_exponent =
+      options.density.empty() ? SP::Isometric::default_area_exponent : SP::Isometric::area_exponent_of_densities;
+  Options all;
+  add_mapping_options(all, options);
+  Json json;
+  for(const Option& option : all)
+    if(const Json value = option.json(); value.is_null() || all.is_of_use(option))
+      json[boost::replace_all_copy(option.name().substr(2), "-", "_")] = value;
   return json;
 }
 
@@ -136,14 +102,13 @@ std::pair<double, std::size_t> effort_of(const Mapping_options& options, const S
   using SP::Isometric;
   if(options.method == "automatic" && result.method == "isometric") // what was given is for the springs
     return {Isometric::default_accuracy, Isometric::default_number_of_iterations};
-  const Map_settings settings = map_settings(options);
   return std::visit(
-    [&settings](const auto& method) {
+    [&options](const auto& method) {
       using Method = std::decay_t<decltype(method)>;
-      return std::pair<double, std::size_t>(settings.accuracy.value_or(Method::default_accuracy),
-                                            settings.iterations.value_or(Method::default_number_of_iterations));
+      return std::pair<double, std::size_t>(options.accuracy.value_or(Method::default_accuracy),
+                                            options.iterations.value_or(Method::default_number_of_iterations));
     },
-    settings.method);
+    method_of(options));
 }
 
 Json report_json(const Mapping_options& options, const Mapped_mesh& input, const Report& report)
@@ -191,33 +156,6 @@ Json report_json(const Mapping_options& options, const Mapped_mesh& input, const
           {"peak_memory_bytes", peak_memory_bytes()},
           {"error", report.refusal ? Json(report.refusal->what()) : Json(nullptr)},
           {"error_code", report.refusal ? report.refusal->code() : "OK"}};
-}
-
-void write_report(const std::string& file, const Mapping_options& options, const Mapped_mesh& input,
-                  const Report& report)
-{
-  Atomic_files out;
-  write_json(out.open(file), report_json(options, input, report));
-  out.commit();
-}
-
-void reported(const std::string& file, const Mapping_options& options,
-              const std::function<void(Mapped_mesh&, Report&)>& work)
-{
-  Report report;
-  Mapped_mesh input;
-  const Stopwatch total;
-  report.refusal = guarded(options.input, [&] { work(input, report); });
-  report.seconds_total = total.seconds();
-
-  std::optional<Refusal> refusal = report.refusal;
-  if(!file.empty()) {
-    const auto of_report = guarded(options.input, [&] { write_report(file, options, input, report); });
-    if(!refusal)
-      refusal = of_report;
-  }
-  if(refusal)
-    throw Refusal(*refusal);
 }
 
 } // namespace tool

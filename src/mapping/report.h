@@ -12,7 +12,6 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -38,15 +37,6 @@ std::size_t peak_memory_bytes();
 /// it was given (--sphere, `certify`). File names need not be valid
 /// UTF-8, which has to be replaced in text.
 nlohmann::ordered_json report_json(const Mapping_options& options, const Mapped_mesh& input, const Report& report);
-
-/// Writes it to a file. Throws a `Refusal`.
-void write_report(const std::string& file, const Mapping_options& options, const Mapped_mesh& input,
-                  const Report& report);
-
-/// Does `work` on a mesh and its report, and writes that to `file`, also if the work was refused; no file if the name
-/// is empty. Throws the first refusal.
-void reported(const std::string& file, const Mapping_options& options,
-              const std::function<void(Mapped_mesh&, Report&)>& work);
 
 } // namespace tool
 

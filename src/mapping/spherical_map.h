@@ -5,21 +5,38 @@
 #define SPHERICAL_PARAMETERIZATION_TOOL_SPHERICAL_MAP_H
 
 #include "input/mesh.h"
-#include "options/map_settings.h"
+#include "options/mapping_options.h"
 
+#include <CGAL/Spherical_parameterization/Any_policy.h>
 #include <CGAL/Spherical_parameterization/values/Result.h>
+#include <CGAL/Spherical_parameterization/values/methods.h>
 
 #include <functional>
 #include <limits>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace tool {
 
-/// Does what `parameterize()` does, as `settings` say: the one place where it is instantiated, and where names and
-/// numbers become types. `go_on` is told the fraction of the work done, and stops it by returning `false`; from its
-/// first call on the neighbours of the mesh are not needed any more. `sphere` gets the size that it needs.
-SP::Result map_to_sphere(const Mesh& mesh, Sphere& sphere, const Map_settings& settings,
+/// What a map depends on besides the mesh and the options.
+struct Map_data {
+  SP::Any_policy policy;
+  std::vector<Fixed_vertex> fixed_vertices;
+  std::vector<double> density; ///< of every vertex, or of every face; empty: none
+};
+
+/// The policy. Looks for a device only if it is for the policy, since drivers take their time to start. Throws an
+/// `OpenCL_error` if there is no such device. Can be called on any threads.
+SP::Any_policy make_policy(const Mapping_options& options);
+
+using Any_method = std::variant<SP::Balanced, SP::Saddle_point, SP::Isometric, SP::Automatic>;
+Any_method method_of(const Mapping_options& options);
+
+/// Does what `parameterize()` does: the one place where it is instantiated, and where names and numbers become types.
+/// `go_on` is told the fraction of the work done, and stops it by returning `false`; from its first call on the
+/// neighbours of the mesh are not needed any more. `sphere` gets the size that it needs.
+SP::Result map_to_sphere(const Mesh& mesh, Sphere& sphere, const Mapping_options& options, const Map_data& data,
                          const std::function<bool(double)>& go_on);
 
 /// Sizes and certificate of a map, with the cores of the policy, by exact predicates on the points as they are: these

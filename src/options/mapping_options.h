@@ -4,16 +4,15 @@
 #ifndef SPHERICAL_PARAMETERIZATION_TOOL_MAPPING_OPTIONS_H
 #define SPHERICAL_PARAMETERIZATION_TOOL_MAPPING_OPTIONS_H
 
+#include "options/option.h"
 #include "options/usage.h"
+
+#include <CGAL/Spherical_parameterization/values/methods.h>
 
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
-
-namespace CLI {
-class App;
-}
 
 namespace tool {
 
@@ -30,8 +29,7 @@ enum class Prepare {
   ALL       ///< all that stands between it and one closed sphere
 };
 
-/// Which mesh a command works on, and how it comes by its spherical map. What is not given has no value, so that the
-/// library's defaults apply.
+/// Which mesh a step works on, and how it comes by its spherical map. What has no value depends on the method.
 struct Mapping_options {
   std::string input;
   bool triangulate = false;
@@ -40,20 +38,20 @@ struct Mapping_options {
   std::string sphere;           ///< a map computed before; then nothing below is given
 
   std::string weights = "conformal";
-  std::optional<double> min_angle;
-  std::optional<double> max_angle;
+  double min_angle = 5; ///< degrees
+  double max_angle = 85;
 
   std::string method = "automatic";
   bool falls_back = false; ///< to what "automatic" does, where the method has no answer
-  std::optional<double> spring_exponent;
+  double spring_exponent = CGAL::Spherical_parameterization::Balanced().spring_exponent;
   std::optional<double> area_exponent;
-  std::optional<double> largest_shrinkage;
-  std::optional<std::string> splitting;
-  std::optional<std::string> start;
-  std::optional<double> relaxation;
-  std::optional<std::int64_t> check_interval; // signed: CLI11 would take -3 for a huge unsigned number
+  double largest_shrinkage = CGAL::Spherical_parameterization::Automatic().largest_shrinkage;
+  std::string splitting = "jacobi";
+  std::string start = "centroid";
+  double relaxation = CGAL::Spherical_parameterization::Saddle_point().relaxation;
+  int check_interval = int(CGAL::Spherical_parameterization::Saddle_point().check_interval);
   std::string fixed;
-  std::optional<double> landmark_weight;
+  std::optional<double> landmark_weight; ///< none: the fixed vertices are kept exactly
   std::string density;
 
   std::string policy = default_policy_name();
@@ -64,19 +62,11 @@ struct Mapping_options {
   std::optional<double> max_time;
 };
 
-/// IN, of a command that takes one mesh. `add_collection_options()` is for those that take many.
-void add_input_option(CLI::App& command, Mapping_options& options);
+/// --triangulate, and in groups everything that says how to map: one mesh, or several, which have no vertices in common
+/// that could be fixed.
+void add_mapping_options(Options& all, Mapping_options& options, bool are_for_one = true);
 
-/// Everything that says how to map it.
-void add_mapping_options(CLI::App& command, Mapping_options& options);
-
-/// --sphere, which excludes everything that says how to map. To be called after `add_mapping_options()`.
-void add_sphere_option(CLI::App& command, Mapping_options& options);
-
-/// --prepare, which does so much. Results are then for the faces of IN if `how` is `ALL`.
-void add_prepare_option(CLI::App& command, Mapping_options& options, Prepare how);
-
-/// Throws a `CLI::ValidationError` at values and combinations that make no sense.
+/// Throws a `CLI::ValidationError` at combinations of values that make no sense.
 void check_mapping_options(const Mapping_options& options);
 
 /// The files that are read, for `check_files()`.

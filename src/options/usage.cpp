@@ -7,58 +7,15 @@
 #include "input/files.h"
 #include "input/mesh_format.h"
 
-#include <CLI/CLI.hpp>
+#include <CLI/Error.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
-#include <sstream>
 #include <system_error>
 
 namespace tool {
 namespace {
-
-constexpr std::size_t line_length = 100;
-
-/// Line breaks between words, so that no line is longer than `width` unless a word is.
-std::string wrapped(const std::string& text, std::size_t width)
-{
-  std::istringstream words(text);
-  std::string result, word;
-  std::size_t length = 0;
-  while(words >> word) {
-    const bool fits = length + 1 + word.size() <= width;
-    if(length > 0)
-      result += fits ? ' ' : '\n';
-    length = length > 0 && fits ? length + 1 + word.size() : word.size();
-    result += word;
-  }
-  return result;
-}
-
-class Help_formatter : public CLI::Formatter {
-public:
-  std::string make_option_opts(const CLI::Option* option) const override
-  {
-    if(option->get_type_size() == 0) // a flag
-      return "";
-    // CLI11 has TYPE:CHECK of values that are checked; the check says more
-    const std::string type = option->get_type_name();
-    const std::size_t colon = type.find(':');
-    return " " + (colon == std::string::npos ? type : type.substr(colon + 1)) +
-           (option->get_expected_max() > 1 ? " ..." : "");
-  }
-
-  std::string make_option_desc(const CLI::Option* option) const override
-  {
-    std::string text = option->get_description();
-    if(!option->get_default_str().empty())
-      text += " [" + option->get_default_str() + "]";
-    if(option->get_required() && !option->get_positional())
-      text += " (required)";
-    return wrapped(text, line_length - get_column_width());
-  }
-};
 
 /// Number of letters to insert, remove or replace, and of neighbours to swap (optimal string alignment distance).
 std::size_t edit_distance(const std::string& a, const std::string& b)
@@ -75,39 +32,6 @@ std::size_t edit_distance(const std::string& a, const std::string& b)
         d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
     }
   return d[a.size()][b.size()];
-}
-
-/// "; did you mean 'map'?", if one of the names is that similar.
-std::string suggestion(const std::string& word, const std::vector<std::string>& names)
-{
-  std::string best;
-  std::size_t least = std::min<std::size_t>(word.size() / 3, 3) + 1; // more changes would make it another word
-  for(const std::string& name : names)
-    if(const std::size_t distance = edit_distance(word, name); distance < least) {
-      least = distance;
-      best = name;
-    }
-  return best.empty() ? "" : "; did you mean '" + best + "'?";
-}
-
-std::vector<std::string> command_names(const CLI::App& app)
-{
-  std::vector<std::string> names;
-  for(const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
-    names.push_back(command->get_name());
-  return names;
-}
-
-std::vector<std::string> option_names(const CLI::App& app)
-{
-  std::vector<std::string> names;
-  for(const CLI::Option* option : app.get_options()) {
-    for(const std::string& name : option->get_snames())
-      names.push_back('-' + name);
-    for(const std::string& name : option->get_lnames())
-      names.push_back("--" + name);
-  }
-  return names;
 }
 
 namespace fs = std::filesystem;
@@ -127,32 +51,24 @@ bool can_be_replaced(const std::string& file)
 
 } // namespace
 
-std::shared_ptr<CLI::FormatterBase> help_formatter() { return std::make_shared<Help_formatter>(); }
-
-std::string usage_error(const CLI::App& app, const CLI::ParseError& error)
+std::string joined(const std::vector<std::string>& words, const std::string& between)
 {
-  const std::vector<CLI::App*> parsed = app.get_subcommands();
-  const CLI::App& command = parsed.empty() ? app : *parsed.front();
-  const std::vector<std::string> extras = app.remaining(true);
-  const bool is_about_presence =
-    dynamic_cast<const CLI::RequiredError*>(&error) || dynamic_cast<const CLI::ExtrasError*>(&error);
-  if(!is_about_presence)
-    return error.what();
-  if(parsed.empty() && extras.empty())
-    return "a command is required: " + CLI::detail::join(command_names(app), ", ");
-  if(parsed.empty() && extras.front()[0] != '-')
-    return "unknown command '" + extras.front() + "'" + suggestion(extras.front(), command_names(app));
-  for(const std::string& word : extras)
-    if(word.size() > 1 && word[0] == '-') {
-      const std::string option = word.substr(0, word.find('='));
-      std::vector<std::string> names = option_names(command);
-      for(const std::string& name : option_names(app)) // some are for all commands
-        names.push_back(name);
-      return "unknown option '" + option + "'" + suggestion(option, names);
+  std::string text;
+  for(const std::string& word : words)
+    text += (text.empty() ? "" : between) + word;
+  return text;
+}
+
+std::string suggestion(const std::string& word, const std::vector<std::string>& names)
+{
+  std::string best;
+  std::size_t least = std::min<std::size_t>(word.size() / 3, 3) + 1; // more changes would make it another word
+  for(const std::string& name : names)
+    if(const std::size_t distance = edit_distance(word, name); distance < least) {
+      least = distance;
+      best = name;
     }
-  if(!extras.empty())
-    return "unexpected arguments: " + CLI::detail::join(extras, " ");
-  return error.what();
+  return best.empty() ? "" : "; did you mean '" + best + "'?";
 }
 
 void require(bool condition, const std::string& option, const std::string& rule)
@@ -164,21 +80,7 @@ void require(bool condition, const std::string& option, const std::string& rule)
 void require_extension(const std::string& option, const std::string& file, const std::vector<std::string>& extensions)
 {
   const auto found = std::find(extensions.begin(), extensions.end(), lower_case_extension(without_compression(file)));
-  require(found != extensions.end(), option,
-          "'" + file + "' must have the extension " + CLI::detail::join(extensions, " or "));
-}
-
-CLI::Option* add_file_option(CLI::App& command, const std::string& name, std::string& file,
-                             const std::string& description)
-{
-  return command.add_option(name, file, description)->type_name("FILE");
-}
-
-void add_footer(CLI::App& command, const std::string& example, const std::string& done, const std::string& not_done)
-{
-  command.footer(
-    "Example: spherical-parameterization " + example + '\n' +
-    wrapped("Exit code: 0 " + done + ", 1 " + not_done + ", 2 wrong usage, 130 interrupted.", line_length));
+  require(found != extensions.end(), option, "'" + file + "' must have the extension " + joined(extensions, " or "));
 }
 
 void check_files(const std::vector<File_option>& inputs, const std::vector<File_option>& outputs)

@@ -16,10 +16,10 @@ namespace fs = std::filesystem;
 
 TEST_CASE("the rooms of the tool: includes go one way", "[tool][rooms]")
 {
-  const std::vector<std::string> order = {"system",      "input",   "output",      "options",
-                                          "preparation", "mapping", "collections", "commands"};
+  const std::vector<std::string> order = {"system",  "input",       "output", "options", "preparation",
+                                          "mapping", "collections", "runner", "steps"};
   const auto place = [&order](const std::string& room) { return std::find(order.begin(), order.end(), room); };
-  const fs::path source = fs::path(BASH_COMPLETION).parent_path().parent_path();
+  const fs::path source = fs::path(PROJECT_FOLDER) / "src";
   const std::regex include("#include \"([a-z]+)/.*");
   std::size_t includes = 0;
   for(const auto& entry : fs::recursive_directory_iterator(source)) {

@@ -4,7 +4,7 @@
 #include "helpers/tool.h"
 
 #include "collections/batch.h"
-#include "commands/commands.h"
+#include "output/page.h"
 #include "output/atomic_file.h"
 #include "system/refusal.h"
 

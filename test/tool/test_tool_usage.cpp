@@ -47,8 +47,9 @@ TEST_CASE("usage: an unknown option is named before what is missing", "[tool][us
 
 TEST_CASE("usage: unexpected arguments come in the order in which they were typed", "[tool][usage]")
 {
-  check_usage({"view", "a.off", "-o", "b.html", "one", "two", "three"}, {"unexpected", "one two three"});
-  check_usage({"view", "a.off", "one", "two"}, {"unexpected", "one two"});
+  check_usage({"register", "a.off", "b.off", "-o", "c.off", "one", "two", "three"}, {"unexpected", "one two three"});
+  check_usage({"search", "a.off", "--index", "i.db", "one", "two"}, {"unexpected", "one two"});
+  check_usage({"view", "a.off", "b.off", "-o", "c.html"}, {"--output", "is a folder"});
 }
 
 TEST_CASE("usage: what is missing is wrong usage", "[tool][usage]")

@@ -9,7 +9,7 @@ import { Stage } from "./stage";
 /// What a measure or a coordinate is: what 0 stands for, and what 1 stands for.
 type Scale = [number, number];
 
-/// What the tool writes (src/commands/view_command.cpp) besides whole numbers, the lowest byte first, as base64: x, y and
+/// What the tool writes (src/steps/view.cpp) besides whole numbers, the lowest byte first, as base64: x, y and
 /// z of the mesh and of the sphere, measures of the faces, and their corners.
 interface Header {
   report: Report;

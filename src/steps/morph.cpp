@@ -1,41 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "commands/commands.h"
+#include "runner/step.h"
 
 #include "input/binary.h"
 #include "input/files.h"
-#include "mapping/registered_pair.h"
 #include "morph_html.h"
-#include "options/mesh_output.h"
-#include "options/usage.h"
-#include "output/atomic_file.h"
-#include "output/write_mesh.h"
-#include "system/refusal.h"
+#include "output/page.h"
+#include "runner/pair.h"
 #include "system/interruption.h"
 
-#include <CLI/CLI.hpp>
 #include <Eigen/Geometry>
-#include <boost/algorithm/string/replace.hpp>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
-#include <iostream>
 #include <limits>
 #include <memory>
 #include <set>
-#include <string>
-#include <vector>
 
 namespace tool {
 namespace {
 
-struct Morph_options : Registration_options {
-  std::string output;
+struct Morph_options {
   std::string format = "ply";
   int steps = 10;
   bool ascii = false;
@@ -103,96 +92,97 @@ void write_morph_page(std::ostream& out, const std::string& title, const Mesh& m
     for(const std::int32_t v : mesh.triangle(f))
       append_number(bytes, v);
 
-  const std::string name = nlohmann::json(title).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-  out << morph_page_before_header()
-      << "name: " << boost::replace_all_copy(name, "<", "\\u003c") // no end of the element
-      << ", vertices: " << mesh.number_of_vertices() << ", faces: " << mesh.number_of_faces()
-      << ", frames: " << frames.size() << morph_page_before_data() << to_base64(bytes) << morph_page_after_data();
+  out << morph_page_before_header() << "name: " << inside_of_page(title) << ", vertices: " << mesh.number_of_vertices()
+      << ", faces: " << mesh.number_of_faces() << ", frames: " << frames.size() << morph_page_before_data()
+      << to_base64(bytes) << morph_page_after_data();
 }
 
-std::string name_of_step(const Morph_options& options, int step)
+std::string name_of_step(const Morph_options& options, const std::string& folder, int step)
 {
   const std::string number = std::to_string(step), last = std::to_string(options.steps);
-  return options.output + "/step_" + std::string(last.size() - number.size(), '0') + number + '.' + options.format;
+  return folder + "/step_" + std::string(last.size() - number.size(), '0') + number + '.' + options.format;
 }
 
-std::string page_of(const Morph_options& options) { return options.output + "/morph.html"; }
-
-/// No mesh of A, B or another run may be in the place of a step, or among the steps.
-void check_outputs(const Morph_options& options)
+/// The page and the meshes.
+Work::Files files_of(const Morph_options& options, const std::string& folder)
 {
-  const std::vector<File_option> inputs = registration_inputs(options);
-  check_files(inputs, {{"--output", page_of(options)}});
+  Work::Files files = {{"--output", folder + "/morph.html"}};
+  for(int step = 0; step <= options.steps; ++step)
+    files.emplace_back("--output", name_of_step(options, folder, step));
+  return files;
+}
+
+/// No mesh of another run may be among the steps.
+void check_folder(const Morph_options& options, const std::string& folder)
+{
   std::set<std::string> steps;
-  for(int step = 0; step <= options.steps; ++step) {
-    steps.insert(name_of_step(options, step));
-    check_files(inputs, {{"--output", name_of_step(options, step)}});
-  }
-  for(const std::string& file : numbered_files(options.output + "/step_", '.' + options.format))
+  for(const auto& [option, file] : files_of(options, folder))
+    steps.insert(file);
+  for(const std::string& file : numbered_files(folder + "/step_", '.' + options.format))
     require(steps.count(file) > 0, "--output", "'" + file + "' is of another run; remove it, or name another folder");
 }
 
-void morph(const Morph_options& options)
+void morph(const Morph_options& own, const Registration_options& options, Run& run)
 {
   Registered_pair pair;
   read_pair(options, pair);
-  Atomic_file::create_folder(options.output);
+  Atomic_file::create_folder(run.file());
   register_pair(options, pair);
 
   const Mesh& mesh = pair.a.mesh();
   const Rigid_path path(mesh.points(), pair.points_on_b);
-  Atomic_files files;
   constexpr int frames_of_page = 8; // between which the page interpolates
   std::vector<std::vector<Point>> frames;
   for(int k = 0; k <= frames_of_page; ++k)
     frames.push_back(path.at(double(k) / frames_of_page));
-  write_morph_page(files.open(page_of(options)),
+  const Work::Files files = files_of(own, run.file());
+  write_morph_page(run.open(files.front().second),
                    std::filesystem::path(options.input).filename().string() + " to " +
                      std::filesystem::path(options.other).filename().string(),
                    mesh, frames);
-  for(int step = 0; step <= options.steps; ++step) {
-    const std::string name = name_of_step(options, step);
+  for(int step = 0; step <= own.steps; ++step) {
+    const std::string& name = files[static_cast<std::size_t>(step) + 1].second;
     // both ends are as they are, without rounding
-    const std::vector<Point> points = step == 0               ? mesh.points()
-                                      : step == options.steps ? pair.points_on_b
-                                                              : path.at(double(step) / options.steps);
-    write_mesh(files.open(name), output_format_of_name("--format", name, options.ascii), mesh, points, Surface::SHAPE,
+    const std::vector<Point> points = step == 0           ? mesh.points()
+                                      : step == own.steps ? pair.points_on_b
+                                                          : path.at(double(step) / own.steps);
+    write_mesh(run.open(name), {format_of_name(name).value(), own.ascii}, mesh, points, Surface::SHAPE,
                pair.a.file->annotations);
-    files.complete();
+    run.complete();
     stop_if_interrupted(options.input);
   }
-  files.commit(options.input);
-  std::cout << preparation_text(options, pair) << "written: " << name_of_step(options, 0) << " to "
-            << name_of_step(options, options.steps)
-            << ", and morph.html to look at\nregistered map: " << pair.result.flipped_faces << " flipped faces, degree "
-            << pair.result.degree << std::endl;
+  run.details = registration_json(options, pair);
+  run.commit();
+  run.text = preparation_text(options, pair) + "written: " + files[1].second + " to " + files.back().second +
+             ", and morph.html to look at\n" + registration_text(options, pair);
+}
+
+Work morph_work()
+{
+  const auto own = std::make_shared<Morph_options>();
+  Work work = work_on_pair([own](const Registration_options& options, Run& run) { morph(*own, options, run); });
+  work.options.add("--steps", own->steps, "The number of steps: one mesh more is written").in("[1,10000]");
+  work.options.add("--format", own->format, "Format of the meshes").of({"off", "obj", "ply", "glb"});
+  work.options.add("--ascii", own->ascii, "Write PLY files as text instead of little-endian binary");
+  work.check = [own](const Request& request) { check_folder(*own, request.file()); };
+  work.writes = [own](const Request& request) { return files_of(*own, request.file()); };
+  return work;
 }
 
 } // namespace
 
-void add_morph_command(CLI::App& app, int& exit_code)
+Step morph_step()
 {
-  CLI::App* command = app.add_subcommand("morph", "Write meshes that lead from one shape to another one, and a page");
-  const auto options = std::make_shared<Morph_options>();
-  add_registration_options(*command, *options);
-  command
-    ->add_option("-o,--output", options->output,
-                 "Output folder: step_0, which is A, to step_STEPS, which is A in the shape of B, and morph.html")
-    ->required()
-    ->type_name("FOLDER");
-  add_checked_option(*command, "--steps", options->steps, "The number of steps: one mesh more is written",
-                     CLI::Range(1, 10000));
-  add_checked_option(*command, "--format", options->format, "Format of the meshes",
-                     CLI::IsMember({"off", "obj", "ply", "glb"}));
-  add_ascii_option(*command, options->ascii);
-  add_footer(*command, "morph lion1.obj lion2.obj -o morph --steps 20");
-  command->callback([options, &exit_code] {
-    while(options->output.size() > 1 && options->output.back() == '/')
-      options->output.pop_back();
-    check_registration_options(*options);
-    check_outputs(*options);
-    exit_code = exit_code_of(guarded(options->input, [&] { morph(*options); }));
-  });
+  return {"morph",
+          "Write meshes that lead from one shape to another one, and a page",
+          pair_of_meshes(),
+          {{"-o,--output",
+            "Output folder: step_0, which is A, to step_STEPS, which is A in the shape of B, and morph.html",
+            {},
+            Output::FOLDER,
+            Output::REQUIRED}},
+          morph_work,
+          "morph lion1.obj lion2.obj -o morph --steps 20"};
 }
 
 } // namespace tool

@@ -1,23 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "commands/mesh_command.h"
+#include "runner/step.h"
 
-#include "mapping/report.h"
+#include "input/compression.h"
+#include "input/files.h"
 #include "preparation/prepare.h"
-#include "output/write_json.h"
 #include "system/interruption.h"
-#include "system/stopwatch.h"
 
 #include <CGAL/Spherical_parameterization/harmonic_alignment.h>
 #include <CGAL/Spherical_parameterization/harmonic_files.h>
 #include <CGAL/Spherical_parameterization/spherical_harmonics.h>
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
+#include <memory>
 #include <sstream>
 
 namespace tool {
@@ -25,38 +22,26 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Harmonics_options : Mesh_options {
-  Harmonics_options() { method = "isometric"; }
-
-  std::string reconstruct;
-  std::string report;
+struct Harmonics_options {
   int degree = 15;
   std::string fit = "least-squares";
   bool align = false;
 };
 
-void check_harmonics_options(const Harmonics_options& options)
-{
-  require_extension("--output", options.output, {".csv", ".json", ".coef"});
-  if(!options.reconstruct.empty())
-    output_format_of_name("--reconstruct", options.reconstruct, options.ascii);
-  check_mapping_options(options);
-}
-
 SP::Coefficient_format format_of(const std::string& file)
 {
-  const std::string extension = std::filesystem::path(file).extension().string();
+  const std::string extension = lower_case_extension(without_compression(file));
   return extension == ".csv"    ? SP::Coefficient_format::CSV
          : extension == ".json" ? SP::Coefficient_format::JSON
                                 : SP::Coefficient_format::SPHARM_PDM;
 }
 
 /// Least squares want as many data as unknowns.
-void check_degree(const Harmonics_options& options, const Mesh& mesh)
+void check_degree(const Harmonics_options& options, const std::string& file, const Mesh& mesh)
 {
   const int largest = static_cast<int>(std::sqrt(static_cast<double>(mesh.number_of_vertices()))) - 1;
   if(options.fit == "least-squares" && options.degree > largest)
-    throw Refusal(bad_degree, options.input,
+    throw Refusal(bad_degree, file,
                   std::to_string(mesh.number_of_vertices()) + " vertices are too few for least squares of degree " +
                     std::to_string(options.degree),
                   "use --degree " + std::to_string(largest) + " or less, or --fit integrals");
@@ -86,7 +71,7 @@ std::vector<Point> reconstructed(const Mapped_mesh& input, const SP::Harmonic_co
 }
 
 /// How the error falls with the degree: of the first degrees of the coefficients.
-Json errors_by_degree(const Harmonics_options& options, const Mapped_mesh& input,
+Json errors_by_degree(const Harmonics_options& options, const std::string& file, const Mapped_mesh& input,
                       const SP::Harmonic_coefficients& coefficients)
 {
   Json rows = Json::array();
@@ -100,19 +85,20 @@ Json errors_by_degree(const Harmonics_options& options, const Mapped_mesh& input
                     {"relative", error.relative},
                     {"largest", error.largest},
                     {"hausdorff", hausdorff_distance_at_vertices(input.mesh(), input.mesh().points(), points)}});
-    stop_if_interrupted(options.input);
+    stop_if_interrupted(file);
     if(degree == options.degree)
       return rows;
   }
 }
 
-Json harmonics_json(const Harmonics_options& options, const Mapped_mesh& input, const SP::Harmonic_analysis& analysis)
+Json harmonics_json(const Harmonics_options& options, const std::string& file, const Mapped_mesh& input,
+                    const SP::Harmonic_analysis& analysis)
 {
   Json harmonics = {{"degree", options.degree},
                     {"fit", options.fit},
                     {"iterations", analysis.iterations},
                     {"converged", analysis.has_converged},
-                    {"errors", errors_by_degree(options, input, analysis.coefficients)},
+                    {"errors", errors_by_degree(options, file, input, analysis.coefficients)},
                     {"power_spectrum", SP::power_spectrum(analysis.coefficients)}};
   if(options.degree > 0) {
     const SP::First_order_ellipsoid ellipsoid = SP::first_order_ellipsoid(analysis.coefficients);
@@ -124,91 +110,88 @@ Json harmonics_json(const Harmonics_options& options, const Mapped_mesh& input, 
   return harmonics;
 }
 
-void harmonics(const Harmonics_options& options, Outcome& outcome)
+void harmonics(const Harmonics_options& options, Run& run)
 {
-  const Stopwatch total;
-  Mapped_mesh input;
-  read_input(options, input);
-  check_degree(options, input.mesh());
-  Atomic_files files;
-  std::ostream& file = files.open(options.output);
-  std::ostream* const mesh_file = files.open_if_named(options.reconstruct);
-  std::ostream* const report_file = files.open_if_named(options.report);
-  map_input(options, input);
+  Mapped_mesh& input = run.input;
+  const std::string& file = run.options.input;
+  run.read();
+  check_degree(options, file, input.mesh());
+  run.map();
 
   const Stopwatch analyzing;
   const SP::Harmonic_analysis analysis = analyzed(options, input);
-  Report report;
   const double seconds_analysis = analyzing.seconds();
   const std::vector<Point> points = reconstructed(input, analysis.coefficients);
   const SP::Reconstruction_error error =
     SP::reconstruction_error(input.mesh(), as_map(input.mesh().points()), as_map(points));
-  Json json = report_file ? harmonics_json(options, input, analysis) : Json();
-  report.seconds_measure = analyzing.seconds();
-  json["seconds"] = {{"analysis", seconds_analysis}, {"errors", report.seconds_measure - seconds_analysis}};
-  stop_if_interrupted(options.input);
-  const Stopwatch writing;
-  SP::write_coefficients(file, options.align ? SP::aligned_to_ellipsoid(analysis.coefficients) : analysis.coefficients,
-                         format_of(options.output));
-  if(mesh_file)
-    write_mesh(*mesh_file, output_format_of_name("--reconstruct", options.reconstruct, options.ascii), input.mesh(),
-               points, Surface::SHAPE, input.file->annotations);
-  report.seconds_write = writing.seconds();
-  report.seconds_total = total.seconds();
-  if(report_file) {
-    Json whole = report_json(options, input, report);
-    whole["harmonics"] = std::move(json);
-    write_json(*report_file, whole);
-  }
-  files.commit(options.input);
+  Json json = run.has("--report") ? harmonics_json(options, file, input, analysis) : Json();
+  run.figures.seconds_measure = analyzing.seconds();
+  const double seconds_errors = run.figures.seconds_measure - seconds_analysis;
+  json["seconds"] = {{"analysis", seconds_analysis}, {"errors", seconds_errors}};
+  run.details["harmonics"] = std::move(json);
+  stop_if_interrupted(file);
+  SP::write_coefficients(*run.out(),
+                         options.align ? SP::aligned_to_ellipsoid(analysis.coefficients) : analysis.coefficients,
+                         format_of(run.file()));
+  run.write("--reconstruct", input.mesh(), points, Surface::SHAPE);
+  run.commit();
+
   std::ostringstream line, text;
   line.precision(3);
   text.precision(3);
   line << "degree " << options.degree << ", " << analysis.coefficients.size() << " coefficients of x, y and z"
        << (options.align ? ", aligned to the first-order ellipsoid" : "");
+  text << preparation_text(file, input.prepared) << run.file() << ": " << line.str() << '\n';
   if(!analysis.has_converged)
     text << "least squares stopped after " << analysis.iterations
          << " iterations, short of their accuracy: there are few vertices for this degree; --fit integrals is safer\n";
   text << "error at the vertices: root mean square " << error.root_mean_square << " (" << error.relative
        << " of the size), at most " << error.largest << '\n'
-       << report.seconds_total << " s: map " << input.result.seconds.total << ", harmonics " << seconds_analysis
-       << ", errors " << report.seconds_measure - seconds_analysis;
-  outcome.text = options.output + ": " + line.str() + '\n' + text.str();
+       << run.figures.seconds_total << " s: map " << input.result.seconds.total << ", harmonics " << seconds_analysis
+       << ", errors " << seconds_errors;
   line << ", relative error " << error.relative << (analysis.has_converged ? "" : ", short of its accuracy");
-  outcome.line = line.str();
+  run.text = text.str();
+  run.line = line.str();
 }
 
-const Mesh_command<Harmonics_options> harmonics_command = {
-  ".csv",
-  check_harmonics_options,
-  harmonics,
-  {{"--reconstruct", &Harmonics_options::reconstruct}, {"--report", &Harmonics_options::report}}};
+Work harmonics_work()
+{
+  const auto own = std::make_shared<Harmonics_options>();
+  Work work = {[own](Run& run) { harmonics(*own, run); }};
+  work.options.add("--degree", own->degree, "The largest degree: (DEGREE + 1)^2 coefficients per coordinate")
+    .in("[0,2000]");
+  work.options
+    .add(
+      "--fit", own->fit,
+      "By least squares at the vertices, of which there have to be as many as coefficients, or by integrals over the "
+      "faces")
+    .of({"least-squares", "integrals"});
+  work.options.add("--align", own->align,
+                   "Write the coefficients of the shape moved to its first-order ellipsoid, the longest axis along x, "
+                   "so that those of "
+                   "shapes in any pose can be compared");
+  return work;
+}
 
 } // namespace
 
-void add_harmonics_command(CLI::App& app, int& exit_code)
+Step harmonics_step()
 {
-  CLI::App* command = app.add_subcommand("harmonics", "Describe a shape by spherical harmonics (SPHARM)");
-  const auto options = add_mesh_command(*command, harmonics_command, exit_code);
-  add_mapping_options(*command, *options);
-  add_sphere_option(*command, *options);
-  add_file_option(
-    *command, "-o,--output", options->output,
-    "Output file of the coefficients: .csv, .json, or .coef as SPHARM-PDM has it. Of several IN: a folder")
-    ->required();
-  add_checked_option(*command, "--degree", options->degree,
-                     "The largest degree: (DEGREE + 1)^2 coefficients per coordinate", CLI::Range(0, 2000));
-  add_checked_option(*command, "--fit", options->fit,
-                     "By least squares at the vertices, or by integrals over the faces",
-                     CLI::IsMember({"least-squares", "integrals"}));
-  command->add_flag("--align", options->align,
-                    "Write the coefficients of the shape moved to its first-order ellipsoid, the longest axis along x");
-  add_file_option(*command, "--reconstruct", options->reconstruct,
-                  "Write the mesh of the coefficients: vertices and faces of IN, where IN is");
-  add_file_option(*command, "--report", options->report,
-                  "Write map, errors by degree (Hausdorff distance, too), power spectrum and ellipsoid as JSON");
-  add_footer(*command, "harmonics bunny.ply -o bunny.csv --degree 32");
-  add_ascii_option(*command, options->ascii);
+  Takes takes = {Takes::EACH, "isometric", "conformal", Takes::OPTION, Prepare::ALL};
+  takes.prepared = "the coefficients are those of the mended mesh, whose vertices and faces --reconstruct has";
+  return {
+    "harmonics",
+    "Describe a shape by spherical harmonics (SPHARM)",
+    takes,
+    {{"-o,--output",
+      "Output file of the coefficients: .csv, .json, or .coef as SPHARM-PDM has it",
+      {".csv", ".json", ".coef"},
+      Output::FILE,
+      Output::REQUIRED},
+     {"--reconstruct", "Write the mesh of the coefficients: vertices and faces of IN, where IN is", {}, Output::MESH}},
+    harmonics_work,
+    "harmonics bunny.ply -o bunny.csv --degree 32",
+    "The report has the errors by degree (Hausdorff distance, too), the power spectrum and the ellipsoid."};
 }
 
 } // namespace tool

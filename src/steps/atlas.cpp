@@ -1,22 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "commands/mesh_command.h"
+#include "runner/step.h"
 
 #include "collections/atlas.h"
 #include "mapping/spherical_map.h"
 #include "system/interruption.h"
-#include "system/stopwatch.h"
 
 #include <CGAL/Spherical_parameterization/shape_atlas.h>
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <memory>
 #include <optional>
 #include <sstream>
 #include <system_error>
@@ -27,23 +25,29 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-struct Atlas_options : Mapping_options, Collection_options {
-  Atlas_options() { method = "isometric"; }
-
-  std::string output;
+struct Atlas_options {
   std::string template_mesh; ///< empty: the first that has a map
   int rounds = 1;
   std::string faces = "icosphere";
   int level = 5;
-  SP::Atlas_placement placement = SP::Atlas_placement::RIGID;
+  std::string placement = "rigid";
   int modes = 5;
   bool ascii = false;
 };
 
+SP::Atlas_placement placement_of(const Atlas_options& options)
+{
+  using Placement = SP::Atlas_placement;
+  return options.placement == "none"     ? Placement::AS_THEY_STAND
+         : options.placement == "centre" ? Placement::CENTRED
+         : options.placement == "rigid"  ? Placement::RIGID
+                                         : Placement::SIMILARITY;
+}
+
 /// The options on which maps do not depend, and those on which registered shapes do not.
 const std::set<std::string> not_of_maps = {"--template", "--rounds", "--faces", "--level",
-                                           "--align",    "--modes",  "--ascii"};
-const std::set<std::string> not_of_shapes = {"--template", "--rounds", "--align", "--modes", "--ascii"};
+                                           "--align",    "--modes",  "--ascii", "--report"};
+const std::set<std::string> not_of_shapes = {"--template", "--rounds", "--align", "--modes", "--ascii", "--report"};
 
 /// A mesh file with its map in another one.
 struct Mapped_file {
@@ -51,9 +55,8 @@ struct Mapped_file {
 };
 
 /// Reads the mesh, mended as it was mapped, and the certified map of the file.
-void read_mapped(const Atlas_options& options, const Mapped_file& file, Prepare how, Mapped_mesh& input)
+void read_mapped(Mapping_options one, const Mapped_file& file, Prepare how, Mapped_mesh& input)
 {
-  Atlas_options one = options;
   one.prepare = how;
   one.input = file.mesh;
   one.sphere = file.sphere;
@@ -65,12 +68,10 @@ void read_mapped(const Atlas_options& options, const Mapped_file& file, Prepare 
 /// The steps of a run, and where their files are.
 class Atlas {
 public:
-  Atlas(const CLI::App& command, const Atlas_options& options) : command_(command), options_(options) {}
+  Atlas(const Atlas_options& options, Run& run) : options_(options), run_(run), folder_(run.file()) {}
 
-  /// Returns the exit code.
-  int run()
+  void run()
   {
-    const Stopwatch total;
     map_meshes();
     const Mapped_file first = {template_.mesh, sphere_of(template_)};
     std::vector<Atlas_shape> shapes;
@@ -81,8 +82,7 @@ public:
       register_meshes(round, to, first);
       shapes = read_shapes(round);
     }
-    Json report = {{"version", SPHERICAL_PARAMETERIZATION_VERSION},
-                   {"settings", settings_text(command_)},
+    Json report = {{"settings", settings()},
                    {"template", template_.mesh},
                    {"rounds", options_.rounds},
                    {"shapes", shapes.size()},
@@ -93,24 +93,32 @@ public:
       const auto& [status, line] = said_.at(item.name);
       report["meshes"].push_back({{"name", item.name}, {"mesh", item.mesh}, {"status", status}, {"line", line}});
     }
-    stop_if_interrupted(options_.output);
-    const std::string text = write_atlas(options_.output, *mesh_, std::move(shapes), options_.placement, options_.modes,
-                                         options_.ascii, std::move(report));
-    std::cout << options_.output << ": " << text << '\n' << total.seconds() << " s" << std::endl;
-    return exit_code_;
+    stop_if_interrupted(folder_);
+    Atomic_file::create_folder(folder_ + "/modes");
+    const Written_atlas written =
+      write_atlas([this](const std::string& file) -> std::ostream& { return run_.open(folder_ + '/' + file); }, *mesh_,
+                  std::move(shapes), placement_of(options_), options_.modes, options_.ascii, report);
+    run_.details = std::move(report);
+    run_.commit();
+    remove_other_modes(folder_ + "/modes", written.modes);
+    std::ostringstream text;
+    text << folder_ << ": " << written.text << '\n' << run_.figures.seconds_total << " s";
+    run_.text = text.str();
+    run_.exit_code = exit_code_;
   }
 
 private:
-  std::string sphere_of(const Item& item) const { return options_.output + "/spheres/" + item.name + ".ply"; }
+  std::string settings(const std::set<std::string>& left_out = {}) const { return "atlas" + run_.settings(left_out); }
+  std::string sphere_of(const Item& item) const { return folder_ + "/spheres/" + item.name + ".ply"; }
   std::string shape_of(int round, const Item& item) const
   {
-    return options_.output + "/registered/" + std::to_string(round) + '/' + item.name + ".ply";
+    return folder_ + "/registered/" + std::to_string(round) + '/' + item.name + ".ply";
   }
 
   /// Runs a step on meshes, and notes what was said of them.
   void run_step(Collection collection)
   {
-    collection.threads = options_.number_of_jobs();
+    collection.threads = run_.meshes.number_of_jobs();
     collection.tell = [this](const Item& item, const std::string& status, const std::string& line) {
       said_[item.name] = {status, line};
     };
@@ -120,7 +128,7 @@ private:
   /// The maps of all meshes, and of the template, which need not be one of them.
   void map_meshes()
   {
-    items_ = items_of(options_, {{"--output", options_.output}});
+    items_ = items_of(run_.meshes, {{"--output", folder_}});
     std::vector<Item> all = items_;
     template_ = {options_.template_mesh, ""};
     std::error_code none;
@@ -134,9 +142,9 @@ private:
     const auto map = [this](const Item& item) {
       Outcome outcome;
       outcome.refusal = guarded(item.mesh, [&] {
-        Atlas_options one = options_;
+        Mapping_options one = run_.options;
         one.input = item.mesh;
-        if(options_.number_of_jobs() > 1)
+        if(run_.meshes.number_of_jobs() > 1)
           one.policy = "sequential";
         Mapped_mesh input;
         read_input(one, input);
@@ -150,7 +158,7 @@ private:
       });
       return outcome;
     };
-    run_step({options_.output + "/spheres", settings_text(command_, not_of_maps), all,
+    run_step({folder_ + "/spheres", settings(not_of_maps), all,
               [&](const Item& item) {
                 return Job{{}, {sphere_of(item)}, [=] { return map(item); }};
               },
@@ -170,7 +178,7 @@ private:
   void check_number(std::size_t meshes, const std::string& what) const
   {
     if(meshes < 2)
-      throw Refusal(Error_code::EMPTY_MESH, options_.output,
+      throw Refusal(Error_code::EMPTY_MESH, folder_,
                     "of " + std::to_string(items_.size()) + " meshes " + std::to_string(meshes) + ' ' + what,
                     "statistics need two or more; the lines of the others say why not");
   }
@@ -180,7 +188,7 @@ private:
   void register_meshes(int round, const Mapped_file& to, const Mapped_file& first)
   {
     Mapped_mesh target;
-    read_mapped(options_, to, round == 1 ? options_.prepare : Prepare::NO, target); // a mean is a sphere
+    read_mapped(run_.options, to, round == 1 ? run_.options.prepare : Prepare::NO, target); // a mean is a sphere
     if(round == 1) {
       mesh_ = options_.faces == "icosphere" ? SP::icosphere_of_atlas(options_.level)
                                             : Atlas_mesh{target.mesh(), target.sphere};
@@ -191,7 +199,7 @@ private:
         Atomic_files files;
         std::ostream& file = files.open(shape_of(round, item));
         Mapped_mesh input;
-        read_mapped(options_, {item.mesh, sphere_of(item)}, options_.prepare, input);
+        read_mapped(run_.options, {item.mesh, sphere_of(item)}, run_.options.prepare, input);
         std::ostringstream line;
         line.precision(2);
         if(item.mesh == to.mesh)
@@ -215,7 +223,7 @@ private:
       });
       return outcome;
     };
-    run_step({options_.output + "/registered/" + std::to_string(round), settings_text(command_, not_of_shapes), mapped_,
+    run_step({folder_ + "/registered/" + std::to_string(round), settings(not_of_shapes), mapped_,
               [&](const Item& item) {
                 return Job{{sphere_of(item), to.mesh, to.sphere, first.sphere}, {shape_of(round, item)}, [&work, item] {
                              return work(item);
@@ -231,7 +239,7 @@ private:
     for(const Item& item : mapped_)
       if(const std::string file = shape_of(round, item); fs::exists(file, none)) {
         shapes.push_back({item.name, read_mesh(file).mesh.points()});
-        stop_if_interrupted(options_.output);
+        stop_if_interrupted(folder_);
       }
     check_number(shapes.size(), "could be registered");
     return shapes;
@@ -244,11 +252,11 @@ private:
     std::vector<std::vector<Point>> points;
     for(Atlas_shape& shape : shapes)
       points.push_back(std::move(shape.points));
-    const std::string name = options_.output + "/templates/" + std::to_string(round);
+    const std::string name = folder_ + "/templates/" + std::to_string(round);
     Mapped_file file = {name + ".ply", name + "_sphere.ply"};
-    Atomic_file::create_folder(options_.output + "/templates");
+    Atomic_file::create_folder(folder_ + "/templates");
     const std::vector<Point> mean = SP::mean_shape(CGAL::Parallel_if_available_tag(), *mesh_, std::move(points),
-                                                   options_.placement, stopped_by_signals());
+                                                   placement_of(options_), stopped_by_signals());
     for(const auto& [output, of_points, surface] :
         {std::tuple(file.mesh, mean, Surface::SHAPE), std::tuple(file.sphere, mesh_->directions, Surface::SPHERE)}) {
       std::ostringstream text;
@@ -263,8 +271,9 @@ private:
     return file;
   }
 
-  const CLI::App& command_;
   const Atlas_options& options_;
+  Run& run_;
+  const std::string folder_;
   std::vector<Item> items_, mapped_;
   Item template_;
   std::optional<Atlas_mesh> mesh_;                                  ///< from the first round on
@@ -272,68 +281,63 @@ private:
   int exit_code_ = 0;
 };
 
-void check(Atlas_options& options)
+Work atlas_work()
 {
-  check_collection_options(options);
-  check_output_folder(options.output);
-  while(options.output.size() > 1 && options.output.back() == '/')
-    options.output.pop_back();
-  check_mapping_options(options);
+  const auto own = std::make_shared<Atlas_options>();
+  Work work = {[own](Run& run) { Atlas(*own, run).run(); }};
+  Options& options = work.options;
+  options
+    .add("--template", own->template_mesh,
+         "The mesh that all are registered to first, one of IN or another one [the first of IN that has a map]")
+    .is("FILE");
+  options
+    .add("--rounds", own->rounds,
+         "How often they are registered: from the second time on to the mean of the time before")
+    .in("[1,100]");
+  options.add("--faces", own->faces, "All shapes get the vertices and faces of an icosphere, or of the template")
+    .of({"icosphere", "template"});
+  options.add("--level", own->level, "The icosphere has 10 * 4^LEVEL + 2 vertices")
+    .in("[0," + std::to_string(SP::largest_icosphere_level) + ']');
+  options
+    .add("--align", own->placement,
+         "What is no difference of shapes: nothing, their place, rotations, too (generalized Procrustes alignment), or "
+         "sizes as well")
+    .of({"none", "centre", "rigid", "similarity"});
+  options.add("--modes", own->modes, "How many principal components are written at most").in("[0,1000000]");
+  options.add("--ascii", own->ascii, "Write PLY files as text instead of little-endian binary");
+  work.writes = [own](const Request& request) {
+    Work::Files files;
+    for(const char* name : {"/mean.ply", "/variance.ply", "/scores.csv", "/report.json", "/meshes.db"})
+      files.emplace_back("--output", request.file() + name);
+    for(int k = 1; k <= own->modes && k <= 1000; ++k)
+      for(const char* side : {"_plus.ply", "_minus.ply"})
+        files.emplace_back("--output", request.file() + "/modes/mode_" + std::to_string(k) + side);
+    return files;
+  };
+  return work;
 }
 
 } // namespace
 
-void add_atlas_command(CLI::App& app, int& exit_code)
+Step atlas_step()
 {
-  CLI::App* command = app.add_subcommand("atlas", "Mean shape and principal components of many meshes");
-  const auto options = std::make_shared<Atlas_options>();
-  add_collection_options(*command, *options);
-  add_mapping_options(*command, *options);
-  add_prepare_option(*command, *options, Prepare::ALL);
-  command->get_option("--prepare")
-    ->description("Mend meshes first as the command 'prepare' does: holes, handles, components, ...");
-  command
-    ->add_option("-o,--output", options->output,
-                 "Output folder: mean.ply; variance.ply, coloured; modes/, the mean plus and minus two standard\n"
-                 "deviations of each mode; scores.csv; report.json; and the steps before, spheres/ and registered/")
-    ->required()
-    ->type_name("FOLDER");
-  command
-    ->add_option("--template", options->template_mesh,
-                 "The mesh that all are registered to first, one of IN or another one [the first of IN that has a map]")
-    ->type_name("FILE");
-  add_checked_option(*command, "--rounds", options->rounds,
-                     "How often they are registered: from the second time on to the mean of the time before",
-                     CLI::Range(1, 100));
-  add_checked_option(*command, "--faces", options->faces,
-                     "All shapes get the vertices and faces of an icosphere, or of the template",
-                     CLI::IsMember({"icosphere", "template"}));
-  add_checked_option(*command, "--level", options->level, "The icosphere has 10 * 4^LEVEL + 2 vertices",
-                     CLI::Range(0, SP::largest_icosphere_level));
-  using Placement = SP::Atlas_placement;
-  const std::map<std::string, Placement> placements = {{"none", Placement::AS_THEY_STAND},
-                                                       {"centre", Placement::CENTRED},
-                                                       {"rigid", Placement::RIGID},
-                                                       {"similarity", Placement::SIMILARITY}};
-  const auto placement = std::make_shared<std::string>("rigid");
-  add_checked_option(*command, "--align", *placement,
-                     "What is no difference of shapes: nothing, their place, rotations, too (generalized Procrustes\n"
-                     "alignment), or sizes as well",
-                     CLI::IsMember({"none", "centre", "rigid", "similarity"}));
-  add_checked_option(*command, "--modes", options->modes, "How many principal components are written at most",
-                     CLI::Range(0, 1000000));
-  add_ascii_option(*command, options->ascii);
-  command->footer(
-    "The same command resumes a run that was stopped, and brings an atlas up to date: only new and edited\n"
-    "meshes are mapped.\n"
-    "Example: spherical-parameterization atlas scans/ -o atlas/\n"
-    "Exit code: 0 the atlas was written, 1 meshes were refused, or none was written (the lines say why),\n"
-    "2 wrong usage, 130 interrupted.");
-  command->callback([options, command, placements, placement, &exit_code] {
-    options->placement = placements.at(*placement);
-    check(*options);
-    exit_code = Atlas(*command, *options).run();
-  });
+  Takes takes = {Takes::TOGETHER, "isometric", "conformal", Takes::NO_SPHERE, Prepare::ALL};
+  takes.prepared = "the template, too";
+  return {
+    "atlas",
+    "Mean shape and principal components of many meshes",
+    takes,
+    {{"-o,--output",
+      "Output folder: mean.ply; variance.ply, coloured; modes/, the mean plus and minus two standard deviations of "
+      "each mode; scores.csv; report.json; and the steps before, spheres/, registered/ and templates/",
+      {},
+      Output::FOLDER,
+      Output::REQUIRED}},
+    atlas_work,
+    "atlas scans/ -o atlas/",
+    "All meshes get the same vertices and faces. The exit code is 1 also if an atlas was written and some meshes "
+    "were refused. The same command resumes a run that was stopped, and brings an atlas up to date: only new and "
+    "edited meshes are mapped."};
 }
 
 } // namespace tool

@@ -1,23 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "commands/mesh_command.h"
+#include "runner/step.h"
 
 #include "input/compression.h"
+#include "input/files.h"
 #include "input/mesh_readers.h"
-#include "output/write_json.h"
 #include "preparation/prepare.h"
 #include "preparation/report.h"
 #include "system/interruption.h"
 #include "system/standard_output.h"
-#include "system/stopwatch.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <memory>
 #include <optional>
+#include <set>
 #include <sstream>
 
 namespace tool {
@@ -27,10 +26,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 /// The command line of `prepare`.
-struct Prepare_options : Mesh_options {
-  std::string vertex_map;
-  std::string face_map;
-  std::string report;
+struct Prepare_options {
   std::string steps = "merge,orient,largest,holes,handles";
   std::optional<double> merge_distance;
   bool wrap = false;
@@ -44,8 +40,7 @@ struct Prepared {
   std::vector<std::string> files; ///< with the mesh, or its parts
   std::optional<Hausdorff_distance> distance;
   double diagonal = 0; ///< of the bounding box of IN
-  double seconds_read = 0, seconds_prepare = 0, seconds_measure = 0, seconds_write = 0, seconds_total = 0;
-  std::optional<Refusal> refusal;
+  double seconds_read = 0, seconds_prepare = 0, seconds_measure = 0;
 };
 
 /// The words of --steps. Throws what is wrong usage.
@@ -53,9 +48,10 @@ std::set<std::string> steps_of(const Prepare_options& options)
 {
   const std::vector<std::string> all = {"merge", "orient", "largest", "split", "degenerate", "holes", "handles"};
   std::set<std::string> steps;
-  for(const std::string& step : CLI::detail::split(options.steps, ',')) {
+  std::istringstream words(options.steps);
+  for(std::string step; std::getline(words, step, ',');) {
     require(std::find(all.begin(), all.end(), step) != all.end(), "--steps",
-            "'" + step + "' is none of " + CLI::detail::join(all, ", "));
+            "'" + step + "' is none of " + joined(all, ", "));
     steps.insert(step);
   }
   return steps;
@@ -74,36 +70,29 @@ std::pair<std::string, std::string> around_number(const std::string& file)
 }
 
 /// Nobody has typed the names of parts, and how many there will be is not known: what has such a name stays.
-void check_parts(const Prepare_options& options)
+void check_parts(const Request& request)
 {
-  const auto [beginning, end] = around_number(options.output);
+  const auto [beginning, end] = around_number(request.file());
   for(const std::string& file : numbered_files(beginning, end))
     require(false, "--output",
             "'" + file + "' is there already, and has the name of a part; remove it, or name another");
-  require(!is_numbered(options.report, beginning, end), "--report", "has the name of a part");
+  require(!is_numbered(request.file("--report"), beginning, end), "--report", "has the name of a part");
 }
 
-void check_prepare_options(const Prepare_options& options)
+void check_options(const Prepare_options& options, const Request& request)
 {
-  if(!options.output.empty())
-    output_format(options);
   const std::set<std::string> steps = steps_of(options);
   require(steps.count("largest") == 0 || steps.count("split") == 0, "--steps", "is either largest or split");
   if(steps.count("split") > 0) {
-    require(options.vertex_map.empty() && options.face_map.empty(), "--steps",
+    require(!request.is_one_of_many, "--steps",
+            "split writes as many files as there are components, which is for one IN at a time");
+    require(request.file("--vertex-map").empty() && request.file("--face-map").empty(), "--steps",
             "with split there is no one output for --vertex-map and --face-map");
-    require(!options.output.empty() && options.output != standard_stream, "--steps",
+    require(!request.file().empty() && request.file() != standard_stream, "--steps",
             "split requires a file as --output");
-    check_parts(options);
+    check_parts(request);
   }
-  require(!options.merge_distance || (*options.merge_distance >= 0 && std::isfinite(*options.merge_distance)),
-          "--merge-distance", "must be 0 or positive");
   require(!options.merge_distance || steps.count("merge") > 0, "--merge-distance", "requires the step merge");
-  const auto& [alpha, offset] = options.wrap_settings;
-  require(options.wrap || !alpha, "--alpha", "requires --wrap");
-  require(options.wrap || !offset, "--offset", "requires --wrap");
-  require(!alpha || (*alpha > 0 && std::isfinite(*alpha)), "--alpha", "must be positive");
-  require(!offset || (*offset > 0 && std::isfinite(*offset)), "--offset", "must be positive");
 }
 
 Preparation_settings settings_of(const Prepare_options& options)
@@ -153,16 +142,14 @@ std::string shape_of(const std::vector<Glued_surface>& parts)
          left(static_cast<std::size_t>(handles), "handle");
 }
 
-void write_report(const Prepare_options& options, const Prepared& prepared)
+Json report_of(const Prepared& prepared)
 {
   Json outputs = Json::array();
   if(prepared.preparation)
     for(const Glued_surface& part : prepared.preparation->parts)
       outputs.push_back({{"vertices", part.number_of_vertices()}, {"faces", part.number_of_faces()}});
   const auto known = [](bool is_known, const Json& value) { return is_known ? value : Json(nullptr); };
-  const Json json = {
-    {"version", SPHERICAL_PARAMETERIZATION_VERSION},
-    {"input", options.input},
+  return {
     {"vertices", prepared.soup ? Json(prepared.soup->points.size()) : Json(nullptr)},
     {"faces", prepared.soup ? Json(prepared.soup->faces) : Json(nullptr)},
     {"preparation", prepared.preparation ? to_json(*prepared.preparation) : Json(nullptr)},
@@ -172,19 +159,10 @@ void write_report(const Prepare_options& options, const Prepared& prepared)
     {"distance_from_output_to_input", prepared.distance ? to_json(prepared.distance->from_new) : Json(nullptr)},
     {"distance_from_input_to_output", prepared.distance ? to_json(prepared.distance->from_old) : Json(nullptr)},
     {"seconds",
-     {{"read", prepared.seconds_read},
-      {"prepare", prepared.seconds_prepare},
-      {"measure", prepared.seconds_measure},
-      {"write", prepared.seconds_write},
-      {"total", prepared.seconds_total}}},
-    {"error", prepared.refusal ? Json(prepared.refusal->what()) : Json(nullptr)},
-    {"error_code", prepared.refusal ? prepared.refusal->code() : "OK"}};
-  Atomic_files out;
-  write_json(out.open(options.report), json);
-  out.commit();
+     {{"read", prepared.seconds_read}, {"prepare", prepared.seconds_prepare}, {"measure", prepared.seconds_measure}}}};
 }
 
-void say(const Prepare_options& options, const Prepared& prepared, Outcome& outcome)
+void say(Run& run, const Prepared& prepared)
 {
   const Soup& soup = *prepared.soup;
   const Preparation& preparation = *prepared.preparation;
@@ -210,8 +188,7 @@ void say(const Prepare_options& options, const Prepared& prepared, Outcome& outc
   line << vertices << " vertices, " << faces << " faces, " << shape_of(preparation.parts);
 
   text.precision(3);
-  text << shown(options.input, "standard input") << ": " << soup.points.size() << " vertices, " << soup.faces
-       << " faces\n";
+  text << run.name_of_input() << ": " << soup.points.size() << " vertices, " << soup.faces << " faces\n";
   if(soup.polygons > 0)
     text << "triangulated " << soup.polygons << " polygons: faces are triangles from here on\n";
   for(const std::string& sentence : done)
@@ -228,134 +205,124 @@ void say(const Prepare_options& options, const Prepared& prepared, Outcome& outc
     text << "\nwritten: " << shown(file, "standard output");
   if(prepared.files.empty())
     text << "\nnothing was written, since there is no --output";
-  outcome.text = text.str();
+  run.text = text.str();
 
   line << "; Hausdorff distance to IN " << distance.str();
   if(soup.polygons > 0)
     line << "; triangulated " << soup.polygons << " polygons";
   for(const std::string& sentence : done)
     line << "; " << sentence;
-  outcome.line = line.str();
+  run.line = line.str();
 }
 
-void write(const Prepare_options& options, Prepared& prepared)
+void write(const Prepare_options& options, Run& run, Prepared& prepared)
 {
-  Atomic_files files;
-  std::vector<std::string> names;
-  const auto write_surface = [&](const std::string& file, const Glued_surface& surface) {
-    write_mesh(files.open(file), output_format(options), Mesh(Mesh::Unchecked(), surface.points, surface.faces),
-               surface.points, Surface::SHAPE, prepared.soup->annotations);
-    files.complete();
-    names.push_back(file);
+  const Stopwatch writing;
+  const auto write_surface = [&](std::ostream& out, const Glued_surface& surface) {
+    write_mesh(out, run.mesh_format(), Mesh(Mesh::Unchecked(), surface.points, surface.faces), surface.points,
+               Surface::SHAPE, prepared.soup->annotations);
   };
   const std::vector<Glued_surface>& parts = prepared.preparation->parts;
   if(is_split(options)) {
-    const auto [beginning, end] = around_number(options.output);
-    for(const Glued_surface& part : parts)
-      write_surface(beginning + std::to_string(names.size() + 1) + end, part);
+    const auto [beginning, end] = around_number(run.file());
+    for(const Glued_surface& part : parts) {
+      prepared.files.push_back(beginning + std::to_string(prepared.files.size() + 1) + end);
+      write_surface(run.open(prepared.files.back()), part);
+      run.complete();
+    }
   } else {
     const Glued_surface all = joined(parts);
-    if(!options.output.empty())
-      write_surface(options.output, all);
-    write_numbers(files.open_if_named(options.vertex_map), all.old_vertex);
-    write_numbers(files.open_if_named(options.face_map), all.old_face);
+    if(std::ostream* const out = run.out()) {
+      write_surface(*out, all);
+      prepared.files.push_back(run.file());
+    }
+    write_numbers(run.out("--vertex-map"), all.old_vertex);
+    write_numbers(run.out("--face-map"), all.old_face);
   }
-  files.commit(options.input);
-  prepared.files = names;
+  run.figures.seconds_write = writing.seconds();
 }
 
-void prepare(const Prepare_options& options, Prepared& prepared)
+void prepare(const Prepare_options& options, Run& run, Prepared& prepared)
 {
   constexpr double tolerance = 1e-4; // of the distance, as a part of the diagonal
-  const Stopwatch total;
-  watch_for_interruption();
-  for(const std::string& file : {options.output, options.vertex_map, options.face_map, options.report})
-    if(!file.empty())
-      Atomic_file(std::string(file)); // before the work; parts are beside --output
-  prepared.soup = read_triangles(options.input, Coordinates::ANY);
+  const std::string& input = run.options.input;
+  const Stopwatch reading;
+  prepared.soup = read_triangles(input, Coordinates::ANY);
   prepared.diagonal = diagonal(*prepared.soup);
-  prepared.seconds_read = total.seconds();
-
+  prepared.seconds_read = reading.seconds();
   const Stopwatch preparing;
-  prepared.preparation = tool::prepare(options.input, *prepared.soup, settings_of(options));
+  prepared.preparation = tool::prepare(input, *prepared.soup, settings_of(options));
   prepared.seconds_prepare = preparing.seconds();
   const Stopwatch measuring;
   prepared.distance = hausdorff_distance(*prepared.soup, prepared.preparation->parts, tolerance * prepared.diagonal,
-                                         [&options] { stop_if_interrupted(options.input); });
+                                         [&input] { stop_if_interrupted(input); });
   prepared.seconds_measure = measuring.seconds();
-  const Stopwatch writing;
-  write(options, prepared);
-  prepared.seconds_write = writing.seconds();
-  prepared.seconds_total = total.seconds();
+  write(options, run, prepared);
 }
 
-void prepare_and_report(const Prepare_options& options, Outcome& outcome)
+void prepare_and_say(const Prepare_options& options, Run& run)
 {
   Prepared prepared;
-  prepared.refusal = guarded(options.input, [&] { prepare(options, prepared); });
-  std::optional<Refusal> refusal = prepared.refusal;
-  if(!options.report.empty() && !was_interrupted()) {
-    const auto of_report = guarded(options.input, [&] { write_report(options, prepared); });
-    if(!refusal)
-      refusal = of_report;
+  try {
+    prepare(options, run, prepared);
+  } catch(...) {
+    run.details = report_of(prepared); // as far as it came
+    throw;
   }
-  if(refusal)
-    throw Refusal(*refusal);
-  say(options, prepared, outcome);
+  run.details = report_of(prepared);
+  run.commit();
+  say(run, prepared);
 }
 
-const Mesh_command<Prepare_options> prepare_command = {".ply",
-                                                       check_prepare_options,
-                                                       prepare_and_report,
-                                                       {{"--vertex-map", &Prepare_options::vertex_map},
-                                                        {"--face-map", &Prepare_options::face_map},
-                                                        {"--report", &Prepare_options::report}}};
+Work prepare_work()
+{
+  const auto own = std::make_shared<Prepare_options>();
+  Work work = {[own](Run& run) { prepare_and_say(*own, run); }};
+  Options& options = work.options;
+  options
+    .add(
+      "--steps", own->steps,
+      "What is done, separated by commas: merge (stitch vertices at boundaries and at the same place), orient (always "
+      "done, as is leaving out what is no face, and cutting non-manifold parts from each other), largest or split "
+      "(keep the component of largest area, or write each as OUT_1, OUT_2, ..., of which none may be there), "
+      "degenerate (remove faces without area, which 'map' does not mind), holes (fill), handles (cut and close; of "
+      "what has no holes). merge,orient alone does not change the shape, and is what 'map --prepare' does")
+    .is("LIST");
+  options
+    .add("--merge-distance", own->merge_distance,
+         "Merge vertices at boundaries up to this distance, not only those at the same place [0]")
+    .in("[0,inf)");
+  options.add("--wrap", own->wrap, "Replace the mesh by a surface around it, however broken it is, before all else");
+  options
+    .add("--alpha", own->wrap_settings.alpha, "Wrap: what a ball of this radius cannot enter is filled [diagonal / 50]")
+    .in("(0,inf)")
+    .only_with("--wrap");
+  options.add("--offset", own->wrap_settings.offset, "Wrap: distance of the surface from the mesh [diagonal / 1500]")
+    .in("(0,inf)")
+    .only_with("--wrap");
+  work.check = [own](const Request& request) { check_options(*own, request); };
+  return work;
+}
 
 } // namespace
 
-void add_prepare_command(CLI::App& app, int& exit_code)
+Step prepare_step()
 {
-  CLI::App* command = app.add_subcommand("prepare", "Mend a mesh until it is one closed surface that 'map' takes");
-  const auto options = std::make_shared<Prepare_options>();
-  add_collection_options(*command, *options);
-  command->get_option("IN")->description("Meshes with any defects, or folders of them");
-  add_mesh_output(
-    *command, *options,
-    "Output file, in which vertices and faces of IN that are left keep their order; of several IN a folder "
-    "(without it the command only says what it would do)");
-  command->get_option("--output")->required(false);
-  add_file_option(*command, "--vertex-map", options->vertex_map,
-                  "Write for each vertex of the output its number in IN, counted from 0, or -1 if it is new");
-  add_file_option(*command, "--face-map", options->face_map,
-                  "Write for each face of the output its number in IN, counted from 0, or -1 if it is new");
-  add_file_option(*command, "--report", options->report,
-                  "Write all that was found and done, distances and times, or the error, as JSON");
-  command
-    ->add_option(
-      "--steps", options->steps,
-      "What is done, separated by commas: merge (stitch vertices at boundaries and at the same place), orient (always "
-      "done, as is leaving out what is no face, and cutting non-manifold parts from each other), largest or split "
-      "(keep "
-      "the component of largest area, or write each as OUT_1, OUT_2, ..., of which none may be there), degenerate "
-      "(remove faces without area, which 'map' does not mind), holes (fill), handles (cut and close; of what has no "
-      "holes). merge,orient alone does not "
-      "change the shape, and is what 'map --prepare' does")
-    ->type_name("LIST")
-    ->capture_default_str();
-  command->add_option("--merge-distance", options->merge_distance,
-                      "Merge vertices at boundaries up to this distance, not only those at the same place [0]");
-  command->add_flag("--wrap", options->wrap,
-                    "Replace the mesh by a surface around it, however broken it is, before all else");
-  command->add_option("--alpha", options->wrap_settings.alpha,
-                      "Wrap: what a ball of this radius cannot enter is filled [diagonal / 50]");
-  command->add_option("--offset", options->wrap_settings.offset,
-                      "Wrap: distance of the surface from the mesh [diagonal / 1500]");
-  add_footer(*command, "prepare scan.ply -o closed.ply --vertex-map vertices.txt");
-  command->callback([options, command, &exit_code] {
-    require(!is_split(*options) || !options->are_many(options->output), "--steps",
-            "split writes as many files as there are components, which is for one IN at a time");
-    exit_code = run_mesh_command(*command, prepare_command, *options);
-  });
+  Takes takes = {Takes::EACH};
+  takes.what = "Meshes with any defects, or folders of them";
+  return {
+    "prepare",
+    "Mend a mesh until it is one closed surface that 'map' takes",
+    takes,
+    {{"-o,--output",
+      "Output file, in which vertices and faces of IN that are left keep their order (without it the command only "
+      "says what it would do)",
+      {},
+      Output::MESH},
+     {"--vertex-map", "Write for each vertex of the output its number in IN, counted from 0, or -1 if it is new"},
+     {"--face-map", "Write for each face of the output its number in IN, counted from 0, or -1 if it is new"}},
+    prepare_work,
+    "prepare scan.ply -o closed.ply --vertex-map vertices.txt"};
 }
 
 } // namespace tool

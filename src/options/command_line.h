@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef SPHERICAL_PARAMETERIZATION_TOOL_COMMAND_LINE_H
+#define SPHERICAL_PARAMETERIZATION_TOOL_COMMAND_LINE_H
+
+#include "options/option.h"
+
+#include <memory>
+#include <string>
+
+namespace CLI {
+class App;
+class FormatterBase;
+class ParseError;
+} // namespace CLI
+
+namespace tool {
+
+/// Adds options to a command. They have to live as long as it does.
+void add_options(CLI::App& command, const Options& options);
+
+/// What `--help` prints, in lines that fit a terminal: per option the kind of its value, its description and its
+/// default. What excludes what, which CLI11 would say at every option, is for the descriptions.
+std::shared_ptr<CLI::FormatterBase> help_formatter();
+
+/// What is wrong with the command line that `app` has refused. An unknown command or option is named first, with the
+/// known one that is most similar, since what is missing may only be misspelled; then arguments that nothing takes, in
+/// the order in which they were typed; then what CLI11 says.
+std::string usage_error(const CLI::App& app, const CLI::ParseError& error);
+
+/// Text in lines that fit a terminal.
+std::string wrapped(const std::string& text);
+
+} // namespace tool
+
+#endif // SPHERICAL_PARAMETERIZATION_TOOL_COMMAND_LINE_H

@@ -1,0 +1,421 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#include "runner/step.h"
+
+#include "input/files.h"
+#include "input/mesh_format.h"
+#include "options/command_line.h"
+#include "runner/manual.h"
+#include "system/standard_output.h"
+
+#include <CGAL/version.h>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <system_error>
+
+namespace tool {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_folder(const std::string& file)
+{
+  std::error_code none; // of a file that does not exist
+  return fs::is_directory(file, none);
+}
+
+/// The command line of a step, and what it stands for.
+class Line {
+public:
+  Line(const Step& step, CLI::App& command);
+  int execute();
+
+private:
+  typedef std::vector<File_option> Files;
+
+  bool is_about_each() const { return step_.takes.meshes == Takes::EACH; }
+  void add_inputs();
+  void add_output(const Output& output);
+  void check(const Request& request) const;
+  Files inputs(const Request& request) const;
+  Files outputs(const Request& request) const;
+  bool looks_like_file(const std::string& output) const;
+  void check_folder();
+  bool are_many() const;
+  int run_one();
+  int run_many();
+  Request of_item(const Item& item, const std::map<std::string, std::string>& spheres) const;
+
+  Step step_; ///< with --report
+  CLI::App& command_;
+  Work work_;
+  Options all_; ///< but for those of its own
+  Request request_;
+  bool prepares_ = false;
+};
+
+Line::Line(const Step& step, CLI::App& command) : step_(step), command_(command), work_(step.work())
+{
+  if(step_.takes.meshes != Takes::NONE)
+    step_.gives.push_back({"--report",
+                           "Write what was done and found, times, memory and settings, or the error, as JSON",
+                           {},
+                           Output::FILE});
+  add_inputs();
+  for(const Output& output : step_.gives)
+    add_output(output);
+  const Output* const first = step_.gives.empty() ? nullptr : &step_.gives.front();
+  if(first != nullptr && first->kind == Output::MESH) {
+    std::vector<std::string> words;
+    for(const auto& [word, format] : output_formats())
+      if(first->extensions.empty() ||
+         std::count(first->extensions.begin(), first->extensions.end(), extension_of_format(word)) > 0)
+        words.push_back(word);
+    all_
+      .add("--format", request_.format,
+           "Format of the output [by its name; in a folder: " +
+             (first->extensions.empty() ? "ply" : first->extensions.front().substr(1)) + ']')
+      .of(words);
+  }
+  const auto may_be_ply = [](const Output& output) {
+    const auto& all = output.extensions;
+    return output.kind == Output::MESH ? all.empty() || all.front() == ".ply"
+                                       : std::count(all.begin(), all.end(), ".ply") > 0;
+  };
+  if(std::any_of(step_.gives.begin(), step_.gives.end(), may_be_ply))
+    all_.add("--ascii", request_.ascii, "Write PLY files as text instead of little-endian binary");
+  if(step_.takes.prepare == Prepare::ALL)
+    all_.add("--prepare", prepares_,
+             std::string("Mend the mesh first as the command 'prepare' does: holes, handles, components, ...; ") +
+               step_.takes.prepared);
+  if(step_.takes.prepare == Prepare::HARMLESS)
+    all_.add(
+      "--prepare", prepares_,
+      "Mend IN first where that does not change its shape: merge vertices at the same place, orient, remove what "
+      "is repeated or isolated. The sphere is then that of the mended mesh ('prepare --steps merge,orient' "
+      "writes it)");
+  if(step_.takes.meshes == Takes::PAIR) {
+    all_
+      .add(
+        "--sphere", request_.spheres,
+        "Spheres of A and of B that 'map' has written; they are used instead of new maps, and exclude all options that "
+        "say how to map but --max-time, which limits the registration, too")
+      .is("FILE")
+      .times(2);
+    all_.add("--spheres", request_.spheres, "").times(2).group.clear(); // its name before
+  }
+  if(step_.takes.sphere == Takes::OPTION)
+    all_
+      .add("--sphere", request_.options.sphere,
+           "Sphere of IN that 'map' has written; it is used instead of a new map, and excludes all options that say "
+           "how to map. Of several IN the folder of their spheres")
+      .is("FILE|FOLDER");
+  if(step_.takes.method != nullptr) {
+    request_.options.method = step_.takes.method;
+    request_.options.weights = step_.takes.weights;
+    add_mapping_options(all_, request_.options, is_about_each());
+  }
+  add_options(command_, work_.options);
+  add_options(command_, all_);
+  command_.footer((step.notes.empty() ? "" : wrapped(step.notes) + '\n') +
+                  (step.example.empty() ? "" : "Example: spherical-parameterization " + step.example + '\n') +
+                  "Exit code: 0 done, 1 refused or not done (stderr says why), 2 wrong usage, 130 interrupted.");
+}
+
+void Line::add_inputs()
+{
+  if(step_.takes.meshes == Takes::PAIR) {
+    const std::string format = std::string("closed triangle mesh of genus 0: ") + mesh_extensions;
+    all_.add("A", request_.options.input, "The mesh that is brought to the other one, a " + format)
+      .is("FILE")
+      .required();
+    all_.add("B", request_.other, "The other mesh, likewise").is("FILE").required();
+  }
+  if(step_.takes.meshes == Takes::ONE)
+    all_.add("QUERY", request_.options.input, std::string("Closed triangle mesh of genus 0: ") + mesh_extensions)
+      .is("FILE")
+      .required();
+  if(!is_about_each() && step_.takes.meshes != Takes::TOGETHER)
+    return;
+  all_
+    .add("IN", request_.meshes.inputs,
+         step_.takes.what != nullptr
+           ? step_.takes.what
+           : std::string("Closed triangle meshes of genus 0 (") + mesh_extensions + "), or folders of them")
+    .is("FILE|FOLDER")
+    .times(0);
+  all_.add("--list", request_.meshes.list, "Text file with one more IN per line").is("FILE");
+  all_.add("-j,--jobs", request_.meshes.jobs, "Number of meshes to work on at the same time [all cores]")
+    .in("[1,4096]");
+}
+
+void Line::add_output(const Output& output)
+{
+  std::string text = output.description;
+  if(output.kind == Output::MESH && output.option() == "--output") {
+    text += output.extensions.empty() ? ": .off, .obj, .ply, .gii, .glb, .gltf or lh.NAME (FreeSurfer)" : "";
+    text += ", also with .gz, .xz, .zst or .bz2 behind; - is the standard output";
+  }
+  if(output.option() == "--output" && is_about_each() && output.kind != Output::FOLDER)
+    text += "; of several IN a folder";
+  Option& option = all_.add(output.names, request_.outputs[output.option()], text);
+  option.is(output.kind == Output::FOLDER ? "FOLDER" : "FILE");
+  if(output.when == Output::REQUIRED)
+    option.required();
+}
+
+/// Throws what is wrong usage, but for names of files that meet.
+void Line::check(const Request& request) const
+{
+  for(const Output& output : step_.gives) {
+    const std::string& file = request.file(output.option());
+    if(file.empty() || output.kind == Output::FOLDER)
+      continue;
+    const bool is_named = output.kind != Output::MESH || output.option() != "--output" || request.format.empty();
+    const bool is_known = file == standard_stream && output.extensions.size() == 1;
+    if(!output.extensions.empty() && is_named && !is_known)
+      require_extension(output.option(), file, output.extensions);
+    if(output.kind == Output::MESH)
+      request.mesh_format(output.option());
+  }
+  if(work_.check)
+    work_.check(request);
+}
+
+Line::Files Line::inputs(const Request& request) const
+{
+  Files files = input_files(request.options);
+  files.front().first = step_.takes.meshes == Takes::PAIR ? "A" : "IN";
+  files.emplace_back("B", request.other);
+  for(const std::string& sphere : request.spheres)
+    files.emplace_back("--sphere", sphere);
+  if(work_.reads)
+    for(const File_option& file : work_.reads(request))
+      files.push_back(file);
+  return files;
+}
+
+Line::Files Line::outputs(const Request& request) const
+{
+  Files files;
+  for(const Output& output : step_.gives)
+    if(const std::string& file = request.file(output.option()); output.kind != Output::FOLDER && !file.empty())
+      files.emplace_back(output.option(), file);
+  if(work_.writes)
+    for(const File_option& file : work_.writes(request))
+      files.push_back(file);
+  return files;
+}
+
+/// Whether it is named like a file that the step writes: a folder of such a name would be an accident.
+bool Line::looks_like_file(const std::string& output) const
+{
+  const auto& extensions = step_.gives.front().extensions;
+  return is_mesh_file(output) || std::count(extensions.begin(), extensions.end(), lower_case_extension(output)) > 0;
+}
+
+/// Throws what is wrong usage of a folder of outputs, which is then without a slash at the end.
+void Line::check_folder()
+{
+  std::string& folder = request_.outputs["--output"];
+  std::error_code none;
+  require(is_folder(folder) || !fs::exists(folder, none), "--output",
+          "'" + folder + "' is a file; the output of several meshes is a folder");
+  require(is_folder(folder) || !looks_like_file(folder), "--output",
+          "'" + folder + "' has the extension of a file; the output of several meshes is a folder");
+  while(folder.size() > 1 && folder.back() == '/')
+    folder.pop_back();
+}
+
+/// Whether there are several meshes, or one whose output goes to a folder.
+bool Line::are_many() const
+{
+  const auto& [inputs, list, jobs] = request_.meshes;
+  const std::string& output = request_.file();
+  return inputs.size() != 1 || !list.empty() || is_folder(inputs.front()) ||
+         (!output.empty() && (output.back() == '/' || (step_.gives.front().kind != Output::FOLDER &&
+                                                       is_folder(output) && !looks_like_file(output))));
+}
+
+int Line::execute()
+{
+  for(const CLI::Option* option : command_.get_options())
+    if(option->count() > 0)
+      request_.given[option->get_name()] = joined(option->results(), ",");
+  const auto check_use = [this](const Options& options) {
+    for(const Option& option : options)
+      require(!request_.has(option.name()) || options.is_of_use(option), option.name(),
+              "requires " + option.other + (option.values.empty() ? "" : ' ' + joined(option.values, " or ")));
+  };
+  check_use(all_);
+  check_use(work_.options);
+  if(!request_.spheres.empty() || request_.has("--sphere"))
+    for(const Option& option : all_) {
+      const bool is_allowed = option.group == general_options || option.group.empty() ||
+                              (option.name() == "--max-time" && !request_.spheres.empty());
+      require(!request_.has(option.name()) || is_allowed, "--sphere", "excludes " + option.name());
+    }
+  request_.options.prepare = prepares_ ? step_.takes.prepare : Prepare::NO;
+  request_.options.can_prepare_all = step_.takes.prepare == Prepare::ALL;
+  if(step_.takes.method != nullptr)
+    check_mapping_options(request_.options);
+
+  if((is_about_each() || step_.takes.meshes == Takes::TOGETHER) && request_.meshes.inputs.empty() &&
+     request_.meshes.list.empty())
+    throw CLI::RequiredError("IN or --list");
+  if(step_.takes.sphere == Takes::ARGUMENT) {
+    std::vector<std::string>& inputs = request_.meshes.inputs;
+    require(inputs.size() + (request_.meshes.list.empty() ? 0 : 1) >= 2, "SPHERE", "is required, behind MESH");
+    request_.options.sphere = inputs.back();
+    inputs.pop_back();
+  }
+  return is_about_each() && are_many() ? run_many() : run_one();
+}
+
+int Line::run_one()
+{
+  if(is_about_each()) {
+    request_.options.input = request_.meshes.inputs.front();
+    const Output& first = step_.gives.front();
+    std::string& output = request_.outputs["--output"];
+    require(output.empty() || first.kind != Output::FOLDER, "--output",
+            "is a folder for several meshes; for one its name ends with a slash");
+    if(output.empty() && first.when == Output::ALWAYS)
+      output = fs::path(request_.options.input).filename().replace_extension(first.extensions.front()).string();
+  } else if(!step_.gives.empty() && step_.gives.front().kind == Output::FOLDER)
+    check_folder();
+  check(request_);
+  Files read = inputs(request_);
+  if(step_.takes.meshes == Takes::TOGETHER) {
+    read.emplace_back("--list", request_.meshes.list);
+    for(const std::string& mesh : request_.meshes.meshes())
+      read.emplace_back("the mesh " + mesh, mesh);
+  }
+  check_files(read, outputs(request_));
+  Run run(request_);
+  const Outcome outcome = perform(step_, work_, run);
+  if(!outcome.text.empty())
+    std::cout << outcome.text << std::endl;
+  return outcome.refusal ? exit_code_of(outcome.refusal) : run.exit_code;
+}
+
+/// What is asked for one of many meshes: --output is a folder, and further outputs get the names that the options say
+/// behind the names of the meshes.
+Request Line::of_item(const Item& item, const std::map<std::string, std::string>& spheres) const
+{
+  Request one = request_;
+  one.options.input = item.mesh;
+  one.is_one_of_many = true;
+  const Output& first = step_.gives.front();
+  if(!request_.file().empty()) {
+    const std::string name = request_.file() + '/' + item.name;
+    for(auto& [option, file] : one.outputs)
+      if(option != "--output" && !file.empty())
+        file = name + '.' + file;
+    one.outputs["--output"] = first.kind == Output::FOLDER ? ""
+                              : !request_.format.empty()   ? name + extension_of_format(request_.format)
+                              : first.extensions.empty()   ? name + ".ply"
+                                                           : name + first.extensions.front();
+  }
+  if(const auto sphere = spheres.find(item.name); sphere != spheres.end())
+    one.options.sphere = sphere->second;
+  else if(is_folder(request_.options.sphere))
+    one.options.sphere = request_.options.sphere + '/' + item.name + ".ply"; // which is missing
+  return one;
+}
+
+int Line::run_many()
+{
+  check_folder();
+  const std::string folder = request_.file();
+  require(!folder.empty() || step_.gives.front().when != Output::ALWAYS, "--output", "is required: a folder");
+  for(const auto& [option, file] : request_.outputs)
+    if(option != "--output") {
+      require(file.empty() || !folder.empty(), "--output",
+              "is required: a folder for the files '" + file + "' of several meshes");
+      require(file.find('/') == std::string::npos, "--output",
+              "is a folder: '" + file + "' goes behind the names of the meshes, and may not have a '/'");
+    }
+  const int threads = request_.meshes.number_of_jobs();
+  if(threads > 1 && !request_.has("--policy"))
+    request_.options.policy = "sequential"; // the other cores have meshes of their own
+  const auto& [in, list, jobs] = request_.meshes;
+  const bool is_one = in.size() == 1 && list.empty() && !is_folder(in.front()) && !is_folder(request_.options.sphere);
+  const auto spheres = spheres_in(is_one ? "" : request_.options.sphere);
+  const auto names = [](const Files& all) {
+    std::vector<std::string> files;
+    for(const auto& [option, file] : all)
+      if(!file.empty())
+        files.push_back(file);
+    return files;
+  };
+  const Collection collection = {
+    folder, step_.name + request_.settings(),
+    items_of(
+      request_.meshes,
+      {{"--output", folder}, {step_.takes.sphere == Takes::ARGUMENT ? "SPHERE" : "--sphere", request_.options.sphere}}),
+    [&](const Item& item) {
+      const Request one = of_item(item, spheres);
+      std::vector<std::string> read = names(inputs(one));
+      read.erase(read.begin());
+      return Job{read, names(outputs(one)), [this, one] {
+                   Run run(one);
+                   return perform(step_, work_, run);
+                 }};
+    },
+    threads};
+  const Request first = of_item(collection.items.front(), spheres);
+  check(first);
+  for(const auto& [option, file] : inputs(first))
+    if(!file.empty() && file != first.options.input && file != first.options.sphere)
+      check_readable(file); // one for all meshes: without it none is done
+  return run_collection(collection);
+}
+
+} // namespace
+
+int run(int argc, char** argv, const std::vector<Step>& all)
+{
+  int exit_code = 0;
+  CLI::App app("Spherical parameterization of closed triangle meshes of genus 0", "spherical-parameterization");
+  app.set_version_flag("--version",
+                       "spherical-parameterization " SPHERICAL_PARAMETERIZATION_VERSION " (CGAL " CGAL_VERSION_STR ")");
+  app.formatter(help_formatter()); // of the commands, too
+  app.footer("'spherical-parameterization COMMAND --help' lists the options of a command.\n" + list_of_formats() +
+             "\n"
+             "Example: spherical-parameterization map bunny.ply -o sphere.off --stretch-ply stretch.ply");
+  app.require_subcommand(1);
+  app.add_flag_callback("-q,--quiet", be_quiet, "Print nothing but errors");
+  app.add_flag_callback("-v,--verbose", be_verbose, "Print what was tried, with its outcome and time, and the memory");
+  app.fallthrough(); // behind the command, too
+  for(const Step& step : all) {
+    CLI::App* const command = app.add_subcommand(step.name, step.summary);
+    const auto line = std::make_shared<Line>(step, *command);
+    command->callback([line, &exit_code] { exit_code = line->execute(); });
+  }
+  if(const auto text = manual(app, all, argc, argv)) {
+    std::cout << *text;
+    flush_standard_output();
+    return 0;
+  }
+  try {
+    app.parse(argc, argv);
+  } catch(const CLI::ParseError& stop) { // also what --help and --version throw
+    if(stop.get_exit_code() != 0) {
+      std::cerr << "spherical-parameterization: " << usage_error(app, stop)
+                << "\nRun with --help for more information.\n";
+      return 2;
+    }
+    app.exit(stop); // prints the help or the version
+  }
+  if(exit_code == 0)
+    flush_standard_output();
+  return exit_code;
+}
+
+} // namespace tool

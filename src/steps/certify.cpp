@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#include "runner/step.h"
+
+#include "mapping/spherical_map.h"
+#include "system/interruption.h"
+
+#include <CGAL/Spherical_parameterization/distortion_summary.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace tool {
+namespace {
+
+Sphere mirror_image(Sphere points)
+{
+  for(Point& p : points)
+    p[0] = -p[0];
+  return points;
+}
+
+/// Points off a common sphere are projected to it, of which people should know.
+void say_radius(std::ostream& out, const std::string& file, const Given_sphere& sphere)
+{
+  constexpr double rounding = 1e-3; // of files of floats, and of programs that keep spheres only roughly
+  out << file << ": ";
+  if(sphere.largest_radius <= (1 + rounding) * sphere.smallest_radius)
+    out << "radius " << sphere.largest_radius << '\n';
+  else
+    out << "points at distances from " << sphere.smallest_radius << " to " << sphere.largest_radius
+        << " of the origin, from which they are projected to the sphere\n";
+}
+
+void say_distortion(std::ostream& out, const SP::Distortion_summary& d)
+{
+  constexpr double degrees = 57.295779513082321;
+  out << "angle distortion: mean " << degrees * d.angle_distortion.mean << " degrees, 95 % of the area below "
+      << degrees * d.angle_distortion.percentile_95 << "\narea shrinks by factors from "
+      << std::exp(d.log_area_stretch.percentile_5) << " to " << std::exp(d.log_area_stretch.percentile_95)
+      << " (90 % of the area)";
+}
+
+void certify(Run& run)
+{
+  Mapped_mesh& input = run.input;
+  run.read();
+  const Stopwatch reading;
+  const Given_sphere sphere = read_given_sphere(run.options.sphere, run.options.input, input.mesh());
+  input.seconds_read += reading.seconds();
+
+  const Stopwatch certifying;
+  const auto certified = [&](const std::vector<Point>& points) {
+    return tool::certify(input.data.policy, input.mesh(), points);
+  };
+  input.result = certified(sphere.points);
+  input.result.seconds.certify = certifying.seconds();
+  const bool is_mirrored = input.result.degree == -1;
+  // the measures are of maps that keep the orientation
+  input.sphere = is_mirrored ? mirror_image(sphere.on_unit_sphere) : sphere.on_unit_sphere;
+  const Stopwatch measuring;
+  run.figures.distortion = on_host(
+    input, [&](const auto& policy) { return SP::distortion_summary(policy, input.mesh(), as_map(input.sphere)); });
+  run.figures.seconds_measure = measuring.seconds();
+  stop_if_interrupted(run.options.input);
+
+  const SP::Result& result = input.result;
+  std::ostringstream certificate, text;
+  certificate << "spherical map: " << result.flipped_faces << " flipped faces, degree " << result.degree;
+  text.precision(3);
+  text << run.options.input << ": " << result.number_of_vertices << " vertices, " << result.number_of_faces
+       << " faces\n"
+       << (result        ? "valid "
+           : is_mirrored ? "mirrored "
+                         : "no valid ")
+       << certificate.str() << '\n';
+  say_radius(text, run.options.sphere, sphere);
+  say_distortion(text, *run.figures.distortion);
+  run.text = text.str();
+  run.line = "valid " + certificate.str() + ", " + std::to_string(result.number_of_vertices) + " vertices";
+  if(is_mirrored) {
+    const std::size_t left = certified(mirror_image(sphere.points)).flipped_faces;
+    throw Refusal("MIRRORED", run.options.sphere,
+                  std::string("is a mirror image, ") +
+                    (left == 0 ? std::string("otherwise a valid spherical map")
+                               : "and its mirror image has " + std::to_string(left) + " flipped faces"),
+                  "negate one coordinate of the sphere, or turn the faces of the mesh round");
+  }
+  if(!result)
+    throw Refusal(result.error, run.options.sphere, "is no valid spherical map: " + result.detail, "");
+}
+
+Work certify_work()
+{
+  const auto triangulates = std::make_shared<bool>(false);
+  Work work = {[triangulates](Run& run) {
+    run.options.triangulate = *triangulates;
+    certify(run);
+  }};
+  work.options.add("--triangulate", *triangulates,
+                   "Triangulate the polygons of MESH as 'map' does; SPHERE has triangles");
+  return work;
+}
+
+} // namespace
+
+Step certify_step()
+{
+  Takes takes = {Takes::EACH, nullptr, "", Takes::ARGUMENT, Prepare::HARMLESS};
+  takes.what =
+    "MESH... SPHERE: closed triangle meshes of genus 0, or folders of them, and at the end the sphere, or the "
+    "folder of the spheres with the same names. A sphere has the same vertices and faces in the same order "
+    "as its mesh, about the origin, of any radius";
+  return {"certify",
+          "Certify and measure a spherical map of any program",
+          takes,
+          {{"-o,--output",
+            "Folder for the reports of several MESH, and of what is done, so that the same command goes on with it",
+            {},
+            Output::FOLDER}},
+          certify_work,
+          "certify lh.pial.ply lh.sphere.ply --report report.json",
+          "0 is the exit code of a valid map. Points that are on no common sphere are projected from the origin, which "
+          "the output says; mirror images are named."};
+}
+
+} // namespace tool

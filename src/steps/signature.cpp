@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#include "runner/step.h"
+
+#include "collections/signatures.h"
+#include "input/files.h"
+
+#include <iostream>
+#include <sstream>
+
+namespace tool {
+namespace {
+
+void sign_meshes(Run& run)
+{
+  const Batch_summary summary =
+    update_index(run.meshes.meshes(), run.file(), run.meshes.number_of_jobs(), run.options.prepare != Prepare::NO);
+  const std::size_t signatures = summary.meshes - summary.without_signature.size();
+  run.details = {{"meshes", summary.meshes},   {"signatures", signatures},
+                 {"mended", summary.mended},   {"resumed", summary.resumed},
+                 {"removed", summary.removed}, {"without_signature", summary.without_signature}};
+  run.commit();
+  for(const std::string& why : summary.without_signature)
+    std::cerr << "spherical-parameterization: " << why << '\n';
+  std::ostringstream text;
+  text << run.file() << ": " << summary.meshes << " meshes, " << signatures << " signatures";
+  if(summary.mended > 0)
+    text << ", " << summary.mended << " of mended meshes";
+  if(summary.resumed > 0)
+    text << ", " << summary.resumed << " rows from an earlier run";
+  if(summary.removed > 0)
+    text << ", " << summary.removed << " rows of other meshes removed";
+  run.text = text.str();
+  run.exit_code = signatures > 0 ? 0 : 1;
+}
+
+/// The index must not take the place of what it is made of.
+void check(const Request& request)
+{
+  require(!is_mesh_file(request.file()), "--output",
+          "'" + request.file() + "' has the extension of a mesh; the index is a database");
+}
+
+Work signature_work()
+{
+  Work work = {sign_meshes};
+  work.check = check;
+  work.writes = [](const Request& request) {
+    const std::string index = index_of(request.file());
+    return Work::Files{{"the index", index == request.file() ? "" : index}};
+  };
+  return work;
+}
+
+} // namespace
+
+Step signature_step()
+{
+  Takes takes;
+  takes.meshes = Takes::TOGETHER;
+  takes.prepare = Prepare::ALL;
+  takes.prepared = "the signature is that of the mended mesh";
+  return {
+    "signature",
+    "Compute a shape descriptor of each mesh, for the command 'search'",
+    takes,
+    {{"-o,--output",
+      "Output file of the index: a database of SQLite, one row per mesh. If its extension is .csv: this table of "
+      "the rows, and next to it the index, .db",
+      {},
+      Output::DATABASE,
+      Output::REQUIRED}},
+    signature_work,
+    "signature scans/ -o index.db",
+    "Meshes without a signature have a row that says why; the exit code is 1 if there is no other. The same command "
+    "resumes a run that was stopped, and brings an index up to date: only new and edited meshes are computed, rows "
+    "of other meshes are removed."};
+}
+
+} // namespace tool

@@ -3,6 +3,7 @@
 
 #include "helpers/arrays.h"
 
+#include <CGAL/Spherical_parameterization/internal/isometric/Carried_density.h>
 #include <CGAL/Spherical_parameterization/internal/isometric/Progressive_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/isometric/decimation.h>
 
@@ -10,7 +11,9 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <set>
+#include <utility>
 #include <vector>
 
 using namespace test;
@@ -129,6 +132,57 @@ TEST_CASE("rounds of decimation are independent collapses, the same on all threa
     rounds.pop_back();
   }
   CHECK(faces_of(mesh) == whole);
+}
+
+TEST_CASE("densities of coarse meshes are means, and undoing collapses gives those of every mesh back", "[progressive]")
+{
+  const Plain_mesh source = octasphere(3);
+  const I::Host_loop loop;
+  const int n = int(source.point.size());
+  I::Problem problem;
+  problem.face = source.face;
+  problem.point = source.point;
+  problem.number_of_vertices = n;
+  for(const auto& f : source.face)
+    problem.density.push_back(source.point[f[0]].z > 0 ? 1 : 0.1);
+  I::Carried_density density(problem, {});
+  I::Progressive_mesh mesh(loop, source.face, n);
+  // The areas that the faces are wanted to have, were all of them 1
+  const auto wanted = [&] {
+    std::map<std::array<int, 3>, double> areas;
+    for(int v = 0; v < n; ++v)
+      if(!mesh.is_removed(v))
+        mesh.for_each_corner(v, [&](int c) {
+          I::Face_metric metric;
+          metric.twice_area = 1;
+          density.apply(mesh, c, 0, metric);
+          areas[{mesh.vertex(c), mesh.target(c), mesh.apex(c)}] = metric.twice_area;
+        });
+    return areas;
+  };
+  I::Decimation decimation(loop, source.point, mesh, {}, 4);
+  std::vector<std::vector<int>> rounds;
+  std::vector<std::map<std::array<int, 3>, double>> before;
+  for(;;) {
+    before.push_back(wanted());
+    std::vector<int> round = decimation.round();
+    if(round.empty())
+      break;
+    for(int h : round)
+      density.collapse(mesh, h);
+    rounds.push_back(std::move(round));
+  }
+  for(const auto& [face, area] : before.back()) { // of a tetrahedron
+    CHECK(area > 0.1 / 0.55 * 0.99);
+    CHECK(area < 1 / 0.55 * 1.01);
+  }
+  before.pop_back();
+  for(; !rounds.empty(); rounds.pop_back(), before.pop_back()) {
+    mesh.undo_collapses(loop, rounds.back());
+    for(int h : rounds.back())
+      density.undo_collapse(mesh, h);
+    CHECK(wanted() == before.back());
+  }
 }
 
 TEST_CASE("decimation keeps the vertices that it has to, and a map a bijection", "[progressive]")

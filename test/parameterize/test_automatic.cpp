@@ -12,6 +12,7 @@
 #include <iterator>
 #include <limits>
 #include <random>
+#include <utility>
 #include <vector>
 
 using namespace test;
@@ -27,6 +28,27 @@ Result solve_automatically(const Soup& soup, Sphere& sphere, Settings settings =
   CHECK(count_flipped_faces(soup, sphere) == 0);
   CHECK(degree(soup, sphere) == 1);
   return result;
+}
+
+double area(const Point& a, const Point& b, const Point& c)
+{
+  return std::sqrt(CGAL::cross_product(b - a, c - a).squared_length()) / 2;
+}
+
+/// By how much the lengths of every face shrink, against the mean of the map, and its share of the surface; those that
+/// shrink most first.
+std::vector<std::pair<double, double>> shrinkage(const Soup& soup, const Sphere& sphere)
+{
+  std::vector<std::pair<double, double>> faces;
+  double whole = 0;
+  for(const auto& f : soup.faces)
+    whole += area(soup.points[f[0]], soup.points[f[1]], soup.points[f[2]]);
+  for(const auto& f : soup.faces) {
+    const double share = area(soup.points[f[0]], soup.points[f[1]], soup.points[f[2]]) / whole;
+    faces.emplace_back(std::sqrt(4 * 3.14159265 * share / area(sphere[f[0]], sphere[f[1]], sphere[f[2]])), share);
+  }
+  std::sort(faces.rbegin(), faces.rend());
+  return faces;
 }
 
 } // namespace
@@ -93,19 +115,40 @@ TEST_CASE("automatic: the spikes of noise are no limbs", "[automatic]")
   CHECK(result.method == "balanced");
   CHECK(result.fallback_reason.empty());
 
-  // There are such spikes.
-  const auto area = [](const Point& a, const Point& b, const Point& c) {
-    return std::sqrt(CGAL::cross_product(b - a, c - a).squared_length()) / 2;
-  };
-  double whole = 0, shrunk = 0;
-  for(const auto& [i, j, k] : soup.faces)
-    whole += area(soup.points[i], soup.points[j], soup.points[k]);
-  for(const auto& [i, j, k] : soup.faces) {
-    const double of_face = area(soup.points[i], soup.points[j], soup.points[k]);
-    if(area(sphere[i], sphere[j], sphere[k]) < 4 * 3.14159265 / whole / 900 * of_face)
-      shrunk += of_face;
+  double shrunk = 0; // there are such spikes
+  for(const auto& [times, share] : shrinkage(soup, sphere))
+    shrunk += times > method.largest_shrinkage ? share : 0;
+  CHECK(shrunk > 1e-3);
+}
+
+TEST_CASE("automatic: a thousandth of the surface decides", "[automatic]")
+{
+  const Soup soup = transformed(capsule(3, 48), [](const Point& p) { // no two faces are alike
+    const double bump = 1 + 0.05 * std::sin(3 * p.x() + 1) * std::cos(4 * p.y() + 2) * std::sin(p.z());
+    return Point(bump * p.x(), bump * p.y(), bump * p.z());
+  });
+  Sphere balanced, sphere;
+  REQUIRE(solve(soup, balanced));
+  double share = 0, less = 0, more = 0; // the bounds beyond which there is less, and more, than a thousandth
+  for(const auto& [times, of_face] : shrinkage(soup, balanced)) {
+    share += of_face;
+    if(share < 0.7e-3)
+      less = times;
+    if(share > 1.4e-3 && more == 0) {
+      more = times;
+      CHECK(share < 5e-3);
+    }
   }
-  CHECK(shrunk / whole > 1e-3);
+  REQUIRE(less > more);
+  REQUIRE(more > 1);
+  Settings settings;
+  SP::Automatic method;
+  method.largest_shrinkage = 0.999 * less;
+  settings.method = method;
+  CHECK(solve(soup, sphere, settings).method == "balanced");
+  method.largest_shrinkage = 0.999 * more;
+  settings.method = method;
+  CHECK(solve(soup, sphere, settings).method == "isometric");
 }
 
 TEST_CASE("automatic: an extreme map is better than none", "[automatic]")

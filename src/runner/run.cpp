@@ -100,14 +100,15 @@ void Run::write_report()
   report_.complete();
 }
 
-void Run::commit()
+void Run::commit(bool is_late)
 {
   const Stopwatch writing;
   files_.complete();
   figures.seconds_write += writing.seconds();
   figures.seconds_total = total_.seconds();
   write_report();
-  stop_if_interrupted(options.input);
+  if(!is_late)
+    stop_if_interrupted(options.input);
   report_.commit();
   files_.commit();
   is_committed_ = true;

@@ -87,8 +87,8 @@ public:
   void complete() { files_.complete(); }
 
   /// Gives the files their names, with the report. Throws a `Refusal`, also when interrupted. A step that has nothing
-  /// to say of it need not call it.
-  void commit();
+  /// to say of it need not call it. \param is_late  something has got its name already: an interruption comes too late
+  void commit(bool is_late = false);
 
   /// How messages call the mesh, and --output.
   std::string name_of_input() const;

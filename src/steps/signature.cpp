@@ -20,7 +20,7 @@ void sign_meshes(Run& run)
   run.details = {{"meshes", summary.meshes},   {"signatures", signatures},
                  {"mended", summary.mended},   {"resumed", summary.resumed},
                  {"removed", summary.removed}, {"without_signature", summary.without_signature}};
-  run.commit();
+  run.commit(true); // the index is there
   for(const std::string& why : summary.without_signature)
     std::cerr << "spherical-parameterization: " << why << '\n';
   std::ostringstream text;

@@ -56,6 +56,7 @@ struct Registration_result {
   std::string start; ///< what found the start: "spectrum", or for a rotation "landmarks", "coordinates" or "features"
   /// \name Of the Points That the Spectrum Has Found
   /// @{
+
   /// How much worse the best of all other answers is, on a logarithmic scale. Small where shapes are nearly symmetric
   /// or not alike; infinite if there is no other answer, or if the spectrum was not asked.
   double margin = std::numeric_limits<double>::infinity();
@@ -91,6 +92,7 @@ struct Registration_result {
     UNSURE, ///< another answer is nearly as good, or the shapes are not very alike
     UNLIKE  ///< the shapes differ so much that points can hardly be said to correspond
   };
+  /// \return what margin, difference of signatures and stretching are worth together
   Trust trust() const
   {
     // chosen on poses 0 to 79 of FAUST and on animals of TOSCA: doc/registration.md

@@ -44,6 +44,8 @@ inline Matrix_3 super_fibonacci_rotation(int i, int number)
 template <class Loop>
 class Spectral_matching {
 public:
+  static constexpr double share_of_work = 0.3; ///< for the callback, of a whole registration
+
   typedef Spectral_shape<Loop> Shape;
   typedef typename Shape::Rows Rows;
   typedef std::vector<int> Map; ///< of samples of A, in their order, or of all its vertices: vertices of B
@@ -66,7 +68,7 @@ public:
 
   Match run() const
   {
-    constexpr double share_of_symmetries = 0.3, share_of_starts = 0.6;
+    constexpr double share_of_symmetries = share_of_work / 3, share_of_starts = 2 * share_of_work / 3;
     loop_.begin_stage(0, share_of_symmetries);
     const std::vector<Map> symmetries = Spectral_matching(loop_, b_, b_, {}).symmetries();
 
@@ -87,7 +89,7 @@ public:
     std::vector<Candidate> pool = upsampled(starts, {14, 17, 20, 25, 30});
     for(Candidate& c : upsampled(roughly, {20, 25, 30}))
       pool.push_back(std::move(c));
-    loop_.begin_stage(share_of_starts, 1);
+    loop_.begin_stage(share_of_starts, share_of_work);
     std::vector<Candidate> found = judged(best_distinct(std::move(pool), 6, 0.25));
 
     // A duel of the best one with itself where left and right are exchanged

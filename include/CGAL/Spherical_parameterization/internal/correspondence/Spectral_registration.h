@@ -80,7 +80,7 @@ public:
                             shape_a.sample.begin() + (std::min)(most_places, static_cast<int>(shape_a.sample.size())));
     for(const auto& [v, w] : coarse_landmarks)
       spread.push_back(v);
-    image = moved_to(surface, spread, place, target);
+    image = moved_to(surface, spread, place, target, 0.3, 0.55);
     if(image.empty() || n == static_cast<int>(a.point.size()))
       return;
 
@@ -101,7 +101,7 @@ public:
     }
     for(int& v : spread)
       v = coarse_a.vertex[v];
-    image = moved_to(a, spread, all_places, all_targets);
+    image = moved_to(a, spread, all_places, all_targets, 0.55, 0.8);
   }
 
 private:
@@ -125,7 +125,7 @@ private:
   /// A map of a surface with some vertices, spread evenly, near their places, and then all of them near their targets
   /// on B. Places and targets may be wrong by a little, and contradict each other.
   Host_array<vec3> moved_to(const Registered_surface& a, const std::vector<int>& spread, const Host_array<vec3>& place,
-                            Host_array<vec3> target)
+                            Host_array<vec3> target, double begin, double end)
   {
     constexpr double pull = 3000, target_weight = 5000, isometry_weight = 1, accuracy = 1e-4;
     constexpr double farthest = 0.3; // what is farther off pulls less, since it is more likely to be wrong
@@ -146,6 +146,7 @@ private:
     }
     Isometric method;
     method.landmark_weight = pull;
+    monitor_.begin_stage(begin, (begin + end) / 2);
     Solution solution = solve_isometric(loop_.bare(), method, problem, {}, monitor_);
     if(!solution.certificate.is_valid())
       return {};
@@ -156,6 +157,7 @@ private:
       if(const double square = inner(way, way); square > farthest * farthest)
         target[v] = add_scaled(at, farthest * farthest / square, way);
     });
+    monitor_.begin_stage((begin + end) / 2, end);
     Registration_features features;
     for(double vec3::*coordinate : {&vec3::x, &vec3::y, &vec3::z}) {
       for(const vec3& p : target)

@@ -204,8 +204,9 @@ class _Store:
         return self._store.is_current(*self._key_of(item))
 
     def save(self, rows: list[_Line]) -> None:
-        for item, version, error, message, value in rows:
-            self._store.put(*self._key_of(item), version, error, os.fsencode(message), value)
+        self._store.put(
+            [(*self._key_of(item), version, error, os.fsencode(message), value) for item, version, error, message, value in rows]
+        )
 
     def close(self) -> None:
         self._store.close()

@@ -19,6 +19,7 @@
 #include <optional>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 namespace {
 
@@ -74,12 +75,17 @@ struct Store {
     return results->current(name, name, settings).has_value();
   }
   std::string some_settings() const { return results->some_settings(); }
-  void put(const std::string& name, const std::string& settings, const Version& version, const std::string& status,
-           const std::string& message, const std::string& value)
+  /// Name, settings, version, status, message, value.
+  typedef std::tuple<std::string, std::string, Version, std::string, std::string, std::string> Row;
+  void put(const std::vector<Row>& rows)
   {
     const py::gil_scoped_release no_lock;
-    const auto& [bytes, changed, hash] = version;
-    results->put(name, name, {bytes, changed, hash}, settings, {status, message, "", value});
+    results->put_together([&] {
+      for(const auto& [name, settings, version, status, message, value] : rows) {
+        const auto& [bytes, changed, hash] = version;
+        results->put(name, name, {bytes, changed, hash}, settings, {status, message, "", value});
+      }
+    });
   }
   void close() { results.reset(); }
 };

@@ -43,9 +43,19 @@ public:
   /// The settings of some row, empty if there is none.
   std::string some_settings() const;
 
-  /// Writes a row. It is on the disk on return.
+  /// Writes a row. It is on the disk on return, but within `put_together()`.
   void put(const std::string& name, const std::string& mesh, const File_version& version, const std::string& settings,
            const Row& row);
+
+  /// Calls f, which puts rows: they are on the disk together on return, and none of them if f throws and this is
+  /// destroyed then.
+  template <class F>
+  void put_together(F f)
+  {
+    database_.run("BEGIN");
+    f();
+    database_.run("COMMIT");
+  }
 
 private:
   static constexpr Database::Format format = {0x53504d55, "the results of many meshes", R"(

@@ -54,14 +54,9 @@ py::tuple register_maps(const Doubles& points_a, const py::array& triangles_a, c
   const bool is_complete = r.error != SP::Error_code::INTERRUPTED;
   if(!r && is_complete)
     throw SP::Error(r.error, r.detail);
-  typedef SP::Registration_result::Trust Trust;
-  const char* const trust = r.trust() == Trust::SURE     ? "sure"
-                            : r.trust() == Trust::UNSURE ? "unsure"
-                            : r.trust() == Trust::UNLIKE ? "unlike"
-                                                         : "unknown";
-  return py::make_tuple(watch.was_ctrl_c, registered, is_complete, r.start, r.margin, r.signature_difference, trust,
-                        r.rotation, r.mismatch_before, r.mismatch, r.stretching, r.distortion,
-                        r.largest_landmark_distance, r.iterations, r.seconds.total);
+  return py::make_tuple(watch.was_ctrl_c, registered, is_complete, r.start, r.margin, r.signature_difference,
+                        SP::get_trust_name(r.trust()), r.rotation, r.mismatch_before, r.mismatch, r.stretching,
+                        r.distortion, r.largest_landmark_distance, r.iterations, r.seconds.total);
 }
 
 std::pair<Doubles, double> moebius_centred(const Doubles& sphere, const py::array& triangles, const Doubles& masses)

@@ -91,15 +91,46 @@ Landmarks read_landmarks(const std::string& file, const Registered_pair& pair)
   return landmarks;
 }
 
-const char* name_of(SP::Registration_result::Trust trust)
+Changes_of_lengths changes_of_lengths(const Mesh& mesh, const std::vector<Point>& on_b)
 {
-  switch(trust) {
-  case SP::Registration_result::Trust::SURE: return "sure";
-  case SP::Registration_result::Trust::UNSURE: return "unsure";
-  case SP::Registration_result::Trust::UNLIKE: return "unlike";
-  case SP::Registration_result::Trust::UNKNOWN: break;
+  typedef std::array<double, 3> Gram; // of two sides of a triangle
+  const auto gram = [](const std::vector<Point>& points, const std::array<int, 3>& face) {
+    Gram g = {0, 0, 0};
+    for(std::size_t k = 0; k < 3; ++k) {
+      const double p = points[std::size_t(face[0])][k], u = points[std::size_t(face[1])][k] - p,
+                   v = points[std::size_t(face[2])][k] - p;
+      g = {g[0] + u * u, g[1] + u * v, g[2] + v * v};
+    }
+    return g;
+  };
+  const auto det = [](const Gram& g) { return std::max(0., g[0] * g[2] - g[1] * g[1]); };
+  std::vector<std::pair<double, double>> changes; // square of the larger factor, area
+  double area_a = 0, area_b = 0;
+  for(std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    const Gram a = gram(mesh.points(), mesh.triangle(f)), b = gram(on_b, mesh.triangle(f));
+    area_a += std::sqrt(det(a));
+    area_b += std::sqrt(det(b));
   }
-  return "unknown";
+  const double scale = area_a / area_b;
+  for(std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    const Gram a = gram(mesh.points(), mesh.triangle(f)), b = gram(on_b, mesh.triangle(f));
+    if(det(a) == 0)
+      continue;
+    // the squares of the factors are the eigenvalues of a^-1 b
+    const double half = scale * (a[2] * b[0] - 2 * a[1] * b[1] + a[0] * b[2]) / (2 * det(a));
+    const double product = scale * scale * det(b) / det(a);
+    const double larger = half + std::sqrt(std::max(0., half * half - product));
+    changes.emplace_back(std::max(larger, larger / product), std::sqrt(det(a)));
+  }
+  std::sort(changes.begin(), changes.end());
+  double below = 0, large = 0;
+  std::size_t middle = 0;
+  for(std::size_t i = 0; i < changes.size(); ++i) {
+    below += changes[i].second;
+    middle = below <= area_a / 2 ? i : middle;
+    large += changes[i].first > Changes_of_lengths::large * Changes_of_lengths::large ? changes[i].second : 0;
+  }
+  return {changes.empty() ? 1 : std::sqrt(changes[middle].first), large / area_a};
 }
 
 } // namespace
@@ -177,6 +208,7 @@ void register_pair(const Registration_options& options, Registered_pair& pair)
   if(!pair.result)
     throw Refusal(pair.result.error, options.input, std::string("cannot be registered: ") + pair.result.detail,
                   pair.result.error == SP::Error_code::INTERRUPTED ? "allow more --max-time" : "");
+  pair.changes = changes_of_lengths(a, pair.points_on_b);
 }
 
 std::vector<Place> places_by_files(const Registered_pair& pair)
@@ -209,65 +241,6 @@ const char* trust_text(const SP::Registration_result& result)
   return "";
 }
 
-/// How many times lengths of A become longer or shorter on the way to B, against their mean, in the direction in which
-/// they do so most.
-struct Changes_of_lengths {
-  double median;         ///< by area of A
-  double share_of_large; ///< of the area of A, on which it is more than `large`
-  static constexpr double large = 3;
-
-  /// What people see of that.
-  const char* verdict() const
-  {
-    return share_of_large < 0.02 ? "no part of A is lost"
-           : share_of_large < 0.1
-             ? "some of A is crushed or smeared over B, as where B has no such part"
-             : "parts of A are crushed or smeared over B; --landmarks can say what belongs together";
-  }
-};
-
-Changes_of_lengths changes_of_lengths(const Mesh& mesh, const std::vector<Point>& on_b)
-{
-  typedef std::array<double, 3> Gram; // of two sides of a triangle
-  const auto gram = [](const std::vector<Point>& points, const std::array<int, 3>& face) {
-    Gram g = {0, 0, 0};
-    for(std::size_t k = 0; k < 3; ++k) {
-      const double p = points[std::size_t(face[0])][k], u = points[std::size_t(face[1])][k] - p,
-                   v = points[std::size_t(face[2])][k] - p;
-      g = {g[0] + u * u, g[1] + u * v, g[2] + v * v};
-    }
-    return g;
-  };
-  const auto det = [](const Gram& g) { return std::max(0., g[0] * g[2] - g[1] * g[1]); };
-  std::vector<std::pair<double, double>> changes; // square of the larger factor, area
-  double area_a = 0, area_b = 0;
-  for(std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-    const Gram a = gram(mesh.points(), mesh.triangle(f)), b = gram(on_b, mesh.triangle(f));
-    area_a += std::sqrt(det(a));
-    area_b += std::sqrt(det(b));
-  }
-  const double scale = area_a / area_b;
-  for(std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-    const Gram a = gram(mesh.points(), mesh.triangle(f)), b = gram(on_b, mesh.triangle(f));
-    if(det(a) == 0)
-      continue;
-    // the squares of the factors are the eigenvalues of a^-1 b
-    const double half = scale * (a[2] * b[0] - 2 * a[1] * b[1] + a[0] * b[2]) / (2 * det(a));
-    const double product = scale * scale * det(b) / det(a);
-    const double larger = half + std::sqrt(std::max(0., half * half - product));
-    changes.emplace_back(std::max(larger, larger / product), std::sqrt(det(a)));
-  }
-  std::sort(changes.begin(), changes.end());
-  double below = 0, large = 0;
-  std::size_t middle = 0;
-  for(std::size_t i = 0; i < changes.size(); ++i) {
-    below += changes[i].second;
-    middle = below <= area_a / 2 ? i : middle;
-    large += changes[i].first > Changes_of_lengths::large * Changes_of_lengths::large ? changes[i].second : 0;
-  }
-  return {changes.empty() ? 1 : std::sqrt(changes[middle].first), large / area_a};
-}
-
 } // namespace
 
 std::string registration_text(const Registration_options& options, const Registered_pair& pair)
@@ -279,7 +252,7 @@ std::string registration_text(const Registration_options& options, const Registe
   if(options.motion == "deformation")
     text << ", then deformed: mismatch of features from " << r.mismatch_before << " to " << r.mismatch
          << ", mean distortion " << r.distortion << " (4: none)";
-  const Changes_of_lengths changes = changes_of_lengths(pair.a.mesh(), pair.points_on_b);
+  const Changes_of_lengths& changes = pair.changes;
   text << "\nlengths of A change " << changes.median << " times (median), and more than " << changes.large
        << " times on " << 100 * changes.share_of_large << " % of it: " << changes.verdict() << trust_text(r);
   if(!options.landmarks.empty())
@@ -290,9 +263,7 @@ std::string registration_text(const Registration_options& options, const Registe
 nlohmann::ordered_json registration_json(const Registration_options& options, const Registered_pair& pair)
 {
   const SP::Registration_result& r = pair.result;
-  const Changes_of_lengths changes = changes_of_lengths(pair.a.mesh(), pair.points_on_b);
-  return {{"version", SPHERICAL_PARAMETERIZATION_VERSION},
-          {"inputs", {options.input, options.other}},
+  return {{"inputs", {options.input, options.other}},
           {"vertices", {pair.a.mesh().number_of_vertices(), pair.b.mesh().number_of_vertices()}},
           {"methods_used", {pair.a.result.method, pair.b.result.method}},
           {"motion", options.motion},
@@ -303,15 +274,15 @@ nlohmann::ordered_json registration_json(const Registration_options& options, co
           {"start", r.start},
           {"margin", r.margin},
           {"signature_difference", r.signature_difference},
-          {"trust", name_of(r.trust())},
+          {"trust", SP::get_trust_name(r.trust())},
           {"rotation", r.rotation},
           {"iterations", r.iterations},
           {"mismatch_before", r.mismatch_before},
           {"mismatch", r.mismatch},
           {"stretching", r.stretching},
           {"distortion", r.distortion},
-          {"change_of_lengths", changes.median},
-          {"share_of_large_changes", changes.share_of_large},
+          {"change_of_lengths", pair.changes.median},
+          {"share_of_large_changes", pair.changes.share_of_large},
           {"largest_landmark_distance", r.largest_landmark_distance},
           {"flipped_faces", r.flipped_faces},
           {"degree", r.degree},
@@ -319,8 +290,7 @@ nlohmann::ordered_json registration_json(const Registration_options& options, co
            {{"map", pair.a.result.seconds.total + pair.b.result.seconds.total},
             {"align", r.seconds.align},
             {"refine", r.seconds.refine},
-            {"register", r.seconds.total}}},
-          {"peak_memory_bytes", peak_memory_bytes()}};
+            {"register", r.seconds.total}}}};
 }
 
 } // namespace tool

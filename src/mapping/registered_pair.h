@@ -26,6 +26,23 @@ struct Registration_options : Mapping_options {
   SP::Registration registration;
 };
 
+/// How many times lengths of A become longer or shorter on the way to B, against their mean, in the direction in which
+/// they do so most.
+struct Changes_of_lengths {
+  double median = 1;         ///< by area of A
+  double share_of_large = 0; ///< of the area of A, on which it is more than `large`
+  static constexpr double large = 3;
+
+  /// What people see of that.
+  const char* verdict() const
+  {
+    return share_of_large < 0.02 ? "no part of A is lost"
+           : share_of_large < 0.1
+             ? "some of A is crushed or smeared over B, as where B has no such part"
+             : "parts of A are crushed or smeared over B; --landmarks can say what belongs together";
+  }
+};
+
 /// Both meshes with their maps, and what registration has made of the first one's.
 struct Registered_pair {
   Mapped_mesh a, b;
@@ -33,6 +50,7 @@ struct Registered_pair {
   std::vector<Place> places_on_b; ///< where the vertices of A come to lie on the surface of B
   std::vector<Point> points_on_b; ///< the same as points
   SP::Registration_result result;
+  Changes_of_lengths changes;
 };
 
 /// The options that say how they are registered.

@@ -108,6 +108,14 @@ struct Registration_result {
   explicit operator bool() const { return error == Error_code::OK; }
 };
 
+/// \param trust  how far a registration is to be trusted
+/// \return "unknown", "sure", "unsure" or "unlike"; never freed
+inline const char* get_trust_name(Registration_result::Trust trust)
+{
+  constexpr const char* names[] = {"unknown", "sure", "unsure", "unlike"};
+  return names[static_cast<int>(trust)];
+}
+
 /// @}
 
 } // namespace CGAL::Spherical_parameterization

@@ -617,6 +617,7 @@ TEST_CASE("callback and time limit end a registration with a certified map", "[r
   CHECK(run(CGAL::parameters::callback(note)));
   CHECK(std::is_sorted(fractions.begin(), fractions.end()));
   CHECK(fractions.front() >= 0);
+  CHECK(fractions[fractions.size() / 2] < 0.9);
   CHECK(fractions.back() <= 1);
   CHECK(fractions.back() > 0.8); // the last level may be short
 

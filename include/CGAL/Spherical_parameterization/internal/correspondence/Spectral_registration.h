@@ -51,6 +51,7 @@ public:
       landmark_of_a.push_back(v);
       landmark_of_b.push_back(w);
     }
+    monitor.begin_stage(0, Spectral_matching<Host_loop>::share_of_work / 3); // which the matching shares
     const Coarse_map coarse_a = coarse(a, landmark_of_a), coarse_b = coarse(b, landmark_of_b);
     typename Spectral_matching<Host_loop>::Landmarks coarse_landmarks;
     for(const auto& [v, w] : landmarks)

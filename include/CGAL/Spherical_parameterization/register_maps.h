@@ -58,16 +58,19 @@ auto mapped_mesh(const TriangleMesh& mesh, VertexSphereMap sphere_map,
 /// corresponding points of the shapes. With the registered map any property is carried over
 /// (`transfer_vertex_property()`), shapes are sampled at one icosphere (`resample()`), and meshes are morphed.
 ///
-/// First the best rotation: by three or more landmarks; else that for which the coordinates in any pose
+/// Corresponding points are found by eigenfunctions of the Laplacian, and the orientation of the two maps. The first
+/// mesh is mapped anew near them, and that map is deformed: the mean symmetric Dirichlet energy of the deformation, the
+/// mean squared differences of curvatures, and the stretching of the one surface onto the other are minimized (see
+/// `Registration`); where differences and stretching have not become less than by a rotation, the map is only turned.
+/// Meshes of fewer than 100 vertices, and shapes that stand alike (`Registration::position_weight`), begin with the
+/// best rotation instead: by three or more landmarks; else that for which the coordinates in any pose
 /// (`best_alignment()`), and up to four for which curvature and stretch are correlated best, of which the one is taken
-/// that a coarse deformation makes most alike. Then the map is deformed, coarse features first: the mean symmetric
-/// Dirichlet energy of the deformation, the mean squared differences of features, and the stretching of the one surface
-/// onto the other are minimized (see `Registration`); where differences and stretching have not become less, the map is
-/// only turned. The features, area stretch and curvatures, hardly depend on the
-/// pose: the maps should be of low isometric distortion (`Isometric`) and of the same method.
+/// that a coarse deformation makes most alike; then they are deformed, coarse features first. The maps should be of low
+/// isometric distortion (`Isometric`).
 ///
 /// Guarantee: the registered map is without flips and of degree 1, exactly, as stored, or the result says that it is
-/// not. That corresponding points are found there is no guarantee of: `Registration_result` has the figures.
+/// not. That corresponding points are found there is no guarantee of: `Registration_result::trust()` says how far to
+/// trust them.
 ///
 /// \param policy      `CGAL::Sequential_tag`, the default, or `CGAL::Parallel_tag`; the result does not depend on it
 /// \param a           the first mesh with a valid map of it: `mapped_mesh()`
@@ -76,7 +79,7 @@ auto mapped_mesh(const TriangleMesh& mesh, VertexSphereMap sphere_map,
 ///                    numbers: the registered map; may be its sphere map. It is written unless the input is refused.
 /// \param method      how far to go, and the weights
 /// \param landmarks   pairs of vertices that correspond. Springs pull them together, and they are put exactly onto each
-///                    other where that flips no face; with fewer than three the rotation is found without them.
+///                    other where that flips no face; with fewer than three a rotation is found without them.
 /// \param np          optional named parameters: `callback`, `maximum_running_time` and `verbose`, as in
 /// `parameterize()` \return the certificate, and what was reached; `NOT_BIJECTIVE` and the like for maps and meshes
 /// that cannot be
@@ -84,8 +87,7 @@ auto mapped_mesh(const TriangleMesh& mesh, VertexSphereMap sphere_map,
 ///         `INTERRUPTED` if callback or time limit ended it: what is stored then is a certified map, too
 /// \pre weights are not negative; there is a level or more; scale and accuracy are positive
 ///
-/// Complexity: about 200 iterations, each linear in the size of the first mesh; two meshes of 10,000 vertices take 3
-/// seconds on one core.
+/// Complexity: linear in the sizes of the meshes; two of 5,000 vertices take 3 seconds on one core.
 template <class ExecutionPolicy, class MeshA, class SphereMapA, class PointMapA, class MeshB, class SphereMapB,
           class PointMapB, class RegisteredMap, class CGAL_NP_TEMPLATE_PARAMETERS,
           internal::If_policy<ExecutionPolicy> = 0>

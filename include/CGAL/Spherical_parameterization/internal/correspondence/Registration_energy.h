@@ -246,10 +246,7 @@ private:
     for_each_index(loop_, n, [&](int i) {
       walk_.walk(x[i], face_of_[i]);
       walk_.weights(x[i], face_of_[i], weight_[i], slope_[i]);
-      const std::array<int, 3>& corner = b_.face[face_of_[i]];
-      place_[i] = {0, 0, 0};
-      for(int c = 0; c < 3; ++c)
-        place_[i] = add_scaled(place_[i], weight_[i][c], b_.point[corner[c]]);
+      place_[i] = mean_of_corners(b_.face[face_of_[i]], weight_[i], b_.point);
     });
   }
 

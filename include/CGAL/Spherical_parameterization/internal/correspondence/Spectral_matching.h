@@ -32,15 +32,15 @@ inline Matrix_3 super_fibonacci_rotation(int i, int number)
     {other * std::cos(beta), r * std::sin(alpha), r * std::cos(alpha), other * std::sin(beta)});
 }
 
-/// Which points of B are those of A: a map of samples of A to vertices of B, without anything but the shapes and their
-/// maps to the sphere.
+/// Which points of B are those of A: a map of the vertices of A to those of B, without anything but the shapes and
+/// their maps to the sphere.
 ///
 /// Eigenfunctions say precisely where a point belongs once it is known roughly (spectral upsampling), and see no
 /// difference between a shape and its mirror image. The sphere knows that difference: a map that keeps orientation
-/// there is none of a left hand to a right one. So candidates come from rotations of the sphere, and the limbs of those
-/// that are found are put onto each other anew with orientation kept, and with left and right exchanged by the symmetry
-/// that B has itself. Each candidate is refined, and what decides is how much signatures and curvatures differ, and how
-/// much of the surface keeps its orientation. See doc/registration.md.
+/// there is none of a left hand to a right one. So candidates come from rotations of the sphere and from assignments of
+/// the ends of limbs, and the limbs of those that are found are put onto each other anew with orientation kept, and
+/// with left and right exchanged by the symmetry that B has itself. Each candidate is refined, and what decides is how
+/// much signatures and curvatures differ, and how much of the surface keeps its orientation. See doc/registration.md.
 template <class Loop>
 class Spectral_matching {
 public:

@@ -90,10 +90,7 @@ public:
     Host_array<vec3> all_places(a.point.size()), all_targets(a.point.size());
     loop.for_each(static_cast<int>(a.point.size()), [&](int v) {
       const auto [face, weight] = locator_a.locate(a.image[v]);
-      vec3 p = {0, 0, 0};
-      for(int c = 0; c < 3; ++c)
-        p = add_scaled(p, weight[c], image[coarse_a.face[face][c]]);
-      all_places[v] = unit(p);
+      all_places[v] = unit(mean_of_corners(coarse_a.face[face], weight, image));
       all_targets[v] = on_b(all_places[v]);
     });
     for(const auto& [v, w] : landmarks) {
@@ -117,10 +114,7 @@ private:
   vec3 on_b(vec3 q) const
   {
     const auto [face, weight] = locator_b_.locate(q);
-    vec3 p = {0, 0, 0};
-    for(int c = 0; c < 3; ++c)
-      p = add_scaled(p, weight[c], b_.point[b_.face[face][c]]);
-    return p;
+    return mean_of_corners(b_.face[face], weight, b_.point);
   }
 
   /// A map of a surface with some vertices, spread evenly, near their places, and then all of them near their targets

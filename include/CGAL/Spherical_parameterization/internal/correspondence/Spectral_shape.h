@@ -108,10 +108,14 @@ struct Spectral_shape {
 
   /// \param map  a valid one; of a surface of area 1
   Spectral_shape(const Loop& loop, const Mapped_surface& map, Monitor& monitor)
+    : Spectral_shape(loop, map, map.copy_of_corner_table(loop), monitor)
+  {}
+
+private:
+  Spectral_shape(const Loop& loop, const Mapped_surface& map, const Corner_table& table, Monitor& monitor)
     : area(map.number_of_vertices, 0.), stretch(map.number_of_vertices), image(map.image), vertex_near(loop, map),
-      graph(map.copy_of_corner_table(loop), map.point)
+      graph(table, map.point)
   {
-    const Corner_table table = map.copy_of_corner_table(loop);
     const int n = size();
     std::vector<double> on_sphere(n, 0.);
     for(const std::array<int, 3>& f : map.face)
@@ -145,7 +149,6 @@ struct Spectral_shape {
     choose_samples(loop, map.point);
   }
 
-private:
   /// Wave kernel signature: M. Aubry, U. Schlickewei, D. Cremers, ICCV Workshops 2011.
   void sign(const Host_array<double>& value)
   {

@@ -35,6 +35,16 @@ struct Registered_surface : Corner_table {
   Host_array<vec3> image; ///< unit vectors, without flips
 };
 
+/// The mean of what the corners of a face have.
+inline vec3 mean_of_corners(const std::array<int, 3>& corner, const std::array<double, 3>& weight,
+                            const Host_array<vec3>& of_vertex)
+{
+  vec3 mean = {0, 0, 0};
+  for(int c = 0; c < 3; ++c)
+    mean = add_scaled(mean, weight[c], of_vertex[corner[c]]);
+  return mean;
+}
+
 /// A third of the area of its faces, by vertex.
 inline Host_array<double> vertex_areas(const Host_loop& loop, const Registered_surface& surface)
 {

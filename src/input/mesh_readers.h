@@ -4,6 +4,7 @@
 #ifndef SPHERICAL_PARAMETERIZATION_TOOL_MESH_READERS_H
 #define SPHERICAL_PARAMETERIZATION_TOOL_MESH_READERS_H
 
+#include "input/vertex_data.h"
 #include "system/refusal.h"
 
 #include <boost/core/noinit_adaptor.hpp>
@@ -42,6 +43,7 @@ struct Soup {
   std::size_t size_of_first_polygon = 0;
   std::optional<Refusal> non_finite; ///< of the first coordinate that is no finite number, if there is one
   Annotations annotations;
+  Vertex_data data; ///< at the vertices
 
   /// \pre there are at least three corners
   void add_face(const std::vector<int>& corners)

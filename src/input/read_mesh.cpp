@@ -105,7 +105,7 @@ Input_mesh read_mesh(const std::string& file, Polygons polygons, const std::stri
     check_triangles(file, soup);
   try {
     return {Mesh(CGAL::Parallel_if_available_tag(), std::move(soup.points), std::move(soup.triangles)), soup.polygons,
-            std::move(soup.annotations)};
+            std::move(soup.annotations), std::move(soup.data)};
   } catch(const SP::Error& error) {
     throw Refusal(error.code(), file, "has " + error.detail(), how_to_mend);
   }

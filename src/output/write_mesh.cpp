@@ -68,22 +68,6 @@ Colour diverging(double t)
   return colour;
 }
 
-/// Hues by the golden ratio: every new one falls into the largest gap. Lightness alternates, so that hues that have
-/// come close by then still differ.
-Colour colour_of_segment(std::size_t segment)
-{
-  const double hue = std::fmod(0.58 + 0.61803398874989485 * static_cast<double>(segment), 1.);
-  const double light = segment % 3 == 0 ? 0.95 : segment % 3 == 1 ? 0.75 : 0.55;
-  const double saturation = segment % 2 == 0 ? 0.55 : 0.8;
-  Colour colour;
-  for(std::size_t i = 0; i < 3; ++i) {
-    const double phase = std::abs(std::remainder(hue - static_cast<double>(i) / 3, 1.)); // 0 to 1/2
-    const double pure = std::clamp(2 - 6 * phase, 0., 1.);
-    colour[i] = static_cast<std::uint8_t>(std::lround(255 * light * (1 - saturation * (1 - pure))));
-  }
-  return colour;
-}
-
 } // namespace
 
 void write_mesh(std::ostream& out, const Output_format& format, const Mesh& mesh, const std::vector<Point>& points,
@@ -177,7 +161,7 @@ void write_segments_ply(std::ostream& out, bool ascii, const Mesh& mesh, const s
   std::vector<Colour> colours;
   colours.reserve(segments.size());
   for(const std::size_t segment : segments)
-    colours.push_back(colour_of_segment(segment));
+    colours.push_back(distinct_colour(segment));
   Ply_extras extras = {std::to_string(number_of_segments) + " segments", {}, columns_of(colours)};
   extras.of_faces.push_back(
     {Ply_column::Type::INT, "segment", [&segments](std::size_t f) { return double(segments[f]); }});

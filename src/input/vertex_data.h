@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef SPHERICAL_PARAMETERIZATION_TOOL_VERTEX_DATA_H
+#define SPHERICAL_PARAMETERIZATION_TOOL_VERTEX_DATA_H
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace tool {
+
+/// What a key in a column of labels stands for.
+struct Label {
+  int key = 0;
+  std::string name;
+  std::array<float, 4> rgba = {0, 0, 0, 1}; ///< each from 0 to 1
+};
+
+/// A value at every vertex: a number that can be interpolated, or the key of a label, which cannot. NaN: none.
+struct Vertex_column {
+  std::string name; ///< not empty
+  std::vector<double> values;
+  bool is_label = false;          ///< then the values are integers in the range of `int`
+  std::vector<Label> table = {}; ///< each key once; of keys that are not there no more is known
+};
+
+/// Columns of one length, each with a name of its own.
+using Vertex_data = std::vector<Vertex_column>;
+
+/// Appends a column; if its name is taken, it gets a number.
+void add_column(Vertex_data& data, Vertex_column column);
+
+/// Reads what a file has for the vertices of a mesh, in their order: FreeSurfer's curv (`lh.thickness`), .annot and
+/// .label, .csv with a line of names, and the columns of surfaces that have some. A broken file, or one of another
+/// number of vertices, throws a `Refusal`.
+Vertex_data read_vertex_data(const std::string& file, std::size_t number_of_vertices);
+
+/// Red, green and blue of the i-th of many that are to be told apart.
+std::array<std::uint8_t, 3> distinct_colour(std::size_t i);
+
+} // namespace tool
+
+#endif // SPHERICAL_PARAMETERIZATION_TOOL_VERTEX_DATA_H

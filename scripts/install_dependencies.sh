@@ -18,7 +18,8 @@ packages=(
 if [ "${1:-}" = --all ]; then
   shift
   packages+=(
-    catch2 libopenmesh-dev doxygen                                  # the tests, of which the manual is one
+    catch2 libopenmesh-dev                                          # the tests
+    doxygen doxygen-awesome-css mandoc                              # the manual, which is a test, too
     python3-dev pybind11-dev python3-numpy python3-pip python3-venv python3-setuptools python3-wheel # the Python package
     python3-pytest mypy python3-numpydoc python3-tqdm python3-nibabel python3-meshio python3-matplotlib python3-scipy # its tests
     python3-distributed python3-nbclient python3-nbformat python3-ipykernel python3-matplotlib-inline

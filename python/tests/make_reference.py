@@ -5,6 +5,8 @@ import enum
 import inspect
 import re
 
+from numpydoc.docscrape import NumpyDocString, Parameter
+
 import spherical_parameterization as sp
 
 FUNCTIONS = [name for name in sp.__all__ if inspect.isfunction(inspect.unwrap(getattr(sp, name)))]
@@ -19,6 +21,11 @@ def find(name: str) -> object:
     return found
 
 
+def item(parameter: Parameter) -> str:
+    head = " : ".join(f"`{part}`" for part in parameter[:2] if part)
+    return "\n  ".join([f"- {head}" + "." * bool(parameter.desc), *filter(None, parameter.desc)])
+
+
 def entry(name: str) -> str:
     thing = find(name)
     text = inspect.getdoc(thing) or ""
@@ -27,8 +34,20 @@ def entry(name: str) -> str:
         fields = re.findall(r"^    \w+(?:: | = ).*", inspect.getsource(thing), re.MULTILINE) if has_list else []
         if fields and "Parameters\n" not in text and "Attributes\n" not in text:
             text += "\n\nAttributes\n----------\n" + "\n".join(fields)
-    names = ", ".join(inspect.signature(thing).parameters) if inspect.isroutine(inspect.unwrap(thing)) else ""  # type: ignore[arg-type]
-    return f"### sp.{name}{f'({names})' if names else ''}\n\n```text\n{text}\n```\n"
+    doc = NumpyDocString(text)
+    parts = [f"### sp.{name}"]
+    if inspect.isroutine(inspect.unwrap(thing)):  # type: ignore[arg-type]
+        arguments = [str(p.replace(annotation=p.empty)) for p in inspect.signature(thing).parameters.values()]  # type: ignore[arg-type]
+        parts.append(f"```python\nsp.{name}({', '.join(arguments)})\n```")
+    parts.append("\n".join(doc["Summary"] + [""] * bool(doc["Extended Summary"]) + doc["Extended Summary"]))
+    for title in ("Parameters", "Attributes", "Returns", "Yields", "Raises"):
+        if doc[title]:
+            parts += [f"**{title}**", "\n".join(map(item, doc[title]))]
+    for title in ("Notes", "References"):
+        parts += ["\n".join(doc[title])] if doc[title] else []
+    if doc["Examples"]:
+        parts.append("```python\n" + "\n".join(doc["Examples"]) + "\n```")
+    return "\n\n".join(parts) + "\n"
 
 
 def methods(name: str) -> list[str]:

@@ -24,7 +24,7 @@ if [ "${1:-}" = --all ]; then
     python3-pytest mypy python3-numpydoc python3-tqdm python3-nibabel python3-meshio python3-matplotlib python3-scipy # its tests
     python3-distributed python3-nbclient python3-nbformat python3-ipykernel python3-matplotlib-inline
     assimp-utils                                                    # a test reads GLB files with it
-    file                                                            # cpack asks it what needs which libraries
+    file patchelf                                                   # packages: which libraries are needed, and where they are
   )
 fi
 packages+=("$@")

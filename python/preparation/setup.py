@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Builds spherical_parameterization._preparation, which is under the GPL, as ../setup.py builds the core."""
+"""Builds what is under the GPL, spherical_parameterization._preparation and the tool, as ../setup.py builds the core."""
 
 import runpy
 from pathlib import Path
 
-runpy.run_path(str(Path(__file__).resolve().parent.parent / "setup.py"), init_globals={"MODULE": "preparation"})
+here = Path(__file__).resolve().parent
+of_core = here / "source/python/setup.py"  # in a source distribution
+runpy.run_path(str(of_core if of_core.exists() else here.parent / "setup.py"), init_globals={"MODULE": "preparation"})

@@ -25,7 +25,7 @@ def _mesh(points: npt.ArrayLike, triangles: npt.ArrayLike, sphere: Sphere) -> tu
 
 @dataclass(frozen=True)
 class Distribution:
-    """How a measure is spread over the surface: every face counts with its source area."""
+    """Distribution of a measure over the surface. Faces are weighted by their source area."""
 
     mean: float
     deviation: float  #: root of the mean square difference from the mean
@@ -44,10 +44,10 @@ class DistortionSummary:
 
     log_area_stretch: Distribution  #: log((source area / its total) / (spherical area / 4 pi)); 0 is none
     angle_distortion: Distribution  #: radians; 0 is none
-    dilatation: Distribution  #: quasi-conformal, the ratio of the principal stretches; 1 is none
-    symmetric_dirichlet: Distribution  #: between flat triangles; 4 is isometric
-    spherical_symmetric_dirichlet: Distribution  #: with det(a, b, c) / 2 as area on the sphere
-    degenerate_faces: int  #: source faces without area: they do not count
+    dilatation: Distribution  #: quasi-conformal dilatation, the ratio of the principal stretches; 1 is none
+    symmetric_dirichlet: Distribution  #: symmetric Dirichlet energy between flat triangles; 4 is isometric
+    spherical_symmetric_dirichlet: Distribution  #: the same with det(a, b, c) / 2 as area on the sphere
+    degenerate_faces: int  #: number of source faces of area 0, which are ignored
 
     def __repr__(self) -> str:
         means = (f"{field.name} {getattr(self, field.name).mean:.4g}" for field in fields(self)[:-1])
@@ -64,14 +64,14 @@ class DistortionSummary:
 def distortion(
     points: npt.ArrayLike, triangles: npt.ArrayLike, sphere: Sphere, *, policy: str = "parallel"
 ) -> DistortionSummary:
-    """The distortion of a valid map in figures.
+    """Summary of the distortion of a valid map.
 
     Parameters
     ----------
     points : array_like (n, 3) of float
     triangles : array_like (m, 3) of int
     sphere : array_like (n, 3) of float, or Result
-        Of any radius: directions count.
+        Its radius may be any: only directions are used.
     policy : {"parallel", "sequential"}
 
     Returns
@@ -155,7 +155,7 @@ def mean_over_faces(triangles: npt.ArrayLike, values: npt.ArrayLike) -> Doubles:
 def vertex_log_area_stretch(
     points: npt.ArrayLike, triangles: npt.ArrayLike, sphere: Sphere, *, policy: str = "parallel"
 ) -> Doubles:
-    """The logarithmic area stretch of the vertices, the mean over their faces: positive where the map shrinks.
+    """The logarithmic area stretch of the vertices (means over their faces). It is positive where the map shrinks.
 
     Parameters
     ----------
@@ -189,12 +189,12 @@ def segment(
         A conformal map; it need not be valid.
     method : MajorityVote, GirthProfiles or RegionGrowing, or "majority-vote", "girth-profiles" or "region-growing"
     stretch : array_like (m,) of float
-        Of the faces. Default: `face_distortion()`.
+        Logarithmic area stretch of the faces. Default: `face_distortion()`.
 
     Returns
     -------
     ndarray (m,) of int32
-        The number of the segment of every face, from 0. Every segment is connected.
+        The segment of every face, numbered from 0. Every segment is connected.
 
     Raises
     ------
@@ -209,16 +209,16 @@ def segment(
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Texture(OneLine):
-    """Texture coordinates, and what had to be done for them."""
+    """Texture coordinates, and counts of faces with special treatment."""
 
     uv: Doubles  #: (m, 3, 2): u and v of every corner of every face
     north: list[float]  #: the direction at v = 1, or at the centre of the octahedral square
     meridian: list[float]  #: the direction of longitude 0
-    seam_faces: int  #: with a corner past the side of the square
-    pole_faces: int  #: round a pole, or with a corner there
-    moved_faces: int  #: of which a corner was moved, so that they are not flipped in the plane
-    unresolved_faces: int  #: of these the ones too small for the grid
-    largest_move: float  #: in units of u and v
+    seam_faces: int  #: number of faces with a corner beyond the side of the square
+    pole_faces: int  #: number of faces around a pole, or with a corner at a pole
+    moved_faces: int  #: number of faces with a corner that was moved so that they are not flipped in the plane
+    unresolved_faces: int  #: number of those that are too small for the grid
+    largest_move: float  #: largest distance of a move, in units of u and v
 
 
 def texture_coordinates(
@@ -239,7 +239,7 @@ def texture_coordinates(
         As for `distortion()`.
     chart : {"latitude-longitude", "octahedral"}
     axes : pair of three floats
-        North, and the direction of longitude 0. Default: where the texture is least distorted.
+        The directions of the north pole and of longitude 0. Default: those for which the texture is least distorted.
     bits : int
         Coordinates are multiples of 2^-bits, 1 to 52. With 23 they are float32 without further rounding.
 
@@ -260,7 +260,7 @@ def texture_coordinates(
 
 
 def texture_seams(triangles: npt.ArrayLike, uv: npt.ArrayLike) -> npt.NDArray[np.int32]:
-    """The edges along which a texture is cut: their faces have different coordinates at one of the ends.
+    """The edges along which a texture is cut: their two faces have different coordinates at one of the end points.
 
     Parameters
     ----------
@@ -271,7 +271,7 @@ def texture_seams(triangles: npt.ArrayLike, uv: npt.ArrayLike) -> npt.NDArray[np
     Returns
     -------
     ndarray (k, 2) of int32
-        The ends of the edges, the smaller number first, sorted. `numpy.unique()` of it are the vertices to double.
+        The vertices of the edges, the smaller index first, sorted. `numpy.unique()` of them are the vertices to duplicate.
 
     Raises
     ------
@@ -286,7 +286,7 @@ def texture_seams(triangles: npt.ArrayLike, uv: npt.ArrayLike) -> npt.NDArray[np
 
 
 def icosphere(level: int) -> tuple[Doubles, npt.NDArray[np.int32]]:
-    """An icosahedron of which every triangle has been cut in four `level` times, on the unit sphere.
+    """An icosahedron on the unit sphere, with every triangle cut in four `level` times.
 
     Parameters
     ----------
@@ -303,7 +303,7 @@ def icosphere(level: int) -> tuple[Doubles, npt.NDArray[np.int32]]:
 
 
 class Locator:
-    """The inverse of a map: finds what is mapped to a direction.
+    """The inverse of a map: finds the point of the mesh that is mapped to a direction.
 
     Parameters
     ----------
@@ -311,7 +311,7 @@ class Locator:
     sphere : array_like (n, 3) of float
         A valid map.
     policy : {"parallel", "sequential"}
-        Of this and of all methods.
+        Policy of the constructor and of all methods.
 
     Raises
     ------
@@ -342,13 +342,13 @@ class Locator:
         Parameters
         ----------
         directions : array_like (k, 3) of float
-            Of any length but 0.
+            Vectors of any length except 0.
 
         Returns
         -------
         faces : ndarray (k,) of int32
         weights : ndarray (k, 3) of float64
-            Barycentric, of the corners of the faces.
+            Barycentric coordinates in the faces.
         """
         return self._locator.locate(vectors("directions", directions), self._policy)
 
@@ -360,13 +360,13 @@ class Locator:
         return array
 
     def interpolate(self, values: npt.ArrayLike, faces: npt.ArrayLike, weights: npt.ArrayLike) -> Doubles:
-        """Values of vertices at places in faces, between the values at the corners.
+        """Interpolates values of vertices at points in faces.
 
         Parameters
         ----------
         values : array_like (n,) or (n, d) of float
         faces, weights
-            What `locate()` has returned.
+            The result of `locate()`.
 
         Returns
         -------
@@ -383,20 +383,20 @@ class Locator:
         return result.reshape((len(places), *given.shape[1:]))
 
     def transfer(self, values: npt.ArrayLike, directions: npt.ArrayLike, *, nearest: bool = False) -> Any:
-        """Values of vertices at directions, such as those of another map: `locate()` and `interpolate()`.
+        """Interpolates values of vertices at directions, such as those of another map: `locate()` and `interpolate()`.
 
         Parameters
         ----------
         values : array_like (n,) or (n, d)
-            Numbers; with `nearest` anything.
+            Numbers; with `nearest`, values of any type.
         directions : array_like (k, 3) of float
         nearest : bool
-            The value of the corner with the largest weight, instead of one between the corners: for labels.
+            Takes the value of the corner with the largest weight instead of interpolating: for labels.
 
         Returns
         -------
         ndarray (k,) or (k, d)
-            Of float64, or with `nearest` of the type of the values.
+            float64, or with `nearest` the type of the values.
         """
         check(Locator.transfer, locals())
         faces, weights = self.locate(directions)
@@ -405,14 +405,14 @@ class Locator:
         return self._of(values, self._number_of_vertices)[self._triangles[faces, weights.argmax(axis=1)]]
 
     def transfer_faces(self, values: npt.ArrayLike, triangles: npt.ArrayLike, sphere: Sphere) -> Any:
-        """Values of faces, such as labels, on another mesh: each face gets that of the face under its centre.
+        """Transfers values of faces, such as labels, to another mesh: each face gets the value of the face at its centre.
 
         Parameters
         ----------
         values : array_like (m, ...)
-            Of the faces of this mesh, of any type.
+            Values of the faces of this mesh, of any type.
         triangles : array_like (k, 3) of int
-            Of the other mesh.
+            The triangles of the other mesh.
         sphere : array_like (l, 3) of float
             A map of the other mesh in the same position, see `align()`.
 
@@ -427,39 +427,39 @@ class Locator:
     def resample(
         self, points: npt.ArrayLike, level: int
     ) -> tuple[Doubles, npt.NDArray[np.int32], Doubles]:
-        """The shape at the vertices of an icosphere.
+        """Samples the shape at the vertices of an icosphere.
 
         Parameters
         ----------
         points : array_like (n, 3) of float
         level : int
-            Of `icosphere()`.
+            The level of `icosphere()`.
 
         Returns
         -------
         points : ndarray (k, 3) of float64
         triangles : ndarray of int32
         sphere : ndarray (k, 3) of float64
-            The vertices of the icosphere, a map of the new mesh.
+            The vertices of the icosphere, which are a map of the new mesh.
         """
         sphere, triangles = icosphere(level)
         return self.transfer(vectors("points", points, self._number_of_vertices), sphere), triangles, sphere
 
     def align(self, points: npt.ArrayLike, other: Locator, other_points: npt.ArrayLike) -> Doubles:
-        """The rotation of the sphere that leads from this map to another one; the shapes have to stand alike.
+        """The rotation of the sphere from this map to another one. The shapes must have the same orientation in space.
 
         Parameters
         ----------
         points : array_like (n, 3) of float
-            Of this mesh.
+            The points of this mesh.
         other : Locator
         other_points : array_like of float
-            Of the other mesh.
+            The points of the other mesh.
 
         Returns
         -------
         ndarray (3, 3) of float64
-            R such that R x under the other map is what x is under this one: `other.transfer(values, x @ R.T)`.
+            R such that x in this map corresponds to R x in the other map: `other.transfer(values, x @ R.T)`.
         """
         if not isinstance(other, Locator):
             raise wrong_type("other", "a Locator", other)
@@ -480,15 +480,15 @@ def shape_signature(
     *,
     policy: str = "parallel",
 ) -> Doubles:
-    """A shape as a point of R^96, near to those of its other poses; see `search()`.
+    """The signature of a shape, 96 numbers that are similar for all poses of the shape; see `search()`.
 
     Parameters
     ----------
     points, triangles, policy
         As for `distortion()`.
     sphere : array_like (n, 3) of float
-        A conformal map by `Balanced`; it need not be valid. Default: the map is made, with clamped weights; if it does
-        not converge, a barycentric one.
+        A conformal map by `Balanced`; it need not be valid. Default: a new map with clamped weights or, if it does
+        not converge, with barycentric weights.
 
     Returns
     -------
@@ -507,14 +507,14 @@ def shape_signature(
 
 
 def search(signature: npt.ArrayLike, index: npt.ArrayLike, k: int = 10) -> tuple[npt.NDArray[np.intp], Doubles]:
-    """The nearest of many signatures, by L1 distance: poses of a shape are about .2 apart, other shapes 2.
+    """The nearest of many signatures, by L1 distance. Typical distances are 0.2 between poses of one shape, and 2 between shapes.
 
     Parameters
     ----------
     signature : array_like (96,) of float
     index : array_like (s, 96) of float
     k : int
-        How many.
+        The number of results.
 
     Returns
     -------
@@ -557,9 +557,9 @@ def stretch_histogram(
     scale : {"logarithmic", "linear"}
     bins : int
     low, high : float
-        Where the first bin begins and the last one ends, on the scale.
+        The beginning of the first bin and the end of the last one, on the scale.
     number_of_samples, seed : int
-        Of "uniform" and "random" sampling.
+        For "uniform" and "random" sampling.
 
     Returns
     -------

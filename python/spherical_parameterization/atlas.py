@@ -23,13 +23,13 @@ _PLACEMENTS = ("none", "centre", "rigid", "similarity")
 class Atlas(OneLine):
     """Shapes with the same vertices and faces, aligned, and their statistics."""
 
-    triangles: npt.NDArray[np.int32]  #: (f, 3), of all shapes
+    triangles: npt.NDArray[np.int32]  #: (f, 3), the same for all shapes
     sphere: Doubles  #: (m, 3), the directions of the vertices
     shapes: Doubles  #: (n, m, 3), aligned
-    weights: Doubles  #: (m,), what each vertex counts: its area, mean over the shapes
+    weights: Doubles  #: (m,), weights of the vertices: their areas, averaged over the shapes
     statistics: ShapeStatistics
-    members: list[int]  #: the numbers of the meshes that the shapes are of
-    refused: dict[int, str]  #: by the numbers of the other meshes: why
+    members: list[int]  #: for every shape, the index of its mesh
+    refused: dict[int, str]  #: for the indices of the other meshes: why they were refused
 
 
 def atlas(
@@ -43,24 +43,24 @@ def atlas(
     modes: int | None = None,
     policy: str = "parallel",
 ) -> Atlas:
-    """Maps meshes, registers them, samples them at one icosphere, and takes mean and principal components.
+    """Maps meshes, registers them, samples them at one icosphere, and computes mean and principal components.
 
     Parameters
     ----------
     meshes : sequence of (points, triangles)
-        Closed, of genus 0, each with vertices and faces of its own.
+        Closed meshes of genus 0. Each may have its own vertices and faces.
     template : int
-        The number of the mesh that all are registered to first. Default: the first that has a map.
+        The index of the mesh to which all are registered first. Default: the first mesh that has a map.
     rounds : int
-        How often they are registered: from the second time on to the mean of the time before.
+        Number of rounds of registration. From the second round on, the template is the mean of the round before.
     faces : {"icosphere", "template"}
         All shapes get the vertices and faces of an icosphere, or of the template.
     level : int
         The icosphere has 10 * 4**level + 2 vertices.
     align : {"none", "centre", "rigid", "similarity"}
-        What is no difference of shapes: nothing, their place, rotations, too, or sizes as well.
+        What is removed before shapes are compared: nothing, translations, rotations, too, or sizes, too.
     modes : int
-        At most so many. Default: all.
+        Maximum number of modes. Default: all.
     policy : {"parallel", "sequential"}
 
     Returns
@@ -70,9 +70,9 @@ def atlas(
     Raises
     ------
     ValueError
-        The template cannot be mapped.
+        If the template cannot be mapped.
     MeshError
-        Fewer than two meshes can be mapped and registered.
+        If fewer than two meshes can be mapped and registered.
 
     Examples
     --------

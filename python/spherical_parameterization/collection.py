@@ -32,12 +32,12 @@ from .maps import parameterize
 
 
 class Row(NamedTuple):
-    """What became of one item."""
+    """The result for one item."""
 
-    key: str  #: the item, if it is a name; of a tuple its first element
+    key: str  #: the item, if it is a name; if it is a tuple, its first element
     error: str  #: "OK", the code of a `MeshError`, "WORKER_LOST", or the name of another exception
-    message: str  #: of the exception
-    value: Any  #: what the function has returned, through JSON; None for exceptions
+    message: str  #: the text of the exception
+    value: Any  #: what the function has returned, converted by JSON; None for exceptions
 
 
 def map_file(path: str, **settings: Any) -> dict[str, Any]:
@@ -46,9 +46,9 @@ def map_file(path: str, **settings: Any) -> dict[str, Any]:
     Parameters
     ----------
     path : str
-        For `read_mesh()`.
+        A file for `read_mesh()`.
     **settings
-        Of `parameterize()`. Default policy: "sequential", since the other cores have meshes of their own.
+        Arguments of `parameterize()`. The default policy is "sequential", since the other cores map other meshes.
 
     Returns
     -------
@@ -78,7 +78,7 @@ def signature_file(path: str) -> list[float]:
     Parameters
     ----------
     path : str
-        For `read_mesh()`.
+        A file for `read_mesh()`.
 
     Returns
     -------
@@ -338,26 +338,26 @@ def map(
 ) -> dict[str, int]:
     """Applies a function to every item of a collection, once, and stores what it returns.
 
-    Items that the store has already are left out: after an interruption, or with more files, call it again. A file that
-    has changed is computed again, and so is everything when the function or this package has. What goes wrong with an
-    item becomes its row. A row is on the disk before `progress` is told. Workers may come, go and die meanwhile.
+    Items that have a row in the store are skipped: after an interruption, or with more files, call it again. If a file
+    has changed, it is computed again; if the function or this package has changed, everything is computed again. If an
+    item fails, its row has the error. A row is on the disk before `progress` is called. Workers may come, go and die.
 
     Parameters
     ----------
     files_or_bag : iterable of str, of paths or of tuples; dask.bag.Bag of such; or str or path of a folder
-        The items. Their names have to differ: of tuples, those of their first elements. Of a folder all meshes in it and
-        in the folders below.
+        The items. Their names must differ; for tuples, the first elements. A folder stands for all meshes in it and
+        in its subfolders.
     function : callable
-        Of one item; returns what JSON can hold, and arrays. May run twice for an item if workers die: files that it
-        writes should be complete or not there (`os.replace`). `map_file` and `signature_file` are such functions.
+        Takes one item, and returns values that JSON can represent, and arrays. May run twice for an item if workers die, so
+        it should write files atomically (`os.replace`). Examples are `map_file` and `signature_file`.
     client : distributed.Client, optional
-        The cluster. Without one all is done in this process, one after the other; the rows are the same.
+        The cluster. Without a client the items are computed in this process, one after the other; the rows are the same.
     store : str or path
         An SQLite file with a table `mesh`, as the tool writes it: name, mesh, status, message, value, ...; value is JSON.
     batch_seconds : float
-        Items are sent in batches that take about so long. For a thousand workers 10 is better.
+        Items are sent in batches that take about this time. For a thousand workers 10 is better.
     stall_seconds : float
-        A batch that is out for longer is given to another worker, too; the first result counts. More than the
+        If a batch takes longer, another worker gets it, too; the first result counts. Must be more than the
         largest mesh takes.
     progress : callable, optional
         Called with the number of new rows: `tqdm(total=...).update`.
@@ -365,14 +365,14 @@ def map(
     Returns
     -------
     dict of str to int
-        How many rows the store has, by error.
+        The number of rows in the store, by error.
 
     Raises
     ------
     ValueError
         If the store has results of a function with another name or with other settings.
     TypeError
-        If an argument has a wrong type. The store is not touched then.
+        If an argument has a wrong type. The store is then not changed.
 
     Examples
     --------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""What can go wrong: codes, exceptions, and the warning about maps that are not certified."""
+"""Error codes, exceptions, and the warning about maps that are not certified."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class _Names(enum.EnumMeta):
 
 
 class ErrorCode(str, enum.Enum, metaclass=_Names):
-    """What can be wrong with a mesh, or with the map that was found. Members compare equal to their names.
+    """What is wrong with a mesh, or with a map. Members compare equal to their names.
 
     >>> import spherical_parameterization as sp
     >>> sp.ErrorCode.BOUNDARY == "BOUNDARY"
@@ -73,8 +73,8 @@ class MeshError(ValueError):
 
 
 class DeviceError(RuntimeError):
-    """An OpenCL device is not there, or has failed."""
+    """An OpenCL device does not exist, or has failed."""
 
 
 class MapWarning(UserWarning):
-    """There is a map, and it is not certified: `Result.error` and `Result.detail` say why."""
+    """There is a map, but it is not certified; `Result.error` and `Result.detail` say why."""

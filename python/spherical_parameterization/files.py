@@ -17,16 +17,16 @@ Path = Union[str, "os.PathLike[str]"]
 
 
 def read_mesh(path: Path, *, triangulate: bool = False) -> tuple[Doubles, Integers]:
-    """Points and triangles of a file: OFF, OBJ, PLY, STL, GIFTI, FreeSurfer's surfaces and glTF, also compressed.
+    """Reads points and triangles from a file: OFF, OBJ, PLY, STL, GIFTI, FreeSurfer surfaces and glTF, also compressed.
 
-    What is in the file decides about its format. Of STL and glTF, points at the same place are one. Files of other formats
-    are read by meshio, if it is there.
+    The format is recognized by the contents of the file. In STL and glTF files, points at the same position are merged.
+    Files of other formats are read by meshio, if it is installed.
 
     Parameters
     ----------
     path : str or path
     triangulate : bool
-        Whether polygons are cut into triangles, which is right for convex ones.
+        Whether to cut polygons into triangles, which is correct for convex polygons.
 
     Returns
     -------
@@ -36,9 +36,9 @@ def read_mesh(path: Path, *, triangulate: bool = False) -> tuple[Doubles, Intege
     Raises
     ------
     MeshError
-        If a face is no triangle, or a coordinate not finite.
+        If a face is not a triangle, or a coordinate is not finite.
     OSError
-        If the file cannot be read, or is damaged: the text says where.
+        If the file cannot be read, or is damaged; the text says where.
     """
     check(read_mesh, locals())
     os.stat(path)  # FileNotFoundError
@@ -79,27 +79,27 @@ def write_mesh(
     ascii: bool = False,
     like: Path | None = None,
 ) -> None:
-    """Writes a mesh to a file, which is there complete or not at all.
+    """Writes a mesh to a file. The file is complete, or does not exist.
 
     Parameters
     ----------
     path : str or path
-        .off, .obj, .ply, .gii, .glb, .gltf, or lh.NAME and rh.NAME for FreeSurfer's; behind it may be .gz, .xz, .zst or .bz2.
+        .off, .obj, .ply, .gii, .glb, .gltf, or lh.NAME and rh.NAME for FreeSurfer, also followed by .gz, .xz, .zst or .bz2.
     points : array_like (n, 3) of float
     triangles : array_like (m, 3) of int
     sphere : bool
-        Whether the points are a map: then files of GIFTI and FreeSurfer get spheres of radius 100, as their programs have them.
+        Whether the points are a map. GIFTI and FreeSurfer files then get spheres of radius 100, as neuroimaging programs expect.
     ascii : bool
-        Whether PLY is written as text.
+        Whether to write PLY as text.
     like : str or path, optional
-        The file of which GIFTI's metadata and FreeSurfer's volume geometry are kept.
+        A file from which the GIFTI metadata or the FreeSurfer volume geometry are taken.
 
     Raises
     ------
     ValueError
-        If the name is of no format that is written.
+        If the extension belongs to no format that can be written.
     MeshError
-        If a triangle names a point that is not there, or the format cannot hold the coordinates.
+        If a triangle has an index of a point that does not exist, or the format cannot hold the coordinates.
     OSError
         If the file cannot be written.
     """

@@ -26,7 +26,7 @@ class Seconds:
     """Wall-clock seconds of the phases of a call; they add up to `total`."""
 
     read: float  #: reading the arrays, with all checks of the mesh
-    weights: float  #: edge weights; of conformal ones the intrinsic Delaunay triangulation, too
+    weights: float  #: edge weights; for conformal weights also the intrinsic Delaunay triangulation
     start_map: float  #: set-up of the multigrid hierarchy, and the start map
     solve: float  #: from the start map to the result
     certify: float  #: certificates of all attempts
@@ -38,7 +38,7 @@ class Seconds:
 
 @dataclass(frozen=True)
 class Attempt:
-    """A method that was tried, and its outcome."""
+    """The outcome of a method that was tried."""
 
     method: str
     error: ErrorCode
@@ -49,7 +49,7 @@ class Attempt:
 
 @dataclass(frozen=True, eq=False)
 class Result:
-    """A map, its certificate, and what the work was. True if and only if the map is certified."""
+    """A map, its certificate, and the work that was done. True if and only if the map is certified."""
 
     sphere: Doubles  #: (n, 3), a unit vector for every point
     error: ErrorCode  #: `OK` if and only if the map is certified
@@ -57,23 +57,23 @@ class Result:
     number_of_vertices: int
     number_of_faces: int
     flipped_faces: int  #: faces (a, b, c) with orientation(O, a, b, c) <= 0, by exact predicates on `sphere`
-    moved_vertices: int  #: of conformal weights: moved from where the springs pull them, for the sake of their faces
-    degree: int  #: how often the map covers the sphere; 1 for a valid one
-    residual: float  #: of the equation that the method solves
-    energy: float  #: spring energy; of `Isometric` the mean distortion
-    density_deviation: float  #: with `density`: standard deviation of log(area / wanted area), by wanted area; else 0
-    smallest_area: float  #: of all spherical triangles, steradians; below 1e-26 rounding flips faces
+    moved_vertices: int  #: number of vertices that were moved to repair bad faces, with conformal weights
+    degree: int  #: how often the map covers the sphere; 1 for a valid map
+    residual: float  #: residual of the equation that the method solves
+    energy: float  #: spring energy; with `Isometric` the mean distortion
+    density_deviation: float  #: with `density`: standard deviation of log(area / target area), weighted by target area; else 0
+    smallest_area: float  #: area of the smallest spherical triangle, in steradians; below 1e-26 rounding flips faces
     smallest_edge: float  #: length of the shortest chord, in units of 2^-52
-    method: str  #: of the map: "balanced", "isometric", ...
-    fallback_reason: str  #: `Automatic`: what was wrong with the attempts before
-    termination: str | None  #: "converged", "iterations", "time", "callback", "stalled"; None: nothing was computed
-    start_iterations: int  #: of the start map
-    iterations: int  #: of the method
-    sweeps: int  #: of Jacobi or Gauss-Seidel
+    method: str  #: the method that computed the map: "balanced", "isometric", ...
+    fallback_reason: str  #: `Automatic`: why the attempts before were rejected
+    termination: str | None  #: why the method ended: "converged", "iterations", "time", "callback", "stalled"; None if nothing was computed
+    start_iterations: int  #: iterations for the start map
+    iterations: int  #: iterations of the method
+    sweeps: int  #: Jacobi or Gauss-Seidel sweeps
     seconds: Seconds  #: wall-clock time of each phase
     attempts: tuple[Attempt, ...]  #: all methods that were tried
     device: str  #: where the method ran
-    text: str  #: all in one line, which is also `str(result)`
+    text: str  #: the result in one line, which is also `str(result)`
 
     @property
     def is_valid(self) -> bool:
@@ -92,10 +92,10 @@ class Result:
 
 @dataclass(frozen=True)
 class Certificate:
-    """What `certify()` has found. True if and only if the map is valid."""
+    """The result of `certify()`. True if and only if the map is valid."""
 
     flipped_faces: int  #: faces that are flipped, degenerate or not finite
-    degree: int  #: how often the map covers the sphere; -1 for a mirrored one
+    degree: int  #: how often the map covers the sphere; -1 for a mirrored map
 
     @property
     def is_valid(self) -> bool:
@@ -120,7 +120,7 @@ def edges(triangles: npt.ArrayLike) -> Integers:
     Returns
     -------
     ndarray (k, 2) of int64
-        The numbers of the ends, the smaller one first; sorted.
+        The vertices of each edge, the smaller index first; the edges are sorted.
 
     Examples
     --------
@@ -185,7 +185,7 @@ def opencl_device(name: str = "", *, precision: str = "automatic", smallest_mesh
     Parameters
     ----------
     name : str
-        Its number in `opencl_devices()`, or a part of its name. Empty: that of the environment variable
+        Its index in `opencl_devices()`, or a part of its name. If empty: the device named by the environment variable
         CGAL_SPHERICAL_PARAMETERIZATION_DEVICE, else the first GPU with double precision, else the first device.
     precision : {"automatic", "double", "single"}
     smallest_mesh : int
@@ -194,7 +194,7 @@ def opencl_device(name: str = "", *, precision: str = "automatic", smallest_mesh
     Raises
     ------
     DeviceError
-        If there is no such device, or if it does not have the precision.
+        If there is no such device, or if it does not support the precision.
 
     Returns
     -------
@@ -206,12 +206,12 @@ def opencl_device(name: str = "", *, precision: str = "automatic", smallest_mesh
 
 
 def opencl_devices() -> list[dict[str, Any]]:
-    """What each OpenCL device says of itself.
+    """The properties of each OpenCL device.
 
     Returns
     -------
     list of dict
-        Empty where there is no driver.
+        Empty if there is no driver.
     """
     return _core.opencl_devices()
 
@@ -248,14 +248,14 @@ def parameterize(
     verbose: bool = False,
     warn: bool = True,
 ) -> Result:
-    """Maps a closed triangle mesh of genus 0 to the unit sphere, certified by exact predicates.
+    """Maps a closed triangle mesh of genus 0 to the unit sphere. Exact predicates certify the map.
 
     Parameters
     ----------
     points : array_like (n, 3) of float
         In any unit. float64 in C order is not copied.
     triangles : array_like (m, 3) of int
-        Numbers of points, from 0, counterclockwise as seen from outside. int32 and int64 in C order are not copied.
+        Indices of points, from 0, counterclockwise as seen from outside. int32 and int64 in C order are not copied.
     method : Automatic, Balanced, Isometric or SaddlePoint, or "automatic", "balanced", "isometric" or "saddle-point"
     weights : {"conformal", "clamped", "barycentric", "mean-value"}, ClampedWeights, or array_like of float
         Spring constants of the edges. An array has one number for each of `edges(triangles)`, or shape (m, 3) with the
@@ -263,16 +263,16 @@ def parameterize(
     policy : {"parallel", "sequential", "opencl"} or OpenCLDevice
         Where to run; the map does not depend on it, to the last bit. See `opencl_device()`.
     fixed : mapping of int to three floats, or pair of array_like (k,) and (k, 3)
-        Vertices, and the directions where they stay: three or more, or none. `Isometric` and `Automatic` keep them anywhere.
+        Vertices and their positions on the sphere: three or more, or none. `Isometric` and `Automatic` accept any positions.
     density : array_like (n,) or (m,) of float
-        A positive number for every point or every triangle: areas on the sphere are to be proportional to these times the
-        areas in the mesh. For `Isometric` and `Automatic`; `Result.density_deviation` says how near they are.
+        A positive number for every point or every triangle: areas on the sphere are to be proportional to these numbers times the
+        areas in the mesh. For `Isometric` and `Automatic`; `Result.density_deviation` says how close they are.
     start : array_like (n, 3) of float
-        The map to start from, for `SaddlePoint(start="given")`.
+        The start map, for `SaddlePoint(start="given")`.
     accuracy : float
-        What the residual has to come down to. Default: that of the method.
+        The residual to reach. Default: that of the method.
     iterations : int
-        The most iterations. Default: that of the method.
+        Maximum number of iterations. Default: that of the method.
     maximum_running_time : float
         Seconds after which the best map so far is returned.
     progress : callable, or bar of tqdm
@@ -281,7 +281,7 @@ def parameterize(
     verbose : bool
         Logs every iteration to stderr.
     warn : bool
-        Whether a map that is not certified is a warning.
+        Whether to issue a warning if the map is not certified.
 
     Returns
     -------
@@ -291,22 +291,22 @@ def parameterize(
     Raises
     ------
     MeshError
-        There is no map, since something is wrong with the mesh, the weights, densities or fixed vertices. `code` and `detail`
+        If there is no map, because something is wrong with the mesh, the weights, densities or fixed vertices. `code` and `detail`
         say what, where, and what to do.
     DeviceError
-        The OpenCL device is not there, or has failed.
+        If the OpenCL device does not exist, or has failed.
     ValueError, TypeError
-        An argument has a wrong value, shape or type.
+        If an argument has a wrong value, shape or type.
 
     Warns
     -----
     MapWarning
-        There is a map, and it is not certified.
+        If there is a map, but it is not certified.
 
     Notes
     -----
-    Other threads of Python go on meanwhile. Ctrl-C ends the call with the best map so far and `error` INTERRUPTED; if
-    there is none yet, KeyboardInterrupt goes on.
+    Other Python threads run during the call. Ctrl-C ends the call with the best map so far and `error` INTERRUPTED; if
+    there is none yet, KeyboardInterrupt is raised.
 
     Examples
     --------
@@ -363,13 +363,13 @@ def parameterize(
 
 
 def certify(triangles: npt.ArrayLike, sphere: Sphere, *, policy: str = "parallel") -> Certificate:
-    """Whether a map is a bijection, by exact predicates on its coordinates as they are.
+    """Checks by exact predicates whether a map is a bijection.
 
     Parameters
     ----------
     triangles : array_like (m, 3) of int
     sphere : array_like (n, 3) of float
-        Vectors of any length but 0. float32 is judged as float32: what a file will hold.
+        Vectors of any length except 0. float32 numbers are certified as they are, as a file will hold them.
     policy : {"parallel", "sequential"}
 
     Returns

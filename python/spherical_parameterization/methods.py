@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Methods and weights with their options; the values that are there are the defaults."""
+"""Methods and weights with their options and defaults."""
 
 from __future__ import annotations
 
@@ -19,23 +19,23 @@ class _Options:
 
 @dataclass(frozen=True)
 class Automatic(_Options):
-    """The first map that is valid and of use: `Balanced`, `Balanced` with a larger exponent, `Isometric`.
+    """Tries `Balanced`, then `Isometric`, and returns the first map that is valid and usable.
 
     Parameters
     ----------
     spring_exponent : float
-        Of the first map, see `Balanced`.
+        Exponent of the first method, see `Balanced`.
     area_exponent : float, optional
-        Of the second map, see `Isometric`.
+        Exponent of the second method, see `Isometric`.
     largest_shrinkage : float
-        How many times lengths may shrink, against the mean of the map, on more than a thousandth of the surface; beyond,
-        a valid map is of no use, and `Isometric` is tried. Infinite: every valid map will do.
+        A valid map is not usable if lengths shrink by more than this factor, relative to the mean of the map, on more than a
+        thousandth of the surface. Infinite: every valid map is usable.
 
     Notes
     -----
-    With the argument `density` of `parameterize()` only `Isometric` is tried: springs do not follow densities.
+    With the argument `density` of `parameterize()` only `Isometric` is tried: harmonic maps do not follow densities.
 
-    If none is valid and of use, the best one is returned: a valid one, else of degree 1, with the fewest flipped faces.
+    If no map is valid and usable, the best one is returned: a valid map, else one of degree 1 with the fewest flipped faces.
     """
 
     spring_exponent: float = 2
@@ -50,7 +50,7 @@ class Balanced(_Options):
     Parameters
     ----------
     spring_exponent : float
-        Exponent of the spring energy, 2 or more. Larger ones equalize areas at the cost of angles.
+        Exponent of the spring energy, 2 or more. Larger exponents equalize areas at the cost of angles.
 
     Notes
     -----
@@ -69,8 +69,8 @@ class Isometric(_Options):
     area_exponent : float, optional
         0 preserves angles, 1 lengths, 30 or more areas. Default: 1, with the argument `density` of `parameterize()` 10.
     landmark_weight : float
-        Infinite: fixed vertices stay exactly where they are put. Finite and positive: they are only pulled there, by
-        this weight times the mean of their squared distances, added to the mean distortion (4 = isometric).
+        Infinite: fixed vertices stay exactly at their positions. Finite and positive: they are pulled there. This weight
+        times the mean of their squared distances is added to the mean distortion (4 is isometric).
 
     Notes
     -----
@@ -84,14 +84,14 @@ class Isometric(_Options):
 
 @dataclass(frozen=True)
 class SaddlePoint(_Options):
-    """The published method (Athanasiadis and Fudos, SMI 2011); converges with fixed vertices or a good start only.
+    """The published method (Athanasiadis and Fudos, SMI 2011). It converges only with fixed vertices or a good start.
 
     Parameters
     ----------
     splitting : {"jacobi", "gauss-seidel"}
         The splitting of the Laplacian for the sweeps.
     start : {"centroid", "harmonic", "given"}
-        Where to start; "given" needs the argument `start` of `parameterize()`.
+        The start map; "given" needs the argument `start` of `parameterize()`.
     relaxation : float
         In (0, 1), with "gauss-seidel" in (0, 2).
     check_interval : int
@@ -116,7 +116,7 @@ class ClampedWeights(_Options):
     Parameters
     ----------
     minimum_angle, maximum_angle : float
-        What angles are clamped to, degrees in (0, 90).
+        Bounds of the angles, in degrees, in (0, 90).
     """
 
     minimum_angle: float = 5
@@ -131,14 +131,14 @@ class _SegmentLimits(_Options):
 
 @dataclass(frozen=True)
 class MajorityVote(_SegmentLimits):
-    """Segmentation by girth profiles and four concavity segmentations, which vote. The default.
+    """Segmentation by a vote of girth profiles and four concavity segmentations. The default.
 
     Parameters
     ----------
     minimum_area : float
-        Segments smaller than this share of the whole area, in [0, 1], are given to a neighbour.
+        Segments smaller than this share of the whole area, in [0, 1], are merged with a neighbour.
     number_of_segments : int
-        0: the method chooses; otherwise the least convincing cuts are left out until there are so many.
+        0: the method chooses; otherwise the least convincing cuts are left out until there are this many segments.
     """
 
 

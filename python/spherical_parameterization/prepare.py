@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Mending meshes, by the module `_preparation`, which is under the GPL, as the packages of CGAL are that it stands on."""
+"""Preparation of meshes by the module `_preparation`, which is under the GPL, like the CGAL packages that it uses."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ from .errors import ErrorCode, MeshError
 
 @dataclasses.dataclass(frozen=True, repr=False)
 class Prepared(OneLine):
-    """A mended mesh, and where it comes from."""
+    """A repaired mesh, with the original indices of its points and triangles."""
 
     points: Doubles  #: (n, 3)
     triangles: Integers  #: (m, 3)
-    vertex_map: Integers  #: (n,), for every point its number before, or -1 if it is new
-    face_map: Integers  #: (m,), for every triangle its number before, or -1 if it is new
-    report: dict[str, Any]  #: a part of what the tool writes with `--report`; `report["preparation"]["done"]` has it in sentences
+    vertex_map: Integers  #: (n,), for every point its index before, or -1 if it is new
+    face_map: Integers  #: (m,), for every triangle its index before, or -1 if it is new
+    report: dict[str, Any]  #: part of the `--report` of the tool; `report["preparation"]["done"]` says in sentences what was done
 
 
 def prepare(
@@ -38,23 +38,23 @@ def prepare(
     wrap: bool | tuple[float | None, float | None] = False,
     maximum_running_time: float = float("inf"),
 ) -> Prepared:
-    """Mends a mesh until it is one closed surface of genus 0: merges points at the same place, orients, cuts non-manifold parts
-    from each other, keeps the largest component, fills holes and cuts handles along shortest loops.
+    """Repairs a mesh so that it is one closed surface of genus 0: merges points at the same position, orients faces, cuts
+    non-manifold parts from each other, keeps the largest component, fills holes and cuts handles along shortest loops.
 
     Parameters
     ----------
     points : array (n, 3)
     triangles : array (m, 3) of int
     harmless : bool
-        Only what does not change the shape.
+        Makes only repairs that do not change the shape.
     components : "largest" or "all"
     fill_holes, cut_handles : bool
     merge_distance : float
-        Up to which points at boundaries are merged.
+        Boundary points are merged up to this distance.
     wrap : bool or (alpha, offset)
-        A surface around everything takes the place of the mesh: what a ball of radius alpha cannot enter is filled.
+        Replaces the mesh by a surface around it. Cavities that a ball of radius alpha cannot enter are filled.
     maximum_running_time : float
-        Seconds after which it gives up: `MeshError` with the code INTERRUPTED.
+        Seconds after which a `MeshError` with the code INTERRUPTED is raised.
 
     Returns
     -------
@@ -63,9 +63,9 @@ def prepare(
     Raises
     ------
     MeshError
-        If there is no triangle that can be used. Those at points that are not finite cannot.
+        If there is no valid triangle. Triangles at points that are not finite are not valid.
     ImportError
-        If the module that does it is not there: it is under the GPL, and comes separately.
+        If the module `_preparation` is not installed. It is under the GPL, and is installed separately.
     """
     try:
         module = importlib.import_module("._preparation", __package__)

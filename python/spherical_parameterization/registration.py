@@ -17,22 +17,22 @@ from .maps import callback_of
 
 @dataclass(frozen=True, eq=False, repr=False)
 class RegisteredMap(OneLine):
-    """A map of a mesh moved so that equal points of it and of the map of another mesh correspond. It is certified."""
+    """A registered map: corresponding points of its mesh and of another mesh have the same image. It is certified."""
 
-    sphere: Doubles  #: (n, 3), of the first mesh
-    is_complete: bool  #: False: `progress` or the time limit has ended it, and this is how far it came
-    start: str  #: what found the start: "spectrum", or for a rotation "landmarks", "coordinates" or "features"
-    margin: float  #: how much worse the best of all other answers is, as a logarithm; infinite if there is none
-    signature_difference: float  #: of corresponding points, from 0 to 1; about 0.03 between poses of one body
-    trust: str  #: what these two are worth: "sure", "unsure", "unlike" (shapes), or "unknown" without the spectrum
-    rotation: Doubles  #: (3, 3), of the first map, to start with
-    mismatch_before: float  #: root mean square difference of curvature and stretch on the finest level, rotated
-    mismatch: float  #: and in the end
-    stretching: float  #: mean stretching of the surface onto the other one; 4: none. 0: not deformed
-    distortion: float  #: mean symmetric Dirichlet energy of the deformation of the sphere; 4: none
-    largest_landmark_distance: float  #: of a landmark from its place on the sphere, in radians
-    iterations: int  #: of all levels together
-    seconds: float  #: wall-clock
+    sphere: Doubles  #: (n, 3), the registered map of the first mesh
+    is_complete: bool  #: False if `progress` or the time limit has ended the registration
+    start: str  #: the start: "spectrum", or a rotation by "landmarks", "coordinates" or "features"
+    margin: float  #: how much worse the best other candidate is, as a logarithm; infinite if there is no other
+    signature_difference: float  #: mean difference of the signatures of corresponding points, from 0 to 1; about 0.03 between poses of one body
+    trust: str  #: the verdict from margin and signature_difference: "sure", "unsure", "unlike" (shapes), or "unknown" without the spectrum
+    rotation: Doubles  #: (3, 3), the rotation of the first map at the start
+    mismatch_before: float  #: root mean square difference of curvature and stretch on the finest level, after the rotation
+    mismatch: float  #: the same at the end
+    stretching: float  #: mean stretching of the surface onto the other one: 4 is an isometry; 0 if not deformed
+    distortion: float  #: mean symmetric Dirichlet energy of the deformation of the sphere; 4 is none
+    largest_landmark_distance: float  #: largest distance of two corresponding landmarks on the sphere, in radians
+    iterations: int  #: iterations of all levels together
+    seconds: float  #: wall-clock time
 
     def __repr__(self) -> str:
         state = "valid" if self.is_complete else "valid, not complete"
@@ -65,24 +65,24 @@ def register_maps(
     points : array_like (n, 3) of float
     triangles : array_like (m, 3) of int
     sphere : array_like (n, 3) of float
-        A valid map of this mesh; of low isometric distortion, and by the same method as the other one.
+        A valid map of this mesh, of low isometric distortion, and by the same method as the other map.
     other_points, other_triangles, other_sphere : array_like
-        The other mesh, and its map, which stays where it is.
+        The other mesh, and its map, which is not moved.
     motion : {"deformation", "moebius", "rotation"}
-        What the map may be moved by.
+        How the map may be moved.
     curvature_weight, stretch_weight, isometry_weight, position_weight : float
-        Of the deformation: of the mean squared differences of mean curvature, and of the area stretch of the maps; of how
-        much the one surface is stretched onto the other; and of the mean squared differences of positions, for shapes in
-        the same pose. Beside the mean symmetric Dirichlet energy of the deformation.
+        Weights of the terms of the deformation, relative to the mean symmetric Dirichlet energy of the deformation: the mean
+        squared differences of mean curvature and of the area stretch of the maps; the stretching of one surface onto the
+        other; the mean squared differences of positions, for shapes in the same position and pose.
     landmarks : array_like (k, 2) of int, optional
-        Pairs of vertices, of this mesh and of the other one, that correspond.
+        Pairs of corresponding vertices of this mesh and of the other one.
     landmark_weight : float
-        Of the mean squared distance of the landmarks on the sphere, to begin with.
+        Initial weight of the mean squared distance of the landmarks on the sphere.
     policy : {"parallel", "sequential"}
     maximum_running_time : float
-        Seconds after which the map is returned as far as it came, certified, too.
+        Seconds after which the best map so far is returned, which is certified, too.
     progress : callable, or bar of tqdm
-        Called with the fraction of the work done, up to 20 times a second. If it returns False, the call ends as by the
+        Called with the fraction of the work done, up to 20 times a second. If it returns False, the call ends as at the
         time limit.
 
     Returns
@@ -92,9 +92,9 @@ def register_maps(
     Raises
     ------
     MeshError
-        If a map is not valid, or the registered one could not be kept so.
+        If a map is not valid, or the registered map could not be kept valid.
     KeyboardInterrupt
-        By Ctrl-C, within a fraction of a second. Other threads of Python go on meanwhile.
+        After Ctrl-C, within a fraction of a second. Other Python threads run during the call.
 
     Examples
     --------
@@ -142,9 +142,9 @@ def register_maps(
 
 
 def moebius_centred(sphere: Sphere, triangles: npt.ArrayLike, masses: npt.ArrayLike) -> Doubles:
-    """A map moved by the Moebius transformation that brings the centroid of masses to the centre of the sphere.
+    """Moves a map by the Moebius transformation that brings the centroid of masses to the centre of the sphere.
 
-    Conformal maps of a shape are the same after it, up to a rotation (A. Baden, K. Crane, M. Kazhdan, "Moebius
+    Afterwards, all conformal maps of a shape are the same up to a rotation (A. Baden, K. Crane, M. Kazhdan, "Moebius
     registration", 2018).
 
     Parameters
@@ -152,7 +152,7 @@ def moebius_centred(sphere: Sphere, triangles: npt.ArrayLike, masses: npt.ArrayL
     sphere : array_like (n, 3) of float
     triangles : array_like (m, 3) of int
     masses : array_like (n,) of float
-        Of the vertices, such as their areas on the surface; not negative.
+        Masses of the vertices, such as their areas on the surface; not negative.
 
     Returns
     -------

@@ -17,7 +17,7 @@ from .arrays import Doubles, OneLine, Sphere, check, directions, doubles, index_
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Ellipsoid(OneLine):
-    """What a shape is up to degree 1: the points `centre + axes.T @ (radii * (sphere_axes @ x))` of unit vectors x."""
+    """The shape up to degree 1: the points `centre + axes.T @ (radii * (sphere_axes @ x))` for unit vectors x."""
 
     centre: Doubles  #: (3,)
     radii: Doubles  #: (3,), largest first
@@ -27,26 +27,26 @@ class Ellipsoid(OneLine):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class ShapeAlignment(OneLine):
-    """How a shape is brought to another one: `other.rotated(sphere).coefficients @ space.T`, but for place and size."""
+    """The alignment of a shape with another one: `other.rotated(sphere).coefficients @ space.T`, up to position and size."""
 
-    space: Doubles  #: (3, 3), turns the shape
-    sphere: Doubles  #: (3, 3), turns its map
+    space: Doubles  #: (3, 3), rotates the shape
+    sphere: Doubles  #: (3, 3), rotates its map
     correlation: float  #: from -1 to 1, with both centres at the origin
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Harmonics(OneLine):
-    """Functions on the sphere by their coefficients in real orthonormal harmonics, without Condon-Shortley phase.
+    """Functions on the sphere, given by coefficients of real orthonormal harmonics without Condon-Shortley phase.
 
     Parameters
     ----------
     coefficients : ndarray ((L + 1)**2,) or ((L + 1)**2, d) of float64
-        Row l * l + l + m is that of l and m, -l <= m <= l. With negative m go sines, with positive m cosines of the
-        longitude: row 1, 2 and 3 are those of y, z and x.
+        Row l * l + l + m belongs to l and m, -l <= m <= l. Negative m are sines of the longitude, positive m cosines:
+        rows 1, 2 and 3 belong to y, z and x.
     has_converged : bool
-        Whether least squares came to their accuracy in the iterations they had.
+        Whether least squares reached their accuracy.
     iterations : int
-        Of least squares.
+        Number of iterations of least squares.
 
     Examples
     --------
@@ -90,7 +90,7 @@ class Harmonics(OneLine):
         Parameters
         ----------
         directions : array_like (k, 3) of float
-            Of any length but 0, such as a sphere: the reconstruction of a shape.
+            Vectors of any length except 0. For a sphere, the result is the reconstruction of the shape.
         policy : {"parallel", "sequential"}
 
         Returns
@@ -107,9 +107,9 @@ class Harmonics(OneLine):
         Parameters
         ----------
         rows : int
-            Equidistant from the north pole to the south pole, with both; 2 or more.
+            Number of latitudes, equidistant from the north pole to the south pole, including both; 2 or more.
         columns : int
-            Equidistant from longitude 0 on, without 2 pi.
+            Number of longitudes, equidistant from 0, excluding 2 pi.
         policy : {"parallel", "sequential"}
 
         Returns
@@ -131,12 +131,12 @@ class Harmonics(OneLine):
         return np.add.reduceat(squares, np.arange(self.degree + 1) ** 2)
 
     def filtered(self, factors: npt.ArrayLike) -> Harmonics:
-        """Every degree multiplied by a factor: falling ones smooth, those above 1 sharpen.
+        """Multiplies every degree by a factor: decreasing factors smooth, factors above 1 sharpen.
 
         Parameters
         ----------
         factors : array_like (k,) of float
-            Of the degrees 0 ... k - 1; the result is of the degree k - 1 or of that of these functions, if that is less.
+            Factors of the degrees 0 ... k - 1. The degree of the result is k - 1, or that of these functions if it is less.
 
         Returns
         -------
@@ -150,7 +150,7 @@ class Harmonics(OneLine):
         return self._with(self._table[: (degree + 1) ** 2] * per_row[:, None])
 
     def rotated(self, rotation: npt.ArrayLike) -> Harmonics:
-        """The functions turned: what is at x comes to R x.
+        """The rotated functions: the value at x is moved to R x.
 
         Parameters
         ----------
@@ -164,12 +164,12 @@ class Harmonics(OneLine):
         return self._with(_core.rotated_harmonics(self._table, vectors("rotation", rotation, 3)))
 
     def best_rotation(self, other: Harmonics, *, policy: str = "parallel") -> Doubles:
-        """The rotation R, of all, for which these functions and `other.rotated(R)` are correlated best.
+        """The rotation R for which the correlation of these functions with `other.rotated(R)` is the largest of all.
 
         Parameters
         ----------
         other : Harmonics
-            Of as many functions.
+            The same number of functions.
         policy : {"parallel", "sequential"}
 
         Returns
@@ -182,12 +182,12 @@ class Harmonics(OneLine):
         return np.array(_core.best_rotation(self._table, other._table, policy))
 
     def best_alignment(self, other: Harmonics, *, policy: str = "parallel") -> ShapeAlignment:
-        """How another shape, in any pose and with any rotation of its map, is brought to this one.
+        """The best alignment of another shape with this one, for any rotation of the shape in space and of its map.
 
         Parameters
         ----------
         other : Harmonics
-            Both are of three functions, of degree 1 or more.
+            Both must have three functions, of degree 1 or more.
         policy : {"parallel", "sequential"}
 
         Returns
@@ -201,7 +201,7 @@ class Harmonics(OneLine):
         return ShapeAlignment(np.array(space), np.array(sphere), correlation)
 
     def mirrored(self) -> Harmonics:
-        """The mirror image of a shape in the plane z = 0, with its map mirrored, too.
+        """The mirror image of a shape in the plane z = 0; its map is mirrored, too.
 
         Returns
         -------
@@ -225,7 +225,7 @@ class Harmonics(OneLine):
         return Ellipsoid(*(np.array(part) for part in _core.first_order_ellipsoid(self._table)))
 
     def aligned(self) -> Harmonics:
-        """A shape in the position of its first-order ellipsoid: so shapes in any pose can be compared.
+        """The shape moved to the position of its first-order ellipsoid, so that shapes in any position can be compared.
 
         Returns
         -------
@@ -237,7 +237,7 @@ class Harmonics(OneLine):
         return Harmonics(moved).rotated(ellipsoid.sphere_axes)
 
     def to_pyshtools(self) -> Doubles:
-        """The coefficients as pyshtools has them with `normalization="ortho", csphase=1`.
+        """The coefficients in the format of pyshtools with `normalization="ortho", csphase=1`.
 
         Returns
         -------
@@ -251,7 +251,7 @@ class Harmonics(OneLine):
         return result.reshape((*self.coefficients.shape[1:], *result.shape[1:]))
 
     def save(self, file: str | os.PathLike[str]) -> None:
-        """Writes the coefficients to a file .csv, .json or, for three functions, .coef as SPHARM-PDM has it.
+        """Writes the coefficients to a file: .csv, .json or, for three functions, .coef (SPHARM-PDM).
 
         Parameters
         ----------
@@ -273,7 +273,7 @@ def _format_of(file: str | os.PathLike[str]) -> str:
 
 
 def read_harmonics(file: str | os.PathLike[str]) -> Harmonics:
-    """Reads what `Harmonics.save()`, the tool or SPHARM-PDM has written.
+    """Reads coefficients that `Harmonics.save()`, the tool or SPHARM-PDM has written.
 
     Parameters
     ----------
@@ -283,12 +283,12 @@ def read_harmonics(file: str | os.PathLike[str]) -> Harmonics:
     Returns
     -------
     Harmonics
-        The coefficients as ((L + 1)**2, d).
+        The shape of the coefficients is ((L + 1)**2, d).
 
     Raises
     ------
     ValueError
-        If it is no such file.
+        If the file is not of this kind.
     """
     try:
         return Harmonics(_core.harmonics_of_text(Path(file).read_text(), _format_of(file)))
@@ -309,28 +309,28 @@ def harmonics(
     iterations: int = 500,
     policy: str = "parallel",
 ) -> Harmonics:
-    """Analysis of data of the vertices in spherical harmonics. Of the points of a mesh it is SPHARM.
+    """Expands data at the vertices in spherical harmonics. With the points of a mesh as data, this is SPHARM.
 
     Parameters
     ----------
     triangles : array_like (m, 3) of int
     sphere : array_like (n, 3) of float
-        A valid map; those by `Isometric` need the fewest degrees.
+        A valid map; maps by `Isometric` need the fewest degrees.
     values : array_like (n,) or (n, d) of float
-        Such as the points.
+        Data, such as the points.
     degree : int
-        (degree + 1)**2 coefficients of each column.
+        Each column has (degree + 1)**2 coefficients.
     fit : {"least-squares", "integrals"}
-        At the vertices, of which there have to be as many as coefficients; or over the faces, on which the field is
-        linear.
+        Least squares at the vertices, which need as many vertices as coefficients; or integrals over the faces, on which
+        the data are interpolated linearly.
     weights : {"sphere-area", "surface-area", "equal"}
-        How much the vertices count in least squares.
+        Weights of the vertices in least squares.
     points : array_like (n, 3) of float
-        For "surface-area".
+        Needed for "surface-area".
     accuracy : float
-        Least squares stop where the gradient is this part of that at 0; of integrals that of the quadrature.
+        Least squares stop when the gradient has fallen by this factor; for integrals, the accuracy of the quadrature.
     iterations : int
-        At most, of least squares.
+        Maximum number of iterations of least squares.
     policy : {"parallel", "sequential"}
 
     Returns
@@ -340,7 +340,7 @@ def harmonics(
     Raises
     ------
     MeshError
-        For what is not finite, or no direction; for a map that is not valid.
+        If a number is not finite, a vector of the sphere is zero, or the map is not valid.
     """
     check(harmonics, locals())
     one_of("fit", fit, "least-squares", "integrals")

@@ -21,7 +21,7 @@ Shapes = Union[npt.ArrayLike, Sequence[Harmonics]]
 class ShapeStatistics(OneLine):
     """Mean and principal components of n shapes: shape i is `mean + tensordot(scores[i], modes, 1)`.
 
-    Of shapes that are `Harmonics`, mean and modes are their coefficients, ((L + 1)**2, 3) instead of (m, 3).
+    For `Harmonics`, mean and modes are coefficients, ((L + 1)**2, 3) instead of (m, 3).
 
     Examples
     --------
@@ -35,9 +35,9 @@ class ShapeStatistics(OneLine):
 
     mean: Doubles  #: (m, 3)
     modes: Doubles  #: (k, m, 3), orthonormal: root mean square 1 over the vertices, or over the sphere
-    variances: Doubles  #: (k,), of the scores, with n - 1; largest first
+    variances: Doubles  #: (k,), variances of the scores, divided by n - 1; largest first
     scores: Doubles  #: (n, k)
-    total_variance: float  #: of all modes, also of those that were not asked for
+    total_variance: float  #: sum of the variances of all modes, including those that were not requested
 
     @property
     def explained(self) -> Doubles:
@@ -64,7 +64,7 @@ class ShapeStatistics(OneLine):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class ShapeSet(OneLine):
-    """Shapes that have been aligned, and their motions: x has become `scales[i] * rotations[i] @ x + translations[i]`."""
+    """Aligned shapes, and their transformations: x was mapped to `scales[i] * rotations[i] @ x + translations[i]`."""
 
     shapes: Doubles  #: (n, m, 3): vertices, or coefficients of harmonics
     scales: Doubles  #: (n,)
@@ -108,22 +108,22 @@ def align_shapes(
     iterations: int = 1000,
     policy: str = "parallel",
 ) -> ShapeSet:
-    """Generalized Procrustes alignment: moves shapes to where they are closest to their mean.
+    """Generalized Procrustes alignment: moves shapes so that they are closest to their mean.
 
     Parameters
     ----------
     shapes : array_like (n, m, 3) of float, or sequence of n Harmonics
-        Vertex, or coefficient, j of all of them corresponds.
+        Vertex j of all shapes corresponds, or coefficient j.
     weights : array_like (m,) of float
-        What each vertex counts, such as `mean_vertex_areas()`. Default: all alike.
+        Weights of the vertices, such as `mean_vertex_areas()`. Default: equal.
     rotate : bool
-        Turns the shapes, too, all but the first one, and does not only move their centres to the origin.
+        Rotates all shapes except the first one. Otherwise only their centres are moved to the origin.
     scale : bool
-        Gives all of them the same size.
+        Scales all shapes to the same size.
     accuracy : float
-        Stops where no rotation changes by more, in radians.
+        Stops when no rotation changes by more than this, in radians.
     iterations : int
-        At most.
+        Maximum number of iterations.
     policy : {"parallel", "sequential"}
 
     Returns
@@ -149,15 +149,15 @@ def shape_statistics(
     modes: int | None = None,
     policy: str = "parallel",
 ) -> ShapeStatistics:
-    """Mean and principal components of shapes as they stand: `align_shapes()` comes before.
+    """Mean and principal components of shapes. Call `align_shapes()` first.
 
     Parameters
     ----------
     shapes : array_like (n, m, 3) of float, or sequence of n Harmonics
     weights : array_like (m,) of float
-        What each vertex counts. Default: all alike.
+        Weights of the vertices. Default: equal.
     modes : int
-        At most so many. Default: all that are more than rounding, n - 1 or fewer.
+        Maximum number of modes. Default: all modes above rounding errors, n - 1 or fewer.
     policy : {"parallel", "sequential"}
 
     Returns
@@ -181,22 +181,22 @@ def left_out_errors(
     groups: int | None = None,
     policy: str = "parallel",
 ) -> Doubles:
-    """How well the modes of some shapes describe others: every shape is left out, and reconstructed from the rest.
+    """Leave-out errors: every shape is left out, and reconstructed from the modes of the others.
 
     Parameters
     ----------
     shapes : array_like (n, m, 3) of float, or sequence of n Harmonics
-        As they stand.
+        Aligned shapes.
     weights : array_like (m,) of float
-        What each vertex counts. Default: all alike.
+        Weights of the vertices. Default: equal.
     groups : int
-        The shapes are left out in so many groups, 2 to n. Default: one by one.
+        Number of groups in which shapes are left out, 2 to n. Default: one by one.
     policy : {"parallel", "sequential"}
 
     Returns
     -------
     ndarray (k,) of float64
-        By the number of modes, from 0 on: the root mean square distance of the left out from their reconstructions.
+        For each number of modes, from 0 on: the root mean square distance of the left out shapes from their reconstructions.
     """
     check(left_out_errors, locals())
     array, are_harmonics = _stack(shapes)
@@ -207,19 +207,19 @@ def left_out_errors(
 
 
 def mean_vertex_areas(shapes: npt.ArrayLike, triangles: npt.ArrayLike, *, policy: str = "parallel") -> Doubles:
-    """What each vertex counts by the surface: a third of the areas of its faces, mean over the shapes.
+    """Areas of the vertices: a third of the areas of their faces, averaged over the shapes.
 
     Parameters
     ----------
     shapes : array_like (n, m, 3) of float
     triangles : array_like (f, 3) of int
-        Those of all shapes.
+        The triangles, the same for all shapes.
     policy : {"parallel", "sequential"}
 
     Returns
     -------
     ndarray (m,) of float64
-        For `weights` of the functions above.
+        Can be used as `weights` of `align_shapes()`, `shape_statistics()` and `left_out_errors()`.
     """
     check(mean_vertex_areas, locals())
     array, _ = _stack(shapes)

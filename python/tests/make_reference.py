@@ -31,7 +31,8 @@ def entry(name: str) -> str:
     text = inspect.getdoc(thing) or ""
     if inspect.isclass(thing):
         has_list = "__dataclass_fields__" in vars(thing) or issubclass(thing, enum.Enum)
-        fields = re.findall(r"^    \w+(?:: | = ).*", inspect.getsource(thing), re.MULTILINE) if has_list else []
+        found = re.findall(r"^    (\w+)(?:: | = )(.*?)(?:  #: (.*))?$", inspect.getsource(thing), re.MULTILINE) if has_list else []
+        fields = [f"{field} : {kind}" + f"\n    {comment}" * bool(comment) for field, kind, comment in found]
         if fields and "Parameters\n" not in text and "Attributes\n" not in text:
             text += "\n\nAttributes\n----------\n" + "\n".join(fields)
     doc = NumpyDocString(text)

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 //
-// node build.mjs: the core by emscripten, then the page: dist/index.html, one file with everything in it.
+// node build.mjs: the core by emscripten; then the package of npm, dist/package/; and the page, dist/index.html, one file
+// with everything in it.
 // node build.mjs --viewer: viewer/view.html alone, which the tool's command `view` fills with data; needs no emscripten.
 
 import { build } from "esbuild";
 import { execFileSync } from "node:child_process";
-import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { cpSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 
@@ -14,12 +15,12 @@ const here = dirname(fileURLToPath(import.meta.url));
 const source = (name) => readFileSync(join(here, "src", name), "utf8");
 const core = join(here, "build", "core");
 
-async function script(entry, plugins = []) {
+async function script(entry, plugins = [], format = "iife") {
   const result = await build({
-    entryPoints: [join(here, "src", entry)],
+    entryPoints: [join(here, entry)],
     bundle: true,
     minify: true,
-    format: "iife",
+    format,
     target: "es2022",
     platform: "browser",
     charset: "ascii",
@@ -67,7 +68,7 @@ async function html(js, data) {
 async function viewer() {
   const data =
     '<script type="application/json" id="header">{HEADER}</script>\n<script type="text/plain" id="data">{DATA}</script>\n';
-  const page = (await html(await script("view_page.ts"), data))
+  const page = (await html(await script("src/view_page.ts"), data))
     .replace("<body ", '<body class="view-page" ')
     .replace(/<section class="page-only"[^]*?<\/section>\s*/g, "");
   mkdirSync(join(here, "viewer"), { recursive: true });
@@ -82,16 +83,43 @@ function compileCore() {
   run("cmake", "--build", core, "--parallel", "2");
 }
 
+const compiled = provide("core", () => readFileSync(join(core, "core.js"), "utf8"), "js");
+
+/// What `npm pack` takes: JavaScript with the core inside, types, documents, tests.
+async function npmPackage() {
+  const folder = join(here, "dist", "package");
+  rmSync(folder, { recursive: true, force: true });
+  mkdirSync(folder, { recursive: true });
+  const head = "// SPDX-License-Identifier: LGPL-3.0-or-later\n";
+  writeFileSync(join(folder, "index.js"), head + (await script("core/index.ts", [compiled], "esm")) + "\n");
+  const tsc = ["--declaration", "--emitDeclarationOnly", "--noEmit", "false", "--outDir", folder, "--target", "es2022"];
+  const sources = ["core/index.ts", "src/modules.d.ts"].map((name) => join(here, name));
+  execFileSync(join(here, "node_modules", ".bin", "tsc"), [...tsc, ...sources], { stdio: "inherit" });
+  const of = (...path) => readFileSync(join(here, ...path), "utf8");
+  const version = /VERSION "(.*)"/.exec(of("../include/CGAL/Spherical_parameterization/version.h"))[1];
+  const manifest = { ...JSON.parse(of("core", "package.json")), version };
+  writeFileSync(join(folder, "package.json"), JSON.stringify(manifest, null, 2) + "\n");
+  cpSync(join(here, "core", "README.md"), join(folder, "README.md"));
+  cpSync(join(here, "core", "test"), join(folder, "test"), { recursive: true });
+  for (const name of ["LICENSE", "LICENSE.GPL"]) cpSync(join(here, "..", name), join(folder, name));
+  const ofDebian = (name) => [name, readFileSync(`/usr/share/doc/${name}/copyright`, "utf8")];
+  const licences = [
+    ...["libcgal-dev", "libboost-dev", "nlohmann-json3-dev", "libfast-float-dev", "emscripten"].map(ofDebian),
+    ["expat", of("libraries/expat/COPYING")],
+    ["zlib", of("libraries/zlib/LICENSE")],
+  ];
+  writeFileSync(join(folder, "LICENSES.txt"), licences.map(([name, text]) => `==== ${name} ====\n\n${text}`).join("\n"));
+}
+
 async function page() {
-  compileCore();
-  const worker = await script("worker.ts", [
-    provide("core", () => readFileSync(join(core, "core.js"), "utf8"), "js"),
-    { name: "node", setup: (esbuild) => esbuild.onResolve({ filter: /^(fs|path)$/ }, ({ path }) => ({ path, external: true })) },
-  ]);
-  const js = await script("page.ts", [provide("worker-text", () => worker, "text")]);
-  mkdirSync(join(here, "dist"), { recursive: true });
+  const worker = await script("src/worker.ts", [compiled]);
+  const js = await script("src/page.ts", [provide("worker-text", () => worker, "text")]);
   writeFileSync(join(here, "dist", "index.html"), await html(js, ""));
 }
 
 await viewer();
-if (!process.argv.includes("--viewer")) await page();
+if (!process.argv.includes("--viewer")) {
+  compileCore();
+  await npmPackage();
+  await page();
+}

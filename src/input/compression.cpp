@@ -16,6 +16,9 @@
 #include <boost/iostreams/filtering_streambuf.hpp>
 #endif
 
+#include <zlib.h>
+
+#include <algorithm>
 #include <filesystem>
 #include <ios>
 
@@ -36,8 +39,67 @@ constexpr Kind kinds[] = {{Compression::GZIP, ".gz", "\x1f\x8b"sv},
                           {Compression::ZSTD, ".zst", "\x28\xb5\x2f\xfd"sv},
                           {Compression::BZIP2, ".bz2", "BZh"sv}};
 
+/// Takes the members of a gzip file (RFC 1952), one after the other: `take(text)` is called with what comes out.
+/// Returns whether all of them are sound and complete.
+template <class Take>
+bool unfold_gzip(std::string_view bytes, const Take& take)
+{
+  z_stream stream = {};
+  if(inflateInit2(&stream, 16 + MAX_WBITS) != Z_OK)
+    throw std::bad_alloc();
+  const std::unique_ptr<z_stream, decltype(&inflateEnd)> end(&stream, inflateEnd);
+  std::string part(std::size_t(1) << 20, '\0');
+  int status = Z_OK;
+  do {
+    if(stream.avail_in == 0) { // which counts with 32 bits
+      const std::string_view next = bytes.substr(0, std::size_t(1) << 30);
+      stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(next.data()));
+      stream.avail_in = static_cast<uInt>(next.size());
+      bytes.remove_prefix(next.size());
+    }
+    if(status == Z_STREAM_END)
+      inflateReset(&stream);
+    stream.next_out = reinterpret_cast<Bytef*>(part.data());
+    stream.avail_out = static_cast<uInt>(part.size());
+    status = inflate(&stream, Z_NO_FLUSH);
+    if(status != Z_OK && status != Z_STREAM_END) // also where the input ends too early
+      return false;
+    take(std::string_view(part).substr(0, part.size() - stream.avail_out));
+  } while(status != Z_STREAM_END || stream.avail_in > 0 || !bytes.empty());
+  return true;
+}
+
 #ifdef SPHERICAL_PARAMETERIZATION_WITH_COMPRESSION
 namespace io = boost::iostreams;
+
+/// The same of the other kinds.
+template <class Take>
+bool unfold(const std::string&, std::string_view bytes, Compression compression, const Take& take)
+{
+  io::filtering_istreambuf source;
+  switch(compression) {
+  case Compression::XZ: source.push(io::lzma_decompressor()); break;
+  case Compression::ZSTD: source.push(io::zstd_decompressor()); break;
+  case Compression::BZIP2: source.push(io::bzip2_decompressor()); break;
+  default: break;
+  }
+  source.push(io::array_source(bytes.data(), bytes.size()));
+  std::string part(std::size_t(1) << 20, '\0');
+  try {
+    for(std::streamsize n; (n = source.sgetn(part.data(), static_cast<std::streamsize>(part.size()))) > 0;)
+      take(std::string_view(part).substr(0, static_cast<std::size_t>(n)));
+  } catch(const std::ios_base::failure&) { // all errors of the decompressors are of this kind
+    return false;
+  }
+  return true;
+}
+#else
+template <class Take>
+bool unfold(const std::string& file, std::string_view, Compression, const Take&)
+{
+  throw Refusal(unreadable_file, file, "is compressed in a way that is not read here: only .gz is",
+                "decompress it first");
+}
 #endif
 
 } // namespace
@@ -73,36 +135,25 @@ std::string without_compression(const std::string& file)
                                                         : std::filesystem::path(file).replace_extension().string();
 }
 
-#ifdef SPHERICAL_PARAMETERIZATION_WITH_COMPRESSION
 std::string decompressed(const std::string& file, const std::string& bytes, Compression compression)
 {
   constexpr std::size_t largest_ratio = 1000;
-  io::filtering_istreambuf source;
-  switch(compression) {
-  case Compression::NONE: break;
-  case Compression::GZIP: source.push(io::gzip_decompressor()); break;
-  case Compression::XZ: source.push(io::lzma_decompressor()); break;
-  case Compression::ZSTD: source.push(io::zstd_decompressor()); break;
-  case Compression::BZIP2: source.push(io::bzip2_decompressor()); break;
-  }
-  source.push(io::array_source(bytes.data(), bytes.size()));
-  std::string result, part(std::size_t(1) << 20, '\0');
-  try {
-    for(std::streamsize n; (n = source.sgetn(part.data(), static_cast<std::streamsize>(part.size()))) > 0;) {
-      result.append(part, 0, static_cast<std::size_t>(n));
-      if(result.size() > largest_ratio * bytes.size())
-        throw Refusal(unreadable_file, file,
-                      "unfolds to more than " + std::to_string(largest_ratio) + " times its size, as no mesh does",
-                      "decompress it yourself if you trust it");
-    }
-  } catch(const std::ios_base::failure&) { // all errors of the decompressors are of this kind
-    result.clear();
-  }
-  if(result.empty())
+  std::string result;
+  const auto take = [&](std::string_view part) {
+    result.append(part);
+    if(result.size() > largest_ratio * bytes.size())
+      throw Refusal(unreadable_file, file,
+                    "unfolds to more than " + std::to_string(largest_ratio) + " times its size, as no mesh does",
+                    "decompress it yourself if you trust it");
+  };
+  const bool is_sound =
+    compression == Compression::GZIP ? unfold_gzip(bytes, take) : unfold(file, bytes, compression, take);
+  if(!is_sound || result.empty())
     throw Refusal(unreadable_file, file, "is compressed, and damaged or cut short", "compress or download it again");
   return result;
 }
 
+#ifdef SPHERICAL_PARAMETERIZATION_WITH_COMPRESSION
 std::unique_ptr<std::ostream> compressing_stream(std::ostream& out, Compression compression, const std::string&)
 {
   auto stream = std::make_unique<io::filtering_ostream>();
@@ -117,12 +168,6 @@ std::unique_ptr<std::ostream> compressing_stream(std::ostream& out, Compression 
   return stream;
 }
 #else
-std::string decompressed(const std::string& file, const std::string&, Compression)
-{
-  throw Refusal(unreadable_file, file, "is compressed, which this build does not read",
-                "decompress it, or build with Boost.Iostreams (libboost-iostreams-dev)");
-}
-
 std::unique_ptr<std::ostream> compressing_stream(std::ostream&, Compression, const std::string& file)
 {
   throw Refusal(unwritable_file, file, "would be compressed, which this build cannot do",

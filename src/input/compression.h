@@ -27,7 +27,8 @@ Compression compression_of_content(std::string_view bytes);
 std::string without_compression(const std::string& file);
 
 /// The content of compressed bytes. Throws a `Refusal` if they are damaged or cut short, if they unfold to more than a
-/// thousand times their size, as no mesh does, and if this build lacks Boost.Iostreams.
+/// thousand times their size, as no mesh does, and if this build lacks Boost.Iostreams, without which only gzip is
+/// known.
 std::string decompressed(const std::string& file, const std::string& bytes, Compression compression);
 
 /// A stream that writes what it gets, compressed, to `out`; all of it when it is destroyed. `file` is the name for the

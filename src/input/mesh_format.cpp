@@ -181,7 +181,7 @@ std::string list_of_formats()
   for(const std::string& extension : compression_extensions())
     append(compressions, extension);
 #ifndef SPHERICAL_PARAMETERIZATION_WITH_COMPRESSION
-  append(lacking, compressions + " (they need libboost-iostreams-dev)");
+  append(lacking, compressions + " but for reading .gz (they need libboost-iostreams-dev)");
   compressions.clear();
 #endif
   return "Meshes are read from " + read + ",\n and written to " + written +

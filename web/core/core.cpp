@@ -1,12 +1,12 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 //
-// The door through which JavaScript comes in: the bytes of a file, settings, and a function that hears what happens.
+// The door through which JavaScript comes in, behind web/src/index.ts, which checks the kinds of arguments and says
+// what they mean. Arrays have three numbers per point or triangle; what is returned has the names of the tool's report.
 
 #include "input/mesh.h"
 #include "input/mesh_readers.h"
 #include "system/refusal.h"
-#include "system/stopwatch.h"
 
 #include <CGAL/Spherical_parameterization/distortion_summary.h>
 #include <CGAL/Spherical_parameterization/edge_weights.h>
@@ -19,12 +19,14 @@
 #include <emscripten/val.h>
 
 #include <array>
-#include <optional>
+#include <cmath>
+#include <limits>
+#include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
-namespace page {
+namespace core {
 namespace {
 
 namespace SP = CGAL::Spherical_parameterization;
@@ -44,6 +46,33 @@ template <class Number, class Allocator>
 val to_array(const std::vector<Number, Allocator>& numbers)
 {
   return val(emscripten::typed_memory_view(numbers.size(), numbers.data())).call<val>("slice");
+}
+
+/// An array of JavaScript as rows of three.
+template <class Number>
+std::vector<std::array<Number, 3>> rows_of(const val& array)
+{
+  std::vector<std::array<Number, 3>> rows(array["length"].as<std::size_t>() / 3);
+  if(!rows.empty())
+    val(emscripten::typed_memory_view(3 * rows.size(), rows.front().data())).call<void>("set", array);
+  return rows;
+}
+Mesh mesh_of(const val& points, const val& triangles) { return {rows_of<double>(points), rows_of<int>(triangles)}; }
+
+/// A map on a sphere of any radius as one on the unit sphere. Unit vectors, also those of floats, stay as they are.
+Points sphere_of(const val& array)
+{
+  Points sphere = rows_of<double>(array);
+  for(std::size_t v = 0; v < sphere.size(); ++v) {
+    auto& [x, y, z] = sphere[v];
+    const double length = std::sqrt(x * x + y * y + z * z);
+    if(!(length > 0 && std::isfinite(length)))
+      throw SP::Error(SP::Error_code::NON_FINITE_COORDINATE,
+                      "vertex " + std::to_string(v) + " of the sphere has no direction");
+    if(std::abs(length - 1) >= 1e-6)
+      sphere[v] = {x / length, y / length, z / length};
+  }
+  return sphere;
 }
 
 val to_object(const SP::Distribution& d)
@@ -103,41 +132,36 @@ std::variant<SP::Conformal_weights, Weight_map> weights_of(const Mesh& mesh, con
 }
 
 template <class Method>
-SP::Result map_by(const Mesh& mesh, Points& sphere, const Method& method, const val& settings, const val& hear)
+SP::Result map_by(const Mesh& mesh, Points& sphere, const Method& method, const val& settings, const val& go_on)
 {
-  const auto go_on = [&hear](double fraction) { return hear(std::string("progress"), fraction).template as<bool>(); };
+  const auto number = [&settings](const char* name, double otherwise) {
+    const val value = settings[name];
+    return value.isUndefined() ? otherwise : value.as<double>();
+  };
   return SP::parameterize(
     CGAL::Sequential_tag(), mesh, method, as_map<Mesh::Vertex_index>(sphere),
-    CGAL::parameters::edge_weight_map(weights_of(mesh, settings["weights"].as<std::string>())).callback(go_on));
+    CGAL::parameters::edge_weight_map(weights_of(mesh, settings["weights"].as<std::string>()))
+      .accuracy(number("accuracy", Method::default_accuracy))
+      .number_of_iterations(static_cast<std::size_t>(number("iterations", Method::default_number_of_iterations)))
+      .maximum_running_time(number("maximum_running_time", std::numeric_limits<double>::infinity()))
+      .callback([&go_on](double fraction) { return go_on(fraction).template as<bool>(); }));
 }
 
-SP::Result map_by_settings(const Mesh& mesh, Points& sphere, const val& settings, const val& hear)
+SP::Result map_by_settings(const Mesh& mesh, Points& sphere, const val& settings, const val& go_on)
 {
   const std::string method = settings["method"].as<std::string>();
   const double area_exponent = settings["area_exponent"].as<double>();
   const double spring_exponent = settings["spring_exponent"].as<double>();
   if(method == "balanced")
-    return map_by(mesh, sphere, SP::Balanced{spring_exponent}, settings, hear);
+    return map_by(mesh, sphere, SP::Balanced{spring_exponent}, settings, go_on);
   if(method == "saddle-point")
-    return map_by(mesh, sphere, SP::Saddle_point(), settings, hear);
+    return map_by(mesh, sphere, SP::Saddle_point(), settings, go_on);
   if(method == "isometric")
-    return map_by(mesh, sphere, SP::Isometric{area_exponent}, settings, hear);
+    return map_by(mesh, sphere, SP::Isometric{area_exponent}, settings, go_on);
   SP::Automatic automatic;
   automatic.spring_exponent = spring_exponent;
   automatic.area_exponent = area_exponent;
-  return map_by(mesh, sphere, automatic, settings, hear);
-}
-
-/// What is shown of a map besides its coordinates, but for the segments.
-void measure(const Mesh& mesh, const Points& sphere, val& answer)
-{
-  const auto images = as_map<Mesh::Vertex_index>(sphere);
-  std::vector<double> values(mesh.number_of_faces());
-  SP::face_angle_distortion(mesh, images, as_map<Mesh::Face_index>(values));
-  answer.set("face_angle_distortion", to_array(values));
-  SP::face_log_area_stretch(mesh, images, as_map<Mesh::Face_index>(values));
-  answer.set("face_stretch", to_array(values));
-  answer.set("distortion", to_object(SP::distortion_summary(mesh, images)));
+  return map_by(mesh, sphere, automatic, settings, go_on);
 }
 
 void write_result(const SP::Result& result, val& answer)
@@ -156,87 +180,105 @@ void write_result(const SP::Result& result, val& answer)
   answer.set("smallest_edge", result.smallest_edge);
 }
 
-val seconds_of(const SP::Result& result, double read, double measured)
+val seconds_of(const SP::Result& result)
 {
   val seconds = val::object();
-  seconds.set("read", read + result.seconds.read);
+  seconds.set("read", result.seconds.read);
   seconds.set("weights", result.seconds.weights);
   seconds.set("start_map", result.seconds.start_map);
   seconds.set("solve", result.seconds.solve);
   seconds.set("certify", result.seconds.certify);
-  seconds.set("measure", measured);
+  seconds.set("total", result.seconds.total);
   return seconds;
 }
 
-void refuse(val& answer, const std::string& code, const std::string& what)
-{
-  answer.set("error_code", code);
-  answer.set("error", what);
-}
-
-/// The last mesh and its map: they are kept for `segment_last()`.
-std::optional<Mesh> last_mesh;
-Points last_sphere;
-
-/// The segments of the faces of the mesh that was mapped last, or undefined if there are none.
-val segment_last()
-{
-  if(!last_mesh)
-    return val::undefined();
-  std::vector<int> segments(last_mesh->number_of_faces());
-  const auto found = SP::segmentation_via_area_stretch(*last_mesh, as_map<Mesh::Vertex_index>(last_sphere),
-                                                       as_map<Mesh::Face_index>(segments));
-  return found ? to_array(segments) : val::undefined();
-}
-
-/// Reads, maps and measures. `hear("mesh", {points, triangles})` is called as soon as the file has been read, also if
-/// the mesh is refused then; `hear("progress", fraction)` returns whether to go on.
-val map_file(const std::string& name, const std::string& bytes, const val& settings, const val& hear)
+/// What `action(answer)` writes, and the error: a code, a sentence, and where it is and what to do.
+template <class Action>
+val answer_of(const Action& action)
 {
   val answer = val::object();
-  refuse(answer, "OK", "");
-  last_mesh.reset();
+  const auto refuse = [&answer](const std::string& code, const std::string& error, const std::string& detail = "") {
+    answer.set("error_code", code);
+    answer.set("error", error);
+    answer.set("detail", detail);
+  };
+  refuse(SP::get_error_name(SP::Error_code::OK), "");
   try {
-    const tool::Stopwatch reading;
+    action(answer, refuse);
+  } catch(const tool::Refusal& refusal) {
+    refuse(refusal.code(), refusal.what());
+  } catch(const SP::Error& error) {
+    refuse(SP::get_error_name(error.code()), get_error_message(error.code()), error.detail());
+  } catch(const CGAL::Failure_exception& failure) {
+    refuse("BAD_ARGUMENT", failure.message());
+  } catch(const std::bad_alloc&) {
+    refuse(tool::out_of_memory, "there is not enough memory",
+           "WebAssembly has 4 GB at most; use the command-line tool");
+  }
+  return answer;
+}
+
+/// Reads the bytes of a file, in the format of its content, or else of its name.
+val read_mesh(const std::string& name, const std::string& bytes, bool triangulate)
+{
+  return answer_of([&](val& answer, const auto&) {
     if(bytes.empty())
       throw tool::Refusal(tool::unreadable_file, name, "is empty", "export it again");
     const tool::Soup soup = tool::read_soup(name, bytes);
-    if(!settings["triangulate"].as<bool>())
-      tool::check_triangles(name, soup);
-    val mesh_of_file = val::object();
-    mesh_of_file.set("points", to_array(soup.points));
-    mesh_of_file.set("triangles", to_array(soup.triangles));
-    hear(std::string("mesh"), mesh_of_file);
-    answer.set("vertices", static_cast<double>(soup.points.size()));
-    answer.set("faces", static_cast<double>(soup.triangles.size()));
-    Mesh mesh(soup.points, soup.triangles);
-    const double seconds_read = reading.seconds();
+    if(!triangulate)
+      tool::check_triangles(name, soup, "triangulate the mesh, or choose to have it triangulated");
+    answer.set("points", to_array(soup.points));
+    answer.set("triangles", to_array(soup.triangles));
+  });
+}
 
-    Points sphere(soup.points.size());
-    const SP::Result result = map_by_settings(mesh, sphere, settings, hear);
-    const bool has_map = sphere[0] != Points::value_type(); // else nothing was written
-    const tool::Stopwatch measuring;
-    if(has_map) {
-      write_result(result, answer);
-      measure(mesh, sphere, answer);
-      answer.set("sphere", to_array(sphere));
-    }
-    answer.set("seconds", seconds_of(result, seconds_read, measuring.seconds()));
-    if(has_map) {
-      last_mesh = std::move(mesh);
-      last_sphere = std::move(sphere);
-    }
+/// Maps a mesh. `go_on(fraction)` returns whether to.
+val parameterize(const val& points, const val& triangles, const val& settings, const val& go_on)
+{
+  return answer_of([&](val& answer, const auto& refuse) {
+    const Mesh mesh = mesh_of(points, triangles);
+    Points sphere(mesh.number_of_vertices());
+    const SP::Result result = map_by_settings(mesh, sphere, settings, go_on);
+    answer.set("seconds", seconds_of(result));
+    if(result.termination)
+      answer.set("termination", std::string(get_termination_name(*result.termination)));
     if(!result)
-      refuse(answer, SP::get_error_name(result.error),
-             name + ": " + get_error_message(result.error) + (result.detail.empty() ? "" : ": " + result.detail));
-  } catch(const tool::Refusal& refusal) {
-    refuse(answer, refusal.code(), refusal.what());
-  } catch(const SP::Error& error) { // of Indexed_triangle_mesh
-    refuse(answer, SP::get_error_name(error.code()), name + ": has " + error.detail());
-  } catch(const std::bad_alloc&) {
-    refuse(answer, tool::out_of_memory, name + ": not enough memory; use the command-line tool");
-  }
-  return answer;
+      refuse(SP::get_error_name(result.error), get_error_message(result.error), result.detail);
+    if(sphere.front() == Points::value_type()) // nothing was written
+      return;
+    write_result(result, answer);
+    answer.set("sphere", to_array(sphere));
+  });
+}
+
+/// Measures a map.
+val measure(const val& points, const val& triangles, const val& sphere)
+{
+  return answer_of([&](val& answer, const auto&) {
+    const Mesh mesh = mesh_of(points, triangles);
+    const Points places = sphere_of(sphere);
+    const auto images = as_map(places);
+    std::vector<double> values(mesh.number_of_faces());
+    SP::face_angle_distortion(mesh, images, as_map<Mesh::Face_index>(values));
+    answer.set("face_angle_distortion", to_array(values));
+    SP::face_log_area_stretch(mesh, images, as_map<Mesh::Face_index>(values));
+    answer.set("face_stretch", to_array(values));
+    answer.set("distortion", to_object(SP::distortion_summary(mesh, images)));
+  });
+}
+
+/// The segments of the faces of a mesh, by its map.
+val segment(const val& points, const val& triangles, const val& sphere)
+{
+  return answer_of([&](val& answer, const auto& refuse) {
+    const Mesh mesh = mesh_of(points, triangles);
+    const Points places = sphere_of(sphere);
+    std::vector<int> segments(mesh.number_of_faces());
+    const auto found = SP::segmentation_via_area_stretch(mesh, as_map(places), as_map<Mesh::Face_index>(segments));
+    if(!found)
+      return refuse(SP::get_error_name(found.error), get_error_message(found.error), found.detail);
+    answer.set("segments", to_array(segments));
+  });
 }
 
 /// For tests: the sign of det(a, b, c) of nine coordinates, as the certificate takes it.
@@ -254,12 +296,15 @@ int orientation(const val& coordinates)
 }
 
 } // namespace
-} // namespace page
+} // namespace core
 
-EMSCRIPTEN_BINDINGS(page)
+EMSCRIPTEN_BINDINGS(core)
 {
-  emscripten::function("mapFile", &page::map_file);
-  emscripten::function("orientation", &page::orientation);
-  emscripten::function("segmentLast", &page::segment_last);
+  CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {}); // else it prints
+  emscripten::function("readMesh", &core::read_mesh);
+  emscripten::function("parameterize", &core::parameterize);
+  emscripten::function("measure", &core::measure);
+  emscripten::function("segment", &core::segment);
+  emscripten::function("orientation", &core::orientation);
   emscripten::constant("version", std::string(CGAL_SPHERICAL_PARAMETERIZATION_VERSION));
 }

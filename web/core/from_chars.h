@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 //
 // The standard library of emscripten 3.1.6 reads integers only: std::from_chars() of floating-point numbers, by

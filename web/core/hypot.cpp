@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 //
 // hypot() with the bits that it has in the C library of Debian, instead of musl's, which emscripten has: 14 % of their

@@ -23,7 +23,6 @@ let file: { name: string; bytes: Uint8Array } | null = null;
 let version = "";
 let running: { name: string; settings: Settings } | null = null;
 let segmenting = false;
-let isFresh = true; // the worker has mapped nothing
 /// While it maps, the worker hears nothing. It asks for this address now and then, and goes on as long as it is there.
 let permit = "";
 let patience: ReturnType<typeof setTimeout> | undefined;
@@ -63,13 +62,13 @@ function map(): void {
 
 /// Segments take longer than the map: only when they are to be seen.
 stage.onColouring = (colouring) => {
-  if (colouring !== "segments" || !stage.model?.sphere || stage.model.segments || running || segmenting) return;
-  if (isFresh) return map(); // which comes back here
+  const { model } = stage;
+  if (colouring !== "segments" || !model?.sphere || model.segments || running || segmenting) return;
   segmenting = true;
   document.body.classList.add("running");
   document.body.dataset.state = "running";
   progress(0, "Segmenting");
-  const job: Job = "segments";
+  const job: Job = { mesh: { points: model.points, triangles: model.triangles }, sphere: model.sphere as Float64Array };
   worker.postMessage(job);
 };
 
@@ -86,7 +85,6 @@ function cancel(): void {
 function stop(): void {
   worker.terminate();
   worker = start();
-  isFresh = true;
   finish("cancelled");
   if (!stage.model?.sphere) byId("result").replaceChildren(element("p", { class: "hint" }, "Cancelled: there is no map."));
 }
@@ -136,6 +134,7 @@ function hear(message: Message): void {
     if (stage.model) stage.show({ ...stage.model, segments: message.segments });
     return;
   }
+  if (segmenting) return stop(); // it failed
   if (!running) return;
   const { name, settings } = running;
   switch (message.kind) {
@@ -151,13 +150,11 @@ function hear(message: Message): void {
       finish("failed");
       worker.terminate();
       worker = start();
-      isFresh = true;
       refuse({ input: name, error: `${name}: ${message.why}; use the command-line tool`, error_code: "FAILED" });
       break;
     case "answer":
-      isFresh = false;
       finish(stateOf[message.answer.error_code] ?? "refused");
-      answer(name, settings, message.answer);
+      answer(settings, message.answer);
       meshOfFile = null;
   }
 }
@@ -171,16 +168,14 @@ function refuse(report: Report): void {
   byId("downloads").hidden = true;
 }
 
-function answer(name: string, settings: Settings, given: Answer): void {
+function answer(settings: Settings, given: Answer): void {
   const { sphere, face_stretch, face_angle_distortion, ...rest } = given;
   const report: Report = {
     version,
     ...rest,
-    input: name,
     weights: settings.weights,
     method: settings.method,
     settings: { ...settings, policy: "sequential", device: "WebAssembly" },
-    error: given.error || null,
   };
   if (!meshOfFile) {
     // not even a mesh

@@ -3,47 +3,42 @@
 //
 // Runs the compiled core away from the page, so that this never waits for it.
 
-import createCore from "core";
-
+import { load, MeshError, type Measures, type Options, type Result } from "../core/index";
 import type { Mesh, Report } from "./model";
 
-/// How to map, by the names of the tool's options.
-export interface Settings {
-  weights: "conformal" | "clamped" | "barycentric" | "mean-value";
-  method: "balanced" | "automatic" | "isometric" | "saddle-point";
-  spring_exponent: number;
-  area_exponent: number;
+/// How to map.
+export interface Settings extends Required<Pick<Options, "method" | "weights" | "spring_exponent" | "area_exponent">> {
   triangulate: boolean;
 }
 
-/// A file to map, or the wish for the segments of the last one.
-export type Job = MapJob | "segments";
+/// A file to map, or a map to segment.
+export type Job = MapJob | Mapped;
 export interface MapJob {
   name: string;
   bytes: Uint8Array;
   settings: Settings;
   permit: string; // an address that is there as long as the job may go on
 }
+export interface Mapped {
+  mesh: Mesh;
+  sphere: Float64Array;
+}
 
-/// What `mapFile()` returns: a report with arrays.
-export type Answer = Report & {
-  sphere?: Float64Array;
-  face_stretch?: Float64Array;
-  face_angle_distortion?: Float64Array;
-};
+/// A report with arrays.
+export type Answer = Report & Partial<Pick<Measures, "face_stretch" | "face_angle_distortion">> & Pick<Result, "sphere">;
 
 export type Message =
   | { kind: "ready"; version: string }
   | { kind: "mesh"; mesh: Mesh }
   | { kind: "progress"; fraction: number }
-  | { kind: "answer"; answer: Answer; total: number }
-  | { kind: "segments"; segments: Int32Array | undefined }
+  | { kind: "answer"; answer: Answer }
+  | { kind: "segments"; segments: Int32Array | undefined } // undefined: there are none
   | { kind: "failed"; why: string };
 
 const post = (message: Message, transfer: Transferable[] = []) =>
   (self as unknown as { postMessage(m: Message, t: Transferable[]): void }).postMessage(message, transfer);
 
-const core = createCore();
+const core = load();
 core.then(
   ({ version }) => post({ kind: "ready", version }),
   (error: unknown) => post({ kind: "failed", why: String(error) }),
@@ -60,33 +55,52 @@ function isThere(address: string): boolean {
 }
 
 async function map({ name, bytes, settings, permit }: MapJob): Promise<void> {
-  const { mapFile } = await core;
+  const sp = await core;
   const start = performance.now();
+  const { triangulate, ...options } = settings;
+  const mesh = sp.readMesh(name, bytes, { triangulate });
+  post({ kind: "mesh", mesh });
+  const read = (performance.now() - start) / 1000;
   let told = start;
   let asked = start;
   const canAsk = isThere(permit); // not in a page from a disk
-  const hear = (what: string, payload: unknown) => {
-    if (what === "mesh") {
-      const mesh = payload as Mesh;
-      post({ kind: "mesh", mesh }, [mesh.points.buffer, mesh.triangles.buffer]);
-    } else if (performance.now() - told > 30) {
-      told = performance.now();
-      post({ kind: "progress", fraction: payload as number });
+  const progress = (fraction: number) => {
+    const now = performance.now();
+    if (now - told > 30) {
+      told = now;
+      post({ kind: "progress", fraction });
     }
-    if (!canAsk || performance.now() - asked < 200) return true;
-    asked = performance.now();
+    if (!canAsk || now - asked < 200) return true;
+    asked = now;
     return isThere(permit);
   };
-  const answer = mapFile(name, bytes, settings, hear);
+  const { valid, error, detail, seconds, ...result } = sp.parameterize(mesh.points, mesh.triangles, { ...options, progress });
+  const measures = result.sphere && sp.measure(mesh.points, mesh.triangles, result.sphere);
+  const answer: Answer = {
+    ...result,
+    ...measures,
+    input: name,
+    vertices: mesh.points.length / 3,
+    faces: mesh.triangles.length / 3,
+    ...(seconds && { seconds: { ...seconds, read: seconds.read + read } }),
+    error: valid ? null : [name, error, detail].filter(Boolean).join(": "),
+  };
   const arrays = Object.values(answer).filter((x): x is Float64Array => ArrayBuffer.isView(x));
-  post({ kind: "answer", answer, total: (performance.now() - start) / 1000 }, arrays.map((a) => a.buffer));
+  post({ kind: "answer", answer }, arrays.map((a) => a.buffer));
 }
 
 self.onmessage = async ({ data: job }: MessageEvent<Job>) => {
   try {
-    if (job === "segments") post({ kind: "segments", segments: (await core).segmentLast() });
-    else await map(job);
+    if ("bytes" in job) return await map(job);
+    const { mesh, sphere } = job;
+    post({ kind: "segments", segments: (await core).segment(mesh.points, mesh.triangles, sphere) });
   } catch (error) {
-    post({ kind: "failed", why: error instanceof Error ? error.message : String(error) });
+    if (error instanceof MeshError)
+      post(
+        "bytes" in job
+          ? { kind: "answer", answer: { input: job.name, error: error.message, error_code: error.code } }
+          : { kind: "segments", segments: undefined },
+      );
+    else post({ kind: "failed", why: error instanceof Error ? error.message : String(error) });
   }
 };

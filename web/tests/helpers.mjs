@@ -31,10 +31,13 @@ export function native(file, folder, options = []) {
   const run = spawnSync(tool, ["map", file, "-o", out, "--policy", "sequential", ...options], { encoding: "utf8" });
   if (run.status !== 0) {
     const line = run.stderr.trim().replace(/^spherical-parameterization: /, "");
-    return { error: line.replace(file, basename(file)).replace("; the command 'prepare' does it", "") }; // the page has none
+    return { error: line.replace(file, basename(file)).replace("; the command 'prepare' does it", "") }; // only the tool has it
   }
   return { error: null, sphere: readOff(readFileSync(out, "utf8")).points };
 }
+
+/// What is wrong, without the name of the file.
+export const said = (error) => error.replace(/^[^:]*: (has )?/, "");
 
 /// Points and triangles of an OFF file, one after the other.
 export function readOff(text) {

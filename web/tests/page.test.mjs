@@ -14,7 +14,7 @@ import { gzipSync } from "node:zlib";
 import { chromium } from "playwright-core";
 
 import { serve } from "../serve.mjs";
-import { different, native, own, readOff, scratch, source, tool, web, write } from "./helpers.mjs";
+import { different, native, own, readOff, said, scratch, source, tool, web, write } from "./helpers.mjs";
 
 const folder = scratch("page");
 const { examples, torus } = await source("examples.ts");
@@ -139,7 +139,7 @@ test("keys turn, zoom and colour", async () => {
 
 test("segments come when they are asked for", async () => {
   await page.click("label[for=colour-segments]");
-  await page.keyboard.press("Escape"); // the next wish has to map again
+  await page.keyboard.press("Escape"); // ends the worker; the next one segments the same map
   await page.click("label[for=colour-plain]");
   await page.click("label[for=colour-segments]");
   await page.waitForFunction(() => window.page.stage.model.segments, null, { timeout: 120_000 });
@@ -187,7 +187,7 @@ test("refuses a torus, and marks its handle", async () => {
   await page.setInputFiles("#file", file);
   await state("torus.off", "refused");
   assert.equal(await page.getAttribute("#certificate", "data-code"), "WRONG_GENUS");
-  assert.ok((await text("#certificate")).includes(native(file, folder).error));
+  assert.ok((await text("#certificate")).includes(said(native(file, folder).error)));
   assert.match(await text("#marked"), /1 handle\./);
   assert.ok(await page.isHidden("#downloads"));
   await shot("torus");
@@ -223,7 +223,7 @@ async function drop(file) {
   const shown = await text("#certificate");
   if (expected.error !== null) {
     assert.equal(await page.evaluate(() => document.body.dataset.state), "refused", name);
-    assert.ok(shown.includes(expected.error.split(/[:;]/)[1].trim()), `${shown}\n${expected.error}`);
+    assert.ok(shown.includes(said(expected.error).split(/[:;]/)[0]), `${shown}\n${expected.error}`);
     return;
   }
   assert.match(shown, /^Certified\s+0 of [\d,]+ faces flipped, degree 1\./, name);

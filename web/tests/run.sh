@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# run.sh core|viewer|page TOOL
+# run.sh core|package|viewer|page TOOL
 # Tests the page with the native tool TOOL. Where something is missing it says so in one line, and tests nothing.
 set -euo pipefail
 web=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
@@ -12,8 +12,9 @@ command -v node >/dev/null || skip node
 [ -d "$web/node_modules/esbuild" ] || skip "web/node_modules"
 if [ "$1" != viewer ]; then
   command -v emcmake >/dev/null || skip emscripten
+  [ -d "$web/libraries/zlib" ] || skip "web/libraries"
 fi
-if [ "$1" = page ]; then
+if [ "$1" = page ] || [ "$1" = package ]; then
   command -v "${CHROMIUM:-chromium}" >/dev/null || skip chromium
   export CHROMIUM=${CHROMIUM:-$(command -v chromium)}
 fi

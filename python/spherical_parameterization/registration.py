@@ -10,7 +10,8 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from .arrays import Doubles, OneLine, Sphere, check, directions, index_triples, integers, numbers, one_of, vectors
+from .arrays import Doubles, OneLine, Sphere, check, directions, doubles, index_triples, integers, numbers, one_of
+from .arrays import vectors
 from .errors import MapWarning
 from .maps import callback_of
 
@@ -26,7 +27,7 @@ class RegisteredMap(OneLine):
     signature_difference: float  #: mean difference of the signatures of corresponding points, from 0 to 1; about 0.03 between poses of one body
     trust: str  #: the verdict from margin and signature_difference: "sure", "unsure", "unlike" (shapes), or "unknown" without the spectrum
     rotation: Doubles  #: (3, 3), the rotation of the first map at the start
-    mismatch_before: float  #: root mean square difference of curvature and stretch on the finest level, after the rotation
+    mismatch_before: float  #: root mean square difference of the features on the finest level, after the rotation
     mismatch: float  #: the same at the end
     stretching: float  #: mean stretching of the surface onto the other one: 4 is an isometry; 0 if not deformed
     distortion: float  #: mean symmetric Dirichlet energy of the deformation of the sphere; 4 is none
@@ -37,6 +38,23 @@ class RegisteredMap(OneLine):
     def __repr__(self) -> str:
         state = "valid" if self.is_complete else "valid, not complete"
         return f"<RegisteredMap: {state}, {len(self.sphere)} vertices, correspondence {self.trust}>"
+
+
+def _features(
+    features: npt.ArrayLike | None, other_features: npt.ArrayLike | None, weight: npt.ArrayLike, sizes: tuple[int, int]
+) -> list[tuple[Doubles, Doubles, float]]:
+    tables = []
+    for name, given, size in zip(("features", "other_features"), (features, other_features), sizes):
+        table = doubles(name, np.empty((size, 0)) if given is None else given)
+        if table.ndim not in (1, 2) or len(table) != size:
+            raise ValueError(f"{name}: shape ({size},) or ({size}, k) is needed, not {table.shape}")
+        tables.append(table.reshape(size, -1).T if table.size else np.empty((0, size)))
+    if len(tables[0]) != len(tables[1]):
+        raise ValueError(f"features, other_features: as many are needed, not {len(tables[0])} and {len(tables[1])}")
+    weights = doubles("feature_weight", weight)
+    if weights.shape not in ((), tables[0].shape[:1]) or not (np.isfinite(weights) & (weights >= 0)).all():
+        raise ValueError(f"feature_weight: numbers from 0 on are needed, one or {len(tables[0])}, not {weight!r}")
+    return [(x, y, float(w)) for x, y, w in zip(*tables, np.broadcast_to(weights, len(tables[0])))]
 
 
 def register_maps(
@@ -52,6 +70,9 @@ def register_maps(
     stretch_weight: float = 0,
     isometry_weight: float = 1,
     position_weight: float = 0,
+    features: npt.ArrayLike | None = None,
+    other_features: npt.ArrayLike | None = None,
+    feature_weight: npt.ArrayLike = 20,
     landmarks: npt.ArrayLike | None = None,
     landmark_weight: float = 300,
     policy: str = "parallel",
@@ -74,6 +95,12 @@ def register_maps(
         Weights of the terms of the deformation, relative to the mean symmetric Dirichlet energy of the deformation: the mean
         squared differences of mean curvature and of the area stretch of the maps; the stretching of one surface onto the
         other; the mean squared differences of positions, for shapes in the same position and pose.
+    features, other_features : array_like (n,) or (n, k) of float, optional
+        Numbers at the vertices of each mesh that should be equal at corresponding points, such as sulcal depth. They
+        determine the start, and drive the deformation together with the curvature, or alone if `curvature_weight` is 0.
+        Each column is smoothed and brought to mean 0 and variance 1 on each surface, so units do not matter.
+    feature_weight : float, or array_like (k,) of float
+        Weight of each column, as that of the curvature.
     landmarks : array_like (k, 2) of int, optional
         Pairs of corresponding vertices of this mesh and of the other one.
     landmark_weight : float
@@ -130,6 +157,7 @@ def register_maps(
         stretch_weight,
         isometry_weight,
         position_weight,
+        _features(features, other_features, feature_weight, (len(a), len(b))),
         landmark_weight,
         pairs.tolist(),
         policy,

@@ -11,6 +11,7 @@
 
 #include <pybind11/stl.h>
 
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -22,7 +23,9 @@ typedef Array_map<Mesh::Vertex_index, std::array<double, 3>> Written_sphere;
 py::tuple register_maps(const Doubles& points_a, const py::array& triangles_a, const Doubles& sphere_a,
                         const Doubles& points_b, const py::array& triangles_b, const Doubles& sphere_b,
                         const std::string& motion, double curvature_weight, double stretch_weight,
-                        double isometry_weight, double position_weight, double landmark_weight,
+                        double isometry_weight, double position_weight,
+                        const std::vector<std::tuple<std::vector<double>, std::vector<double>, double>>& features,
+                        double landmark_weight,
                         const std::vector<std::pair<int, int>>& pairs, const std::string& policy,
                         double maximum_running_time, const py::object& progress)
 {
@@ -36,6 +39,8 @@ py::tuple register_maps(const Doubles& points_a, const py::array& triangles_a, c
   method.stretch_weight = stretch_weight;
   method.isometry_weight = isometry_weight;
   method.position_weight = position_weight;
+  for(const auto& [of_a, of_b, weight] : features)
+    method.features.push_back({of_a, of_b, weight});
   method.landmark_weight = landmark_weight;
   std::vector<SP::Landmark_pair<Mesh, Mesh>> landmarks;
   for(const auto& [i, j] : pairs)

@@ -40,9 +40,21 @@ def test_landmarks_are_put_onto_each_other() -> None:
     assert distance.max() <= r.largest_landmark_distance + 1e-12 and distance.max() < 0.1
 
 
+def test_own_features_turn_what_has_no_form() -> None:
+    sphere, triangles = sp.icosphere(4)
+    turn = np.linalg.qr(np.random.default_rng(1).normal(size=(3, 3)))[0]
+    turn *= np.linalg.det(turn)
+    paint = [np.sin(5 * p + [1, 2, 3]) for p in (sphere @ turn.T, sphere)]
+    ball = (sphere, triangles, sphere, sphere, triangles, sphere)
+    given = {"features": paint[0], "other_features": paint[1]}
+    r = sp.register_maps(*ball, **given, feature_weight=[20, 10, 10], curvature_weight=0)
+    assert np.linalg.norm(r.sphere - sphere @ turn.T, axis=1).mean() < 0.03
+    assert np.linalg.norm(sp.register_maps(*ball).sphere - sphere @ turn.T, axis=1).mean() > 0.3
+
+
 def test_wrong_arguments() -> None:
     a = mapped(1)
-    for wrong in ({"motion": "shear"}, {"curvature_weight": -1}, {"landmarks": [[0, 642]]}, {"landmarks": [0, 1]}):
+    for wrong in ({"motion": "shear"}, {"curvature_weight": -1}, {"landmarks": [[0, 642]]}, {"landmarks": [0, 1]}, {"features": a[0]}):
         with pytest.raises(ValueError):
             sp.register_maps(*a, *a, **wrong)  # type: ignore[arg-type]
     with pytest.raises(sp.MeshError) as flipped:

@@ -298,6 +298,90 @@ TEST_CASE("positions count if that is asked for", "[registration]")
   CHECK(error < 0.03); // of a radius of 1, with edges of 0.15
 }
 
+namespace {
+
+/// An ellipsoid of revolution, whose form does not say how it is turned about its axis.
+Mapped ellipsoid()
+{
+  Soup soup = icosphere(4);
+  const Sphere sphere = soup.points;
+  for(Point& p : soup.points)
+    p = Point(p.x(), p.y(), 1.5 * p.z());
+  return {std::move(soup), sphere};
+}
+
+/// About the axis, and more at some longitudes and latitudes than at others: so does the paint move.
+Point carried(const Point& p, double bend)
+{
+  const double angle = 1.9 + bend * std::sin(2 * std::atan2(p.y(), p.x())) * (1 - p.z() * p.z());
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {c * p.x() - s * p.y(), s * p.x() + c * p.y(), p.z()};
+}
+
+std::vector<SP::Registration_feature> paint(const Sphere& a, const Sphere& b)
+{
+  std::vector<SP::Registration_feature> features(3);
+  for(int k = 0; k < 3; ++k)
+    for(const auto& [of, values] : {std::pair(&a, &features[k].a), std::pair(&b, &features[k].b)})
+      for(const Point& p : *of)
+        values->push_back(std::sin(5 * p[k] + k + 1));
+  return features;
+}
+
+} // namespace
+
+TEST_CASE("what the form does not say, own features say", "[registration]")
+{
+  const Mapped shape = ellipsoid();
+  const double bend = GENERATE(0., 0.25);
+  const Sphere goal = moved(shape.sphere, [bend](const Point& p) { return carried(p, bend); });
+  SP::Registration method;
+  const double without = mean_distance(registered(shape, shape, method).sphere, goal);
+  method.features = paint(goal, shape.sphere);
+  const Registered joined = registered(shape, shape, method);
+  check_certificate(shape, joined);
+  CHECK(joined.result.start == "features");
+  CHECK(joined.result.mismatch <= joined.result.mismatch_before);
+  CHECK(mean_distance(joined.sphere, goal) < 0.03);
+  CHECK(mean_distance(joined.sphere, goal) < 0.05 * without);
+  method.curvature_weight = 0;
+  const Registered alone = registered(shape, shape, method);
+  CHECK(mean_distance(alone.sphere, goal) < 0.03);
+  for(double& x : method.features[0].a) // in another unit: the same bits
+    x *= 1024;
+  CHECK(registered(shape, shape, method).sphere == alone.sphere);
+  for(double& x : method.features[0].b) // and with another zero
+    x = 0.3 * x + 7;
+  CHECK(mean_distance(registered(shape, shape, method).sphere, alone.sphere) < 0.001);
+
+  method.motion = Motion::ROTATION;
+  const double turned = mean_distance(registered(shape, shape, method).sphere, goal);
+  CHECK(turned < (bend == 0 ? 0.001 : 0.1));
+  CHECK((bend == 0 || mean_distance(alone.sphere, goal) < 0.3 * turned));
+  method.motion = Motion::MOEBIUS;
+  CHECK(mean_distance(registered(shape, shape, method).sphere, goal) < (bend == 0 ? 0.001 : 0.1));
+}
+
+TEST_CASE("features without weight, and constant ones, say nothing", "[registration]")
+{
+  const Mapped shape = ellipsoid();
+  SP::Registration method;
+  method.levels = 1;
+  method.features = {{std::vector<double>(shape.sphere.size(), 0.1), std::vector<double>(shape.sphere.size(), 3)}};
+  const Registered constant = registered(shape, shape, method);
+  method.features[0].weight = 0;
+  CHECK(constant.sphere == registered(shape, shape, method).sphere);
+  CHECK(constant.result.mismatch == Approx(registered(shape, shape, method).result.mismatch));
+  method.features[0].a[5] = std::numeric_limits<double>::quiet_NaN();
+  const Registered refused = registered(shape, shape, method);
+  CHECK(refused.result.error == SP::Error_code::NON_FINITE_COORDINATE);
+  CHECK(refused.result.detail == "feature 0 of the first mesh is not finite at vertex 5");
+  method.features[0].a.pop_back();
+  CHECK_THROWS_AS(registered(shape, shape, method), CGAL::Precondition_exception);
+  method.features[0] = {{}, {}, -1};
+  CHECK_THROWS_AS(registered(shape, shape, method), CGAL::Precondition_exception);
+}
+
 TEST_CASE("what cannot be registered is named", "[registration]")
 {
   const Mapped a(bumpy_sphere(2));
@@ -503,7 +587,7 @@ TEST_CASE("the figures are those of the map that is stored", "[registration]")
   const I::Registered_surface of_a = surface_of(a), of_b = surface_of(b);
   I::Monitor monitor(1e9, {}, false);
   const auto features = [&](const I::Registered_surface& s) {
-    return I::shape_features(I::Host_loop(), s, method.coarsest_scale / 2, monitor);
+    return I::shape_features(I::Host_loop(), s, {}, method.coarsest_scale / 2, monitor);
   };
   const auto f = features(of_a), g = features(of_b);
   const SP::Spherical_locator<Mesh> locator(b.mesh, b.map());

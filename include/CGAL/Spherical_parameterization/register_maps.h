@@ -65,7 +65,8 @@ auto mapped_mesh(const TriangleMesh& mesh, VertexSphereMap sphere_map,
 /// Meshes of fewer than 100 vertices, and shapes that stand alike (`Registration::position_weight`), begin with the
 /// best rotation instead: by three or more landmarks; else that for which the coordinates in any pose
 /// (`best_alignment()`), and up to four for which curvature and stretch are correlated best, of which the one is taken
-/// that a coarse deformation makes most alike; then they are deformed, coarse features first. The maps should be of low
+/// that a coarse deformation makes most alike; then they are deformed, coarse features first. So do meshes with own
+/// features (`Registration::features`), which are then correlated, too, all with their weights. The maps should be of low
 /// isometric distortion (`Isometric`).
 ///
 /// Guarantee: the registered map is without flips and of degree 1, exactly, as stored, or the result says that it is

@@ -10,11 +10,18 @@
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace CGAL::Spherical_parameterization {
 
 /// \addtogroup PkgSphericalParameterizationInverse
 /// @{
+
+/// Numbers of the vertices of both meshes that should be equal at corresponding points: sulcal depth, myelin, thickness.
+struct Registration_feature {
+  std::vector<double> a, b; ///< of the first and of the second mesh, as `vertices(mesh)` has them
+  double weight = 20;       ///< as that of the curvature
+};
 
 /// How far `register_maps()` goes, and what it compares.
 struct Registration {
@@ -29,10 +36,12 @@ struct Registration {
   /// \name Deformation
   /// The weights are those of mean squared differences, beside the mean symmetric Dirichlet energy of the deformation
   /// of the sphere (4 where there is none). Features have a variance of about 1, but for positions, which are in units
-  /// in which the surfaces have the area 4 pi. Stretching is the mean symmetric Dirichlet energy of the
+  /// in which the surfaces have the area 4 pi: own ones, too, are smoothed at the scale of the level, brought to mean 0
+  /// and variance 1 on either surface, so that their units do not matter, and bounded by 2 tanh(x / 2). Stretching is the mean symmetric Dirichlet energy of the
   /// faces of the first surface, carried to the second one (4 where that is isometric).
   /// @{
   double curvature_weight = 20; ///< of the mean curvature at two scales
+  std::vector<Registration_feature> features; ///< of the caller: beside curvature, or with weight 0 of it in its place
   double stretch_weight = 0;    ///< of the logarithmic area stretch of the maps; for maps of the same method
   double isometry_weight = 1; ///< of the mean stretching of the first surface onto the second, from the second level on
   double position_weight = 0; ///< of the coordinates, after the best motion in space: for shapes in the same pose
@@ -68,8 +77,8 @@ struct Registration_result {
 
   /// \name Of the Registered Map, as It Is Stored
   /// @{
-  double mismatch_before = 0; ///< root mean square difference of curvature and stretch on the finest level that was
-                              ///< reached, of the rotated map; 0 if the call ended before the map was deformed
+  double mismatch_before = 0; ///< root mean square difference of the features on the finest level that was reached,
+                              ///< of the rotated map; 0 if the call ended before the map was deformed
   double mismatch = 0;        ///< the same of the registered map
   double distortion = 4;      ///< mean symmetric Dirichlet energy of the deformation of the sphere; 4: none
   double stretching = 0;      ///< mean stretching of the first surface onto the second; 4: none. 0: not deformed

@@ -85,8 +85,10 @@ struct Refinement_report {
 /// What a surface looks like at a scale, given as a length on the surface of area 4 pi: the logarithm of its area by
 /// that on the sphere, and its mean curvature at that scale and at half of it, all smoothed by the heat flow of the
 /// surface. They do not change where a surface is bent without stretching, but for curvature at the joints. If the
-/// monitor says no they are less smooth.
+/// monitor says no they are less smooth. `own` fields follow, at that scale, too. All but the first one have mean 0 and
+/// variance 1 before they are bounded.
 CGAL_SP_CORE std::vector<Host_array<double>> shape_features(const Host_loop& loop, const Registered_surface& surface,
+                                                            std::vector<Host_array<double>> own,
                                                             double scale_of_details, Monitor& monitor);
 
 /// Moves x, the images of the vertices of A, which are without flips and stay so: nonlinear conjugate gradients,

@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -71,7 +72,26 @@ private:
 /// 2 tanh(x / 2): what is far out does not outweigh all else.
 inline double bounded(double x) { return 2 * std::tanh(x / 2); }
 
+/// To mean 0 and variance 1 over the surface; what is constant but for rounding becomes 0.
+inline void standardize(const Host_array<double>& area, Host_array<double>& field)
+{
+  constexpr double rounding = 1e-12;
+  const int n = static_cast<int>(area.size());
+  double total = 0, mean = 0, variance = 0;
+  for(int i = 0; i < n; ++i) {
+    total += area[i];
+    mean += area[i] * field[i];
+  }
+  mean /= total;
+  for(int i = 0; i < n; ++i)
+    variance += area[i] / total * (field[i] - mean) * (field[i] - mean);
+  const double deviation = std::sqrt(variance), factor = deviation > rounding * std::abs(mean) ? 1 / deviation : 0;
+  for(double& x : field)
+    x = factor * (x - mean);
+}
+
 CGAL_SP_CORE std::vector<Host_array<double>> shape_features(const Host_loop& loop, const Registered_surface& surface,
+                                                            std::vector<Host_array<double>> own,
                                                             double scale_of_details, Monitor& monitor)
 {
   const int n = static_cast<int>(surface.point.size());
@@ -105,20 +125,15 @@ CGAL_SP_CORE std::vector<Host_array<double>> shape_features(const Host_loop& loo
   flow.smooth(time / 4, fine, monitor);
   flow.smooth(time, field, monitor);
   field.push_back(std::move(fine[0]));
-  for(double& x : field[0])
-    x = bounded(x);
-  for(std::size_t k = 1; k < field.size(); ++k) { // to mean 0 and variance 1
-    double total = 0, mean = 0, variance = 0;
-    for(int i = 0; i < n; ++i) {
-      total += area[i];
-      mean += area[i] * field[k][i];
-    }
-    mean /= total;
-    for(int i = 0; i < n; ++i)
-      variance += area[i] / total * (field[k][i] - mean) * (field[k][i] - mean);
-    const double factor = variance > 0 ? 1 / std::sqrt(variance) : 0;
+  for(Host_array<double>& its_own : own)
+    standardize(area, its_own); // so that the unit does not decide how exactly it is smoothed
+  flow.smooth(time, own, monitor);
+  std::move(own.begin(), own.end(), std::back_inserter(field));
+  for(std::size_t k = 0; k < field.size(); ++k) {
+    if(k > 0)
+      standardize(area, field[k]);
     for(double& x : field[k])
-      x = bounded(factor * (x - mean));
+      x = bounded(x);
   }
   return field;
 }

@@ -37,8 +37,8 @@ public:
   static constexpr int degree = 31; ///< of what is correlated
 
   Registered_side(const Watched_loop<Host_loop>& loop, Monitor& monitor, const Registered_surface& its_surface,
-                  const Locator& locator)
-    : surface(its_surface), loop_(loop), monitor_(monitor), locator_(locator)
+                  const Locator& locator, std::vector<Host_array<double>> own)
+    : surface(its_surface), loop_(loop), monitor_(monitor), locator_(locator), own_(std::move(own))
   {}
 
   const Registered_surface& surface;
@@ -77,7 +77,7 @@ public:
   const std::vector<Host_array<double>>& features(double scale)
   {
     if(scale != scale_)
-      features_ = shape_features(loop_.bare(), surface, scale, monitor_);
+      features_ = shape_features(loop_.bare(), surface, own_, scale, monitor_);
     scale_ = scale;
     return features_;
   }
@@ -90,13 +90,14 @@ public:
     Registered_surface centred = surface;
     for(vec3& p : centred.image)
       p = centring(p);
-    return shape_features(loop_.bare(), centred, scale, monitor_);
+    return shape_features(loop_.bare(), centred, own_, scale, monitor_);
   }
 
 private:
   const Watched_loop<Host_loop>& loop_;
   Monitor& monitor_;
   const Locator& locator_;
+  std::vector<Host_array<double>> own_; ///< features of the caller
   double scale_ = 0;
   std::vector<Host_array<double>> features_;
 };
@@ -153,10 +154,11 @@ private:
   static constexpr double share_to_align = 0.3; ///< of the work, for the callback
 
   /// Finds a start by eigenfunctions: then `deformed_` is one, if there is a valid one. Returns false where that is not
-  /// asked for, or where there are too few vertices.
+  /// asked for, where the caller's features say what corresponds, or where there are too few vertices.
   bool is_found_by_spectrum()
   {
     if(settings_.motion != Registration::Motion::DEFORMATION || settings_.position_weight > 0 ||
+       !settings_.features.empty() ||
        (std::min)(a_.surface.point.size(), b_.surface.point.size()) < Spectral_registration<>::least_vertices)
       return false;
     Spectral_registration<> found(loop_, monitor_, a_.surface, b_.surface, b_.locator(), landmark_vertices_);
@@ -242,7 +244,8 @@ private:
     loop_.advance(0);
     const double scale = settings_.coarsest_scale;
     const std::vector<Proposal> proposed =
-      proposals(motion.sphere, a_.harmonics(a_.features(scale)), b_.harmonics(b_.features(scale)));
+      proposals(motion.sphere, a_.harmonics(correlated(a_.features(scale))),
+                b_.harmonics(correlated(b_.features(scale))));
     const Registration_features features = weighted(scale);
     const double all = settings_.motion == Registration::Motion::DEFORMATION ? share_to_align : 1;
     double least = std::numeric_limits<double>::infinity();
@@ -272,25 +275,42 @@ private:
     else {
       result_.start = "features";
       const double scale = settings_.coarsest_scale;
-      result_.rotation = best_correlations(loop_, b_.harmonics(b_.features(scale, centring_b), &centring_b),
-                                           a_.harmonics(a_.features(scale, centring_a), &centring_a))
-                           .front()
-                           .rotation;
+      result_.rotation =
+        best_correlations(loop_, b_.harmonics(correlated(b_.features(scale, centring_b)), &centring_b),
+                          a_.harmonics(correlated(a_.features(scale, centring_a)), &centring_a))
+          .front()
+          .rotation;
     }
     for(vec3& p : start_)
       p = centring_b.inverse(unit(rotated(result_.rotation, centring_a(p))));
   }
 
-  /// Stretch and curvatures, times the roots of their weights.
+  /// The root of the weight of feature k.
+  double factor(std::size_t k) const
+  {
+    constexpr std::size_t of_shape = 3; // stretch and curvatures
+    return std::sqrt(k == 0         ? settings_.stretch_weight
+                     : k < of_shape ? settings_.curvature_weight
+                                    : settings_.features[k - of_shape].weight);
+  }
+
+  /// What rotations are found by: all features of the shape alike; with features of the caller, all with their weights.
+  std::vector<Host_array<double>> correlated(std::vector<Host_array<double>> features) const
+  {
+    for(std::size_t k = 0; k < features.size() && !settings_.features.empty(); ++k)
+      for(double& x : features[k])
+        x *= factor(k);
+    return features;
+  }
+
+  /// All features, times the roots of their weights.
   Registration_features weighted(double scale)
   {
     const std::vector<Host_array<double>>&a = a_.features(scale), &b = b_.features(scale);
     Registration_features result;
-    for(std::size_t k = 0; k < a.size(); ++k) {
-      const double factor = std::sqrt(k == 0 ? settings_.stretch_weight : settings_.curvature_weight);
-      if(factor > 0)
-        append(result, a[k], b[k], factor);
-    }
+    for(std::size_t k = 0; k < a.size(); ++k)
+      if(factor(k) > 0)
+        append(result, a[k], b[k], factor(k));
     return result;
   }
 
@@ -396,7 +416,9 @@ CGAL_SP_CORE void check_registration(const Registration& settings)
 {
   CGAL_SP_PRECONDITION(settings.curvature_weight >= 0 && settings.stretch_weight >= 0 &&
                          settings.position_weight >= 0 && settings.landmark_weight >= 0 &&
-                         settings.isometry_weight >= 0,
+                         settings.isometry_weight >= 0 &&
+                         std::all_of(settings.features.begin(), settings.features.end(),
+                                     [](const Registration_feature& feature) { return feature.weight >= 0; }),
                        "the weights of a registration must not be negative");
   CGAL_SP_PRECONDITION(settings.levels >= 1 && settings.iterations >= 0, "a registration has a level or more");
   CGAL_SP_PRECONDITION(settings.coarsest_scale > 0 && settings.accuracy > 0, "scale and accuracy have to be positive");
@@ -426,6 +448,26 @@ CGAL_SP_CORE Registered_surface registered_surface(const Host_loop& loop, const 
   return surface;
 }
 
+/// The features of one side. Throws the precondition for those that have not a value for each of n vertices, and Error
+/// for what is no finite number.
+inline std::vector<Host_array<double>> features_of(const Registration& settings,
+                                                   const std::vector<double> Registration_feature::*side, std::size_t n)
+{
+  std::vector<Host_array<double>> result;
+  for(const Registration_feature& feature : settings.features) {
+    const std::vector<double>& values = feature.*side;
+    CGAL_SP_PRECONDITION(values.size() == n, "a feature has a value for every vertex of both meshes");
+    for(std::size_t i = 0; i < n; ++i)
+      if(!std::isfinite(values[i]))
+        throw Input_error(Error_code::NON_FINITE_COORDINATE,
+                          "feature " + std::to_string(result.size()) + " of the " +
+                            (side == &Registration_feature::a ? "first" : "second") + " mesh is not finite at vertex " +
+                            std::to_string(i));
+    result.emplace_back(values.begin(), values.end());
+  }
+  return result;
+}
+
 CGAL_SP_CORE Registration_result register_surfaces(const Host_loop& loop, const Valid_map& map_a,
                                                    const Valid_map& map_b,
                                                    const std::vector<std::pair<int, int>>& landmarks,
@@ -435,8 +477,11 @@ CGAL_SP_CORE Registration_result register_surfaces(const Host_loop& loop, const 
   const Locator locator_a(loop, map_a), locator_b(loop, map_b);
   const Watched_loop<Host_loop> watched(loop, monitor);
   Registration_result result;
-  Registrar<> registrar(watched, monitor, Registered_side(watched, monitor, a, locator_a),
-                        Registered_side(watched, monitor, b, locator_b), landmarks, settings, result);
+  const auto side = [&](const Registered_surface& surface, const Locator& locator, auto own) {
+    return Registered_side(watched, monitor, surface, locator, features_of(settings, own, surface.point.size()));
+  };
+  Registrar<> registrar(watched, monitor, side(a, locator_a, &Registration_feature::a),
+                        side(b, locator_b, &Registration_feature::b), landmarks, settings, result);
   const Host_array<vec3> stored = store(registrar.run());
   const Certificate certificate = certify(loop, a.face, stored);
   result.flipped_faces = certificate.flipped_faces;

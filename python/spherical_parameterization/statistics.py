@@ -98,6 +98,12 @@ def _weights(weights: npt.ArrayLike | None, shapes: Doubles, are_harmonics: bool
     return result
 
 
+def _groups(groups: int | None, shapes: Doubles) -> int:
+    if len(shapes) < 2 or (groups is not None and not 2 <= groups <= len(shapes)):
+        raise ValueError("groups: two shapes or more are needed, and 2 to n groups")
+    return groups or 0
+
+
 def align_shapes(
     shapes: Shapes,
     *,
@@ -200,10 +206,56 @@ def left_out_errors(
     """
     check(left_out_errors, locals())
     array, are_harmonics = _stack(shapes)
-    if len(array) < 2 or (groups is not None and not 2 <= groups <= len(array)):
-        raise ValueError("groups: two shapes or more are needed, and 2 to n groups")
-    share = _weights(weights, array, are_harmonics)
-    return np.array(_core.left_out_errors(array, are_harmonics, share, groups or 0, policy)[0])
+    share, count = _weights(weights, array, are_harmonics), _groups(groups, array)
+    return np.array(_core.left_out_errors(array, are_harmonics, share, count, policy)[0])
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class ModelQuality(OneLine):
+    """How good a set of shapes is as a model of others, by the number of its modes, from 0 on."""
+
+    compactness: Doubles  #: (k,): the variance of so many modes; of all of them the total variance
+    generalization: Doubles  #: (k - 1,) or fewer: `left_out_errors()`
+    specificity: Doubles  #: (k,): mean distance of a random shape of the model from the nearest one of the set
+    specificity_error: Doubles  #: (k,): the standard error of that mean
+
+
+def model_quality(
+    shapes: Shapes,
+    *,
+    weights: npt.ArrayLike | None = None,
+    groups: int | None = None,
+    samples: int = 1000,
+    seed: int = 1,
+    policy: str = "parallel",
+) -> ModelQuality:
+    """Compactness, generalization and specificity of shapes as a model (Davies 2002; Styner et al. 2003).
+
+    Parameters
+    ----------
+    shapes : array_like (n, m, 3) of float, or sequence of n Harmonics
+        As they stand.
+    weights : array_like (m,) of float
+        What each vertex counts. Default: all alike.
+    groups : int
+        As for `left_out_errors()`.
+    samples : int
+        So many random shapes, 2 or more: the mean plus modes with normally distributed scores.
+    seed : int
+        Of the random numbers.
+    policy : {"parallel", "sequential"}
+
+    Returns
+    -------
+    ModelQuality
+    """
+    check(model_quality, locals())
+    array, are_harmonics = _stack(shapes)
+    if samples < 2:
+        raise ValueError(f"samples: 2 or more are needed, not {samples}")
+    share, count = _weights(weights, array, are_harmonics), _groups(groups, array)
+    figures = _core.model_quality(array, are_harmonics, share, count, samples, seed, policy)
+    return ModelQuality(*(np.array(figure, dtype=np.float64) for figure in figures))
 
 
 def mean_vertex_areas(shapes: npt.ArrayLike, triangles: npt.ArrayLike, *, policy: str = "parallel") -> Doubles:

@@ -110,6 +110,17 @@ py::tuple left_out_errors(const Doubles& array, bool are_harmonics, const std::v
   });
 }
 
+py::tuple model_quality(const Doubles& array, bool are_harmonics, const std::vector<double>& weights, int groups,
+                        int samples, std::uint32_t seed, const std::string& policy)
+{
+  return with_shapes(array, are_harmonics, [&](const auto& shapes) {
+    const SP::Model_quality q = on_watched(policy, [&](const auto& p, const auto& np) {
+      return SP::model_quality(p, shapes, weights, groups, samples, seed, np);
+    });
+    return py::make_tuple(q.compactness, q.generalization, q.specificity, q.specificity_error);
+  });
+}
+
 std::vector<double> mean_vertex_areas(const Doubles& array, const py::array& triangles, const std::string& policy)
 {
   const auto shapes = read_shapes<Shape_points>(array);
@@ -153,6 +164,7 @@ void add_statistics(py::module_& module)
   module.def("align_shapes", align_shapes);
   module.def("shape_statistics", shape_statistics);
   module.def("left_out_errors", left_out_errors);
+  module.def("model_quality", model_quality);
   module.def("mean_vertex_areas", mean_vertex_areas);
   module.def("shape_atlas", shape_atlas);
 }

@@ -64,6 +64,14 @@ def test_pictures(tmp_path: Path) -> None:
     assert matplotlib_image.imread(tmp_path / "out.png")[:, :, :3].std() > 0.05
 
 
+def test_model_quality(tmp_path: Path) -> None:
+    matplotlib_image = pytest.importorskip("matplotlib.image")
+    header = "modes,compactness,generalization,specificity,specificity_error"
+    (tmp_path / "quality.csv").write_text(f"{header}\n0,0,2,1,0\n1,3,1,1.5,0.1\n2,4,,2,0.1\n")  # as `atlas` writes it
+    run("model_quality.py", tmp_path / "quality.csv", tmp_path / "out.png")
+    assert matplotlib_image.imread(tmp_path / "out.png")[:, :, :3].std() > 0.05
+
+
 def test_vtk_arrays() -> None:
     assert "valid spherical map" in run("vtk_arrays.py")
 

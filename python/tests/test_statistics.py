@@ -72,6 +72,18 @@ def test_errors_of_the_left_out():
     assert len(sp.left_out_errors(shapes, groups=2)) == 3
 
 
+def test_quality_of_a_model():
+    shapes = np.random.default_rng(4).normal(size=(6, 30, 3))
+    quality, statistics = sp.model_quality(shapes), sp.shape_statistics(shapes)
+    np.testing.assert_allclose(quality.compactness, [0, *np.cumsum(statistics.variances)])
+    assert (quality.generalization == sp.left_out_errors(shapes)).all()
+    scores = np.random.default_rng(5).normal(size=(5000, 5)) * np.sqrt(statistics.variances)
+    distances = np.linalg.norm(scores[:, None] - statistics.scores, axis=2).min(axis=1)
+    error = np.hypot(quality.specificity_error[5], distances.std() / np.sqrt(5000))
+    assert abs(quality.specificity[5] - distances.mean()) < 4 * error
+    assert (sp.model_quality(shapes, seed=2).specificity[1:] != quality.specificity[1:]).all()
+
+
 def long_statistics():
     sp.left_out_errors(np.random.default_rng(1).normal(size=(80, 20000, 3)), policy="sequential")
 

@@ -36,6 +36,9 @@ const CGAL::Sequential_tag policy;
 constexpr std::size_t most_left_out_alone = 100;
 constexpr int groups_beyond = 20;
 
+/// From which specificity is taken.
+constexpr int random_shapes = 1000;
+
 /// Meshes of modes show so many standard deviations.
 constexpr double deviations_shown = 2;
 
@@ -52,6 +55,19 @@ void write_scores(std::ostream& out, const std::vector<Atlas_shape>& shapes,
     for(const double score : statistics.scores[i])
       write(',', score);
     write('\n');
+  }
+}
+
+/// A line for every number of modes; generalization ends where the shapes that are not left out have no more.
+void write_quality(std::ostream& out, const SP::Model_quality& quality)
+{
+  Text_writer write(out);
+  write("modes,compactness,generalization,specificity,specificity_error\n");
+  for(std::size_t k = 0; k < quality.compactness.size(); ++k) {
+    write(k, ',', quality.compactness[k], ',');
+    if(k < quality.generalization.size())
+      write(quality.generalization[k]);
+    write(',', quality.specificity[k], ',', quality.specificity_error[k], '\n');
   }
 }
 
@@ -79,7 +95,9 @@ Written_atlas write_atlas(const std::function<std::ostream&(const std::string&)>
   const auto [alignment, weights, statistics] =
     SP::atlas_statistics(policy, mesh, shapes, placement, modes, stopped_by_signals());
   const int groups = shapes.size() <= most_left_out_alone ? static_cast<int>(shapes.size()) : groups_beyond;
-  const std::vector<double> errors = SP::left_out_errors(policy, shapes, weights, groups, stopped_by_signals());
+  const SP::Model_quality quality =
+    SP::model_quality(policy, shapes, weights, groups, random_shapes, 1, stopped_by_signals());
+  const std::vector<double>& errors = quality.generalization;
   const double variance = statistics.total_variance;
 
   report["alignment"] = {{"converged", alignment.has_converged}, {"iterations", alignment.iterations}};
@@ -103,7 +121,11 @@ Written_atlas write_atlas(const std::function<std::ostream&(const std::string&)>
                     {"explained_so_far", explained / variance}});
   }
   report["modes"] = std::move(rows);
+  report["compactness_by_modes"] = quality.compactness;
   report["left_out"] = {{"groups", groups}, {"root_mean_square_by_modes", errors}};
+  report["specificity"] = {{"random_shapes", random_shapes},
+                           {"mean_by_modes", quality.specificity},
+                           {"standard_error_by_modes", quality.specificity_error}};
 
   const Output_format ply = {Mesh_format::PLY, ascii};
   write_json(open("report.json"), report);
@@ -118,6 +140,7 @@ Written_atlas write_atlas(const std::function<std::ostream&(const std::string&)>
                  SP::shape_of_scores(statistics, scores), Surface::SHAPE);
     }
   write_scores(open("scores.csv"), named, statistics);
+  write_quality(open("quality.csv"), quality);
   std::ostringstream text;
   text.precision(3);
   text << shapes.size() << " shapes of " << mesh.mesh.number_of_vertices()
@@ -128,7 +151,9 @@ Written_atlas write_atlas(const std::function<std::ostream&(const std::string&)>
     text << "; the first mode explains " << 100 * statistics.variances[0] / variance << " % of the variance, all "
          << statistics.modes.size() << " that are written " << 100 * explained / variance << " %";
   text << "\na shape that is left out is reconstructed to " << errors.front() << " by the mean of the others, to "
-       << errors.back() << " with all of their modes (" << errors.size() - 1 << ')';
+       << errors.back() << " with all of their modes (" << errors.size() - 1 << ")\na random shape of the model is "
+       << quality.specificity.back() << " +- " << quality.specificity_error.back()
+       << " from the nearest of the shapes, with all modes (" << quality.specificity.size() - 1 << ')';
   return {text.str(), statistics.modes.size()};
 }
 

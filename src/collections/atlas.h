@@ -31,9 +31,9 @@ struct Written_atlas {
   std::size_t modes;
 };
 
-/// Writes the statistics of shapes to files: `mean.ply`, `variance.ply`, `scores.csv`, and of every mode the mean plus
-/// and minus two standard deviations, `modes/mode_K_plus.ply` and `_minus.ply`; and `report.json`, the first one:
-/// `report`, to which they are added.
+/// Writes the statistics of shapes to files: `mean.ply`, `variance.ply`, `scores.csv`, `quality.csv`, and of every mode
+/// the mean plus and minus two standard deviations, `modes/mode_K_plus.ply` and `_minus.ply`; and `report.json`, the
+/// first one: `report`, to which they are added.
 Written_atlas write_atlas(const std::function<std::ostream&(const std::string&)>& open, const Atlas_mesh& mesh,
                           std::vector<Atlas_shape> shapes, SP::Atlas_placement placement, int modes, bool ascii,
                           nlohmann::ordered_json& report);

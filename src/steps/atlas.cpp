@@ -307,7 +307,7 @@ Work atlas_work()
   options.add("--ascii", own->ascii, "Write PLY files as text instead of little-endian binary");
   work.writes = [own](const Request& request) {
     Work::Files files;
-    for(const char* name : {"/mean.ply", "/variance.ply", "/scores.csv", "/report.json", "/meshes.db"})
+    for(const char* name : {"/mean.ply", "/variance.ply", "/scores.csv", "/quality.csv", "/report.json", "/meshes.db"})
       files.emplace_back("--output", request.file() + name);
     for(int k = 1; k <= own->modes && k <= 1000; ++k)
       for(const char* side : {"_plus.ply", "_minus.ply"})
@@ -329,7 +329,8 @@ Step atlas_step()
     takes,
     {{"-o,--output",
       "Output folder: mean.ply; variance.ply, coloured; modes/, the mean plus and minus two standard deviations of "
-      "each mode; scores.csv; report.json; and the steps before, spheres/, registered/ and templates/",
+      "each mode; scores.csv; quality.csv, compactness, generalization and specificity by the number of modes; "
+      "report.json; and the steps before, spheres/, registered/ and templates/",
       {},
       Output::FOLDER,
       Output::REQUIRED}},

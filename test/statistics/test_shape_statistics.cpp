@@ -327,6 +327,58 @@ TEST_CASE("errors of the left out are those of statistics of the others", "[stat
     CHECK(errors[k] == Approx(std::sqrt(square[k])).epsilon(1e-10));
 }
 
+TEST_CASE("of two shapes everything is known of the quality of the model", "[statistics]")
+{
+  const Known known = known_set(2, {2}, {}, 30);
+  const SP::Model_quality quality = SP::model_quality(one_core, known.shapes, {}, 0, 20000, 7);
+  const double half = distance(known.shapes[0], known.shapes[1]) / 2, variance = 2 * half * half;
+  CHECK(quality.compactness.size() == 2);
+  CHECK(quality.compactness[0] == 0);
+  CHECK(quality.compactness[1] == Approx(variance));
+  REQUIRE(quality.generalization.size() == 1);
+  CHECK(quality.generalization[0] == Approx(2 * half));
+  CHECK(quality.specificity[0] == Approx(half)); // the mean
+  CHECK(quality.specificity_error[0] < 1e-12);
+  // | |b| - half | for normal b of that variance: E |b| - half + 2 E (half - |b|)+
+  const double sigma = std::sqrt(variance), t = half / sigma;
+  const double density = std::exp(-t * t / 2) / std::sqrt(2 * pi), within = std::erf(t / std::sqrt(2.));
+  const double below = half * within - 2 * sigma * (1 / std::sqrt(2 * pi) - density);
+  const double expected = sigma * std::sqrt(2 / pi) - half + 2 * below;
+  CHECK(std::abs(quality.specificity[1] - expected) < 4 * quality.specificity_error[1]);
+  CHECK(quality.specificity_error[1] < 0.01 * quality.specificity[1]);
+}
+
+TEST_CASE("compactness rises to the total variance, generalization falls, specificity is a distance", "[statistics]")
+{
+  std::mt19937 random(3);
+  Shapes shapes;
+  for(int i = 0; i < 8; ++i)
+    shapes.push_back(random_shape(40, random));
+  const std::vector<double> weights = GENERATE(std::vector<double>(), std::vector<double>(40, 3.));
+  const SP::Model_quality quality = SP::model_quality(one_core, shapes, weights);
+  const auto statistics = SP::shape_statistics(one_core, shapes, weights);
+  REQUIRE(quality.compactness.size() == 8);
+  REQUIRE(quality.specificity.size() == 8);
+  CHECK(quality.compactness[3] == Approx(statistics.variances[0] + statistics.variances[1] + statistics.variances[2]));
+  CHECK(quality.compactness.back() == Approx(statistics.total_variance));
+  CHECK(std::is_sorted(quality.compactness.begin(), quality.compactness.end()));
+  CHECK(quality.generalization == SP::left_out_errors(one_core, shapes, weights));
+  CHECK(std::is_sorted(quality.generalization.rbegin(), quality.generalization.rend()));
+  double nearest = std::numeric_limits<double>::infinity();
+  for(const Shape_points& shape : shapes)
+    nearest = std::min(nearest, distance(shape, statistics.mean));
+  CHECK(quality.specificity[0] == Approx(nearest));
+  CHECK(*std::min_element(quality.specificity.begin(), quality.specificity.end()) > 0);
+  // another seed is another sample of the same, and four times as many are twice as exact
+  const SP::Model_quality other = SP::model_quality(one_core, shapes, weights, 0, 4000, 2);
+  for(std::size_t k = 1; k < 8; ++k) {
+    CHECK(other.specificity[k] != quality.specificity[k]);
+    CHECK(std::abs(other.specificity[k] - quality.specificity[k]) < 4 * quality.specificity_error[k]);
+    CHECK(other.specificity_error[k] == Approx(quality.specificity_error[k] / 2).epsilon(0.15));
+  }
+  CHECK_THROWS_AS(SP::model_quality(one_core, shapes, weights, 0, 1), CGAL::Precondition_exception);
+}
+
 TEST_CASE("one component is enough for shapes on a line", "[statistics]")
 {
   const Known known = known_set(9, {1}, {}, 50);
@@ -427,6 +479,10 @@ TEST_CASE("statistics are the same bits on several threads", "[statistics]")
   CHECK(of_a.variances == of_b.variances);
   CHECK(of_a.modes == of_b.modes);
   CHECK(SP::left_out_errors(one_core, a) == SP::left_out_errors(all_cores, b));
+  const auto quality_a = SP::model_quality(one_core, a), quality_b = SP::model_quality(all_cores, b);
+  CHECK(quality_a.compactness == quality_b.compactness);
+  CHECK(quality_a.specificity == quality_b.specificity);
+  CHECK(quality_a.specificity_error == quality_b.specificity_error);
   CHECK(SP::vertex_variances(one_core, a) == SP::vertex_variances(all_cores, b));
 }
 #endif

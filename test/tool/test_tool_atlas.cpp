@@ -69,6 +69,15 @@ TEST_CASE("atlas: a family with one degree of freedom has one mode; the same com
   CHECK(report["left_out"]["root_mean_square_by_modes"][1] <
         0.25 * report["left_out"]["root_mean_square_by_modes"][0].get<double>());
 
+  CHECK(report["compactness_by_modes"].back().get<double>() == Approx(report["total_variance"].get<double>()));
+  const std::vector<std::string> quality = lines_of(text_of(out + "/quality.csv"));
+  REQUIRE(quality.size() == bodies + 1);
+  CHECK(quality[0] == "modes,compactness,generalization,specificity,specificity_error");
+  for(std::size_t k = 0; k < bodies; ++k) {
+    CHECK(std::count(quality[k + 1].begin(), quality[k + 1].end(), ',') == 4);
+    CHECK(report["specificity"]["mean_by_modes"][k] > 0);
+  }
+
   // the scores are the stretch, in the order of the meshes: body 3 is in another folder, and so the last one
   const std::vector<std::string> scores = lines_of(text_of(out + "/scores.csv"));
   REQUIRE(scores.size() == bodies + 1);

@@ -15,14 +15,17 @@
 #include <CGAL/Spherical_parameterization/internal/statistics/principal_components.h>
 #include <CGAL/Spherical_parameterization/internal/statistics/procrustes.h>
 #include <CGAL/Spherical_parameterization/internal/statistics/shapes.h>
+#include <CGAL/Spherical_parameterization/internal/statistics/specificity.h>
 #include <CGAL/Spherical_parameterization/internal/statistics/vertex_figures.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <limits>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -174,6 +177,42 @@ std::vector<double> left_out_errors(const ExecutionPolicy& policy, const std::ve
   return internal::errors_of_left_out(loop, internal::shape_set<const double>(shapes, share), groups == 0 ? n : groups);
 }
 CGAL_SP_ON_ONE_CORE(left_out_errors)
+
+/// Compactness, generalization and specificity of a set as a model. The random shapes are the mean plus modes with
+/// normally distributed scores, of the variances of the modes; those with more modes go on from those with fewer.
+/// \param shapes   as above
+/// \param weights  as above
+/// \param groups   as for `left_out_errors()`
+/// \param samples  so many random shapes
+/// \param seed     of the random numbers: the same seed, the same bits
+/// \param policy,np  see \ref pd_calls
+/// \return all of them by the number of modes, generalization as far as there are some without the left out
+/// \throws Error  `NON_FINITE_COORDINATE`; `INTERRUPTED`
+/// \pre as for `left_out_errors()`; two samples or more
+///
+/// Complexity: O(V n^2 + groups n^3 + samples n^2) for n shapes of V vertices.
+template <class ExecutionPolicy, class Shape, class CGAL_NP_TEMPLATE_PARAMETERS,
+          internal::If_policy<ExecutionPolicy> = 0>
+Model_quality model_quality(const ExecutionPolicy& policy, const std::vector<Shape>& shapes,
+                            const std::vector<double>& weights = {}, int groups = 0, int samples = 1000,
+                            std::uint32_t seed = 1, const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  CGAL_SP_PRECONDITION(samples >= 2, "specificity needs two samples or more");
+  Model_quality result;
+  result.generalization = left_out_errors(policy, shapes, weights, groups, np);
+  internal::Monitor monitor = internal::make_monitor(np);
+  const internal::Watched_loop loop(internal::host_loop(policy), monitor);
+  const std::vector<double> share = internal::checked_weights(shapes, weights);
+  const internal::Principal_components found =
+    internal::principal_components(loop, internal::shape_set<const double>(shapes, share));
+  result.compactness.push_back(0);
+  for(const double deviation : found.deviation)
+    result.compactness.push_back(result.compactness.back() +
+                                 deviation * deviation / (static_cast<double>(shapes.size()) - 1));
+  std::tie(result.specificity, result.specificity_error) = internal::specificity(loop, found, samples, seed);
+  return result;
+}
+CGAL_SP_ON_ONE_CORE(model_quality)
 
 /// The variance of every vertex: the sum of those of its three coordinates. The weighted mean over the vertices is
 /// `Shape_statistics::total_variance`.

@@ -27,6 +27,16 @@ struct Shape_statistics {
   double total_variance = 0;               ///< of all modes, also of those that were not asked for
 };
 
+/// How good a set of shapes is as a model of others, by the number of its modes, from 0 on: root mean square distances,
+/// and variances (R. H. Davies, "Learning shape: optimal models for analysing natural variability", 2002; M. Styner et
+/// al., "Evaluation of 3D correspondence methods for model building", 2003).
+struct Model_quality {
+  std::vector<double> compactness;       ///< the variance of so many modes; of all of them the total variance
+  std::vector<double> generalization;    ///< distance of a shape that was left out: see `left_out_errors()`
+  std::vector<double> specificity;       ///< mean distance of a random shape of the model from the nearest one of the set
+  std::vector<double> specificity_error; ///< standard error of that mean
+};
+
 /// @}
 
 } // namespace CGAL::Spherical_parameterization

@@ -11,8 +11,9 @@ True
 from . import collection
 from ._core import OpenCLDevice, __version__
 from .analysis import (
-    DistortionSummary, Distribution, Locator, Texture, distortion, face_distortion, icosphere, mean_over_faces, search,
-    segment, shape_signature, stretch_histogram, texture_coordinates, texture_seams, vertex_log_area_stretch,
+    DistortionSummary, Distribution, Locator, Resampling, Texture, distortion, face_distortion, icosphere,
+    mean_over_faces, search, segment, shape_signature, stretch_histogram, texture_coordinates, texture_seams,
+    vertex_log_area_stretch,
 )
 from .atlas import Atlas, atlas
 from .errors import DeviceError, ErrorCode, MapWarning, MeshError
@@ -24,16 +25,19 @@ from .methods import (
 from .prepare import Prepared, prepare
 from .registration import RegisteredMap, moebius_centred, register_maps
 from .spherical_harmonics import Ellipsoid, Harmonics, ShapeAlignment, harmonics, read_harmonics
-from .statistics import ShapeSet, ShapeStatistics, align_shapes, left_out_errors, mean_vertex_areas, shape_statistics
+from .statistics import (
+    ModelQuality, ShapeSet, ShapeStatistics, align_shapes, left_out_errors, mean_vertex_areas, model_quality,
+    shape_statistics,
+)
 
 __all__ = [
     "Atlas", "Attempt", "Automatic", "Balanced", "Certificate", "ClampedWeights", "DeviceError", "DistortionSummary",
     "Distribution", "Ellipsoid", "ErrorCode", "GirthProfiles", "Harmonics", "Isometric", "Locator", "MajorityVote",
-    "MapWarning", "MeshError", "OpenCLDevice", "Prepared", "RegionGrowing", "RegisteredMap", "Result", "SaddlePoint",
-    "Seconds", "ShapeAlignment", "ShapeSet", "ShapeStatistics", "Texture", "__version__", "align_shapes", "atlas",
-    "certify", "collection", "distortion", "edges", "face_distortion", "harmonics", "icosphere", "left_out_errors",
-    "mean_over_faces", "mean_vertex_areas", "moebius_centred", "opencl_device", "opencl_devices", "parameterize",
-    "prepare", "read_harmonics", "read_mesh", "register_maps", "search", "segment", "shape_signature",
-    "shape_statistics", "stretch_histogram", "texture_coordinates", "texture_seams", "vertex_log_area_stretch",
-    "write_mesh",
+    "MapWarning", "MeshError", "ModelQuality", "OpenCLDevice", "Prepared", "RegionGrowing", "RegisteredMap",
+    "Resampling", "Result", "SaddlePoint", "Seconds", "ShapeAlignment", "ShapeSet", "ShapeStatistics", "Texture",
+    "__version__", "align_shapes", "atlas", "certify", "collection", "distortion", "edges", "face_distortion",
+    "harmonics", "icosphere", "left_out_errors", "mean_over_faces", "mean_vertex_areas", "model_quality",
+    "moebius_centred", "opencl_device", "opencl_devices", "parameterize", "prepare", "read_harmonics", "read_mesh",
+    "register_maps", "search", "segment", "shape_signature", "shape_statistics", "stretch_histogram",
+    "texture_coordinates", "texture_seams", "vertex_log_area_stretch", "write_mesh",
 ]

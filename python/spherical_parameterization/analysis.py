@@ -302,6 +302,82 @@ def icosphere(level: int) -> tuple[Doubles, npt.NDArray[np.int32]]:
     return _core.icosphere(level)
 
 
+class Resampling:
+    """Weights by which values of the vertices of one mesh become those of another one: a sparse matrix by rows.
+
+    `scipy.sparse.csr_array((weights, vertices, offsets))` is that matrix.
+
+    Attributes
+    ----------
+    offsets : ndarray (k + 1,) of int64
+        Where every row begins, and the end of the last one.
+    vertices : ndarray of int32
+    weights : ndarray of float64
+        Positive, of sum 1 in every row.
+    """
+
+    def __init__(self, weights: Any, number_of_vertices: int) -> None:
+        self._weights, self._size = weights, number_of_vertices
+        self.offsets, self.vertices, self.weights = weights.rows()
+
+    def __repr__(self) -> str:
+        return f"<Resampling: {len(self.offsets) - 1} vertices from {self._size}>"
+
+    def means(self, values: npt.ArrayLike) -> Doubles:
+        """Weighted means: what is constant stays so.
+
+        Parameters
+        ----------
+        values : array_like (n,) or (n, d) of float
+
+        Returns
+        -------
+        ndarray (k,) or (k, d) of float64
+        """
+        given = _rows("values", doubles("values", values), self._size)
+        columns = [self._weights.means(column) for column in given.reshape(len(given), -1).T]
+        return np.stack(columns, axis=1).reshape(-1, *given.shape[1:])
+
+    def majorities(self, labels: npt.ArrayLike) -> Any:
+        """The label with the largest sum of weights.
+
+        Parameters
+        ----------
+        labels : array_like (n,)
+            Of any type that can be sorted.
+
+        Returns
+        -------
+        ndarray (k,)
+        """
+        kinds, number = np.unique(_rows("labels", labels, self._size), return_inverse=True)
+        return kinds[self._weights.majorities(number)]
+
+    def nearest(self, labels: npt.ArrayLike) -> Any:
+        """The label of the vertex with the largest weight.
+
+        Parameters
+        ----------
+        labels : array_like (n, ...)
+            Of any type.
+
+        Returns
+        -------
+        ndarray (k, ...)
+        """
+        return _rows("labels", labels, self._size)[self._weights.nearest(range(self._size))]
+
+
+def _rows(name: str, values: object, size: int) -> npt.NDArray[Any]:
+    try:
+        array = np.asarray(values)
+    except ValueError as error:  # rows of different lengths
+        raise ValueError(f"{name}: {error}") from None
+    if array.shape[:1] != (size,):
+        raise ValueError(f"{name}: {size} rows are needed, not {array.shape}")
+    return array
+
+
 class Locator:
     """The inverse of a map: finds the point of the mesh that is mapped to a direction.
 
@@ -331,6 +407,7 @@ class Locator:
         check(Locator.__init__, locals())
         sphere, triangles = directions("sphere", sphere), index_triples(triangles)
         self._number_of_vertices, self._triangles, self._policy = len(sphere), triangles, policy
+        self._sphere = sphere
         self._locator = _core.Locator(triangles, sphere, policy)
 
     def __repr__(self) -> str:
@@ -352,13 +429,6 @@ class Locator:
         """
         return self._locator.locate(vectors("directions", directions), self._policy)
 
-    @staticmethod
-    def _of(values: npt.ArrayLike, size: int) -> npt.NDArray[Any]:
-        array = np.asarray(values)
-        if array.shape[:1] != (size,):
-            raise ValueError(f"values: {size} rows are needed, not {array.shape}")
-        return array
-
     def interpolate(self, values: npt.ArrayLike, faces: npt.ArrayLike, weights: npt.ArrayLike) -> Doubles:
         """Interpolates values of vertices at points in faces.
 
@@ -372,9 +442,7 @@ class Locator:
         -------
         ndarray (k,) or (k, d) of float64
         """
-        given = doubles("values", values)
-        if given.shape[:1] != (self._number_of_vertices,):
-            raise ValueError(f"values: {self._number_of_vertices} rows are needed, not {given.shape}")
+        given = _rows("values", doubles("values", values), self._number_of_vertices)
         table = np.ascontiguousarray(given.reshape(len(given), -1))
         places = np.ascontiguousarray(integers("faces", faces), dtype=np.int32)
         if places.size and not 0 <= places.min() <= places.max() < len(self._triangles):
@@ -402,7 +470,54 @@ class Locator:
         faces, weights = self.locate(directions)
         if not nearest:
             return self.interpolate(values, faces, weights)
-        return self._of(values, self._number_of_vertices)[self._triangles[faces, weights.argmax(axis=1)]]
+        of_vertices = _rows("values", values, self._number_of_vertices)
+        return of_vertices[self._triangles[faces, weights.argmax(axis=1)]]
+
+    def linear_resampling(self, directions: npt.ArrayLike) -> Resampling:
+        """Barycentric weights at directions, such as the vertices of a template's sphere.
+
+        Parameters
+        ----------
+        directions : array_like (k, 3) of float
+            Of any length but 0.
+
+        Returns
+        -------
+        Resampling
+        """
+        weights = self._locator.linear_resampling(vectors("directions", directions), self._policy)
+        return Resampling(weights, self._number_of_vertices)
+
+    def area_preserving_resampling(
+        self, areas: npt.ArrayLike, other: Locator, other_areas: npt.ArrayLike
+    ) -> Resampling:
+        """Weights with which every vertex counts with its area, and none is passed over: ADAP_BARY_AREA of wb_command.
+
+        Parameters
+        ----------
+        areas : array_like (n,) of float
+            Of the vertices on the surface, such as `mean_vertex_areas([points], triangles)`.
+        other : Locator
+            The map of the mesh that gets the values, in the same position.
+        other_areas : array_like (k,) of float
+            Of its vertices.
+
+        Returns
+        -------
+        Resampling
+            From the vertices of this mesh to those of the other one.
+        """
+        if not isinstance(other, Locator):
+            raise wrong_type("other", "a Locator", other)
+        of_both = []
+        for name, given, locator in (("areas", areas, self), ("other_areas", other_areas, other)):
+            of_both.append(numbers(name, given, locator._number_of_vertices))
+            if not (np.isfinite(of_both[-1]) & (of_both[-1] >= 0)).all():
+                raise ValueError(f"{name}: finite numbers that are not negative are needed")
+        weights = self._locator.area_preserving_resampling(
+            self._sphere, of_both[0], other._locator, other._sphere, of_both[1], self._policy
+        )
+        return Resampling(weights, self._number_of_vertices)
 
     def transfer_faces(self, values: npt.ArrayLike, triangles: npt.ArrayLike, sphere: Sphere) -> Any:
         """Transfers values of faces, such as labels, to another mesh: each face gets the value of the face at its centre.
@@ -420,7 +535,7 @@ class Locator:
         -------
         ndarray (k, ...)
         """
-        of_faces = self._of(values, len(self._triangles))
+        of_faces = _rows("values", values, len(self._triangles))
         a, b, c = directions("sphere", sphere)[index_triples(triangles)].swapaxes(0, 1)
         return of_faces[self.locate(a + (b + c))[0]]
 

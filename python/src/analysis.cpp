@@ -11,6 +11,7 @@
 #include <CGAL/Spherical_parameterization/locate.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 #include <CGAL/Spherical_parameterization/resample.h>
+#include <CGAL/Spherical_parameterization/resampling_weights.h>
 #include <CGAL/Spherical_parameterization/segmentation.h>
 #include <CGAL/Spherical_parameterization/shape_signature.h>
 #include <CGAL/Spherical_parameterization/stretch_histogram.h>
@@ -248,6 +249,22 @@ public:
     return result;
   }
 
+  SP::Resampling_weights linear_resampling(const Doubles& directions, const std::string& policy) const
+  {
+    return on(policy, [&](const auto& p) { return SP::linear_resampling(p, locator_, Rows<double>(directions)); });
+  }
+
+  SP::Resampling_weights area_preserving_resampling(const Doubles& sphere, const std::vector<double>& areas,
+                                                    const Locator& other, const Doubles& other_sphere,
+                                                    const std::vector<double>& other_areas,
+                                                    const std::string& policy) const
+  {
+    return on(policy, [&](const auto& p) {
+      return SP::area_preserving_resampling(p, locator_, Rows<double>(sphere), areas, other.locator_,
+                                            Rows<double>(other_sphere), other_areas);
+    });
+  }
+
   /// The rotation from this map to another one.
   SP::Rotation align(const Doubles& points, const Locator& other, const Doubles& other_points,
                      const std::string& policy) const
@@ -261,6 +278,13 @@ private:
   Mesh mesh_;
   SP::Spherical_locator<Mesh> locator_;
 };
+
+/// Begin of each row, vertices and weights.
+py::tuple rows_of_weights(const SP::Resampling_weights& weights)
+{
+  return py::make_tuple(py::array(py::cast(weights.begin)), py::array(py::cast(weights.vertex)),
+                        py::array(py::cast(weights.weight)));
+}
 
 py::tuple icosphere(int level)
 {
@@ -327,7 +351,14 @@ void add_analysis(py::module_& module)
     .def(py::init<const py::array&, const Doubles&, const std::string&>())
     .def("locate", &Locator::locate)
     .def("interpolate", &Locator::interpolate)
+    .def("linear_resampling", &Locator::linear_resampling)
+    .def("area_preserving_resampling", &Locator::area_preserving_resampling)
     .def("align", &Locator::align);
+  py::class_<SP::Resampling_weights>(module, "ResamplingWeights")
+    .def("rows", rows_of_weights)
+    .def("means", &SP::Resampling_weights::means)
+    .def("majorities", &SP::Resampling_weights::majorities<int>)
+    .def("nearest", &SP::Resampling_weights::nearest<int>);
   module.def("icosphere", icosphere);
   module.def("shape_signature", shape_signature);
   module.def("distances", distances);

@@ -145,6 +145,28 @@ def test_resample(mapped: tuple[np.ndarray, ...]) -> None:
         sp.icosphere(13)
 
 
+def test_resampling(mapped: tuple[np.ndarray, ...]) -> None:
+    points, triangles, sphere = mapped
+    images, other_triangles = sp.icosphere(2)
+    locator, other = sp.Locator(triangles, sphere), sp.Locator(other_triangles, images)
+    linear = locator.linear_resampling(images)
+    np.testing.assert_allclose(linear.means(points), locator.transfer(points, images), atol=1e-12)
+    labels = np.where(points[:, 0] > 0, "right", "left")
+    assert (linear.nearest(labels) == locator.transfer(labels, images, nearest=True)).all()
+    areas = [sp.mean_vertex_areas([p], t) for p, t in ((points, triangles), (linear.means(points), other_triangles))]
+    kept = locator.area_preserving_resampling(areas[0], other, areas[1])
+    assert len(kept.offsets) == len(images) + 1 and (kept.means(np.full(len(points), 0.1)) == 0.1).all()
+    assert set(kept.vertices) == set(range(len(points)))  # the new mesh is coarser
+    matrix = np.zeros((len(images), len(points)))
+    for i, (first, last) in enumerate(zip(kept.offsets, kept.offsets[1:])):
+        matrix[i, kept.vertices[first:last]] = kept.weights[first:last]
+    np.testing.assert_allclose(matrix @ points, kept.means(points), atol=1e-12)
+    votes = matrix @ (labels == "right") - matrix @ (labels == "left")
+    assert ((kept.majorities(labels) == "right") == (votes > 0))[abs(votes) > 1e-9].all()
+    with pytest.raises(ValueError, match="other_areas: finite"):
+        locator.area_preserving_resampling(areas[0], other, -areas[1])
+
+
 def test_align(mapped: tuple[np.ndarray, ...]) -> None:
     points, triangles, sphere = mapped
     c, s = np.cos(1), np.sin(1)

@@ -18,8 +18,11 @@ SPHERE, TRIANGLES = sp.icosphere(2)
 POINTS = SPHERE * [1, 2, 3]
 MESH = {"points": POINTS, "triangles": TRIANGLES, "sphere": SPHERE}
 LOCATOR = sp.Locator(TRIANGLES, SPHERE)
+RESAMPLING = LOCATOR.linear_resampling(SPHERE)
+AREAS = np.ones(len(SPHERE))
 SHAPE = sp.harmonics(TRIANGLES, SPHERE, POINTS, 3)
 SHAPES = {"shapes": [POINTS, POINTS + 1]}
+FEATURES = {"features": POINTS, "other_features": POINTS, "feature_weight": [1, 2, 3]}
 OTHER = {"other_points": POINTS, "other_triangles": TRIANGLES, "other_sphere": SPHERE}
 
 #: Every public function with arguments that are right.
@@ -39,6 +42,11 @@ CALLS: list[tuple[Callable[..., object], dict[str, object]]] = [
     (LOCATOR.locate, {"directions": SPHERE}),
     (LOCATOR.interpolate, {"values": POINTS, "faces": [0], "weights": [[1, 0, 0]]}),
     (LOCATOR.transfer, {"values": POINTS, "directions": SPHERE}),
+    (LOCATOR.linear_resampling, {"directions": SPHERE}),
+    (LOCATOR.area_preserving_resampling, {"areas": AREAS, "other": LOCATOR, "other_areas": AREAS}),
+    (RESAMPLING.means, {"values": POINTS}),
+    (RESAMPLING.majorities, {"labels": AREAS}),
+    (RESAMPLING.nearest, {"labels": POINTS}),
     (LOCATOR.resample, {"points": POINTS, "level": 1}),
     (LOCATOR.align, {"points": POINTS, "other": LOCATOR, "other_points": POINTS}),
     (sp.shape_signature, MESH),
@@ -55,8 +63,9 @@ CALLS: list[tuple[Callable[..., object], dict[str, object]]] = [
     (sp.align_shapes, SHAPES),
     (sp.shape_statistics, SHAPES),
     (sp.left_out_errors, SHAPES),
+    (sp.model_quality, {**SHAPES, "samples": 2}),
     (sp.mean_vertex_areas, {**SHAPES, "triangles": TRIANGLES}),
-    (sp.register_maps, {**MESH, **OTHER, "motion": "rotation"}),
+    (sp.register_maps, {**MESH, **OTHER, **FEATURES, "motion": "rotation"}),
     (sp.moebius_centred, {"sphere": SPHERE, "triangles": TRIANGLES, "masses": np.ones(len(SPHERE))}),
     (sp.Automatic, {}),
     (sp.Balanced, {}),

@@ -36,7 +36,7 @@ def test_doctests(module: str) -> None:
 
 
 FUNCTIONS = [name for name in sp.__all__ if inspect.isfunction(getattr(sp, name))]
-FUNCTIONS += [f"Locator.{name}" for name in vars(sp.Locator) if not name.startswith("_")]
+FUNCTIONS += [f"{c.__name__}.{name}" for c in (sp.Locator, sp.Resampling) for name in vars(c) if name[0] != "_"]
 FUNCTIONS += [f"collection.{name}" for name in ("map", "read", "map_file", "signature_file")]
 
 

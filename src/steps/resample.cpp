@@ -30,22 +30,45 @@ Point point_at(const SP::Spherical_locator<Mesh>& shape, const Point& direction)
   return point;
 }
 
-void resample(int level, Run& run)
+struct Resample_options {
+  int level = 6;
+  std::string sphere; ///< empty: an icosphere
+};
+
+/// The new mesh and its map: a sphere, of which this is certified, or an icosphere.
+Mapped_mesh sphere_of(const Resample_options& options, const Run& run)
+{
+  Mapped_mesh result;
+  if(!options.sphere.empty()) {
+    Mapping_options as_its_own_map;
+    as_its_own_map.input = as_its_own_map.sphere = options.sphere;
+    as_its_own_map.policy = run.options.policy;
+    read_input(as_its_own_map, result);
+    map_input(as_its_own_map, result);
+    return result;
+  }
+  std::vector<std::array<int, 3>> triangles;
+  SP::make_icosphere_soup(options.level, result.sphere, triangles);
+  result.file = Input_mesh{Mesh(result.sphere, triangles), 0, {}, {}};
+  return result;
+}
+
+void resample(const Resample_options& options, Run& run)
 {
   run.read();
   run.map();
-  std::vector<Point> directions;
-  std::vector<std::array<int, 3>> triangles;
-  SP::make_icosphere_soup(level, directions, triangles);
-  const Mesh out(directions, triangles);
+  const Mapped_mesh target = sphere_of(options, run);
+  const Mesh& out = target.mesh();
   const SP::Spherical_locator<Mesh> shape(run.mesh(), as_map(run.input.sphere));
   std::vector<Point> points;
-  for(const Point& direction : out.points())
+  for(const Point& direction : target.sphere)
     points.push_back(point_at(shape, direction));
   run.write("--output", out, points, Surface::SHAPE);
-  run.write("--output-sphere", out, out.points(), Surface::SPHERE);
+  run.write("--output-sphere", out, target.sphere, Surface::SPHERE);
   const Sampling_loss loss = sampling_loss(run.mesh(), out, points);
-  run.details["resample"] = {{"level", level},
+  using Json = nlohmann::ordered_json;
+  run.details["resample"] = {{"level", options.sphere.empty() ? Json(options.level) : Json()},
+                             {"to_sphere", options.sphere.empty() ? Json() : Json(options.sphere)},
                              {"vertices", out.number_of_vertices()},
                              {"distance", loss.distance},
                              {"bounding_box", loss.bounding_box}};
@@ -58,17 +81,27 @@ void resample(int level, Run& run)
        << " % of its diagonal, the bounding box has lost " << 100 * loss.bounding_box << " %";
   if(loss.distance > largest_distance || loss.bounding_box > largest_loss_of_box)
     line << "; part of the shape is lost, where the map is small: try --method isometric, --area-exponent 30 or a "
-            "larger --level";
+         << (options.sphere.empty() ? "larger --level" : "finer sphere");
   run.line = line.str();
   run.text = preparation_text(run.name_of_input(), run.input.prepared) + run.name_of_output() + ": " + run.line;
 }
 
 Work resample_work()
 {
-  const auto level = std::make_shared<int>(6);
-  Work work = {[level](Run& run) { resample(*level, run); }};
-  work.options.add("--level", *level, "The new mesh has 10 * 4^LEVEL + 2 vertices")
+  const auto own = std::make_shared<Resample_options>();
+  Work work = {[own](Run& run) { resample(*own, run); }};
+  work.options.add("--level", own->level, "The new mesh has 10 * 4^LEVEL + 2 vertices")
     .in("[0," + std::to_string(SP::largest_icosphere_level) + ']');
+  work.options
+    .add(
+      "--to-sphere", own->sphere,
+      "The new mesh has the vertices and faces of this sphere instead, such as that of a template; the map of IN has "
+      "to be registered to it, as --output-sphere of 'register' is")
+    .is("FILE");
+  work.check = [own](const Request& request) {
+    require(own->sphere.empty() || !request.has("--level"), "--to-sphere", "excludes --level");
+  };
+  work.reads = [own](const Request&) { return Work::Files{{"--to-sphere", own->sphere}}; };
   return work;
 }
 
@@ -79,10 +112,10 @@ Step resample_step()
   Takes takes = {Takes::EACH, "isometric", "conformal", Takes::OPTION, Prepare::ALL}; // which loses no limb
   takes.prepared = "the shape that is sampled is that of the mended mesh";
   return {"resample",
-          "Sample a shape at the vertices of an icosphere",
+          "Sample a shape at the vertices of an icosphere or another sphere",
           takes,
           {{"-o,--output", "Output file of the new mesh", {}, Output::MESH, Output::REQUIRED},
-           {"--output-sphere", "Write the icosphere as well: it is the map of the new mesh", {}, Output::MESH}},
+           {"--output-sphere", "Write that sphere as well: it is the map of the new mesh", {}, Output::MESH}},
           resample_work,
           "resample bunny.ply -o icosphere.off --level 7"};
 }

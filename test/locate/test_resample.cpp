@@ -10,6 +10,8 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Spherical_parameterization/align_maps.h>
 #include <CGAL/Spherical_parameterization/resample.h>
+#include <CGAL/Spherical_parameterization/resampling_weights.h>
+#include <CGAL/Spherical_parameterization/shape_statistics.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <catch2/catch.hpp>
@@ -19,6 +21,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <random>
 
 using namespace test;
 
@@ -121,6 +125,143 @@ TEST_CASE("labels of faces are transferred as they are", "[transfer]")
   CHECK(count.size() == coarse.number_of_faces());
   for(const auto& entry : count)
     CHECK(entry.second == 4); // the four that a coarse face was cut into
+}
+
+namespace {
+
+/// Of the vertices on the surface.
+std::vector<double> areas_of(const Mesh& mesh)
+{
+  SP::Shape_points points;
+  for(const Point& p : mesh.points())
+    points.push_back({p.x(), p.y(), p.z()});
+  return SP::mean_vertex_areas(mesh, std::vector<SP::Shape_points>{points});
+}
+
+template <class Rows>
+Sphere turned(const Mesh& mesh, const Rows& rows)
+{
+  Sphere images;
+  for(const Point& p : mesh.points())
+    images.push_back(test::apply(rows, p));
+  return images;
+}
+
+void check_rows(const SP::Resampling_weights& weights)
+{
+  for(std::size_t i = 0; i < weights.size(); ++i) {
+    double sum = 0;
+    for(std::size_t k = weights.begin[i]; k < weights.begin[i + 1]; ++k) {
+      CHECK(weights.weight[k] > 0);
+      CHECK((k == weights.begin[i] || weights.vertex[k - 1] < weights.vertex[k]));
+      sum += weights.weight[k];
+    }
+    CHECK(sum == Approx(1).epsilon(1e-12));
+  }
+}
+
+std::vector<double> noise(std::size_t n)
+{
+  std::mt19937 random(5);
+  std::vector<double> values(n);
+  for(double& x : values)
+    x = double(random()) / 4294967296. - 0.5;
+  return values;
+}
+
+} // namespace
+
+TEST_CASE("linear weights interpolate as transfer does, and labels go to the largest of them", "[resample]")
+{
+  const Mesh from = make_mesh(bumpy_sphere(3)), round = make_mesh(icosphere(3)), to = make_mesh(icosphere(4));
+  const auto turn = random_rotation(2);
+  const Sphere images = turned(to, turn);
+  const Locator locator(from, round.points());
+  const SP::Resampling_weights weights = SP::linear_resampling(locator, images);
+  REQUIRE(weights.size() == to.number_of_vertices());
+  check_rows(weights);
+  const std::vector<double> values = noise(from.number_of_vertices()), means = weights.means(values);
+  std::map<Vertex, double> expected;
+  SP::transfer_vertex_property(locator, of_vertex<double>([&](Vertex v) { return values[v]; }), to,
+                               of_vertex<Point>([&](Vertex v) { return images[v]; }),
+                               Writable_map<Vertex, double>{&expected});
+  for(Vertex v : vertices(to))
+    CHECK(means[v] == Approx(expected.at(v)).margin(1e-11));
+  const std::vector<double> constant(values.size(), 0.1);
+  CHECK(weights.means(constant) == std::vector<double>(weights.size(), 0.1));
+
+  std::vector<int> number(values.size()), half;
+  for(Vertex v : vertices(from)) {
+    number[v] = int(v.idx());
+    half.push_back(from.point(v).x() > 0 ? 1 : -1);
+  }
+  const std::vector<int> nearest = weights.nearest(number), majority = weights.majorities(half);
+  CHECK(weights.majorities(number) == nearest); // where all labels differ
+  for(std::size_t i = 0; i < weights.size(); ++i) {
+    double of_nearest = 0, largest = 0, sum = 0;
+    for(std::size_t k = weights.begin[i]; k < weights.begin[i + 1]; ++k) {
+      of_nearest += weights.vertex[k] == nearest[i] ? weights.weight[k] : 0;
+      largest = std::max(largest, weights.weight[k]);
+      sum += half[weights.vertex[k]] * weights.weight[k];
+    }
+    CHECK(of_nearest == Approx(largest).margin(1e-11));
+    CHECK(majority[i] * sum > -1e-11);
+  }
+}
+
+TEST_CASE("resampling that preserves areas passes no vertex over", "[resample]")
+{
+  const Mesh fine = make_mesh(bumpy_sphere(4)), fine_round = make_mesh(icosphere(4));
+  const Mesh coarse = make_mesh(bumpy_sphere(2)), coarse_round = make_mesh(icosphere(2));
+  const auto turn = random_rotation(2);
+  const Sphere images = turned(coarse_round, turn);
+  const Locator from(fine, fine_round.points()), to(coarse, of_vertex<Point>([&](Vertex v) { return images[v]; }));
+  const std::vector<double> fine_areas = areas_of(fine), coarse_areas = areas_of(coarse);
+  const auto down = SP::area_preserving_resampling(from, fine_round.points(), fine_areas, to, images, coarse_areas);
+  check_rows(down);
+  std::vector<char> is_used(fine.number_of_vertices(), 0);
+  for(int v : down.vertex)
+    is_used[std::size_t(v)] = 1;
+  CHECK(std::count(is_used.begin(), is_used.end(), 0) == 0);
+  // Integrals are kept: what a vertex gives away, with the areas of those that get it, is its own area, nearly. Linear
+  // weights give what a few vertices have.
+  const auto lost = [&](const SP::Resampling_weights& weights) {
+    std::vector<double> left = fine_areas;
+    for(std::size_t i = 0; i < weights.size(); ++i)
+      for(std::size_t k = weights.begin[i]; k < weights.begin[i + 1]; ++k)
+        left[std::size_t(weights.vertex[k])] -= weights.weight[k] * coarse_areas[i];
+    double sum = 0;
+    for(const double area : left)
+      sum += std::abs(area);
+    return sum / std::accumulate(fine_areas.begin(), fine_areas.end(), 0.);
+  };
+  CHECK(lost(down) < 0.3);
+  CHECK(lost(SP::linear_resampling(from, images)) > 1);
+
+  // towards a finer mesh linear weights pass nothing over, and areas change them but a little
+  const auto up = SP::area_preserving_resampling(to, images, coarse_areas, from, fine_round.points(), fine_areas);
+  const auto up_linear = SP::linear_resampling(to, fine_round.points());
+  check_rows(up);
+  CHECK(up.means(std::vector<double>(coarse.number_of_vertices(), 0.1)) == std::vector<double>(up.size(), 0.1));
+  CHECK(up.vertex.size() == Approx(double(up_linear.vertex.size())).epsilon(0.05));
+
+  // a surface without areas is interpolated linearly
+  const auto flat = SP::area_preserving_resampling(from, fine_round.points(), std::vector<double>(fine_areas.size(), 0),
+                                                   to, images, coarse_areas);
+  CHECK(flat.weight == SP::linear_resampling(from, images).weight);
+  CHECK_THROWS_AS(SP::area_preserving_resampling(from, fine_round.points(), coarse_areas, to, images, coarse_areas),
+                  CGAL::Precondition_exception);
+}
+
+TEST_CASE("to its own sphere a mesh keeps its values, in both ways", "[resample]")
+{
+  const Mesh mesh = make_mesh(bumpy_sphere(3)), round = make_mesh(icosphere(3));
+  const Locator locator(mesh, round.points());
+  const std::vector<double> values = noise(mesh.number_of_vertices()), areas = areas_of(mesh);
+  CHECK(SP::linear_resampling(locator, round.points()).means(values) == values);
+  const auto weights = SP::area_preserving_resampling(locator, round.points(), areas, locator, round.points(), areas);
+  CHECK(weights.means(values) == values);
+  CHECK(weights.majorities(values) == values);
 }
 
 TEST_CASE("icospheres", "[resample]")
@@ -240,6 +381,8 @@ TEST_CASE("resampling, transfer and alignment are the same bits on several threa
   SP::transfer_face_property(locator, number, a, sphere_a, Writable_map<Face, int>{&labels_a});
   SP::transfer_face_property(several, parallel, number, b, sphere_b, Writable_map<Face, int>{&labels_b});
   CHECK(labels_a == labels_b);
+  const auto weights = SP::linear_resampling(several, parallel, sphere_b);
+  CHECK(weights.weight == SP::linear_resampling(locator, sphere_a).weight);
   CHECK(SP::aligning_rotation(locator, mesh.points(), locator, mesh.points()) ==
         SP::aligning_rotation(several, parallel, mesh.points(), parallel, mesh.points()));
 }

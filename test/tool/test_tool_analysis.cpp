@@ -180,6 +180,41 @@ TEST_CASE("resample: vertices and faces of an icosphere, points of the shape", "
   }
 }
 
+TEST_CASE("resample: to the vertices of any sphere", "[tool]")
+{
+  Scratch scratch;
+  const Soup soup = ellipsoid(1, 2, 3, 4);
+  const std::string input = write_off(scratch / "in.off", soup);
+  const auto resample = [&](const std::string& output, const std::vector<std::string>& options) {
+    std::vector<std::string> command = {"resample", input, "-o", scratch / output};
+    command.insert(command.end(), options.begin(), options.end());
+    return run_tool(command);
+  };
+  REQUIRE(resample("level.off", {"--level", "3", "--output-sphere", scratch / "sphere.off"}).exit_code == 0);
+  REQUIRE(
+    resample("to_sphere.off", {"--to-sphere", scratch / "sphere.off", "--report", scratch / "r.json"}).exit_code == 0);
+  CHECK(text_of(scratch / "to_sphere.off") == text_of(scratch / "level.off"));
+  const auto report = nlohmann::json::parse(text_of(scratch / "r.json"));
+  CHECK(report["resample"]["level"].is_null());
+  CHECK(report["resample"]["to_sphere"] == scratch / "sphere.off");
+  CHECK(report["resample"]["vertices"] == 642);
+
+  // of radius 100, in floats
+  REQUIRE(resample("level.off", {"--level", "3", "--output-sphere", scratch / "lh.sphere"}).exit_code == 0);
+  REQUIRE(resample("to_sphere.off", {"--to-sphere", scratch / "lh.sphere"}).exit_code == 0);
+  const Soup exact = read(scratch / "level.off"), from_floats = read(scratch / "to_sphere.off");
+  CHECK(exact.faces == from_floats.faces);
+  for(std::size_t v = 0; v < exact.points.size(); ++v)
+    CHECK((exact.points[v] - from_floats.points[v]).squared_length() < 1e-10);
+
+  const std::size_t files = scratch.number_of_files();
+  const Process_result refused = resample("out.off", {"--to-sphere", input});
+  CHECK(refused.exit_code == 1);
+  CHECK(refused.err.find("in.off") != std::string::npos);
+  CHECK(is_one_line(refused.err));
+  CHECK(scratch.number_of_files() == files);
+}
+
 TEST_CASE("resample: no limb is lost by default, and what is lost otherwise is said", "[tool]")
 {
   Scratch scratch;
@@ -583,6 +618,9 @@ TEST_CASE("commands that use a map: wrong usage", "[tool]")
        {"texture", input, "-o", scratch / "mesh.obj", "--sphere", mesh}, // the material would overwrite the sphere
        {"resample", input, "-o", scratch / "out.off", "--level", "-1"},
        {"resample", input, "-o", scratch / "out.off", "--level", "13"},
+       {"resample", input, "-o", scratch / "out.off", "--level", "3", "--to-sphere", input},
+       {"resample", input, "-o", input, "--to-sphere", input},
+       {"resample", input, "-o", mesh, "--to-sphere", mesh},
        {"resample", input, "-o", scratch / "out.off", "--output-sphere", scratch / "out.off"},
        {"harmonics", input, "-o", scratch / "out.txt"},
        {"harmonics", input, "-o", scratch / "out.csv", "--degree", "-1"},

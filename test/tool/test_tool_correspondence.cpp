@@ -126,6 +126,29 @@ Soup with_isolated_vertex(Soup soup)
 
 } // namespace
 
+TEST_CASE("register --output-sphere: A is resampled to the vertices of B", "[tool]")
+{
+  Scratch scratch;
+  const Soup a = bumpy_sphere(4), sphere = icosphere(4);
+  std::vector<std::size_t> order;
+  const Soup b = renumbered(transformed(a, turned), 3, order),
+             sphere_of_b = renumbered(transformed(sphere, turned), 3, order);
+  const std::string in_a = write_off(scratch / "a.off", a), to = write_off(scratch / "b_sphere.off", sphere_of_b);
+  const std::string registered = scratch / "lh.sphere.reg"; // floats, of radius 100
+  Process_result run =
+    run_tool({"register", in_a, write_off(scratch / "b.off", b), "--sphere", write_off(scratch / "sphere.off", sphere),
+              to, "-o", scratch / "out.off", "--output-sphere", registered});
+  CAPTURE(run.err);
+  REQUIRE(run.exit_code == 0);
+  run = run_tool({"resample", in_a, "--sphere", registered, "--to-sphere", to, "-o", scratch / "a_as_b.off"});
+  CAPTURE(run.err);
+  REQUIRE(run.exit_code == 0);
+  const Soup out = read(scratch / "a_as_b.off");
+  CHECK(out.faces == b.faces);
+  for(std::size_t v = 0; v < b.points.size(); ++v)
+    CHECK(distance(turned(out.points[v]), b.points[v]) < 0.01);
+}
+
 TEST_CASE("register --correspondence: a mesh and itself, turned and renumbered", "[tool]")
 {
   Scratch scratch;

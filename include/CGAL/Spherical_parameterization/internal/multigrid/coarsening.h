@@ -30,13 +30,14 @@ struct Aggregates {
 /// Greedy aggregation. Two vertices are strongly connected if w_ij > threshold sqrt(a_ii a_jj).
 ///
 /// Blocks of vertices are aggregated independently, so that they can be in parallel. The numbering is breadth-first:
-/// a block is a broad band of the surface, and few aggregates are cut by its border.
+/// a block is a band of the surface. A front of the numbering has about sqrt(pi n) vertices, so that a band is some 18
+/// fronts wide at any size, and few aggregates are cut by its border.
 inline Aggregates aggregate(const Host_loop& loop, const Weighted_graph& a, double threshold)
 {
-  constexpr int block_size = 16384;
   constexpr int none = -1;
   constexpr int alone = -2;
   const int n = a.size();
+  const int block_size = (std::max)(16384, static_cast<int>(32 * std::sqrt(double(n))));
   const Host_array<double>& inverse = a.inverse_diagonal;
   const auto is_strong = [&](int i, int k) {
     const double w = a.weight[k]; // its square may underflow
@@ -47,7 +48,11 @@ inline Aggregates aggregate(const Host_loop& loop, const Weighted_graph& a, doub
   of.resize(n);
   // Numbers the aggregates that f(begin, end) has counted on every block. Returns the first number of each block.
   const auto number_blocks = [&](auto f) {
-    std::vector<int> count = results_of_parts<block_size>(loop, n, f);
+    std::vector<int> count(n / block_size + 1);
+    loop.for_each(n / block_size + 1, [&](int block) {
+      const int begin = block * block_size;
+      count[block] = f(begin, begin + (std::min)(block_size, n - begin));
+    });
     for(int& c : count)
       result.count += std::exchange(c, result.count);
     return count;

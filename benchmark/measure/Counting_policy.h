@@ -18,7 +18,7 @@
 namespace benchmark {
 
 /// An execution policy like `CGAL::Sequential_tag` that counts the work of the solvers in entries of sparse matrices:
-/// an edge of a weighted graph, seen from one end, or an entry of a transfer between levels, each time that it is used.
+/// an edge of a weighted graph, seen from one end, each time that it is used.
 /// What is left out are vector operations and the set-up of the hierarchy.
 struct Counting_policy {
   std::size_t* entries;
@@ -39,23 +39,33 @@ protected:
   template <class Verb, class... Arguments>
   void run(Verb verb, std::size_t n, Arguments&... arguments) const
   {
-    (count(n, arguments), ...);
+    count(n, arguments...);
     Base::run(verb, n, arguments...);
   }
   template <class Verb, class... Arguments>
   auto sum(Verb verb, std::size_t n, Arguments&... arguments) const
   {
-    (count(n, arguments), ...);
+    count(n, arguments...);
     return Base::sum(verb, n, arguments...);
   }
 
 private:
-  /// The entries of n rows, on average: a Gauss-Seidel sweep goes through one colour after the other.
-  void count(std::size_t n, const Matrix& a) const { entries_ += n * a->target.size() / a->size(); }
-  void count(std::size_t, const Transfer& t) const { entries_ += t.column.size(); }
-  template <class T>
-  void count(std::size_t, const T&) const
-  {}
+  /// The entries of n rows, on average: a Gauss-Seidel sweep goes through one colour after the other. A restriction,
+  /// which has a row for every aggregate, goes through all of the matrix.
+  template <class... Arguments>
+  void count(std::size_t n, const Arguments&... arguments) const
+  {
+    const auto rows = [&n](const auto& x) {
+      if constexpr(std::is_same_v<decltype(x), const Aggregates&>)
+        n = x->of_vertex.size();
+    };
+    const auto add = [&](const auto& x) {
+      if constexpr(std::is_same_v<decltype(x), const Matrix&>)
+        entries_ += n * x->target.size() / x->size();
+    };
+    (rows(arguments), ...);
+    (add(arguments), ...);
+  }
 
   std::size_t& entries_;
 };

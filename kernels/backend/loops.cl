@@ -20,8 +20,8 @@
 #define MATRIX(a)                                                                                                      \
   int_in a##_offset, int_in a##_target, real_in a##_weight, real_in a##_excess, real_in a##_inverse_diagonal
 #define VIEW(a) make_graph_view(a##_offset, a##_target, a##_weight, a##_excess, a##_inverse_diagonal)
-#define TRANSFER(t) int_in t##_offset, int_in t##_column, real_in t##_value
-#define TRANSFER_VIEW(t) make_sparse_view(t##_offset, t##_column, t##_value)
+#define AGGREGATES(t) int_in t##_of_vertex, int_in t##_offset, int_in t##_member
+#define AGGREGATES_VIEW(t) make_aggregates_view(t##_of_vertex, t##_offset, t##_member)
 
 graph_view make_graph_view(int_in offset, int_in target, real_in weight, real_in excess, real_in inverse_diagonal)
 {
@@ -34,12 +34,12 @@ graph_view make_graph_view(int_in offset, int_in target, real_in weight, real_in
   return a;
 }
 
-sparse_view make_sparse_view(int_in offset, int_in column, real_in value)
+aggregates_view make_aggregates_view(int_in of_vertex, int_in offset, int_in member)
 {
-  sparse_view t;
+  aggregates_view t;
+  t.of_vertex = of_vertex;
   t.offset = offset;
-  t.column = column;
-  t.value = value;
+  t.member = member;
   return t;
 }
 

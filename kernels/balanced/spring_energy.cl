@@ -62,22 +62,22 @@ KERNEL sp_stiffening_curvature(int n, MATRIX(a), real p, real_in mass, vec3 mu, 
   ADD_UP(5);
 }
 
-KERNEL sp_balance_gradient(int n, real_in inverse_diagonal, real_in mass, vec3 mu, vec3_in v, vec3_out g,
-                           real_out partial)
+KERNEL sp_balance_gradient(int n, real_in inverse_diagonal, real_in mass, vec3 mu, vec3_in v, vec3_in step,
+                           vec3_out g, real_out partial)
 {
-  SUMS(1);
+  SUMS(2);
   FOR_EACH_OF_BLOCK(i, n)
-  balance_gradient_at(i, inverse_diagonal, mass, mu, v, g, s);
-  ADD_UP(1);
+  balance_gradient_at(i, inverse_diagonal, mass, mu, v, step, g, s);
+  ADD_UP(2);
 }
 
-KERNEL sp_direction_products(int n, real_in mass, vec3_in v, vec3_in g, vec3_in old_g, vec3_in step, vec3_in d,
+KERNEL sp_direction_products(int n, real_in mass, vec3_in v, vec3_in g, vec3_in step, vec3_in d,
                              real_out partial)
 {
-  SUMS(15);
+  SUMS(14);
   FOR_EACH_OF_BLOCK(i, n)
-  direction_products_at(i, mass, v, g, old_g, step, d, s);
-  ADD_UP(15);
+  direction_products_at(i, mass, v, g, step, d, s);
+  ADD_UP(14);
 }
 
 KERNEL sp_next_direction(int n, real beta, vec3 y, vec3 omega, vec3_in v, vec3_in step, vec3_out d)

@@ -56,16 +56,22 @@ KERNEL sp_smooth(int n, MATRIX(a), real gain, vec3_in b, vec3_in x, vec3_out y)
   smooth_at(i, VIEW(a), gain, b, x, y);
 }
 
-KERNEL sp_transfer(int n, TRANSFER(t), vec3_in x, vec3_out y)
+KERNEL sp_prolong(int n, MATRIX(a), real omega, AGGREGATES(of), vec3_in x, vec3_out y)
 {
   FOR_EACH(i, n)
-  transfer_at(i, TRANSFER_VIEW(t), x, y);
+  prolong_at(i, VIEW(a), omega, AGGREGATES_VIEW(of), x, y);
 }
 
-KERNEL sp_transfer_add(int n, TRANSFER(t), vec3_in x, vec3_out y)
+KERNEL sp_correct(int n, MATRIX(a), real omega, AGGREGATES(of), vec3_in x, vec3_out y)
 {
   FOR_EACH(i, n)
-  transfer_add_at(i, TRANSFER_VIEW(t), x, y);
+  correct_at(i, VIEW(a), omega, AGGREGATES_VIEW(of), x, y);
+}
+
+KERNEL sp_restrict(int n, MATRIX(a), real omega, AGGREGATES(of), vec3_in r, vec3_out x)
+{
+  FOR_EACH(c, n)
+  restrict_at(c, VIEW(a), omega, AGGREGATES_VIEW(of), r, x);
 }
 
 KERNEL sp_multiply_dense(int n, int columns, real_in b, vec3_in x, vec3_out y)

@@ -4,6 +4,7 @@
 #include "helpers/policies.h"
 
 #include <CGAL/Spherical_parameterization/internal/backend/Host_backend.h>
+#include <CGAL/Spherical_parameterization/internal/multigrid/coarsening.h>
 #include <CGAL/Spherical_parameterization/internal/saddle_point/solve_saddle_point_impl.h>
 
 #include <catch2/catch.hpp>
@@ -88,17 +89,14 @@ Weighted_graph random_graph(int n, bool has_excess, Random& random)
   return graph;
 }
 
-Sparse_matrix random_matrix(int rows, int columns, Random& random)
+/// Of n vertices, some in none.
+Aggregates random_aggregates(int n, int count, Random& random)
 {
-  Sparse_matrix m;
-  for(int r = 0; r < rows; ++r) {
-    for(int k = random.index(5); k > 0 && columns > 0; --k) {
-      m.column.push_back(random.index(columns));
-      m.value.push_back(random.number());
-    }
-    m.offset.push_back(static_cast<int>(m.column.size()));
-  }
-  return m;
+  Aggregates result;
+  for(int i = 0; i < n; ++i)
+    result.of_vertex.push_back(random.index(count + 1) - 1);
+  list_members(count, result);
+  return result;
 }
 
 std::uint64_t bits(double x)
@@ -300,11 +298,10 @@ TEMPLATE_LIST_TEST_CASE("every verb does the same on every backend, bit by bit",
   });
   check("moments", [&](auto& t) { t.returned(t.backend.moments(t.mass, t.x)); });
   check("balance_gradient", [&](auto& t) {
-    t.returned(t.backend.balance_gradient(t.a, t.mass, mu, t.x, t.y));
+    t.returned(t.backend.balance_gradient(t.a, t.mass, mu, t.x, t.z, t.y));
     t.wrote(t.y);
   });
-  check("direction_products",
-        [](auto& t) { t.returned(t.backend.direction_products(t.mass, t.x, t.y, t.y, t.z, t.z)); });
+  check("direction_products", [](auto& t) { t.returned(t.backend.direction_products(t.mass, t.x, t.y, t.z, t.z)); });
   check("next_direction", [&](auto& t) {
     t.backend.next_direction(beta, mu, omega, t.x, t.y, t.z);
     t.wrote(t.z);
@@ -332,15 +329,17 @@ TEMPLATE_LIST_TEST_CASE("every verb does the same on every backend, bit by bit",
   });
   check("barycentric_residual2", [](auto& t) { t.returned(t.backend.barycentric_residual2(t.a, t.x)); });
 
-  const Sparse_matrix prolongation = random_matrix(n, (n + 3) / 4, random);
+  const auto aggregates = std::make_shared<const Aggregates>(random_aggregates(n, (n + 3) / 4, random));
   const Positions coarse = random.vectors((n + 3) / 4);
-  check("transfer, transfer_add", [&](auto& t) {
-    const auto p = t.backend.upload(prolongation);
-    const auto c = t.backend.upload(coarse);
-    t.backend.transfer(p, c, t.w);
+  check("prolong, correct, restrict", [&](auto& t) {
+    const auto of = t.backend.upload(aggregates);
+    auto c = t.backend.upload(coarse);
+    t.backend.prolong(t.a, 0.7, of, c, t.w);
     t.wrote(t.w);
-    t.backend.transfer_add(p, c, t.y);
+    t.backend.correct(t.a, 0.7, of, c, t.y);
     t.wrote(t.y);
+    t.backend.restrict(t.a, 0.7, of, t.x, c);
+    t.wrote(c);
   });
   if(n < 100) {
     const Numbers dense = random.positive(n * n);

@@ -41,6 +41,18 @@ std::shared_ptr<I::Weighted_graph> graph_of(const Plain_mesh& mesh, bool has_exc
   return graph;
 }
 
+/// Two poles over a polygon
+Plain_mesh bipyramid(int sides)
+{
+  Plain_mesh mesh;
+  mesh.point.resize(sides + 2); // the graph does not depend on them
+  for(int i = 0; i < sides; ++i) {
+    mesh.face.push_back({i, (i + 1) % sides, sides});
+    mesh.face.push_back({(i + 1) % sides, i, sides + 1});
+  }
+  return mesh;
+}
+
 Dense dense(const I::Weighted_graph& a)
 {
   Dense m(a.size(), std::vector<double>(a.size(), 0));
@@ -122,13 +134,13 @@ TEST_CASE("aggregates cover all vertices but the fixed ones, and are connected a
   const auto graph = graph_of(mesh, false, fixed);
   const I::Aggregates aggregates = I::aggregate(I::Host_loop(), *graph, 0.07);
   const int n = graph->size();
-  CHECK(aggregates.count < n / 4);
-  CHECK(aggregates.count > n / 40);
-  std::vector<std::vector<int>> members(aggregates.count);
+  CHECK(aggregates.count() < n / 4);
+  CHECK(aggregates.count() > n / 40);
+  std::vector<std::vector<int>> members(aggregates.count());
   for(int i = 0; i < n; ++i) {
     const int of = aggregates.of_vertex[i];
     CHECK((of == -1) == (fixed.count(i) > 0));
-    REQUIRE(of < aggregates.count);
+    REQUIRE(of < aggregates.count());
     if(of >= 0)
       members[of].push_back(i);
   }
@@ -150,10 +162,10 @@ TEST_CASE("prolongation is a damped Jacobi step after piecewise constants, and k
   const auto graph = graph_of(octasphere(3), has_excess);
   const I::Aggregates aggregates = I::aggregate(I::Host_loop(), *graph, 0.07);
   constexpr double omega = 0.6;
-  const Dense p = dense(I::smoothed_prolongation(I::Host_loop(), *graph, aggregates, omega), aggregates.count);
+  const Dense p = dense(I::smoothed_prolongation(I::Host_loop(), *graph, aggregates, omega), aggregates.count());
   const Dense a = dense(*graph);
   const int n = graph->size();
-  Dense tentative(n, std::vector<double>(aggregates.count, 0));
+  Dense tentative(n, std::vector<double>(aggregates.count(), 0));
   for(int i = 0; i < n; ++i)
     tentative[i][aggregates.of_vertex[i]] = 1;
   Dense step = a;
@@ -166,6 +178,34 @@ TEST_CASE("prolongation is a damped Jacobi step after piecewise constants, and k
       CHECK(std::accumulate(row.begin(), row.end(), 0.) == Approx(1));
 }
 
+TEST_CASE("prolongation and restriction without a matrix are those of the matrix", "[multigrid]")
+{
+  const bool has_excess = GENERATE(false, true);
+  const int kind = GENERATE(0, 1, 2); // 1: with fixed vertices; 2: with poles of a high degree, which are not smoothed
+  const auto fixed = kind == 1 ? std::set<int>{5, 100} : std::set<int>{};
+  const I::Shared_graph graph = graph_of(kind == 2 ? bipyramid(300) : octasphere(4), has_excess, fixed);
+  const Host backend;
+  const auto aggregates = std::make_shared<const I::Aggregates>(I::aggregate(I::Host_loop(), *graph, 0.07));
+  const int n = graph->size(), count = aggregates->count();
+  constexpr double omega = 0.6;
+  const I::Sparse_matrix p = I::smoothed_prolongation(I::Host_loop(), *graph, *aggregates, omega);
+  const Positions x = random_vectors(count, 1), r = random_vectors(n, 2);
+  Positions y(n), coarse(count);
+  backend.prolong(graph, omega, aggregates, x, y);
+  backend.restrict(graph, omega, aggregates, r, coarse);
+  Positions restricted(count, vec3{0, 0, 0});
+  for(int i = 0; i < n; ++i) {
+    vec3 sum = {0, 0, 0};
+    for(int k = p.offset[i]; k < p.offset[i + 1]; ++k) {
+      sum = I::add_scaled(sum, p.value[k], x[p.column[k]]);
+      restricted[p.column[k]] = I::add_scaled(restricted[p.column[k]], p.value[k], r[i]);
+    }
+    CHECK(I::norm(I::sub(y[i], sum)) < 1e-14);
+  }
+  for(int c = 0; c < count; ++c)
+    CHECK(I::norm(I::sub(coarse[c], restricted[c])) < 1e-12);
+}
+
 TEST_CASE("coarse matrices are Galerkin products, on any number of threads", "[multigrid]")
 {
   const bool has_excess = GENERATE(false, true), on_all_cores = GENERATE(false, true);
@@ -174,8 +214,8 @@ TEST_CASE("coarse matrices are Galerkin products, on any number of threads", "[m
   const auto graph = graph_of(octasphere(4), has_excess, fixed);
   const I::Aggregates aggregates = I::aggregate(loop, *graph, 0.07);
   const I::Sparse_matrix p = I::smoothed_prolongation(loop, *graph, aggregates, 0.6);
-  const I::Sparse_matrix r = I::transposed(loop, p, aggregates.count);
-  const Dense dense_p = dense(p, aggregates.count);
+  const I::Sparse_matrix r = I::transposed(loop, p, aggregates.count());
+  const Dense dense_p = dense(p, aggregates.count());
   CHECK(difference(dense(r, graph->size()), transposed(dense_p)) == 0);
   for(int i = 0; i < r.rows(); ++i)
     CHECK(std::is_sorted(r.column.begin() + r.offset[i], r.column.begin() + r.offset[i + 1]));

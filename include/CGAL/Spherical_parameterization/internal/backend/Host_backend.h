@@ -29,7 +29,7 @@ public:
   using Vectors = Array<vec3>;
   using Scalars = Array<double>;
   using Matrix = Shared_graph;
-  using Transfer = Sparse_matrix;
+  using Aggregates = Shared_aggregates;
   using Colouring = std::vector<Array<int>>;
 
   explicit Host_machine(const Loop& loop = Loop()) : loop_(loop) {}
@@ -113,7 +113,7 @@ private:
     return x.data();
   }
   static graph_view view(const Matrix& a) { return a->view(); }
-  static sparse_view view(const Transfer& t) { return t.view(); }
+  static aggregates_view view(const Aggregates& of) { return of->view(); }
   static int view(int k) { return k; }
   static double view(double s) { return s; }
   static vec3 view(vec3 p) { return p; }

@@ -38,7 +38,7 @@ public:
   using Vectors = typename Machine::Vectors;
   using Scalars = typename Machine::Scalars;
   using Matrix = typename Machine::Matrix;
-  using Transfer = typename Machine::Transfer;
+  using Aggregates = typename Machine::Aggregates;
   using Colouring = typename Machine::Colouring;
   using Machine::Machine;
 
@@ -79,14 +79,19 @@ public:
     run(Verb<smooth_at>{"sp_smooth"}, x.size(), a, gain, b, x, y);
   }
 
-  void transfer(const Transfer& t, const Vectors& x, Vectors& y) const
+  void prolong(const Matrix& a, double omega, const Aggregates& of, const Vectors& x, Vectors& y) const
   {
-    run(Verb<transfer_at>{"sp_transfer"}, y.size(), t, x, y);
+    run(Verb<prolong_at>{"sp_prolong"}, y.size(), a, omega, of, x, y);
   }
 
-  void transfer_add(const Transfer& t, const Vectors& x, Vectors& y) const
+  void correct(const Matrix& a, double omega, const Aggregates& of, const Vectors& x, Vectors& y) const
   {
-    run(Verb<transfer_add_at>{"sp_transfer_add"}, y.size(), t, x, y);
+    run(Verb<correct_at>{"sp_correct"}, y.size(), a, omega, of, x, y);
+  }
+
+  void restrict(const Matrix& a, double omega, const Aggregates& of, const Vectors& r, Vectors& x) const
+  {
+    run(Verb<restrict_at>{"sp_restrict"}, x.size(), a, omega, of, r, x);
   }
 
   void multiply_dense(const Scalars& b, const Vectors& x, Vectors& y) const
@@ -127,15 +132,17 @@ public:
                         density);
   }
 
-  double balance_gradient(const Matrix& a, const Scalars& mass, vec3 mu, const Vectors& v, Vectors& g) const
+  std::array<double, 2> balance_gradient(const Matrix& a, const Scalars& mass, vec3 mu, const Vectors& v,
+                                         const Vectors& step, Vectors& g) const
   {
-    return sum(Verb<balance_gradient_at, 1>{"sp_balance_gradient"}, v.size(), a->inverse_diagonal, mass, mu, v, g)[0];
+    return sum(Verb<balance_gradient_at, 2>{"sp_balance_gradient"}, v.size(), a->inverse_diagonal, mass, mu, v, step,
+               g);
   }
 
-  std::array<double, 15> direction_products(const Scalars& mass, const Vectors& v, const Vectors& g,
-                                            const Vectors& old_g, const Vectors& step, const Vectors& d) const
+  std::array<double, 14> direction_products(const Scalars& mass, const Vectors& v, const Vectors& g,
+                                            const Vectors& step, const Vectors& d) const
   {
-    return sum(Verb<direction_products_at, 15>{"sp_direction_products"}, v.size(), mass, v, g, old_g, step, d);
+    return sum(Verb<direction_products_at, 14>{"sp_direction_products"}, v.size(), mass, v, g, step, d);
   }
 
   void next_direction(double beta, vec3 y, vec3 omega, const Vectors& v, const Vectors& step, Vectors& d) const

@@ -47,6 +47,17 @@ struct Weighted_graph {
 /// Graphs are large: all that use one share it.
 typedef std::shared_ptr<const Weighted_graph> Shared_graph;
 
+/// Disjoint sets of vertices, each of which is one vertex of a coarser graph, on the host.
+struct Aggregates {
+  Host_array<int> of_vertex;            ///< -1 for fixed vertices
+  Host_array<int> offset = {0}, member; ///< member[offset[c]] ... member[offset[c+1]-1] are those of aggregate c
+
+  int count() const { return static_cast<int>(offset.size()) - 1; }
+  aggregates_view view() const { return {of_vertex.data(), offset.data(), member.data()}; }
+};
+
+typedef std::shared_ptr<const Aggregates> Shared_aggregates;
+
 /// A sparse rectangular matrix in compressed rows, on the host.
 struct Sparse_matrix {
   Host_array<int> offset = {0};
@@ -54,7 +65,6 @@ struct Sparse_matrix {
   Host_array<double> value;
 
   int rows() const { return static_cast<int>(offset.size()) - 1; }
-  sparse_view view() const { return {offset.data(), column.data(), value.data()}; }
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

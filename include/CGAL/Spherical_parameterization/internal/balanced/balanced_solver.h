@@ -75,7 +75,7 @@ public:
     double next_reference = 1e-2;
     int references = 0;
     const int n = multigrid_.size(level_);
-    Vectors g = backend_.vectors(n), old_g = backend_.vectors(n), s = backend_.vectors(n), d = backend_.vectors(n);
+    Vectors g = backend_.vectors(n), s = backend_.vectors(n), d = backend_.vectors(n);
     Vectors& w = multigrid_.scratch(level_);
     Scalars density = backend_.scalars(n);
     Solver_report report;
@@ -97,12 +97,15 @@ public:
     };
     Symmetric_solver<3> boosts = boost_matrix({});
     vec3 mu = {0, 0, 0};
+    double along_last_step = 0; // s . g, s the preconditioned gradient of the point before
     const auto balance_forces = [&] {
       boosts = boost_matrix(moments);
       if(gauge_ == Gauge::BALANCED)
         mu = internal::solve(boosts, force(sums));
       report.energy = sums[0] / exponent_;
-      report.residual = std::sqrt(backend_.balance_gradient(matrix_, mass_, mu, v, g));
+      const std::array<double, 2> products = backend_.balance_gradient(matrix_, mass_, mu, v, s, g);
+      report.residual = std::sqrt(products[0]);
+      along_last_step = products[1];
     };
     area ? refer(balance_tolerance) : begin(balance_tolerance);
     double gs = 0;
@@ -135,14 +138,15 @@ public:
 
       multigrid_.apply(level_, g, s);
       // What a direction does is linear in it, so that one pass over step and last direction tells it of all betas.
-      const std::array<double, 15> products = backend_.direction_products(mass_, v, g, old_g, s, d);
-      double beta = report.iterations == 0 ? 0 : (std::max)(0., (products[1] - products[0]) / gs);
-      gs = products[1];
-      if(!(beta * products[8] - products[1] < 0))
+      const std::array<double, 14> products = backend_.direction_products(mass_, v, g, s, d);
+      // Polak and Ribiere's beta. M^-1 is symmetric: the gradient before needs not be kept.
+      double beta = report.iterations == 0 ? 0 : (std::max)(0., (products[0] - along_last_step) / gs);
+      gs = products[0];
+      if(!(beta * products[7] - products[0] < 0))
         beta = 0;
       std::array<double, 7> of_next; // product with the gradient; momentum; angular momentum
       for(int k = 0; k < 7; ++k)
-        of_next[k] = beta == 0 ? -products[1 + k] : beta * products[8 + k] - products[1 + k];
+        of_next[k] = beta == 0 ? -products[k] : beta * products[7 + k] - products[k];
       const double slope = of_next[0];
       if(!(slope < 0)) { // rounding has eaten the gradient: no direction of descent is left
         report.has_stalled = true;
@@ -159,7 +163,6 @@ public:
       const std::array<double, 5> model = backend_.curvature(matrix_, exponent_, mass_, mu, v, d, density);
       const double longest = longest_step * std::sqrt(total_mass(moments) / model[1]);
       const double alpha = (std::min)({model[0] > 0 ? -slope / model[0] : 1, longest, options.longest_factor});
-      std::swap(g, old_g);
       report.has_stalled =
         !line_search(alpha, slope, boosts, {model[2], model[3], model[4]}, d, v, w, g, density, moments, sums);
       if(report.has_stalled)

@@ -272,7 +272,7 @@ void measure_balanced(const Backend& backend, const Problem& problem, double exp
   }
   const Moments moments = backend.tilt_masses(density, balancing_tilt(backend.moments(density, v)), v, mass);
   const vec3 mu = solve(boost_matrix(moments), {sums[1], sums[2], sums[3]});
-  report.residual = std::sqrt(backend.balance_gradient(matrix, mass, mu, v, g));
+  report.residual = std::sqrt(backend.balance_gradient(matrix, mass, mu, v, v, g)[0]);
 }
 
 template <class Backend>

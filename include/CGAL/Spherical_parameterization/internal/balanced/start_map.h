@@ -198,7 +198,7 @@ typename Backend::Vectors start_map(const Backend& backend, Multigrid<Backend>& 
     Balanced_solver<Backend> solver(backend, multigrid.matrix(k), multigrid, k, 2, Gauge::BALANCED, mass);
     iterations += solver.solve(coarse_descent, monitor, v).iterations;
     typename Backend::Vectors& finer = multigrid.scratch(k - 1);
-    backend.transfer(multigrid.prolongation(k - 1), v, finer);
+    multigrid.prolong(k - 1, v, finer);
     v = backend.vectors(multigrid.size(k - 1));
     backend.normalize(multigrid.matrix(k - 1), finer, v);
   }

@@ -54,18 +54,22 @@ public:
         monitor->advance_or_throw();
       const double radius = spectral_radius(loop, *a);
       Aggregates aggregates = aggregate(loop, *a, strength_threshold);
-      if(aggregates.count > slow_coarsening * a->size())
+      if(aggregates.count() > slow_coarsening * a->size())
         aggregates = aggregate(loop, *a, 0);
-      if(aggregates.count > no_coarsening * a->size()) // the excess is all that counts from here on
+      if(aggregates.count() > no_coarsening * a->size()) // the excess is all that counts from here on
         break;
-      Sparse_matrix p = smoothed_prolongation(loop, *a, aggregates, prolongation_damping / radius);
-      Sparse_matrix r = transposed(loop, p, aggregates.count);
-      const auto coarse = std::make_shared<Weighted_graph>(galerkin_product(loop, *a, p, r, is_singular));
+      const double damping = prolongation_damping / radius;
+      const auto coarse = std::make_shared<Weighted_graph>();
+      {
+        const Sparse_matrix p = smoothed_prolongation(loop, *a, aggregates, damping);
+        const Sparse_matrix r = transposed(loop, p, aggregates.count());
+        *coarse = galerkin_product(loop, *a, p, r, is_singular);
+      }
       drop_weak_edges(loop, weakest_edge, *coarse);
 
-      levels_.push_back({a->size(), backend.upload(a), backend.upload(std::move(p)), backend.upload(std::move(r)),
-                         std::move(aggregates.of_vertex), chebyshev_gains(radius), backend.vectors(a->size()),
-                         backend.vectors(coarse->size()), backend.vectors(coarse->size())});
+      const auto shared = std::make_shared<const Aggregates>(std::move(aggregates));
+      levels_.push_back({a->size(), backend.upload(a), shared, backend.upload(shared), damping, chebyshev_gains(radius),
+                         backend.vectors(a->size()), backend.vectors(coarse->size()), backend.vectors(coarse->size())});
       a = coarse;
     }
     if(a->size() <= bottom_size)
@@ -77,12 +81,16 @@ public:
   std::size_t number_of_levels() const { return levels_.size(); }
   int size(std::size_t k) const { return levels_[k].size; }
   const Matrix& matrix(std::size_t k) const { return levels_[k].matrix; }
-  /// from level k+1 to level k
-  const typename Backend::Transfer& prolongation(std::size_t k) const { return levels_[k].prolongation; }
   /// the vertex of level k+1 into which each vertex of level k went; -1 for fixed ones
-  const Host_array<int>& aggregate_of(std::size_t k) const { return levels_[k].aggregate; }
+  const Host_array<int>& aggregate_of(std::size_t k) const { return levels_[k].aggregates->of_vertex; }
   /// for the caller's use on level k, too; apply() overwrites it
   Vectors& scratch(std::size_t k) { return levels_[k].scratch; }
+
+  /// Interpolates x, of level k + 1, on level k.
+  void prolong(std::size_t k, const Vectors& x, Vectors& y) const
+  {
+    backend_.prolong(levels_[k].matrix, levels_[k].damping, levels_[k].on_backend, x, y);
+  }
 
   /// x = M^-1 b on level k
   void apply(std::size_t k, const Vectors& b, Vectors& x)
@@ -100,9 +108,9 @@ public:
     backend_.start_smoothing(level.matrix, first, b, x);
     backend_.smooth(level.matrix, second, b, x, y);
     backend_.residual(level.matrix, b, y, x);
-    backend_.transfer(level.restriction, x, level.coarse_b);
+    backend_.restrict(level.matrix, level.damping, level.on_backend, x, level.coarse_b);
     apply(k + 1, level.coarse_b, level.coarse_x);
-    backend_.transfer_add(level.prolongation, level.coarse_x, y);
+    backend_.correct(level.matrix, level.damping, level.on_backend, level.coarse_x, y);
     backend_.smooth(level.matrix, second, b, y, x); // in reverse order, which keeps the cycle symmetric
     backend_.smooth(level.matrix, first, b, x, y);
     std::swap(x, y);
@@ -119,8 +127,9 @@ private:
   struct Level {
     int size;
     Matrix matrix;
-    typename Backend::Transfer prolongation, restriction;
-    Host_array<int> aggregate;
+    Shared_aggregates aggregates;
+    typename Backend::Aggregates on_backend;
+    double damping; ///< of the prolongation
     std::pair<double, double> gains;
     Vectors scratch, coarse_b, coarse_x;
   };

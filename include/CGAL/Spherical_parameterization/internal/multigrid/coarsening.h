@@ -17,15 +17,28 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 
-struct Aggregates {
-  Host_array<int> of_vertex; ///< -1 for fixed vertices
-  int count = 0;
-};
+/// Lists the vertices of every aggregate in ascending order. \pre `of_vertex` is set, and below `count`
+inline void list_members(int count, Aggregates& aggregates)
+{
+  const Host_array<int>& of = aggregates.of_vertex;
+  Host_array<int>& offset = aggregates.offset;
+  offset.assign(count + 1, 0);
+  for(int c : of)
+    if(c >= 0)
+      ++offset[c + 1];
+  std::partial_sum(offset.begin(), offset.end(), offset.begin());
+  Host_array<int> end(offset.begin(), offset.end() - 1);
+  aggregates.member.resize(offset.back());
+  for(std::size_t i = 0; i < of.size(); ++i)
+    if(of[i] >= 0)
+      aggregates.member[end[of[i]]++] = static_cast<int>(i);
+}
 
 /// Greedy aggregation. Two vertices are strongly connected if w_ij > threshold sqrt(a_ii a_jj).
 ///
@@ -46,6 +59,7 @@ inline Aggregates aggregate(const Host_loop& loop, const Weighted_graph& a, doub
   Aggregates result;
   Host_array<int>& of = result.of_vertex;
   of.resize(n);
+  int total = 0;
   // Numbers the aggregates that f(begin, end) has counted on every block. Returns the first number of each block.
   const auto number_blocks = [&](auto f) {
     std::vector<int> count(n / block_size + 1);
@@ -54,7 +68,7 @@ inline Aggregates aggregate(const Host_loop& loop, const Weighted_graph& a, doub
       count[block] = f(begin, begin + (std::min)(block_size, n - begin));
     });
     for(int& c : count)
-      result.count += std::exchange(c, result.count);
+      total += std::exchange(c, total);
     return count;
   };
 
@@ -104,29 +118,27 @@ inline Aggregates aggregate(const Host_loop& loop, const Weighted_graph& a, doub
     if(of[i] <= alone)
       of[i] = first_alone[i / block_size] + alone - of[i];
   });
+  list_members(total, result);
   return result;
 }
 
-/// P = (I - omega D^-1 A) T, T the piecewise constant interpolation from the aggregates. Vertices of a very high
-/// degree, as the poles of a globe have, keep the row of T: one of their degree would make the Galerkin product dense.
+/// The prolongation P of formulas/linear_algebra.h as a matrix, which the Galerkin product needs.
 inline Sparse_matrix smoothed_prolongation(const Host_loop& loop, const Weighted_graph& a, const Aggregates& aggregates,
                                            double omega)
 {
   const Host_array<int>& of = aggregates.of_vertex;
   return build_rows(loop, a.size(), [&](int begin, int end, Sparse_matrix& p) {
     constexpr double usual_row_length = 3.2;
-    constexpr int longest_smoothed_row = 256;
     p.offset.reserve(end - begin + 1);
     p.column.reserve(static_cast<std::size_t>(usual_row_length * (end - begin)));
     p.value.reserve(static_cast<std::size_t>(usual_row_length * (end - begin)));
     for(int i = begin; i < end; ++i) {
       const std::size_t first = p.column.size();
       if(of[i] >= 0) {
-        const bool is_smoothed = a.offset[i + 1] - a.offset[i] <= longest_smoothed_row;
-        const double factor = omega * a.inverse_diagonal[i];
+        const double factor = omega * gain_of_smoothing(i, a.view());
         p.column.push_back(of[i]);
-        p.value.push_back(is_smoothed && !a.excess.empty() ? 1 - factor * a.excess[i] : 1);
-        for(int k = a.offset[i]; is_smoothed && k < a.offset[i + 1]; ++k) {
+        p.value.push_back(a.excess.empty() ? 1 : 1 - factor * a.excess[i]);
+        for(int k = a.offset[i]; factor > 0 && k < a.offset[i + 1]; ++k) {
           const int j = of[a.target[k]];
           if(j == of[i])
             continue;

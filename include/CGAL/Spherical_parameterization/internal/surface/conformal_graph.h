@@ -35,14 +35,11 @@ Weighted_graph conformal_graph(const Loop& loop, Corner_table table, const Host_
   const int n = static_cast<int>(point.size());
   const Intrinsic_triangulation surface(std::move(table), point, loop);
   const int m = surface.number_of_halfedges();
-  Host_array<double> weight(m);
-  for_each_index(loop, m, [&](int h) {
+  const auto weight = [&](int h) {
     const int t = surface.twin[h];
-    if(h < t) {
-      const double cotangents = surface.cotangent(h) + surface.cotangent(t);
-      weight[h] = weight[t] = (std::max)(smallest_weight, cotangents / 2); // also where all points are one: 0/0
-    }
-  });
+    const double cotangents = surface.cotangent((std::min)(h, t)) + surface.cotangent((std::max)(h, t));
+    return (std::max)(smallest_weight, cotangents / 2); // also where all points are one: 0/0
+  };
 
   // Every halfedge is an entry of the row of its origin. Rows are in order of their targets; equal ones in an order
   // that both ends see alike.
@@ -76,9 +73,9 @@ Weighted_graph conformal_graph(const Loop& loop, Corner_table table, const Host_
     for(auto it = row.begin(); it != row.end();) {
       const int j = it->first;
       const bool is_edge = !surface.may_be_new(it->second) && (it + 1 == row.end() || it[1].first != j);
-      double sum = weight[it->second], length = is_edge ? 0 : surface.length(it->second);
+      double sum = weight(it->second), length = is_edge ? 0 : surface.length(it->second);
       for(++it; it != row.end() && it->first == j; ++it) {
-        const double its_weight = weight[it->second], new_sum = sum + its_weight;
+        const double its_weight = weight(it->second), new_sum = sum + its_weight;
         length = (sum * length + its_weight * surface.length(it->second)) / new_sum;
         sum = new_sum;
       }

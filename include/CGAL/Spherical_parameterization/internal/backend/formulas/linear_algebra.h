@@ -31,12 +31,12 @@ typedef struct {
   real_in inverse_diagonal; /* 1 / (sum_j w_ij + e_i); 0 marks a fixed vertex */
 } graph_view;
 
-/* A sparse rectangular matrix in compressed rows. */
+/* Aggregates of vertices: those of aggregate c are member[offset[c]] ... member[offset[c+1]-1]. */
 typedef struct {
+  int_in of_vertex; /* -1: none, as for fixed vertices */
   int_in offset;
-  int_in column;
-  real_in value;
-} sparse_view;
+  int_in member;
+} aggregates_view;
 
 /* returns (A x)_i */
 CGAL_SP_FUNCTION vec3 laplacian(int i, graph_view a, vec3_in x)
@@ -49,14 +49,35 @@ CGAL_SP_FUNCTION vec3 laplacian(int i, graph_view a, vec3_in x)
   return a.excess ? add_scaled(sum, a.excess[i], xi) : sum;
 }
 
-/* returns (T x)_i */
-CGAL_SP_FUNCTION vec3 row_times(int i, sparse_view t, vec3_in x)
+/* The prolongation of smoothed aggregation is P = (I - omega S D^-1 A) T: T gives every vertex the value of its
+ * aggregate, a damped Jacobi step smooths that. It is not stored: to apply it costs one product with A. S leaves out
+ * the vertices of a very high degree, as the poles of a globe have, for which P^T A P would be dense.
+ *
+ * returns (S D^-1)_i */
+CGAL_SP_FUNCTION real gain_of_smoothing(int i, graph_view a)
 {
-  vec3 sum = make_vec3(0, 0, 0);
-  const int end = t.offset[i + 1];
-  for(int k = t.offset[i]; k < end; ++k)
-    sum = add_scaled(sum, t.value[k], x[t.column[k]]);
-  return sum;
+  const int longest_smoothed_row = 256;
+  return a.offset[i + 1] - a.offset[i] <= longest_smoothed_row ? a.inverse_diagonal[i] : 0;
+}
+
+/* returns (P x)_i */
+CGAL_SP_FUNCTION vec3 prolonged(int i, graph_view a, real omega, aggregates_view of, vec3_in x)
+{
+  const vec3 zero = make_vec3(0, 0, 0);
+  const int own = of.of_vertex[i];
+  if(own < 0)
+    return zero;
+  const vec3 xi = x[own];
+  const real gain = omega * gain_of_smoothing(i, a);
+  if(gain == 0)
+    return xi;
+  vec3 sum = zero;
+  const int end = a.offset[i + 1];
+  for(int k = a.offset[i]; k < end; ++k) {
+    const int other = of.of_vertex[a.target[k]];
+    sum = add_scaled(sum, a.weight[k], sub(xi, other < 0 ? zero : x[other]));
+  }
+  return add_scaled(xi, -gain, a.excess ? add_scaled(sum, a.excess[i], xi) : sum);
 }
 
 /* y = x */
@@ -100,13 +121,35 @@ CGAL_SP_FUNCTION void smooth_at(int i, graph_view a, real gain, vec3_in b, vec3_
   y[i] = add_scaled(x[i], gain * a.inverse_diagonal[i], sub(b[i], laplacian(i, a, x)));
 }
 
-/* y = T x */
-CGAL_SP_FUNCTION void transfer_at(int i, sparse_view t, vec3_in x, vec3_out y) { y[i] = row_times(i, t, x); }
-
-/* y += T x */
-CGAL_SP_FUNCTION void transfer_add_at(int i, sparse_view t, vec3_in x, vec3_out y)
+/* y = P x */
+CGAL_SP_FUNCTION void prolong_at(int i, graph_view a, real omega, aggregates_view of, vec3_in x, vec3_out y)
 {
-  y[i] = add(y[i], row_times(i, t, x));
+  y[i] = prolonged(i, a, omega, of, x);
+}
+
+/* y += P x */
+CGAL_SP_FUNCTION void correct_at(int i, graph_view a, real omega, aggregates_view of, vec3_in x, vec3_out y)
+{
+  y[i] = add(y[i], prolonged(i, a, omega, of, x));
+}
+
+/* x = P^T r, of aggregate c */
+CGAL_SP_FUNCTION void restrict_at(int c, graph_view a, real omega, aggregates_view of, vec3_in r, vec3_out x)
+{
+  vec3 sum = make_vec3(0, 0, 0), smoothed = make_vec3(0, 0, 0);
+  for(int m = of.offset[c]; m < of.offset[c + 1]; ++m) {
+    const int i = of.member[m];
+    const vec3 zi = scale(gain_of_smoothing(i, a), r[i]);
+    sum = add(sum, r[i]);
+    if(a.excess)
+      smoothed = add_scaled(smoothed, -a.excess[i], zi);
+    const int end = a.offset[i + 1];
+    for(int k = a.offset[i]; k < end; ++k) {
+      const int j = a.target[k];
+      smoothed = add_scaled(smoothed, a.weight[k], sub(scale(gain_of_smoothing(j, a), r[j]), zi));
+    }
+  }
+  x[c] = add_scaled(sum, omega, smoothed);
 }
 
 /* y = B x, B a dense matrix with so many columns, row by row */

@@ -107,12 +107,13 @@ CGAL_SP_FUNCTION void curvature_at(int i, graph_view a, real_in mass, vec3 mu, v
 
 /* ---- directions of the descent ----------------------------------------------------------------------------------- */
 
-/* g -= m P_v mu; s[0]: |g_i / D_i|^2 */
-CGAL_SP_FUNCTION void balance_gradient_at(int i, real_in inverse_diagonal, real_in mass, vec3 mu, vec3_in v, vec3_out g,
-                                          real* s)
+/* g -= m P_v mu; s[0]: |g_i / D_i|^2; s[1]: step . g */
+CGAL_SP_FUNCTION void balance_gradient_at(int i, real_in inverse_diagonal, real_in mass, vec3 mu, vec3_in v,
+                                          vec3_in step, vec3_out g, real* s)
 {
   g[i] = add_scaled(g[i], -mass[i], tangent(mu, v[i]));
   s[0] += inner(g[i], g[i]) * inverse_diagonal[i] * inverse_diagonal[i];
+  s[1] += inner(step[i], g[i]);
 }
 
 /* Adds what decides about a direction d at v to s[0] ... s[6]: g . d, the momentum m d and the spin m v x d. */
@@ -124,14 +125,11 @@ CGAL_SP_FUNCTION void add_products(real m, vec3 v, vec3 g, vec3 d, real* s)
   add_to(outer(v, push), s + 4);
 }
 
-/* s[0]: old_g . P step; s[1] ... s[7]: add_products() of P step; s[8] ... s[14]: add_products() of P d */
-CGAL_SP_FUNCTION void direction_products_at(int i, real_in mass, vec3_in v, vec3_in g, vec3_in old_g, vec3_in step,
-                                            vec3_in d, real* s)
+/* s[0] ... s[6]: add_products() of P step; s[7] ... s[13]: add_products() of P d */
+CGAL_SP_FUNCTION void direction_products_at(int i, real_in mass, vec3_in v, vec3_in g, vec3_in step, vec3_in d, real* s)
 {
-  const vec3 tangent_step = tangent(step[i], v[i]);
-  s[0] += inner(old_g[i], tangent_step);
-  add_products(mass[i], v[i], g[i], tangent_step, s + 1);
-  add_products(mass[i], v[i], g[i], tangent(d[i], v[i]), s + 8);
+  add_products(mass[i], v[i], g[i], tangent(step[i], v[i]), s);
+  add_products(mass[i], v[i], g[i], tangent(d[i], v[i]), s + 7);
 }
 
 /* d = P_v (beta d - step - y) - omega x v: the conjugate direction after the step, less a boost and a rotation */

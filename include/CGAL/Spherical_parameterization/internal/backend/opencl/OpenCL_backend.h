@@ -40,10 +40,9 @@ struct OpenCL_matrix {
   OpenCL_array<double> weight, excess, inverse_diagonal;
 };
 
-/// A Sparse_matrix on the device.
-struct OpenCL_transfer {
-  OpenCL_array<int> offset, column;
-  OpenCL_array<double> value;
+/// Aggregates on the device.
+struct OpenCL_aggregates {
+  OpenCL_array<int> of_vertex, offset, member;
 };
 
 /// A machine that is an OpenCL device: a verb is a kernel of kernels/, named like the verb. Everything is done in the
@@ -58,7 +57,7 @@ public:
   using Vectors = Array<vec3>;
   using Scalars = Array<double>;
   using Matrix = std::shared_ptr<const OpenCL_matrix>;
-  using Transfer = OpenCL_transfer;
+  using Aggregates = OpenCL_aggregates;
   using Colouring = std::vector<Array<int>>;
 
   explicit OpenCL_machine(const OpenCL_queue& queue) : queue_(queue), program_(queue.program()) {}
@@ -117,11 +116,10 @@ public:
                                                                shared(host->inverse_diagonal)});
   }
 
-  Transfer upload(Sparse_matrix matrix) const
+  Aggregates upload(const Shared_aggregates& host) const
   {
-    const auto host = std::make_shared<const Sparse_matrix>(std::move(matrix));
     const auto shared = [&](const auto& array) { return share(array, host); };
-    return {shared(host->offset), shared(host->column), shared(host->value)};
+    return {shared(host->of_vertex), shared(host->offset), shared(host->member)};
   }
 
   /// An array that is only read. A device that works in the memory of the host reads `host` itself, and keeps `owner`
@@ -303,9 +301,9 @@ private:
     set_all(kernel, index, a->offset, a->target, a->weight, a->excess, a->inverse_diagonal);
   }
 
-  void set(cl_kernel kernel, cl_uint& index, const Transfer& t) const
+  void set(cl_kernel kernel, cl_uint& index, const Aggregates& of) const
   {
-    set_all(kernel, index, t.offset, t.column, t.value);
+    set_all(kernel, index, of.of_vertex, of.offset, of.member);
   }
 
   OpenCL_queue queue_;

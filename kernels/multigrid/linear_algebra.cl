@@ -38,10 +38,10 @@ KERNEL sp_conjugate(int n, real beta, vec3_in s, vec3_out p)
   conjugate_at(i, beta, s, p);
 }
 
-KERNEL sp_residual(int n, MATRIX(a), vec3_in b, vec3_in x, vec3_out r)
+KERNEL sp_scaled_residual(int n, MATRIX(a), vec3_in b, vec3_in x, vec3_out z)
 {
   FOR_EACH(i, n)
-  residual_at(i, VIEW(a), b, x, r);
+  scaled_residual_at(i, VIEW(a), b, x, z);
 }
 
 KERNEL sp_start_smoothing(int n, real_in inverse_diagonal, real gain, vec3_in b, vec3_out x)
@@ -68,10 +68,10 @@ KERNEL sp_correct(int n, MATRIX(a), real omega, AGGREGATES(of), vec3_in x, vec3_
   correct_at(i, VIEW(a), omega, AGGREGATES_VIEW(of), x, y);
 }
 
-KERNEL sp_restrict(int n, MATRIX(a), real omega, AGGREGATES(of), vec3_in r, vec3_out x)
+KERNEL sp_restrict(int n, MATRIX(a), real omega, AGGREGATES(of), vec3_in b, vec3_in x, vec3_in z, vec3_out y)
 {
   FOR_EACH(c, n)
-  restrict_at(c, VIEW(a), omega, AGGREGATES_VIEW(of), r, x);
+  restrict_at(c, VIEW(a), omega, AGGREGATES_VIEW(of), b, x, z, y);
 }
 
 KERNEL sp_multiply_dense(int n, int columns, real_in b, vec3_in x, vec3_out y)

@@ -272,8 +272,8 @@ TEMPLATE_LIST_TEST_CASE("every verb does the same on every backend, bit by bit",
     t.wrote(t.y);
   });
   check("energy", [](auto& t) { t.returned(t.backend.energy(t.a, t.x)); });
-  check("residual", [](auto& t) {
-    t.backend.residual(t.a, t.y, t.x, t.w);
+  check("scaled_residual", [](auto& t) {
+    t.backend.scaled_residual(t.a, t.y, t.x, t.w);
     t.wrote(t.w);
   });
   check("start_smoothing", [&](auto& t) {
@@ -338,7 +338,7 @@ TEMPLATE_LIST_TEST_CASE("every verb does the same on every backend, bit by bit",
     t.wrote(t.w);
     t.backend.correct(t.a, 0.7, of, c, t.y);
     t.wrote(t.y);
-    t.backend.restrict(t.a, 0.7, of, t.x, c);
+    t.backend.restrict(t.a, 0.7, of, t.x, t.y, t.z, c);
     t.wrote(c);
   });
   if(n < 100) {

@@ -64,9 +64,9 @@ public:
     run(Verb<conjugate_at>{"sp_conjugate"}, p.size(), beta, s, p);
   }
 
-  void residual(const Matrix& a, const Vectors& b, const Vectors& x, Vectors& r) const
+  void scaled_residual(const Matrix& a, const Vectors& b, const Vectors& x, Vectors& z) const
   {
-    run(Verb<residual_at>{"sp_residual"}, x.size(), a, b, x, r);
+    run(Verb<scaled_residual_at>{"sp_scaled_residual"}, x.size(), a, b, x, z);
   }
 
   void start_smoothing(const Matrix& a, double gain, const Vectors& b, Vectors& x) const
@@ -89,9 +89,10 @@ public:
     run(Verb<correct_at>{"sp_correct"}, y.size(), a, omega, of, x, y);
   }
 
-  void restrict(const Matrix& a, double omega, const Aggregates& of, const Vectors& r, Vectors& x) const
+  void restrict(const Matrix& a, double omega, const Aggregates& of, const Vectors& b, const Vectors& x,
+                const Vectors& z, Vectors& y) const
   {
-    run(Verb<restrict_at>{"sp_restrict"}, x.size(), a, omega, of, r, x);
+    run(Verb<restrict_at>{"sp_restrict"}, y.size(), a, omega, of, b, x, z, y);
   }
 
   void multiply_dense(const Scalars& b, const Vectors& x, Vectors& y) const

@@ -107,8 +107,8 @@ public:
     Vectors& y = level.scratch;
     backend_.start_smoothing(level.matrix, first, b, x);
     backend_.smooth(level.matrix, second, b, x, y);
-    backend_.residual(level.matrix, b, y, x);
-    backend_.restrict(level.matrix, level.damping, level.on_backend, x, level.coarse_b);
+    backend_.scaled_residual(level.matrix, b, y, x);
+    backend_.restrict(level.matrix, level.damping, level.on_backend, b, y, x, level.coarse_b);
     apply(k + 1, level.coarse_b, level.coarse_x);
     backend_.correct(level.matrix, level.damping, level.on_backend, level.coarse_x, y);
     backend_.smooth(level.matrix, second, b, y, x); // in reverse order, which keeps the cycle symmetric

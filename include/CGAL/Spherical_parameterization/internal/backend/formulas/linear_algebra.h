@@ -103,10 +103,10 @@ CGAL_SP_FUNCTION void descend_at(int i, real alpha, vec3_in p, vec3_in q, vec3_o
 /* p = s + beta p */
 CGAL_SP_FUNCTION void conjugate_at(int i, real beta, vec3_in s, vec3_out p) { p[i] = add_scaled(s[i], beta, p[i]); }
 
-/* r = b - A x */
-CGAL_SP_FUNCTION void residual_at(int i, graph_view a, vec3_in b, vec3_in x, vec3_out r)
+/* z = S D^-1 (b - A x), of which a restriction is made; S: see gain_of_smoothing() */
+CGAL_SP_FUNCTION void scaled_residual_at(int i, graph_view a, vec3_in b, vec3_in x, vec3_out z)
 {
-  r[i] = sub(b[i], laplacian(i, a, x));
+  z[i] = scale(gain_of_smoothing(i, a), sub(b[i], laplacian(i, a, x)));
 }
 
 /* x = gain D^-1 b, the damped Jacobi step from 0 */
@@ -133,23 +133,18 @@ CGAL_SP_FUNCTION void correct_at(int i, graph_view a, real omega, aggregates_vie
   y[i] = add(y[i], prolonged(i, a, omega, of, x));
 }
 
-/* x = P^T r, of aggregate c */
-CGAL_SP_FUNCTION void restrict_at(int c, graph_view a, real omega, aggregates_view of, vec3_in r, vec3_out x)
+/* y = P^T r, of aggregate c, where r = b - A x, and z = S D^-1 r: P^T r = T^T (r - omega A z) */
+CGAL_SP_FUNCTION void restrict_at(int c, graph_view a, real omega, aggregates_view of, vec3_in b, vec3_in x, vec3_in z,
+                                  vec3_out y)
 {
-  vec3 sum = make_vec3(0, 0, 0), smoothed = make_vec3(0, 0, 0);
+  vec3 sum = make_vec3(0, 0, 0), smoothed = sum;
   for(int m = of.offset[c]; m < of.offset[c + 1]; ++m) {
     const int i = of.member[m];
-    const vec3 zi = scale(gain_of_smoothing(i, a), r[i]);
-    sum = add(sum, r[i]);
-    if(a.excess)
-      smoothed = add_scaled(smoothed, -a.excess[i], zi);
-    const int end = a.offset[i + 1];
-    for(int k = a.offset[i]; k < end; ++k) {
-      const int j = a.target[k];
-      smoothed = add_scaled(smoothed, a.weight[k], sub(scale(gain_of_smoothing(j, a), r[j]), zi));
-    }
+    const real gain = gain_of_smoothing(i, a);
+    sum = add(sum, gain > 0 ? scale(1 / gain, z[i]) : sub(b[i], laplacian(i, a, x)));
+    smoothed = add(smoothed, laplacian(i, a, z));
   }
-  x[c] = add_scaled(sum, omega, smoothed);
+  y[c] = add_scaled(sum, -omega, smoothed);
 }
 
 /* y = B x, B a dense matrix with so many columns, row by row */

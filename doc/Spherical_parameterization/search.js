@@ -26,7 +26,7 @@ function searchPages(sections)
     let score = 0;
     for(const word of words)
       score += 20 * inTitle.includes(word) + 10 * start.includes(word) + Math.min(inText.split(word).length - 1, 9);
-    found.push({link, title, text, score, place: Math.max(0, inText.indexOf(words[0]) - 80)});
+    found.push({link, title, text, score, place: text.lastIndexOf(" ", Math.max(0, inText.indexOf(words[0]) - 80)) + 1});
   }
   found.sort((a, b) => b.score - a.score);
 
@@ -49,6 +49,5 @@ function searchPages(sections)
 document.addEventListener("DOMContentLoaded", () => {
   if(!document.getElementById("searchresults") || !searchedFor)
     return;
-  document.getElementById("MSearchField").value = searchedFor;
   document.head.appendChild(document.createElement("script")).src = "search/pages.js";
 });

@@ -303,14 +303,14 @@ def icosphere(level: int) -> tuple[Doubles, npt.NDArray[np.int32]]:
 
 
 class Resampling:
-    """Weights by which values of the vertices of one mesh become those of another one: a sparse matrix by rows.
+    """Weights for resampling values from the vertices of one mesh to those of another: a sparse matrix, stored by rows.
 
-    `scipy.sparse.csr_array((weights, vertices, offsets))` is that matrix.
+    `scipy.sparse.csr_array((weights, vertices, offsets))` is the matrix.
 
     Attributes
     ----------
     offsets : ndarray (k + 1,) of int64
-        Where every row begins, and the end of the last one.
+        The beginning of every row, and the end of the last one.
     vertices : ndarray of int32
     weights : ndarray of float64
         Positive, of sum 1 in every row.
@@ -324,7 +324,7 @@ class Resampling:
         return f"<Resampling: {len(self.offsets) - 1} vertices from {self._size}>"
 
     def means(self, values: npt.ArrayLike) -> Doubles:
-        """Weighted means: what is constant stays so.
+        """Weighted means. Constant values stay constant.
 
         Parameters
         ----------
@@ -344,7 +344,7 @@ class Resampling:
         Parameters
         ----------
         labels : array_like (n,)
-            Of any type that can be sorted.
+            Labels of any type that can be sorted.
 
         Returns
         -------
@@ -359,7 +359,7 @@ class Resampling:
         Parameters
         ----------
         labels : array_like (n, ...)
-            Of any type.
+            Labels of any type.
 
         Returns
         -------
@@ -479,7 +479,7 @@ class Locator:
         Parameters
         ----------
         directions : array_like (k, 3) of float
-            Of any length but 0.
+            Vectors of any length except 0.
 
         Returns
         -------
@@ -491,21 +491,21 @@ class Locator:
     def area_preserving_resampling(
         self, areas: npt.ArrayLike, other: Locator, other_areas: npt.ArrayLike
     ) -> Resampling:
-        """Weights with which every vertex counts with its area, and none is passed over: ADAP_BARY_AREA of wb_command.
+        """Weights that preserve areas and skip no vertex: ADAP_BARY_AREA of wb_command.
 
         Parameters
         ----------
         areas : array_like (n,) of float
-            Of the vertices on the surface, such as `mean_vertex_areas([points], triangles)`.
+            Areas of the vertices on the surface, such as `mean_vertex_areas([points], triangles)`.
         other : Locator
             The map of the mesh that gets the values, in the same position.
         other_areas : array_like (k,) of float
-            Of its vertices.
+            Areas of the vertices of that mesh.
 
         Returns
         -------
         Resampling
-            From the vertices of this mesh to those of the other one.
+            Weights from the vertices of this mesh to those of the other one.
         """
         if not isinstance(other, Locator):
             raise wrong_type("other", "a Locator", other)

@@ -212,11 +212,11 @@ def left_out_errors(
 
 @dataclass(frozen=True, eq=False, repr=False)
 class ModelQuality(OneLine):
-    """How good a set of shapes is as a model of others, by the number of its modes, from 0 on."""
+    """The quality of a set of shapes as a statistical model, for each number of modes, from 0 on."""
 
-    compactness: Doubles  #: (k,): the variance of so many modes; of all of them the total variance
+    compactness: Doubles  #: (k,): the variance of this number of modes; for all modes the total variance
     generalization: Doubles  #: (k - 1,) or fewer: `left_out_errors()`
-    specificity: Doubles  #: (k,): mean distance of a random shape of the model from the nearest one of the set
+    specificity: Doubles  #: (k,): mean distance of a random shape of the model from the nearest shape of the set
     specificity_error: Doubles  #: (k,): the standard error of that mean
 
 
@@ -234,15 +234,15 @@ def model_quality(
     Parameters
     ----------
     shapes : array_like (n, m, 3) of float, or sequence of n Harmonics
-        As they stand.
+        Aligned shapes.
     weights : array_like (m,) of float
-        What each vertex counts. Default: all alike.
+        Weights of the vertices. Default: equal.
     groups : int
         As for `left_out_errors()`.
     samples : int
-        So many random shapes, 2 or more: the mean plus modes with normally distributed scores.
+        Number of random shapes, 2 or more. A random shape is the mean plus modes with normally distributed scores.
     seed : int
-        Of the random numbers.
+        Seed of the random numbers.
     policy : {"parallel", "sequential"}
 
     Returns

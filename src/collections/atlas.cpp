@@ -149,11 +149,11 @@ Written_atlas write_atlas(const std::function<std::ostream&(const std::string&)>
        << std::sqrt(variance * (static_cast<double>(shapes.size()) - 1) / static_cast<double>(shapes.size()));
   if(!statistics.modes.empty())
     text << "; the first mode explains " << 100 * statistics.variances[0] / variance << " % of the variance, all "
-         << statistics.modes.size() << " that are written " << 100 * explained / variance << " %";
-  text << "\na shape that is left out is reconstructed to " << errors.front() << " by the mean of the others, to "
-       << errors.back() << " with all of their modes (" << errors.size() - 1 << ")\na random shape of the model is "
-       << quality.specificity.back() << " +- " << quality.specificity_error.back()
-       << " from the nearest of the shapes, with all modes (" << quality.specificity.size() - 1 << ')';
+         << statistics.modes.size() << " written modes " << 100 * explained / variance << " %";
+  text << "\nleave-out error: " << errors.front() << " with the mean of the other shapes, " << errors.back()
+       << " with all of their modes (" << errors.size() - 1
+       << ")\nspecificity: a random shape of the model with all modes (" << quality.specificity.size() - 1 << ") is "
+       << quality.specificity.back() << " +- " << quality.specificity_error.back() << " from the nearest shape";
   return {text.str(), statistics.modes.size()};
 }
 

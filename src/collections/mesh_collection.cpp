@@ -113,7 +113,7 @@ void check_outputs(const Collection& collection)
   for(const Item& item : collection.items)
     for(const std::string& output : collection.job(item).outputs) {
       const auto [other, is_new] = files.emplace(place(output).string(), "an output for " + item.mesh);
-      require(is_new, "--output", "'" + output + "' would take the place of " + other->second);
+      require(is_new, "--output", "'" + output + "' would overwrite " + other->second);
     }
 }
 
@@ -156,7 +156,8 @@ std::vector<Item> items_of(const Collection_options& options, const std::vector<
       files.emplace_back(mesh, there);
   }
   if(files.empty())
-    throw Refusal(unreadable_file, root.string(), "has no meshes but those of an earlier run", "name other meshes");
+    throw Refusal(unreadable_file, root.string(), "has no meshes except outputs of an earlier run",
+                  "name other meshes");
   return named(files, root);
 }
 
@@ -166,7 +167,7 @@ std::map<std::string, std::string> spheres_in(const std::string& folder)
   if(folder.empty())
     return by_name;
   if(std::error_code none; !fs::is_directory(folder, none))
-    throw Refusal(unreadable_file, folder, "is no folder, and there are several meshes",
+    throw Refusal(unreadable_file, folder, "is not a folder, but there are several meshes",
                   "name the folder of their spheres");
   std::vector<std::pair<std::string, fs::path>> files;
   for(const std::string& mesh : list_meshes({folder}, ""))

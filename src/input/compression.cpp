@@ -143,7 +143,7 @@ std::string decompressed(const std::string& file, const std::string& bytes, Comp
     result.append(part);
     if(result.size() > largest_ratio * bytes.size())
       throw Refusal(unreadable_file, file,
-                    "unfolds to more than " + std::to_string(largest_ratio) + " times its size, as no mesh does",
+                    "decompresses to more than " + std::to_string(largest_ratio) + " times its size, as no mesh does",
                     "decompress it yourself if you trust it");
   };
   const bool is_sound =

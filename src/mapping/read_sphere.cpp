@@ -41,7 +41,7 @@ void check_same_faces(const std::string& file, const std::string& mesh_file, con
   compare(sphere.number_of_faces(), mesh.number_of_faces(), "faces");
   for(std::size_t f = 0; f < mesh.number_of_faces(); ++f)
     if(corners(sphere, f) != corners(mesh, f))
-      refuse("face " + std::to_string(f) + " (counted from 0) has other vertices than in " + mesh_file);
+      refuse("face " + std::to_string(f) + " (counted from 0) does not have the same vertices as in " + mesh_file);
 }
 
 bool has_radius_100(double radius) { return radius > 50 && radius < 200; }
@@ -88,7 +88,7 @@ Given_sphere read_given_sphere(const std::string& file, const std::string& mesh_
       throw Refusal(not_the_sphere, file,
                     "vertex " + std::to_string(&p - sphere.points.data()) +
                       " (counted from 0) is at the origin, or farther away than numbers reach",
-                    "the centre of the sphere has to be the origin");
+                    "the centre of the sphere must be the origin");
     sphere.smallest_radius = std::min(sphere.smallest_radius, radius);
     sphere.largest_radius = std::max(sphere.largest_radius, radius);
     sphere.on_unit_sphere.push_back(normalized(p));

@@ -76,7 +76,7 @@ Landmarks read_landmarks(const std::string& file, const Registered_pair& pair)
       index[side] = mapped[side][static_cast<std::size_t>(*number)];
       if(index[side] < 0)
         lines.refuse("vertex " + std::to_string(*number) + (side == 0 ? " of A" : " of B") +
-                       " was left out when the mesh was mended",
+                       " was removed when the mesh was repaired",
                      "name another one");
       if(!seen[side].insert(index[side]).second)
         lines.refuse("vertex " + std::to_string(*number) + (side == 0 ? " of A" : " of B") + " is listed twice",
@@ -138,13 +138,14 @@ Changes_of_lengths changes_of_lengths(const Mesh& mesh, const std::vector<Point>
 void add_registration_options(Options& all, Registration_options& options)
 {
   all
-    .add("--landmarks", options.landmarks,
-         "Pairs of vertices that correspond: a line 'vertex-of-A vertex-of-B' for each, numbered from 0. They are put "
-         "onto each other where that flips no face; three or more also say how to turn the sphere")
+    .add(
+      "--landmarks", options.landmarks,
+      "Text file of corresponding vertices: a line 'vertex-of-A vertex-of-B' for each pair, numbered from 0. They are "
+      "moved onto each other where this flips no face; three or more pairs also determine the rotation of the sphere")
     .is("FILE");
   all
     .add("--motion", options.motion,
-         "What A's map may be moved by: rotation, moebius (for conformal maps), or deformation")
+         "How the map of A may be moved: rotation, moebius (for conformal maps), or deformation")
     .of({"rotation", "moebius", "deformation"});
   const auto add_weight = [&all](const char* name, double& weight, const char* what) -> Option& {
     return all.add(name, weight, std::string("Deformation: weight of ") + what).in("[0,1000000]");
@@ -152,11 +153,11 @@ void add_registration_options(Options& all, Registration_options& options)
   SP::Registration& registration = options.registration;
   add_weight("--curvature-weight", registration.curvature_weight, "the mean curvature");
   add_weight("--stretch-weight", registration.stretch_weight,
-             "the area stretch of the maps, which have to be of the same method");
-  add_weight("--isometry-weight", registration.isometry_weight,
-             "how much the surface of A is stretched onto that of B");
-  add_weight("--position-weight", registration.position_weight, "the positions in space, for shapes in the same pose");
-  add_weight("--landmark-weight", registration.landmark_weight, "the landmarks to begin with");
+             "the area stretch of the maps, which must come from the same method");
+  add_weight("--isometry-weight", registration.isometry_weight, "the stretching of the surface of A onto that of B");
+  add_weight("--position-weight", registration.position_weight,
+             "the positions in space, for shapes in the same position and pose");
+  add_weight("--landmark-weight", registration.landmark_weight, "the landmarks at the beginning");
   add_weight("--landmark-stiffness", registration.landmark_weight, "").group.clear(); // its name before
 }
 
@@ -234,8 +235,8 @@ const char* trust_text(const SP::Registration_result& result)
   switch(result.trust()) {
   case SP::Registration_result::Trust::SURE: return "\ncorrespondence: sure";
   case SP::Registration_result::Trust::UNSURE:
-    return "\ncorrespondence: not sure, other answers are nearly as good; look at it, or give --landmarks";
-  case SP::Registration_result::Trust::UNLIKE: return "\ncorrespondence: the shapes are unlike; look at it";
+    return "\ncorrespondence: not sure, other candidates are nearly as good; check it, or give --landmarks";
+  case SP::Registration_result::Trust::UNLIKE: return "\ncorrespondence: the shapes are unlike; check it";
   case SP::Registration_result::Trust::UNKNOWN: break;
   }
   return "";
@@ -256,7 +257,7 @@ std::string registration_text(const Registration_options& options, const Registe
   text << "\nlengths of A change " << changes.median << " times (median), and more than " << changes.large
        << " times on " << 100 * changes.share_of_large << " % of it: " << changes.verdict() << trust_text(r);
   if(!options.landmarks.empty())
-    text << "\nlandmarks: at most " << r.largest_landmark_distance << " radians from their places";
+    text << "\nlandmarks: at most " << r.largest_landmark_distance << " radians apart";
   return text.str();
 }
 

@@ -38,8 +38,8 @@ struct Changes_of_lengths {
   {
     return share_of_large < 0.02 ? "no part of A is lost"
            : share_of_large < 0.1
-             ? "some of A is crushed or smeared over B, as where B has no such part"
-             : "parts of A are crushed or smeared over B; --landmarks can say what belongs together";
+             ? "small parts of A are squeezed or stretched on B, as if B had no such part"
+             : "large parts of A are squeezed or stretched on B; --landmarks can say which points correspond";
   }
 };
 

@@ -50,10 +50,9 @@ void add_mapping_options(Options& all, Mapping_options& o, bool are_for_one)
 
   all.begin_group("Weights"); // those in groups say how to map
   all
-    .add(
-      "--weights", o.weights,
-      "Edge weights: conformal (preserves angles, whatever the triangles), clamped (cotangents of clamped angles, as "
-      "published), barycentric (all 1), mean-value (always positive)")
+    .add("--weights", o.weights,
+         "Edge weights: conformal (preserves angles, however bad the triangles are), clamped (cotangents of clamped "
+         "angles, as in the paper), barycentric (all 1), mean-value (always positive)")
     .of({"conformal", "clamped", "barycentric", "mean-value"});
   all.add("--min-angle", o.min_angle, "Clamped: lower bound to which angles are clamped, in degrees")
     .in("(0,90)")
@@ -65,9 +64,9 @@ void add_mapping_options(Options& all, Mapping_options& o, bool are_for_one)
   all.begin_group("Method");
   all
     .add("--method", o.method,
-         "automatic (balanced where that is of use, else isometric), balanced (harmonic, fast; none for limbs so long "
+         "automatic (balanced if its map is usable, else isometric), balanced (harmonic, fast; fails for limbs so long "
          "and thin that doubles do not resolve them), isometric (low length distortion, for every mesh; without "
-         "weights), saddle-point (as published; it rarely converges without fixed vertices)")
+         "weights), saddle-point (as in the paper; it rarely converges without fixed vertices)")
     .of({"automatic", "balanced", "isometric", "saddle-point"});
   all
     .add("--spring-exponent", o.spring_exponent,
@@ -80,9 +79,10 @@ void add_mapping_options(Options& all, Mapping_options& o, bool are_for_one)
     .in("[0,1000)")
     .only_with("--method", {"isometric", "automatic"});
   all
-    .add("--largest-shrinkage", o.largest_shrinkage,
-         "Automatic: how many times lengths may shrink, against their mean, on more than a thousandth of the surface; "
-         "beyond, the next method is tried")
+    .add(
+      "--largest-shrinkage", o.largest_shrinkage,
+      "Automatic: by what factor lengths may shrink, relative to the mean of the map. If they shrink more on more than "
+      "a thousandth of the surface, the next method is tried")
     .in("[1,inf)")
     .only_with("--method", {"automatic"});
   all.add("--splitting", o.splitting, "Saddle-point: splitting of the Laplacian for the sweeps")
@@ -99,29 +99,34 @@ void add_mapping_options(Options& all, Mapping_options& o, bool are_for_one)
     .only_with("--method", {"saddle-point"});
   if(are_for_one) {
     all
-      .add("--fixed", o.fixed,
-           "Text file of fixed vertices: three or more lines 'index x y z', indices from 0, positions on the sphere. "
-           "isometric and automatic keep them anywhere, balanced and saddle-point where they fit the harmonic map")
+      .add(
+        "--fixed", o.fixed,
+        "Text file of fixed vertices: three or more lines 'index x y z', indices from 0, positions on the sphere. "
+        "isometric and automatic keep them at any positions, balanced and saddle-point only if they fit the harmonic "
+        "map")
       .is("FILE");
     all
-      .add("--landmark-weight", o.landmark_weight,
-           "Isometric: pull the fixed vertices to their places with this weight only, instead of keeping them exactly "
-           "there")
+      .add(
+        "--landmark-weight", o.landmark_weight,
+        "Isometric: pull the fixed vertices towards their positions with this weight, instead of keeping them exactly "
+        "there")
       .in("(0,inf)")
       .only_with("--method", {"isometric"});
   }
   all
-    .add("--density", o.density,
-         "Isometric, automatic: text file of a positive number for every vertex or every face; areas on the sphere are "
-         "to be proportional to these times the areas of IN")
+    .add(
+      "--density", o.density,
+      "Isometric, automatic: text file with a positive number for every vertex or every face; areas on the sphere are "
+      "to be proportional to these numbers times the areas of IN")
     .is("FILE")
     .only_with("--method", {"isometric", "automatic"});
 
   all.begin_group("Where to run");
   all
-    .add("--policy", o.policy,
-         "sequential (one core), tbb (all cores), opencl (a device). The map is the same; of several IN at the same "
-         "time sequential")
+    .add(
+      "--policy", o.policy,
+      "sequential (one core), tbb (all cores), opencl (a device). The map is the same. Default for several IN at the "
+      "same time: sequential")
     .of(policy_names());
   all
     .add("--device", o.device,

@@ -62,13 +62,13 @@ std::string why_not(const Step& step, const std::string& what)
   const Takes& takes = step.takes;
   const bool is_of_each = takes.meshes == Takes::EACH;
   if(takes.meshes == Takes::NONE)
-    return what == "Ctrl-C" || what == "pipe" ? "" : "no mesh, no file";
+    return what == "Ctrl-C" || what == "pipe" ? "" : "takes no mesh";
   if(what == "--prepare" && takes.prepare == Prepare::NO)
-    return "is what it does";
+    return "always";
   if((what == "--jobs" || what == "resumed") && !is_of_each && takes.meshes != Takes::TOGETHER)
-    return takes.meshes == Takes::PAIR ? "one pair" : "one query";
+    return takes.meshes == Takes::PAIR ? "takes one pair" : "takes one query";
   if(what == "progress" && takes.method == nullptr && takes.meshes != Takes::TOGETHER)
-    return is_of_each ? "of many meshes, not of one" : "not of one query";
+    return is_of_each ? "with many meshes only" : "no";
   if(what == "pipe" && !step.gives.empty()) {
     const Output& first = step.gives.front();
     if(first.kind == Output::FOLDER && !is_of_each)
@@ -76,7 +76,7 @@ std::string why_not(const Step& step, const std::string& what)
     if(first.kind == Output::DATABASE)
       return "writes a database";
     if(first.kind == Output::FILE && first.extensions.size() > 1)
-      return "the name says the format";
+      return "format from the file name";
   }
   return "";
 }
@@ -107,7 +107,7 @@ std::string man_page(const CLI::App& app, const std::string& frame)
     for(std::string line; std::getline(footer, line);)
       text << (line.find("Example:") == 0 || line.find("Exit code:") == 0 ? ".PP\n" : "") << escaped(line) << '\n';
     if(says_how_to_map)
-      text << ".PP\nAnd all options that say how to map.\n";
+      text << ".PP\nAlso all options of the section HOW TO MAP.\n";
   }
   text << ".SH HOW TO MAP\n";
   std::string group = general_options;

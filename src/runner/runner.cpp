@@ -62,10 +62,8 @@ private:
 Line::Line(const Step& step, CLI::App& command) : step_(step), command_(command), work_(step.work())
 {
   if(step_.takes.meshes != Takes::NONE)
-    step_.gives.push_back({"--report",
-                           "Write what was done and found, times, memory and settings, or the error, as JSON",
-                           {},
-                           Output::FILE});
+    step_.gives.push_back(
+      {"--report", "Write results, times, memory and settings, or the error, as JSON", {}, Output::FILE});
   add_inputs();
   for(const Output& output : step_.gives)
     add_output(output);
@@ -91,20 +89,20 @@ Line::Line(const Step& step, CLI::App& command) : step_(step), command_(command)
     all_.add("--ascii", request_.ascii, "Write PLY files as text instead of little-endian binary");
   if(step_.takes.prepare == Prepare::ALL)
     all_.add("--prepare", prepares_,
-             std::string("Mend the mesh first as the command 'prepare' does: holes, handles, components, ...; ") +
+             std::string("Repair the mesh first as the command 'prepare' does: holes, handles, components, ...; ") +
                step_.takes.prepared);
   if(step_.takes.prepare == Prepare::HARMLESS)
     all_.add(
       "--prepare", prepares_,
-      "Mend IN first where that does not change its shape: merge vertices at the same place, orient, remove what "
-      "is repeated or isolated. The sphere is then that of the mended mesh ('prepare --steps merge,orient' "
-      "writes it)");
+      "Repair IN first as far as its shape does not change: merge vertices at the same position, orient faces, remove "
+      "repeated faces and isolated vertices. The sphere is then that of the repaired mesh ('prepare --steps "
+      "merge,orient' writes it)");
   if(step_.takes.meshes == Takes::PAIR) {
     all_
       .add(
         "--sphere", request_.spheres,
-        "Spheres of A and of B that 'map' has written; they are used instead of new maps, and exclude all options that "
-        "say how to map but --max-time, which limits the registration, too")
+        "Spheres of A and B that 'map' has written, to use instead of new maps. Cannot be combined with options that "
+        "say how to map, except --max-time, which also limits the registration")
       .is("FILE")
       .times(2);
     all_.add("--spheres", request_.spheres, "").times(2).group.clear(); // its name before
@@ -112,8 +110,8 @@ Line::Line(const Step& step, CLI::App& command) : step_(step), command_(command)
   if(step_.takes.sphere == Takes::OPTION)
     all_
       .add("--sphere", request_.options.sphere,
-           "Sphere of IN that 'map' has written; it is used instead of a new map, and excludes all options that say "
-           "how to map. Of several IN the folder of their spheres")
+           "Sphere of IN that 'map' has written, to use instead of a new map; for several IN the folder of their "
+           "spheres. Cannot be combined with options that say how to map")
       .is("FILE|FOLDER");
   if(step_.takes.method != nullptr) {
     request_.options.method = step_.takes.method;
@@ -131,10 +129,8 @@ void Line::add_inputs()
 {
   if(step_.takes.meshes == Takes::PAIR) {
     const std::string format = std::string("closed triangle mesh of genus 0: ") + mesh_extensions;
-    all_.add("A", request_.options.input, "The mesh that is brought to the other one, a " + format)
-      .is("FILE")
-      .required();
-    all_.add("B", request_.other, "The other mesh, likewise").is("FILE").required();
+    all_.add("A", request_.options.input, "The mesh that is registered to B, a " + format).is("FILE").required();
+    all_.add("B", request_.other, "The other mesh, of the same kind").is("FILE").required();
   }
   if(step_.takes.meshes == Takes::ONE)
     all_.add("QUERY", request_.options.input, std::string("Closed triangle mesh of genus 0: ") + mesh_extensions)
@@ -159,10 +155,10 @@ void Line::add_output(const Output& output)
   std::string text = output.description;
   if(output.kind == Output::MESH && output.option() == "--output") {
     text += output.extensions.empty() ? ": .off, .obj, .ply, .gii, .glb, .gltf or lh.NAME (FreeSurfer)" : "";
-    text += ", also with .gz, .xz, .zst or .bz2 behind; - is the standard output";
+    text += ", also followed by .gz, .xz, .zst or .bz2; - is the standard output";
   }
   if(output.option() == "--output" && is_about_each() && output.kind != Output::FOLDER)
-    text += "; of several IN a folder";
+    text += "; for several IN a folder";
   Option& option = all_.add(output.names, request_.outputs[output.option()], text);
   option.is(output.kind == Output::FOLDER ? "FOLDER" : "FILE");
   if(output.when == Output::REQUIRED)
@@ -284,7 +280,7 @@ int Line::run_one()
     const Output& first = step_.gives.front();
     std::string& output = request_.outputs["--output"];
     require(output.empty() || first.kind != Output::FOLDER, "--output",
-            "is a folder for several meshes; for one its name ends with a slash");
+            "is a folder for several meshes; for one mesh, end its name with a slash");
     if(output.empty() && first.when == Output::ALWAYS)
       output = fs::path(request_.options.input).filename().replace_extension(first.extensions.front()).string();
   } else if(!step_.gives.empty() && step_.gives.front().kind == Output::FOLDER)
@@ -339,7 +335,7 @@ int Line::run_many()
       require(file.empty() || !folder.empty(), "--output",
               "is required: a folder for the files '" + file + "' of several meshes");
       require(file.find('/') == std::string::npos, "--output",
-              "is a folder: '" + file + "' goes behind the names of the meshes, and may not have a '/'");
+              "is a folder: '" + file + "' is added to the names of the meshes, and may not have a '/'");
     }
   const int threads = request_.meshes.number_of_jobs();
   if(threads > 1 && !request_.has("--policy"))

@@ -180,7 +180,7 @@ private:
     if(meshes < 2)
       throw Refusal(Error_code::EMPTY_MESH, folder_,
                     "of " + std::to_string(items_.size()) + " meshes " + std::to_string(meshes) + ' ' + what,
-                    "statistics need two or more; the lines of the others say why not");
+                    "statistics need two or more; the lines of the others say what is wrong");
   }
 
   /// The meshes that have a map, sampled where their registered maps have the directions of the atlas. `first` is the
@@ -288,11 +288,11 @@ Work atlas_work()
   Options& options = work.options;
   options
     .add("--template", own->template_mesh,
-         "The mesh that all are registered to first, one of IN or another one [the first of IN that has a map]")
+         "The mesh to which all are registered first: one of IN or another one [the first of IN that has a map]")
     .is("FILE");
   options
     .add("--rounds", own->rounds,
-         "How often they are registered: from the second time on to the mean of the time before")
+         "Number of rounds of registration; from the second round on, the template is the mean of the round before")
     .in("[1,100]");
   options.add("--faces", own->faces, "All shapes get the vertices and faces of an icosphere, or of the template")
     .of({"icosphere", "template"});
@@ -300,10 +300,10 @@ Work atlas_work()
     .in("[0," + std::to_string(SP::largest_icosphere_level) + ']');
   options
     .add("--align", own->placement,
-         "What is no difference of shapes: nothing, their place, rotations, too (generalized Procrustes alignment), or "
-         "sizes as well")
+         "What is removed before shapes are compared: none (nothing), centre (translations), rigid (rotations, too: "
+         "generalized Procrustes alignment), similarity (sizes, too)")
     .of({"none", "centre", "rigid", "similarity"});
-  options.add("--modes", own->modes, "How many principal components are written at most").in("[0,1000000]");
+  options.add("--modes", own->modes, "Largest number of principal components to write").in("[0,1000000]");
   options.add("--ascii", own->ascii, "Write PLY files as text instead of little-endian binary");
   work.writes = [own](const Request& request) {
     Work::Files files;
@@ -330,14 +330,14 @@ Step atlas_step()
     {{"-o,--output",
       "Output folder: mean.ply; variance.ply, coloured; modes/, the mean plus and minus two standard deviations of "
       "each mode; scores.csv; quality.csv, compactness, generalization and specificity by the number of modes; "
-      "report.json; and the steps before, spheres/, registered/ and templates/",
+      "report.json; and intermediate results in spheres/, registered/ and templates/",
       {},
       Output::FOLDER,
       Output::REQUIRED}},
     atlas_work,
     "atlas scans/ -o atlas/",
-    "All meshes get the same vertices and faces. The exit code is 1 also if an atlas was written and some meshes "
-    "were refused. The same command resumes a run that was stopped, and brings an atlas up to date: only new and "
+    "All shapes get the same vertices and faces. If some meshes were refused, the exit code is 1 although an atlas was "
+    "written. The same command resumes a run that was stopped, and brings an atlas up to date: only new and "
     "edited meshes are mapped."};
 }
 

@@ -85,7 +85,7 @@ void certify(Run& run)
                   std::string("is a mirror image, ") +
                     (left == 0 ? std::string("otherwise a valid spherical map")
                                : "and its mirror image has " + std::to_string(left) + " flipped faces"),
-                  "negate one coordinate of the sphere, or turn the faces of the mesh round");
+                  "negate one coordinate of the sphere, or reverse the faces of the mesh");
   }
   if(!result)
     throw Refusal(result.error, run.options.sphere, "is no valid spherical map: " + result.detail, "");
@@ -109,20 +109,22 @@ Step certify_step()
 {
   Takes takes = {Takes::EACH, nullptr, "", Takes::ARGUMENT, Prepare::HARMLESS};
   takes.what =
-    "MESH... SPHERE: closed triangle meshes of genus 0, or folders of them, and at the end the sphere, or the "
+    "MESH... SPHERE: closed triangle meshes of genus 0, or folders of them; the last argument is the sphere, or the "
     "folder of the spheres with the same names. A sphere has the same vertices and faces in the same order "
-    "as its mesh, about the origin, of any radius";
-  return {"certify",
-          "Certify and measure a spherical map of any program",
-          takes,
-          {{"-o,--output",
-            "Folder for the reports of several MESH, and of what is done, so that the same command goes on with it",
-            {},
-            Output::FOLDER}},
-          certify_work,
-          "certify lh.pial.ply lh.sphere.ply --report report.json",
-          "0 is the exit code of a valid map. Points that are on no common sphere are projected from the origin, which "
-          "the output says; mirror images are named."};
+    "as its mesh; its centre is the origin, its radius may be any";
+  return {
+    "certify",
+    "Certify and measure a spherical map of any program",
+    takes,
+    {{"-o,--output",
+      "Folder for the reports of several MESH, and for the list of finished ones, with which the same command "
+      "resumes",
+      {},
+      Output::FOLDER}},
+    certify_work,
+    "certify lh.pial.ply lh.sphere.ply --report report.json",
+    "The exit code is 0 if the map is valid. Points that are not on a common sphere are projected from the origin, "
+    "and the output says so. Mirror images are recognized."};
 }
 
 } // namespace tool

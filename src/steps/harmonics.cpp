@@ -144,12 +144,13 @@ void harmonics(const Harmonics_options& options, Run& run)
   text << preparation_text(file, input.prepared) << run.file() << ": " << line.str() << '\n';
   if(!analysis.has_converged)
     text << "least squares stopped after " << analysis.iterations
-         << " iterations, short of their accuracy: there are few vertices for this degree; --fit integrals is safer\n";
+         << " iterations without reaching their accuracy: there are few vertices for this degree; --fit integrals is "
+            "safer\n";
   text << "error at the vertices: root mean square " << error.root_mean_square << " (" << error.relative
        << " of the size), at most " << error.largest << '\n'
        << run.figures.seconds_total << " s: map " << input.result.seconds.total << ", harmonics " << seconds_analysis
        << ", errors " << seconds_errors;
-  line << ", relative error " << error.relative << (analysis.has_converged ? "" : ", short of its accuracy");
+  line << ", relative error " << error.relative << (analysis.has_converged ? "" : ", accuracy not reached");
   run.text = text.str();
   run.line = line.str();
 }
@@ -161,15 +162,12 @@ Work harmonics_work()
   work.options.add("--degree", own->degree, "The largest degree: (DEGREE + 1)^2 coefficients per coordinate")
     .in("[0,2000]");
   work.options
-    .add(
-      "--fit", own->fit,
-      "By least squares at the vertices, of which there have to be as many as coefficients, or by integrals over the "
-      "faces")
+    .add("--fit", own->fit,
+         "Least squares at the vertices, which need as many vertices as coefficients, or integrals over the faces")
     .of({"least-squares", "integrals"});
   work.options.add("--align", own->align,
-                   "Write the coefficients of the shape moved to its first-order ellipsoid, the longest axis along x, "
-                   "so that those of "
-                   "shapes in any pose can be compared");
+                   "Move the shape to the position of its first-order ellipsoid, the longest axis along x, so that the "
+                   "coefficients of shapes in any position can be compared");
   return work;
 }
 
@@ -178,20 +176,20 @@ Work harmonics_work()
 Step harmonics_step()
 {
   Takes takes = {Takes::EACH, "isometric", "conformal", Takes::OPTION, Prepare::ALL};
-  takes.prepared = "the coefficients are those of the mended mesh, whose vertices and faces --reconstruct has";
+  takes.prepared = "the coefficients are those of the repaired mesh, whose vertices and faces --reconstruct writes";
   return {
     "harmonics",
     "Describe a shape by spherical harmonics (SPHARM)",
     takes,
     {{"-o,--output",
-      "Output file of the coefficients: .csv, .json, or .coef as SPHARM-PDM has it",
+      "Output file of the coefficients: .csv, .json, or .coef, the format of SPHARM-PDM",
       {".csv", ".json", ".coef"},
       Output::FILE,
       Output::REQUIRED},
-     {"--reconstruct", "Write the mesh of the coefficients: vertices and faces of IN, where IN is", {}, Output::MESH}},
+     {"--reconstruct", "Write the shape of the coefficients, with the vertices and faces of IN", {}, Output::MESH}},
     harmonics_work,
     "harmonics bunny.ply -o bunny.csv --degree 32",
-    "The report has the errors by degree (Hausdorff distance, too), the power spectrum and the ellipsoid."};
+    "The report has the errors by degree, with Hausdorff distances, the power spectrum and the ellipsoid."};
 }
 
 } // namespace tool

@@ -34,7 +34,7 @@ void say(Run& run)
   if(!shortfall.empty())
     text << "\nvalid, but " << shortfall;
   if(!run.options.density.empty())
-    text << "\nstandard deviation of log(area / wanted area): " << result.density_deviation;
+    text << "\nstandard deviation of log(area / target area): " << result.density_deviation;
   text << '\n'
        << result.method << ", " << (result.method == "isometric" ? "" : run.options.weights + " weights, ")
        << run.options.policy << " on " << result.device << ": " << result.start_iterations << " + " << result.iterations
@@ -115,7 +115,8 @@ Step map_step()
             Output::MESH,
             Output::REQUIRED},
            {"--stretch-ply",
-            "Write IN as PLY, coloured by the logarithm of the area stretch: red shrinks, blue grows",
+            "Write IN as PLY, coloured by the logarithm of the area stretch: red where the map shrinks, blue where it "
+            "enlarges",
             {".ply"}}},
           [] { return Work{map}; },
           "map bunny.ply -o sphere.off --report report.json"};

@@ -119,7 +119,8 @@ void check_folder(const Morph_options& options, const std::string& folder)
   for(const auto& [option, file] : files_of(options, folder))
     steps.insert(file);
   for(const std::string& file : numbered_files(folder + "/step_", '.' + options.format))
-    require(steps.count(file) > 0, "--output", "'" + file + "' is of another run; remove it, or name another folder");
+    require(steps.count(file) > 0, "--output",
+            "'" + file + "' belongs to another run; remove it, or name another folder");
 }
 
 void morph(const Morph_options& own, const Registration_options& options, Run& run)
@@ -154,14 +155,14 @@ void morph(const Morph_options& own, const Registration_options& options, Run& r
   run.details = registration_json(options, pair);
   run.commit();
   run.text = preparation_text(options, pair) + "written: " + files[1].second + " to " + files.back().second +
-             ", and morph.html to look at\n" + registration_text(options, pair);
+             ", and the page morph.html\n" + registration_text(options, pair);
 }
 
 Work morph_work()
 {
   const auto own = std::make_shared<Morph_options>();
   Work work = work_on_pair([own](const Registration_options& options, Run& run) { morph(*own, options, run); });
-  work.options.add("--steps", own->steps, "The number of steps: one mesh more is written").in("[1,10000]");
+  work.options.add("--steps", own->steps, "The number of steps: STEPS + 1 meshes are written").in("[1,10000]");
   work.options.add("--format", own->format, "Format of the meshes").of({"off", "obj", "ply", "glb"});
   work.options.add("--ascii", own->ascii, "Write PLY files as text instead of little-endian binary");
   work.check = [own](const Request& request) { check_folder(*own, request.file()); };
@@ -174,7 +175,7 @@ Work morph_work()
 Step morph_step()
 {
   return {"morph",
-          "Write meshes that lead from one shape to another one, and a page",
+          "Write meshes that lead from one shape to another one, and a page that shows them",
           pair_of_meshes(),
           {{"-o,--output",
             "Output folder: step_0, which is A, to step_STEPS, which is A in the shape of B, and morph.html",

@@ -74,8 +74,7 @@ void check_parts(const Request& request)
 {
   const auto [beginning, end] = around_number(request.file());
   for(const std::string& file : numbered_files(beginning, end))
-    require(false, "--output",
-            "'" + file + "' is there already, and has the name of a part; remove it, or name another");
+    require(false, "--output", "'" + file + "' exists, and has the name of a part; remove it, or name another output");
   require(!is_numbered(request.file("--report"), beginning, end), "--report", "has the name of a part");
 }
 
@@ -85,9 +84,9 @@ void check_options(const Prepare_options& options, const Request& request)
   require(steps.count("largest") == 0 || steps.count("split") == 0, "--steps", "is either largest or split");
   if(steps.count("split") > 0) {
     require(!request.is_one_of_many, "--steps",
-            "split writes as many files as there are components, which is for one IN at a time");
+            "split writes a file for every component, and so takes one IN at a time");
     require(request.file("--vertex-map").empty() && request.file("--face-map").empty(), "--steps",
-            "with split there is no one output for --vertex-map and --face-map");
+            "split has several outputs, so --vertex-map and --face-map are not possible");
     require(!request.file().empty() && request.file() != standard_stream, "--steps",
             "split requires a file as --output");
     check_parts(request);
@@ -137,7 +136,7 @@ std::string shape_of(const std::vector<Glued_surface>& parts)
     return std::to_string(n) + ' ' + what + (n == 1 ? "" : "s");
   };
   if(pieces == 1 && holes == 0 && handles == 0)
-    return "a closed surface of genus 0, as 'map' takes it";
+    return "a closed surface of genus 0, which 'map' accepts";
   return left(pieces, "component") + ", " + left(static_cast<std::size_t>(holes), "hole") + ", " +
          left(static_cast<std::size_t>(handles), "handle");
 }
@@ -170,7 +169,7 @@ void say(Run& run, const Prepared& prepared)
   distance.precision(3);
   std::vector<std::string> done = sentences(preparation);
   if(done.empty())
-    done.emplace_back("nothing to mend");
+    done.emplace_back("nothing to repair");
 
   constexpr double rounding = 1e-14;
   const auto& [from_new, from_old] = *prepared.distance;
@@ -190,13 +189,13 @@ void say(Run& run, const Prepared& prepared)
   text.precision(3);
   text << run.name_of_input() << ": " << soup.points.size() << " vertices, " << soup.faces << " faces\n";
   if(soup.polygons > 0)
-    text << "triangulated " << soup.polygons << " polygons: faces are triangles from here on\n";
+    text << "triangulated " << soup.polygons << " polygons: faces below are triangles\n";
   for(const std::string& sentence : done)
     text << sentence << '\n';
   if(share_of_area_kept(preparation) < 0.5)
     text
-      << "most of it was left out: --merge-distance unites parts that nearly meet, --wrap takes a surface around all "
-         "of them, --steps without largest keeps them\n";
+      << "most of the area was removed: --merge-distance unites parts that nearly meet, --wrap makes a surface around "
+         "all parts, --steps without largest keeps them\n";
   text << (prepared.files.empty() ? "it would be: " : "it is now: ") << line.str()
        << "\nHausdorff distance to IN: " << distance.str();
   if(distance.str() != "0")
@@ -204,7 +203,7 @@ void say(Run& run, const Prepared& prepared)
   for(const std::string& file : prepared.files)
     text << "\nwritten: " << shown(file, "standard output");
   if(prepared.files.empty())
-    text << "\nnothing was written, since there is no --output";
+    text << "\nno mesh was written, since --output is not given";
   run.text = text.str();
 
   line << "; Hausdorff distance to IN " << distance.str();
@@ -282,19 +281,20 @@ Work prepare_work()
   options
     .add(
       "--steps", own->steps,
-      "What is done, separated by commas: merge (stitch vertices at boundaries and at the same place), orient (always "
-      "done, as is leaving out what is no face, and cutting non-manifold parts from each other), largest or split "
-      "(keep the component of largest area, or write each as OUT_1, OUT_2, ..., of which none may be there), "
-      "degenerate (remove faces without area, which 'map' does not mind), holes (fill), handles (cut and close; of "
-      "what has no holes). merge,orient alone does not change the shape, and is what 'map --prepare' does")
+      "What is done, separated by commas: merge (merge boundary vertices at the same position), orient (always done, "
+      "like removing invalid faces, and cutting non-manifold parts from each other), largest or split (keep the "
+      "component of largest area, or write each component as OUT_1, OUT_2, ..., none of which may exist), degenerate "
+      "(remove faces of area 0, which 'map' does not need), holes (fill holes), handles (cut handles of components "
+      "without holes, and close them). merge,orient alone does not change the shape, and is what 'map --prepare' does")
     .is("LIST");
   options
     .add("--merge-distance", own->merge_distance,
-         "Merge vertices at boundaries up to this distance, not only those at the same place [0]")
+         "Merge boundary vertices up to this distance, not only those at the same position [0]")
     .in("[0,inf)");
-  options.add("--wrap", own->wrap, "Replace the mesh by a surface around it, however broken it is, before all else");
+  options.add("--wrap", own->wrap, "First replace the mesh, however broken it is, by a surface around it");
   options
-    .add("--alpha", own->wrap_settings.alpha, "Wrap: what a ball of this radius cannot enter is filled [diagonal / 50]")
+    .add("--alpha", own->wrap_settings.alpha,
+         "Wrap: cavities that a ball of this radius cannot enter are filled [diagonal / 50]")
     .in("(0,inf)")
     .only_with("--wrap");
   options.add("--offset", own->wrap_settings.offset, "Wrap: distance of the surface from the mesh [diagonal / 1500]")
@@ -310,19 +310,19 @@ Step prepare_step()
 {
   Takes takes = {Takes::EACH};
   takes.what = "Meshes with any defects, or folders of them";
-  return {
-    "prepare",
-    "Mend a mesh until it is one closed surface that 'map' takes",
-    takes,
-    {{"-o,--output",
-      "Output file, in which vertices and faces of IN that are left keep their order (without it the command only "
-      "says what it would do)",
-      {},
-      Output::MESH},
-     {"--vertex-map", "Write for each vertex of the output its number in IN, counted from 0, or -1 if it is new"},
-     {"--face-map", "Write for each face of the output its number in IN, counted from 0, or -1 if it is new"}},
-    prepare_work,
-    "prepare scan.ply -o closed.ply --vertex-map vertices.txt"};
+  return {"prepare",
+          "Repair a mesh so that it is one closed surface, which 'map' accepts",
+          takes,
+          {{"-o,--output",
+            "Output file, in which the remaining vertices and faces of IN keep their order (without --output the "
+            "command only "
+            "prints what it would do)",
+            {},
+            Output::MESH},
+           {"--vertex-map", "Write for each vertex of the output its index in IN, counted from 0, or -1 if it is new"},
+           {"--face-map", "Write for each face of the output its index in IN, counted from 0, or -1 if it is new"}},
+          prepare_work,
+          "prepare scan.ply -o closed.ply --vertex-map vertices.txt"};
 }
 
 } // namespace tool

@@ -65,16 +65,16 @@ Step register_step()
 {
   return {
     "register",
-    "Find corresponding points of two shapes: A in the shape of B",
+    "Find the points of B that correspond to the vertices of A",
     pair_of_meshes(),
     {{"-o,--output", "Output file: the mesh A, its vertices at the corresponding points of B", {}, Output::MESH},
      {"--output-sphere",
-      "Write the registered sphere of A: equal points of it and of the sphere of B correspond",
+      "Write the registered sphere of A: corresponding points of A and B have the same position on their spheres",
       {},
       Output::MESH},
      {"--correspondence",
-      "Write the place on B of every vertex of A: a .csv file of lines 'vertex,face,w0,w1,w2', a face of B and the "
-      "weights of its corners; then --output may be left out",
+      "Write the point of B for every vertex of A: a .csv file of lines 'vertex,face,w0,w1,w2', a face of B and the "
+      "weights of its corners; --output may then be left out",
       {".csv"}}},
     register_work,
     "register lion1.obj lion2.obj -o lion1_as_2.ply"};

@@ -80,7 +80,7 @@ void resample(const Resample_options& options, Run& run)
        << (method.empty() ? "" : " map; ") << "99 % of the shape is within " << 100 * loss.distance
        << " % of its diagonal, the bounding box has lost " << 100 * loss.bounding_box << " %";
   if(loss.distance > largest_distance || loss.bounding_box > largest_loss_of_box)
-    line << "; part of the shape is lost, where the map is small: try --method isometric, --area-exponent 30 or a "
+    line << "; parts that are small on the sphere are lost: try --method isometric, --area-exponent 30 or a "
          << (options.sphere.empty() ? "larger --level" : "finer sphere");
   run.line = line.str();
   run.text = preparation_text(run.name_of_input(), run.input.prepared) + run.name_of_output() + ": " + run.line;
@@ -110,12 +110,12 @@ Work resample_work()
 Step resample_step()
 {
   Takes takes = {Takes::EACH, "isometric", "conformal", Takes::OPTION, Prepare::ALL}; // which loses no limb
-  takes.prepared = "the shape that is sampled is that of the mended mesh";
+  takes.prepared = "the repaired mesh is sampled";
   return {"resample",
           "Sample a shape at the vertices of an icosphere or another sphere",
           takes,
           {{"-o,--output", "Output file of the new mesh", {}, Output::MESH, Output::REQUIRED},
-           {"--output-sphere", "Write that sphere as well: it is the map of the new mesh", {}, Output::MESH}},
+           {"--output-sphere", "Write that sphere, too, which is the map of the new mesh", {}, Output::MESH}},
           resample_work,
           "resample bunny.ply -o icosphere.off --level 7"};
 }

@@ -51,8 +51,8 @@ Work search_work()
   Work work = {[own](Run& run) { search(*own, run); }};
   work.options
     .add("--index", own->index,
-         "Index that the command 'signature' has written; of a table .csv the file .db "
-         "next to it")
+         "Index that the command 'signature' has written; for a table .csv, the file .db "
+         "next to it is read")
     .is("FILE")
     .required();
   work.options.add("-k,--number", own->number, "Number of meshes to list").in("[1,2147483647]");
@@ -72,12 +72,12 @@ Step search_step()
   takes.prepared = "as 'signature --prepare' does";
   return {
     "search",
-    "Find the meshes of the most similar shape, in any pose",
+    "Find the meshes with the most similar shapes, in any pose",
     takes,
     {},
     search_work,
     "search bunny.ply --index index.db -k 5",
-    "Prints a line per mesh: the distance of its signature, and its name. Typical distances are 0.2 between poses "
+    "Prints a line for each mesh: the distance of its signature, and its name. Typical distances are 0.2 between poses "
     "of the same shape and 2 between different shapes."};
 }
 

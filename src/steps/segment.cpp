@@ -51,8 +51,7 @@ Work segment_work()
 {
   const auto number = std::make_shared<std::optional<std::int64_t>>();
   Work work = {[number](Run& run) { segment(*number, run); }};
-  work.options.add("--segments", *number, "Number of segments; fewer if the shape has fewer [all that the shape has]")
-    .in("[1,inf)");
+  work.options.add("--segments", *number, "Largest number of segments [as many as the shape has]").in("[1,inf)");
   return work;
 }
 

@@ -26,7 +26,7 @@ void sign_meshes(Run& run)
   std::ostringstream text;
   text << run.file() << ": " << summary.meshes << " meshes, " << signatures << " signatures";
   if(summary.mended > 0)
-    text << ", " << summary.mended << " of mended meshes";
+    text << ", " << summary.mended << " of repaired meshes";
   if(summary.resumed > 0)
     text << ", " << summary.resumed << " rows from an earlier run";
   if(summary.removed > 0)
@@ -60,22 +60,22 @@ Step signature_step()
   Takes takes;
   takes.meshes = Takes::TOGETHER;
   takes.prepare = Prepare::ALL;
-  takes.prepared = "the signature is that of the mended mesh";
+  takes.prepared = "the signature is that of the repaired mesh";
   return {
     "signature",
     "Compute a shape descriptor of each mesh, for the command 'search'",
     takes,
     {{"-o,--output",
-      "Output file of the index: a database of SQLite, one row per mesh. If its extension is .csv: this table of "
-      "the rows, and next to it the index, .db",
+      "Output file of the index, an SQLite database with a row for each mesh. If its extension is .csv, the rows are "
+      "written to it as a table, and the index is the file .db next to it",
       {},
       Output::DATABASE,
       Output::REQUIRED}},
     signature_work,
     "signature scans/ -o index.db",
-    "Meshes without a signature have a row that says why; the exit code is 1 if there is no other. The same command "
-    "resumes a run that was stopped, and brings an index up to date: only new and edited meshes are computed, rows "
-    "of other meshes are removed."};
+    "A mesh without a signature has a row that says why; the exit code is 1 if no mesh has a signature. The same "
+    "command resumes a run that was stopped, and brings an index up to date: only new and edited meshes are computed, "
+    "and rows of other meshes are removed."};
 }
 
 } // namespace tool

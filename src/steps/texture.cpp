@@ -60,8 +60,8 @@ void say(Run& run, const SP::Texture_report& report)
   line.precision(3);
   more.precision(3);
   const auto& north = report.axes.north;
-  line << "every face has a place in the texture; north pole at " << north[0] << ' ' << north[1] << ' ' << north[2]
-       << ", " << report.seam_faces << " faces across the seam";
+  line << "no face is flipped in the texture; north pole at " << north[0] << ' ' << north[1] << ' ' << north[2] << ", "
+       << report.seam_faces << " faces across the seam";
   if(report.moved_faces > 0)
     more << '\n'
          << report.moved_faces << " faces have a moved corner, at most " << report.largest_move
@@ -87,7 +87,7 @@ std::string image_of(const Own_options& options)
   }
   std::string image = read_file(options.image);
   if(type_of_image(image).empty())
-    throw Refusal(unreadable_file, options.image, "is neither PNG nor JPEG, which is what glTF files can hold",
+    throw Refusal(unreadable_file, options.image, "is neither PNG nor JPEG, the formats that glTF files can hold",
                   "convert it, or write .obj");
   return image;
 }
@@ -140,7 +140,7 @@ Work texture_work()
   Work work = {[own](Run& run) { texture(*own, run); }};
   work.options.add("--chart", own->chart, "Parameterization of the sphere over the plane")
     .of({"latitude-longitude", "octahedral"});
-  work.options.add("--north", own->north, "North pole on the sphere [where the texture has least distortion]")
+  work.options.add("--north", own->north, "North pole on the sphere [that of the least distorted texture]")
     .is("X Y Z")
     .times(3);
   work.options.add("--image", own->image, "Image of the material, instead of a checker; PNG or JPEG for .glb and .gltf")
@@ -148,7 +148,7 @@ Work texture_work()
   work.check = [own](const Request& request) {
     require(!own->north || *own->north != std::array<double, 3>{0, 0, 0}, "--north", "must not be the zero vector");
     require(request.file() != standard_stream || !is_obj(request), "--output",
-            "is the standard output, and obj has other files beside it");
+            "is the standard output, but obj has two more files beside it");
   };
   work.reads = [own](const Request&) { return Work::Files{{"--image", own->image}}; };
   work.writes = [own](const Request& request) {

@@ -89,9 +89,9 @@ void view(Run& run)
 Step view_step()
 {
   Takes takes = {Takes::EACH, "automatic", "conformal", Takes::OPTION, Prepare::ALL};
-  takes.prepared = "the page shows the mended mesh";
+  takes.prepared = "the page shows the repaired mesh";
   return {"view",
-          "Write a page to look at: a mesh and its sphere, in one HTML file",
+          "Write a web page that shows a mesh and its sphere, as one HTML file",
           takes,
           {{"-o,--output",
             "Output file: .html [IN with that extension, in this folder]",

@@ -235,7 +235,7 @@ TEST_CASE("resample: no limb is lost by default, and what is lost otherwise is s
   const Process_result bad = run_tool({"resample", input, "-o", output, "--level", "3", "--method", "balanced"});
   CAPTURE(bad.out, bad.err);
   REQUIRE(bad.exit_code == 0);
-  CHECK(bad.out.find("part of the shape is lost") != std::string::npos);
+  CHECK(bad.out.find("parts that are small on the sphere are lost") != std::string::npos);
   CHECK(bad.out.find("balanced map") != std::string::npos);
 }
 
@@ -443,7 +443,7 @@ TEST_CASE("morph: no mesh has to go for a step, and no step of another run stays
   CHECK(morph(scratch / "a.off", "2").exit_code == 0); // the same names again
   const Process_result run = morph(scratch / "a.off", "1");
   CHECK(run.exit_code == 2);
-  CHECK(run.err.find("step_2.off' is of another run") != std::string::npos);
+  CHECK(run.err.find("step_2.off' belongs to another run") != std::string::npos);
 }
 
 TEST_CASE("segment: one label per face, and colours for them", "[tool]")

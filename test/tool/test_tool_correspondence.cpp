@@ -323,7 +323,7 @@ TEST_CASE("register --prepare: landmarks have the numbers of the files", "[tool]
   const Process_result run = run_tool({"register", scratch / "a.off", scratch / "b.off", "--prepare", "--landmarks",
                                        landmarks, "--correspondence", scratch / "others.csv"});
   CHECK(run.exit_code == 1);
-  CHECK(run.err.find("vertex 0 of A was left out when the mesh was mended") != std::string::npos);
+  CHECK(run.err.find("vertex 0 of A was removed when the mesh was repaired") != std::string::npos);
   CHECK_FALSE(fs::exists(scratch / "others.csv"));
 }
 

@@ -363,8 +363,8 @@ TEST_CASE("many: prepare mends a folder, and certify looks at spheres by their n
   CHECK(mesh_lines(prepared) == mesh_lines(only_said));
   CHECK(says(prepared, "torus.off: "));
   CHECK(says(prepared, "cut 1 handle"));
-  CHECK(says(prepared, "0.off: 162 vertices, 320 faces, a closed surface of genus 0, as 'map' takes it; Hausdorff "
-                       "distance to IN 0; nothing to mend"));
+  CHECK(says(prepared, "0.off: 162 vertices, 320 faces, a closed surface of genus 0, which 'map' accepts; Hausdorff "
+                       "distance to IN 0; nothing to repair"));
   CHECK(files_in(closed).count("torus.vertices.txt") == 1);
   CHECK(files_in(closed).count("more/broken.report.json") == 1);
   CHECK(files_in(closed).size() == 13 * 3 + 1);
@@ -479,9 +479,9 @@ TEST_CASE("many: wrong usage is said before any work", "[tool][many]")
   check({"map", folder, "-o", scratch / "file"}, "is a file");
   check({"map", folder, "-o", out, "--format", "stl"}, "--format");
   check({"map", folder, "-o", out, "--report", out + "/report.json"}, "'/'");
-  check({"map", folder, "-o", out, "--report", "ply"}, "would take the place of an output for");
+  check({"map", folder, "-o", out, "--report", "ply"}, "would overwrite an output for");
   check({"map", folder + "/0.off", folder + "/1.off", "-o", folder + "/", "--format", "off"},
-        "would take the place of the mesh");
+        "would overwrite the mesh");
   check({"map", "--list", scratch / "file", "-o"}, "--output");
   check({"map", "-o", out}, "IN or --list");
   check({"segment", folder, "-o", out, "--sphere", folder}, "is the folder of the meshes");

@@ -299,7 +299,7 @@ TEST_CASE("prepare: a mesh without defects is not changed", "[tool]")
   std::vector<std::size_t> order;
   const Soup soup = renumbered(bumpy_sphere(2), 1, order);
   const Prepared prepared(scratch, soup);
-  CHECK(prepared.run.out.find("nothing to mend") != std::string::npos);
+  CHECK(prepared.run.out.find("nothing to repair") != std::string::npos);
   CHECK(prepared.out.points == soup.points);
   CHECK(prepared.out.faces == soup.faces);
   CHECK(prepared.distance() == 0);
@@ -325,7 +325,7 @@ TEST_CASE("prepare: every defect is named and mended, and what comes out is mapp
       // and again there is nothing to do
       const Process_result again = run_tool({"prepare", scratch / "out.off"});
       CHECK(again.exit_code == 0);
-      CHECK(again.out.find("nothing to mend") != std::string::npos);
+      CHECK(again.out.find("nothing to repair") != std::string::npos);
     }
 }
 
@@ -349,7 +349,7 @@ TEST_CASE("prepare --steps merge,orient and map --prepare change no shape", "[to
         CHECK(run_tool({"certify", scratch / "out.off", scratch / "sphere.off"}).exit_code == 0);
       } else {
         CHECK(is_one_line(mapped.err));
-        CHECK(mapped.err.find("; the command 'prepare' mends that, too\n") != std::string::npos);
+        CHECK(mapped.err.find("; the command 'prepare' repairs that, too\n") != std::string::npos);
       }
     }
 }
@@ -599,7 +599,7 @@ TEST_CASE("prepare --steps split: no other file has to go for a part", "[tool]")
   {
     const Process_result run = split(input, "scan.off");
     CHECK(run.exit_code == 2);
-    CHECK(run.err.find("scan_1.off' is there already") != std::string::npos);
+    CHECK(run.err.find("scan_1.off' exists") != std::string::npos);
   }
   SECTION("another file has")
   {
@@ -757,7 +757,7 @@ TEST_CASE("prepare: what is left of little is said to be little", "[tool]")
   Soup soup = exploded(icosphere(2)); // so that no two triangles meet
   for(std::size_t i = 0; i < soup.points.size(); ++i)
     soup.points[i] = soup.points[i] + 1e-6 * Vector(double(i % 3), double(i % 5), double(i % 7));
-  const std::string advice = "most of it was left out: --merge-distance";
+  const std::string advice = "most of the area was removed: --merge-distance";
   CHECK(Prepared(scratch, soup).run.out.find(advice) != std::string::npos);
   CHECK(Prepared(scratch, soup, {"--merge-distance", "1e-4"}).run.out.find(advice) == std::string::npos);
 }

@@ -374,8 +374,8 @@ TEST_CASE("signature --prepare: rows of meshes that have to be mended", "[tool][
   };
   CHECK(sign({}) == index + ": 4 meshes, 1 signatures\n");
   // what was refused without mending is tried again, what was not and what cannot be read is not
-  CHECK(sign({"--prepare"}) == index + ": 4 meshes, 3 signatures, 2 of mended meshes, 1 rows from an earlier run\n");
-  CHECK(sign({"--prepare"}) == index + ": 4 meshes, 3 signatures, 2 of mended meshes, 4 rows from an earlier run\n");
+  CHECK(sign({"--prepare"}) == index + ": 4 meshes, 3 signatures, 2 of repaired meshes, 1 rows from an earlier run\n");
+  CHECK(sign({"--prepare"}) == index + ": 4 meshes, 3 signatures, 2 of repaired meshes, 4 rows from an earlier run\n");
 
   const auto first = [&](const std::string& query, const std::vector<std::string>& more) {
     std::vector<std::string> command = {"search", query, "--index", index, "-k", "1"};

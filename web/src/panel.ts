@@ -39,7 +39,7 @@ export function certificate(report: Report): HTMLElement {
       { class: "certificate good", id: "certificate", "data-code": "OK" },
       element("h2", {}, "Certified"),
       element("p", { class: "counts" }, `${counts}.`),
-      element("p", {}, "Every point of the surface has one place on the sphere, and no other point has the same: checked with exact numbers on the coordinates as they are stored."),
+      element("p", {}, "Every point of the surface has exactly one position on the sphere, and no two points have the same. Exact predicates have checked this on the stored coordinates."),
     );
   const isCancelled = report.error_code === "INTERRUPTED";
   return element(
@@ -50,7 +50,7 @@ export function certificate(report: Report): HTMLElement {
     element("p", {}, isCancelled ? `After ${whole(report.iterations ?? 0)} iterations, at a residual of ${figures(report.residual ?? 0)}.` : report.error),
     ...(isCancelled || report.method === "automatic" || report.method === "isometric"
       ? []
-      : [element("p", {}, "The method Automatic tries others where one fails.")]),
+      : [element("p", {}, "The method Automatic tries another method if one fails.")]),
   );
 }
 
@@ -91,10 +91,10 @@ export function facts(report: Report): HTMLElement {
 const css = (c: readonly number[]) => `rgb(${c.map(Math.round).join(" ")})`;
 
 const meaning: Partial<Record<Colouring, string>> = {
-  stretch: "How much the map shrinks (red) or enlarges (blue) an area: factor against the mean.",
-  angle: "How far the map changes the angles of a face, in degrees.",
+  stretch: "The factor by which the map shrinks (red) or enlarges (blue) areas, relative to the mean.",
+  angle: "The mean change of the angles of a face, in degrees.",
   segments: "Body and limbs, cut where the stretch rises.",
-  checker: "Squares of the same size on the sphere, carried back to the mesh.",
+  checker: "Squares of the same size on the sphere, mapped back to the mesh.",
 };
 
 const asFactor = (x: number) => {

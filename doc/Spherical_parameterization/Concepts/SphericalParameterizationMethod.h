@@ -5,15 +5,15 @@
 /// \code
 /// Saddle_point method;
 /// method.splitting = Saddle_point::Splitting::GAUSS_SEIDEL;
-/// \endcode
-/// Options out of range are misuse: `parameterize()` throws a `CGAL::Precondition_exception`, also with `NDEBUG`.
+/// \endcode If an option is out of range, `parameterize()` throws a `CGAL::Precondition_exception`, also with
+/// `NDEBUG`.
 ///
-/// This is a closed enumeration rather than an open concept: the models are those below, and programs cannot add one through
-/// the public interface. What a method is inside the package is written down in one place, the class template
-/// `internal::Method_solver<M>` of `internal/problem/Method_solver.h`: its specialization for M checks the options, says
-/// whether weights are needed, and has one function, `solve(backend, problem, effort, monitor)`, which returns a solution.
-/// `parameterize()` takes every M for which there is a specialization. It is internal and may change with every version; \ref
-/// CONTRIBUTING says how a method is added to the package.
+/// This is a closed concept: the models are those below, and programs cannot add models through the public interface.
+/// Inside the package a method M is a specialization of the class template `internal::Method_solver<M>` of
+/// `internal/problem/Method_solver.h`. It checks the options, says whether weights are needed, and has one function,
+/// `solve(backend, problem, effort, monitor)`, which returns a solution. `parameterize()` accepts every M for which
+/// there is a specialization. This is internal and may change with every version; \ref CONTRIBUTING describes how to
+/// add a method to the package.
 ///
 /// \cgalHasModelsBegin
 /// \cgalHasModel{`CGAL::Spherical_parameterization::Balanced`}

@@ -1,11 +1,11 @@
 /// \ingroup PkgSphericalParameterizationConcepts
 /// \cgalConcept
-/// Where `CGAL::Spherical_parameterization::parameterize()` runs. A policy owns nothing of a run: buffers and programs are
-/// made inside of the call, and released at its end.
+/// Says where `CGAL::Spherical_parameterization::parameterize()` runs. A policy owns no data of a run: buffers and
+/// programs are made inside the call, and released at its end.
 ///
-/// This is a closed enumeration rather than an open concept: each model below has a backend in the package, with the same
-/// operations over the same formulas, so that a result does not depend on the policy. Programs cannot add one. A model is
-/// copyable, and any number of threads may use one at once.
+/// This is a closed concept: programs cannot add models. Each model below has a backend in the package, with the same
+/// operations and the same formulas, so the result does not depend on the policy. A model is copyable, and several
+/// threads may use the same model at the same time.
 ///
 /// \cgalHasModelsBegin
 /// \cgalHasModel{`CGAL::Sequential_tag`: one core}

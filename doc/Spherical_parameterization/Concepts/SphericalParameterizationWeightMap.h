@@ -4,13 +4,13 @@
 ///
 /// \cgalRefines{`boost::ReadablePropertyMap`}
 ///
-/// Weights are symmetric: they belong to edges and not to halfedges. All have to be positive and finite; otherwise the
-/// result is `BAD_WEIGHT`. They may be of any unit. Large ratios between weights cost iterations and digits.
+/// Weights are symmetric: they belong to edges, not to halfedges. All must be positive and finite; otherwise the result
+/// is `BAD_WEIGHT`. Their unit is arbitrary. Large ratios between weights cost iterations and accuracy.
 ///
-/// The map is read once for every edge, while the mesh is read: by several threads at once, unless the policy is
-/// `CGAL::Sequential_tag`.
+/// The map is read once for every edge, while the mesh is read, by several threads at the same time unless the policy
+/// is `CGAL::Sequential_tag`.
 ///
-/// Every readable map from edges to numbers is a model, say a `CGAL::Surface_mesh::Property_map<Edge_index, double>`.
+/// Every readable map from edges to numbers is a model, such as `CGAL::Surface_mesh::Property_map<Edge_index, double>`.
 ///
 /// \cgalHasModelsBegin
 /// \cgalHasModel{`CGAL::Spherical_parameterization::Barycentric_weight_map`}

@@ -3,7 +3,7 @@
 /// A method of `CGAL::Spherical_parameterization::segmentation_from_area_stretch()`: a struct that has the options of the
 /// method as public members with defaults.
 ///
-/// This is a closed enumeration: the models are those below, and programs cannot add one.
+/// This is a closed concept: the models are those below, and programs cannot add models.
 ///
 /// \cgalRefines{`CGAL::Spherical_parameterization::Segment_limits`\, from which it is derived}
 ///

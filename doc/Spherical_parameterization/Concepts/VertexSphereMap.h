@@ -5,10 +5,10 @@
 /// \cgalRefines{`boost::WritablePropertyMap` for `CGAL::Spherical_parameterization::parameterize()`; also
 /// `boost::ReadablePropertyMap` where vertices are fixed, and for all functions that take a map as input}
 ///
-/// Its values have three coordinates in floating point or exact numbers: `CGAL::Point_3` and `CGAL::Vector_3` of any kernel,
-/// `std::array<double, 3>`, or an Eigen vector. Other values, such as `Point_2` or integers, are a static assertion. What is
-/// certified is what the map stores: for values of single precision, the positions are rounded to floats first, and the
-/// certificate is that of the rounded positions.
+/// Its values have three coordinates in floating point or exact numbers: `CGAL::Point_3` and `CGAL::Vector_3` of any
+/// kernel, `std::array<double, 3>`, or an Eigen vector. Other values, such as `Point_2` or integers, fail a static
+/// assertion. The certificate is about the values that the map stores: for values of single precision, positions are
+/// rounded to floats first, and the rounded positions are certified.
 ///
 /// \cgalHasModelsBegin
 /// \cgalHasModel{`CGAL::Surface_mesh::Property_map<Vertex_index\, Point_3>`}

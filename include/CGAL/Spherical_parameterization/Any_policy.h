@@ -15,7 +15,7 @@ namespace CGAL::Spherical_parameterization {
 /// \addtogroup PkgSphericalParameterizationPolicies
 /// @{
 
-/// One of the execution policies of this build, for programs that choose when they run.
+/// One of the execution policies of this build, for programs that choose it at run time.
 using Any_policy = std::variant<CGAL::Sequential_tag
 #ifdef CGAL_LINKED_WITH_TBB
                                 ,

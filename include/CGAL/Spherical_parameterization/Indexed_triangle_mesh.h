@@ -36,10 +36,10 @@ namespace CGAL::Spherical_parameterization {
 /// \addtogroup PkgSphericalParameterizationMap
 /// @{
 
-/// A closed, oriented, connected triangle mesh of genus 0 made of arrays: points and index triples, as CGAL's functions
-/// for polygon soups take them, and nothing else. It is a model of `FaceListGraph`, `HalfedgeListGraph` and
-/// `EdgeListGraph`, so that all functions of this package take it, and cannot be changed. Vertices and faces have the
-/// numbers they have in the arrays: `v.idx()`, `f.idx()`.
+/// A closed, oriented, connected triangle mesh of genus 0, made of arrays of points and index triples, as CGAL's
+/// functions for polygon soups take them. It is a model of `FaceListGraph`, `HalfedgeListGraph` and `EdgeListGraph`, so
+/// all functions of this package take it. It cannot be changed. The indices of vertices and faces are those of the
+/// arrays: `v.idx()`, `f.idx()`.
 ///
 /// Maps are the same bit for bit as those of a `CGAL::Surface_mesh` to which the same faces are added one by one.
 /// Memory: 80 bytes per vertex.
@@ -88,14 +88,14 @@ public:
   typedef boost::filter_iterator<Names_edge, Iterator<Edge_index>> Edge_iterator;
   /// \endcond
 
-  /// What `get(CGAL::vertex_point, mesh)` gives.
+  /// The type of `get(CGAL::vertex_point, mesh)`.
   typedef std::array<double, 3> Point;
 
-  /// Makes the mesh of a checked soup.
+  /// Checks a soup and makes the mesh.
   /// \param points     a range of points, with x(), y(), z() or operator[]
-  /// \param triangles  a range of ranges of three numbers of points, counterclockwise as seen from outside
-  /// \throws Error if the triangles do not form a closed, oriented, connected surface of genus 0: it says what is
-  ///         wrong, where, and what to do
+  /// \param triangles  a range of ranges of three indices of points, counterclockwise as seen from outside
+  /// \throws Error if the triangles do not form a closed, oriented, connected surface of genus 0. The error says what
+  ///         is wrong, where, and what to do
   ///
   /// Complexity: O(n).
   template <class PointRange, class TriangleRange>
@@ -158,14 +158,14 @@ public:
   }
   /// \endcond
 
-  /// \return how many vertices there are
+  /// \return the number of vertices
   std::size_t number_of_vertices() const { return point_.size(); }
-  /// \return how many faces there are
+  /// \return the number of faces
   std::size_t number_of_faces() const { return table_.face.size(); }
   /// \return the points, in the order of the vertices
   const std::vector<Point>& points() const { return point_; }
-  /// \param f  the number of a face
-  /// \return the numbers of its vertices, as they were given
+  /// \param f  the index of a face
+  /// \return the indices of its vertices, in the given order
   const std::array<int, 3>& triangle(std::size_t f) const { return table_.face[f]; }
 
   /// \cond SKIP_IN_MANUAL

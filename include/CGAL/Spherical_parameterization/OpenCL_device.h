@@ -33,18 +33,18 @@ namespace CGAL::Spherical_parameterization {
 /// \addtogroup PkgSphericalParameterizationPolicies
 /// @{
 
-/// The execution policy that runs the solvers on an OpenCL device. The mesh is read, the multigrid hierarchy is set up,
-/// and the result is certified on the host.
+/// The execution policy that runs the solvers on an OpenCL device. The host reads the mesh, sets up the multigrid
+/// hierarchy, and certifies the result.
 ///
-/// A value: copies stand for the same queue and share the kernels. These are compiled when they are needed first. Most
+/// A value type: copies use the same queue and share the kernels. Kernels are compiled when they are first needed. Most
 /// drivers keep compiled kernels on disk, so that only the first program waits for the compiler.
 ///
-/// Any number of threads may call `opencl_device()` at once, and `parameterize()` with the same device, or with devices
-/// on the same queue. Results do not depend on it; the work on one queue is done one after the other.
+/// Several threads may call `opencl_device()` at the same time, and `parameterize()` with the same device, or with
+/// devices on the same queue. The results are the same; the work on one queue is done sequentially.
 ///
-/// In double precision results are those of `CGAL::Sequential_tag` bit by bit, on devices whose division and square
-/// root round correctly, as OpenCL demands. In single precision the residual does not come down to the default
-/// accuracy: accuracies below 3e-7 sqrt(n), with n vertices, are taken for that; `Result::device` names the precision.
+/// In double precision the results are the same, bit by bit, as with `CGAL::Sequential_tag`, on devices whose division
+/// and square root round correctly, as OpenCL demands. In single precision the residual cannot reach the default
+/// accuracy: accuracies below 3e-7 sqrt(n), with n vertices, are raised to that; `Result::device` names the precision.
 /// The certificate is exact in either case.
 ///
 /// A mesh with fewer than `smallest_mesh()` vertices is mapped on one core of the host, which is faster;
@@ -53,14 +53,14 @@ namespace CGAL::Spherical_parameterization {
 /// \cgalModels{SphericalParameterizationPolicy}
 class OpenCL_device {
 public:
-  /// In what the device computes.
+  /// The precision of the computation.
   enum class Precision {
-    AUTOMATIC, ///< double where the device has it
+    AUTOMATIC, ///< double if the device supports it
     DOUBLE,    ///< 64 bits, or an `OpenCL_error`
     SINGLE     ///< 32 bits
   };
 
-  /// \param queue      in order, of the device and the context in which to work
+  /// \param queue      an in-order queue of the device and the context to use
   /// \param precision  in what to compute
   /// \throws OpenCL_error if the device does not have the precision, or the queue is not in order
   explicit OpenCL_device(cl::CommandQueue queue, Precision precision = Precision::AUTOMATIC)
@@ -70,20 +70,20 @@ public:
       throw OpenCL_error("OpenCL_device", CL_INVALID_DEVICE, info().name + " has single precision only");
   }
 
-  /// \return the queue that all work goes to
+  /// \return the queue of all work
   const cl::CommandQueue& queue() const { return queue_.queue(); }
   /// \return what the device says of itself
   const OpenCL_device_info& info() const { return queue_.info(); }
   /// \return whether it computes with 64 bits
   bool is_double_precision() const { return queue_.is_double_precision(); }
 
-  /// \return the least number of vertices that the device gets
+  /// \return the smallest number of vertices for which the device is used
   ///
-  /// The default is 10,000. A CPU as a device (PoCL) is as fast as one core at 40,000 vertices; the default is meant
-  /// for GPUs.
+  /// The default is 10,000, which is meant for GPUs. A CPU as a device (PoCL) is as fast as one core at 40,000
+  /// vertices.
   std::size_t smallest_mesh() const { return smallest_mesh_; }
   /// Sends smaller meshes to the host.
-  /// \param number_of_vertices  the least that the device gets; 0 for all meshes
+  /// \param number_of_vertices  the smallest number for which the device is used; 0 for all meshes
   /// \return this device
   OpenCL_device& set_smallest_mesh(std::size_t number_of_vertices)
   {
@@ -102,7 +102,7 @@ private:
   std::size_t smallest_mesh_ = 10000;
 };
 
-/// Every device of every platform, in an order that stays while no driver comes or goes. No driver: no device.
+/// Every device of every platform, in an order that only depends on the drivers. Empty if there is no driver.
 /// \return what each of them says of itself
 inline std::vector<OpenCL_device_info> opencl_devices()
 {
@@ -112,8 +112,8 @@ inline std::vector<OpenCL_device_info> opencl_devices()
   return result;
 }
 
-/// Device `k` of `opencl_devices()`, with a context and a queue of its own.
-/// \param k          its number there, from 0
+/// Device `k` of `opencl_devices()`, with its own context and queue.
+/// \param k          its index there, from 0
 /// \param precision  in what to compute
 /// \return the policy
 /// \throws OpenCL_error if there is no such device, or if it does not have the precision
@@ -133,11 +133,11 @@ inline OpenCL_device opencl_device(std::size_t k,
   return OpenCL_device(queue, precision);
 }
 
-/// The device a user has asked for. Where `wanted` is empty, what the environment variable
-/// `CGAL_SPHERICAL_PARAMETERIZATION_DEVICE` says counts; where that is empty, too, the first GPU with double precision;
-/// without one, the first device.
-/// \param wanted  its number, or a part of its name, in which capitals do not matter; or empty
-/// \return its number in `opencl_devices()`
+/// The device that a user has chosen. If `wanted` is empty, it is the device that the environment variable
+/// `CGAL_SPHERICAL_PARAMETERIZATION_DEVICE` names; if that is empty, too, the first GPU with double precision, or else
+/// the first device.
+/// \param wanted  its index, or a part of its name, case-insensitive; or empty
+/// \return its index in `opencl_devices()`
 /// \throws OpenCL_error if there is no such device
 inline std::size_t find_opencl_device(std::string wanted = std::string())
 {

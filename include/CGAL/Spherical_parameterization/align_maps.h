@@ -51,18 +51,18 @@ Harmonic_coefficients sampled_harmonics(const Watched_loop<Host_loop>& loop,
 
 } // namespace internal
 
-/// Registration of two maps: the rotation of the sphere that leads from the map `a` to the map `b`: maps are unique
-/// only up to rotation, and data is transferred, and shapes are morphed, between maps in the same position. It is the
-/// one for which the two shapes, both as functions on the sphere, are correlated best, wherever they are and whatever
-/// their size. The shapes have to stand in space in the same way.
+/// The rotation of the sphere that aligns the map `a` with the map `b`. Maps are unique only up to rotation, but
+/// transfer of data and morphing need maps in the same position. The rotation maximizes the correlation of the two
+/// shapes as functions on the sphere, independent of their positions and sizes. The shapes must have the same
+/// orientation in space.
 ///
-/// The best of all rotations for harmonics up to degree 31: `best_rotation()`.
+/// It is the best of all rotations for harmonics up to degree 31: `best_rotation()`.
 /// \param a         the inverse of the first map
 /// \param points_a  readable, key vertex_descriptor of the mesh of `a`, value with x(), y(), z() or `std::array`
 /// \param b         the inverse of the second map
 /// \param points_b  readable, key vertex_descriptor of the mesh of `b`, value with x(), y(), z() or `std::array`
 /// \param policy,np  see \ref pd_calls
-/// \return R such that R x under `b` is what x is under `a`; see `rotated_map()`
+/// \return R such that x in the map `a` corresponds to R x in the map `b`; see `rotated_map()`
 /// \throws Error  `NON_FINITE_COORDINATE` for points that are not finite, and `INTERRUPTED`
 ///
 /// Complexity: 8,192 queries in each map, and 25 ms on one core.
@@ -83,8 +83,8 @@ Rotation aligning_rotation(const ExecutionPolicy& policy, const Spherical_locato
 }
 CGAL_SP_ON_ONE_CORE(aligning_rotation)
 
-/// A spherical map seen through a rotation: what `transfer_vertex_property()` and the like take for a map in another
-/// position. Nothing is stored: rotated coordinates would be rounded, which can flip the faces of thin limbs.
+/// A rotated view of a spherical map, to be passed to `transfer_vertex_property()` and similar functions. The rotated
+/// coordinates are not stored, since their rounding could flip faces of thin limbs.
 template <class VertexSphereMap>
 struct Rotated_map {
   /// \cond SKIP_IN_MANUAL

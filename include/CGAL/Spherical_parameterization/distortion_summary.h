@@ -15,12 +15,12 @@ namespace CGAL::Spherical_parameterization {
 /// \addtogroup PkgSphericalParameterizationMeasures
 /// @{
 
-/// The distortion of a valid map in figures: area, angle and quasi-conformal distortion, symmetric Dirichlet energy.
+/// Summary of the distortion of a valid map: area, angle and quasi-conformal distortion, symmetric Dirichlet energy.
 /// \param policy      `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result does not depend on it
 /// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param sphere_map  readable, key vertex_descriptor, value unit vectors
 /// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
-/// \return how each measure is distributed over the source area
+/// \return the distribution of each measure over the source area
 ///
 /// Complexity: O(n) in practice, O(n log n) at worst.
 template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class CGAL_NP_TEMPLATE_PARAMETERS,

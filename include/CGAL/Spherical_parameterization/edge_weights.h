@@ -23,9 +23,9 @@ namespace CGAL::Spherical_parameterization {
 /// @{
 
 /// \name Spring weights
-/// What the named parameter `edge_weight_map` takes: `Conformal_weights`, or a readable property map from edges to
-/// double. Those of the package are computed on access. They keep references: the mesh must outlive them. Any other
-/// readable map from edges to positive numbers can take their place.
+/// Arguments of the named parameter `edge_weight_map`: `Conformal_weights`, or a readable property map from edges to
+/// double. The maps of the package compute weights on access. They keep references: the mesh must outlive them. Any
+/// other readable map from edges to positive numbers can be used, too.
 /// @{
 
 /// Uniform (Tutte) weights, w = 1 for every edge: each vertex is at the projected mean of its neighbours. The map
@@ -38,9 +38,9 @@ struct Barycentric_weight_map
 
 /// Cotangent weights of the edges of the mesh, w = (cot alpha + cot beta) / 2, with alpha and beta the angles opposite
 /// to the edge, each clamped to [minimum, maximum] degrees, as in the paper. Bounds inside (0, 90) keep all weights
-/// positive, also at faces without area (whose angles count as 0 or 180 degrees). The map is conformal up to
-/// discretization and clamping; obtuse angles are what it cannot see. U. Pinkall, K. Polthier, "Computing discrete
-/// minimal surfaces and their conjugates", Experimental Mathematics 2 (1993).
+/// positive, also at faces of area 0 (whose angles are taken as 0 or 180 degrees). The map is conformal up to
+/// discretization and clamping, so not where angles are obtuse. U. Pinkall, K. Polthier, "Computing discrete minimal
+/// surfaces and their conjugates", Experimental Mathematics 2 (1993).
 /// \cgalModels{SphericalParameterizationWeightMap}
 template <class TriangleMesh, class VertexPointMap>
 class Clamped_weight_map {
@@ -94,9 +94,9 @@ private:
   double largest_, smallest_;
 };
 
-/// Mean value coordinates, symmetrized: the coordinates (tan a/2 + tan b/2) / |e| of either end with respect to the
-/// other, a and b the angles at it next to the edge, are averaged, since a spring has one weight. Not defined at faces
-/// without area. M. Floater, "Mean value coordinates", CAGD 20 (2003).
+/// Mean value coordinates, symmetrized: each end of the edge e has the coordinate (tan a/2 + tan b/2) / |e|, with a and
+/// b its angles next to the edge. The coordinates of both ends are averaged. Not defined at faces of area 0. M.
+/// Floater, "Mean value coordinates", CAGD 20 (2003).
 /// \cgalModels{SphericalParameterizationWeightMap}
 template <class TriangleMesh, class VertexPointMap>
 class Mean_value_weight_map {

@@ -20,11 +20,11 @@ namespace CGAL::Spherical_parameterization {
 /// \addtogroup PkgSphericalParameterizationHarmonics
 /// @{
 
-/// The functions turned: f(R^-1 x), by Wigner's matrices.
+/// The rotated functions f(R^-1 x), by Wigner's matrices.
 /// \param coefficients  of the functions f
 /// \param rotation      R
 /// \param np  see \ref pd_calls
-/// \return the coefficients of the turned functions
+/// \return the coefficients of the rotated functions
 /// \throws Error  `NON_FINITE_COORDINATE` for coefficients that are not finite, and `INTERRUPTED`
 ///
 /// Complexity: O(L^3); to 1e-12 for any degree.
@@ -37,9 +37,9 @@ Harmonic_coefficients rotated(const Harmonic_coefficients& coefficients, const R
   return internal::rotated_harmonics(internal::Watched_loop(internal::Host_loop(), monitor), coefficients, rotation);
 }
 
-/// The first-order ellipsoid. The signs of the axes are chosen so that the shape reaches farther (the integral of the
-/// cubes of the coordinates is positive) along the first and the second one: so shapes without symmetry have one
-/// ellipsoid, whatever their pose.
+/// The first-order ellipsoid. The signs of the first two axes are chosen such that the shape reaches farther in their
+/// directions (the integral of the cubes of the coordinates is positive). So the ellipsoid of a shape without symmetry
+/// is unique, whatever its pose.
 /// \param shape  three functions of degree 1 or more
 /// \return the ellipsoid
 /// \throws Error  `NON_FINITE_COORDINATE` for coefficients that are not finite
@@ -51,9 +51,9 @@ CGAL_SP_INLINE First_order_ellipsoid first_order_ellipsoid(const Harmonic_coeffi
   return internal::ellipsoid_of(internal::Host_loop(), shape);
 }
 
-/// A shape in the position of its first-order ellipsoid: centre at the origin, half axes along x, y and z, the largest
-/// along x, and the sphere turned so that these are the images of its axes. Shapes in any pose, with any rotation of
-/// their maps, become comparable coefficient by coefficient.
+/// Moves a shape to the position of its first-order ellipsoid: the centre is at the origin, the half axes are along x,
+/// y and z, the largest along x, and the sphere is rotated so that its axes are mapped to them. Then shapes in any
+/// position, with any rotation of their maps, can be compared coefficient by coefficient.
 /// \param shape  three functions of degree 1 or more
 /// \param np  see \ref pd_calls
 /// \return the coefficients of the moved shape
@@ -66,12 +66,12 @@ Harmonic_coefficients aligned_to_ellipsoid(const Harmonic_coefficients& shape,
   return rotated(internal::turned_in_space(shape, ellipsoid.axes, shape.degree()), ellipsoid.sphere_axes, np);
 }
 
-/// The rotation R for which f and g turned by R (`rotated()`) are correlated best, of all rotations: that of the
-/// largest integral of f(x) g(R^-1 x) over the sphere, summed over the functions. Constants (degree 0) do not matter.
+/// The rotation R with the largest correlation of f and the rotated g (`rotated()`): it maximizes the integral of f(x)
+/// g(R^-1 x) over the sphere, summed over the functions, over all rotations. Constants (degree 0) have no influence.
 ///
-/// The correlation is a trigonometric polynomial in Euler's angles, and so is known everywhere by Fourier transforms
-/// (B. Kovacs, W. Wriggers, "Fast rotational matching", 2002; P. Kostelec, D. Rockmore, "FFTs on the rotation group",
-/// 2008); Newton's method starts from the eight largest of its local maxima on a grid as fine as the degree asks for.
+/// The correlation is a trigonometric polynomial in the Euler angles, which Fourier transforms evaluate on a grid (B.
+/// Kovacs, W. Wriggers, "Fast rotational matching", 2002; P. Kostelec, D. Rockmore, "FFTs on the rotation group",
+/// 2008); Newton's method starts from the eight largest local maxima on a grid that is fine enough for the degree.
 /// \param f,g     as many functions in each; of the larger degree, what the other one has not got does not count
 /// \param policy,np  see \ref pd_calls
 /// \return R, to 1e-10 radians where the maximum is sharp
@@ -94,14 +94,14 @@ Rotation best_rotation(const ExecutionPolicy& policy, const Harmonic_coefficient
 }
 CGAL_SP_ON_ONE_CORE(best_rotation)
 
-/// Registration of two shapes in any pose, with maps in any position: the rotations of space and of the sphere for
-/// which they are correlated best. Where the shapes are, and their sizes, does not matter.
+/// Registration of two shapes with any orientation in space, and with maps in any position: the rotations of space and
+/// of the sphere with the largest correlation. Position and size have no influence.
 ///
-/// From the 24 ways to put the axes of the first-order ellipsoids onto each other the best rotation of the sphere, of
-/// all (`best_rotation()`), and the best one of space (B. Horn, 1987) by turns: up to degree 4, the best of them up to
-/// degree 8, and the best of these with all degrees, near what has been found. Shapes without symmetry, whose first
-/// degrees are not too much alike, are brought together wherever they came from; a proof that no other motion is better
-/// there is not.
+/// It starts from each of the 24 ways to match the axes of the first-order ellipsoids, and alternates between the best
+/// rotation of the sphere (`best_rotation()`) and the best rotation of space (B. Horn, 1987): first up to degree 4,
+/// then the best results up to degree 8, and the best of these with all degrees, near the rotation found. Shapes
+/// without symmetry whose low degrees differ are aligned from any position. There is no proof that no other motion is
+/// better.
 /// \param f,g     three functions each; of the larger degree, what the other one has not got does not count
 /// \param policy,np  see \ref pd_calls
 /// \return the rotations and the correlation

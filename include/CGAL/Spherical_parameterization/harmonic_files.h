@@ -17,10 +17,10 @@ namespace CGAL::Spherical_parameterization {
 /// \addtogroup PkgSphericalParameterizationHarmonics
 /// @{
 
-/// How coefficients are written.
+/// File formats of coefficients.
 enum class Coefficient_format {
   CSV,       ///< a header, then a line `l,m,c,...` for every coefficient, in the order of `Harmonic_coefficients`
-  JSON,      ///< an object: `degree`, `functions`, and `coefficients`, an array for every function
+  JSON,      ///< an object with `degree`, `functions`, and `coefficients`, an array for every function
   SPHARM_PDM ///< the `.coef` of SPHARM-PDM, of three functions, in its own harmonics
 };
 
@@ -28,7 +28,7 @@ enum class Coefficient_format {
 /// \param out           where
 /// \param coefficients  of any number of functions; of three for `SPHARM_PDM`
 /// \param format        of the text
-/// \throws std::runtime_error  if the format is for three functions, and there are not three
+/// \throws std::runtime_error  if the format is for three functions, and the number is not three
 CGAL_SP_INLINE void write_coefficients(std::ostream& out, const Harmonic_coefficients& coefficients,
                                        Coefficient_format format)
 {
@@ -37,7 +37,7 @@ CGAL_SP_INLINE void write_coefficients(std::ostream& out, const Harmonic_coeffic
                                                : internal::spharm_pdm_of(coefficients));
 }
 
-/// Reads what `write_coefficients()` or, in its format, SPHARM-PDM has written.
+/// Reads coefficients that `write_coefficients()` or SPHARM-PDM has written.
 /// \param in      read to its end
 /// \param format  of the text
 /// \return the coefficients; from CSV and JSON the same bits

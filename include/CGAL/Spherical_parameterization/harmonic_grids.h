@@ -63,7 +63,7 @@ public:
   }
 
   /// \param row  0 to rows() - 1
-  /// \return the area, in steradians, that each of its points stands for
+  /// \return the quadrature weight, in steradians, of each of its points
   double weight(int row) const { return grid_.weight[row]; }
 
   /// \cond SKIP_IN_MANUAL

@@ -31,11 +31,11 @@ using Face_location = std::pair<typename boost::graph_traits<TriangleMesh>::face
 /// The inverse of a spherical map (point location on the sphere): finds the point of the mesh that is mapped to a
 /// direction.
 ///
-/// A kd-tree of the vertices says where to start, and a stochastic walk through the triangulation goes on from there
-/// (O. Devillers, S. Pion, M. Teillaud, "Walking in a triangulation", 2002), which ends with probability 1 whatever the
-/// triangles look like. Exact tests decide every step: no direction is lost, however small the faces.
+/// A kd-tree of the vertices finds a start. From there a stochastic walk through the triangulation (O. Devillers, S.
+/// Pion, M. Teillaud, "Walking in a triangulation", 2002) reaches the face with probability 1, whatever the triangles
+/// look like. Exact tests decide every step, so every direction is found, however small the faces are.
 ///
-/// Copies what it needs, about 100 bytes per vertex; locating may be done by several threads at once.
+/// Copies its data, about 100 bytes per vertex. Several threads may call `locate()` at the same time.
 template <class TriangleMesh>
 class Spherical_locator {
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
@@ -69,10 +69,10 @@ public:
   {}
 
   /// The face whose image contains `direction`, and the weights for which the mean of the images of its corners has
-  /// that direction. On an edge or at a vertex it is one of the faces there.
+  /// that direction. If the direction is on an edge or at a vertex, one of the faces there is returned.
   /// \param direction any vector that is finite and not zero: with x(), y(), z() or operator[]
   /// \return the face and the weights, exact to 1e-12
-  /// \throws Error  `NON_FINITE_COORDINATE` if it is none
+  /// \throws Error  `NON_FINITE_COORDINATE` if it is not
   ///
   /// Complexity: O(log n) expected, for triangles that are not all slivers.
   template <class Direction>
@@ -82,7 +82,7 @@ public:
     return {face_[static_cast<std::size_t>(face)], weights};
   }
 
-  /// \return the mesh whose map this is the inverse of
+  /// \return the mesh of the map
   const TriangleMesh& mesh() const { return *mesh_; }
 
 private:

@@ -56,7 +56,7 @@ std::pair<double, double> measure_faces(const ExecutionPolicy& policy, const Tri
 /// \param policy      `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result does not depend on it
 /// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param sphere_map  readable, key vertex_descriptor; need not be normalized
-/// \return both in this order: 0 and 1 for a valid map
+/// \return both, in this order: 0 and 1 for a valid map
 ///
 /// Complexity: linear.
 template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, internal::If_policy<ExecutionPolicy> = 0>
@@ -85,11 +85,11 @@ std::size_t number_of_flipped_faces(const ExecutionPolicy& policy, const Triangl
 CGAL_SP_ON_ONE_CORE(number_of_flipped_faces)
 
 /// The degree of the map: how often it covers the sphere, counted with orientation, by exact predicates on the
-/// coordinates as doubles. Faces with coordinates that are not finite do not count.
+/// coordinates as doubles. Faces with coordinates that are not finite are ignored.
 /// \param policy      `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result does not depend on it
 /// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param sphere_map  readable, key vertex_descriptor, value unit vectors
-/// \return the degree: 1 for a valid map, -1 for a mirrored one
+/// \return the degree: 1 for a valid map, -1 for a mirrored map
 ///
 /// Complexity: linear.
 template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, internal::If_policy<ExecutionPolicy> = 0>
@@ -100,13 +100,13 @@ int degree_of_map(const ExecutionPolicy& policy, const TriangleMesh& mesh, Verte
 CGAL_SP_ON_ONE_CORE(degree_of_map)
 
 /// \name Measures per face
-/// Each writes one value per face and returns the smallest and the largest one. All are linear in the size of the mesh.
+/// Each writes one value per face and returns the smallest and the largest value. All are linear in the mesh size.
 /// @{
 
-/// The area distortion of faces, the area stretch of Definition 1 of the paper (Athanasiadis and Fudos, SMI 2011), as a
-/// natural logarithm:
-/// log((source area / total source area) / (spherical area / 4 pi)). Positive where the map shrinks, as in limbs, where
-/// it reaches 60 and more. Areas below 1e-300 of the total count as that.
+/// The area distortion of faces, the area stretch of Definition 1 of the paper (Athanasiadis and Fudos, SMI
+/// 2011), as a natural logarithm: log((source area / total source area) / (spherical area / 4 pi)). It is
+/// positive where the map shrinks; in limbs it reaches 60 and more. Areas below 1e-300 of the total are taken as
+/// that.
 /// \param policy      `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result does not depend on it
 /// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param sphere_map  readable, key vertex_descriptor, value unit vectors; a valid map
@@ -123,7 +123,7 @@ std::pair<double, double> face_log_area_stretch(const ExecutionPolicy& policy, c
 }
 CGAL_SP_ON_ONE_CORE(face_log_area_stretch)
 
-/// The angle distortion of faces, 0 for a conformal map: mean over the three corners of |angle between the great
+/// The angle distortion of faces, 0 for a conformal map: the mean over the three corners of |angle between the great
 /// circles - angle in the source|, in radians, in [0, pi).
 /// \param policy,mesh,sphere_map,face_map,np  as for `face_log_area_stretch()`
 /// \return the smallest and the largest value
@@ -138,7 +138,7 @@ std::pair<double, double> face_angle_distortion(const ExecutionPolicy& policy, c
 CGAL_SP_ON_ONE_CORE(face_angle_distortion)
 
 /// The quasi-conformal distortion (dilatation, shear) of faces, sigma_1 / sigma_2 >= 1 of the affine map between the
-/// flat triangles; 1 where it is conformal, infinite for faces without area.
+/// flat triangles; 1 where it is conformal, infinite for faces of area 0.
 /// \param policy,mesh,sphere_map,face_map,np  as for `face_log_area_stretch()`
 /// \return the smallest and the largest value
 template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class FaceMap,
@@ -152,8 +152,8 @@ std::pair<double, double> face_dilatation(const ExecutionPolicy& policy, const T
 CGAL_SP_ON_ONE_CORE(face_dilatation)
 
 /// The symmetric Dirichlet energy sigma_1^2 + sigma_2^2 + 1/sigma_1^2 + 1/sigma_2^2 >= 4 of the affine map between the
-/// flat triangles, both surfaces scaled to the same area; 4 where it is isometric, infinite for faces without area.
-/// J. Smith and S. Schaefer, "Bijective parameterization with free boundaries", SIGGRAPH 2015.
+/// flat triangles, both surfaces scaled to the same area; 4 where it is isometric, infinite for faces of area 0. J.
+/// Smith and S. Schaefer, "Bijective parameterization with free boundaries", SIGGRAPH 2015.
 /// \param policy,mesh,sphere_map,face_map,np  as for `face_log_area_stretch()`
 /// \return the smallest and the largest value
 template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class FaceMap,
@@ -171,7 +171,7 @@ CGAL_SP_ON_ONE_CORE(face_symmetric_dirichlet)
 /// \name Measures per vertex
 /// @{
 
-/// Any measure per face as one per vertex: the mean over the faces of a vertex, as in Definition 1 of the paper.
+/// Measure of vertices from a measure of faces: means over the faces of a vertex, as in Definition 1 of the paper.
 /// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param face_map    readable, key face_descriptor, value double
 /// \param vertex_map  writable, key vertex_descriptor, value double

@@ -19,23 +19,23 @@ namespace CGAL::Spherical_parameterization {
 /// @{
 
 /// Moebius centring: moves a map by the Moebius transformation for which the centroid of a density on the surface is at
-/// the centre of the sphere. Angles stay what they are. Conformal maps of a shape are the same after it up to a
-/// rotation, whatever map one began with: A. Baden, K. Crane, M. Kazhdan, "Moebius registration", SGP 2018.
+/// the centre of the sphere. This preserves angles. Afterwards, all conformal maps of a shape are the same up to a
+/// rotation: A. Baden, K. Crane, M. Kazhdan, "Moebius registration", SGP 2018.
 ///
 /// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param sphere_map  readable, key vertex_descriptor, value unit vectors
-/// \param mass_map    readable, key vertex_descriptor, value double: what each vertex counts, not negative: its area
-///                    times the density that is chosen
+/// \param mass_map    readable, key vertex_descriptor, value double: the mass of each vertex, not negative: its area
+///                    times a density
 /// \param centred     writable, key vertex_descriptor, value constructible from three numbers; may be that of
 ///                    `sphere_map`
-/// \return the distance of the centroid from the centre in the end: 1e-13 or so; more if half of the mass or more is at
-///         one point, for which there is no such transformation
+/// \return the distance of the centroid from the centre at the end: about 1e-13; more if half of the mass or more is at
+///         one point, in which case there is no such transformation
 /// \throws Error  `NON_FINITE_COORDINATE` for an image that is no direction, `BAD_WEIGHT` for a mass that is negative
 ///                or not finite, or if all are 0; nothing is written then
 ///
-/// Rounding may flip the smallest faces of a map that shrinks limbs much: certify what is kept.
+/// Rounding may flip the smallest faces of a map that shrinks limbs much: certify the result.
 ///
-/// Complexity: O(n) for a few steps of Newton's method.
+/// Complexity: O(n); a few steps of Newton's method.
 template <class Mesh, class VertexSphereMap, class MassMap, class CentredMap>
 double moebius_centred_map(const Mesh& mesh, VertexSphereMap sphere_map, MassMap mass_map, CentredMap centred)
 {

@@ -92,13 +92,13 @@ Result run(const ExecutionPolicy& policy, const Method& method, const NamedParam
 ///
 /// The result is certified: if `Result::error` is `OK`, every face is positively oriented as seen from outside by an
 /// exact predicate on the coordinates written to `sphere_map`, and the map covers the sphere once. It is then a
-/// bijection. In all other cases the error says what is wrong; `sphere_map` is written whenever there is a map
-/// (`NOT_CONVERGED`, `INTERRUPTED` and `NOT_BIJECTIVE`: the best one found).
+/// bijection. Otherwise the error says what is wrong. `sphere_map` is written whenever there is a map (`NOT_CONVERGED`,
+/// `INTERRUPTED` and `NOT_BIJECTIVE`: the best one found).
 ///
-/// Why the method ended is another question: `Result::termination` is `CONVERGED` if and only if the residual of the
-/// map that is stored is within the accuracy. A valid map may miss it, where vertices had to be moved for their faces
-/// (`Result::moved_vertices`), or the steps of `Isometric` were used up.
-/// Calls on different meshes, or on the same mesh with different maps, may run concurrently.
+/// `Result::termination` says why the method ended. It is `CONVERGED` if and only if the residual of the stored map is
+/// within the accuracy. The residual of a valid map may be larger: if vertices were moved to repair faces
+/// (`Result::moved_vertices`), or if `Isometric` used up its steps. Calls on different meshes, or on the same mesh with
+/// different maps, may run concurrently.
 ///
 /// \tparam ExecutionPolicy  a model of `SphericalParameterizationPolicy`
 /// \tparam TriangleMesh     a model of `FaceListGraph` and `HalfedgeListGraph`
@@ -106,17 +106,17 @@ Result run(const ExecutionPolicy& policy, const Method& method, const NamedParam
 /// \tparam VertexSphereMap  a model of `VertexSphereMap`
 /// \tparam NamedParameters  a sequence of CGAL's named parameters
 /// \param policy  where to run: `CGAL::Sequential_tag`; `CGAL::Parallel_tag`, if linked with TBB (`CGAL::TBB_support`);
-///                an `OpenCL_device`, if OpenCL_device.h is included. The result does not depend on it, to the last bit
-///                (but see `OpenCL_device`).
+///                an `OpenCL_device`, if OpenCL_device.h is included. All policies give the same bits (see
+///                `OpenCL_device` for an exception).
 /// \param mesh    a closed triangle mesh of genus 0; its own indices are not used
 /// \param method  `Balanced`, `Saddle_point`, `Isometric` or `Automatic`
-/// \param sphere_map  where the unit vectors go. Must be readable where there are fixed vertices (whose positions it
-///                holds; they will be normalised) or for `Saddle_point::Start::GIVEN`.
+/// \param sphere_map  gets the unit vectors. Must be readable if there are fixed vertices (whose positions it holds;
+///                they will be normalised) or for `Saddle_point::Start::GIVEN`.
 /// \param np  an optional sequence of named parameters:
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{edge_weight_map}
 ///     \cgalParamDescription{the spring constants. Unless the policy is `CGAL::Sequential_tag`\, several threads read
-///       them at once. Before CGAL 6.1 this parameter has to come first in the chain.}
+///       them at the same time. Before CGAL 6.1 this parameter must be the first of the chain.}
 ///     \cgalParamType{`Conformal_weights`\, or a model of `SphericalParameterizationWeightMap`}
 ///     \cgalParamDefault{`conformal_weights(mesh)`}
 ///   \cgalParamNEnd
@@ -126,41 +126,41 @@ Result run(const ExecutionPolicy& policy, const Method& method, const NamedParam
 ///     \cgalParamDefault{the mesh's own}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_is_constrained_map}
-///     \cgalParamDescription{which vertices are fixed where `sphere_map` has them: three or more\, in distinct
+///     \cgalParamDescription{which vertices are fixed at their positions in `sphere_map`: three or more\, in distinct
 ///       directions}
 ///     \cgalParamType{a readable property map with key vertex_descriptor and value `bool`}
 ///     \cgalParamDefault{no vertex}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{face_density_map}
-///     \cgalParamDescription{the area that faces are wanted to have on the sphere\, per area in the mesh and up to a
-///       common factor: \ref densities. For `Isometric` and `Automatic`; others violate a precondition. It begins the
-///       chain of named parameters\, or is put before one: `face_density_map(density\, accuracy(1e-4))`.}
+///     \cgalParamDescription{the target area of faces on the sphere\, per area in the mesh and up to a common factor:
+///       \ref densities. For `Isometric` and `Automatic`; others violate a precondition. It must be the first of a
+///       chain of named parameters\, or gets the rest as argument: `face_density_map(density\, accuracy(1e-4))`.}
 ///     \cgalParamType{a readable property map with key face_descriptor and a positive number as value}
 ///     \cgalParamDefault{the same for all faces}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_density_map}
-///     \cgalParamDescription{the same at vertices: a face has the mean of its corners. Not both.}
+///     \cgalParamDescription{the same at vertices: a face has the mean of its corners. Excludes `face_density_map`.}
 ///     \cgalParamType{a readable property map with key vertex_descriptor and a positive number as value}
 ///     \cgalParamDefault{the same for all vertices}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{accuracy}
-///     \cgalParamDescription{what the residual has to come down to; see the method}
+///     \cgalParamDescription{the residual to reach; see the method}
 ///     \cgalParamType{`double`\, positive}
 ///     \cgalParamDefault{the method's `default_accuracy`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_iterations}
-///     \cgalParamDescription{the most iterations; see the method}
+///     \cgalParamDescription{maximum number of iterations; see the method}
 ///     \cgalParamType{an integer that is not negative}
 ///     \cgalParamDefault{the method's `default_number_of_iterations`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_running_time}
-///     \cgalParamDescription{wall-clock seconds after which the result is `INTERRUPTED`; asked for in every step}
+///     \cgalParamDescription{wall-clock seconds after which the result is `INTERRUPTED`; checked in every step}
 ///     \cgalParamType{`double`\, not negative}
 ///     \cgalParamDefault{unlimited}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
-///     \cgalParamDescription{called with the fraction of the work done\, in [0\, 1]; returns whether to go on. From
-///       the first call on\, which is made when all has been read\, mesh and maps are not looked at any more\, but that
+///     \cgalParamDescription{called with the fraction of the work done\, in [0\, 1]; returns whether to continue. The
+///       first call is made after mesh and maps have been read. After that\, they are not read again\, and only
 ///       `sphere_map` is written.}
 ///     \cgalParamType{callable as `bool(double)`}
 ///     \cgalParamDefault{none}
@@ -171,11 +171,11 @@ Result run(const ExecutionPolicy& policy, const Method& method, const NamedParam
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
-/// \return the verdict, the certificate, and what the work was; see `Result`
+/// \return the verdict, the certificate, and the work; see `Result`
 /// \throws std::bad_alloc  if there is not enough memory
 /// \throws OpenCL_error    if the device of an `OpenCL_device` fails
 ///
-/// What the property maps and the callback throw goes through.
+/// Exceptions of the property maps and the callback are passed on.
 ///
 /// Complexity: linear in memory, about 500 bytes per vertex; `Balanced` takes as long as a few hundred applications
 /// of the Laplacian for any number of vertices.
@@ -235,11 +235,11 @@ Result parameterize(const Arguments&...)
 /// \endcond
 
 /// Maps the triangles of a soup to the unit sphere: points and index triples, as CGAL's functions for polygon soups
-/// take them. No mesh data structure of CGAL is built. For the other functions of this package, or to map one soup more
-/// than once, make an `Indexed_triangle_mesh`.
+/// take them. No mesh data structure is built. To map a soup more than once, or for the other functions of this
+/// package, make an `Indexed_triangle_mesh`.
 ///
-/// The triangles have to form a closed, connected, oriented surface of genus 0; what is wrong otherwise is said in
-/// `Result::error` and `Result::detail`, with the numbers of points and triangles.
+/// The triangles must form a closed, connected, oriented surface of genus 0. Otherwise `Result::error` and
+/// `Result::detail` say what is wrong, with the indices of points and triangles.
 ///
 /// \tparam PointRange     a range of points with x(), y(), z() or operator[]
 /// \tparam TriangleRange  a range of ranges of three integers
@@ -247,15 +247,15 @@ Result parameterize(const Arguments&...)
 ///                        `std::vector<std::array<double, 3>>`
 /// \param policy     as for `parameterize()`
 /// \param points     in any unit
-/// \param triangles  the numbers of their points, counterclockwise as seen from outside
+/// \param triangles  the indices of their points, counterclockwise as seen from outside
 /// \param method     as for `parameterize()`
-/// \param sphere_points  where the unit vectors go, in the order of `points`. It is resized if it has not the size of
-///                   `points`, and can be resized. It has to hold the positions of fixed vertices on entry.
-/// \param np  the named parameters of `parameterize()`, but for `vertex_point_map`. Vertices are numbers
-///            (`std::size_t`) in `vertex_is_constrained_map` and `vertex_density_map`, faces numbers of triangles in
-///            `face_density_map`. In `edge_weight_map` edges are pairs of them
+/// \param sphere_points  gets the unit vectors, in the order of `points`. If its size differs from that of `points`, it
+///                   is resized, if it can be. On entry it must hold the positions of fixed vertices.
+/// \param np  the named parameters of `parameterize()` except `vertex_point_map`. The keys of
+///            `vertex_is_constrained_map` and `vertex_density_map` are indices of points (`std::size_t`), those of
+///            `face_density_map` indices of triangles. The keys of `edge_weight_map` are pairs of indices of points
 ///            (`std::pair<std::size_t, std::size_t>`), the smaller one first.
-/// \return the verdict, the certificate, and what the work was
+/// \return the verdict, the certificate, and the work
 ///
 /// Complexity: as `parameterize()`; checking takes O(n).
 template <class ExecutionPolicy, class PointRange, class TriangleRange, class Method, class SpherePoints,

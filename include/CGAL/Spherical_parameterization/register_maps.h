@@ -28,7 +28,7 @@ namespace CGAL::Spherical_parameterization {
 /// \addtogroup PkgSphericalParameterizationInverse
 /// @{
 
-/// A vertex of the first mesh and the one of the second mesh to which it corresponds.
+/// A vertex of the first mesh and the corresponding vertex of the second mesh.
 template <class MeshA, class MeshB>
 using Landmark_pair = std::pair<typename boost::graph_traits<MeshA>::vertex_descriptor,
                                 typename boost::graph_traits<MeshB>::vertex_descriptor>;
@@ -45,7 +45,7 @@ struct Mapped_mesh {
 /// \param mesh        must outlive the result
 /// \param sphere_map  of its vertices
 /// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
-/// \return all of them
+/// \return the mesh with its map
 template <class TriangleMesh, class VertexSphereMap, class CGAL_NP_TEMPLATE_PARAMETERS>
 auto mapped_mesh(const TriangleMesh& mesh, VertexSphereMap sphere_map,
                  const CGAL_NP_CLASS& np = parameters::default_values())
@@ -54,39 +54,38 @@ auto mapped_mesh(const TriangleMesh& mesh, VertexSphereMap sphere_map,
   return Mapped_mesh<TriangleMesh, VertexSphereMap, std::decay_t<decltype(points)>>{mesh, sphere_map, points};
 }
 
-/// Registration of two shapes: moves the map of the first one on the sphere so that equal points of the two maps are
-/// corresponding points of the shapes. With the registered map any property is carried over
-/// (`transfer_vertex_property()`), shapes are sampled at one icosphere (`resample()`), and meshes are morphed.
+/// Registration of two shapes: moves the map of the first shape on the sphere until corresponding points of the two
+/// shapes have the same image. With the registered map, properties can be transferred (`transfer_vertex_property()`),
+/// shapes sampled at one icosphere (`resample()`), and meshes morphed.
 ///
-/// Corresponding points are found by eigenfunctions of the Laplacian, and the orientation of the two maps. The first
-/// mesh is mapped anew near them, and that map is deformed: the mean symmetric Dirichlet energy of the deformation, the
-/// mean squared differences of curvatures, and the stretching of the one surface onto the other are minimized (see
-/// `Registration`); where differences and stretching have not become less than by a rotation, the map is only turned.
-/// Meshes of fewer than 100 vertices, and shapes that stand alike (`Registration::position_weight`), begin with the
-/// best rotation instead: by three or more landmarks; else that for which the coordinates in any pose
-/// (`best_alignment()`), and up to four for which curvature and stretch are correlated best, of which the one is taken
-/// that a coarse deformation makes most alike; then they are deformed, coarse features first. So do meshes with own
-/// features (`Registration::features`), which are then correlated, too, all with their weights. The maps should be of low
-/// isometric distortion (`Isometric`).
+/// Eigenfunctions of the Laplacian and the orientation of the two maps determine corresponding points. The first mesh
+/// gets a new map near these, which is then deformed: this minimizes the mean symmetric Dirichlet energy of the
+/// deformation, the mean squared differences of curvatures, and the stretching of one surface onto the other (see
+/// `Registration`). If differences and stretching are not smaller than after a rotation, the map is only rotated.
+/// Meshes of fewer than 100 vertices, meshes with own features (`Registration::features`), and shapes in the same
+/// position (`Registration::position_weight`), start with a rotation instead: that of three or more landmarks, or else
+/// one of five candidates, the one with the best coarse deformation. The candidates are the best rotation for the
+/// coordinates (`best_alignment()`), and up to four for curvature, stretch and own features. Then they are deformed,
+/// coarse features first. The maps should have low isometric distortion (`Isometric`).
 ///
-/// Guarantee: the registered map is without flips and of degree 1, exactly, as stored, or the result says that it is
-/// not. That corresponding points are found there is no guarantee of: `Registration_result::trust()` says how far to
-/// trust them.
+/// Guarantee: the stored registered map has no flipped face and degree 1, exactly, or the result says that it has
+/// not. There is no guarantee that the points correspond: `Registration_result::trust()` says how far to trust
+/// them.
 ///
 /// \param policy      `CGAL::Sequential_tag`, the default, or `CGAL::Parallel_tag`; the result does not depend on it
 /// \param a           the first mesh with a valid map of it: `mapped_mesh()`
-/// \param b           the second one, whose map is not moved
+/// \param b           the second mesh, whose map is not moved
 /// \param registered  readable and writable, key vertex_descriptor of the first mesh, value constructible from three
 ///                    numbers: the registered map; may be its sphere map. It is written unless the input is refused.
 /// \param method      how far to go, and the weights
-/// \param landmarks   pairs of vertices that correspond. Springs pull them together, and they are put exactly onto each
-///                    other where that flips no face; with fewer than three a rotation is found without them.
+/// \param landmarks   pairs of corresponding vertices. Springs pull them together, and they are moved exactly onto each
+///                    other where this flips no face; with fewer than three the rotation is found without them.
 /// \param np          optional named parameters: `callback`, `maximum_running_time` and `verbose`, as in
 /// `parameterize()` \return the certificate, and what was reached; `NOT_BIJECTIVE` and the like for maps and meshes
 /// that cannot be
 ///         registered, also where a map has faces so small that it cannot be turned without losing them to rounding;
 ///         `INTERRUPTED` if callback or time limit ended it: what is stored then is a certified map, too
-/// \pre weights are not negative; there is a level or more; scale and accuracy are positive
+/// \pre weights are not negative; there is at least one level; scale and accuracy are positive
 ///
 /// Complexity: linear in the sizes of the meshes; two of 5,000 vertices take 3 seconds on one core.
 template <class ExecutionPolicy, class MeshA, class SphereMapA, class PointMapA, class MeshB, class SphereMapB,

@@ -22,10 +22,10 @@ namespace CGAL::Spherical_parameterization {
 /// \addtogroup PkgSphericalParameterizationInverse
 /// @{
 
-/// The largest level of `make_icosphere()`: 167,772,162 vertices, beyond which 32-bit numbers of halfedges end.
+/// The largest level of `make_icosphere()`: 167,772,162 vertices. More halfedges than that exceed 32-bit integers.
 constexpr int largest_icosphere_level = 12;
 
-/// Adds an icosphere to `out`: an icosahedron of which every triangle has been cut in four `level` times.
+/// Adds an icosphere to `out`: an icosahedron with every triangle cut in four `level` times.
 /// \param level       0 for an icosahedron
 /// \param out         a model of `MutableFaceGraph`, empty
 /// \param sphere_map  writable, key vertex_descriptor of `out`, value constructible from three numbers: unit vectors
@@ -49,8 +49,8 @@ void make_icosphere(int level, Graph& out, VertexSphereMap sphere_map)
 
 /// The same as arrays.
 /// \param level      0 for an icosahedron
-/// \param points     get the unit vectors
-/// \param triangles  get the numbers of their corners, counterclockwise as seen from outside
+/// \param points     gets the unit vectors
+/// \param triangles  gets the indices of their corners, counterclockwise as seen from outside
 /// \pre the level is in 0 ... `largest_icosphere_level`
 inline void make_icosphere_soup(int level, std::vector<std::array<double, 3>>& points,
                                 std::vector<std::array<int, 3>>& triangles)
@@ -64,11 +64,11 @@ inline void make_icosphere_soup(int level, std::vector<std::array<double, 3>>& p
   triangles = std::move(icosphere.triangles);
 }
 
-/// Remeshing by an icosphere, a shape as a function on the sphere, sampled: adds an icosphere to `out`, and to every
-/// vertex of it the point of the shape that has its direction as image. Two shapes sampled at one level have the same
-/// vertices and faces, which is what morphing and statistics of shapes need.
+/// Remeshing by an icosphere: adds an icosphere to `out`, and gives every vertex of it the point of the shape that is
+/// mapped to its direction. Shapes that are sampled at the same level have the same vertices and faces, as morphing and
+/// statistics of shapes need.
 ///
-/// The samples are even on the sphere and not on the shape: a limb that the map makes tiny gets few of them or none.
+/// The samples are uniform on the sphere, not on the shape: a limb that is tiny on the sphere gets few samples or none.
 /// Barycentric weights or larger spring exponents keep limbs wider.
 ///
 /// \param policy      `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result does not depend on it

@@ -23,9 +23,9 @@ namespace CGAL::Spherical_parameterization {
 /// \addtogroup PkgSphericalParameterizationInverse
 /// @{
 
-/// How values of the vertices of one mesh follow from those of another one: a sparse matrix, whose row i has the
-/// weights (positive, sum 1) that the vertices of the other mesh have in vertex i, in the order of their numbers.
-/// Vertices are numbered as `vertices(mesh)` has them.
+/// Weights for resampling values from the vertices of one mesh to those of another: a sparse matrix. Row i has the
+/// weights (positive, sum 1) of the old vertices for the new vertex i, in the order of their indices. Vertices are
+/// numbered in the order of `vertices(mesh)`.
 struct Resampling_weights {
   std::vector<std::size_t> begin = {0}; ///< of each row, and the end of the last one
   std::vector<int> vertex;              ///< of the other mesh
@@ -35,7 +35,7 @@ struct Resampling_weights {
   std::size_t size() const { return begin.size() - 1; }
 
   /// \param values  of the vertices of the other mesh
-  /// \return their weighted means, each between the least and the largest of its row: what is constant stays so
+  /// \return their weighted means, each between the smallest and the largest value of its row: constants stay constant
   std::vector<double> means(const std::vector<double>& values) const
   {
     return by_row<double>([&](std::size_t first, std::size_t last) {
@@ -51,7 +51,7 @@ struct Resampling_weights {
   }
 
   /// \param labels  of the vertices of the other mesh
-  /// \return the label with the largest sum of weights; of equal ones the first that has reached it
+  /// \return the labels with the largest sums of weights; if several are equal, the first
   template <class Label>
   std::vector<Label> majorities(const std::vector<Label>& labels) const
   {
@@ -72,7 +72,7 @@ struct Resampling_weights {
   }
 
   /// \param labels  of the vertices of the other mesh
-  /// \return that of the vertex with the largest weight; of equal ones the first
+  /// \return the labels of the vertices with the largest weights; if several are equal, the first
   template <class Label>
   std::vector<Label> nearest(const std::vector<Label>& labels) const
   {
@@ -165,16 +165,16 @@ Resampling_weights linear_resampling(const ExecutionPolicy& policy, const Spheri
 }
 CGAL_SP_ON_ONE_CORE(linear_resampling)
 
-/// Resampling in which every vertex counts with its area, and none is passed over, also where the new mesh is coarser:
-/// adaptive barycentric, as the Human Connectome Project's `wb_command` has it (ADAP_BARY_AREA; M. Glasser et al., "The
-/// minimal preprocessing pipelines for the Human Connectome Project", NeuroImage 80, 2013).
+/// Resampling that preserves areas and skips no vertex, even if the new mesh is coarser: the adaptive barycentric
+/// method of the Human Connectome Project's `wb_command` (ADAP_BARY_AREA; M. Glasser et al., "The minimal preprocessing
+/// pipelines for the Human Connectome Project", NeuroImage 80, 2013).
 ///
 /// A new vertex takes linear weights, unless old vertices lie around it that these pass over: then it takes the weights
 /// that it has in these, seen from them. Then what every old vertex gives away is made proportional to the areas of the
 /// new ones and to its own, and every row is divided by its sum. Where that is 0 the weights stay linear.
 /// \param policy       as above
 /// \param from         the inverse of the map of the mesh that has the values
-/// \param from_sphere  range of the images of its vertices, as `vertices(mesh)` has them
+/// \param from_sphere  range of the images of its vertices, in the order of `vertices(mesh)`
 /// \param from_areas   of its vertices on the surface
 /// \param to           the inverse of the map of the mesh that gets them
 /// \param to_sphere    range of the images of its vertices

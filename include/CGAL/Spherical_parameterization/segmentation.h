@@ -32,7 +32,7 @@ namespace CGAL::Spherical_parameterization {
 /// \addtogroup PkgSphericalParameterizationSegmentation
 /// @{
 
-/// What became of a segmentation. `segment_map` is written only if there is no error.
+/// The result of a segmentation. `segment_map` is written only if there is no error.
 struct Segmentation_result {
   Error_code error = Error_code::OK;  ///< what is wrong with the mesh or the map
   std::string detail;                 ///< what and where; empty if `OK`
@@ -76,21 +76,21 @@ Segmentation_result segment(const Loop& loop, const TriangleMesh& mesh, VertexSp
 
 } // namespace internal
 
-/// Segmentation (part decomposition) of a mesh by its stretch: cuts limbs off. Every segment is connected; their
-/// numbers are 0 ... n-1 in the order of their first faces.
+/// Segmentation (part decomposition) of a mesh by its stretch: cuts limbs off. Every segment is connected. The segments
+/// are numbered 0 ... n-1 in the order of their first faces.
 ///
-/// Deterministic. Scaling and rotating the mesh and rotating the sphere change nothing, but where decisions hang on
-/// rounding; nor does another numbering, but where the shape leaves a choice, as symmetric ones do.
+/// Deterministic. Scaling or rotating the mesh, or rotating the sphere, changes the result only where a decision
+/// depends on rounding; another numbering only where the shape leaves a choice, as symmetric shapes do.
 /// \param policy      `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result does not depend on it
 /// \param mesh        a closed triangle mesh of genus 0, a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param sphere_map  readable, key vertex_descriptor, value of any length but 0
-/// \param stretch_map readable, key face_descriptor, value double: what `face_log_area_stretch()` has written. Faces
-///                    with less than 1e-36 of the sphere, and flipped ones, count as if they had 1e-36: doubles resolve
-///                    nothing smaller near length 1, so that limbs that are too thin end in a plateau.
+/// \param stretch_map readable, key face_descriptor, value double, written by `face_log_area_stretch()`. Faces with
+///                    less than 1e-36 of the sphere, and flipped faces, are treated as if they had 1e-36: doubles
+///                    resolve nothing smaller near length 1, so limbs that are too thin end in a plateau.
 /// \param segment_map writable, key face_descriptor, value constructible from std::size_t
 /// \param method      `Majority_vote`, `Girth_profiles` or `Region_growing`
 /// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
-/// \return the number of segments, or what is wrong with the mesh or the maps
+/// \return the number of segments, or the error of the mesh or the maps
 /// \pre the options of the method are in their ranges
 template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class FaceStretchMap, class FaceSegmentMap,
           class Method = Majority_vote, class CGAL_NP_TEMPLATE_PARAMETERS, internal::If_policy<ExecutionPolicy> = 0>
@@ -109,10 +109,10 @@ Segmentation_result segmentation_from_area_stretch(const ExecutionPolicy& policy
 }
 CGAL_SP_ON_ONE_CORE(segmentation_from_area_stretch)
 
-/// Segmentation (part decomposition) of a mesh by its map: measures the stretch and cuts, in one call.
+/// Segmentation (part decomposition) of a mesh by its map: measures the stretch and segments, in one call.
 /// \param policy,mesh,segment_map,method,np  as for `segmentation_from_area_stretch()`
 /// \param sphere_map  readable, key vertex_descriptor, value unit vectors; the map need not be valid
-/// \return the number of segments, or what is wrong with the mesh or the map
+/// \return the number of segments, or the error of the mesh or the map
 /// \pre the options of the method are in their ranges
 template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class FaceSegmentMap,
           class Method = Majority_vote, class CGAL_NP_TEMPLATE_PARAMETERS, internal::If_policy<ExecutionPolicy> = 0>

@@ -24,17 +24,17 @@ namespace CGAL::Spherical_parameterization {
 /// \addtogroup PkgSphericalParameterizationStatistics
 /// @{
 
-/// What is no difference of the shapes of an atlas.
+/// What is removed before the shapes of an atlas are compared.
 enum class Atlas_placement {
   AS_THEY_STAND, ///< nothing
-  CENTRED,       ///< their place: centres come to the origin
+  CENTRED,       ///< translations: centres are moved to the origin
   RIGID,         ///< rotations, too
-  SIMILARITY     ///< and sizes
+  SIMILARITY     ///< sizes, too
 };
 
-/// The vertices and faces that all shapes of an atlas get, and the places of the vertices on the sphere.
+/// The vertices and faces of all shapes of an atlas, and the directions of the vertices on the sphere.
 struct Atlas_mesh {
-  Indexed_triangle_mesh mesh;                    ///< its points do not matter
+  Indexed_triangle_mesh mesh;                    ///< its points are not used
   std::vector<std::array<double, 3>> directions; ///< of the vertices
 };
 
@@ -66,8 +66,8 @@ auto by_vertex(Points& points)
 /// The shape of a mesh at the vertices of an atlas.
 /// \param policy  `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result does not depend on it
 /// \param shape   the mesh, with a map that was registered to the template
-/// \param atlas   where to sample
-/// \return by vertex of the atlas
+/// \param atlas   the vertices to sample at
+/// \return the points, by vertex of the atlas
 /// \throws Error if the map is not valid
 template <class ExecutionPolicy, class TriangleMesh, class SphereMap, class PointMap>
 Shape_points shape_at(const ExecutionPolicy& policy, const Mapped_mesh<TriangleMesh, SphereMap, PointMap>& shape,
@@ -80,13 +80,13 @@ Shape_points shape_at(const ExecutionPolicy& policy, const Mapped_mesh<TriangleM
   return points;
 }
 
-/// Brings the shapes of an atlas together; every vertex counts with its area.
+/// Aligns the shapes of an atlas; vertices are weighted by their areas.
 /// \param policy     as above
-/// \param atlas      whose vertices they have
-/// \param shapes     are moved
-/// \param placement  what is taken away
+/// \param atlas      the atlas of the shapes
+/// \param shapes     moved in place
+/// \param placement  what is removed
 /// \param np         see \ref pd_calls
-/// \return the motions; none if the shapes stay as they stand
+/// \return the motions; none if the shapes are not moved
 template <class ExecutionPolicy, class CGAL_NP_TEMPLATE_PARAMETERS>
 Procrustes_alignment place_shapes(const ExecutionPolicy& policy, const Atlas_mesh& atlas,
                                   std::vector<Shape_points>& shapes, Atlas_placement placement,
@@ -100,10 +100,10 @@ Procrustes_alignment place_shapes(const ExecutionPolicy& policy, const Atlas_mes
   return align_shapes(policy, shapes, method, mean_vertex_areas(policy, atlas.mesh, shapes, np), np);
 }
 
-/// The template of the next round: the mean of the shapes, brought together.
+/// The template of the next round: the mean of the aligned shapes.
 /// \param policy,atlas,placement,np  as above
-/// \param shapes  a copy, which is moved
-/// \return by vertex of the atlas
+/// \param shapes  the shapes; a copy is moved
+/// \return the points, by vertex of the atlas
 template <class ExecutionPolicy, class CGAL_NP_TEMPLATE_PARAMETERS>
 Shape_points mean_shape(const ExecutionPolicy& policy, const Atlas_mesh& atlas, std::vector<Shape_points> shapes,
                         Atlas_placement placement, const CGAL_NP_CLASS& np = parameters::default_values())
@@ -114,15 +114,15 @@ Shape_points mean_shape(const ExecutionPolicy& policy, const Atlas_mesh& atlas, 
 
 /// Mean and modes of shapes.
 struct Atlas_statistics {
-  Procrustes_alignment alignment;            ///< how they were brought together
-  std::vector<double> weights;               ///< what each vertex counts: its area, mean over the shapes
+  Procrustes_alignment alignment;            ///< the motions of the alignment
+  std::vector<double> weights;               ///< weights of the vertices: areas, averaged over the shapes
   Shape_statistics<Shape_points> statistics; ///< with these weights
 };
 
-/// Brings the shapes of an atlas together, and takes mean and principal components.
+/// Aligns the shapes of an atlas, and computes mean and principal components.
 /// \param policy,atlas,shapes,placement,np  as for `place_shapes()`
 /// \param modes  at most so many
-/// \return statistics of the shapes as they stand then
+/// \return the statistics of the aligned shapes
 template <class ExecutionPolicy, class CGAL_NP_TEMPLATE_PARAMETERS>
 Atlas_statistics atlas_statistics(const ExecutionPolicy& policy, const Atlas_mesh& atlas,
                                   std::vector<Shape_points>& shapes, Atlas_placement placement,
@@ -139,20 +139,20 @@ Atlas_statistics atlas_statistics(const ExecutionPolicy& policy, const Atlas_mes
 /// An atlas in memory.
 struct Shape_atlas : Atlas_statistics {
   std::vector<Shape_points> shapes;                         ///< brought together
-  std::vector<std::size_t> members;                         ///< by shape: the number of the mesh
-  std::vector<std::pair<std::size_t, std::string>> refused; ///< numbers of the other meshes: why
+  std::vector<std::size_t> members;                         ///< for each shape the index of its mesh
+  std::vector<std::pair<std::size_t, std::string>> refused; ///< indices of the other meshes, and why
 };
 
-/// Registers maps to that of a template, from the second round on to the mean of the round before, samples the shapes,
-/// and takes mean and principal components.
+/// Registers maps to the map of a template (from the second round on, the mean of the round before), samples the
+/// shapes, and computes mean and principal components.
 /// \param policy     as above
 /// \param maps       meshes with valid maps of low isometric distortion
-/// \param first      the number of the template of the first round
+/// \param first      the index of the template of the first round
 /// \param rounds     1 or more
-/// \param atlas      whose vertices the shapes get
-/// \param placement  what is no difference of shapes
+/// \param atlas      the vertices that the shapes get
+/// \param placement  what is removed before shapes are compared
 /// \param modes      at most so many
-/// \param np         `callback` and the like of every step, see \ref pd_calls
+/// \param np         `callback` and `maximum_running_time` of every step, see \ref pd_calls
 /// \return the atlas
 /// \throws Error `EMPTY_MESH` if there are fewer than two maps that can be registered, `INTERRUPTED`
 template <class ExecutionPolicy, class TriangleMesh, class SphereMap, class PointMap, class CGAL_NP_TEMPLATE_PARAMETERS>

@@ -18,14 +18,14 @@ namespace CGAL::Spherical_parameterization {
 /// \addtogroup PkgSphericalParameterizationSearch
 /// @{
 
-/// A shape as a point of R^96 with the distance L1: near to those of its other poses, and independent of position,
-/// size and orientation (reflections included). See `shape_signature()`.
+/// The signature of a shape: 96 numbers, compared by the L1 distance. It is similar for all poses of a shape, and
+/// independent of position, size and orientation (including reflections). See `shape_signature()`.
 ///
-/// Coordinates, all nonnegative, and scaled so that two unlike shapes are about 1 apart in girths and in limbs:
+/// The numbers are nonnegative, and scaled such that dissimilar shapes differ by about 1 in girths and in limbs:
 /// -  0 ... 15: girths, a coarse histogram
 /// - 16 ... 79: girths, a fine one
-/// - 80 ... 87: how long the limbs are, longest first
-/// - 88 ... 95: how much of the surface they are, largest first
+/// - 80 ... 87: lengths of the limbs, longest first
+/// - 88 ... 95: their shares of the surface, largest first
 struct Shape_signature {
   static constexpr std::size_t coarse_bins = internal::Signature_sizes::coarse_bins; ///< of the coarse histogram
   static constexpr std::size_t fine_bins = internal::Signature_sizes::fine_bins;     ///< of the fine histogram
@@ -35,7 +35,7 @@ struct Shape_signature {
   std::array<double, size> values{}; ///< the coordinates
 };
 
-/// How unlike two shapes are: L1, in [0, infinity). Poses of a shape are typically .2 apart, other shapes 2.
+/// The L1 distance of two signatures. It is typically 0.2 between poses of one shape, and 2 between different shapes.
 /// \param a  a signature
 /// \param b  another one
 /// \return the sum of the absolute differences
@@ -47,23 +47,23 @@ inline double distance(const Shape_signature& a, const Shape_signature& b)
   return sum;
 }
 
-/// A shape descriptor for retrieval: what a shape is like, whatever its pose, position, size and triangles, how thick
-/// it is, and what limbs it has.
+/// A shape descriptor for retrieval. It describes how thick a shape is and what limbs it has, independent of pose,
+/// position, size and triangulation.
 ///
-/// Both are read off the logarithm u of the area stretch of the conformal map to the sphere (the conformal factor),
-/// which changes along a limb of radius r with slope 2 / r, as far as the limb is long. It is not taken from the areas
-/// of the map but recovered by one Poisson solve on the intrinsic Delaunay triangulation of the surface, and smoothed a
-/// little, so that tessellation and bad triangles hardly matter. Then the histogram of log |grad u|, weighted by area,
+/// It is computed from the logarithm u of the area stretch of the conformal map to the sphere (the conformal factor).
+/// Along a limb of radius r, u has the slope 2 / r over the length of the limb. One Poisson solve on the intrinsic
+/// Delaunay triangulation of the surface yields u, instead of the areas of the map, and u is slightly smoothed; so
+/// tessellation and bad triangles have little influence. The signature has the area-weighted histogram of log |grad u|,
 /// and the persistence of the minima of u.
 ///
 /// \param policy      `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result does not depend on it
 /// \param mesh  closed triangle mesh of genus 0, a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param sphere_map  readable, key vertex_descriptor, value unit vectors; a conformal map to the sphere whose centroid
-///        of the source area is at the centre, as `parameterize()` computes it. Only where the sphere is large does it
-///        have to be right: a map that fails to be bijective in thin limbs will do, and so will a barycentric one.
+///        of the source area is at the centre, as `parameterize()` computes it. The map needs to be accurate only where
+///        the sphere is large: a map that is not bijective in thin limbs can be used, and so can a barycentric one.
 /// \param np  optional named parameters: `vertex_point_map`, by default the mesh's own
 /// \return the signature
-/// \throws Error  for a mesh that is not closed, of genus 0, finite and with an area; and for a map without area
+/// \throws Error  if the mesh is not closed, of genus 0, finite and of positive area, or if the map has no area
 ///
 /// Complexity: up to 100,000 vertices that of two sparse Cholesky factorizations (10 ms for 5,000 vertices), on one
 /// core whatever the policy; beyond that linear (multigrid).

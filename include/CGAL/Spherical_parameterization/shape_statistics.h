@@ -33,26 +33,26 @@ namespace CGAL::Spherical_parameterization {
 
 /// \addtogroup PkgSphericalParameterizationStatistics
 ///
-/// A set of shapes that correspond: vertex i of all of them is the same place (`resample()` of registered maps), or
-/// coefficient i belongs to the same function on the sphere. A shape is `Shape_points` or `Harmonic_coefficients` of
-/// three functions. The mean over vertices is the weighted one, the mean over coefficients that over the sphere: so
-/// distances and deviations are lengths, in the unit of the coordinates, in either space.
+/// These functions work on corresponding shapes: vertex i of all shapes corresponds (`resample()` of registered maps),
+/// or coefficient i belongs to the same function on the sphere. A shape is `Shape_points` or `Harmonic_coefficients` of
+/// three functions. Means over vertices are weighted, means of coefficients are means over the sphere: so distances and
+/// deviations are lengths in the unit of the coordinates in both cases.
 /// @{
 
-/// Generalized Procrustes alignment: moves shapes to where the sum of the squares of their distances from their mean is
-/// least: centres to the origin, and rotations and sizes as `method` says. What is then different is shape. The first
-/// one keeps its rotation.
+/// Generalized Procrustes alignment: minimizes the sum of the squared distances of shapes from their mean. Centres
+/// are moved to the origin; `method` says whether shapes are also rotated and scaled. The first shape keeps its
+/// rotation.
 ///
-/// J. C. Gower, "Generalized Procrustes analysis", Psychometrika 40 (1975). By turns the mean, and all rotations: the
-/// sum falls in every step. Shapes that are nearly the same in poses far apart come together wherever they start.
-/// \param shapes   `std::vector` of `Shape_points` with as many vertices each, or of `Harmonic_coefficients` with three
-///                 functions of the same degree; they are moved
-/// \param method   what to take away
-/// \param weights  what each vertex counts, 0 or more; empty: all alike. Of coefficients empty.
+/// J. C. Gower, "Generalized Procrustes analysis", Psychometrika 40 (1975). Mean and rotations are computed
+/// alternately, and the sum falls in every step. Nearly equal shapes are aligned from any initial orientations.
+/// \param shapes   `std::vector` of `Shape_points` with the same number of vertices, or of `Harmonic_coefficients` with
+///                 three functions of the same degree; moved in place
+/// \param method   what to remove
+/// \param weights  weights of the vertices, 0 or more; empty: equal weights. Empty for coefficients.
 /// \param policy,np  see \ref pd_calls
-/// \return the motions, and how far the shapes are from their mean
+/// \return the motions, and the deviation of the shapes from their mean
 /// \throws Error  `NON_FINITE_COORDINATE`; `INTERRUPTED` before they are moved
-/// \pre one shape or more, which fit each other and the weights
+/// \pre at least one shape; shapes and weights have matching sizes
 ///
 /// Complexity: O(n V) per step for n shapes of V vertices; 10 to 50 steps.
 template <class ExecutionPolicy, class Shape, class CGAL_NP_TEMPLATE_PARAMETERS,
@@ -81,18 +81,18 @@ Procrustes_alignment align_shapes(const ExecutionPolicy& policy, std::vector<Sha
 }
 CGAL_SP_ON_ONE_CORE(align_shapes)
 
-/// Mean and principal components of shapes as they stand: `align_shapes()` comes before. Components with less than
-/// 1e-10 of the largest deviation are rounding and left out, so that there are n - 1 of n shapes or fewer.
+/// Mean and principal components of shapes. Call `align_shapes()` first. Components below 1e-10 of the largest
+/// deviation are rounding errors, and are left out: n shapes have at most n - 1 components.
 /// \param shapes   as above
 /// \param weights  as above
-/// \param modes    at most so many, by default all
+/// \param modes    maximum number, by default all
 /// \param policy,np  see \ref pd_calls
 /// \return mean, modes, variances and scores. The sign of a mode is that for which its longest score is positive.
 /// \throws Error  `NON_FINITE_COORDINATE`; `INTERRUPTED`
-/// \pre one shape or more, which fit each other and the weights
+/// \pre at least one shape; shapes and weights have matching sizes
 ///
-/// By the singular value decomposition of the triangle of a QR decomposition (`Principal_components`), to rounding of
-/// the largest deviation. Complexity: O(V n^2 + n^3) for n shapes of V vertices; memory besides the shapes: the modes.
+/// Singular value decomposition of the triangle of a QR decomposition (`Principal_components`); to rounding of the
+/// largest deviation. Complexity: O(V n^2 + n^3) for n shapes of V vertices; memory besides the shapes: the modes.
 template <class ExecutionPolicy, class Shape, class CGAL_NP_TEMPLATE_PARAMETERS,
           internal::If_policy<ExecutionPolicy> = 0>
 Shape_statistics<Shape> shape_statistics(const ExecutionPolicy& policy, const std::vector<Shape>& shapes,
@@ -129,7 +129,7 @@ CGAL_SP_ON_ONE_CORE(shape_statistics)
 
 /// The shape with these scores: the mean plus the sum of scores times modes.
 /// \param statistics  of a set of shapes
-/// \param scores      as many as there are modes, or fewer, the first ones
+/// \param scores      of all modes, or of the first ones
 /// \return the shape
 /// \pre not more scores than modes
 ///
@@ -148,18 +148,18 @@ Shape shape_of_scores(const Shape_statistics<Shape>& statistics, const std::vect
   return shape;
 }
 
-/// How well the components of a set describe shapes that are not in it: every shape is left out in turn, and
-/// reconstructed by the mean of the others and their first components. (Generalization ability: R. H. Davies,
-/// "Learning shape: optimal models for analysing natural variability", 2002.) All are compared as they stand: the
-/// alignment of the set is not computed anew.
+/// Leave-out errors, which say how well the components of a set describe new shapes: every shape is left out in turn,
+/// and reconstructed by the mean of the others and their first components. (Generalization ability: R. H. Davies,
+/// "Learning shape: optimal models for analysing natural variability", 2002.) The alignment of the set is not computed
+/// again.
 /// \param shapes   as above
 /// \param weights  as above
-/// \param groups   the shapes are left out in so many groups, i with group i mod groups; 0: one by one
+/// \param groups   number of groups that are left out, shape i with group i mod groups; 0: one by one
 /// \param policy,np  see \ref pd_calls
-/// \return by the number of components, from 0 on, as far as the others have them: the root mean square distance of the
-///         left out from their reconstructions
+/// \return for each number of components, from 0 on: the root mean square distance of the left out shapes from their
+///         reconstructions
 /// \throws Error  `NON_FINITE_COORDINATE`; `INTERRUPTED`
-/// \pre two shapes or more, which fit each other and the weights; not 1 group, and not more groups than shapes
+/// \pre at least two shapes; shapes and weights have matching sizes; not 1 group, and not more groups than shapes
 ///
 /// Complexity: O(V n^2 + groups n^3) for n shapes of V vertices.
 template <class ExecutionPolicy, class Shape, class CGAL_NP_TEMPLATE_PARAMETERS,
@@ -178,15 +178,15 @@ std::vector<double> left_out_errors(const ExecutionPolicy& policy, const std::ve
 }
 CGAL_SP_ON_ONE_CORE(left_out_errors)
 
-/// Compactness, generalization and specificity of a set as a model. The random shapes are the mean plus modes with
-/// normally distributed scores, of the variances of the modes; those with more modes go on from those with fewer.
+/// Compactness, generalization and specificity of a set as a model. Random shapes are the mean plus modes with normally
+/// distributed scores, whose variances are those of the modes. Shapes with more modes extend those with fewer.
 /// \param shapes   as above
 /// \param weights  as above
 /// \param groups   as for `left_out_errors()`
-/// \param samples  so many random shapes
-/// \param seed     of the random numbers: the same seed, the same bits
+/// \param samples  number of random shapes
+/// \param seed     of the random numbers; the same seed gives the same bits
 /// \param policy,np  see \ref pd_calls
-/// \return all of them by the number of modes, generalization as far as there are some without the left out
+/// \return all three for each number of modes; generalization for the numbers that the other shapes have
 /// \throws Error  `NON_FINITE_COORDINATE`; `INTERRUPTED`
 /// \pre as for `left_out_errors()`; two samples or more
 ///
@@ -216,7 +216,7 @@ CGAL_SP_ON_ONE_CORE(model_quality)
 
 /// The variance of every vertex: the sum of those of its three coordinates. The weighted mean over the vertices is
 /// `Shape_statistics::total_variance`.
-/// \param shapes  one or more, with as many vertices each, as they stand
+/// \param shapes  one or more, with the same number of vertices
 /// \param policy,np  see \ref pd_calls
 /// \return by vertex; of one shape 0
 /// \throws Error  `NON_FINITE_COORDINATE`; `INTERRUPTED`
@@ -233,10 +233,10 @@ std::vector<double> vertex_variances(const ExecutionPolicy& policy, const std::v
 }
 CGAL_SP_ON_ONE_CORE(vertex_variances)
 
-/// What each vertex counts by the surface: a third of the areas of its faces, mean over the shapes. Samples that crowd,
-/// as those of an icosphere do on limbs, so count no more than what they stand for.
-/// \param mesh    whose vertices and faces the shapes have: a model of `FaceListGraph` and `HalfedgeListGraph`
-/// \param shapes  one or more; vertex i of each is the one that `vertices(mesh)` has as number i
+/// Areas of the vertices, to be used as weights: a third of the areas of their faces, averaged over the shapes. So
+/// dense samples, such as those of an icosphere on some parts of a shape, get small weights.
+/// \param mesh    the mesh of the shapes, a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \param shapes  one or more; vertex i of each corresponds to vertex i of `vertices(mesh)`
 /// \param policy,np  see \ref pd_calls
 /// \return by vertex, for the weights of the functions above
 /// \throws Error  `NON_FINITE_COORDINATE`; `INTERRUPTED`

@@ -31,8 +31,8 @@ namespace CGAL::Spherical_parameterization {
 /// \addtogroup PkgSphericalParameterizationHarmonics
 /// @{
 
-/// Analysis of data of the vertices in spherical harmonics: the coefficients of the function on the sphere that is what
-/// the data are at the images of the vertices. Of a shape (SPHARM; C. Brechbuehler, G. Gerig, O. Kuebler,
+/// Analysis of data at the vertices in spherical harmonics: the coefficients of the function on the sphere that has the
+/// values of the data at the images of the vertices. For a shape (SPHARM; C. Brechbuehler, G. Gerig, O. Kuebler,
 /// "Parametrization of closed surfaces for 3-D shape description", 1995) these are three functions, the coordinates.
 ///
 /// \param policy      `CGAL::Sequential_tag`, the default, or `CGAL::Parallel_tag`; the result does not depend on it
@@ -45,10 +45,10 @@ namespace CGAL::Spherical_parameterization {
 /// \param method      `Least_squares` or `Integration`
 /// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own, for
 ///                    `Vertex_weights::SURFACE_AREA`; `callback` and `maximum_running_time`, as in `parameterize()`
-/// \return the coefficients of one or of three functions, and how least squares went
-/// \throws Error  `NON_FINITE_COORDINATE` for an image that is no direction, or a value that is not finite;
-///                `NOT_BIJECTIVE` for a map with flipped faces, or of another degree than 1; `DEGENERATE_FACE` if all
-///                vertices weigh 0; `INTERRUPTED`
+/// \return the coefficients of one or of three functions, and whether least squares converged
+/// \throws Error  `NON_FINITE_COORDINATE` for an image that is not a direction, or a value that is not finite;
+///                `NOT_BIJECTIVE` for a map with flipped faces or a degree other than 1; `DEGENERATE_FACE` if all
+///                weights are 0; `INTERRUPTED`
 /// \pre for `Least_squares` there are (degree + 1)^2 vertices or more, and the degree is at most 8191
 ///
 /// Complexity: O(n) and O(L^3) for every iteration, or O(L^3) and the number of quadrature points for integrals.
@@ -75,8 +75,8 @@ CGAL_SP_ON_ONE_CORE(harmonic_analysis)
 /// \param coefficients  of the functions
 /// \param directions    a range of vectors of any length but 0: with x(), y(), z() or operator[]
 /// \param policy,np  see \ref pd_calls
-/// \return direction after direction, the values of all functions
-/// \throws Error  `NON_FINITE_COORDINATE` for what is no direction, and for coefficients that are not finite;
+/// \return for each direction the values of all functions
+/// \throws Error  `NON_FINITE_COORDINATE` if a direction or a coefficient is not finite, or a direction is zero;
 ///                `INTERRUPTED`
 ///
 /// Complexity: O(L^3 + n).
@@ -98,7 +98,7 @@ std::vector<double> harmonic_values(const ExecutionPolicy& policy, const Harmoni
 }
 CGAL_SP_ON_ONE_CORE(harmonic_values)
 
-/// Synthesis: gives every vertex the value at its image. With the mesh and the map that were analyzed it is a
+/// Synthesis: gives every vertex the value at its image. With the mesh and the map of the analysis the result is a
 /// reconstruction; with an icosphere (`make_icosphere()`) every shape gets the same vertices and faces.
 /// \param coefficients  of one function if the values are numbers, of three if they are points
 /// \param mesh          a model of `VertexListGraph`
@@ -132,7 +132,7 @@ void harmonic_synthesis(const ExecutionPolicy& policy, const Harmonic_coefficien
 }
 CGAL_SP_ON_ONE_CORE(harmonic_synthesis)
 
-/// How far a reconstructed shape is from the shape.
+/// The error of a reconstructed shape.
 struct Reconstruction_error {
   double root_mean_square; ///< of the distances between corresponding vertices
   double relative;         ///< the same over the root mean square distance of the vertices from their mean

@@ -18,9 +18,9 @@ namespace CGAL::Spherical_parameterization {
 /// \addtogroup PkgSphericalParameterizationSearch
 /// @{
 
-/// The signature of the paper: the histogram of the area stretch factor of Definition 1, as
-/// `vertex_log_area_stretch()` measures it. T. Athanasiadis and I. Fudos, SMI 2011, section 5.3. Shares, which add up
-/// to 1. See `shape_signature()` for one that tells shapes apart better, and depends less on the tessellation.
+/// The signature of the paper: the histogram of the area stretch factor of Definition 1, as `vertex_log_area_stretch()`
+/// measures it. T. Athanasiadis and I. Fudos, SMI 2011, section 5.3. The shares add up to 1. `shape_signature()`
+/// distinguishes shapes better, and depends less on the tessellation.
 ///
 /// \param policy      `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result does not depend on it
 /// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
@@ -29,7 +29,7 @@ namespace CGAL::Spherical_parameterization {
 /// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
 /// \return one share for each bin
 /// \pre options.bins >= 2, options.low < options.high, options.number_of_samples >= 1
-/// \throws Error  `DEGENERATE_FACE` for a mesh without area, and what `vertex_log_area_stretch()` throws
+/// \throws Error  `DEGENERATE_FACE` for a mesh of area 0, and the errors of `vertex_log_area_stretch()`
 ///
 /// Complexity: linear in the size of the mesh and the number of samples.
 template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class CGAL_NP_TEMPLATE_PARAMETERS,

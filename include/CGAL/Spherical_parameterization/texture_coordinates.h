@@ -23,23 +23,23 @@ namespace CGAL::Spherical_parameterization {
 /// \addtogroup PkgSphericalParameterizationTexture
 /// @{
 
-/// Texture coordinates (uv coordinates, texture mapping) for every corner of a valid map. The edges along which they
-/// are cut: `texture_seams()`.
+/// Texture coordinates (uv coordinates, texture mapping) for every corner of a valid map. `texture_seams()` finds the
+/// edges along which they are cut.
 ///
 /// Guarantee: every face has a counter-clockwise uv triangle that is not degenerate, by an exact predicate on the
-/// coordinates handed out; also for limbs that are smaller on the sphere than the coordinates resolve. This may open
-/// seams between neighbouring faces: in limbs narrower than a cell of the grid, and along faces so long and thin that
-/// the chart bends them by more than their width (`Texture_report` says how many and how far). u and v are in [0, 1],
-/// for faces across the seam in [-1, 2].
+/// stored coordinates, also in limbs that are smaller on the sphere than the resolution of the coordinates. This may
+/// open seams between neighbouring faces: in limbs narrower than a cell of the grid, and along faces so long and thin
+/// that the chart bends them by more than their width (`Texture_report` says how many, and how wide). u and v are in
+/// [0, 1], for faces across the seam in [-1, 2].
 ///
 /// \param policy      `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result does not depend on it
 /// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param sphere_map  readable, key vertex_descriptor, value unit vectors; a valid map
 /// \param uv_map      writable, key halfedge_descriptor, value constructible from two doubles: the corner of face(h) at
 ///                    target(h)
-/// \param options     the chart, where it is on the sphere, and the grid of the coordinates
+/// \param options     the chart, its axes on the sphere, and the grid of the coordinates
 /// \param np          optional named parameters: `vertex_point_map`, for the choice of the poles
-/// \return what had to be done
+/// \return the report
 /// \throws Error  for what is no closed, connected triangle mesh of genus 0, and for a map that is not valid: that has
 ///         flipped faces, or a degree other than 1; before anything is written
 /// \pre the axes are finite and not parallel, and there are 1 to 52 bits
@@ -71,10 +71,10 @@ Texture_report texture_coordinates(const ExecutionPolicy& policy, const Triangle
 }
 CGAL_SP_ON_ONE_CORE(texture_coordinates)
 
-/// The seams of a texture: the edges whose two faces have different coordinates at one of its ends. With both maps,
-/// `CGAL::Seam_mesh` is the mesh cut open, on which every vertex has one pair of texture coordinates.
+/// The seams of a texture: the edges whose two faces have different coordinates at an end point. `CGAL::Seam_mesh`
+/// takes both maps; on this cut mesh every vertex has one pair of texture coordinates.
 /// \param mesh            a triangle mesh, a model of `FaceListGraph`, `HalfedgeListGraph` and `EdgeListGraph`
-/// \param uv_map          readable, key halfedge_descriptor, value with `==`: what `texture_coordinates()` has written
+/// \param uv_map          readable, key halfedge_descriptor, value with `==`, written by `texture_coordinates()`
 /// \param edge_is_seam    writable, key edge_descriptor, value `bool`: whether the edge is a seam; `false` on the
 /// boundary
 /// \param vertex_on_seam  writable, key vertex_descriptor, value `bool`: whether the vertex is the end of a

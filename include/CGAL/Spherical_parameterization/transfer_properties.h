@@ -55,8 +55,8 @@ interpolate(const TriangleMesh& mesh, const Face_location<TriangleMesh>& locatio
                                         get(vertex_map, target(h, mesh)), get(vertex_map, target(next(h, mesh), mesh)));
 }
 
-/// Carries data of vertices from one mesh to another (or to another map of the same mesh): every vertex gets the value
-/// that `from` has under its image.
+/// Transfers data of vertices from one mesh to another (or to another map of the same mesh): every vertex gets the
+/// value that `from` has at its image.
 /// \param policy      `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result does not depend on it
 /// \param from        the inverse of the map of the mesh that has the data
 /// \param from_map    readable, key vertex_descriptor of that mesh; see `interpolate()`
@@ -64,7 +64,7 @@ interpolate(const TriangleMesh& mesh, const Face_location<TriangleMesh>& locatio
 /// \param to_sphere   readable, key vertex_descriptor of `to`; a map in the same position as that of `from` (see
 ///                    `align_maps.h`)
 /// \param to_map      writable, key vertex_descriptor of `to`
-/// \throws Error  `NON_FINITE_COORDINATE` at an image that is no direction, before anything is written
+/// \throws Error  `NON_FINITE_COORDINATE` if an image is not a direction, before anything is written
 ///
 /// Complexity: one query (`Spherical_locator::locate()`) for each vertex of `to`.
 template <class ExecutionPolicy, class FromMesh, class FromMap, class ToMesh, class ToSphereMap, class ToMap,
@@ -80,14 +80,14 @@ void transfer_vertex_property(const ExecutionPolicy& policy, const Spherical_loc
 }
 CGAL_SP_ON_ONE_CORE(transfer_vertex_property)
 
-/// Carries data of faces, such as labels: every face gets the value of the face of `from` under its centre.
+/// Transfers data of faces, such as labels: every face gets the value of the face of `from` at its centre.
 /// \param policy      `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result does not depend on it
 /// \param from        the inverse of the map of the mesh that has the data
 /// \param from_map    readable, key face_descriptor of the mesh that has the data
 /// \param to          the mesh that gets the data, a triangle mesh and a model of `FaceListGraph`
 /// \param to_sphere   readable, key vertex_descriptor of `to`; a map in the same position as that of `from`
 /// \param to_map      writable, key face_descriptor of `to`
-/// \throws Error  `NON_FINITE_COORDINATE` at a centre that is no direction, before anything is written
+/// \throws Error  `NON_FINITE_COORDINATE` if a centre is not a direction, before anything is written
 ///
 /// Complexity: one query for each face of `to`.
 template <class ExecutionPolicy, class FromMesh, class FromMap, class ToMesh, class ToSphereMap, class ToMap,

@@ -10,43 +10,51 @@
 #include <cstddef>
 #include <vector>
 
-/// What mends meshes. It stands on packages of CGAL that are under the GPL, and so is it.
+/// Preparation of meshes. It is under the GPL, like the CGAL packages that it uses.
 namespace CGAL::Spherical_parameterization::preparation {
 
-/// Points and triangles of any kind, where they are: arrays that have to stay there.
+/// \addtogroup PkgSphericalParameterizationPreparation
+/// @{
+
+/// References to arrays of points and triangles, which must outlive it.
 struct Triangle_soup {
-  typedef std::array<double, 3> Point;
-  typedef std::array<int, 3> Triangle;
+  typedef std::array<double, 3> Point; ///< coordinates
+  typedef std::array<int, 3> Triangle; ///< indices of points
 
-  boost::iterator_range<const Point*> points;
-  boost::iterator_range<const Triangle*> triangles; ///< numbers of points, in range
+  boost::iterator_range<const Point*> points;       ///< all points
+  boost::iterator_range<const Triangle*> triangles; ///< all triangles; indices must be in range
 
+  /// \param p  a contiguous range of points
+  /// \param t  a contiguous range of triangles
   template <class Points, class Triangles>
   Triangle_soup(const Points& p, const Triangles& t)
     : points(p.data(), p.data() + p.size()), triangles(t.data(), t.data() + t.size())
   {}
-  /// Of whatever has members of these names.
+  /// \param soup  an object with the members `points` and `triangles`
   template <class Soup>
   Triangle_soup(const Soup& soup) : Triangle_soup(soup.points, soup.triangles)
   {}
+  /// \cond SKIP_IN_MANUAL
   Triangle_soup(const Triangle_soup&) = default;
+  /// \endcond
 };
 
-/// Triangles glued along their sides, with or without boundary. Side `3 f + k` of face `f` runs from its corner `k` to
-/// the next one. The gluing decides what a vertex is: the corners that meet when one turns round it through glued
-/// sides. So every surface here is manifold, whatever the file was; to cut it is to unglue sides.
+/// A surface of triangles that are glued along their sides, with or without boundary. Side `3 f + k` of face `f` runs
+/// from its corner `k` to the next one. The vertices follow from the gluing: corners belong to one vertex if glued
+/// sides connect them. So the surface is manifold, whatever the file was. To cut it, sides are unglued.
 ///
 /// Glued sides run in opposite directions: the faces are oriented consistently.
 struct Glued_surface {
-  using Point = std::array<double, 3>;
+  using Point = std::array<double, 3>; ///< coordinates
 
   std::vector<Point> points;             ///< by vertex
   std::vector<std::array<int, 3>> faces; ///< the vertices of the corners
   std::vector<int> twin;                 ///< by side; `none` at a boundary
-  std::vector<int> old_vertex;           ///< by vertex: its number in the file, `none` if it is new
-  std::vector<int> old_face;             ///< by face: its number in the file, `none` if it is new
+  std::vector<int> old_vertex;           ///< by vertex: its index in the file, `none` if it is new
+  std::vector<int> old_face;             ///< by face: its index in the file, `none` if it is new
 
-  static constexpr int none = -1;
+  static constexpr int none = -1; ///< no vertex, side or face
+  /// \cond SKIP_IN_MANUAL
   static int next(int side) { return side % 3 == 2 ? side - 2 : side + 1; }
   static int previous(int side) { return side % 3 == 0 ? side + 2 : side - 1; }
   int origin(int side) const { return faces[static_cast<std::size_t>(side / 3)][static_cast<std::size_t>(side % 3)]; }
@@ -63,8 +71,10 @@ struct Glued_surface {
   void unglue(int side);
   int add_vertex(const Point& point);                                   ///< new, of no face yet
   int add_face(const std::array<int, 3>& corners, int old_face = none); ///< glued to nothing yet
+  /// \endcond
 };
 
+/// \cond SKIP_IN_MANUAL
 /// One surface after the other, as one.
 Glued_surface joined(const std::vector<Glued_surface>& parts);
 
@@ -74,19 +84,22 @@ void derive_vertices(Glued_surface& surface);
 
 /// The sides at the boundary, in the direction of their faces, one cycle after the other.
 std::vector<std::vector<int>> boundary_cycles(const Glued_surface& surface);
+/// \endcond
 
+/// A connected component.
 struct Component {
-  int faces = 0;
-  int first_face = 0;
-  int holes = 0;
-  int euler_characteristic = 0;
-  double area = 0;
-  double volume = 0; ///< signed; of no meaning with holes
+  int faces = 0;                ///< number of faces
+  int first_face = 0;           ///< the smallest index of its faces
+  int holes = 0;                ///< number of boundary cycles
+  int euler_characteristic = 0; ///< V - E + F
+  double area = 0;              ///< area of the faces
+  double volume = 0;            ///< signed; meaningless with holes
 
-  /// Of the surface whose holes are closed.
+  /// \return the genus after all holes are closed
   int genus() const { return (2 - euler_characteristic - holes) / 2; }
 };
 
+/// \cond SKIP_IN_MANUAL
 /// The connected components. `component_of[f]` is the number of that of face `f`.
 std::vector<Component> components(const Glued_surface& surface, std::vector<int>& component_of);
 
@@ -94,6 +107,9 @@ std::vector<Component> components(const Glued_surface& surface, std::vector<int>
 /// three vertices, and edges sets of two, as files need it. Returns how many edges were split.
 /// \pre the vertices are derived
 std::size_t split_parallel_edges(Glued_surface& surface);
+/// \endcond
+
+/// @}
 
 } // namespace CGAL::Spherical_parameterization::preparation
 

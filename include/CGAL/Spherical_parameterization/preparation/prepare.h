@@ -15,54 +15,63 @@
 
 namespace CGAL::Spherical_parameterization::preparation {
 
-/// A kind of defect: how often it is there, and where first.
-struct Defect {
-  std::size_t count = 0;
-  int first = -1; ///< the number of a vertex or face of the file
+/// \addtogroup PkgSphericalParameterizationPreparation
+/// @{
 
+/// A kind of defect: how often it was found, and where first.
+struct Defect {
+  std::size_t count = 0; ///< number of defects
+  int first = -1;        ///< the index of a vertex or face in the file
+
+  /// \cond SKIP_IN_MANUAL
   void add(int where)
   {
     if(count++ == 0)
       first = where;
   }
+  /// \endcond
 };
 
-/// What had to be done to triangles before they were a surface. None of it changes the shape but what becomes of
-/// non-finite vertices and, with a distance, of merged ones.
+/// The defects of triangles that were repaired to make a surface of them. These repairs do not change the shape, except
+/// the removal of non-finite vertices and, with a distance, merging.
 struct Gluing_defects {
-  Defect non_finite_vertices;   ///< left out, with their faces
-  Defect isolated_vertices;     ///< left out
-  Defect repeated_corners;      ///< faces with a vertex twice, left out
-  Defect repeated_faces;        ///< faces with the same vertices as another, left out
-  Defect merged_vertices;       ///< at boundaries, at the same place as another
+  Defect non_finite_vertices;   ///< removed, with their faces
+  Defect isolated_vertices;     ///< removed
+  Defect repeated_corners;      ///< faces with a vertex twice, removed
+  Defect repeated_faces;        ///< faces with the same vertices as another, removed
+  Defect merged_vertices;       ///< boundary vertices at the position of another one
   Defect non_manifold_edges;    ///< of more than two faces, which were glued in pairs
   Defect crowded_edges;         ///< of so many faces that not every pair of them was compared
-  Defect non_manifold_vertices; ///< copied, so that every part of the surface has its own
+  Defect non_manifold_vertices; ///< copied, so that every part of the surface has its own copy
   Defect slits;                 ///< along a side on which other faces have vertices (T-junctions), closed
-  Defect reversed_faces;        ///< turned round, so that neighbours agree
-  Defect cut_edges;             ///< at which a surface with one side only was cut; the place is a vertex
+  Defect reversed_faces;        ///< reversed, so that neighbours agree
+  Defect cut_edges;             ///< edges along which a one-sided surface was cut; `first` is a vertex
 };
 
-/// How far a mesh is mended. The default is all that stands between it and a closed sphere. In any case faces that are
-/// none are left out, faces with common vertices glued, neighbours oriented alike, and non-manifold vertices copied.
+/// The repairs to make. By default, all that are needed to get a closed surface of genus 0. In any case invalid faces
+/// are removed, faces with common vertices glued, neighbours oriented consistently, and non-manifold vertices copied.
 struct Preparation_settings {
+  /// What becomes of several components.
   enum class Components {
-    LARGEST, ///< only the one of largest area is kept
-    TOGETHER,
-    SPLIT ///< each is a part by itself
+    LARGEST,  ///< only the one of largest area is kept
+    TOGETHER, ///< all are kept in one surface
+    SPLIT     ///< each is a part by itself
   };
 
-  std::optional<double> merge_distance = 0; ///< up to which vertices at boundaries are merged; none: they are not
-  Components components = Components::LARGEST;
-  bool fills_holes = true;
-  bool cuts_handles = true; ///< of components without holes
-  bool removes_degenerate_faces = false;
+  std::optional<double> merge_distance = 0;    ///< up to which boundary vertices are merged; empty: no merging
+  Components components = Components::LARGEST; ///< what becomes of several components
+  bool fills_holes = true;                     ///< whether holes are filled
+  bool cuts_handles = true;                    ///< whether handles of components without holes are cut
+  bool removes_degenerate_faces = false;       ///< whether faces of area 0 are removed
+  /// Options of a wrap.
   struct Wrap {
-    std::optional<double> alpha, offset; ///< by default a 50th and a 1500th of the diagonal of the bounding box
+    std::optional<double>
+      alpha; ///< cavities that a ball of this radius cannot enter are filled; default: diagonal / 50
+    std::optional<double> offset; ///< distance of the wrap from the mesh; default: diagonal of the bounding box / 1500
   };
-  std::optional<Wrap> wrap; ///< a surface around everything takes the place of the mesh
+  std::optional<Wrap> wrap; ///< if given, a surface around the mesh replaces it
 
-  /// What does not change the shape.
+  /// \return settings for the repairs that do not change the shape
   static Preparation_settings harmless()
   {
     Preparation_settings settings;
@@ -72,37 +81,39 @@ struct Preparation_settings {
   }
 };
 
-/// A closed path of edges: the boundary of a hole, or round a handle.
+/// A closed path of edges: the boundary of a hole, or a loop around a handle.
 struct Loop {
-  std::size_t edges = 0;
-  double length = 0;
-  int vertex = -1; ///< one of its vertices, by the number in the file; -1 if all are new
+  std::size_t edges = 0; ///< number of edges
+  double length = 0;     ///< length
+  int vertex = -1;       ///< index in the file of one of its vertices; -1 if all are new
 };
 
+/// A component of the mesh.
 struct Piece {
-  Component size;
-  double share_of_area = 1;
-  int vertex = -1; ///< one of its vertices, by the number in the file
-  bool is_kept = true;
+  Component size;           ///< its size
+  double share_of_area = 1; ///< its share of the whole area
+  int vertex = -1;          ///< index in the file of one of its vertices
+  bool is_kept = true;      ///< whether it is kept
 };
 
-/// What was wrong with a mesh, what was done, and what has come out.
+/// The defects of a mesh, what was done about them, and the repaired mesh.
 struct Preparation {
-  std::vector<Glued_surface>
-    parts; ///< one; or one for each component, the largest first, if they are split or handles of several are cut
-  Gluing_defects defects;
+  /// The repaired mesh: one part, or one for each component, the largest first, if components are split or handles of
+  /// several are cut.
+  std::vector<Glued_surface> parts;
+  Gluing_defects defects;         ///< defects of the triangles
   std::vector<Piece> pieces;      ///< the components of the mesh, the largest first
-  std::vector<int> piece_of_face; ///< by face of the file, its number in `pieces`; -1 if it was removed, or all wrapped
-  std::vector<Loop> holes;        ///< of what is kept, the longest first
-  std::vector<Loop> handles;      ///< of what is kept, each of them the shortest on what the ones before have left
-  int handles_cut_at_once = 0;    ///< and those after them, of too many to look for the shortest loops of all
-  bool is_filled = false;         ///< the holes are closed
-  bool is_cut = false;            ///< the handles are cut
-  Defect degenerate_faces;        ///< those that were removed, or were to be
-  bool has_degenerate_faces = false; ///< they are still there, since nothing would be left, or less than a surface
-  bool is_turned_outwards = false;   ///< all faces were turned round
-  std::size_t split_edges = 0;       ///< those that had the same ends as others
-  std::optional<Preparation_settings::Wrap> wrap; ///< what was used
+  std::vector<int> piece_of_face; ///< by face of the file: its index in `pieces`; -1 if it was removed, or all wrapped
+  std::vector<Loop> holes;        ///< holes of the kept components, the longest first
+  std::vector<Loop> handles;      ///< loops around handles of the kept components, in the order of cutting
+  int handles_cut_at_once = 0;    ///< number of further handles, too many for shortest loops, which were cut at once
+  bool is_filled = false;         ///< whether the holes were filled
+  bool is_cut = false;            ///< whether the handles were cut
+  Defect degenerate_faces;        ///< faces of area 0, if they were to be removed
+  bool has_degenerate_faces = false; ///< whether some were not removed, since less than a surface would be left
+  bool is_turned_outwards = false;   ///< whether all faces were reversed
+  std::size_t split_edges = 0;       ///< number of edges that were split, since others had the same end points
+  std::optional<Preparation_settings::Wrap> wrap; ///< the options of the wrap that was made
 };
 
 /// \cond SKIP_IN_MANUAL
@@ -111,20 +122,19 @@ Preparation prepare(const Triangle_soup& soup, const Preparation_settings& setti
                     const std::function<void()>& go_on);
 /// \endcond
 
-/// Mends a mesh with any defects until it is what `parameterize()` takes, or as far as the settings say.
+/// Repairs a mesh with any defects so that `parameterize()` accepts it, or as far as the settings say.
 ///
-/// Faces are glued along their sides, neighbours turned to the same side, non-manifold parts cut from each other, holes
+/// Faces are glued along their sides, neighbours oriented consistently, non-manifold parts cut from each other, holes
 /// filled (P. Liepa, "Filling holes in meshes", 2003) and handles cut along shortest loops (J. Erickson and S.
-/// Har-Peled, "Optimally cutting a surface into a disk", 2004). Vertices and faces that are left keep their order; a
+/// Har-Peled, "Optimally cutting a surface into a disk", 2004). The remaining vertices and faces keep their order; a
 /// mesh without defects is not changed.
 ///
-/// Complexity: O(n log n), but for holes (`m^2` for one of m edges, up to 500) and handles (in most cases n times the
-/// vertices of the shortest loops).
-/// \param soup      points and triangles: `{points, triangles}` of two vectors
-/// \param settings  what is done
+/// Complexity: O(n log n), except for holes (`m^2` for a hole of m edges, up to 500) and handles (in most cases n times
+/// the vertices of the shortest loops). \param soup      points and triangles: `{points, triangles}` of two vectors
+/// \param settings  the repairs to make
 /// \param np        optional named parameters: `callback` and `maximum_running_time`, as in `parameterize()`
-/// \return the mended mesh, and what was done
-/// \throws Error if there is no face that can be used (`EMPTY_MESH`), or it was interrupted (`INTERRUPTED`)
+/// \return the repaired mesh, and what was done
+/// \throws Error if there is no valid face (`EMPTY_MESH`), or it was interrupted (`INTERRUPTED`)
 template <class NamedParameters = parameters::Default_named_parameters>
 Preparation prepare(const Triangle_soup& soup, const Preparation_settings& settings = {},
                     const NamedParameters& np = parameters::default_values())
@@ -133,15 +143,20 @@ Preparation prepare(const Triangle_soup& soup, const Preparation_settings& setti
   return prepare(soup, settings, std::function<void()>([&monitor] { monitor.advance_or_throw(); }));
 }
 
-/// The diagonal of the bounding box of the finite vertices that have faces.
+/// \param soup  points and triangles
+/// \return the diagonal of the bounding box of the finite vertices that have faces
 double diagonal(const Triangle_soup& soup);
 
-/// Of the area of all components, what is kept.
+/// \param preparation  a result of `prepare()`
+/// \return the share of the area of all components that is kept
 double share_of_area_kept(const Preparation& preparation);
 
-/// What was wrong and what was done about it, one sentence each: "filled 3 holes (longest: 80 edges, length 0.5, at
-/// vertex 17)". Empty if nothing was wrong.
+/// Describes defects and repairs, one sentence each: "filled 3 holes (longest: 80 edges, length 0.5, at vertex 17)".
+/// \param preparation  a result of `prepare()`
+/// \return the sentences; none if there were no defects
 std::vector<std::string> sentences(const Preparation& preparation);
+
+/// @}
 
 } // namespace CGAL::Spherical_parameterization::preparation
 

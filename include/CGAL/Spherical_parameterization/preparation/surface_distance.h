@@ -12,6 +12,7 @@
 
 namespace CGAL::Spherical_parameterization::preparation {
 
+/// \cond SKIP_IN_MANUAL
 typedef Indexed_triangle_mesh Mesh;
 typedef Mesh::Point Point;
 
@@ -20,10 +21,10 @@ struct Bounds {
   double low = 0, high = 0;
 };
 
-/// The Hausdorff distances of a mesh as it was read and what was made of it: how far points of one are from the other.
+/// The Hausdorff distances of a mesh as it was read and the repaired mesh.
 struct Hausdorff_distance {
-  Bounds from_new; ///< from points of what was made
-  Bounds from_old; ///< from points of the mesh as it was
+  Bounds from_new; ///< from points of the repaired mesh
+  Bounds from_old; ///< from points of the mesh as it was read
 };
 
 /// Triangles are halved until bounds are `tolerance` apart, or 5 % of the distance where that is more: the distance
@@ -35,13 +36,13 @@ struct Hausdorff_distance {
 Hausdorff_distance hausdorff_distance(const Triangle_soup& old, const std::vector<Glued_surface>& parts,
                                       double tolerance, const std::function<void()>& go_on);
 
-/// For faces of the mesh as it was that have no face in `surface`: the nearest one there, measured from the centre (or
-/// one that is near, where thousands lie across each other).
-/// For all others that face. Faces without finite coordinates get face 0.
+/// For each face of the mesh as it was read its face in `surface`. For removed faces the face nearest to the centre (or
+/// one that is near, where thousands of faces lie across each other).
+/// Faces without finite coordinates get face 0.
 std::vector<int> nearest_faces(const Triangle_soup& old, const Glued_surface& surface);
 
-/// For each point the nearest of those faces of `surface` that the mesh as it was has, too (or one that is near, as
-/// above). \pre there is one
+/// For each point the nearest of those faces of `surface` that the mesh as it was read has, too (or one that is near,
+/// as above). \pre there is one
 std::vector<int> nearest_old_faces(const std::vector<Point>& points, const Glued_surface& surface);
 
 /// The Hausdorff distance of two surfaces with the same faces, sampled at the vertices: the largest distance of a
@@ -49,15 +50,16 @@ std::vector<int> nearest_old_faces(const std::vector<Point>& points, const Glued
 double hausdorff_distance_at_vertices(const Mesh& mesh, const std::vector<Point>& points,
                                       const std::vector<Point>& others);
 
-/// What of a shape is not in a mesh that was sampled from it.
+/// The loss of a shape in a mesh that was sampled from it.
 struct Sampling_loss {
-  double bounding_box = 0; ///< of its side that has lost most, in [0, 1]
+  double bounding_box = 0; ///< relative loss of the side of the box that has lost most, in [0, 1]
   double distance = 0;     ///< from the shape to the samples, that 99 % of the area keep; of the diagonal of the box
 };
 
 /// Compares `mesh` with the same shape sampled at the vertices of `sampled`.
 /// \param points  by vertex of `sampled`
 Sampling_loss sampling_loss(const Mesh& mesh, const Mesh& sampled, const std::vector<Point>& points);
+/// \endcond
 
 } // namespace CGAL::Spherical_parameterization::preparation
 

@@ -9,7 +9,7 @@
 namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationMeasures
-/// How a measure is spread over the surface: every face counts with its source area.
+/// The distribution of a measure over the surface. Faces are weighted by their source area.
 struct Distribution {
   double mean = 0;          ///< weighted by area
   double deviation = 0;     ///< root of the mean square difference from the mean
@@ -32,7 +32,7 @@ struct Distortion_summary {
   /// With det(a, b, c) / 2 in place of the area of the flat triangle abc on the sphere: the inscribed polyhedron of a
   /// map may be far from the sphere, as with long edges along a tube, and the flat measure does not see it.
   Distribution spherical_symmetric_dirichlet;
-  std::size_t degenerate_faces = 0; ///< source faces without area: they do not count
+  std::size_t degenerate_faces = 0; ///< number of source faces of area 0, ignored
 };
 
 } // namespace CGAL::Spherical_parameterization

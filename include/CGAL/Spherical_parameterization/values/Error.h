@@ -44,7 +44,7 @@ namespace CGAL::Spherical_parameterization {
 /// \addtogroup PkgSphericalParameterizationMap
 /// @{
 
-/// What can be wrong with the input, or with the map that was found. Only `OK` stands for a certified spherical map.
+/// What is wrong with the input, or with the map that was found. Only `OK` stands for a certified spherical map.
 enum class Error_code { CGAL_SP_ERROR_CODES(CGAL_SP_ENUMERATOR) };
 
 /// \param code  what is wrong, or `OK`
@@ -57,7 +57,7 @@ inline const char* get_error_name(Error_code code)
   return "UNKNOWN";
 }
 
-/// The message of an error code, in words; `Result::detail` adds what exactly, and where.
+/// The message of an error code, in words; `Result::detail` has the details and the place.
 /// \param code  what is wrong, or `OK`
 /// \return a string that is never freed, without full stop
 inline const char* get_error_message(Error_code code)
@@ -68,8 +68,8 @@ inline const char* get_error_message(Error_code code)
   return "unknown error";
 }
 
-/// Wrong data, thrown by functions that do not return a `Result`. Wrong arguments, such as a negative accuracy, are a
-/// `CGAL::Precondition_exception` instead.
+/// The exception for wrong data in functions that do not return a `Result`. Wrong arguments, such as a negative
+/// accuracy, throw a `CGAL::Precondition_exception` instead.
 class Error : public std::invalid_argument {
 public:
   /// \param code    what is wrong
@@ -90,7 +90,7 @@ public:
   Error_code code() const { return code_; }
   /// \return where, and what to do about it
   const std::string& detail() const { return detail_; }
-  /// \return what to do about it, with which `detail()` ends behind "; "; empty if it does not
+  /// \return what to do about it: the end of `detail()` after "; "; empty if there is none
   const std::string& remedy() const { return remedy_; }
 
 private:

@@ -18,7 +18,7 @@ namespace CGAL::Spherical_parameterization {
 /// \addtogroup PkgSphericalParameterizationHarmonics
 /// @{
 
-/// The largest degree of spherical harmonics, beyond which 32-bit numbers of coefficients end.
+/// The largest degree of spherical harmonics; more coefficients exceed 32-bit integers.
 constexpr int largest_harmonic_degree = 16383;
 
 /// The coefficients of functions on the sphere (one, or more of the same degree: the coordinates of a shape are three)
@@ -100,8 +100,8 @@ private:
 /// \name What Coefficients Say
 /// @{
 
-/// The power of every degree: the sum of the squares of its coefficients over all functions. Rotating the sphere does
-/// not change it, nor does rotating a shape in space; all of it together is the integral of the squares (Parseval).
+/// The power of every degree: the sum of the squares of its coefficients over all functions. It is invariant to
+/// rotations of the sphere and of the shape in space. The total power is the integral of the squares (Parseval).
 /// \param coefficients  of the functions
 /// \return for l = 0 ... degree
 inline std::vector<double> power_spectrum(const Harmonic_coefficients& coefficients)
@@ -114,7 +114,7 @@ inline std::vector<double> power_spectrum(const Harmonic_coefficients& coefficie
   return power;
 }
 
-/// The coefficients multiplied by a factor for every degree. Factors that fall smooth the functions: exp(-t l (l + 1))
+/// The coefficients multiplied by a factor for every degree. Decreasing factors smooth the functions: exp(-t l (l + 1))
 /// is the heat flow of time t. Factors above 1 sharpen them.
 /// \param coefficients  of the functions
 /// \param factor        called with the degree l
@@ -144,8 +144,8 @@ inline Harmonic_coefficients with_degree(const Harmonic_coefficients& coefficien
   return result;
 }
 
-/// The mirror image in the plane z = 0, with the map mirrored, too, so that it is still one without flips: what
-/// `best_alignment()` is to be asked for as well where left and right shapes are compared.
+/// The mirror image in the plane z = 0. The map is mirrored, too, so that no face is flipped. To compare left with
+/// right shapes, call `best_alignment()` also with the mirror image.
 /// \param shape  three functions
 /// \return the coefficients of the mirror image
 inline Harmonic_coefficients mirrored(Harmonic_coefficients shape)

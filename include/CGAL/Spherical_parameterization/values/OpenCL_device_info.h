@@ -12,10 +12,10 @@ namespace CGAL::Spherical_parameterization {
 /// \addtogroup PkgSphericalParameterizationPolicies
 /// @{
 
-/// What an OpenCL device says of itself.
+/// The properties of an OpenCL device.
 struct OpenCL_device_info {
   std::string platform;               ///< whose driver it is
-  std::string name;                   ///< of the device
+  std::string name;                   ///< name of the device
   std::string driver;                 ///< its version
   std::string version;                ///< of OpenCL
   std::size_t memory = 0;             ///< in bytes

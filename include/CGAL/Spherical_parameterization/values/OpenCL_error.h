@@ -28,7 +28,7 @@ namespace CGAL::Spherical_parameterization {
 /// @{
 
 /// The name of an error code of OpenCL, such as `"CL_OUT_OF_RESOURCES"`.
-/// \param code  what a function of OpenCL has returned
+/// \param code  the code that a function of OpenCL has returned
 /// \return the name of the macro, or that it is unknown
 inline const char* opencl_error_name(cl_int code)
 {
@@ -63,7 +63,7 @@ inline const char* opencl_error_name(cl_int code)
   return "unknown error code";
 }
 
-/// An error of OpenCL. When it is thrown, no memory of the package is left on the device.
+/// An error of OpenCL. When it is thrown, all memory of the package on the device has been released.
 class OpenCL_error : public std::runtime_error {
 public:
   /// \param call         what failed: the function of OpenCL or of this package

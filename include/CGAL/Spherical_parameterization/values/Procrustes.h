@@ -14,10 +14,10 @@ namespace CGAL::Spherical_parameterization {
 /// \addtogroup PkgSphericalParameterizationStatistics
 /// @{
 
-/// What is not shape, and is taken away before statistics: place always, the rest by choice.
+/// What is removed before statistics of shapes: translations always, rotations and sizes as chosen.
 struct Procrustes {
-  bool rotate = true;      ///< turn the shapes, the first one excepted, to where they are closest to their mean
-  bool scale = false;      ///< give all of them the same size, the root mean square of their sizes
+  bool rotate = true;      ///< rotate all shapes except the first one so that they are closest to their mean
+  bool scale = false;      ///< scale all shapes to the root mean square of their sizes
   double accuracy = 1e-10; ///< stops where no rotation changes by more, in radians
   int iterations = 1000;   ///< at most
 };
@@ -29,12 +29,12 @@ struct Similarity {
   std::array<double, 3> translation = {0, 0, 0};           ///< comes last
 };
 
-/// What `align_shapes()` has done.
+/// The result of `align_shapes()`.
 struct Procrustes_alignment {
   std::vector<Similarity> motions; ///< by shape
   double deviation = 0;            ///< root mean square distance from the mean, over vertices and shapes
-  bool has_converged = true;       ///< whether the accuracy was reached in the iterations there were
-  int iterations = 0;              ///< of rotations and mean by turns
+  bool has_converged = true;       ///< whether the accuracy was reached
+  int iterations = 0;              ///< of alternating mean and rotations
 };
 
 /// @}

@@ -17,34 +17,36 @@ namespace CGAL::Spherical_parameterization {
 /// \addtogroup PkgSphericalParameterizationInverse
 /// @{
 
-/// Numbers of the vertices of both meshes that should be equal at corresponding points: sulcal depth, myelin, thickness.
+/// A feature of the caller: numbers of the vertices of both meshes that should be equal at corresponding points, such
+/// as sulcal depth, myelin or thickness.
 struct Registration_feature {
-  std::vector<double> a, b; ///< of the first and of the second mesh, as `vertices(mesh)` has them
-  double weight = 20;       ///< as that of the curvature
+  std::vector<double> a; ///< of the first mesh, in the order of `vertices(mesh)`
+  std::vector<double> b; ///< of the second mesh
+  double weight = 20;    ///< as that of the curvature
 };
 
-/// How far `register_maps()` goes, and what it compares.
+/// The motion and the weights of `register_maps()`.
 struct Registration {
-  /// What the first map may be moved by.
+  /// How the first map may be moved.
   enum class Motion {
-    ROTATION,   ///< rotations: the map stays what it was
+    ROTATION,   ///< rotations: distances do not change
     MOEBIUS,    ///< rotations and boosts: a conformal map stays conformal
-    DEFORMATION ///< anything that keeps it bijective
+    DEFORMATION ///< any deformation that keeps it bijective
   };
-  Motion motion = Motion::DEFORMATION; ///< the last and strongest one
+  Motion motion = Motion::DEFORMATION; ///< how the first map may be moved
 
   /// \name Deformation
-  /// The weights are those of mean squared differences, beside the mean symmetric Dirichlet energy of the deformation
-  /// of the sphere (4 where there is none). Features have a variance of about 1, but for positions, which are in units
-  /// in which the surfaces have the area 4 pi: own ones, too, are smoothed at the scale of the level, brought to mean 0
-  /// and variance 1 on either surface, so that their units do not matter, and bounded by 2 tanh(x / 2). Stretching is the mean symmetric Dirichlet energy of the
-  /// faces of the first surface, carried to the second one (4 where that is isometric).
+  /// The weights are those of mean squared differences, relative to the mean symmetric Dirichlet energy of the
+  /// deformation of the sphere (4 without deformation). Features, those of the caller, too, are smoothed at the scale
+  /// of the level, scaled to mean 0 and variance 1 on either surface, so that their units do not matter, and bounded by
+  /// 2 tanh(x / 2). Positions are in units in which the surfaces have the area 4 pi. Stretching is the mean symmetric
+  /// Dirichlet energy of the faces of the first surface, mapped to the second one (4 for an isometry).
   /// @{
-  double curvature_weight = 20; ///< of the mean curvature at two scales
-  std::vector<Registration_feature> features; ///< of the caller: beside curvature, or with weight 0 of it in its place
-  double stretch_weight = 0;    ///< of the logarithmic area stretch of the maps; for maps of the same method
+  double curvature_weight = 20;               ///< of the mean curvature at two scales
+  std::vector<Registration_feature> features; ///< of the caller: beside curvature, or (with its weight 0) instead
+  double stretch_weight = 0;  ///< of the logarithmic area stretch of the maps; for maps of the same method
   double isometry_weight = 1; ///< of the mean stretching of the first surface onto the second, from the second level on
-  double position_weight = 0; ///< of the coordinates, after the best motion in space: for shapes in the same pose
+  double position_weight = 0; ///< of the coordinates, after the best motion in space: for shapes in one pose
   double landmark_weight = 300; ///< of the squared distances of the landmarks on the sphere
 
   double coarsest_scale = 0.6; ///< of the features that are compared first, as a length on the surface of area 4 pi
@@ -54,7 +56,7 @@ struct Registration {
   /// @}
 };
 
-/// What `register_maps()` has found.
+/// The result of `register_maps()`.
 struct Registration_result {
   Error_code error = Error_code::OK; ///< `OK` if and only if the registered map is complete and certified
   std::string detail;                ///< what is wrong; empty if `OK`
@@ -62,27 +64,27 @@ struct Registration_result {
   std::size_t flipped_faces = 0; ///< of the registered map, exactly, as it is stored
   int degree = 0;                ///< of the registered map, exactly; 1 for a valid one
 
-  std::string start; ///< what found the start: "spectrum", or for a rotation "landmarks", "coordinates" or "features"
+  std::string start; ///< the start: "spectrum", or a rotation by "landmarks", "coordinates" or "features"
   /// \name Of the Points That the Spectrum Has Found
   /// @{
 
-  /// How much worse the best of all other answers is, on a logarithmic scale. Small where shapes are nearly symmetric
-  /// or not alike; infinite if there is no other answer, or if the spectrum was not asked.
+  /// How much worse the best other candidate is, on a logarithmic scale. Small if the shapes are nearly symmetric or
+  /// dissimilar; infinite if there is no other candidate, or the spectrum was not used.
   double margin = std::numeric_limits<double>::infinity();
   /// Mean relative difference of the wave kernel signatures of corresponding points, from 0 to 1: about 0.03 between
-  /// poses of one body, 0.1 between different bodies. 0 if the spectrum was not asked.
+  /// poses of one body, 0.1 between different bodies. 0 if the spectrum was not used.
   double signature_difference = 0;
   /// @}
-  Rotation rotation = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}; ///< of the first map, to start with
+  Rotation rotation = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}; ///< of the first map at the start
 
   /// \name Of the Registered Map, as It Is Stored
   /// @{
-  double mismatch_before = 0; ///< root mean square difference of the features on the finest level that was reached,
-                              ///< of the rotated map; 0 if the call ended before the map was deformed
+  double mismatch_before = 0; ///< root mean square difference of the features of the rotated map, on the finest level
+                              ///< that was reached; 0 if the call ended before the deformation
   double mismatch = 0;        ///< the same of the registered map
   double distortion = 4;      ///< mean symmetric Dirichlet energy of the deformation of the sphere; 4: none
   double stretching = 0;      ///< mean stretching of the first surface onto the second; 4: none. 0: not deformed
-  double largest_landmark_distance = 0; ///< of a landmark from its place on the sphere, in radians
+  double largest_landmark_distance = 0; ///< of two corresponding landmarks, in radians
   /// @}
   std::size_t iterations = 0; ///< of all levels together
 
@@ -94,14 +96,14 @@ struct Registration_result {
   };
   Seconds seconds; ///< wall-clock
 
-  /// How far to trust that corresponding points were found: by margin, signatures and stretching.
+  /// How far to trust the correspondence, by margin, signatures and stretching.
   enum class Trust {
-    UNKNOWN, ///< the spectrum was not asked
+    UNKNOWN, ///< the spectrum was not used
     SURE,
-    UNSURE, ///< another answer is nearly as good, or the shapes are not very alike
+    UNSURE, ///< another candidate is nearly as good, or the shapes are not very similar
     UNLIKE  ///< the shapes differ so much that points can hardly be said to correspond
   };
-  /// \return what margin, difference of signatures and stretching are worth together
+  /// \return the verdict from margin, difference of signatures and stretching
   Trust trust() const
   {
     // chosen on poses 0 to 79 of FAUST and on animals of TOSCA: doc/registration.md

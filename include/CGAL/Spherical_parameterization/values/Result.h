@@ -22,8 +22,8 @@ enum class Termination {
   CONVERGED,  ///< the residual of the map that is stored is within the accuracy
   ITERATIONS, ///< all iterations were made
   TIME,       ///< the time limit was reached
-  CALLBACK,   ///< the callback said no
-  STALLED     ///< nothing improved any more; or vertices had to be moved off the solution for the sake of their faces
+  CALLBACK,   ///< the callback returned `false`
+  STALLED     ///< no more improvement; or vertices were moved off the solution to repair faces
 };
 
 /// \param termination  why a method ended
@@ -38,7 +38,7 @@ inline const char* get_termination_name(Termination termination)
 struct Result {
   Error_code error = Error_code::OK; ///< `OK` if and only if the map is certified
   std::string detail;                ///< what is wrong, where, and what to do; empty if `OK`
-  std::string remedy;                ///< which other method may do, with which `detail` ends behind "; "; else empty
+  std::string remedy;                ///< another method to try: the end of `detail` after "; "; else empty
 
   std::size_t number_of_vertices = 0; ///< of the mesh
   std::size_t number_of_faces = 0;    ///< of the mesh
@@ -47,16 +47,16 @@ struct Result {
   /// By exact predicates, on the coordinates as the sphere map stores them: floats are rounded first.
   /// @{
   std::size_t flipped_faces = 0;  ///< faces (a,b,c) with orientation(O,a,b,c) <= 0
-  std::size_t moved_vertices = 0; ///< `Conformal_weights`: vertices that were moved from where the springs pull them,
-                                  ///< for their faces
-  int degree = 0;                 ///< how often the map covers the sphere; 1 for a valid one
+  std::size_t moved_vertices = 0; ///< `Conformal_weights`: vertices that were moved off the solution to repair their
+                                  ///< faces
+  int degree = 0;                 ///< how often the map covers the sphere; 1 for a valid map
   double residual = 0;            ///< L2 norm over the free vertices (not divided by their number) of the residual of
                                   ///< the equation that the method solves, relative to the weight sum of a vertex;
                                   ///< `Isometric`: relative gain of energy that one more step predicts
   double energy = 0;              ///< spring energy of the map, 1/p * sum over edges; `Isometric`: mean distortion;
                                   ///< infinite if it exceeds the range of doubles
-  double density_deviation = 0;   ///< where densities are given: standard deviation of log(area on the sphere / wanted
-                                  ///< area) over the faces, each with its wanted area; else 0
+  double density_deviation = 0;   ///< with densities: standard deviation of log(area on the sphere / target area) over
+                                  ///< the faces, weighted by target area; else 0
   double smallest_area = 0;       ///< of all spherical triangles, without sign; below 1e-26 rounding flips faces
   double smallest_edge = 0;       ///< length of the shortest chord, in units of 2^-52, the rounding error
   /// @}
@@ -64,8 +64,8 @@ struct Result {
   /// \name Method
   /// @{
   std::string method;          ///< method of the map: "balanced", "balanced with exponent 3", "isometric", ...
-  std::string fallback_reason; ///< `Automatic`: why not the map of a method before, or that it is too extreme if it
-                               ///< is the best; else empty
+  std::string fallback_reason; ///< `Automatic`: why the map of an earlier method was rejected, or that the best map is
+                               ///< not usable; else empty
   /// @}
 
   /// \name Work
@@ -77,7 +77,7 @@ struct Result {
   /// Wall-clock time of each phase, in seconds. The phases add up to the total.
   struct Seconds {
     double read = 0;      ///< reading the mesh into arrays, with all checks of the input
-    double weights = 0;   ///< edge weights; of conformal ones the intrinsic Delaunay triangulation, too
+    double weights = 0;   ///< edge weights; for conformal weights with the Delaunay triangulation
     double start_map = 0; ///< set-up of the multigrid hierarchy, and the start map; of all attempts
     double solve = 0;     ///< from the start map to the result; of all attempts
     double certify = 0;   ///< certificates of all attempts, moving vertices for them, and writing the property map
@@ -87,12 +87,12 @@ struct Result {
   struct Attempt {
     std::string method;                     ///< its name
     Error_code error = Error_code::OK;      ///< its verdict
-    std::string detail;                     ///< what is wrong, and where; of `OK`: why the map is of no use
+    std::string detail;                     ///< what is wrong, and where; if `OK`: why the map is not usable
     Seconds seconds;                        ///< how long it took; `read` and `weights` are 0
     std::optional<Termination> termination; ///< why it ended; empty if there is no map
   };
   Seconds seconds;               ///< of all attempts together
-  std::vector<Attempt> attempts; ///< all methods that were tried, in order: `Automatic` tries up to three
+  std::vector<Attempt> attempts; ///< all methods that were tried, in order: `Automatic` tries up to two
   std::string device;            ///< the device, or the cores, that the method ran on
   /// @}
 
@@ -100,7 +100,7 @@ struct Result {
   explicit operator bool() const { return error == Error_code::OK; }
 };
 
-/// What a valid map lacks of what was asked for.
+/// Why the residual of a valid map is above the accuracy.
 /// \param r  a result
 /// \return one clause, in words; empty if the method has converged, or if there is no map
 inline std::string get_shortcoming(const Result& r)

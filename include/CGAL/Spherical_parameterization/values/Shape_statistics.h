@@ -20,20 +20,20 @@ typedef std::vector<std::array<double, 3>> Shape_points;
 /// sum over k of scores[i][k] times modes[k].
 template <class Shape>
 struct Shape_statistics {
-  Shape mean;                              ///< of the shapes as they stand
+  Shape mean;                              ///< of the shapes
   std::vector<Shape> modes;                ///< principal components: orthonormal, root mean square 1
   std::vector<double> variances;           ///< by mode, largest first: of its scores, with n - 1 for n shapes
   std::vector<std::vector<double>> scores; ///< by shape, then by mode
-  double total_variance = 0;               ///< of all modes, also of those that were not asked for
+  double total_variance = 0;               ///< of all modes, including those not requested
 };
 
-/// How good a set of shapes is as a model of others, by the number of its modes, from 0 on: root mean square distances,
-/// and variances (R. H. Davies, "Learning shape: optimal models for analysing natural variability", 2002; M. Styner et
-/// al., "Evaluation of 3D correspondence methods for model building", 2003).
+/// The quality of a set of shapes as a model, for each number of modes, from 0 on: root mean square distances and
+/// variances (R. H. Davies, "Learning shape: optimal models for analysing natural variability", 2002; M. Styner et al.,
+/// "Evaluation of 3D correspondence methods for model building", 2003).
 struct Model_quality {
-  std::vector<double> compactness;       ///< the variance of so many modes; of all of them the total variance
-  std::vector<double> generalization;    ///< distance of a shape that was left out: see `left_out_errors()`
-  std::vector<double> specificity;       ///< mean distance of a random shape of the model from the nearest one of the set
+  std::vector<double> compactness;       ///< the variance of this number of modes; of all modes the total variance
+  std::vector<double> generalization;    ///< leave-out errors: see `left_out_errors()`
+  std::vector<double> specificity;       ///< mean distance of a random shape of the model from the nearest in the set
   std::vector<double> specificity_error; ///< standard error of that mean
 };
 

@@ -13,19 +13,19 @@ namespace CGAL::Spherical_parameterization {
 /// \addtogroup PkgSphericalParameterizationMethods
 /// @{
 
-/// Moebius-centred harmonic maps; the fast method, and the default. A harmonic start map on a coarse level, then a
-/// critical point of the spring energy by Riemannian conjugate gradients, preconditioned with one multigrid cycle. See
-/// \ref balanced_method.
+/// Moebius-centred harmonic maps; the fast method, and the default. After a harmonic start map on a coarse level, it
+/// finds a critical point of the spring energy by Riemannian conjugate gradients, preconditioned with a multigrid
+/// cycle. See \ref balanced_method.
 ///
-/// Without fixed vertices and with exponent 2 the Moebius boosts, along which the energy hardly changes, are removed by
-/// the constraint sum of m_i v_i = 0, with m_i the density of the energy in the map itself, tilted so that the centroid
-/// of the source area is at the centre. Such a map depends on the mesh alone, not on its numbering (up to a rotation,
-/// to the accuracy). The residual is that of the stationarity P_i((Lv)_i - m_i mu) = 0, P_i the projection to the
-/// tangent plane. With three or more fixed vertices, or with an exponent above 2, nothing is balanced, and the residual
-/// is that of eq. (2) of the paper, v_i parallel to its weighted neighbour mean.
+/// Along Moebius boosts the energy hardly changes. Without fixed vertices and with exponent 2 they are removed by the
+/// constraint sum of m_i v_i = 0. Here m_i is the energy density of the map itself, tilted so that the centroid of the
+/// source area is at the centre. The map then depends on the mesh alone, not on its numbering (up to a rotation and the
+/// accuracy). The residual is that of P_i((Lv)_i - m_i mu) = 0, with P_i the projection to the tangent plane. With
+/// three or more fixed vertices, or an exponent above 2, there is no such constraint, and the residual is that of eq.
+/// (2) of the paper, v_i parallel to its weighted neighbour mean.
 ///
-/// Guarantee: none in advance. Positive weights make a solution of eq. (2) bijective, but not its computation in
-/// double precision. The certificate in `Result` says whether the map is valid.
+/// Guarantee: none in advance. With positive weights a solution of eq. (2) is bijective, but its computation in double
+/// precision need not be. The certificate in `Result` says whether the map is valid.
 ///
 /// Named parameters: `accuracy` bounds the residual, `number_of_iterations` the descent steps.
 ///
@@ -71,8 +71,8 @@ struct Saddle_point {
     HARMONIC, ///< the start map of `Balanced`
     GIVEN     ///< the positions in the sphere map on entry, which must be readable
   };
-  Splitting splitting = Splitting::JACOBI; ///< which sweep
-  Start start = Start::CENTROID;           ///< where to start
+  Splitting splitting = Splitting::JACOBI; ///< the kind of sweep
+  Start start = Start::CENTROID;           ///< the start map
   double relaxation = 0.95;                ///< omega, see `Splitting`
   std::size_t check_interval = 1000;       ///< sweeps between two tests for convergence
 };
@@ -88,28 +88,28 @@ struct Saddle_point {
 /// parameterizations", TVCG 2018. See \ref isometric_method.
 ///
 /// Guarantee: the map is bijective in doubles, if there is one. If doubles have no position for a vertex, the result is
-/// `NOT_BIJECTIVE` and there is no map. The energy is not claimed to be minimal. Faces without area count as small ones
-/// of a good shape. Weights are not used.
+/// `NOT_BIJECTIVE` and there is no map. The energy need not be minimal. Faces of area 0 are treated as small faces of
+/// good shape. Weights are not used.
 ///
-/// Fixed vertices are landmarks: they can be anywhere, and however far from where the map without them has them. The
-/// map has every one exactly where it was put and is bijective as ever, or the result is `BAD_CONSTRAINTS` and names
-/// the vertices between which the mesh is too coarse to be bent so far. With a finite `landmark_weight` they are only
-/// pulled to their places, and there always is a map. See \ref landmarks.
+/// Fixed vertices are landmarks. They can be anywhere, also far from their positions in the map without landmarks.
+/// Either the map is bijective and has every landmark exactly at its position, or the result is `BAD_CONSTRAINTS` and
+/// names the vertices between which the mesh is too coarse. With a finite `landmark_weight` they are only pulled to
+/// their positions, and there always is a map. See \ref landmarks.
 ///
 /// With the named parameter `face_density_map` or `vertex_density_map`, of positive numbers, the area of a face on the
-/// sphere is wanted to be proportional to its density times its area in the mesh: the map enlarges what matters (G. P.
-/// T. Choi, C. H. Rycroft, "Density-equalizing maps for simply connected open surfaces", SIAM J. Imaging Sci. 2018; Z.
-/// Lyu, L. M. Lui, G. P. T. Choi, "Spherical density-equalizing map for genus-0 closed surfaces", SIAM J. Imaging Sci.
-/// 2024). Stretches are then those against the mesh whose faces have the wanted areas and their own angles, and
-/// everything that is said here holds for that. How near areas come is `Result::density_deviation`; see \ref densities.
+/// sphere is to be proportional to its density times its area in the mesh (G. P. T. Choi, C. H. Rycroft,
+/// "Density-equalizing maps for simply connected open surfaces", SIAM J. Imaging Sci. 2018; Z. Lyu, L. M. Lui, G. P. T.
+/// Choi, "Spherical density-equalizing map for genus-0 closed surfaces", SIAM J. Imaging Sci. 2024). Stretches are then
+/// relative to faces with these target areas and their own angles, and so is everything that is said here.
+/// `Result::density_deviation` says how close the areas are; see \ref densities.
 ///
-/// Named parameters: `number_of_iterations` bounds the Newton steps for the whole mesh (in proportion fewer above
-/// 100,000 vertices, but a quarter at least), `accuracy` is the relative gain of energy that such a step has to promise
-/// for another one to follow (above 20,000 vertices, that it has to leave: a quarter of what it promised, if it could
-/// be taken in full; below 2,000 vertices, where steps are cheap, in proportion less, down to a twentieth). The
-/// residual is what one more step would promise. A map whose steps are used up is `OK` all the same, with
-/// `Termination::ITERATIONS`, unless a smaller accuracy or fewer iterations than the defaults were asked for: then it
-/// is `NOT_CONVERGED`.
+/// Named parameters: `number_of_iterations` bounds the Newton steps for the whole mesh (above 100,000 vertices in
+/// proportion fewer, but at least a quarter). `accuracy` is a relative gain of energy: the steps end when the predicted
+/// gain of a step is below it. (Above 20,000 vertices the prediction for the next step is used: a quarter of that of a
+/// full step. Below 2,000 vertices, where steps are cheap, the bound is lower in proportion, down to a twentieth.) The
+/// residual is the predicted gain of one more step. If the steps are used up, the map is `OK` with
+/// `Termination::ITERATIONS`, unless the accuracy is smaller or the iterations are fewer than the defaults: then it is
+/// `NOT_CONVERGED`.
 ///
 /// \cgalModels{SphericalParameterizationMethod}
 struct Isometric {
@@ -117,39 +117,39 @@ struct Isometric {
   static constexpr double default_accuracy = 5e-4;
   /// Default of the named parameter `number_of_iterations`.
   static constexpr std::size_t default_number_of_iterations = 20;
-  /// Of `area_exponent`, if there are no densities.
+  /// Default of `area_exponent` without densities.
   static constexpr double default_area_exponent = 1;
-  /// The default of `area_exponent` where densities are given: areas come within 10 to 20 % of what is wanted.
+  /// Default of `area_exponent` with densities: areas are within 10 to 20 % of their targets.
   static constexpr double area_exponent_of_densities = 10;
 
-  /// Weight of area against angle preservation: the exponent theta >= 0 of the area distortion in
-  /// E_c E_a^theta, E_c = (s/t + t/s) / 2, E_a = (st + 1/(st)) / 2 (P. Degener, J. Meseth, R. Klein, "An adaptable
-  /// surface parametrization method", IMR 2003). 0 is as conformal as possible, 1 as isometric as possible, 30 and
-  /// more as authalic (area preserving) as possible. Not given: `default_area_exponent`, or where densities are given
+  /// Weight of area against angle preservation: the exponent theta >= 0 of the area distortion in E_c E_a^theta, E_c
+  /// = (s/t + t/s) / 2, E_a = (st + 1/(st)) / 2 (P. Degener, J. Meseth, R. Klein, "An adaptable surface
+  /// parametrization method", IMR 2003). 0 is as conformal as possible, 1 as isometric as possible, 30 and more as
+  /// authalic (area preserving) as possible. Not given: `default_area_exponent`, or with densities
   /// `area_exponent_of_densities`.
   std::optional<double> area_exponent = std::nullopt;
 
-  /// Infinite: fixed vertices stay exactly where they were put. Finite and positive: they are soft landmarks; to the
-  /// mean distortion (4 = isometric, with `area_exponent` 1) is added this weight times the mean of the squared
-  /// distances of the fixed vertices from their places.
+  /// Infinite: fixed vertices stay exactly at their positions. Finite and positive: they are soft landmarks. This
+  /// weight times the mean squared distance of the fixed vertices from their positions is added to the mean distortion
+  /// (4 = isometric, with `area_exponent` 1).
   double landmark_weight = std::numeric_limits<double>::infinity();
 };
 
-/// Tries several methods and returns the first map that is valid and of use:
+/// Tries several methods and returns the first map that is valid and usable:
 /// 1. `Balanced{spring_exponent}`;
 /// 2. `Isometric{area_exponent}`.
 ///
-/// So it keeps fixed vertices, too, wherever they are: see `Isometric`.
+/// So it accepts fixed vertices at any positions: see `Isometric`.
 ///
-/// Harmonic maps shrink limbs exponentially with their length. A valid map that leaves next to nothing of them, by
-/// `largest_shrinkage`, is of no use to what samples, paints or measures the sphere; the isometric map is.
+/// Harmonic maps shrink limbs exponentially with their length. If a valid map shrinks them by more than
+/// `largest_shrinkage`, it cannot be used for sampling, texture or measurements, and the isometric map is taken.
 ///
-/// Springs do not follow densities: where these are given only the second map is tried.
+/// Harmonic maps do not follow densities: with densities only the second method is tried.
 ///
-/// If no map is valid and of use, the best one is returned: a valid one, else one of degree 1, with the fewest flipped
-/// faces. `Result::attempts` lists all methods that were tried, each with its verdict and its seconds;
-/// `Result::method` is the one whose map was returned, and `Result::fallback_reason` says why not an earlier one. If
-/// there are no weights because of a face without area, only the second one is tried.
+/// If no map is valid and usable, the best one is returned: a valid map, else one of degree 1 with the fewest flipped
+/// faces. `Result::attempts` lists all methods that were tried, each with its verdict and its seconds. `Result::method`
+/// is the method of the returned map, and `Result::fallback_reason` says why an earlier one was rejected. If weights do
+/// not exist because of a face of area 0, only the second method is tried.
 ///
 /// Named parameters: `accuracy` and `number_of_iterations` as for `Balanced`; the second attempt has the defaults of
 /// `Isometric`.
@@ -161,12 +161,12 @@ struct Automatic {
   /// Default of the named parameter `number_of_iterations`.
   static constexpr std::size_t default_number_of_iterations = Balanced::default_number_of_iterations;
 
-  double spring_exponent = 2;                         ///< of the first map, see `Balanced`
-  std::optional<double> area_exponent = std::nullopt; ///< of the second map, see `Isometric`
-  /// How many times lengths may shrink, against the mean of the map, on more than a thousandth of the surface; >= 1.
-  /// Regions of less than a ten-thousandth of the faces are no limbs, but noise, and do not count.
-  /// Infinite: every valid map will do. The default leaves the faces of a limb on the sphere a few units of the last
-  /// place of a float.
+  double spring_exponent = 2;                         ///< of the first method, see `Balanced`
+  std::optional<double> area_exponent = std::nullopt; ///< of the second method, see `Isometric`
+  /// A valid map is not usable if lengths shrink by more than this factor, relative to the mean of the map, on
+  /// more than a thousandth of the surface; >= 1. Regions of less than a ten-thousandth of the faces are
+  /// noise, and are ignored. Infinite: every valid map is usable. The default corresponds to the resolution of
+  /// floats.
   double largest_shrinkage = 1e4;
 };
 

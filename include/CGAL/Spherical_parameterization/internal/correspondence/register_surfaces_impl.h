@@ -243,9 +243,8 @@ private:
     space_ = motion.space;
     loop_.advance(0);
     const double scale = settings_.coarsest_scale;
-    const std::vector<Proposal> proposed =
-      proposals(motion.sphere, a_.harmonics(correlated(a_.features(scale))),
-                b_.harmonics(correlated(b_.features(scale))));
+    const std::vector<Proposal> proposed = proposals(motion.sphere, a_.harmonics(correlated(a_.features(scale))),
+                                                     b_.harmonics(correlated(b_.features(scale))));
     const Registration_features features = weighted(scale);
     const double all = settings_.motion == Registration::Motion::DEFORMATION ? share_to_align : 1;
     double least = std::numeric_limits<double>::infinity();
@@ -275,11 +274,10 @@ private:
     else {
       result_.start = "features";
       const double scale = settings_.coarsest_scale;
-      result_.rotation =
-        best_correlations(loop_, b_.harmonics(correlated(b_.features(scale, centring_b)), &centring_b),
-                          a_.harmonics(correlated(a_.features(scale, centring_a)), &centring_a))
-          .front()
-          .rotation;
+      result_.rotation = best_correlations(loop_, b_.harmonics(correlated(b_.features(scale, centring_b)), &centring_b),
+                                           a_.harmonics(correlated(a_.features(scale, centring_a)), &centring_a))
+                           .front()
+                           .rotation;
     }
     for(vec3& p : start_)
       p = centring_b.inverse(unit(rotated(result_.rotation, centring_a(p))));
@@ -348,8 +346,8 @@ private:
       if(!std::isfinite(report.energy_before))
         throw Input_error(
           Error_code::NOT_BIJECTIVE,
-          "turned towards the second one, the first map loses its smallest faces to rounding; take a map "
-          "that leaves them more room, as Isometric does");
+          "after its rotation the smallest faces of the first map are flipped by rounding; use a map with larger "
+          "faces, such as one by Isometric");
       refinement.isometry_weight = settings_.isometry_weight; // what is far off must not be in its way
     }
     is_deformed_ = true;
@@ -459,10 +457,9 @@ inline std::vector<Host_array<double>> features_of(const Registration& settings,
     CGAL_SP_PRECONDITION(values.size() == n, "a feature has a value for every vertex of both meshes");
     for(std::size_t i = 0; i < n; ++i)
       if(!std::isfinite(values[i]))
-        throw Input_error(Error_code::NON_FINITE_COORDINATE,
-                          "feature " + std::to_string(result.size()) + " of the " +
-                            (side == &Registration_feature::a ? "first" : "second") + " mesh is not finite at vertex " +
-                            std::to_string(i));
+        throw Input_error(Error_code::NON_FINITE_COORDINATE, "feature " + std::to_string(result.size()) + " of the " +
+                                                               (side == &Registration_feature::a ? "first" : "second") +
+                                                               " mesh is not finite at vertex " + std::to_string(i));
     result.emplace_back(values.begin(), values.end());
   }
   return result;
@@ -490,8 +487,8 @@ CGAL_SP_CORE Registration_result register_surfaces(const Host_loop& loop, const 
     result.error = Error_code::NOT_BIJECTIVE;
     result.detail = counted(certificate.flipped_faces, "flipped face", "flipped faces") + ", degree " +
                     std::to_string(certificate.degree) +
-                    ", as the registered map is stored: its smallest faces are lost to rounding; take a map that "
-                    "leaves them more room, as Isometric does";
+                    ", since rounding flips the smallest faces of the registered map; use a map with larger faces, "
+                    "such as one by Isometric";
     return result;
   }
   registrar.measure(stored);

@@ -171,7 +171,7 @@ Host_array<double> read_densities(const Range& range, const std::optional<Densit
     throw Input_error(Error_code::BAD_DENSITY, what + ' ' + std::to_string(least - density.begin()) +
                                                  " has the density " + to_string(*least) + ", and " + what + ' ' +
                                                  std::to_string(largest - density.begin()) + " has " +
-                                                 to_string(*largest) + ", beside which it is nothing");
+                                                 to_string(*largest) + ", beside which it vanishes");
   for(double& d : density)
     d /= unit;
   return density;

@@ -365,11 +365,11 @@ private:
       if(!l.is_placed && ++count <= most)
         pairs += (count > 1 ? ", " : "") + name(l.vertex) + " and " + name(nearest_landmark(l.vertex, is_landmark));
     throw Input_error(Error_code::BAD_CONSTRAINTS,
-                      (attempt_.budget->is_spent() ? std::string("the mesh could not be bent with reasonable effort")
-                                                   : std::string("the mesh is too coarse to be bent")) +
-                        " as far as they ask for between the fixed vertices " + pairs +
+                      (attempt_.budget->is_spent() ? std::string("no map was found with reasonable effort")
+                                                   : std::string("the mesh is too coarse")) +
+                        " for the positions of the fixed vertices " + pairs +
                         (count > most ? ", and near " + counted(count - most, "other", "others") : "") +
-                        "; refine it there, or free some of them");
+                        "; refine the mesh there, or free some of them");
   }
 
   /// In edges; v is one.

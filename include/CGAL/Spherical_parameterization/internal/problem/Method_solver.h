@@ -112,7 +112,7 @@ inline bool mend(const Host_loop& loop, const Problem& problem, bool is_harmonic
   if(mending != Mending::DONE)
     return false;
   const Certificate certificate = certify_as_stored(loop, problem, v);
-  if(certificate.degree != 1) // where next to all vertices have been moved
+  if(certificate.degree != 1) // possible where nearly all vertices were moved
     return false;
   if(certificate.is_valid() || !solution.certificate.is_valid()) { // rounding to floats may flip what was valid
     solution.certificate = certificate;

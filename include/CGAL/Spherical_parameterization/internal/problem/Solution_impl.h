@@ -29,15 +29,15 @@ CGAL_SP_INLINE Reason_for_flips reason_for_flips(const Problem& problem, const C
   if(problem.as_stored && certificate.smallest_area < area_of_float_rounding)
     return {"the sphere map rounds the coordinates to fewer digits than doubles have", "a sphere map of doubles"};
   if(problem.has_fixed())
-    return {"a harmonic map does not hold these fixed vertices: they contradict each other, or are too few",
+    return {"the harmonic map with these fixed vertices is not bijective: they contradict each other, or are too few",
             "more fixed vertices, better spread"};
   if(certificate.degree != 1)
     return {"the map found does not cover the sphere once", other_springs};
   if(certificate.smallest_area < area_of_rounding && certificate.smallest_edge < edge_of_rounding)
     return {"its smallest faces are below the resolution of the coordinates, as those of thin limbs are",
             "a larger spring exponent or barycentric weights"};
-  return {"the critical point found has flipped faces, as it may where large faces, or noise, keep the springs from "
-          "holding the vertices in order",
+  return {"the critical point that was found has flipped faces, for which large faces or noise in the mesh can be "
+          "the reason",
           other_springs};
 }
 

@@ -175,7 +175,7 @@ Work morph_work()
 Step morph_step()
 {
   return {"morph",
-          "Write meshes that lead from one shape to another one, and a page that shows them",
+          "Write meshes that lead from one shape to another one, and a web page",
           pair_of_meshes(),
           {{"-o,--output",
             "Output folder: step_0, which is A, to step_STEPS, which is A in the shape of B, and morph.html",

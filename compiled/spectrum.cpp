@@ -7,7 +7,7 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-template Laplacian_spectrum laplacian_spectrum(const Host_loop&, const Weighted_graph&, const Host_array<double>&, int,
-                                               Monitor&);
+template Laplacian_eigenpairs laplacian_spectrum(const Host_loop&, const Weighted_graph&, const Host_array<double>&,
+                                                 int, Monitor&);
 
 } // namespace CGAL::Spherical_parameterization::internal

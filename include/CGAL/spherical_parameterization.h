@@ -13,6 +13,7 @@
 #include <CGAL/Spherical_parameterization/harmonic_alignment.h>
 #include <CGAL/Spherical_parameterization/harmonic_files.h>
 #include <CGAL/Spherical_parameterization/harmonic_grids.h>
+#include <CGAL/Spherical_parameterization/laplacian_eigenpairs.h>
 #include <CGAL/Spherical_parameterization/locate.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 #include <CGAL/Spherical_parameterization/values/methods.h>

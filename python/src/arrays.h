@@ -162,6 +162,7 @@ struct Column {
 void add_analysis(py::module_& module);
 void add_files(py::module_& module);
 void add_harmonics(py::module_& module);
+void add_spectrum(py::module_& module);
 void add_statistics(py::module_& module);
 void add_registration(py::module_& module);
 

@@ -277,6 +277,7 @@ PYBIND11_MODULE(_core, module)
   add_analysis(module);
   add_files(module);
   add_harmonics(module);
+  add_spectrum(module);
   add_statistics(module);
   add_registration(module);
 }

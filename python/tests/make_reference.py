@@ -62,7 +62,7 @@ def page() -> str:
         parts.append(f"## {title}\n")
         for name in names:
             parts.append(entry(name))
-            parts += [entry(method) for method in methods(name) if name in ("Harmonics", "Locator", "Resampling")]
+            parts += [entry(m) for m in methods(name) if name in ("Eigenpairs", "Harmonics", "Locator", "Resampling")]
     return "\n".join(parts).rstrip()
 
 

@@ -5,6 +5,8 @@
 
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/spectrum/laplacian_spectrum.h>
+#include <CGAL/Spherical_parameterization/Indexed_triangle_mesh.h>
+#include <CGAL/Spherical_parameterization/laplacian_eigenpairs.h>
 
 #include <catch2/catch.hpp>
 
@@ -14,9 +16,11 @@
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <vector>
 
 using namespace test;
+namespace SP = CGAL::Spherical_parameterization;
 
 namespace {
 
@@ -63,22 +67,22 @@ Plain_mesh bumpy(int level)
   return mesh;
 }
 
-I::Laplacian_spectrum spectrum_of(const Surface& surface, int number)
+SP::Laplacian_eigenpairs spectrum_of(const Surface& surface, int number)
 {
   I::Monitor monitor(no_limit, nullptr, false);
   return I::laplacian_spectrum(one_core, surface.laplacian, surface.mass, number, monitor);
 }
 
-const double* function(const I::Laplacian_spectrum& s, int k)
+const double* function(const SP::Laplacian_eigenpairs& s, int k)
 {
-  return s.function.data() + static_cast<std::ptrdiff_t>(k) * s.number_of_vertices;
+  return s.functions.data() + static_cast<std::size_t>(k) * s.number_of_vertices;
 }
 
 /// sum of mass f g
-double product(const I::Laplacian_spectrum& s, const double* f, const double* g)
+double product(const SP::Laplacian_eigenpairs& s, const double* f, const double* g)
 {
   double sum = 0;
-  for(int i = 0; i < s.number_of_vertices; ++i)
+  for(int i = 0; i < int(s.number_of_vertices); ++i)
     sum += s.mass[i] * f[i] * g[i];
   return sum;
 }
@@ -93,8 +97,7 @@ TEST_CASE("eigenfunctions are orthonormal, and solve the equation", "[spectrum]"
   for(vec3& p : mesh.point)
     p.z *= length;
   const Surface surface = surface_of(mesh);
-  const I::Laplacian_spectrum s = spectrum_of(surface, number);
-  REQUIRE(s.number == number);
+  const SP::Laplacian_eigenpairs s = spectrum_of(surface, number);
   REQUIRE(s.value.size() == std::size_t(number));
   CHECK(s.value[0] == 0);
   CHECK(std::is_sorted(s.value.begin(), s.value.end()));
@@ -103,7 +106,7 @@ TEST_CASE("eigenfunctions are orthonormal, and solve the equation", "[spectrum]"
     const double* const u = function(s, k);
     for(int l = 0; l <= k; ++l)
       largest_product = std::max(largest_product, std::abs(product(s, u, function(s, l)) - (k == l)));
-    for(int i = 0; i < s.number_of_vertices; ++i) {
+    for(int i = 0; i < int(s.number_of_vertices); ++i) {
       double lu = 0;
       for(int e = surface.laplacian.offset[i]; e < surface.laplacian.offset[i + 1]; ++e)
         lu += surface.laplacian.weight[e] * (u[i] - u[surface.laplacian.target[e]]);
@@ -122,18 +125,54 @@ TEST_CASE("no eigenvalue is missed: the first ones are those of the whole matrix
   const Surface surface = surface_of(GENERATE(0, 1) == 0 ? octasphere(3) : bumpy(3));
   const int few = 12, n = static_cast<int>(surface.mass.size());
   REQUIRE(n >= 3 * few + 100); // by iteration
-  const I::Laplacian_spectrum first = spectrum_of(surface, few), all = spectrum_of(surface, n);
+  const SP::Laplacian_eigenpairs first = spectrum_of(surface, few), all = spectrum_of(surface, n);
   for(int k = 0; k < few; ++k)
     CHECK(first.value[k] == Approx(all.value[k]).margin(1e-8));
 }
 
 TEST_CASE("the sphere has the eigenvalues l (l + 1), each 2 l + 1 times", "[spectrum]")
 {
-  const I::Laplacian_spectrum s = spectrum_of(surface_of(octasphere(5)), 36);
+  const SP::Laplacian_eigenpairs s = spectrum_of(surface_of(octasphere(5)), 36);
   int k = 0;
   for(int l = 0; l < 6; ++l)
     for(int m = -l; m <= l; ++m, ++k)
       CHECK(s.value[k] == Approx(l * (l + 1)).epsilon(0.02).margin(1e-8));
+}
+
+TEST_CASE("eigenpairs of a mesh are in its units, and signatures follow from them", "[spectrum]")
+{
+  const double size = GENERATE(1., 1e-3, 250.);
+  Plain_mesh ball = octasphere(4);
+  std::vector<std::array<double, 3>> points;
+  for(const vec3& p : ball.point)
+    points.push_back({size * p.x + 2, size * p.y, size * p.z});
+  const SP::Indexed_triangle_mesh mesh(points, ball.face);
+  const SP::Laplacian_eigenpairs pairs = SP::laplacian_eigenpairs(mesh, 16);
+  REQUIRE(pairs.number() == 16);
+  for(std::size_t k = 0; k < 16; ++k) {
+    const double l = std::floor(std::sqrt(double(k)));
+    CHECK(pairs.value[k] * size * size == Approx(l * (l + 1)).epsilon(0.02).margin(1e-8));
+    double square = 0;
+    for(std::size_t i = 0; i < pairs.number_of_vertices; ++i)
+      square += pairs.mass[i] * pairs.function(k, i) * pairs.function(k, i);
+    CHECK(square == Approx(1));
+  }
+  // After a long time the heat is everywhere; whole eigenspaces of a ball are the same at all vertices.
+  const double area = std::accumulate(pairs.mass.begin(), pairs.mass.end(), 0.);
+  CHECK(area == Approx(16 * std::atan(1.) * size * size).epsilon(0.01));
+  const std::vector<double> heat = SP::heat_kernel_signature(pairs, {0.5 * size * size, 100 * size * size});
+  const std::vector<double> wave = SP::wave_kernel_signature(pairs, 10);
+  REQUIRE(heat.size() == 2 * pairs.number_of_vertices);
+  REQUIRE(wave.size() == 10 * pairs.number_of_vertices);
+  const double expected = (1 + 3 * std::exp(-1.) + 5 * std::exp(-3.) + 7 * std::exp(-6.)) / area;
+  for(std::size_t i = 0; i < pairs.number_of_vertices; ++i) {
+    CHECK(heat[i] == Approx(expected).epsilon(0.05));
+    CHECK(heat[pairs.number_of_vertices + i] == Approx(1 / area));
+    CHECK(wave[i] * area == Approx(1).epsilon(0.1));
+  }
+  CHECK_THROWS_AS(SP::laplacian_eigenpairs(mesh, 0), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(SP::laplacian_eigenpairs(mesh, pairs.number_of_vertices + 1), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(SP::wave_kernel_signature(pairs, 1), CGAL::Precondition_exception);
 }
 
 TEST_CASE("what has no spectrum is refused, and callback and time limit end it", "[spectrum]")

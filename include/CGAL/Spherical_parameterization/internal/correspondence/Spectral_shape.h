@@ -13,6 +13,7 @@
 #include <CGAL/Spherical_parameterization/internal/locate/Locator.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
+#include <CGAL/Spherical_parameterization/internal/spectrum/kernel_signatures.h>
 #include <CGAL/Spherical_parameterization/internal/spectrum/laplacian_spectrum.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Mapped_surface.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Spring_lengths.h>
@@ -131,13 +132,13 @@ private:
     Host_array<double> mass(area.begin(), area.end());
     for(double& m : mass)
       m = (std::max)(m, least / n); // of needles
-    const Laplacian_spectrum spectrum =
+    const Laplacian_eigenpairs spectrum =
       laplacian_spectrum(loop, laplacian, mass, (std::min)(most_functions, n / 2), monitor);
-    function.resize(n, spectrum.number);
-    for(int k = 0; k < spectrum.number; ++k)
+    function.resize(n, static_cast<int>(spectrum.number()));
+    for(int k = 0; k < static_cast<int>(spectrum.number()); ++k)
       for(int i = 0; i < n; ++i)
-        function(i, k) = static_cast<float>(spectrum.function[static_cast<std::size_t>(k) * n + i]);
-    sphere = Rows::Zero(spectrum.number, 3);
+        function(i, k) = static_cast<float>(spectrum.function(k, i));
+    sphere = Rows::Zero(function.cols(), 3);
     for(int i = 0; i < n; ++i)
       for(int c = 0; c < 3; ++c)
         sphere.col(c) += static_cast<float>(area[i] * std::array<double, 3>{image[i].x, image[i].y, image[i].z}[c]) *
@@ -149,32 +150,21 @@ private:
     choose_samples(loop, map.point);
   }
 
-  /// Wave kernel signature: M. Aubry, U. Schlickewei, D. Cremers, ICCV Workshops 2011.
-  void sign(const Host_array<double>& value)
+  void sign(const std::vector<double>& value)
   {
-    constexpr int most = 100;
-    constexpr double least = 1e-9;
-    const int last = (std::min)(most, number_of_functions());
-    std::vector<double> energy;
-    for(int k = 1; k < last; ++k)
-      energy.push_back(std::log((std::max)(value[k], least)));
-    const double width = energy.back() - energy.front(), sigma = 7 * width / number_of_energies;
-    const double low = energy.front() + 2 * sigma, high = energy.back() - 2 * sigma;
-    Rows filter(last - 1, number_of_energies);
-    for(int e = 0; e < number_of_energies; ++e) {
-      const double at = low + (high - low) * e / (number_of_energies - 1);
-      for(int k = 0; k + 1 < last; ++k) {
-        const double d = sigma > 0 ? (at - energy[k]) / sigma : 0;
-        filter(k, e) = static_cast<float>(std::exp(-d * d / 2));
-      }
-      filter.col(e) /= filter.col(e).sum();
-    }
-    const Rows square = function.middleCols(1, last - 1).array().square();
+    constexpr std::size_t most = 100;
+    const int last = static_cast<int>((std::min)(most, value.size()));
+    const auto filters = wave_kernel_filters({value.begin(), value.begin() + last}, number_of_energies);
+    Rows filter(last, number_of_energies);
+    for(int e = 0; e < number_of_energies; ++e)
+      for(int k = 0; k < last; ++k)
+        filter(k, e) = static_cast<float>(filters[e][k]);
+    const Rows square = function.leftCols(last).array().square();
     signature = square * filter;
   }
 
   /// Mean curvature by the angles at the edges, low frequencies only.
-  void bend(const Corner_table& table, const Host_array<vec3>& point, const Host_array<double>& value)
+  void bend(const Corner_table& table, const Host_array<vec3>& point, const std::vector<double>& value)
   {
     constexpr double scale = 0.03; // of the heat flow that it is seen through, as a length
     const int n = size(), number = number_of_functions();

@@ -37,7 +37,7 @@ class Shift_inverse {
 public:
   static constexpr int width = 4; ///< right-hand sides that are solved for at once
 
-  Shift_inverse(const Weighted_graph& laplacian, const Host_array<double>& mass)
+  Shift_inverse(const Weighted_graph& laplacian, const std::vector<double>& mass)
     : matrix_(laplacian.size(), laplacian.size()), right_(laplacian.size() * std::size_t(width))
   {
     const int n = laplacian.size();

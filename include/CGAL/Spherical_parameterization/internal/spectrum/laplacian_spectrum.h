@@ -8,20 +8,12 @@
 #include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
 #include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
+#include <CGAL/Spherical_parameterization/values/Laplacian_eigenpairs.h>
 
 namespace CGAL::Spherical_parameterization::internal {
 
-/// The smallest eigenvalues of L u = lambda M u and their functions u, for the Laplacian L of a connected graph and the
-/// diagonal matrix M of the masses of its vertices. The functions are orthonormal: the sum of mass u_k u_l is 1 for k =
-/// l, else 0. The sign of a function is that for which its longest value is positive.
-struct Laplacian_spectrum {
-  int number_of_vertices = 0;
-  int number = 0;              ///< of pairs
-  Host_array<double> value;    ///< ascending; the first one is 0
-  Host_array<double> function; ///< one after the other: function k at vertex i is function[k * number_of_vertices + i]
-  Host_array<double> mass;     ///< by vertex
-};
-
+/// The smallest eigenpairs of a connected graph with the masses of its vertices.
+///
 /// By block Lanczos iteration with the factorization of L - shift M (`Block_lanczos`, `Shift_inverse`).
 ///
 /// The graph is that of a surface: by H. Weyl's law eigenvalue k is about 4 pi k over its area, which is where the
@@ -32,8 +24,8 @@ struct Laplacian_spectrum {
 ///
 /// Memory: 3 numbers per vertex and pair. Time: the factorization, O(n^1.5), and O(n number^2).
 template <class Loop>
-Laplacian_spectrum laplacian_spectrum(const Loop& loop, const Weighted_graph& laplacian, const Host_array<double>& mass,
-                                      int number, Monitor& monitor);
+Laplacian_eigenpairs laplacian_spectrum(const Loop& loop, const Weighted_graph& laplacian,
+                                        const Host_array<double>& mass, int number, Monitor& monitor);
 
 } // namespace CGAL::Spherical_parameterization::internal
 

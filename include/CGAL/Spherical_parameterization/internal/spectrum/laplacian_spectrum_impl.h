@@ -27,25 +27,25 @@ namespace CGAL::Spherical_parameterization::internal {
 
 /// Fills in pair 0, which is known: constants; and makes room for the others.
 template <class Loop>
-Laplacian_spectrum first_pair(const Loop& loop, const Host_array<double>& mass, int number)
+Laplacian_eigenpairs first_pair(const Loop& loop, const Host_array<double>& mass, int number)
 {
-  Laplacian_spectrum spectrum;
-  const int n = spectrum.number_of_vertices = static_cast<int>(mass.size());
-  spectrum.number = number;
-  spectrum.mass = mass;
+  Laplacian_eigenpairs spectrum;
+  const int n = static_cast<int>(mass.size());
+  spectrum.number_of_vertices = mass.size();
+  spectrum.mass.assign(mass.begin(), mass.end());
   spectrum.value.assign(static_cast<std::size_t>(number), 0);
-  spectrum.function.resize(static_cast<std::size_t>(n) * static_cast<std::size_t>(number));
+  spectrum.functions.resize(mass.size() * static_cast<std::size_t>(number));
   const double constant = 1 / std::sqrt(sum_by_parts(loop, n, [&](int i) { return mass[i]; }));
-  std::fill(spectrum.function.begin(), spectrum.function.begin() + n, constant);
+  std::fill(spectrum.functions.begin(), spectrum.functions.begin() + n, constant);
   return spectrum;
 }
 
 /// All eigenvalues of a small matrix, as there is no room in it for a basis. Constants are moved out of the way.
 template <class Loop>
-void dense_spectrum(const Weighted_graph& laplacian, Laplacian_spectrum& spectrum)
+void dense_spectrum(const Weighted_graph& laplacian, Laplacian_eigenpairs& spectrum)
 {
   typedef typename Dense<Loop>::Matrix Matrix;
-  const int n = spectrum.number_of_vertices;
+  const int n = static_cast<int>(spectrum.number_of_vertices);
   const auto& mass = spectrum.mass;
   Matrix a = Matrix::Zero(n, n);
   for(int i = 0; i < n; ++i)
@@ -54,15 +54,15 @@ void dense_spectrum(const Weighted_graph& laplacian, Laplacian_spectrum& spectru
       a(i, i) += laplacian.weight[k] / mass[i];
       a(i, j) -= laplacian.weight[k] / std::sqrt(mass[i] * mass[j]);
     }
-  const double trace = a.trace(), constant = spectrum.function[0];
+  const double trace = a.trace(), constant = spectrum.functions[0];
   for(int i = 0; i < n; ++i)
     for(int j = 0; j < n; ++j)
       a(i, j) += trace * constant * constant * std::sqrt(mass[i] * mass[j]);
   const Eigen::SelfAdjointEigenSolver<Matrix> solver(a);
-  for(int k = 1; k < spectrum.number; ++k) {
+  for(int k = 1; k < static_cast<int>(spectrum.number()); ++k) {
     spectrum.value[k] = solver.eigenvalues()[k - 1];
     for(int i = 0; i < n; ++i)
-      spectrum.function[static_cast<std::size_t>(k) * n + i] = solver.eigenvectors()(i, k - 1) / std::sqrt(mass[i]);
+      spectrum.functions[static_cast<std::size_t>(k) * n + i] = solver.eigenvectors()(i, k - 1) / std::sqrt(mass[i]);
   }
 }
 
@@ -70,12 +70,13 @@ void dense_spectrum(const Weighted_graph& laplacian, Laplacian_spectrum& spectru
 /// those to be kept from the basis: the nearer the shift is to the last ones, the smaller the basis can be, as long as
 /// the first ones are nearer than what comes behind the last ones.
 template <class Loop>
-double choose_shift(const Watched_loop<Loop>& loop, const Laplacian_spectrum& spectrum, Shift_inverse<Loop>& inverse)
+double choose_shift(const Watched_loop<Loop>& loop, const Laplacian_eigenpairs& spectrum, Shift_inverse<Loop>& inverse)
 {
   constexpr double part = 0.6; // shifts and block widths were tried on spheres and on bodies with limbs
   constexpr int trials = 6;
-  const double goal = part * spectrum.number;
-  const double area = sum_by_parts(loop.bare(), spectrum.number_of_vertices, [&](int i) { return spectrum.mass[i]; });
+  const double goal = part * static_cast<double>(spectrum.number());
+  const double area =
+    sum_by_parts(loop.bare(), static_cast<int>(spectrum.number_of_vertices), [&](int i) { return spectrum.mass[i]; });
   double shift = 4 * pi * goal / area;
   double usable = 0;
   for(int trial = 0; trial < trials; ++trial) {
@@ -86,7 +87,7 @@ double choose_shift(const Watched_loop<Loop>& loop, const Laplacian_spectrum& sp
     }
     usable = shift;
     const int below = inverse.number_below();
-    if(std::abs(below - goal) <= 0.1 * spectrum.number + 3)
+    if(std::abs(below - goal) <= 0.1 * static_cast<double>(spectrum.number()) + 3)
       return shift;
     shift *= (std::min)((std::max)(goal / below, 0.1), 3.); // constants are always below
   }
@@ -96,19 +97,19 @@ double choose_shift(const Watched_loop<Loop>& loop, const Laplacian_spectrum& sp
 }
 
 template <class Loop>
-void sparse_spectrum(const Watched_loop<Loop>& loop, const Weighted_graph& laplacian, Laplacian_spectrum& spectrum)
+void sparse_spectrum(const Watched_loop<Loop>& loop, const Weighted_graph& laplacian, Laplacian_eigenpairs& spectrum)
 {
   typedef typename Dense<Loop>::Matrix Matrix;
   typedef Block_lanczos<Watched_loop<Loop>, Shift_inverse<Loop>> Lanczos;
   constexpr double accuracy = 1e-11; // of residuals, relative to the eigenvalue of the inverse
   constexpr double rounding = 1e-10; // of eigenvalues, relative to the shift
-  const int n = spectrum.number_of_vertices, others = spectrum.number - 1;
+  const int n = static_cast<int>(spectrum.number_of_vertices), others = static_cast<int>(spectrum.number()) - 1;
   const auto& mass = spectrum.mass;
 
   Shift_inverse<Loop> inverse(laplacian, mass);
   const double shift = choose_shift(loop, spectrum, inverse);
   Host_array<double> constant(mass.size());
-  for_each_index(loop.bare(), n, [&](int i) { constant[i] = spectrum.function[0] * std::sqrt(mass[i]); });
+  for_each_index(loop.bare(), n, [&](int i) { constant[i] = spectrum.functions[0] * std::sqrt(mass[i]); });
 
   // A basis of 9/4 of the pairs is mostly enough. The last block leads out of it, so there has to be room for one more.
   const int first_check = 9 * others / 4 + 24, step = others / 5 + 8;
@@ -145,7 +146,7 @@ void sparse_spectrum(const Watched_loop<Loop>& loop, const Weighted_graph& lapla
         coefficients.col(k) = solver.eigenvectors().col(found[k].second);
       }
       lanczos.combine(coefficients, [&](int i, int k, double x) {
-        spectrum.function[(k + 1) * static_cast<std::size_t>(n) + i] = x / std::sqrt(mass[i]);
+        spectrum.functions[(k + 1) * static_cast<std::size_t>(n) + i] = x / std::sqrt(mass[i]);
       });
       return;
     }
@@ -155,8 +156,8 @@ void sparse_spectrum(const Watched_loop<Loop>& loop, const Weighted_graph& lapla
 }
 
 template <class Loop>
-Laplacian_spectrum laplacian_spectrum(const Loop& loop, const Weighted_graph& laplacian, const Host_array<double>& mass,
-                                      int number, Monitor& monitor)
+Laplacian_eigenpairs laplacian_spectrum(const Loop& loop, const Weighted_graph& laplacian,
+                                        const Host_array<double>& mass, int number, Monitor& monitor)
 {
   const int n = static_cast<int>(mass.size());
   const int bad = first_index(loop, n, [&](int i) { return !(mass[i] > 0) || !std::isfinite(1 / mass[i]); });
@@ -164,13 +165,13 @@ Laplacian_spectrum laplacian_spectrum(const Loop& loop, const Weighted_graph& la
     throw Input_error(Error_code::DEGENERATE_FACE, "the faces round vertex " + std::to_string(bad) + " have no area");
   const Watched_loop<Loop> watched(loop, monitor);
   watched.advance(0);
-  Laplacian_spectrum spectrum = first_pair(loop, mass, number);
+  Laplacian_eigenpairs spectrum = first_pair(loop, mass, number);
   if(n < 3 * number + 100)
     dense_spectrum<Loop>(laplacian, spectrum);
   else if(number > 1)
     sparse_spectrum(watched, laplacian, spectrum);
   for_each_index<1>(loop, number, [&](int k) { // signs
-    double* const function = spectrum.function.data() + static_cast<std::size_t>(k) * n;
+    double* const function = spectrum.functions.data() + static_cast<std::size_t>(k) * n;
     double longest = 0;
     for(int i = 0; i < n; ++i)
       if(std::abs(function[i]) > std::abs(longest) * (1 + 1e-9)) // of equal ones the first, whatever the rounding

@@ -20,7 +20,7 @@ class Eigenpairs(OneLine):
     masses: Doubles  #: (n,), a third of the areas of the faces of every vertex
 
     def heat_kernel_signature(self, times: npt.ArrayLike) -> Doubles:
-        """How much of the heat that a vertex is given is still there after some time.
+        """The share of a unit of heat at a vertex that is still there after some time.
 
         J. Sun, M. Ovsjanikov, L. Guibas, "A concise and provably informative multi-scale signature based on heat
         diffusion", SGP 2009.
@@ -33,7 +33,7 @@ class Eigenpairs(OneLine):
         Returns
         -------
         ndarray (n, t) of float64
-            In units of 1 / length**2. Pairs that are missing matter for times below about 4 / values[-1].
+            In units of 1 / length**2. Missing pairs have an influence for times below about 4 / values[-1].
         """
         t = doubles("times", times)
         if t.ndim != 1 or not (t >= 0).all():
@@ -41,7 +41,7 @@ class Eigenpairs(OneLine):
         return _core.heat_kernel_signature(self.values, self.functions.T, t).T
 
     def wave_kernel_signature(self, energies: int = 100) -> Doubles:
-        """How probable it is to find a particle of some energy at a vertex.
+        """The probability of finding a quantum particle of some energy at a vertex.
 
         M. Aubry, U. Schlickewei, D. Cremers, "The wave kernel signature: a quantum mechanical approach to shape analysis",
         ICCV Workshops 2011. Two pairs or more are needed.
@@ -49,7 +49,7 @@ class Eigenpairs(OneLine):
         Parameters
         ----------
         energies : int
-            Their number, two or more. They are spaced evenly on a logarithmic scale of the eigenvalues.
+            Number of energies, two or more. They are spaced evenly on a logarithmic scale of the eigenvalues.
 
         Returns
         -------
@@ -75,7 +75,7 @@ def laplacian_eigenpairs(
     points, triangles, policy
         As for `parameterize()`.
     number : int
-        Of pairs, that of the eigenvalue 0 included; from 1 to the number of vertices.
+        Number of pairs, including that of the eigenvalue 0; from 1 to the number of vertices.
 
     Returns
     -------
@@ -84,7 +84,7 @@ def laplacian_eigenpairs(
     Raises
     ------
     MeshError
-        As `parameterize()` for what is no such mesh, and where the faces round a vertex have no area.
+        As for `parameterize()`, and if the faces around a vertex have the area 0.
 
     Examples
     --------

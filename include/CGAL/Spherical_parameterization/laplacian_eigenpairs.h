@@ -28,20 +28,19 @@ namespace CGAL::Spherical_parameterization {
 /// drum of this shape. They depend on lengths inside the surface only, so that two poses of a body have nearly the
 /// same.
 ///
-/// The Laplacian is that of the conformal springs: cotangents of the intrinsic Delaunay triangulation (A. Bobenko,
+/// The Laplacian has the conformal weights: cotangents of the intrinsic Delaunay triangulation (A. Bobenko,
 /// B. Springborn, "A discrete Laplace-Beltrami operator for simplicial surfaces", Discrete & Computational Geometry 38,
 /// 2007), the masses are the thirds of the areas. It is solved by block Lanczos iteration with the factorization of the
-/// shifted matrix, to 1e-11 relative to the shift; no pair is missed: the factorization counts those below.
+/// shifted matrix, to 1e-11 relative to the shift. No pair is missed, since the factorization counts the pairs below.
 ///
 /// \param policy  `CGAL::Sequential_tag`, the default, or `CGAL::Parallel_tag`; the result does not depend on it
 /// \param mesh    a closed triangle mesh of genus 0, a model of `FaceListGraph` and `HalfedgeListGraph`
-/// \param number  of pairs, that of the eigenvalue 0 included
+/// \param number  number of pairs, including that of the eigenvalue 0
 /// \param np      optional named parameters: `vertex_point_map`, by default the mesh's own; `callback` and
 ///                `maximum_running_time`, as in `parameterize()`
 /// \return the pairs; vertices in the order of `vertices(mesh)`
-/// \throws Error  as `parameterize()` for what is no such mesh; `DEGENERATE_FACE` where the faces round a vertex have
-/// no
-///                area; `NOT_CONVERGED`; `INTERRUPTED`
+/// \throws Error  the codes of `parameterize()` for the mesh; `DEGENERATE_FACE` if the faces around a vertex have
+///                the area 0; `NOT_CONVERGED`; `INTERRUPTED`
 /// \pre 1 <= number <= number of vertices
 ///
 /// Memory: 3 numbers per vertex and pair. Time: O(n^1.5) for the factorization, and O(n number^2).
@@ -72,10 +71,10 @@ Laplacian_eigenpairs laplacian_eigenpairs(const ExecutionPolicy& policy, const T
 }
 CGAL_SP_ON_ONE_CORE(laplacian_eigenpairs)
 
-/// The heat kernel signature: how much of the heat that a vertex is given is still there after some time. J. Sun,
+/// The heat kernel signature: the share of a unit of heat at a vertex that is still there after some time. J. Sun,
 /// M. Ovsjanikov, L. Guibas, "A concise and provably informative multi-scale signature based on heat diffusion", SGP
 /// 2009.
-/// \param pairs  of the surface. Those that are left out matter for times below about 4 / (their eigenvalue).
+/// \param pairs  pairs of the surface. Missing pairs have an influence for times below about 4 / (their eigenvalue).
 /// \param times  not negative, in units of length^2
 /// \return one time after the other, the values of all vertices: entry t * number of vertices + i
 inline std::vector<double> heat_kernel_signature(const Laplacian_eigenpairs& pairs, const std::vector<double>& times)
@@ -90,13 +89,13 @@ inline std::vector<double> heat_kernel_signature(const Laplacian_eigenpairs& pai
   return internal::filtered_squares(pairs, filters);
 }
 
-/// The wave kernel signature: how probable it is to find a particle of some energy at a vertex. M. Aubry,
+/// The wave kernel signature: the probability of finding a quantum particle of some energy at a vertex. M. Aubry,
 /// U. Schlickewei, D. Cremers, "The wave kernel signature: a quantum mechanical approach to shape analysis", ICCV
 /// Workshops 2011. Energies are spaced evenly on a logarithmic scale, from the first eigenvalue above 0 to the last
-/// one; their variance is that of the paper, 7 steps. \param pairs  of the surface, two or more \param
-/// number_of_energies  of the signature, two or more \return one energy after the other, the values of all vertices:
-/// entry e * number of vertices + i; in units of
-///         1 / length^2
+/// one; their variance is that of the paper, 7 steps.
+/// \param pairs  pairs of the surface, two or more
+/// \param number_of_energies  number of energies, two or more
+/// \return one energy after the other, the values of all vertices: entry e * number of vertices + i; 1 / length^2
 inline std::vector<double> wave_kernel_signature(const Laplacian_eigenpairs& pairs,
                                                  std::size_t number_of_energies = 100)
 {

@@ -14,17 +14,17 @@ namespace CGAL::Spherical_parameterization {
 /// diagonal matrix M of the areas of its vertices. See `laplacian_eigenpairs()`.
 ///
 /// The functions are orthonormal: the sum of `mass[i] * function(k, i) * function(l, i)` is 1 for k = l, else 0. The
-/// sign of a function is that for which its longest value is positive. Functions of a multiple eigenvalue are any
-/// basis.
+/// sign of a function is chosen such that its largest value in magnitude is positive. The functions of a multiple
+/// eigenvalue are an arbitrary basis.
 struct Laplacian_eigenpairs {
-  std::size_t number_of_vertices = 0;
-  std::vector<double> value;     ///< the eigenvalues, ascending, in units of 1 / length^2; the first one is 0
-  std::vector<double> functions; ///< one after the other, in units of 1 / length: see `function()`
-  std::vector<double> mass;      ///< of every vertex: a third of the areas of its faces
+  std::size_t number_of_vertices = 0; ///< number of vertices
+  std::vector<double> value;          ///< the eigenvalues, ascending, in units of 1 / length^2; the first one is 0
+  std::vector<double> functions;      ///< one after the other, in units of 1 / length: see `function()`
+  std::vector<double> mass;           ///< of every vertex: a third of the areas of its faces
 
-  std::size_t number() const { return value.size(); } ///< of pairs
+  std::size_t number() const { return value.size(); } ///< \return the number of pairs
 
-  /// The value of function k at vertex i.
+  /// \param k,i  indices of a function and of a vertex \return the value of function k at vertex i
   double function(std::size_t k, std::size_t i) const { return functions[k * number_of_vertices + i]; }
 };
 

@@ -37,8 +37,8 @@ void say(Run& run)
     text << "\nstandard deviation of log(area / target area): " << result.density_deviation;
   text << '\n'
        << result.method << ", " << (result.method == "isometric" ? "" : run.options.weights + " weights, ")
-       << run.options.policy << " on " << result.device << ": " << result.start_iterations << " + " << result.iterations
-       << " iterations";
+       << run.options.policy << " on " << result.device << ": " << result.start_iterations
+       << " iterations for the start map, " << result.iterations << " from there";
   if(result.sweeps > 0)
     text << " of " << result.sweeps << " sweeps in total";
   text << '\n';

@@ -3,21 +3,14 @@
 
 #include "runner/step.h"
 
-#include "input/binary.h"
 #include "input/files.h"
-#include "morph_html.h"
-#include "output/page.h"
+#include "runner/page.h"
 #include "runner/pair.h"
 #include "system/interruption.h"
 
 #include <Eigen/Geometry>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
 #include <filesystem>
-#include <limits>
 #include <memory>
 #include <set>
 
@@ -66,37 +59,6 @@ private:
   Eigen::AngleAxisd turn_;
 };
 
-/// Writes one HTML file that shows a mesh moving from the first frame to the last one and back, drawn by WebGL 2.
-/// Nothing is loaded from elsewhere.
-void write_morph_page(std::ostream& out, const std::string& title, const Mesh& mesh,
-                      const std::vector<std::vector<Point>>& frames)
-{
-  std::array<double, 3> low, high;
-  low.fill(std::numeric_limits<double>::infinity());
-  high.fill(-std::numeric_limits<double>::infinity());
-  for(const auto& points : frames)
-    for(const Point& p : points)
-      for(std::size_t k = 0; k < 3; ++k) {
-        low[k] = std::min(low[k], p[k]);
-        high[k] = std::max(high[k], p[k]);
-      }
-  const double size = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2], 1e-300});
-  std::string bytes;
-  for(const auto& points : frames)
-    for(const Point& p : points)
-      for(std::size_t k = 0; k < 3; ++k)
-        append_number(bytes, static_cast<std::uint16_t>(
-                               std::lround(65535 * (0.5 + (p[k] / 2 - low[k] / 4 - high[k] / 4) * 2 / size))));
-  bytes.append((4 - bytes.size() % 4) % 4, '\0');
-  for(std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-    for(const std::int32_t v : mesh.triangle(f))
-      append_number(bytes, v);
-
-  out << morph_page_before_header() << "name: " << inside_of_page(title) << ", vertices: " << mesh.number_of_vertices()
-      << ", faces: " << mesh.number_of_faces() << ", frames: " << frames.size() << morph_page_before_data()
-      << to_base64(bytes) << morph_page_after_data();
-}
-
 std::string name_of_step(const Morph_options& options, const std::string& folder, int step)
 {
   const std::string number = std::to_string(step), last = std::to_string(options.steps);
@@ -127,20 +89,23 @@ void morph(const Morph_options& own, const Registration_options& options, Run& r
 {
   Registered_pair pair;
   read_pair(options, pair);
+  Page::check_size(options.input, pair.a.mesh().number_of_vertices());
   Atomic_file::create_folder(run.file());
   register_pair(options, pair);
 
   const Mesh& mesh = pair.a.mesh();
   const Rigid_path path(mesh.points(), pair.points_on_b);
-  constexpr int frames_of_page = 8; // between which the page interpolates
-  std::vector<std::vector<Point>> frames;
-  for(int k = 0; k <= frames_of_page; ++k)
-    frames.push_back(path.at(double(k) / frames_of_page));
+  Page page;
+  constexpr int shapes_of_page = 9; // between which the page interpolates
+  for(int k = 0; k < shapes_of_page; ++k)
+    page.add(path.at(double(k) / (shapes_of_page - 1)));
+  page.add(mesh);
+  page.header["vertices"] = mesh.number_of_vertices();
+  page.header["faces"] = mesh.number_of_faces();
+  page.header["registration"] = registration_json(options, pair);
+  page.header["text"] = registration_text(options, pair);
   const Work::Files files = files_of(own, run.file());
-  write_morph_page(run.open(files.front().second),
-                   std::filesystem::path(options.input).filename().string() + " to " +
-                     std::filesystem::path(options.other).filename().string(),
-                   mesh, frames);
+  page.write(run.open(files.front().second));
   for(int step = 0; step <= own.steps; ++step) {
     const std::string& name = files[static_cast<std::size_t>(step) + 1].second;
     // both ends are as they are, without rounding

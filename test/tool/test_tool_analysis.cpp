@@ -67,6 +67,14 @@ Textured read_textured(const std::string& file)
   return result;
 }
 
+/// The text of an element of a page.
+std::string content(const std::string& page, const std::string& id)
+{
+  const std::string start = "id=\"" + id + "\">";
+  const std::size_t begin = page.find(start) + start.size();
+  return page.substr(begin, page.find("</script>", begin) - begin);
+}
+
 /// Arguments that make every command write what it writes.
 std::vector<std::string> command_line(const std::string& command, const std::string& input, const Scratch& scratch)
 {
@@ -422,8 +430,13 @@ TEST_CASE("morph: from one mesh to the other, without shrinking on a turn", "[to
           Approx(std::sqrt((a.points[i] - CGAL::ORIGIN).squared_length())).margin(0.15));
   }
   const std::string page = text_of(scratch / "way/morph.html");
-  CHECK(page.find("vertices: 162, faces: 320, frames: 9") != std::string::npos);
-  CHECK(page.find("</html>") != std::string::npos);
+  const nlohmann::json header = nlohmann::json::parse(content(page, "header"));
+  CHECK(header["vertices"] == 162);
+  CHECK(header["faces"] == 320);
+  CHECK(header["registration"]["inputs"] == nlohmann::json({input, other}));
+  const std::size_t shapes = 9;
+  CHECK(header["coordinates"].size() == 3 * shapes);
+  CHECK(content(page, "data").size() == (shapes * 6 * 162 + 9 * 320 + 2) / 3 * 4);
 }
 
 TEST_CASE("morph: no mesh has to go for a step, and no step of another run stays among them", "[tool]")
@@ -496,16 +509,12 @@ TEST_CASE("view: a page with everything in it", "[tool]")
   const std::string page = text_of(scratch / "out.html");
   for(const char* elsewhere : {"{HEADER}", "{DATA}", "src=\"", "<link rel=\"stylesheet"})
     CHECK(page.find(elsewhere) == std::string::npos);
-  const auto content = [&page](const std::string& start) {
-    const std::size_t begin = page.find(start) + start.size();
-    return page.substr(begin, page.find("</script>", begin) - begin);
-  };
-  const nlohmann::json header = nlohmann::json::parse(content("id=\"header\">"));
+  const nlohmann::json header = nlohmann::json::parse(content(page, "header"));
   CHECK(header["report"]["input"] == input);
   CHECK(header["report"]["flipped_faces"] == 0);
   CHECK(header["coordinates"].size() == 6);
   const std::size_t bytes = 12 * soup.points.size() + 15 * soup.faces.size();
-  CHECK(content("id=\"data\">").size() == (bytes + 2) / 3 * 4);
+  CHECK(content(page, "data").size() == (bytes + 2) / 3 * 4);
 
   Process_options in_scratch;
   in_scratch.directory = scratch.folder();

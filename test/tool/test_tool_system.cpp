@@ -4,8 +4,8 @@
 #include "helpers/tool.h"
 
 #include "collections/batch.h"
-#include "output/page.h"
 #include "output/atomic_file.h"
+#include "runner/page.h"
 #include "system/refusal.h"
 
 #include <catch2/catch.hpp>
@@ -102,8 +102,8 @@ TEST_CASE("system: a batch goes on without the threads for which there is no mem
 
 TEST_CASE("system: a page has no room for more vertices than its numbers reach", "[tool][system]")
 {
-  CHECK_NOTHROW(tool::check_size_of_page("in.ply", 16777216));
-  CHECK_THROWS_WITH(tool::check_size_of_page("in.ply", 16777217),
+  CHECK_NOTHROW(tool::Page::check_size("in.ply", 16777216));
+  CHECK_THROWS_WITH(tool::Page::check_size("in.ply", 16777217),
                     "in.ply: has 16777217 vertices, and a page holds 16777216; simplify the mesh");
 }
 

@@ -34,9 +34,18 @@ export interface Report {
   error_code: string;
 }
 
-/// A mesh with its map: all that is shown.
+/// How a mesh changes into another one.
+export interface Way {
+  shapes: Coordinates[];
+  names: [string, string]; // of the files at its ends
+  text: string; // on how good it is
+  isGood: boolean;
+}
+
+/// A mesh with its map, or on its way to another shape: all that is shown.
 export interface Model extends Mesh {
   sphere?: Coordinates; // unit vectors, one per point
+  way?: Way;
   stretch?: Coordinates; // of faces: logarithm of the area stretch
   angle?: Coordinates; // of faces: angle distortion in radians
   segments?: Int32Array; // of faces

@@ -4,7 +4,7 @@
 // What stands beside the views: the certificate in words, the legend, the histogram, the times.
 
 import { colourAt, legendOf, type Colouring, type Legend } from "./colours";
-import { faceAreas, type Coordinates, type Model, type Report } from "./model";
+import { faceAreas, type Coordinates, type Model, type Report, type Way } from "./model";
 
 /// An element with attributes and children.
 export function element(
@@ -54,38 +54,47 @@ export function certificate(report: Report): HTMLElement {
   );
 }
 
-/// Sizes, method and times.
+/// How good the way from one mesh to another one is.
+export function ofWay({ names, text, isGood }: Way): HTMLElement {
+  const [work, ...lines] = text.split("\n");
+  return element(
+    "div",
+    { class: `certificate ${isGood ? "good" : "bad"}`, id: "certificate" },
+    element("h2", {}, isGood ? "All of it arrives" : "Look closely"),
+    element("p", {}, `${names[0]}, A, takes the shape of ${names[1]}, B, with its own vertices and faces.`),
+    ...lines.map((line) => element("p", {}, line[0]!.toUpperCase() + line.slice(1) + ".")),
+    details("How it was found", element("p", {}, work!)),
+  );
+}
+
+/// What only those open who want to know.
+const details = (summary: string, ...children: Node[]) =>
+  element("details", {}, element("summary", {}, summary), ...children);
+
+/// Sizes, method and time; how the map was computed.
 export function facts(report: Report): HTMLElement {
   const list = element("dl", { class: "facts" });
-  const add = (term: string, text: string | null | undefined) => {
-    if (text) list.append(element("dt", {}, term), element("dd", {}, text));
+  const work = element("dl", { class: "facts" });
+  const add = (to: HTMLElement, term: string, text: string | null | undefined) => {
+    if (text) to.append(element("dt", {}, term), element("dd", {}, text));
   };
-  add("Vertices", report.vertices == null ? "" : whole(report.vertices));
-  add("Faces", report.faces == null ? "" : whole(report.faces));
+  add(list, "Vertices", report.vertices == null ? "" : whole(report.vertices));
+  add(list, "Faces", report.faces == null ? "" : whole(report.faces));
   if (report.method_used) {
     const weights = report.method_used === "isometric" ? "" : `, ${report.weights} weights`;
-    add("Method", report.method_used + weights);
-    add("Iterations", `${report.start_iterations} + ${report.iterations}`);
-    add("Residual", report.residual == null ? "" : figures(report.residual));
+    add(list, "Method", report.method_used + weights);
+    add(work, "Iterations", `${report.start_iterations} for the start map, ${report.iterations} from there`);
+    add(work, "Residual", report.residual == null ? "" : figures(report.residual));
   }
-  add("Before", report.fallback_reason);
-  const names: Record<string, string> = {
-    read: "read",
-    weights: "weights",
-    start_map: "start map",
-    solve: "solve",
-    certify: "certify",
-  };
+  add(work, "Tried before", report.fallback_reason);
+  const phases = { read: "Reading", weights: "Weights", start_map: "Start map", solve: "Solving", certify: "Certifying" };
   const s = report.seconds;
   if (s) {
-    const sum = Object.keys(names).reduce((total, name) => total + (s[name] ?? 0), 0);
-    const parts = Object.entries(names).map(([name, word]) => `${word} ${duration(s[name] ?? 0)}`);
-    list.append(
-      element("dt", {}, "Time"),
-      element("dd", { id: "time", "data-seconds": String(sum) }, element("strong", {}, duration(sum)), ` ${parts.join(", ")}`),
-    );
+    const sum = Object.keys(phases).reduce((total, name) => total + (s[name] ?? 0), 0);
+    list.append(element("dt", {}, "Time"), element("dd", { id: "time", "data-seconds": String(sum) }, duration(sum)));
+    for (const [name, term] of Object.entries(phases)) add(work, term, duration(s[name] ?? 0));
   }
-  return list;
+  return element("div", {}, list, ...(work.childElementCount > 0 ? [details("How it was computed", work)] : []));
 }
 
 const css = (c: readonly number[]) => `rgb(${c.map(Math.round).join(" ")})`;

@@ -5,7 +5,7 @@
 
 import { colourings, nameOf, type Colouring, type Legend } from "./colours";
 import type { Model } from "./model";
-import { certificate, describe, element, facts, legendPanel } from "./panel";
+import { certificate, describe, element, facts, legendPanel, ofWay } from "./panel";
 import type { Trouble } from "./topology";
 import { Viewer } from "./viewer";
 
@@ -17,13 +17,14 @@ export class Stage {
   model: Model | null = null;
   colouring: Colouring = "stretch";
   private readonly slider = byId<HTMLInputElement>("morph");
+  private ends: [string, string] = ["Mesh", "Sphere"]; // of the slider
   private readonly labels = [byId("label-mesh"), byId("label-sphere")];
 
   constructor() {
     this.viewer = new Viewer(byId<HTMLCanvasElement>("canvas"));
     this.viewer.onMorph = (morph) => {
       this.slider.value = String(Math.round(1000 * morph));
-      this.slider.setAttribute("aria-valuetext", `${Math.round(100 * morph)} % sphere`);
+      this.slider.setAttribute("aria-valuetext", `${Math.round(100 * morph)} % ${this.ends[1]}`);
       this.name();
     };
     this.viewer.onViews = (views) =>
@@ -35,7 +36,7 @@ export class Stage {
       byId("hover").textContent = hover && this.model ? describe(this.model, hover.face) : "";
       byId("hover").dataset.face = hover ? String(hover.face) : "";
     };
-    this.slider.addEventListener("input", () => (this.viewer.morph = Number(this.slider.value) / 1000));
+    this.slider.addEventListener("input", () => this.viewer.go(Number(this.slider.value) / 1000));
     byId("play").addEventListener("click", () => this.viewer.play());
     byId("reset").addEventListener("click", () => this.viewer.resetView());
     byId("theme").addEventListener("click", () => this.switchTheme());
@@ -49,14 +50,19 @@ export class Stage {
   /// Shows a mesh, with or without its sphere; the panel says what is known of it.
   show(model: Model): void {
     const before = this.model?.sphere;
+    if (this.model?.points.length !== model.points.length)
+      this.viewer.face(model, /\.gii(\.gz)?$|^[lr]h\./.test(model.report.input)); // as neuroimaging has it
     this.model = model;
     if (!before || !model.sphere) this.viewer.morph = 0;
-    this.viewer.alone = false;
+    this.viewer.alone = model.way !== undefined;
     this.viewer.show(model);
+    if (model.way) this.ends = model.way.names;
+    ["from", "to"].forEach((id, i) => (byId(id).textContent = this.ends[i]!));
     this.name();
     document.body.classList.toggle("has-mesh", true);
     document.body.classList.toggle("has-sphere", model.sphere !== undefined);
-    byId<HTMLButtonElement>("play").disabled = this.slider.disabled = !model.sphere;
+    document.body.classList.toggle("has-way", model.way !== undefined);
+    byId<HTMLButtonElement>("play").disabled = this.slider.disabled = !model.sphere && !model.way;
     this.recolour();
   }
 
@@ -69,7 +75,7 @@ export class Stage {
   }
 
   say(model: Model, troubles: { trouble: Trouble; name: string }[] = []): void {
-    const verdict = certificate(model.report);
+    const verdict = model.way ? ofWay(model.way) : certificate(model.report);
     if (troubles.length > 0)
       verdict.append(
         element("p", { class: "marked", id: "marked" }, "Marked on the mesh: " + troubles.map((t) => t.name).join(", ") + "."),
@@ -96,7 +102,10 @@ export class Stage {
 
   private name(): void {
     const share = Math.round(100 * this.viewer.morph);
-    this.labels[0]!.textContent = share === 0 ? "Mesh" : share === 100 ? "Mesh on the sphere" : `Mesh, ${share} % sphere`;
+    const [from, to] = this.ends;
+    const isWay = this.model?.way !== undefined;
+    const [between, last] = isWay ? [`${share} % of the way`, to] : [`Mesh, ${share} % sphere`, "Mesh on the sphere"];
+    this.labels[0]!.textContent = share === 0 ? from : share === 100 ? last : between;
   }
 
   private offerColours(): void {

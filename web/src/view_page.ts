@@ -6,18 +6,25 @@
 import type { Model, Report } from "./model";
 import { Stage } from "./stage";
 
-/// What a measure or a coordinate is: what 0 stands for, and what 1 stands for.
+/// What a measure or a coordinate is: what 0 stands for, and one step.
 type Scale = [number, number];
 
-/// What the tool writes (src/steps/view.cpp) besides whole numbers, the lowest byte first, as base64: x, y and
-/// z of the mesh and of the sphere, measures of the faces, and their corners.
+/// What the tool writes (src/runner/page.h) besides whole numbers, the lowest byte first, as base64: x, y and z of the mesh and
+/// of the sphere, measures of the faces (src/steps/view.cpp); or x, y and z of several shapes of a mesh (src/steps/morph.cpp).
+/// Then the corners of the faces.
 interface Header {
-  report: Report;
-  coordinates: Scale[]; // six
+  coordinates: Scale[];
+  report?: Report;
   stretch: Scale;
   angle: Scale;
   segments: Scale;
+  vertices: number;
+  faces: number;
+  text: string; // on the registration
+  registration: { inputs: [string, string]; share_of_large_changes: number; trust: string };
 }
+
+const base = (path: string) => path.replace(/.*[\\/]/, "");
 
 function read(): Model {
   const { report, ...header } = JSON.parse(document.getElementById("header")!.textContent!) as Header;
@@ -26,23 +33,36 @@ function read(): Model {
   let at = 0;
   const scaled = (n: number, [low, step]: Scale) =>
     Float32Array.from({ length: n }, () => low + step * (bytes[at++]! | (bytes[at++]! << 8)));
-  const [n, m] = [report.vertices!, report.faces!];
+  const [n, m] = [report?.vertices ?? header.vertices, report?.faces ?? header.faces];
   const planes = header.coordinates.map((scale) => scaled(n, scale));
-  const points = Float32Array.from({ length: 3 * n }, (_, i) => planes[i % 3]![Math.floor(i / 3)]!);
-  const sphere = Float32Array.from({ length: 3 * n }, (_, i) => planes[3 + (i % 3)]![Math.floor(i / 3)]!);
-  const stretch = scaled(m, header.stretch);
-  const angle = scaled(m, header.angle);
-  const segments = Int32Array.from(scaled(m, header.segments), Math.round);
+  const shapes = Array.from({ length: planes.length / 3 }, (_, s) =>
+    Float32Array.from({ length: 3 * n }, (_, i) => planes[3 * s + (i % 3)]![Math.floor(i / 3)]!),
+  );
+  const ofFaces = () => ({
+    stretch: scaled(m, header.stretch),
+    angle: scaled(m, header.angle),
+    segments: Int32Array.from(scaled(m, header.segments), Math.round),
+  });
+  const measures = report && ofFaces();
   const triangles = Int32Array.from({ length: 3 * m }, () => bytes[at++]! | (bytes[at++]! << 8) | (bytes[at++]! << 16));
-  report.input = report.input.replace(/.*[\\/]/, "");
-  return { points, sphere, triangles, stretch, angle, segments, report };
+  const points = shapes[0]!;
+  if (report) return { points, triangles, sphere: shapes[1]!, ...measures, report: { ...report, input: base(report.input) } };
+  const { inputs, share_of_large_changes, trust } = header.registration;
+  const isGood = share_of_large_changes < 0.02 && !["unsure", "unlike"].includes(trust);
+  return {
+    points,
+    triangles,
+    way: { shapes, names: [base(inputs[0]), base(inputs[1])], text: header.text, isGood },
+    report: { input: `${base(inputs[0])} to ${base(inputs[1])}`, vertices: n, faces: m, error: null, error_code: "OK" },
+  };
 }
 
 const model = read();
 document.getElementById("file-name")!.textContent = model.report.input;
-document.title = `${model.report.input} on the sphere`;
+document.title = model.way ? model.report.input : `${model.report.input} on the sphere`;
 const stage = new Stage();
 stage.show(model);
 stage.say(model);
+if (model.way && !matchMedia("(prefers-reduced-motion: reduce)").matches) stage.viewer.play();
 document.body.dataset.state = "shown";
 Object.assign(window, { page: { stage } });

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 //
-// Two linked views on one canvas: the mesh, which a slider morphs into the sphere, and the sphere.
+// Two linked views on one canvas: the mesh, which a slider morphs into the sphere, and the sphere. Or one view, of a mesh that
+// the slider leads through several shapes.
 
 import {
   BufferAttribute,
@@ -11,7 +12,6 @@ import {
   FrontSide,
   GLSL3,
   LineSegments,
-  Matrix3,
   Mesh as Shape,
   PerspectiveCamera,
   Points,
@@ -27,16 +27,18 @@ import {
 import { coloursOf, type Colouring, type Legend } from "./colours";
 import { forEachFace, normalsOf, type Coordinates, type Mesh, type Model } from "./model";
 import { coarsened, localOrder } from "./order";
+import { refined } from "./refine";
 import { bestRotation } from "./rotation";
 import type { Trouble } from "./topology";
 
 const morphing = /* glsl */ `
-  in vec3 onSphere;
+  in vec3 next;
   uniform float morph;
-  vec3 place() { return mix(position, onSphere, morph); }`;
+  vec3 place() { return mix(position, next, morph); }`;
 
 // Lean: software renderers draw it, too.
 const surfaceVertex = /* glsl */ `${morphing}
+  in vec3 nextNormal;
   in vec3 paint;
   out vec3 vNormal;
   #ifdef CHECKER
@@ -46,11 +48,11 @@ const surfaceVertex = /* glsl */ `${morphing}
   #endif
   void main() {
   #ifdef CHECKER
-    vSphere = onSphere;
+    vSphere = next;
   #else
     vPaint = paint;
   #endif
-    vNormal = normalMatrix * mix(normal, onSphere, 0.55 * morph);
+    vNormal = normalMatrix * mix(normal, nextNormal, morph);
     gl_Position = projectionMatrix * modelViewMatrix * vec4(place(), 1.0);
   }`;
 
@@ -141,6 +143,12 @@ interface View {
   height: number;
 }
 
+/// A shape of the mesh: places and normals of the vertices that are drawn.
+interface Shaped {
+  place: BufferAttribute;
+  normal: BufferAttribute;
+}
+
 /// Both places of a face, and its number.
 export interface Hover {
   face: number;
@@ -171,10 +179,13 @@ export class Viewer {
 
   private hasSphere = false;
   private isOutside = false; // which side the faces show
-  private source = new Uint32Array(); // of every vertex that is drawn: its point of the mesh
-  private firstFace = new Uint32Array(); // of every vertex that is drawn: the faces whose last corner it is
-  private faceOf = new Uint32Array();
-  private corners = new Uint32Array(); // of every face: the three vertices that are drawn
+  private source = new Uint32Array(); // of the vertices that are drawn: their points of the mesh
+  private halves = new Uint32Array(); // of more vertices behind them: the two between which each is
+  private corners = new Uint32Array(); // of every part of a face: the three vertices that are drawn
+  private faceOf = new Uint32Array(); // of every part: its face, in the order of the faces
+  private firstPart = new Uint32Array(); // of every vertex that is drawn: the parts whose last corner it is
+  private partOf = new Uint32Array();
+  private shapes: Shaped[] = []; // through which the slider leads
   private shape: Shape | null = null;
   private marker: Points | null = null;
   private marked: Shape | null = null;
@@ -183,12 +194,15 @@ export class Viewer {
 
   private readonly ringSize = { value: 22 };
   private readonly rotation = new Quaternion();
+  private across = 0; // radians about the vertical axis, in the first view
+  private isZUp = false;
   private zoom = 1;
   private shift = new Vector2();
   private morph_ = 0;
   private needed = true;
   private pointer: { x: number; y: number } | null = null;
   private playing = 0; // direction
+  private isToAndFro = false;
   private alone_ = false; // no place for a sphere
   private spinning = 0; // radians per second
 
@@ -224,38 +238,51 @@ export class Viewer {
 
   // --- what is shown
 
-  /// The mesh alone, or with its sphere.
+  /// The mesh alone, or with its sphere, or with other shapes of it.
   show(model: Model): void {
     this.clear();
     this.hasSphere = model.sphere !== undefined;
+    this.isToAndFro = model.way !== undefined;
     this.split(model);
-    const n = this.source.length;
-    const position = new Float32Array(3 * n);
-    const onSphere = new Float32Array(3 * n);
-    const { center, radius } = frameOf(model.points);
-    const turn = model.sphere ? bestRotation(model.points, center, model.sphere) : new Matrix3();
-    const normals = normalsOf(model);
-    const normal = new Float32Array(3 * n);
-    const q = new Vector3();
-    for (let v = 0; v < n; ++v) {
-      const s = 3 * this.source[v]!;
-      for (let k = 0; k < 3; ++k) {
-        position[3 * v + k] = (model.points[s + k]! - center[k]!) / radius;
-        normal[3 * v + k] = normals[s + k]!;
-      }
-      if (model.sphere) q.set(model.sphere[s]!, model.sphere[s + 1]!, model.sphere[s + 2]!).applyMatrix3(turn);
-      else q.set(position[3 * v]!, position[3 * v + 1]!, position[3 * v + 2]!);
-      q.toArray(onSphere, 3 * v);
+    const ofVertices = (rows: Coordinates, place = (x: number, _k: number) => x) => {
+      const result = new Float32Array(3 * this.source.length);
+      for (let v = 0; v < this.source.length; ++v)
+        for (let k = 0; k < 3; ++k) result[3 * v + k] = place(rows[3 * this.source[v]! + k]!, k);
+      return result;
+    };
+    const shapes = model.way?.shapes ?? [model.points];
+    const { center, radius } = frameOf(shapes);
+    const sphere = model.sphere && ofVertices(model.sphere);
+    if (sphere) {
+      const turn = bestRotation(model.points, center, model.sphere!);
+      const q = new Vector3();
+      for (let i = 0; i < sphere.length; i += 3) q.fromArray(sphere, i).applyMatrix3(turn).toArray(sphere, i);
+      // what is not valid has long edges everywhere
+      if (model.report.error === null) ({ corners: this.corners, faceOf: this.faceOf, halves: this.halves } = refined(this.corners, sphere));
     }
+    const n = this.source.length + this.halves.length / 2;
+    const attribute = (of: Float32Array, isSphere = false) => {
+      const array = new Float32Array(3 * n);
+      array.set(of);
+      this.fillHalves(array, isSphere);
+      return new BufferAttribute(array, 3);
+    };
+    this.shapes = shapes.map((points) => ({
+      place: attribute(ofVertices(points, (x, k) => (x - center[k]!) / radius)),
+      normal: attribute(ofVertices(normalsOf({ ...model, points }))),
+    }));
+    if (sphere) {
+      const place = attribute(sphere, true);
+      this.shapes.push({ place, normal: place });
+    }
+    this.indexParts();
     const geometry = new BufferGeometry();
-    geometry.setAttribute("position", new BufferAttribute(position, 3));
-    geometry.setAttribute("onSphere", new BufferAttribute(onSphere, 3));
-    geometry.setAttribute("normal", new BufferAttribute(normal, 3));
     geometry.setAttribute("paint", new BufferAttribute(new Uint8Array(3 * n), 3, true));
-    this.order(model, position);
+    this.order(model, this.shapes[0]!.place.array as Float32Array);
     geometry.setIndex(this.ordered!.atRest);
-    this.isOutside = model.sphere !== undefined && !isInsideOut(model);
+    this.isOutside = this.shapes.length > 1 && !isInsideOut(model);
     this.shape = new Shape(geometry, this.surface);
+    this.pose(this.morph_);
     const pick = new Shape(geometry, this.picking);
     for (const s of [this.shape, pick]) s.frustumCulled = false;
     this.scene.add(this.shape);
@@ -273,6 +300,7 @@ export class Viewer {
       const colour = colours.ofVertex(this.source[v]!, this.faceOfVertex[v]!);
       for (let k = 0; k < 3; ++k) paint.array[3 * v + k] = colour[k]! + 0.5;
     }
+    this.fillHalves(paint.array);
     paint.needsUpdate = true;
     const isChecker = colouring === "checker" && this.hasSphere;
     if (isChecker !== "CHECKER" in this.surface.defines) {
@@ -291,7 +319,7 @@ export class Viewer {
       for (const depthTest of [false, true])
         for (const [x, y] of [[0, 0], [1, 0], [0, 1], [1, 1], [-1, 0], [0, -1]] as const) {
           const geometry = new BufferGeometry();
-          for (const name of ["position", "onSphere"]) geometry.setAttribute(name, this.shape.geometry.getAttribute(name));
+          for (const name of ["position", "next"]) geometry.setAttribute(name, this.shape.geometry.getAttribute(name));
           geometry.setIndex(new BufferAttribute(trouble.lines, 1));
           const material = this.patch.clone();
           material.uniforms = {
@@ -334,15 +362,21 @@ export class Viewer {
     this.redraw();
   }
 
+  /// Stops what plays, there.
+  go(morph: number): void {
+    this.playing = 0;
+    this.morph = morph;
+  }
+
   /// Whether the mesh has all of the canvas.
   set alone(value: boolean) {
     this.alone_ = value;
     this.redraw();
   }
 
-  /// Morphs to the other end.
+  /// Morphs to the other end; a mesh on its way to another one goes to and fro until this is called again.
   play(): void {
-    this.playing = this.morph_ < 0.5 ? 1 : -1;
+    this.playing = this.isToAndFro && this.playing !== 0 ? 0 : this.morph_ < 0.5 ? 1 : -1;
     this.redraw();
   }
 
@@ -352,10 +386,29 @@ export class Viewer {
     this.redraw();
   }
 
+  /// The first view of a mesh: y is up, or z, and the longest extent is across the screen.
+  face({ points }: Mesh, isZUp: boolean): void {
+    const [x, z, sign] = isZUp ? [0, 1, -1] : [0, 2, 1];
+    const { center } = frameOf([points]);
+    let [xx, xz, zz] = [0, 0, 0];
+    for (let i = 0; i < points.length; i += 3) {
+      const [a, b] = [points[i + x]! - center[x]!, sign * (points[i + z]! - center[z]!)];
+      xx += a * a;
+      xz += a * b;
+      zz += b * b;
+    }
+    const isLong = Math.hypot(xx - zz, 2 * xz) > 0.2 * (xx + zz);
+    this.across = isLong ? Math.atan2(2 * xz, xx - zz) / 2 : 0;
+    this.isZUp = isZUp;
+    this.resetView();
+  }
+
+  /// The first view again, a little from above and from the side.
   resetView(): void {
-    this.rotation.setFromAxisAngle(new Vector3(1, 0, 0), 0.15).multiply(
-      new Quaternion().setFromAxisAngle(new Vector3(0, 1, 0), -0.35),
-    );
+    const about = (axis: Vector3, angle: number) => new Quaternion().setFromAxisAngle(axis, angle);
+    const [x, y] = [new Vector3(1, 0, 0), new Vector3(0, 1, 0)];
+    this.rotation.copy(about(x, 0.15)).multiply(about(y, this.across - 0.35));
+    if (this.isZUp) this.rotation.multiply(about(x, -Math.PI / 2));
     this.zoom = 1;
     this.shift.set(0, 0);
     this.redraw();
@@ -387,15 +440,17 @@ export class Viewer {
     this.marked?.geometry.dispose();
     this.marker = this.marked = null;
     if (face !== null && this.shape) {
-      const from = (name: string) => this.shape!.geometry.getAttribute(name) as BufferAttribute;
-      const of = (name: string) =>
-        [0, 1, 2].map((c) => new Vector3().fromBufferAttribute(from(name), this.corners[3 * face + c]!));
-      const [p, s] = [of("position"), of("onSphere")];
-      const centre = (t: Vector3[]) => t[0]!.clone().add(t[1]!).add(t[2]!).divideScalar(3);
+      const first = this.faceOf.indexOf(face);
+      let end = first;
+      while (this.faceOf[end] === face) ++end;
+      const of = ({ place }: Shaped) =>
+        Array.from(this.corners.subarray(3 * first, 3 * end), (v) => new Vector3().fromBufferAttribute(place, v));
+      const [p, s] = [of(this.shapes[0]!), of(this.shapes.at(-1)!)];
+      const centre = (t: Vector3[]) => t.reduce((sum, v) => sum.add(v), new Vector3()).divideScalar(t.length);
       const geometry = (ps: Vector3[], ss: Vector3[]) =>
         new BufferGeometry()
           .setAttribute("position", new BufferAttribute(Float32Array.from(ps.flatMap((v) => v.toArray())), 3))
-          .setAttribute("onSphere", new BufferAttribute(Float32Array.from(ss.flatMap((v) => v.toArray())), 3));
+          .setAttribute("next", new BufferAttribute(Float32Array.from(ss.flatMap((v) => v.toArray())), 3));
       this.marker = new Points(geometry([centre(p)], [centre(s)]), this.ring);
       this.marked = new Shape(geometry(p, s), this.patch);
       for (const object of [this.marker, this.marked]) {
@@ -432,8 +487,8 @@ export class Viewer {
     if (this.frames.push((time - this.lastTime) / 1000) > 200) this.frames.shift();
     this.lastTime = time;
     if (this.playing !== 0) {
-      this.morph = this.morph_ + (this.playing * elapsed) / 1.6;
-      if (this.morph_ === 0 || this.morph_ === 1) this.playing = 0;
+      this.morph = this.morph_ + (this.playing * elapsed) / (this.isToAndFro ? 4 : 1.6);
+      if (this.morph_ === 0 || this.morph_ === 1) this.playing = this.isToAndFro ? -this.playing : 0;
     }
     if (this.spinning !== 0) this.turn(this.spinning * elapsed, 0);
     const moving = this.needed;
@@ -461,10 +516,24 @@ export class Viewer {
     this.camera.updateProjectionMatrix();
     this.camera.updateMatrixWorld();
     for (const scene of [this.scene, this.pickScene]) scene.quaternion.copy(this.rotation);
-    this.uniforms.morph.value = isSphere ? 1 : this.morph_;
+    this.pose(isSphere ? 1 : this.morph_);
     const isWhole = this.isOutside && (isSphere || this.morph_ === 0 || this.morph_ === 1);
     this.surface.side = this.picking.side = isWhole ? FrontSide : DoubleSide; // in between a surface may turn over
     this.uniforms.pixel.value.set(2 / Math.max(1, view.width), 2 / Math.max(1, view.height));
+  }
+
+  /// Between which shapes the slider is.
+  private pose(morph: number): void {
+    if (!this.shape) return;
+    const at = morph * (this.shapes.length - 1);
+    const k = Math.max(0, Math.min(Math.floor(at), this.shapes.length - 2));
+    const from = this.shapes[k]!;
+    const to = this.shapes[k + 1] ?? from;
+    this.shape.geometry.setAttribute("position", from.place);
+    this.shape.geometry.setAttribute("normal", from.normal);
+    this.shape.geometry.setAttribute("next", to.place);
+    this.shape.geometry.setAttribute("nextNormal", to.normal);
+    this.uniforms.morph.value = at - k;
   }
 
   private draw(ratio: number, corners = this.ordered?.atRest): void {
@@ -512,29 +581,29 @@ export class Viewer {
     this.renderer.setRenderTarget(null);
     this.camera.clearViewOffset();
     const vertex = (pixel[0]! | (pixel[1]! << 8) | (pixel[2]! << 16) | (pixel[3]! << 24)) - 1;
-    if (vertex < 0 || vertex >= this.source.length) return null;
+    if (vertex < 0 || vertex >= this.firstPart.length - 1) return null;
     const ndc = new Vector2((2 * (x - view.x)) / view.width - 1, 1 - (2 * (y - view.y)) / view.height);
-    const face = this.nearestOf(vertex, ndc);
+    const part = this.nearestOf(vertex, ndc);
     this.redraw();
-    return face === null ? null : { face, onSphere: i === 1 };
+    return part === null ? null : { face: this.faceOf[part]!, onSphere: i === 1 };
   }
 
-  /// Where the middle of a face is on the canvas; null if it looks away.
+  /// Where the middle of a face, or of its first part, is on the canvas; null if it looks away.
   screenOf(face: number, onSphere: boolean): { x: number; y: number } | null {
     const view = this.views()[onSphere ? 1 : 0];
     if (!this.shape || !view) return null;
     this.aim(view, onSphere);
-    const [a, b, c] = this.onScreen(face);
+    const [a, b, c] = this.onScreen(this.faceOf.indexOf(face));
     if ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) <= 0) return null;
     const middle = (k: "x" | "y") => (a[k] + b[k] + c[k]) / 3;
     return { x: view.x + ((1 + middle("x")) / 2) * view.width, y: view.y + ((1 - middle("y")) / 2) * view.height };
   }
 
-  /// The corners of a face in the view at which the camera is aimed, from -1 to 1.
-  private onScreen(face: number): [Vector3, Vector3, Vector3] {
-    const [p, s] = ["position", "onSphere"].map((a) => this.shape!.geometry.getAttribute(a) as BufferAttribute);
+  /// The corners of a part in the view at which the camera is aimed, from -1 to 1.
+  private onScreen(part: number): [Vector3, Vector3, Vector3] {
+    const [p, s] = ["position", "next"].map((a) => this.shape!.geometry.getAttribute(a) as BufferAttribute);
     return [0, 1, 2].map((k) => {
-      const v = this.corners[3 * face + k]!;
+      const v = this.corners[3 * part + k]!;
       return new Vector3()
         .fromBufferAttribute(p!, v)
         .lerp(new Vector3().fromBufferAttribute(s!, v), this.uniforms.morph.value)
@@ -543,29 +612,29 @@ export class Viewer {
     }) as [Vector3, Vector3, Vector3];
   }
 
-  /// Of the faces whose last corner is `vertex` the one that is at `ndc`.
+  /// Of the parts whose last corner is `vertex` the one that is at `ndc`.
   private nearestOf(vertex: number, ndc: Vector2): number | null {
     let best: number | null = null;
     let bestDistance = Infinity;
-    for (let i = this.firstFace[vertex]!; i < this.firstFace[vertex + 1]!; ++i) {
-      const face = this.faceOf[i]!;
-      const [a, b, c] = this.onScreen(face);
+    for (let i = this.firstPart[vertex]!; i < this.firstPart[vertex + 1]!; ++i) {
+      const part = this.partOf[i]!;
+      const [a, b, c] = this.onScreen(part);
       const cross = (u: { x: number; y: number }, v: { x: number; y: number }, w: { x: number; y: number }) =>
         (v.x - u.x) * (w.y - u.y) - (v.y - u.y) * (w.x - u.x);
       const area = cross(a, b, c);
       if (area === 0) continue;
       const outside = Math.max(0, ...[cross(b, c, ndc), cross(c, a, ndc), cross(a, b, ndc)].map((d) => -d / area));
       const distance = outside + 1e-3 * ((a.z + b.z + c.z) / 3);
-      if (distance < bestDistance) [best, bestDistance] = [face, distance];
+      if (distance < bestDistance) [best, bestDistance] = [part, distance];
     }
     return best;
   }
 
   /// The corners in the order in which they are drawn, and fewer where software draws what moves. They stay when the
-  /// sphere of a mesh comes.
+  /// sphere of a mesh comes, unless faces are cut for it.
   private order(model: Model, position: Float32Array): void {
-    const n = this.source.length;
-    if (this.ordered?.triangles === model.triangles && this.ordered.n === n) return;
+    const n = position.length / 3;
+    if (this.ordered?.triangles === model.triangles && this.ordered.n === n && this.halves.length === 0) return;
     const fewer = (cells: number) => coarsened(this.corners, position, cells);
     const isLarge = this.corners.length > 900_000;
     const atRest = this.isSoftware && isLarge ? fewer(112) : this.corners;
@@ -610,12 +679,31 @@ export class Viewer {
       this.faceOfVertex[n + i] = copy.face;
     });
     this.corners = corners;
-    this.firstFace = new Uint32Array(this.source.length + 1);
-    for (let f = 0; f < corners.length / 3; ++f) this.firstFace[corners[3 * f + 2]! + 1]!++;
-    for (let v = 0; v < this.source.length; ++v) this.firstFace[v + 1]! += this.firstFace[v]!;
-    this.faceOf = new Uint32Array(corners.length / 3);
-    const end = this.firstFace.slice();
-    for (let f = 0; f < this.faceOf.length; ++f) this.faceOf[end[corners[3 * f + 2]!]!++] = f;
+    this.faceOf = Uint32Array.from({ length: corners.length / 3 }, (_, f) => f);
+    this.halves = new Uint32Array();
+  }
+
+  /// The parts round the vertices, for `pick()`.
+  private indexParts(): void {
+    const { corners } = this;
+    const n = this.source.length + this.halves.length / 2;
+    this.firstPart = new Uint32Array(n + 1);
+    for (let c = 2; c < corners.length; c += 3) this.firstPart[corners[c]! + 1]!++;
+    for (let v = 0; v < n; ++v) this.firstPart[v + 1]! += this.firstPart[v]!;
+    this.partOf = new Uint32Array(corners.length / 3);
+    const end = this.firstPart.slice();
+    for (let p = 0; p < this.partOf.length; ++p) this.partOf[end[corners[3 * p + 2]!]!++] = p;
+  }
+
+  /// Rows of three numbers: those of the vertices between others are the means of those, on the sphere if they are.
+  private fillHalves(rows: { [i: number]: number }, isSphere = false): void {
+    for (let h = 0; h < this.halves.length; ++h) {
+      const [a, b] = [3 * this.halves[h]!, 3 * this.halves[++h]!];
+      const v = 3 * (this.source.length + (h >> 1));
+      const [x, y, z] = [0, 1, 2].map((k) => rows[a + k]! + rows[b + k]!) as [number, number, number];
+      const size = isSphere ? Math.sqrt(x * x + y * y + z * z) || 1 : 2;
+      [rows[v], rows[v + 1], rows[v + 2]] = [x / size, y / size, z / size];
+    }
   }
 
   // --- pointer and keys
@@ -683,6 +771,7 @@ export class Viewer {
   /// At most one pick per frame.
   private hover(event: PointerEvent | null): void {
     const waiting = this.pointer !== null;
+    if (this.shapes.length > 2) return; // nothing is known of faces
     if (!event) {
       this.mark(null);
       this.onHover(null);
@@ -710,23 +799,24 @@ function nameOfRenderer(): string {
   return name;
 }
 
-/// The ball that the mesh is scaled to: about the middle of its box.
-function frameOf(points: Coordinates): { center: [number, number, number]; radius: number } {
+/// The ball that the shapes of a mesh are scaled to: about the middle of their box.
+function frameOf(shapes: Coordinates[]): { center: [number, number, number]; radius: number } {
   const low = [Infinity, Infinity, Infinity];
   const high = [-Infinity, -Infinity, -Infinity];
-  for (let k = 0; k < 3; ++k)
-    for (let i = k; i < points.length; i += 3) {
-      low[k] = Math.min(low[k]!, points[i]!);
-      high[k] = Math.max(high[k]!, points[i]!);
+  for (const points of shapes)
+    for (let i = 0; i < points.length; ++i) {
+      low[i % 3] = Math.min(low[i % 3]!, points[i]!);
+      high[i % 3] = Math.max(high[i % 3]!, points[i]!);
     }
   const center = [0, 1, 2].map((k) => (low[k]! + high[k]!) / 2) as [number, number, number];
   let square = 0;
-  for (let i = 0; i < points.length; i += 3) {
-    const x = points[i]! - center[0];
-    const y = points[i + 1]! - center[1];
-    const z = points[i + 2]! - center[2];
-    square = Math.max(square, x * x + y * y + z * z);
-  }
+  for (const points of shapes)
+    for (let i = 0; i < points.length; i += 3) {
+      const x = points[i]! - center[0];
+      const y = points[i + 1]! - center[1];
+      const z = points[i + 2]! - center[2];
+      square = Math.max(square, x * x + y * y + z * z);
+    }
   return { center, radius: Math.sqrt(square) || 1 };
 }
 

@@ -17,7 +17,7 @@ import { serve } from "../serve.mjs";
 import { different, native, own, readOff, said, scratch, source, tool, web, write } from "./helpers.mjs";
 
 const folder = scratch("page");
-const { examples, torus } = await source("examples.ts");
+const { examples, small, torus } = await source("examples.ts");
 const { off } = await source("downloads.ts");
 let browser, server, page;
 const complaints = []; // of the console
@@ -360,6 +360,36 @@ test("works from a file, too, and the file of `view`", async () => {
   assert.ok(Math.max(...found.map((x, i) => Math.abs(x - expected[i]))) < 2e-5);
   await page.keyboard.press("3");
   await shot("view");
+  await page.context().close();
+  page = wide;
+});
+
+test("the file of `morph`", async () => {
+  const [a, b] = ["a.off", "b.off"].map((name) => join(folder, name));
+  const mesh = small();
+  write(folder, "a.off", off(mesh));
+  write(folder, "b.off", off({ ...mesh, points: mesh.points.map((x, i) => (i % 3 === 0 ? 1.5 * x : x)) }));
+  execFileSync(tool, ["morph", a, b, "-o", join(folder, "way"), "--steps", "1"]);
+  const wide = page;
+  page = await open(pathToFileURL(join(folder, "way", "morph.html")).href, { offline: true });
+  await state("a.off to b.off", "shown");
+  await page.waitForFunction(() => window.page.stage.viewer.morph > 0.1, null, { timeout: 120_000 }); // it plays
+  const seen = {};
+  for (const key of ["Home", "End"]) {
+    await page.focus("#morph");
+    await page.keyboard.press(key);
+    await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+    seen[key] = { label: await text("#label-mesh"), morph: await page.evaluate(() => window.page.stage.viewer.morph) };
+    await shot(`morph_${key}`);
+  }
+  assert.deepEqual(seen, { Home: { label: "a.off", morph: 0 }, End: { label: "b.off", morph: 1 } });
+  assert.match(await text("#certificate"), /Lengths of A change/);
+  // the ends have the extents of the meshes, up to the motion between them
+  const width = (k) => page.evaluate((k) => {
+    const xs = window.page.stage.viewer.shapes.at(k).place.array.filter((_, i) => i % 3 === 0);
+    return xs.reduce((m, x) => Math.max(m, x), -Infinity) - xs.reduce((m, x) => Math.min(m, x), Infinity);
+  }, k);
+  assert.ok(Math.abs((await width(-1)) / (await width(0)) - 1.5) < 0.05);
   await page.context().close();
   page = wide;
 });

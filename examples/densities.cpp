@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 //
-// Densities: one end of a lumpy body matters, and is to have four times as much of the sphere per area as the
-// rest. The larger the exponent of the area, the nearer the areas come to what is wanted.
+// Densities: one end of a lumpy body is to have four times as much area on the sphere, per area of the body, as the
+// rest. The larger the area exponent, the closer the areas are to their targets.
 //
 //   densities
 
@@ -37,7 +37,7 @@ int main()
       SP::parameterize(mesh, SP::Isometric{exponent}, sphere, CGAL::parameters::vertex_density_map(density));
     are_certified = are_certified && result;
     std::cout << "exponent " << exponent << ": " << (result ? "certified" : result.detail)
-              << ", areas deviate from what is wanted by " << std::round(100 * result.density_deviation) << " %\n";
+              << ", areas deviate from their targets by " << std::round(100 * result.density_deviation) << " %\n";
   }
   return are_certified ? 0 : 1;
 }

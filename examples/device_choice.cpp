@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 //
-// An OpenCL device of the user's choice: DEVICE is its number in the list that is printed, or a part of its name.
+// An OpenCL device of the user's choice: DEVICE is its index in the printed list, or a part of its name.
 // Without it, the environment variable CGAL_SPHERICAL_PARAMETERIZATION_DEVICE decides, or else the first GPU. On a
 // machine without any device the host maps the mesh.
 //

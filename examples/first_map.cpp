@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 //
-// Maps a closed mesh of genus 0 to the sphere: the one in the file MESH, or else an icosahedron. Writes SPHERE if asked
-// to.
+// Maps a closed mesh of genus 0 to the sphere: the mesh of the file MESH, or else an icosahedron. Writes the sphere to
+// SPHERE, if given.
 //
 //   first_map [MESH [SPHERE.off]]
 

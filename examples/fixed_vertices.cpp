@@ -50,6 +50,6 @@ int main(int argc, char* argv[])
   for(Mesh::Vertex_index v : vertices(mesh))
     if(is_fixed[v])
       farthest = (std::max)(farthest, CGAL::squared_distance(sphere[v], wanted[v]));
-  std::cout << landmarks << " of " << result.number_of_vertices << " vertices are where they were wanted, to "
+  std::cout << landmarks << " of " << result.number_of_vertices << " vertices are at their given positions, to "
             << (farthest < 1e-30 ? "the last bit" : "rounding") << ", and no face is flipped\n";
 }

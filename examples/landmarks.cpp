@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 //
-// Landmarks: the vertices of a lumpy body that lie farthest along five directions are put on five axes of the sphere,
-// as one would for bodies that are to be compared. Once with two of them interchanged, against the shape; and once
-// soft.
+// Landmarks: the vertices of a lumpy body that are farthest along five directions are put on five axes of the sphere,
+// so that bodies can be compared. The second map has two landmarks interchanged, which contradicts the shape. The third
+// map has soft landmarks.
 //
 //   landmarks
 

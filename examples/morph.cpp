@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 //
-// Morphs one shape into another one: both are sampled at the vertices of one icosphere, after the map of the second has
-// been brought into the position of that of the first. Without files a box becomes a spindle.
+// Morphs one shape into another one: the map of the second shape is aligned with that of the first, then both shapes
+// are sampled at the vertices of one icosphere. Without files a box becomes a spindle.
 //
 //   morph [MESH_A MESH_B [T [MORPHED]]]     T from 0 (A) to 1 (B)
 

@@ -2,7 +2,7 @@
 // Part of CGAL Spherical Parameterization.
 //
 // Own weights: any property map from edges to positive numbers. Here larger weights (STIFFNESS, default 4; 1 is no
-// change) draw the upper half of MESH, or else of an icosphere, together: it gets less room on the sphere.
+// change) contract the upper half of MESH, or else of an icosphere: it gets less area on the sphere.
 //
 //   own_weights [MESH [STIFFNESS]]
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 //
-// Progress and cancelling: a callback gets the fraction of the work that is done, and returns whether to go on. MESH,
-// or else an ellipsoid, is mapped with a progress bar, and then again with a callback that stops it.
+// Progress and cancelling: a callback gets the fraction of the work that is done, and returns whether to continue.
+// MESH, or else an ellipsoid, is mapped with a progress bar, and then again with a callback that stops it.
 //
 //   progress [MESH]
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 //
-// The shape of MESH, or else of an ellipsoid, with the vertices and faces of an icosphere. Writes it if asked to.
+// Samples the shape of MESH, or else of an ellipsoid, at the vertices of an icosphere. Writes it to RESAMPLED, if
+// given.
 //
 //   resampling [MESH [LEVEL [RESAMPLED]]]
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 //
-// Body and limbs of MESH, or else of a ball with four limbs, beside CGAL's segmentation by SDF values. Prints
+// Segments MESH, or else a ball with four limbs, into body and limbs, and also by CGAL's SDF values. Prints
 // on the standard error how long each took, without the map.
 //
 //   segmentation [MESH]

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 //
-// The shape of MESH, or else of a bean, in spherical harmonics of degree DEGREE; writes the reconstruction if asked to.
+// The shape of MESH, or else of a bean, in spherical harmonics of degree DEGREE. Writes RECONSTRUCTION, if given.
 //
 //   spherical_harmonics [MESH [DEGREE [RECONSTRUCTION]]]
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 //
-// Distortion of areas and angles by a spherical map: prints that of MESH, or else of a peanut, and the vertex of the
-// largest stretch, which is the tip of a limb.
+// Distortion of areas and angles by a spherical map: prints the distortion of MESH, or else of a peanut, and the vertex
+// of the largest stretch, which is the tip of a limb.
 //
 //   stretch [MESH]
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 //
-// Texture coordinates for the corners of MESH, or else of an icosphere, by latitude and longitude. Writes OBJ if asked
-// to.
+// Texture coordinates for the corners of MESH, or else of an icosphere, by latitude and longitude. Writes TEXTURED.obj,
+// if given.
 //
 //   texture [MESH [TEXTURED.obj]]
 

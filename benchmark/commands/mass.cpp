@@ -116,7 +116,7 @@ void compute(const Options& options, Row& row)
   row["vertices"] = std::to_string(map.result.number_of_vertices);
   const double start = cpu_seconds_of_thread();
   const SP::Result result =
-    tool::map_to_sphere(map.mesh(), map.sphere, *map.settings, [](double) { return !tool::was_interrupted(); });
+    tool::map_to_sphere(map.mesh(), map.sphere, mapping, map.data, [](double) { return !tool::was_interrupted(); });
   row["CPU s"] = digits(cpu_seconds_of_thread() - start);
   row["outcome"] = CGAL::Spherical_parameterization::get_error_name(result.error);
   row["method used"] = result.method;

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import re
 import shutil
@@ -107,3 +108,28 @@ def test_deb(tmp_path: Path) -> None:
     where, is_valid = run(sys.executable, "-c", PROGRAM, PYTHONPATH=str(folder)).split()
     assert where.startswith(str(folder)) and is_valid == "True"
     assert run(sys.executable, "-c", PREPARED, PYTHONPATH=str(folder)).split() == ["642"]
+
+
+def test_recipes(tmp_path: Path) -> None:
+    """What can be checked without the programs that the recipes are for: see packaging/README.md."""
+    jinja2, yaml = pytest.importorskip("jinja2"), pytest.importorskip("yaml")
+    recipes = SOURCE / "packaging"
+    functions = {
+        "load_file_regex": lambda load_file, regex_pattern, from_recipe_dir: re.search(
+            regex_pattern, (recipes / "conda" / load_file).read_text()
+        ),
+        "compiler": "compiler_{}".format,
+        "stdlib": "stdlib_{}".format,
+        "pin_subpackage": lambda name, exact: name,
+    }
+    conda = yaml.safe_load(jinja2.Template((recipes / "conda/meta.yaml").read_text()).render(PYTHON="python", **functions))
+    assert conda["package"]["version"] == sp.__version__ and len(conda["outputs"]) == 2
+    assert json.loads((recipes / "vcpkg/vcpkg.json").read_text())["version"] == sp.__version__
+    conan = recipes / "conan/conanfile.py"
+    compile(conan.read_text(), conan, "exec")
+    assert "wheels" in yaml.safe_load((SOURCE / ".github/workflows/wheels.yml").read_text())["jobs"]
+    called = ["check_features", "cmake_configure", "cmake_install", "cmake_config_fixup", "fixup_pkgconfig", "copy_tools"]
+    lines = [f"function(vcpkg_{name})\nendfunction()" for name in [*called, "install_copyright"]]
+    lines += ["cmake_minimum_required(VERSION 3.18)", "set(FEATURES tool)", f"set(CURRENT_PACKAGES_DIR {tmp_path}/vcpkg)"]
+    (tmp_path / "run.cmake").write_text("\n".join([*lines, f"include({recipes}/vcpkg/portfile.cmake)\n"]))
+    run("cmake", "-P", tmp_path / "run.cmake")

@@ -47,8 +47,13 @@ File_version version_of(const std::string& file)
   struct stat status = {};
   if(stat(file.c_str(), &status) != 0 || !S_ISREG(status.st_mode))
     return {};
+#ifdef __APPLE__
+  const timespec changed = status.st_ctimespec;
+#else
+  const timespec changed = status.st_ctim;
+#endif
   constexpr std::int64_t nano = 1000000000;
-  return {status.st_size, status.st_ctim.tv_sec * nano + status.st_ctim.tv_nsec, ""};
+  return {status.st_size, changed.tv_sec * nano + changed.tv_nsec, ""};
 }
 
 File_version version_with_hash(const std::string& file)

@@ -90,7 +90,8 @@ std::string read_beginning(const std::string& file, std::size_t size)
 
 bool is_numbered(const std::string& file, const std::string& beginning, const std::string& end)
 {
-  const std::string name = fs::path(file).lexically_normal().string(), before = fs::path(beginning).lexically_normal();
+  const std::string name = fs::path(file).lexically_normal().string();
+  const std::string before = fs::path(beginning).lexically_normal().string();
   return name.size() > before.size() + end.size() && name.compare(0, before.size(), before) == 0 &&
          name.compare(name.size() - end.size(), end.size(), end) == 0 &&
          std::all_of(name.begin() + static_cast<std::ptrdiff_t>(before.size()),

@@ -10,8 +10,8 @@ packages=(
   build-essential cmake
   libcgal-dev libboost-dev libeigen3-dev libgmp-dev libmpfr-dev     # the library
   libtbb-dev ocl-icd-opencl-dev opencl-clhpp-headers pocl-opencl-icd # its parallel backends
-  libcli11-dev nlohmann-json3-dev libpng-dev libsqlite3-dev libxxhash-dev # the tool
-  libexpat1-dev libboost-iostreams-dev                              # its GIFTI files and compressed files
+  libcli11-dev nlohmann-json3-dev libpng-dev libsqlite3-dev libxxhash-dev libpugixml-dev # the tool
+  libboost-iostreams-dev                                            # its compressed files
   libcgal-demo                                                      # its first mesh
   f3d xvfb xauth                                                    # pictures
 )
@@ -24,6 +24,7 @@ if [ "${1:-}" = --all ]; then
     python3-pytest mypy python3-numpydoc python3-tqdm python3-nibabel python3-meshio python3-matplotlib python3-scipy # its tests
     python3-distributed python3-nbclient python3-nbformat python3-ipykernel python3-matplotlib-inline
     assimp-utils                                                    # a test reads GLB files with it
+    python3-vtk9                                                    # another reads and writes VTK files with it
     file patchelf                                                   # packages: which libraries are needed, and where they are
   )
 fi

@@ -105,7 +105,7 @@ async function npmPackage() {
   const ofDebian = (name) => [name, readFileSync(`/usr/share/doc/${name}/copyright`, "utf8")];
   const licences = [
     ...["libcgal-dev", "libboost-dev", "nlohmann-json3-dev", "libfast-float-dev", "emscripten"].map(ofDebian),
-    ["expat", of("libraries/expat/COPYING")],
+    ["pugixml", of("libraries/pugixml/LICENSE.md")],
     ["zlib", of("libraries/zlib/LICENSE")],
   ];
   writeFileSync(join(folder, "LICENSES.txt"), licences.map(([name, text]) => `==== ${name} ====\n\n${text}`).join("\n"));

@@ -17,7 +17,7 @@ from .analysis import (
 )
 from .atlas import Atlas, atlas
 from .errors import DeviceError, ErrorCode, MapWarning, MeshError
-from .files import read_mesh, write_mesh
+from .files import VertexColumn, read_data, read_mesh, write_data, write_mesh
 from .maps import Attempt, Certificate, Result, Seconds, certify, edges, opencl_device, opencl_devices, parameterize
 from .methods import (
     Automatic, Balanced, ClampedWeights, GirthProfiles, Isometric, MajorityVote, RegionGrowing, SaddlePoint,
@@ -35,11 +35,11 @@ __all__ = [
     "Atlas", "Attempt", "Automatic", "Balanced", "Certificate", "ClampedWeights", "DeviceError", "DistortionSummary",
     "Distribution", "Eigenpairs", "Ellipsoid", "ErrorCode", "GirthProfiles", "Harmonics", "Isometric", "Locator",
     "MajorityVote", "MapWarning", "MeshError", "ModelQuality", "OpenCLDevice", "Prepared", "RegionGrowing",
-    "RegisteredMap", "Resampling", "Result", "SaddlePoint", "Seconds", "ShapeAlignment", "ShapeSet",
-    "ShapeStatistics", "Texture", "__version__", "align_shapes", "atlas", "certify", "collection", "distortion",
-    "edges", "face_distortion", "harmonics", "icosphere", "laplacian_eigenpairs", "left_out_errors",
-    "mean_over_faces", "mean_vertex_areas", "model_quality", "moebius_centred", "opencl_device", "opencl_devices",
-    "parameterize", "prepare", "read_harmonics", "read_mesh", "register_maps", "search", "segment", "shape_signature",
+    "RegisteredMap", "Resampling", "Result", "SaddlePoint", "Seconds", "ShapeAlignment", "ShapeSet", "ShapeStatistics",
+    "Texture", "VertexColumn", "__version__", "align_shapes", "atlas", "certify", "collection", "distortion", "edges",
+    "face_distortion", "harmonics", "icosphere", "laplacian_eigenpairs", "left_out_errors", "mean_over_faces",
+    "mean_vertex_areas", "model_quality", "moebius_centred", "opencl_device", "opencl_devices", "parameterize",
+    "prepare", "read_data", "read_harmonics", "read_mesh", "register_maps", "search", "segment", "shape_signature",
     "shape_statistics", "stretch_histogram", "texture_coordinates", "texture_seams", "vertex_log_area_stretch",
-    "write_mesh",
+    "write_data", "write_mesh",
 ]

@@ -1,23 +1,110 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Mesh files, by the readers and writers of the command-line tool."""
+"""Mesh files and values at their vertices, by the readers and writers of the command-line tool."""
 
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Union
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from .arrays import Doubles, Integers, check, index_triples, vectors
+from .arrays import Doubles, Integers, check, index_triples, numbers, vectors
 from .errors import ErrorCode, MeshError
 
 Path = Union[str, "os.PathLike[str]"]
 
 
+@dataclass(frozen=True, eq=False)
+class VertexColumn:
+    """Numbers or labels at the vertices of a mesh.
+
+    Attributes
+    ----------
+    name : str
+    values : array_like (n,) of float
+        The numbers, or the keys of labels. NaN means that a vertex has none.
+    labels : dict of int to (str, (float, float, float, float)), optional
+        The names and colours (red, green, blue, alpha, from 0 to 1) of labels by their keys. None means that the values are
+        numbers, which may be interpolated.
+    """
+
+    name: str
+    values: npt.ArrayLike
+    labels: dict[int, tuple[str, tuple[float, float, float, float]]] | None = None
+
+
+def read_data(path: Path, number_of_vertices: int) -> list[VertexColumn]:
+    """Reads numbers and labels at the vertices of a mesh, in the order of the vertices.
+
+    Parameters
+    ----------
+    path : str or path
+        A FreeSurfer file (curv as lh.thickness, .annot or .label), a GIFTI file (.func.gii, .shape.gii or .label.gii), a
+        .csv file whose first line has the names of the columns, or a PLY or VTK file of a surface with data. Columns of
+        words in .csv files and columns of 32-bit integers in PLY and VTK files are labels.
+    number_of_vertices : int
+
+    Returns
+    -------
+    list of VertexColumn
+
+    Raises
+    ------
+    OSError
+        If the file cannot be read, is damaged, or has data for another number of vertices. The message says where.
+    """
+    check(read_data, locals())
+    os.stat(path)  # FileNotFoundError
+    columns = []
+    for name, values, table in _core.read_data(os.fsencode(path), number_of_vertices):
+        labels = None
+        if table is not None:
+            labels = {key: (text.decode(errors="replace"), (r, g, b, a)) for key, text, (r, g, b, a) in table}
+        columns.append(VertexColumn(name.decode(errors="replace"), values, labels))
+    return columns
+
+
+def write_data(path: Path, columns: Sequence[VertexColumn]) -> None:
+    """Writes numbers and labels at vertices to a file. The file is complete, or does not exist.
+
+    Parameters
+    ----------
+    path : str or path
+        .csv holds all columns, .func.gii and .shape.gii hold numbers, .label.gii and .annot hold labels. Any other name
+        that begins with lh. or rh. is that of a FreeSurfer curv file, which holds one column of numbers. Columns that the
+        format does not hold are left out.
+    columns : sequence of VertexColumn
+
+    Raises
+    ------
+    ValueError
+        If the name belongs to no format that can be written.
+    OSError
+        If the format holds none of the columns, or the file cannot be written.
+    """
+    check(write_data, locals())
+    _core.write_data(os.fsencode(path), _for_core(columns))
+
+
+def _for_core(columns: Sequence[VertexColumn], size: int | None = None) -> list[tuple[bytes, Doubles, object]]:
+    result: list[tuple[bytes, Doubles, object]] = []
+    for column in columns:
+        size = np.size(np.asarray(column.values)) if size is None else size
+        values = numbers(column.name, column.values, size)
+        are_keys = np.isnan(values) | ((values == np.round(values)) & (abs(values) < 2**31))
+        if column.labels is not None and not are_keys.all():
+            raise ValueError(f"{column.name}: the values of labels are integers, or NaN where there is none")
+        table = None if column.labels is None else [(k, n.encode(), rgba) for k, (n, rgba) in column.labels.items()]
+        result.append((column.name.encode(), values, table))
+    return result
+
+
 def read_mesh(path: Path, *, triangulate: bool = False) -> tuple[Doubles, Integers]:
-    """Reads points and triangles from a file: OFF, OBJ, PLY, STL, GIFTI, FreeSurfer surfaces and glTF, also compressed.
+    """Reads points and triangles from a file: OFF, OBJ, PLY, STL, GIFTI, FreeSurfer surfaces, VTK and glTF, also compressed.
 
     The format is recognized by the contents of the file. In STL and glTF files, points at the same position are merged.
     Files of other formats are read by meshio, if it is installed.
@@ -78,21 +165,24 @@ def write_mesh(
     sphere: bool = False,
     ascii: bool = False,
     like: Path | None = None,
+    data: Sequence[VertexColumn] = (),
 ) -> None:
     """Writes a mesh to a file. The file is complete, or does not exist.
 
     Parameters
     ----------
     path : str or path
-        .off, .obj, .ply, .gii, .glb, .gltf, or lh.NAME and rh.NAME for FreeSurfer, also followed by .gz, .xz, .zst or .bz2.
+        .off, .obj, .ply, .gii, .vtk, .vtp, .glb, .gltf, or lh.NAME and rh.NAME for FreeSurfer, also followed by .gz, .xz, .zst or .bz2.
     points : array_like (n, 3) of float
     triangles : array_like (m, 3) of int
     sphere : bool
         Whether the points are a map. GIFTI and FreeSurfer files then get spheres of radius 100, as neuroimaging programs expect.
     ascii : bool
-        Whether to write PLY as text.
+        Whether to write PLY, VTK and VTP as text.
     like : str or path, optional
         A file from which the GIFTI metadata or the FreeSurfer volume geometry are taken.
+    data : sequence of VertexColumn
+        Columns at the points, written to .ply, .vtk and .vtp.
 
     Raises
     ------
@@ -107,4 +197,5 @@ def write_mesh(
     points, triangles = vectors("points", points), index_triples(triangles)
     if triangles.size and not 0 <= triangles.min() <= triangles.max() < len(points):
         raise MeshError(ErrorCode.BAD_INDEX, "points are numbered from 0 on")
-    _core.write_mesh(os.fsencode(path), points, triangles, sphere, ascii, b"" if like is None else os.fsencode(like))
+    annotated = b"" if like is None else os.fsencode(like)
+    _core.write_mesh(os.fsencode(path), points, triangles, sphere, ascii, annotated, _for_core(data, len(points)))

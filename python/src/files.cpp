@@ -11,6 +11,7 @@
 #include "input/mesh_format.h"
 #include "output/atomic_file.h"
 #include "output/write_mesh.h"
+#include "output/write_vertex_data.h"
 
 #include <pybind11/stl.h>
 
@@ -35,15 +36,61 @@ py::tuple read_mesh(const std::string& file, bool triangulate)
   return py::make_tuple(rows_of<double>(soup.points), rows_of<std::int32_t>(soup.triangles));
 }
 
+/// Name, values, and of labels keys, names and colours. Names are bytes, since those of a file may be no UTF-8.
+typedef std::optional<std::vector<std::tuple<int, py::bytes, std::array<float, 4>>>> Table;
+typedef std::tuple<py::bytes, Doubles, Table> Column;
+
+std::vector<Column> read_data(const std::string& file, std::size_t number_of_vertices)
+{
+  tool::Vertex_data data;
+  {
+    const py::gil_scoped_release no_lock;
+    data = tool::read_vertex_data(file, number_of_vertices);
+  }
+  std::vector<Column> columns;
+  for(const tool::Vertex_column& column : data) {
+    Table table;
+    if(column.is_label)
+      table.emplace();
+    for(const tool::Label& label : column.table)
+      table->emplace_back(label.key, label.name, label.rgba);
+    columns.emplace_back(column.name, Doubles(static_cast<py::ssize_t>(column.values.size()), column.values.data()),
+                         table);
+  }
+  return columns;
+}
+
+tool::Vertex_data data_of(const std::vector<Column>& columns)
+{
+  tool::Vertex_data data;
+  for(const auto& [name, values, table] : columns) {
+    tool::Vertex_column column = {name, {values.data(), values.data() + values.size()}, table.has_value()};
+    for(const auto& [key, label, rgba] : table.value_or(Table::value_type()))
+      column.table.push_back({key, label, rgba});
+    tool::add_column(data, std::move(column));
+  }
+  return data;
+}
+
+void write_data(const std::string& file, const std::vector<Column>& columns)
+{
+  if(!tool::data_format_of_name(file))
+    throw py::value_error("file: '" + file + "' must be called " + tool::data_names);
+  const tool::Vertex_data data = data_of(columns);
+  const py::gil_scoped_release no_lock;
+  tool::Atomic_files files;
+  tool::write_vertex_data(files.open(file), file, data);
+  files.commit();
+}
+
 /// `like`: the file of the annotations, or empty.
 void write_mesh(const std::string& file, const Doubles& points, const py::array& triangles, bool is_sphere, bool ascii,
-                const std::string& like)
+                const std::string& like, const std::vector<Column>& columns)
 {
   const std::optional<tool::Mesh_format> format = tool::format_of_name(file);
   if(!format || *format == tool::Mesh_format::STL)
-    throw py::value_error("file: the extension .off, .obj, .ply, .gii, .glb or .gltf, or a name that begins with lh. "
-                          "or rh., is needed, not '" +
-                          file + "'");
+    throw py::value_error("file: '" + file + "' must be called " + tool::mesh_names);
+  const tool::Vertex_data data = data_of(columns);
   with_triangles(triangles, [&](auto faces) {
     const Rows<double> rows(points);
     const py::gil_scoped_release no_lock;
@@ -51,7 +98,7 @@ void write_mesh(const std::string& file, const Doubles& points, const py::array&
     const std::vector<tool::Point> places(rows.begin(), rows.end());
     tool::Atomic_files files;
     tool::write_mesh(files.open(file), {*format, ascii}, tool::Mesh(tool::Mesh::Unchecked(), places, faces), places,
-                     is_sphere ? tool::Surface::SPHERE : tool::Surface::SHAPE, annotations);
+                     is_sphere ? tool::Surface::SPHERE : tool::Surface::SHAPE, annotations, data);
     files.commit();
   });
 }
@@ -96,6 +143,8 @@ void add_files(py::module_& module)
 {
   module.def("read_mesh", read_mesh);
   module.def("write_mesh", write_mesh);
+  module.def("read_data", read_data);
+  module.def("write_data", write_data);
   module.def("is_format_known", [](const std::string& file) { return tool::is_format_known(file); });
   module.def("version", version);
   py::class_<Store>(module, "Store")

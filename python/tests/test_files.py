@@ -12,7 +12,7 @@ from conftest import Tool, bumpy
 
 import spherical_parameterization as sp
 
-FORMATS = ["off", "obj", "ply", "gii", "glb", "gltf", "ply.gz", "off.xz", "obj.zst", "gii.bz2"]
+FORMATS = ["off", "obj", "ply", "gii", "vtk", "vtp", "glb", "gltf", "ply.gz", "off.xz", "obj.zst", "gii.bz2"]
 
 
 @pytest.mark.parametrize("extension", FORMATS)
@@ -22,11 +22,11 @@ def test_what_is_written_is_read(extension: str, tmp_path: Path) -> None:
     sp.write_mesh(file, points, triangles)
     found = sp.read_mesh(file)
     assert np.array_equal(found[1], triangles)
-    is_exact = extension.split(".")[0] in ("off", "obj", "ply")
+    is_exact = extension.split(".")[0] in ("off", "obj", "ply", "vtk", "vtp")
     assert np.array_equal(found[0], points if is_exact else points.astype(np.float32))
 
 
-@pytest.mark.parametrize("name", ["out.off", "out.obj", "out.ply", "out.gii", "lh.out", "out.glb", "out.gltf"])
+@pytest.mark.parametrize("name", ["out.off", "out.obj", "out.ply", "out.gii", "lh.out", "out.vtk", "out.vtp", "out.glb", "out.gltf"])
 def test_the_bytes_are_those_of_the_tool(name: str, tool: Tool) -> None:
     points, triangles = bumpy(3)
     expected = tool.run("map", points, triangles, out=name)
@@ -70,7 +70,7 @@ def test_what_cannot_be_read(tmp_path: Path) -> None:
 
 def test_what_cannot_be_written(tmp_path: Path) -> None:
     points, triangles = bumpy(2)
-    with pytest.raises(ValueError, match="the extension"):
+    with pytest.raises(ValueError, match="must be called"):
         sp.write_mesh(tmp_path / "mesh.stl", points, triangles)
     with pytest.raises(sp.MeshError, match="numbered from 0"):
         sp.write_mesh(tmp_path / "mesh.off", points, triangles + 1)
@@ -91,6 +91,55 @@ def test_content_decides_about_the_format(tmp_path: Path) -> None:
 def test_other_formats_by_meshio(tmp_path: Path) -> None:
     meshio = pytest.importorskip("meshio")
     points, triangles = bumpy(2)
-    meshio.write_points_cells(tmp_path / "a.vtk", points, {"triangle": triangles})
-    found = sp.read_mesh(tmp_path / "a.vtk")
-    assert np.array_equal(found[0], points) and np.array_equal(found[1], triangles)
+    for name in ("a.vtu", "a.vtk"):  # which is read here
+        meshio.write_points_cells(tmp_path / name, points, {"triangle": triangles})
+        found = sp.read_mesh(tmp_path / name)
+        assert np.array_equal(found[0], points) and np.array_equal(found[1], triangles)
+
+
+def test_data_come_back(tmp_path: Path) -> None:
+    points, triangles = bumpy(2)
+    rng = np.random.default_rng(1)
+    height = sp.VertexColumn("height", rng.normal(size=len(points)))
+    keys = rng.choice([2.0, 5.0, np.nan], len(points))
+    parcel = sp.VertexColumn("parcel", keys, {2: ("bänk", (1.0, 0.0, 0.2, 1.0)), 5: ("five", (0.0, 1.0, 0.4, 1.0))})
+    for name in ("all.csv", "numbers.func.gii", "lh.height", "labels.label.gii", "lh.parcel.annot"):
+        sp.write_data(tmp_path / name, [height, parcel])
+        found = sp.read_data(tmp_path / name, len(points))
+        expected = [height, parcel] if name == "all.csv" else [parcel] if "label" in name or "annot" in name else [height]
+        assert [column.name for column in found] == [column.name for column in expected]
+        for a, b in zip(found, expected):
+            if name == "all.csv" and b.labels:  # which has their names
+                assert a.labels is not None
+                assert {label for label, _ in a.labels.values()} == {"bänk", "five"}
+                continue
+            values = np.asarray(b.values)
+            assert np.array_equal(a.values, values if b.labels or name == "all.csv" else values.astype("f4"), equal_nan=True)
+            assert (a.labels is None) == (b.labels is None)
+            for key, (label, colour) in (b.labels or {}).items():
+                assert a.labels is not None
+                assert a.labels[key][0] == label
+                assert np.allclose(a.labels[key][1], colour)
+    for name in ("mesh.ply", "mesh.vtk", "mesh.vtp"):
+        sp.write_mesh(tmp_path / name, points, triangles, data=[height, parcel])
+        assert np.array_equal(sp.read_mesh(tmp_path / name)[0], points)
+        found = sp.read_data(tmp_path / name, len(points))
+        assert np.array_equal(found[0].values, height.values)
+        assert np.array_equal(found[1].values, np.nan_to_num(keys, nan=-1))
+        assert found[1].labels == {}
+
+
+def test_data_that_cannot_be_read_or_written(tmp_path: Path) -> None:
+    column = sp.VertexColumn("a", [1, 2.5, 3])
+    sp.write_data(tmp_path / "a.csv", [column])
+    with pytest.raises(OSError, match="values for 3 vertices, but the mesh has 4"):
+        sp.read_data(tmp_path / "a.csv", 4)
+    with pytest.raises(OSError, match="no columns of labels"):
+        sp.write_data(tmp_path / "a.annot", [column])
+    with pytest.raises(ValueError, match="must be called"):
+        sp.write_data(tmp_path / "a.xyz", [column])
+    with pytest.raises(ValueError, match="integers, or NaN"):
+        sp.write_data(tmp_path / "b.csv", [sp.VertexColumn("a", [1, 2.5], {})])
+    with pytest.raises(ValueError, match=r"shape \(3,\)"):
+        sp.write_data(tmp_path / "b.csv", [column, sp.VertexColumn("b", [1, 2])])
+    assert not (tmp_path / "b.csv").exists()

@@ -3,7 +3,11 @@
 
 #include "input/binary.h"
 
+#include "input/text_lines.h"
+
+#include <algorithm>
 #include <cstdint>
+#include <limits>
 
 namespace tool {
 namespace {
@@ -22,7 +26,44 @@ std::array<std::uint8_t, 256> values_of_characters()
   return value;
 }
 
+template <class Number>
+constexpr Number_type type_of(std::string_view name)
+{
+  using Limits = std::numeric_limits<Number>;
+  return {name,
+          sizeof(Number),
+          Limits::is_integer,
+          static_cast<double>(Limits::lowest()),
+          static_cast<double>(Limits::max()),
+          [](const char* bytes, Byte_order order) { return static_cast<double>(number_at<Number>(bytes, order)); }};
+}
+
+struct Names {
+  Number_type type;
+  std::array<std::string_view, 3> others;
+};
+
+constexpr Names number_types[] = {{type_of<std::int8_t>("char"), {"int8"}},
+                                  {type_of<std::uint8_t>("uchar"), {"uint8", "unsigned_char"}},
+                                  {type_of<std::int16_t>("short"), {"int16"}},
+                                  {type_of<std::uint16_t>("ushort"), {"uint16", "unsigned_short"}},
+                                  {type_of<std::int32_t>("int"), {"int32"}},
+                                  {type_of<std::uint32_t>("uint"), {"uint32", "unsigned_int"}},
+                                  {type_of<std::int64_t>("long"), {"int64", "vtktypeint64", "vtkidtype"}},
+                                  {type_of<std::uint64_t>("ulong"), {"uint64", "unsigned_long"}},
+                                  {type_of<float>("float"), {"float32"}},
+                                  {type_of<double>("double"), {"float64"}}};
+
 } // namespace
+
+const Number_type* number_type(std::string_view name)
+{
+  const std::string word = lower_case(name);
+  for(const auto& [type, others] : number_types)
+    if(!word.empty() && (word == type.name || std::find(others.begin(), others.end(), word) != others.end()))
+      return &type;
+  return nullptr;
+}
 
 std::string to_base64(std::string_view bytes)
 {

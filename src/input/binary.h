@@ -33,13 +33,6 @@ Number number_at(const char* bytes, Byte_order order = Byte_order::LITTLE)
   return number;
 }
 
-/// The same as a double, for tables of number types.
-template <class Number>
-double double_at(const char* bytes, Byte_order order)
-{
-  return static_cast<double>(number_at<Number>(bytes, order));
-}
-
 template <class Number>
 void append_number(std::string& bytes, Number number, Byte_order order = Byte_order::LITTLE)
 {
@@ -49,6 +42,20 @@ void append_number(std::string& bytes, Number number, Byte_order order = Byte_or
     std::reverse(copy.begin(), copy.end());
   bytes.append(copy.data(), copy.size());
 }
+
+/// A type of the numbers in a file; `smallest` and `largest` bound what text may say.
+struct Number_type {
+  std::string_view name;
+  std::size_t size;
+  bool is_integer;
+  double smallest;
+  double largest;
+  double (*read)(const char* bytes, Byte_order order);
+};
+
+/// By any of the names that it has in PLY, VTK and VTP files, as in "uint8", "uchar" and "unsigned_char", in lower or
+/// upper case; null if it is none.
+const Number_type* number_type(std::string_view name);
 /// @}
 
 /// Writes numbers as bytes to a stream in large pieces.

@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <ios>
+#include <new>
 
 namespace tool {
 namespace {
@@ -103,6 +104,32 @@ bool unfold(const std::string& file, std::string_view, Compression, const Take&)
 #endif
 
 } // namespace
+
+std::string to_zlib(const std::string& bytes)
+{
+  uLongf size = compressBound(static_cast<uLong>(bytes.size()));
+  std::string compressed(size, '\0');
+  // numbers of a mesh hardly shrink more where it takes longer
+  if(compress2(reinterpret_cast<Bytef*>(compressed.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()),
+               static_cast<uLong>(bytes.size()), Z_BEST_SPEED) != Z_OK)
+    throw std::bad_alloc(); // there is no other reason
+  compressed.resize(size);
+  return compressed;
+}
+
+std::optional<std::string> from_zlib(std::string_view bytes, std::size_t size)
+{
+  constexpr std::size_t largest_ratio = 1032; // that deflate can reach
+  if(size / largest_ratio > bytes.size())
+    return std::nullopt;
+  std::string unfolded(size, '\0');
+  auto unfolded_size = static_cast<uLongf>(size);
+  const int status = uncompress(reinterpret_cast<Bytef*>(unfolded.data()), &unfolded_size,
+                                reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uLong>(bytes.size()));
+  if(status != Z_OK || unfolded_size != size)
+    return std::nullopt;
+  return unfolded;
+}
 
 std::vector<std::string> compression_extensions()
 {

@@ -4,7 +4,9 @@
 #ifndef SPHERICAL_PARAMETERIZATION_TOOL_COMPRESSION_H
 #define SPHERICAL_PARAMETERIZATION_TOOL_COMPRESSION_H
 
+#include <cstddef>
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <string_view>
@@ -30,6 +32,14 @@ std::string without_compression(const std::string& file);
 /// thousand times their size, as no mesh does, and if this build lacks Boost.Iostreams, without which only gzip is
 /// known.
 std::string decompressed(const std::string& file, const std::string& bytes, Compression compression);
+
+/// \name The format of zlib (RFC 1950), as it is inside XML files
+/// @{
+std::string to_zlib(const std::string& bytes);
+
+/// Nothing if the bytes are damaged, or do not unfold to this size.
+std::optional<std::string> from_zlib(std::string_view bytes, std::size_t size);
+/// @}
 
 /// A stream that writes what it gets, compressed, to `out`; all of it when it is destroyed. `file` is the name for the
 /// `Refusal` that is thrown if this build lacks Boost.Iostreams.

@@ -41,8 +41,8 @@ enum class Polygons { REFUSE, TRIANGULATE };
 struct Input_mesh {
   Mesh mesh;
   std::size_t triangulated_polygons = 0; ///< if there are any, the faces are not those of the file
-  Annotations annotations;
-  Vertex_data data; ///< at the vertices of `mesh`
+  Annotations annotations = {};
+  Vertex_data data = {}; ///< at the vertices of `mesh`
 };
 
 /// Reads a triangulated sphere from a file of one of the formats of `Mesh_format`, or from the standard input, "-".

@@ -24,6 +24,7 @@ struct Format {
 constexpr Format formats[] = {{Mesh_format::OFF, "off", ".off"},     {Mesh_format::OBJ, "obj", ".obj"},
                               {Mesh_format::PLY, "ply", ".ply"},     {Mesh_format::STL, "stl", ".stl"},
                               {Mesh_format::GIFTI, "gifti", ".gii"}, {Mesh_format::FREESURFER, "freesurfer", ""},
+                              {Mesh_format::VTK, "vtk", ".vtk"},     {Mesh_format::VTP, "vtp", ".vtp"},
                               {Mesh_format::GLB, "glb", ".glb"},     {Mesh_format::GLTF, "gltf", ".gltf"}};
 
 bool begins_with(std::string_view text, std::string_view start) { return text.substr(0, start.size()) == start; }
@@ -51,6 +52,10 @@ std::optional<Mesh_format> format_of_magic(std::string_view bytes)
   const std::string_view start = bytes.substr(0, 4096);
   if(begins_with(word, "<") && contains(start, "<GIFTI"))
     return Mesh_format::GIFTI;
+  if(begins_with(word, "<") && contains(start, "<VTKFile") && contains(start, "\"PolyData\""))
+    return Mesh_format::VTP;
+  if(begins_with(bytes, "# vtk DataFile"))
+    return Mesh_format::VTK;
   if(begins_with(word, "{") && (contains(bytes, "\"asset\"") || contains(bytes, "\"accessors\"")))
     return Mesh_format::GLTF;
   return std::nullopt;
@@ -167,13 +172,6 @@ std::string list_of_formats()
     list += (list.empty() ? "" : between) + std::string(word);
   };
   for(const Format& f : formats) {
-#ifndef SPHERICAL_PARAMETERIZATION_WITH_GIFTI
-    if(f.format == Mesh_format::GIFTI) {
-      append(lacking, "reading gifti (it needs libexpat1-dev)");
-      append(written, f.name);
-      continue;
-    }
-#endif
     append(read, f.name);
     if(f.format != Mesh_format::STL)
       append(written, f.name);

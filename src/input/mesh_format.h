@@ -12,7 +12,7 @@
 
 namespace tool {
 
-enum class Mesh_format { OFF, OBJ, PLY, STL, GIFTI, FREESURFER, GLB, GLTF };
+enum class Mesh_format { OFF, OBJ, PLY, STL, GIFTI, FREESURFER, VTK, VTP, GLB, GLTF };
 
 /// How standard input and standard output are called on the command line.
 inline const char* const standard_stream = "-";
@@ -34,6 +34,9 @@ std::optional<Mesh_format> format_of_name(const std::string& file);
 /// without one is OBJ or STL if its first statement is one of theirs, and bytes are STL if their number is the one that
 /// its header announces. `bytes` may be the beginning of a file of `size` bytes.
 std::optional<Mesh_format> format_of_content(std::string_view bytes, std::size_t size);
+
+/// The names that files of meshes may have, for messages.
+inline const char* const mesh_names = ".off, .obj, .ply, .gii, .vtk, .vtp, .glb, .gltf or lh.NAME (FreeSurfer)";
 
 /// Whether coordinates are written as floats, which moves the points of a sphere: the certificate has to be that of
 /// what is written.

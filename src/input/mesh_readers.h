@@ -98,6 +98,8 @@ Soup read_ply(const std::string& file, const std::string& bytes);
 Soup read_stl(const std::string& file, std::string bytes); ///< corners at the same place become one vertex
 Soup read_gifti(const std::string& file, const std::string& text);
 Soup read_freesurfer(const std::string& file, const std::string& bytes);
+Soup read_vtk(const std::string& file, const std::string& bytes); ///< PolyData, or triangles as an unstructured grid
+Soup read_vtp(const std::string& file, const std::string& bytes);
 Soup read_glb(const std::string& file, const std::string& bytes); ///< vertices at the same place become one
 Soup read_gltf(const std::string& file, const std::string& text); ///< the same; other files are looked for next to it
 /// @}

@@ -2,161 +2,96 @@
 // Part of CGAL Spherical Parameterization.
 
 #include "input/binary.h"
+#include "input/compression.h"
 #include "input/mesh_readers.h"
 #include "input/text_lines.h"
+#include "input/vertex_data.h"
+#include "input/xml.h"
 #include "system/refusal.h"
-
-#ifdef SPHERICAL_PARAMETERIZATION_WITH_GIFTI
-
-#include <expat.h>
-#include <zlib.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <map>
-#include <memory>
+#include <limits>
+#include <set>
 #include <utility>
 
 namespace tool {
 namespace {
 
-/// A `DataArray`: what its attributes say, and its text.
-struct Data_array {
-  std::map<std::string, std::string> attributes;
-  std::string text;
-  Annotations::Metadata metadata;
-  std::vector<std::array<std::string, 3>> transforms;
-};
-
-/// GIFTI surfaces as of "GIFTI Surface Data Format, version 1.0" (2011). Expat takes the XML apart.
+/// GIFTI files as of "GIFTI Surface Data Format, version 1.0" (2011).
 ///
 /// Not by the library giftiio: version 1.0.9 reads named files only, not bytes that were decompressed or came from a
 /// pipe, and takes arrays that are cut short, or have words for numbers, for good ones.
 class Gifti_reader {
 public:
-  explicit Gifti_reader(const std::string& file) : file_(file) {}
-
-  Soup read(const std::string& text)
+  Gifti_reader(const std::string& file, const std::string& text) : file_(file)
   {
-    parse(text);
-    if(!points_)
+    parse_xml(file, text, document_);
+    root_ = child(file, document_, "GIFTI");
+  }
+
+  Soup surface()
+  {
+    pugi::xml_node points, triangles;
+    for(const pugi::xml_node array : root_.children("DataArray")) {
+      pugi::xml_node* const place = is(array, pointset) ? &points : is(array, triangle) ? &triangles : nullptr;
+      if(place && *place)
+        refuse("has several sets of points or of triangles", "give a surface with one set of points and triangles");
+      if(place)
+        *place = array;
+    }
+    if(!points)
       refuse("has no points (NIFTI_INTENT_POINTSET)",
              "give the surface, not data on it: its name often ends in .surf.gii");
-    if(!triangles_)
+    if(!triangles)
       throw Refusal(Error_code::EMPTY_MESH, file_, "has points, but no triangles (NIFTI_INTENT_TRIANGLE)",
                     "give the surface that belongs to them");
-    read_points();
-    read_triangles();
-    soup_.annotations.gifti_points = std::move(points_->metadata);
-    soup_.annotations.gifti_transforms = std::move(points_->transforms);
+    read_points(points);
+    read_triangles(triangles);
+    soup_.annotations.gifti = metadata_of(root_);
+    soup_.annotations.gifti_points = metadata_of(points);
+    for(const pugi::xml_node transform : points.children("CoordinateSystemTransformMatrix"))
+      soup_.annotations.gifti_transforms.push_back({transform.child_value("DataSpace"),
+                                                    transform.child_value("TransformedSpace"),
+                                                    transform.child_value("MatrixData")});
+    for(const pugi::xml_node array : root_.children("DataArray"))
+      if(is_column(array) && count_of(file_, array, "Dim0") == soup_.points.size())
+        add_column(soup_.data, column(array));
     return std::move(soup_);
   }
 
+  Vertex_data data() const
+  {
+    Vertex_data data;
+    for(const pugi::xml_node array : root_.children("DataArray"))
+      if(is_column(array))
+        add_column(data, column(array));
+      else if(!is(array, pointset) && !is(array, triangle))
+        refuse("has an array that is not one number per vertex (" + std::string(array.attribute("Intent").value()) +
+                 ')',
+               "give one array for each column");
+    return data;
+  }
+
 private:
-  using Parser = std::unique_ptr<std::remove_pointer_t<XML_Parser>, decltype(&XML_ParserFree)>;
+  static constexpr const char* pointset = "NIFTI_INTENT_POINTSET";
+  static constexpr const char* triangle = "NIFTI_INTENT_TRIANGLE";
 
-  void parse(const std::string& text)
+  static bool is(pugi::xml_node array, std::string_view intent) { return array.attribute("Intent").value() == intent; }
+
+  static bool is_column(pugi::xml_node array)
   {
-    const Parser parser(XML_ParserCreate(nullptr), XML_ParserFree);
-    if(!parser)
-      throw std::bad_alloc();
-    XML_SetUserData(parser.get(), this);
-    XML_SetElementHandler(parser.get(), on_start, on_end);
-    XML_SetCharacterDataHandler(parser.get(), on_text);
-    parser_ = parser.get();
-    constexpr std::size_t step = std::size_t(1) << 24;
-    for(std::size_t at = 0; at < text.size(); at += step) {
-      const std::size_t size = std::min(step, text.size() - at);
-      const auto status =
-        XML_Parse(parser.get(), &text[at], static_cast<int>(size), at + size == text.size() ? XML_TRUE : XML_FALSE);
-      if(!wrong_.empty())
-        refuse(wrong_, "give a surface with one set of points and triangles");
-      if(status != XML_STATUS_OK)
-        refuse("line " + std::to_string(XML_GetCurrentLineNumber(parser.get())) + ": " +
-                 XML_ErrorString(XML_GetErrorCode(parser.get())),
-               damaged_);
-    }
+    const std::string_view dimensions = array.attribute("Dimensionality").value();
+    return !is(array, pointset) && !is(array, triangle) &&
+           (dimensions == "1" || (dimensions == "2" && array.attribute("Dim1").value() == std::string_view("1")));
   }
 
-  // Exceptions must not pass through Expat, which is C.
-  template <class Action>
-  static void call(void* self, Action action)
+  static Annotations::Metadata metadata_of(pugi::xml_node node)
   {
-    auto& reader = *static_cast<Gifti_reader*>(self);
-    try {
-      action(reader);
-    } catch(const std::exception& error) {
-      reader.stop(error.what());
-    }
-  }
-  static void on_start(void* self, const char* element, const char** attributes)
-  {
-    call(self, [&](Gifti_reader& reader) { reader.start(element, attributes); });
-  }
-  static void on_end(void* self, const char* element)
-  {
-    call(self, [&](Gifti_reader& reader) { reader.end(element); });
-  }
-  static void on_text(void* self, const char* text, int size)
-  {
-    call(self, [&](Gifti_reader& reader) {
-      if(reader.target_)
-        reader.target_->append(text, static_cast<std::size_t>(size));
-    });
-  }
-
-  void stop(const std::string& wrong)
-  {
-    if(wrong_.empty())
-      wrong_ = wrong;
-    XML_StopParser(parser_, XML_FALSE);
-  }
-
-  void start(const std::string& element, const char** attributes)
-  {
-    target_ = nullptr;
-    if(element == "DataArray") {
-      array_ = std::make_unique<Data_array>();
-      for(; *attributes; attributes += 2)
-        array_->attributes[attributes[0]] = attributes[1];
-    } else if(element == "MD")
-      metadata().emplace_back();
-    else if(element == "Name" && !metadata().empty())
-      target_ = &metadata().back().first;
-    else if(element == "Value" && !metadata().empty())
-      target_ = &metadata().back().second;
-    else if(element == "CoordinateSystemTransformMatrix" && array_)
-      array_->transforms.emplace_back();
-    else if(array_ && !array_->transforms.empty() && element == "DataSpace")
-      target_ = &array_->transforms.back()[0];
-    else if(array_ && !array_->transforms.empty() && element == "TransformedSpace")
-      target_ = &array_->transforms.back()[1];
-    else if(array_ && !array_->transforms.empty() && element == "MatrixData")
-      target_ = &array_->transforms.back()[2];
-    else if(element == "Data" && array_ && (is("NIFTI_INTENT_POINTSET") || is("NIFTI_INTENT_TRIANGLE")))
-      target_ = &array_->text;
-  }
-
-  void end(const std::string& element)
-  {
-    target_ = nullptr;
-    if(element != "DataArray" || !array_)
-      return;
-    auto* const place = is("NIFTI_INTENT_POINTSET") ? &points_ : is("NIFTI_INTENT_TRIANGLE") ? &triangles_ : nullptr;
-    if(place && *place)
-      stop("has several sets of points or of triangles");
-    else if(place)
-      *place = std::move(array_);
-    array_ = nullptr;
-  }
-
-  Annotations::Metadata& metadata() { return array_ ? array_->metadata : soup_.annotations.gifti; }
-
-  bool is(const char* intent) const
-  {
-    const auto found = array_->attributes.find("Intent");
-    return found != array_->attributes.end() && found->second == intent;
+    Annotations::Metadata metadata;
+    for(const pugi::xml_node entry : node.child("MetaData").children("MD"))
+      metadata.emplace_back(entry.child_value("Name"), entry.child_value("Value"));
+    return metadata;
   }
 
   [[noreturn]] void refuse(const std::string& wrong, const std::string& remedy) const
@@ -164,129 +99,94 @@ private:
     throw Refusal(unreadable_file, file_, wrong, remedy);
   }
 
-  const std::string& attribute(const Data_array& array, const char* name) const
+  /// How many rows of three a set has.
+  std::size_t number_of_rows(pugi::xml_node array) const
   {
-    const auto found = array.attributes.find(name);
-    if(found == array.attributes.end())
-      refuse(std::string("a DataArray has no attribute '") + name + "'", damaged_);
-    return found->second;
-  }
-
-  /// How many rows of three a set has. `least` is what a number takes in the text at the least.
-  std::size_t number_of_rows(const Data_array& array) const
-  {
-    const auto dimension = [&](const char* name) -> std::size_t {
-      const std::string& text = attribute(array, name);
-      const auto value = to_integer(text);
-      if(!value || *value < 0 || std::size_t(*value) > largest_count)
-        refuse(std::string("a DataArray has the ") + name + ' ' + in_quotes(text), damaged_);
-      return static_cast<std::size_t>(*value);
-    };
-    if(attribute(array, "Dimensionality") != "2" || dimension("Dim1") != 3)
+    if(attribute(file_, array, "Dimensionality").value() != std::string_view("2") ||
+       count_of(file_, array, "Dim1") != 3)
       refuse("points or triangles are not an array of rows of three", damaged_);
-    return dimension("Dim0");
+    return count_of(file_, array, "Dim0");
   }
 
   /// The numbers of a set by row and column, whatever type and encoding they have.
   /// `use(row, column, value)` is called for each.
   template <class Use>
-  void read_numbers(const Data_array& array, std::size_t rows, Use use) const
+  void read_numbers(pugi::xml_node array, std::size_t rows, std::size_t columns, Use use) const
   {
-    const std::string& type = attribute(array, "DataType");
-    const std::string& encoding = attribute(array, "Encoding");
-    const std::size_t size = type == "NIFTI_TYPE_FLOAT64" || type == "NIFTI_TYPE_INT64" ? 8 : 4;
+    const std::string_view type_name = attribute(file_, array, "DataType").value(), prefix = "NIFTI_TYPE_";
+    const std::string_view encoding = attribute(file_, array, "Encoding").value(), text = array.child_value("Data");
+    const Number_type* const type =
+      type_name.substr(0, prefix.size()) == prefix ? number_type(type_name.substr(prefix.size())) : nullptr;
+    if(!type)
+      refuse("a DataArray has numbers of type " + in_quotes(type_name), "save it with 32-bit floats and integers");
     if(encoding == "ExternalFileBinary")
       refuse("has its numbers in another file", "convert it to one file, as with gifti_tool -encoding B64GZ");
     if(encoding != "ASCII" && encoding != "Base64Binary" && encoding != "GZipBase64Binary")
       refuse("a DataArray has the encoding " + in_quotes(encoding), damaged_);
-    const std::size_t count = 3 * rows;
-    const std::size_t letters = array.text.size();
+    const std::size_t count = columns * rows;
     // in text a digit and a space; Base64 has three bytes in four letters, and zlib unfolds to 1032 times at most
-    const bool fits = encoding == "ASCII"          ? 2 * count <= letters + 1
-                      : encoding == "Base64Binary" ? count * size <= letters
-                                                   : count * size <= 1032 * letters;
+    const bool fits = encoding == "ASCII"          ? 2 * count <= text.size() + 1
+                      : encoding == "Base64Binary" ? count * type->size <= text.size()
+                                                   : count * type->size <= 1032 * text.size();
     if(!fits)
       refuse("cut short: a DataArray announces " + std::to_string(rows) + " rows, more than its " +
-               std::to_string(letters) + " letters can hold",
+               std::to_string(text.size()) + " letters can hold",
              damaged_);
 
-    const bool is_column_major = attribute(array, "ArrayIndexingOrder") == "ColumnMajorOrder";
+    const bool is_column_major =
+      attribute(file_, array, "ArrayIndexingOrder").value() == std::string_view("ColumnMajorOrder");
     const auto put = [&](std::size_t i, double value) {
-      is_column_major ? use(i % rows, i / rows, value) : use(i / 3, i % 3, value);
+      is_column_major ? use(i % rows, i / rows, value) : use(i / columns, i % columns, value);
     };
     if(encoding == "ASCII") {
-      std::string_view rest = array.text;
+      std::string_view rest = text;
       for(std::size_t i = 0; i < count; ++i) {
         const std::string_view token = next_token(rest);
         double value = 0;
-        const Number kind = to_number(token, value);
-        if(kind == Number::NONE)
+        if(to_number(token, value) == Number::NONE)
           refuse("number " + std::to_string(i) + " of a DataArray is " + in_quotes(token), damaged_);
         put(i, value);
       }
       return;
     }
-    const std::string bytes = binary(array, encoding == "GZipBase64Binary", count * size);
-    const Byte_order order = attribute(array, "Endian") == "BigEndian" ? Byte_order::BIG : Byte_order::LITTLE;
-    const auto convert = [&](auto number) {
-      for(std::size_t i = 0; i < count; ++i)
-        put(i, static_cast<double>(number_at<decltype(number)>(&bytes[i * size], order)));
-    };
-    if(type == "NIFTI_TYPE_FLOAT32")
-      return convert(float());
-    if(type == "NIFTI_TYPE_FLOAT64")
-      return convert(double());
-    if(type == "NIFTI_TYPE_INT32")
-      return convert(std::int32_t());
-    if(type == "NIFTI_TYPE_UINT32")
-      return convert(std::uint32_t());
-    if(type == "NIFTI_TYPE_INT64")
-      return convert(std::int64_t());
-    refuse("a DataArray has numbers of type " + in_quotes(type), "save it with 32-bit floats and integers");
-  }
-
-  std::string binary(const Data_array& array, bool is_compressed, std::size_t size) const
-  {
-    std::optional<std::string> bytes = from_base64(array.text);
+    std::optional<std::string> bytes = from_base64(text);
     if(!bytes)
       refuse("a DataArray is no Base64 text", damaged_);
-    if(is_compressed) {
-      std::string unfolded(size, '\0');
-      auto unfolded_size = static_cast<uLongf>(size);
-      const int status = uncompress(reinterpret_cast<Bytef*>(unfolded.data()), &unfolded_size,
-                                    reinterpret_cast<const Bytef*>(bytes->data()), static_cast<uLong>(bytes->size()));
-      if(status != Z_OK)
+    if(encoding == "GZipBase64Binary") {
+      bytes = from_zlib(*bytes, count * type->size);
+      if(!bytes)
         refuse("a DataArray cannot be decompressed to the size that it announces", damaged_);
-      unfolded.resize(unfolded_size);
-      bytes = std::move(unfolded);
     }
-    if(bytes->size() != size)
-      refuse("a DataArray announces " + std::to_string(size) + " bytes and has " + std::to_string(bytes->size()),
+    if(bytes->size() != count * type->size)
+      refuse("a DataArray announces " + std::to_string(count * type->size) + " bytes and has " +
+               std::to_string(bytes->size()),
              damaged_);
-    return std::move(*bytes);
+    const Byte_order order =
+      array.attribute("Endian").value() == std::string_view("BigEndian") ? Byte_order::BIG : Byte_order::LITTLE;
+    for(std::size_t i = 0; i < count; ++i)
+      put(i, type->read(&(*bytes)[i * type->size], order));
   }
 
-  void read_points()
+  void read_points(pugi::xml_node array)
   {
-    soup_.points.resize(number_of_rows(*points_));
-    read_numbers(*points_, soup_.points.size(), [&](std::size_t row, std::size_t column, double x) {
+    soup_.points.resize(number_of_rows(array));
+    read_numbers(array, soup_.points.size(), 3, [&](std::size_t row, std::size_t column, double x) {
       if(!std::isfinite(x) && !soup_.non_finite)
         soup_.non_finite.emplace(Error_code::NON_FINITE_COORDINATE, file_,
                                  "vertex " + std::to_string(row) + " has the coordinate " + std::to_string(x),
                                  non_finite_remedy);
       soup_.points[row][column] = x;
     });
-    points_->text = std::string();
   }
 
-  void read_triangles()
+  void read_triangles(pugi::xml_node array)
   {
-    soup_.triangles.resize(number_of_rows(*triangles_));
+    soup_.triangles.resize(number_of_rows(array));
     soup_.faces = soup_.triangles.size();
     if(soup_.faces == 0)
       throw Refusal(Error_code::EMPTY_MESH, file_, "has no faces",
                     "a point cloud cannot be mapped; reconstruct a surface first");
-    read_numbers(*triangles_, soup_.faces, [&](std::size_t row, std::size_t column, double corner) {
+    read_numbers(array, soup_.faces, 3, [&](std::size_t row, std::size_t column, double corner) {
       // NaN, too, becomes an index that is refused
       const bool is_index = corner >= 0 && corner < static_cast<double>(largest_count) && corner == std::floor(corner);
       soup_.triangles[row][column] = is_index ? static_cast<int>(corner) : -1;
@@ -294,32 +194,64 @@ private:
     });
   }
 
+  Vertex_column column(pugi::xml_node array) const
+  {
+    Vertex_column column = {name_of_column(file_), {}, is(array, "NIFTI_INTENT_LABEL")};
+    for(const auto& [name, value] : metadata_of(array))
+      if(name == "Name" && !value.empty())
+        column.name = value;
+    const std::size_t rows = count_of(file_, array, "Dim0");
+    if(column.is_label)
+      column.table = table();
+    std::set<double> keys;
+    for(const Label& label : column.table)
+      keys.insert(label.key);
+    read_numbers(array, rows, 1, [&](std::size_t, std::size_t, double value) {
+      if(column.is_label && !is_key(value))
+        refuse("a label has the key " + std::to_string(value), "save its keys as integers");
+      column.values.push_back(keys.empty() || keys.count(value) > 0 ? value : std::nan(""));
+    });
+    return column;
+  }
+
+  static bool is_key(double value)
+  {
+    using Limits = std::numeric_limits<int>;
+    return value >= Limits::min() && value <= Limits::max() && value == std::floor(value);
+  }
+
+  std::vector<Label> table() const
+  {
+    std::vector<Label> table;
+    std::set<int> keys;
+    for(const pugi::xml_node node : root_.child("LabelTable").children("Label")) {
+      const std::string_view text = node.attribute(node.attribute("Key") ? "Key" : "Index").value(); // in old files
+      const auto key = to_integer(text);
+      if(!key || !is_key(static_cast<double>(*key)) || !keys.insert(static_cast<int>(*key)).second)
+        refuse("has a label with the key " + in_quotes(text), "give every label an integer of its own");
+      Label label = {static_cast<int>(*key), node.child_value()};
+      const std::array<const char*, 4> channels = {"Red", "Green", "Blue", "Alpha"};
+      for(std::size_t k = 0; k < 4; ++k)
+        label.rgba[k] = std::fmin(1.F, std::fmax(0.F, node.attribute(channels[k]).as_float(label.rgba[k])));
+      table.push_back(std::move(label));
+    }
+    return table;
+  }
+
   const std::string damaged_ = "the file is damaged; export it again";
   std::string file_;
-  XML_Parser parser_ = nullptr;
-  std::string wrong_;                 ///< why parsing was stopped
-  std::unique_ptr<Data_array> array_; ///< that is being read
-  std::string* target_ = nullptr;     ///< of the text that is being read
-  std::unique_ptr<Data_array> points_, triangles_;
+  pugi::xml_document document_;
+  pugi::xml_node root_;
   Soup soup_;
 };
 
 } // namespace
 
-Soup read_gifti(const std::string& file, const std::string& text) { return Gifti_reader(file).read(text); }
+Soup read_gifti(const std::string& file, const std::string& text) { return Gifti_reader(file, text).surface(); }
 
-} // namespace tool
-
-#else
-
-namespace tool {
-
-Soup read_gifti(const std::string& file, const std::string&)
+Vertex_data read_gifti_data(const std::string& file, const std::string& text)
 {
-  throw Refusal(unreadable_file, file, "is a GIFTI file, which this build does not read",
-                "convert it, as with mris_convert, or build with Expat (libexpat1-dev)");
+  return Gifti_reader(file, text).data();
 }
 
 } // namespace tool
-
-#endif

@@ -38,6 +38,8 @@ Soup read_format(Mesh_format format, const std::string& file, std::string bytes)
   case Mesh_format::STL: return read_stl(file, std::move(bytes));
   case Mesh_format::GIFTI: return read_gifti(file, bytes);
   case Mesh_format::FREESURFER: return read_freesurfer(file, bytes);
+  case Mesh_format::VTK: return read_vtk(file, bytes);
+  case Mesh_format::VTP: return read_vtp(file, bytes);
   case Mesh_format::GLB: return read_glb(file, bytes);
   case Mesh_format::GLTF: return read_gltf(file, bytes);
   }

@@ -11,39 +11,16 @@
 #include <atomic>
 #include <cmath>
 #include <cstdint>
-#include <limits>
+#include <map>
 #include <utility>
 
 namespace tool {
 namespace {
 
-/// A number type of the format; `smallest` and `largest` bound what a text file may say.
-struct Type {
-  std::string_view name;
-  std::string_view other_name;
-  std::size_t size;
-  bool is_integer;
-  double smallest;
-  double largest;
-  double (*read)(const char* bytes, Byte_order order);
-};
-
-template <class Number>
-constexpr Type type_of(std::string_view name, std::string_view other_name)
-{
-  using Limits = std::numeric_limits<Number>;
-  return {name, other_name, sizeof(Number), Limits::is_integer, Limits::lowest(), Limits::max(), double_at<Number>};
-}
-
-constexpr Type types[] = {type_of<std::int8_t>("char", "int8"),    type_of<std::uint8_t>("uchar", "uint8"),
-                          type_of<std::int16_t>("short", "int16"), type_of<std::uint16_t>("ushort", "uint16"),
-                          type_of<std::int32_t>("int", "int32"),   type_of<std::uint32_t>("uint", "uint32"),
-                          type_of<float>("float", "float32"),      type_of<double>("double", "float64")};
-
 struct Property {
   std::string name;
-  const Type* type = nullptr;       ///< of the value, or of each value of a list
-  const Type* count_type = nullptr; ///< of the length of a list; null if this is no list
+  const Number_type* type = nullptr;       ///< of the value, or of each value of a list
+  const Number_type* count_type = nullptr; ///< of the length of a list; null if this is no list
 };
 
 struct Element {
@@ -78,6 +55,8 @@ public:
                         in_quotes(element.name) + ", more than " + std::to_string(rest_.size()) + " bytes can hold",
                       damaged_);
     soup_.points.reserve(vertices_->count);
+    for(Vertex_column& column : soup_.data)
+      column.values.reserve(vertices_->count);
     soup_.triangles.reserve(faces_->count);
     for(const Element& element : elements_)
       if(!read_plain_vertices(element) && !read_plain_triangles(element))
@@ -177,11 +156,10 @@ private:
     elements_.back().properties.push_back(property);
   }
 
-  const Type* type(std::string_view name) const
+  const Number_type* type(std::string_view name) const
   {
-    for(const Type& t : types)
-      if(name == t.name || name == t.other_name)
-        return &t;
+    if(const Number_type* const type = number_type(name))
+      return type;
     refuse("the number type " + in_quotes(name) + " is unknown");
   }
 
@@ -204,6 +182,11 @@ private:
       if(!coordinate_[k] || coordinate_[k]->count_type || coordinate_[k]->type->is_integer)
         refuse("the vertices have no 'float' or 'double' property " + in_quotes(name), "export it again");
     }
+    for(const Property& property : vertices_->properties)
+      if(!property.count_type && !is_point_or_normal(property.name)) {
+        columns_.push_back(&property);
+        add_column(soup_.data, {property.name, {}, property.type == number_type("int")});
+      }
   }
 
   void check_faces()
@@ -229,7 +212,7 @@ private:
   }
 
   /// How many bytes a number of this type takes at least: in text, a digit and a space.
-  std::size_t smallest_size(const Type& type) const { return is_text() ? 2 : type.size; }
+  std::size_t smallest_size(const Number_type& type) const { return is_text() ? 2 : type.size; }
 
   std::size_t smallest_size(const Element& element) const
   {
@@ -248,33 +231,39 @@ private:
     if(&element != vertices_ || format_ != Format::LITTLE_ENDIAN_BINARY)
       return false;
     std::size_t size = 0;
-    std::array<std::size_t, 3> place = {};
+    std::map<const Property*, std::size_t> place;
     for(const Property& property : element.properties) {
       if(property.count_type)
         return false;
-      for(std::size_t k = 0; k < 3; ++k)
-        if(&property == coordinate_[k])
-          place[k] = size;
+      place[&property] = size;
       size += property.type->size;
     }
     if(rest_.size() / size < element.count)
       return false;
     soup_.points.resize(element.count);
+    std::array<std::size_t, 3> place_of_coordinate;
+    for(std::size_t k = 0; k < 3; ++k)
+      place_of_coordinate[k] = place[coordinate_[k]];
+    const char* const bytes = rest_.data();
     const bool are_finite = for_all_rows(element.count, [&](std::size_t row) {
       for(std::size_t k = 0; k < 3; ++k) {
-        const char* const bytes = rest_.data() + row * size + place[k];
         double& x = soup_.points[row][k];
-        x = coordinate_[k]->type->read(bytes, Byte_order::LITTLE);
+        x = coordinate_[k]->type->read(bytes + row * size + place_of_coordinate[k], Byte_order::LITTLE);
         if(!std::isfinite(x))
           return false;
       }
       return true;
     });
-    if(are_finite)
-      rest_.remove_prefix(element.count * size);
-    else
+    if(!are_finite) {
       soup_.points.clear();
-    return are_finite;
+      return false;
+    }
+    for(std::size_t i = 0; i < columns_.size(); ++i)
+      for(std::size_t row = 0; row < element.count; ++row)
+        soup_.data[i].values.push_back(
+          columns_[i]->type->read(bytes + row * size + place[columns_[i]], Byte_order::LITTLE));
+    rest_.remove_prefix(element.count * size);
+    return true;
   }
 
   /// The same for faces that are triangles and have no other properties, by far the most common ones.
@@ -322,6 +311,7 @@ private:
   void read_row(const Element& element, std::size_t row)
   {
     std::array<double, 3> point = {0, 0, 0};
+    std::size_t column = 0;
     for(const Property& property : element.properties) {
       if(property.count_type) {
         read_list(element, row, property);
@@ -331,6 +321,8 @@ private:
       for(std::size_t k = 0; k < 3; ++k)
         if(&property == coordinate_[k])
           point[k] = noted(value, row, property.name);
+      if(column < columns_.size() && &property == columns_[column])
+        soup_.data[column++].values.push_back(value);
     }
     if(&element == vertices_)
       soup_.points.push_back(point);
@@ -374,7 +366,7 @@ private:
   }
 
   /// The next number, which is part of `element` number `row`.
-  double next(const Type& type, const Element& element, std::size_t row)
+  double next(const Number_type& type, const Element& element, std::size_t row)
   {
     if(is_text())
       return next_in_text(type, element, row);
@@ -385,7 +377,7 @@ private:
     return type.read(bytes, format_ == Format::BIG_ENDIAN_BINARY ? Byte_order::BIG : Byte_order::LITTLE);
   }
 
-  double next_in_text(const Type& type, const Element& element, std::size_t row)
+  double next_in_text(const Number_type& type, const Element& element, std::size_t row)
   {
     const std::string_view token = next_token(rest_);
     if(token.empty())
@@ -426,7 +418,8 @@ private:
   const Element* vertices_ = nullptr;
   const Element* faces_ = nullptr;
   std::array<const Property*, 3> coordinate_ = {};
-  const Property* corners_ = nullptr; ///< the list of the vertices of a face
+  std::vector<const Property*> columns_; ///< of `soup_.data`
+  const Property* corners_ = nullptr;    ///< the list of the vertices of a face
   std::vector<int> face_;
   Soup soup_;
 };

@@ -6,6 +6,7 @@
 #include "input/binary.h"
 #include "input/compression.h"
 #include "input/files.h"
+#include "input/mesh_format.h"
 #include "input/mesh_readers.h"
 #include "input/text_lines.h"
 #include "system/refusal.h"
@@ -26,19 +27,6 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 const char* const damaged = "the file is damaged; export it again";
-
-/// "thickness" of lh.thickness, "aparc" of lh.aparc.annot.
-std::string name_of_column(const std::string& file)
-{
-  std::string name = std::filesystem::path(without_compression(file)).filename().string();
-  const auto begins_with = [&name](const char* part) { return name.compare(0, 3, part) == 0; };
-  if(begins_with("lh.") || begins_with("rh."))
-    name.erase(0, 3);
-  for(const std::string extension : {".annot", ".label"})
-    if(name.size() > extension.size() && lower_case_extension(name) == extension)
-      name.resize(name.size() - extension.size());
-  return name.empty() ? "data" : name;
-}
 
 /// Takes the numbers and words of FreeSurfer's binary files one after the other.
 class Pieces {
@@ -81,7 +69,8 @@ private:
   std::string_view rest_;
 };
 
-const char* const data_formats = "data are read from curv, .annot, .label and .csv files, and from surfaces with data";
+const char* const data_formats =
+  "data are read from curv, .annot, .label, .csv and GIFTI files, and from PLY and VTK files of the surface";
 
 std::array<float, 4> opaque(const std::array<std::uint8_t, 3>& colour)
 {
@@ -209,53 +198,61 @@ Vertex_column read_label(const std::string& file, std::string text, std::size_t 
   return column;
 }
 
-/// The fields of a line of a CSV file (RFC 4180, without ends of lines in quotes).
-std::vector<std::string> fields_of(std::string_view line)
+/// Takes the fields of the next line off the text of a CSV file (RFC 4180); in quotes it may end later.
+std::vector<std::string> next_fields(const std::string& file, std::string_view& text)
 {
   std::vector<std::string> fields(1);
   bool is_quoted = false;
-  for(std::size_t i = 0; i < line.size(); ++i)
-    if(line[i] == '"' && is_quoted && line.substr(i + 1, 1) == "\"")
-      fields.back() += line[++i];
-    else if(line[i] == '"')
+  std::size_t i = 0;
+  for(; i < text.size() && (is_quoted || text[i] != '\n'); ++i)
+    if(text[i] == '"' && is_quoted && text.substr(i + 1, 1) == "\"")
+      fields.back() += text[++i];
+    else if(text[i] == '"')
       is_quoted = !is_quoted;
-    else if(line[i] == ',' && !is_quoted)
+    else if(text[i] == ',' && !is_quoted)
       fields.emplace_back();
-    else
-      fields.back() += line[i];
+    else if(text[i] != '\r' || is_quoted)
+      fields.back() += text[i];
+  if(is_quoted)
+    throw Refusal(unreadable_file, file, "a quotation mark has no end", damaged);
+  text.remove_prefix(std::min(i + 1, text.size()));
   return fields;
+}
+
+/// Whether a word is a number, NaN and infinity included; other words with these letters, as in "information", are
+/// none.
+bool is_number(const std::string& word, double& value)
+{
+  const Number kind = to_number(word, value);
+  if(kind != Number::NOT_FINITE)
+    return kind == Number::FINITE;
+  const std::string text = lower_case(word.substr(word[0] == '-' || word[0] == '+' ? 1 : 0));
+  return text == "nan" || text == "inf" || text == "infinity" || (text[0] >= '0' && text[0] <= '9');
 }
 
 /// The columns of a CSV file below a line of names, a line per vertex. Columns of words are labels. Nothing, "NaN" and
 /// "NA" are no value.
 Vertex_data read_csv(const std::string& file, std::string_view text)
 {
-  const auto refuse = [&file](std::size_t line, const std::string& wrong, const std::string& remedy) {
-    throw Refusal(unreadable_file, file, "line " + std::to_string(line) + ": " + wrong, remedy);
-  };
-  std::size_t number = 0;
-  const auto next_line = [&] {
-    std::string_view line = text.substr(0, text.find('\n'));
-    text.remove_prefix(std::min(line.size() + 1, text.size()));
-    ++number;
-    if(!line.empty() && line.back() == '\r')
-      line.remove_suffix(1);
-    return fields_of(line);
+  const auto refuse = [&file](std::size_t row, const std::string& wrong, const std::string& remedy) {
+    throw Refusal(unreadable_file, file,
+                  (row == 0 ? "the first line: " : "vertex " + std::to_string(row - 1) + ": ") + wrong, remedy);
   };
   if(text.substr(0, 3) == "\xef\xbb\xbf") // the mark of UTF-8
     text.remove_prefix(3);
-  const std::vector<std::string> names = next_line();
-  for(const std::string& name : names) {
-    double value = 0;
-    if(name.empty() || to_number(name, value) != Number::NONE)
-      refuse(1, in_quotes(name) + " is not the name of a column",
-             "begin with a line of names, and leave out numbers of lines (pandas: index=False)");
-  }
+  const std::vector<std::string> names = next_fields(file, text);
+  double value = 0;
+  if(std::all_of(names.begin(), names.end(), [&value](const std::string& name) { return is_number(name, value); }))
+    refuse(0, "there are only numbers", "begin with a line of names");
+  if(std::find(names.begin(), names.end(), "") != names.end())
+    refuse(0, "a column has no name", "name all of them, and leave out numbers of lines (pandas: index=False)");
   std::vector<std::vector<std::string>> columns(names.size());
-  while(!text.empty()) {
-    std::vector<std::string> fields = next_line();
+  for(std::size_t row = 1; !text.empty(); ++row) {
+    std::vector<std::string> fields = next_fields(file, text);
     if(fields.size() != names.size())
-      refuse(number, std::to_string(fields.size()) + " values, but line 1 has " + std::to_string(names.size()) + " names",
+      refuse(row,
+             std::to_string(fields.size()) + " values, but the first line has " + std::to_string(names.size()) +
+               " names",
              "give every vertex one value per column; the decimal point is '.'");
     for(std::size_t k = 0; k < fields.size(); ++k)
       columns[k].push_back(std::move(fields[k]));
@@ -266,7 +263,7 @@ Vertex_data read_csv(const std::string& file, std::string_view text)
     Vertex_column& column = data.back();
     const auto is_nothing = [](const std::string& word) { return word.empty() || word == "NA"; };
     for(std::size_t v = 0; v < column.values.size(); ++v)
-      if(!is_nothing(columns[k][v]) && to_number(columns[k][v], column.values[v]) == Number::NONE)
+      if(!is_nothing(columns[k][v]) && !is_number(columns[k][v], column.values[v]))
         column.is_label = true;
     std::map<std::string, int> keys;
     for(std::size_t v = 0; column.is_label && v < column.values.size(); ++v) {
@@ -294,10 +291,23 @@ std::optional<Vertex_data> read_data(const std::string& file, std::string& bytes
     return Vertex_data{read_label(file, std::move(bytes), vertices)};
   if(is_curv(bytes))
     return Vertex_data{read_curv(file, bytes)};
+  if(format_of_content(bytes, bytes.size()) == Mesh_format::GIFTI)
+    return read_gifti_data(file, bytes);
   return std::nullopt;
 }
 
 } // namespace
+
+std::string name_of_column(const std::string& file)
+{
+  std::string name = std::filesystem::path(without_compression(file)).filename().string();
+  if(name.compare(0, 3, "lh.") == 0 || name.compare(0, 3, "rh.") == 0)
+    name.erase(0, 3);
+  for(const std::string extension : {".annot", ".gii", ".label", ".func", ".shape"})
+    if(name.size() > extension.size() && lower_case_extension(name) == extension)
+      name.resize(name.size() - extension.size());
+  return name.empty() ? "data" : name;
+}
 
 Vertex_data read_vertex_data(const std::string& file, std::size_t number_of_vertices)
 {
@@ -306,17 +316,35 @@ Vertex_data read_vertex_data(const std::string& file, std::size_t number_of_vert
   if(const Compression compression = compression_of_content(bytes); compression != Compression::NONE)
     bytes = decompressed(file, bytes, compression);
   std::optional<Vertex_data> data = read_data(file, bytes, number_of_vertices);
+  if(!data && !format_of_content(bytes, bytes.size()) && !format_of_name(file))
+    throw Refusal(unreadable_file, file, "has an unknown content", data_formats);
   if(!data)
     data = read_soup(file, std::move(bytes), Coordinates::ANY).data;
   if(data->empty())
     throw Refusal(unreadable_file, file, "has no values at its vertices", data_formats);
-  const std::size_t size = data->front().values.size();
-  if(size != number_of_vertices)
-    throw Refusal(unreadable_file, file,
-                  "has values for " + std::to_string(size) + " vertices, but the mesh has " +
-                    std::to_string(number_of_vertices),
-                  "give the data of this mesh");
+  for(const Vertex_column& column : *data)
+    if(column.values.size() != number_of_vertices)
+      throw Refusal(unreadable_file, file,
+                    "has values for " + std::to_string(column.values.size()) + " vertices, but the mesh has " +
+                      std::to_string(number_of_vertices),
+                    "give the data of this mesh");
   return std::move(*data);
+}
+
+bool is_point_or_normal(std::string_view name)
+{
+  return name == "x" || name == "y" || name == "z" || name == "nx" || name == "ny" || name == "nz";
+}
+
+Vertex_data carried(const Vertex_data& data, const std::vector<int>& old_vertex)
+{
+  Vertex_data result = data;
+  for(std::size_t k = 0; k < data.size(); ++k) {
+    result[k].values.clear();
+    for(const int old : old_vertex)
+      result[k].values.push_back(old < 0 ? none : data[k].values[static_cast<std::size_t>(old)]);
+  }
+  return result;
 }
 
 void add_column(Vertex_data& data, Vertex_column column)

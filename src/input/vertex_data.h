@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tool {
@@ -23,20 +24,32 @@ struct Label {
 struct Vertex_column {
   std::string name; ///< not empty
   std::vector<double> values;
-  bool is_label = false;          ///< then the values are integers in the range of `int`
+  bool is_label = false;         ///< then the values are integers in the range of `int`
   std::vector<Label> table = {}; ///< each key once; of keys that are not there no more is known
 };
 
 /// Columns of one length, each with a name of its own.
 using Vertex_data = std::vector<Vertex_column>;
 
+/// Whether files of surfaces have coordinates or normals by this name: "x", "nx", ...
+bool is_point_or_normal(std::string_view name);
+
 /// Appends a column; if its name is taken, it gets a number.
 void add_column(Vertex_data& data, Vertex_column column);
 
 /// Reads what a file has for the vertices of a mesh, in their order: FreeSurfer's curv (`lh.thickness`), .annot and
-/// .label, .csv with a line of names, and the columns of surfaces that have some. A broken file, or one of another
-/// number of vertices, throws a `Refusal`.
+/// .label, GIFTI, .csv with a line of names, and the columns of surfaces that have some. A broken file, or one of
+/// another number of vertices, throws a `Refusal`.
 Vertex_data read_vertex_data(const std::string& file, std::size_t number_of_vertices);
+
+/// The same of a GIFTI file, of any number of vertices.
+Vertex_data read_gifti_data(const std::string& file, const std::string& text);
+
+/// What a column is called that has no name but that of its file: "thickness" of lh.thickness.
+std::string name_of_column(const std::string& file);
+
+/// The values at other vertices: `old_vertex` has for each its number before, or -1 for one that is new, and gets none.
+Vertex_data carried(const Vertex_data& data, const std::vector<int>& old_vertex);
 
 /// Red, green and blue of the i-th of many that are to be told apart.
 std::array<std::uint8_t, 3> distinct_colour(std::size_t i);

@@ -66,10 +66,22 @@ void read_input(const Mapping_options& options, Mapped_mesh& input)
   input.file = options.prepare != Prepare::NO ? read_prepared_mesh(options.input, options.prepare, input.prepared)
                : options.can_prepare_all      ? read_mesh(options.input, polygons, "--prepare does it")
                                               : read_mesh(options.input, polygons);
+  if(input.prepared) {
+    read_data(options, input.prepared->soup.points.size(), input.prepared->soup.data);
+    input.file->data = carried(input.prepared->soup.data, input.prepared->preparation.parts.front().old_vertex);
+  } else
+    read_data(options, input.mesh().number_of_vertices(), input.file->data);
   input.seconds_read = reading.seconds();
   input.result.number_of_vertices = input.mesh().number_of_vertices();
   input.result.number_of_faces = input.mesh().number_of_faces();
   stop_if_interrupted(options.input);
+}
+
+void read_data(const Mapping_options& options, std::size_t number_of_vertices, Vertex_data& data)
+{
+  for(const std::string& file : options.data)
+    for(Vertex_column& column : read_vertex_data(file, number_of_vertices))
+      add_column(data, std::move(column));
 }
 
 void map_input(const Mapping_options& options, Mapped_mesh& input, Map_quality quality)

@@ -12,6 +12,7 @@
 
 #include <CGAL/Spherical_parameterization/values/Result.h>
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <variant>
@@ -40,6 +41,9 @@ struct Mapped_mesh {
 
 /// Reads the mesh, and from here on watches for interruption. Throws a `Refusal`, and what `make_policy()` throws.
 void read_input(const Mapping_options& options, Mapped_mesh& input);
+
+/// Appends the columns of --data, for so many vertices. Throws a `Refusal`.
+void read_data(const Mapping_options& options, std::size_t number_of_vertices, Vertex_data& data);
 
 /// What a command needs.
 enum class Map_quality {

@@ -77,10 +77,8 @@ Input_mesh read_prepared_mesh(const std::string& file, Prepare how, std::optiona
     prepare(file, prepared->soup, how == Prepare::HARMLESS ? Preparation_settings::harmless() : Preparation_settings());
   const Glued_surface& surface = prepared->preparation.parts.front();
   try {
-    return {Mesh(CGAL::Parallel_if_available_tag(), surface.points, surface.faces),
-            prepared->soup.polygons,
-            prepared->soup.annotations,
-            {}};
+    return {Mesh(CGAL::Parallel_if_available_tag(), surface.points, surface.faces), prepared->soup.polygons,
+            prepared->soup.annotations};
   } catch(const SP::Error& error) {
     throw Refusal(error.code(), file,
                   "has, after preparation without a change of shape, " + without_remedy(error.detail(), error.remedy()),

@@ -37,8 +37,10 @@ using Landmarks = std::vector<SP::Landmark_pair<Mesh, Mesh>>;
 Mapping_options options_of(const Registration_options& options, bool is_second)
 {
   Mapping_options result = options;
-  if(is_second)
+  if(is_second) {
     result.input = options.other;
+    result.data.clear(); // which are those of A
+  }
   if(!options.spheres.empty())
     result.sphere = options.spheres[is_second ? 1 : 0];
   return result;

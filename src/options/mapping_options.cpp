@@ -165,8 +165,11 @@ void check_mapping_options(const Mapping_options& options)
 
 std::vector<File_option> input_files(const Mapping_options& options)
 {
-  return {
+  std::vector<File_option> files = {
     {"IN", options.input}, {"--sphere", options.sphere}, {"--fixed", options.fixed}, {"--density", options.density}};
+  for(const std::string& file : options.data)
+    files.emplace_back("--data", file);
+  return files;
 }
 
 } // namespace tool

@@ -32,6 +32,7 @@ enum class Prepare {
 /// Which mesh a step works on, and how it comes by its spherical map. What has no value depends on the method.
 struct Mapping_options {
   std::string input;
+  std::vector<std::string> data; ///< files with values at the vertices of the input
   bool triangulate = false;
   Prepare prepare = Prepare::NO;
   bool can_prepare_all = false; ///< with --prepare, so that refusals name it

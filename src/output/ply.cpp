@@ -5,8 +5,13 @@
 
 #include "input/binary.h"
 #include "output/text_writer.h"
+#include "output/write_vertex_data.h"
 
+#include <algorithm>
+#include <cctype>
+#include <cmath>
 #include <cstdint>
+#include <set>
 
 namespace tool {
 namespace {
@@ -84,6 +89,30 @@ void write_bytes(std::ostream& out, const Mesh& mesh, const std::vector<Point>& 
 }
 
 } // namespace
+
+std::vector<Ply_column> ply_columns(const Vertex_data& data)
+{
+  Columns columns;
+  std::set<std::string> names;
+  for(const Vertex_column& column : data) {
+    std::string name = column.name;
+    for(char& c : name)
+      c = std::isgraph(static_cast<unsigned char>(c)) ? c : '_';
+    while(is_point_or_normal(name) || !names.insert(name).second)
+      name += '_';
+    const std::vector<double>& values = column.values;
+    const bool is_colour = (name == "red" || name == "green" || name == "blue" || name == "alpha") &&
+                           std::any_of(values.begin(), values.end(), [](double x) { return x > 1; });
+    if(is_colour)
+      columns.push_back({Ply_column::Type::UCHAR, name,
+                         [&values](std::size_t v) { return std::fmin(255, std::fmax(0, std::round(values[v]))); }});
+    else if(column.is_label)
+      columns.push_back({Ply_column::Type::INT, name, [&values](std::size_t v) { return double(key_of(values[v])); }});
+    else
+      columns.push_back({Ply_column::Type::DOUBLE, name, [&values](std::size_t v) { return values[v]; }});
+  }
+  return columns;
+}
 
 void write_ply(std::ostream& out, bool is_text, const Mesh& mesh, const std::vector<Point>& points,
                const Ply_extras& extras)

@@ -29,6 +29,9 @@ struct Ply_extras {
   std::vector<Ply_column> of_faces;
 };
 
+/// The columns under names that a PLY file can have: without spaces, and each once. Colours are bytes, labels integers.
+std::vector<Ply_column> ply_columns(const Vertex_data& data);
+
 /// Writes a PLY file: little-endian binary, or text with the fewest digits from which the same numbers are read.
 void write_ply(std::ostream& out, bool is_text, const Mesh& mesh, const std::vector<Point>& points,
                const Ply_extras& extras = {});

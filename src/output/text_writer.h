@@ -26,6 +26,21 @@ inline std::string csv_quoted(const std::string& text)
   return result + '"';
 }
 
+/// Text or the value of an attribute in XML, in which there are no control characters.
+inline std::string xml_escaped(const std::string& text)
+{
+  std::string result;
+  for(const char c : text)
+    switch(c) {
+    case '&': result += "&amp;"; break;
+    case '<': result += "&lt;"; break;
+    case '>': result += "&gt;"; break;
+    case '"': result += "&quot;"; break;
+    default: result += static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\t' ? ' ' : c;
+    }
+  return result;
+}
+
 /// Writes text to a stream in large pieces. Numbers with a fraction have the fewest digits from which the same number
 /// is read.
 class Text_writer {

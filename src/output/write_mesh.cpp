@@ -71,16 +71,18 @@ Colour diverging(double t)
 } // namespace
 
 void write_mesh(std::ostream& out, const Output_format& format, const Mesh& mesh, const std::vector<Point>& points,
-                Surface surface, const Annotations& annotations)
+                Surface surface, const Annotations& annotations, const Vertex_data& data)
 {
   if(stores_floats(format.format))
     check_float_range(points);
   switch(format.format) {
   case Mesh_format::OFF: return write_off(out, mesh, points);
   case Mesh_format::OBJ: return write_obj(out, mesh, points);
-  case Mesh_format::PLY: return write_ply(out, format.ascii, mesh, points);
+  case Mesh_format::PLY: return write_ply(out, format.ascii, mesh, points, {"", ply_columns(data), {}});
   case Mesh_format::GIFTI: return write_gifti(out, mesh, points, surface, annotations);
   case Mesh_format::FREESURFER: return write_freesurfer(out, mesh, points, surface, annotations);
+  case Mesh_format::VTK: return write_vtk(out, format.ascii, mesh, points, data);
+  case Mesh_format::VTP: return write_vtp(out, format.ascii, mesh, points, data);
   case Mesh_format::GLB:
   case Mesh_format::GLTF: return write_gltf(out, format.format, mesh, points);
   case Mesh_format::STL: break; // no option takes it
@@ -156,13 +158,13 @@ void write_variance_ply(std::ostream& out, bool ascii, const Mesh& mesh, const s
 }
 
 void write_segments_ply(std::ostream& out, bool ascii, const Mesh& mesh, const std::vector<std::size_t>& segments,
-                        std::size_t number_of_segments)
+                        std::size_t number_of_segments, const Vertex_data& data)
 {
   std::vector<Colour> colours;
   colours.reserve(segments.size());
   for(const std::size_t segment : segments)
     colours.push_back(distinct_colour(segment));
-  Ply_extras extras = {std::to_string(number_of_segments) + " segments", {}, columns_of(colours)};
+  Ply_extras extras = {std::to_string(number_of_segments) + " segments", ply_columns(data), columns_of(colours)};
   extras.of_faces.push_back(
     {Ply_column::Type::INT, "segment", [&segments](std::size_t f) { return double(segments[f]); }});
   write_ply(out, ascii, mesh, mesh.points(), extras);

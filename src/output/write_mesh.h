@@ -18,15 +18,16 @@ namespace tool {
 /// In which format to write.
 struct Output_format {
   Mesh_format format = Mesh_format::PLY;
-  bool ascii = false; ///< PLY as text
+  bool ascii = false; ///< PLY, VTK and VTP as text
 };
 
 /// What the points of a mesh are. Spheres are written with the radius that the format's programs expect.
 enum class Surface { SHAPE, SPHERE };
 
-/// Writes the faces of `mesh` over other points. `annotations` are those of the file that the mesh was read from.
+/// Writes the faces of `mesh` over other points. `annotations` are those of the file that the mesh was read from, and
+/// `data` is what the vertices have, for formats that hold it: PLY, VTK and VTP.
 void write_mesh(std::ostream& out, const Output_format& format, const Mesh& mesh, const std::vector<Point>& points,
-                Surface surface, const Annotations& annotations = {});
+                Surface surface, const Annotations& annotations = {}, const Vertex_data& data = {});
 
 /// Throws a `Refusal` if floats cannot hold the points: the largest coordinate is beyond their range, above or below.
 void check_float_range(const std::vector<Point>& points);
@@ -46,7 +47,7 @@ void write_variance_ply(std::ostream& out, bool ascii, const Mesh& mesh, const s
 /// Writes the mesh as PLY with the segment of every face, and faces coloured by it. Segment i has the same colour in
 /// every file.
 void write_segments_ply(std::ostream& out, bool ascii, const Mesh& mesh, const std::vector<std::size_t>& segments,
-                        std::size_t number_of_segments);
+                        std::size_t number_of_segments, const Vertex_data& data);
 
 /// A position in the texture.
 using Uv = std::pair<double, double>;
@@ -79,6 +80,10 @@ void write_gifti(std::ostream& out, const Mesh& mesh, const std::vector<Point>& 
                  const Annotations& annotations);
 void write_freesurfer(std::ostream& out, const Mesh& mesh, const std::vector<Point>& points, Surface surface,
                       const Annotations& annotations);
+void write_vtk(std::ostream& out, bool is_text, const Mesh& mesh, const std::vector<Point>& points,
+               const Vertex_data& data);
+void write_vtp(std::ostream& out, bool is_text, const Mesh& mesh, const std::vector<Point>& points,
+               const Vertex_data& data);
 void write_gltf(std::ostream& out, Mesh_format format, const Mesh& mesh, const std::vector<Point>& points);
 /// @}
 

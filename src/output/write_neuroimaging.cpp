@@ -2,15 +2,19 @@
 // Part of CGAL Spherical Parameterization.
 
 #include "input/binary.h"
+#include "input/compression.h"
 #include "input/text_lines.h"
+#include "output/text_writer.h"
 #include "output/write_mesh.h"
-
-#include <zlib.h>
+#include "output/write_vertex_data.h"
+#include "system/refusal.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
-#include <new>
+#include <map>
+#include <sstream>
 
 namespace tool {
 namespace {
@@ -94,50 +98,35 @@ std::string freesurfer_tags(const Annotations& annotations)
   return tags;
 }
 
-std::string escaped(const std::string& text)
-{
-  std::string result;
-  for(const char c : text)
-    switch(c) {
-    case '&': result += "&amp;"; break;
-    case '<': result += "&lt;"; break;
-    case '>': result += "&gt;"; break;
-    default: result += c;
-    }
-  return result;
-}
-
 void write_metadata(std::ostream& out, const Annotations::Metadata& metadata)
 {
   out << "<MetaData>\n";
   for(const auto& [name, value] : metadata)
-    out << "<MD><Name>" << escaped(name) << "</Name><Value>" << escaped(value) << "</Value></MD>\n";
+    out << "<MD><Name>" << xml_escaped(name) << "</Name><Value>" << xml_escaped(value) << "</Value></MD>\n";
   out << "</MetaData>\n";
 }
 
-/// The bytes as text: zlib's format in Base64. Numbers of a mesh hardly shrink more where it takes longer.
-std::string as_text(const std::string& bytes)
+void begin_file(std::ostream& out, std::size_t arrays, const Annotations::Metadata& metadata)
 {
-  uLongf size = compressBound(static_cast<uLong>(bytes.size()));
-  std::string compressed(size, '\0');
-  if(compress2(reinterpret_cast<Bytef*>(compressed.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()),
-               static_cast<uLong>(bytes.size()), Z_BEST_SPEED) != Z_OK)
-    throw std::bad_alloc(); // there is no other reason
-  compressed.resize(size);
-  return to_base64(compressed);
+  out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+         "<!DOCTYPE GIFTI SYSTEM \"http://www.nitrc.org/frs/download.php/115/gifti.dtd\">\n"
+         "<GIFTI Version=\"1.0\" NumberOfDataArrays=\""
+      << arrays << "\">\n";
+  write_metadata(out, metadata);
 }
 
-void begin_array(std::ostream& out, const char* intent, const char* type, std::size_t rows)
+/// Rows of three, or of one.
+void begin_array(std::ostream& out, const char* intent, const char* type, std::size_t rows, bool has_columns = true)
 {
   out << "<DataArray Intent=\"" << intent << "\" DataType=\"" << type
-      << "\" ArrayIndexingOrder=\"RowMajorOrder\" Dimensionality=\"2\" Dim0=\"" << rows
-      << "\" Dim1=\"3\" Encoding=\"GZipBase64Binary\" Endian=\"LittleEndian\" ExternalFileName=\"\" "
-         "ExternalFileOffset=\"\">\n";
+      << "\" ArrayIndexingOrder=\"RowMajorOrder\" Dimensionality=\"" << (has_columns ? 2 : 1) << "\" Dim0=\"" << rows
+      << (has_columns ? "\" Dim1=\"3" : "")
+      << "\" Encoding=\"GZipBase64Binary\" Endian=\"LittleEndian\" ExternalFileName=\"\" ExternalFileOffset=\"\">\n";
 }
 
 void end_array(std::ostream& out, const std::string& bytes)
 {
-  out << "<Data>" << as_text(bytes) << "</Data>\n</DataArray>\n";
+  out << "<Data>" << to_base64(to_zlib(bytes)) << "</Data>\n</DataArray>\n";
 }
 
 /// What the programs of the field call a surface that is a sphere.
@@ -158,10 +147,7 @@ Annotations::Metadata metadata_of_points(Annotations::Metadata metadata, Surface
 void write_gifti(std::ostream& out, const Mesh& mesh, const std::vector<Point>& points, Surface surface,
                  const Annotations& annotations)
 {
-  out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-         "<!DOCTYPE GIFTI SYSTEM \"http://www.nitrc.org/frs/download.php/115/gifti.dtd\">\n"
-         "<GIFTI Version=\"1.0\" NumberOfDataArrays=\"2\">\n";
-  write_metadata(out, annotations.gifti);
+  begin_file(out, 2, annotations.gifti);
   out << "<LabelTable/>\n";
 
   std::string bytes;
@@ -174,8 +160,8 @@ void write_gifti(std::ostream& out, const Mesh& mesh, const std::vector<Point>& 
   if(transforms.empty())
     transforms.push_back({"NIFTI_XFORM_UNKNOWN", "NIFTI_XFORM_UNKNOWN", "1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1"});
   for(const auto& [from, to, matrix] : transforms)
-    out << "<CoordinateSystemTransformMatrix>\n<DataSpace>" << escaped(from) << "</DataSpace>\n<TransformedSpace>"
-        << escaped(to) << "</TransformedSpace>\n<MatrixData>" << escaped(matrix)
+    out << "<CoordinateSystemTransformMatrix>\n<DataSpace>" << xml_escaped(from) << "</DataSpace>\n<TransformedSpace>"
+        << xml_escaped(to) << "</TransformedSpace>\n<MatrixData>" << xml_escaped(matrix)
         << "</MatrixData>\n</CoordinateSystemTransformMatrix>\n";
   end_array(out, bytes);
 
@@ -205,6 +191,112 @@ void write_freesurfer(std::ostream& out, const Mesh& mesh, const std::vector<Poi
       write(mesh.triangle(f));
   }
   out << freesurfer_tags(annotations);
+}
+
+void write_gifti_data(std::ostream& out, const std::string& file, const Vertex_data& data, Data_format format,
+                      const Annotations& annotations)
+{
+  const bool are_labels = format == Data_format::LABEL_GII;
+  Annotations::Metadata metadata; // of which hemisphere they are
+  for(const auto& entry : annotations.gifti_points)
+    if(entry.first == "AnatomicalStructurePrimary")
+      metadata.push_back(entry);
+  begin_file(out, data.size(), metadata);
+  std::map<int, Label> table;
+  for(const Vertex_column& column : data)
+    for(const Label& label : column.table)
+      if(const auto [known, is_new] = table.emplace(label.key, label); !is_new && known->second.name != label.name)
+        throw Refusal(unwritable_file, file,
+                      "the format has one table, and the key " + std::to_string(label.key) + " stands for " +
+                        in_quotes(known->second.name) + " and for " + in_quotes(label.name),
+                      "write these columns one by one, or as .csv");
+  if(are_labels && table.empty()) // a key that is not in a table is no label; without one nobody can tell
+    table[0] = {0, "???", {0, 0, 0, 0}};
+  int none = -1;
+  while(table.count(none) > 0)
+    --none;
+  {
+    Text_writer write(out);
+    write("<LabelTable>\n");
+    for(const auto& [key, label] : table) {
+      const auto& [red, green, blue, alpha] = label.rgba;
+      write("<Label Key=\"", key, "\" Red=\"", red, "\" Green=\"", green, "\" Blue=\"", blue, "\" Alpha=\"", alpha,
+            "\">", xml_escaped(label.name), "</Label>\n");
+    }
+    write("</LabelTable>\n");
+  }
+  for(const Vertex_column& column : data) {
+    begin_array(out,
+                are_labels                         ? "NIFTI_INTENT_LABEL"
+                : format == Data_format::SHAPE_GII ? "NIFTI_INTENT_SHAPE"
+                                                   : "NIFTI_INTENT_NONE",
+                are_labels ? "NIFTI_TYPE_INT32" : "NIFTI_TYPE_FLOAT32", column.values.size(), false);
+    write_metadata(out, {{"Name", column.name}});
+    std::string bytes;
+    for(const double value : column.values)
+      if(are_labels)
+        append_number(bytes, std::int32_t(key_of(value, none)));
+      else
+        append_number(bytes, static_cast<float>(value));
+    end_array(out, bytes);
+  }
+  out << "</GIFTI>\n";
+}
+
+void write_curv(std::ostream& out, const Vertex_column& column)
+{
+  out << "\xff\xff\xff";
+  Byte_writer write(out, Byte_order::BIG);
+  write(static_cast<std::int32_t>(column.values.size()));
+  write(std::array<std::int32_t, 2>{0, 1}); // faces, which readers do not need, and values per vertex
+  for(const double value : column.values)
+    write(static_cast<float>(value));
+}
+
+void write_annot(std::ostream& out, const std::string& file, const Vertex_column& column)
+{
+  std::map<int, std::int32_t> colours; // by keys
+  std::map<std::int32_t, std::string> names;
+  std::ostringstream table;
+  {
+    Byte_writer write(table, Byte_order::BIG);
+    for(const Label& label : column.table) {
+      std::array<std::int32_t, 4> rgb;
+      for(std::size_t k = 0; k < 4; ++k) {
+        const float share = std::fmin(1.F, std::fmax(0.F, label.rgba[k]));
+        rgb[k] = static_cast<std::int32_t>(std::lround(255 * (k < 3 ? share : 1 - share)));
+      }
+      const std::int32_t colour = rgb[0] | rgb[1] << 8 | rgb[2] << 16;
+      const auto [known, is_new] = names.emplace(colour, label.name);
+      if(!is_new || label.key < 0)
+        throw Refusal(unwritable_file, file,
+                      is_new ? "the label " + in_quotes(label.name) + " has the key " + std::to_string(label.key) +
+                                 ", and the format has none below 0"
+                             : "the labels " + in_quotes(known->second) + " and " + in_quotes(label.name) +
+                                 " have the same colour, by which the format tells them apart",
+                      "write .label.gii or .csv");
+      colours[label.key] = colour;
+      write(std::int32_t(label.key));
+      write(static_cast<std::int32_t>(label.name.size() + 1));
+      for(const char c : label.name + '\0')
+        write(c);
+      write(rgb);
+    }
+  }
+  Byte_writer write(out, Byte_order::BIG);
+  write(static_cast<std::int32_t>(column.values.size()));
+  for(std::size_t v = 0; v < column.values.size(); ++v) {
+    const auto colour = std::isnan(column.values[v]) ? colours.end() : colours.find(key_of(column.values[v]));
+    write(static_cast<std::int32_t>(v));
+    write(colour == colours.end() ? 0 : colour->second); // as FreeSurfer marks what has none
+  }
+  write(std::array<std::int32_t, 2>{1, -2}); // there is a table, of version 2
+  write(static_cast<std::int32_t>(column.table.empty() ? 0 : std::int64_t(colours.rbegin()->first) + 1));
+  write(std::int32_t(1)); // the name of a file, which is empty
+  write('\0');
+  write(static_cast<std::int32_t>(column.table.size()));
+  for(const char c : table.str())
+    write(c);
 }
 
 } // namespace tool

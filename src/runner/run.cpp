@@ -4,6 +4,7 @@
 #include "runner/step.h"
 
 #include "output/write_json.h"
+#include "output/write_vertex_data.h"
 #include "system/interruption.h"
 #include "system/standard_output.h"
 
@@ -27,8 +28,7 @@ Output_format Request::mesh_format(const std::string& option) const
         return {of_word, ascii};
   require(name != standard_stream || option != "--output", "--format", "is required for the standard output");
   const auto of_name = format_of_name(name);
-  require(of_name && *of_name != Mesh_format::STL, option,
-          "'" + name + "' must have the extension .off, .obj, .ply, .gii, .glb or .gltf, or begin with lh. or rh.");
+  require(of_name && *of_name != Mesh_format::STL, option, "'" + name + "' must be called " + mesh_names);
   return {*of_name, ascii};
 }
 
@@ -52,15 +52,9 @@ std::ostream* Run::out(const std::string& option)
 
 void Run::write(const std::string& option, const Mesh& mesh, const std::vector<Point>& points, Surface surface)
 {
-  write(option, mesh, points, surface, input.file->annotations);
-}
-
-void Run::write(const std::string& option, const Mesh& mesh, const std::vector<Point>& points, Surface surface,
-                const Annotations& annotations)
-{
   const Stopwatch writing;
   if(std::ostream* const file = out(option))
-    write_mesh(*file, mesh_format(option), mesh, points, surface, annotations);
+    write_mesh(*file, mesh_format(option), mesh, points, surface, annotations, data);
   figures.seconds_write += writing.seconds();
 }
 
@@ -103,6 +97,8 @@ void Run::write_report()
 void Run::commit(bool is_late)
 {
   const Stopwatch writing;
+  if(std::ostream* const file = out("--data-output"))
+    write_vertex_data(*file, this->file("--data-output"), data, annotations);
   files_.complete();
   figures.seconds_write += writing.seconds();
   figures.seconds_total = total_.seconds();

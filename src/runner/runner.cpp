@@ -6,6 +6,7 @@
 #include "input/files.h"
 #include "input/mesh_format.h"
 #include "options/command_line.h"
+#include "output/write_vertex_data.h"
 #include "runner/manual.h"
 #include "system/standard_output.h"
 
@@ -57,6 +58,7 @@ private:
   Options all_; ///< but for those of its own
   Request request_;
   bool prepares_ = false;
+  bool carries_data_ = false;
 };
 
 Line::Line(const Step& step, CLI::App& command) : step_(step), command_(command), work_(step.work())
@@ -64,9 +66,30 @@ Line::Line(const Step& step, CLI::App& command) : step_(step), command_(command)
   if(step_.takes.meshes != Takes::NONE)
     step_.gives.push_back(
       {"--report", "Write results, times, memory and settings, or the error, as JSON", {}, Output::FILE});
+  const auto may_be_ply = [](const Output& output) {
+    const auto& all = output.extensions;
+    return output.kind == Output::MESH ? all.empty() || all.front() == ".ply"
+                                       : std::count(all.begin(), all.end(), ".ply") > 0;
+  };
+  const bool has_ply = std::any_of(step_.gives.begin(), step_.gives.end(), may_be_ply);
+  carries_data_ = step_.takes.meshes == Takes::PAIR || (is_about_each() && has_ply);
+  if(carries_data_)
+    step_.gives.push_back(
+      {"--data-output", std::string("Write the columns of --data, and those that the mesh has, at the vertices of "
+                                    "the output: ") +
+                          data_names});
   add_inputs();
   for(const Output& output : step_.gives)
     add_output(output);
+  if(carries_data_)
+    all_
+      .add("--data", request_.options.data,
+           std::string("Values and labels at the vertices of ") +
+             (step_.takes.meshes == Takes::PAIR ? "A" : "IN; of several IN the same for all") +
+             ": FreeSurfer's curv, .annot and .label, GIFTI, .csv. They are written to outputs that hold them (.ply, "
+             ".vtk, .vtp), as are those that the mesh has itself")
+      .is("FILE")
+      .times(0);
   const Output* const first = step_.gives.empty() ? nullptr : &step_.gives.front();
   if(first != nullptr && first->kind == Output::MESH) {
     std::vector<std::string> words;
@@ -80,13 +103,8 @@ Line::Line(const Step& step, CLI::App& command) : step_(step), command_(command)
              (first->extensions.empty() ? "ply" : first->extensions.front().substr(1)) + ']')
       .of(words);
   }
-  const auto may_be_ply = [](const Output& output) {
-    const auto& all = output.extensions;
-    return output.kind == Output::MESH ? all.empty() || all.front() == ".ply"
-                                       : std::count(all.begin(), all.end(), ".ply") > 0;
-  };
-  if(std::any_of(step_.gives.begin(), step_.gives.end(), may_be_ply))
-    all_.add("--ascii", request_.ascii, "Write PLY files as text instead of little-endian binary");
+  if(has_ply)
+    all_.add("--ascii", request_.ascii, "Write PLY, VTK and VTP files as text instead of binary");
   if(step_.takes.prepare == Prepare::ALL)
     all_.add("--prepare", prepares_,
              std::string("Repair the mesh first as the command 'prepare' does: holes, handles, components, ...; ") +
@@ -154,7 +172,7 @@ void Line::add_output(const Output& output)
 {
   std::string text = output.description;
   if(output.kind == Output::MESH && output.option() == "--output") {
-    text += output.extensions.empty() ? ": .off, .obj, .ply, .gii, .glb, .gltf or lh.NAME (FreeSurfer)" : "";
+    text += output.extensions.empty() ? std::string(": ") + mesh_names : "";
     text += ", also followed by .gz, .xz, .zst or .bz2; - is the standard output";
   }
   if(output.option() == "--output" && is_about_each() && output.kind != Output::FOLDER)
@@ -178,6 +196,8 @@ void Line::check(const Request& request) const
       require_extension(output.option(), file, output.extensions);
     if(output.kind == Output::MESH)
       request.mesh_format(output.option());
+    if(output.option() == "--data-output")
+      require(data_format_of_name(file).has_value(), "--data-output", "'" + file + "' must be called " + data_names);
   }
   if(work_.check)
     work_.check(request);

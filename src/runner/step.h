@@ -68,17 +68,20 @@ class Run : public Request {
 public:
   explicit Run(const Request& request) : Request(request) {}
 
-  void read() { read_input(options, input); }
+  void read()
+  {
+    read_input(options, input);
+    data = input.file->data;
+    annotations = input.file->annotations;
+  }
   void map(Map_quality quality = Map_quality::CERTIFIED) { map_input(options, input, quality); }
   const Mesh& mesh() const { return input.mesh(); }
 
   /// The file of this option; null if it was not asked for.
   std::ostream* out(const std::string& option = "--output");
 
-  /// Writes a mesh there, if it was asked for, with the annotations of `input` or others.
+  /// Writes a mesh there, if it was asked for, with `data` and `annotations`.
   void write(const std::string& option, const Mesh& mesh, const std::vector<Point>& points, Surface surface);
-  void write(const std::string& option, const Mesh& mesh, const std::vector<Point>& points, Surface surface,
-             const Annotations& annotations);
 
   /// One more file that gets its name with the others.
   std::ostream& open(const std::string& file) { return files_.open(file); }
@@ -95,6 +98,8 @@ public:
   std::string name_of_output() const;
 
   Mapped_mesh input;
+  Vertex_data data;        ///< at the vertices of the meshes that are written, and for --data-output: those of `input`
+  Annotations annotations; ///< of these meshes
   Report figures;
   nlohmann::ordered_json details; ///< what the report says besides
   std::string text;  ///< for people, of a mesh alone; lines without the end of the last one. Also said with a refusal

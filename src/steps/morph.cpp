@@ -113,10 +113,12 @@ void morph(const Morph_options& own, const Registration_options& options, Run& r
                                       : step == own.steps ? pair.points_on_b
                                                           : path.at(double(step) / own.steps);
     write_mesh(run.open(name), {format_of_name(name).value(), own.ascii}, mesh, points, Surface::SHAPE,
-               pair.a.file->annotations);
+               pair.a.file->annotations, pair.a.file->data);
     run.complete();
     stop_if_interrupted(options.input);
   }
+  run.data = pair.a.file->data;
+  run.annotations = pair.a.file->annotations;
   run.details = registration_json(options, pair);
   run.commit();
   run.text = preparation_text(options, pair) + "written: " + files[1].second + " to " + files.back().second +

@@ -85,8 +85,9 @@ void check_options(const Prepare_options& options, const Request& request)
   if(steps.count("split") > 0) {
     require(!request.is_one_of_many, "--steps",
             "split writes a file for every component, and so takes one IN at a time");
-    require(request.file("--vertex-map").empty() && request.file("--face-map").empty(), "--steps",
-            "split has several outputs, so --vertex-map and --face-map are not possible");
+    for(const char* option : {"--vertex-map", "--face-map", "--data-output"})
+      require(request.file(option).empty(), "--steps",
+              std::string("split has several outputs, so ") + option + " is not possible");
     require(!request.file().empty() && request.file() != standard_stream, "--steps",
             "split requires a file as --output");
     check_parts(request);
@@ -219,7 +220,7 @@ void write(const Prepare_options& options, Run& run, Prepared& prepared)
   const Stopwatch writing;
   const auto write_surface = [&](std::ostream& out, const Glued_surface& surface) {
     write_mesh(out, run.mesh_format(), Mesh(Mesh::Unchecked(), surface.points, surface.faces), surface.points,
-               Surface::SHAPE, prepared.soup->annotations);
+               Surface::SHAPE, prepared.soup->annotations, carried(prepared.soup->data, surface.old_vertex));
   };
   const std::vector<Glued_surface>& parts = prepared.preparation->parts;
   if(is_split(options)) {
@@ -231,6 +232,7 @@ void write(const Prepare_options& options, Run& run, Prepared& prepared)
     }
   } else {
     const Glued_surface all = joined(parts);
+    run.data = carried(prepared.soup->data, all.old_vertex);
     if(std::ostream* const out = run.out()) {
       write_surface(*out, all);
       prepared.files.push_back(run.file());
@@ -247,6 +249,8 @@ void prepare(const Prepare_options& options, Run& run, Prepared& prepared)
   const std::string& input = run.options.input;
   const Stopwatch reading;
   prepared.soup = read_triangles(input, Coordinates::ANY);
+  run.annotations = prepared.soup->annotations;
+  read_data(run.options, prepared.soup->points.size(), prepared.soup->data);
   prepared.diagonal = diagonal(*prepared.soup);
   prepared.seconds_read = reading.seconds();
   const Stopwatch preparing;

@@ -28,11 +28,12 @@ void register_meshes(const Registration_options& options, Run& run)
   read_pair(options, pair);
   register_pair(options, pair);
 
-  const Annotations& annotations = pair.a.file->annotations;
-  run.write("--output", pair.a.mesh(), pair.points_on_b, Surface::SHAPE, annotations);
+  run.data = pair.a.file->data;
+  run.annotations = pair.a.file->annotations;
+  run.write("--output", pair.a.mesh(), pair.points_on_b, Surface::SHAPE);
   if(run.has("--output-sphere")) {
     certify_as_stored(run.file("--output-sphere"), run.mesh_format("--output-sphere").format, pair.a, pair.registered);
-    run.write("--output-sphere", pair.a.mesh(), pair.registered, Surface::SPHERE, annotations);
+    run.write("--output-sphere", pair.a.mesh(), pair.registered, Surface::SPHERE);
   }
   if(run.has("--correspondence"))
     write_correspondence(*run.out("--correspondence"), places_by_files(pair));

@@ -6,8 +6,11 @@
 #include "preparation/prepare.h"
 
 #include <CGAL/Spherical_parameterization/resample.h>
+#include <CGAL/Spherical_parameterization/resampling_weights.h>
 
 #include <array>
+#include <cmath>
+#include <limits>
 #include <memory>
 #include <sstream>
 
@@ -53,6 +56,25 @@ Mapped_mesh sphere_of(const Resample_options& options, const Run& run)
   return result;
 }
 
+/// Numbers are linear on the faces, and labels those of most of the weights; having none counts as one.
+Vertex_data resampled(const Vertex_data& data, const SP::Resampling_weights& weights)
+{
+  constexpr double none = std::numeric_limits<double>::infinity(); // which, unlike NaN, is equal to itself
+  Vertex_data result = data;
+  for(Vertex_column& column : result) {
+    if(!column.is_label) {
+      column.values = weights.means(column.values);
+      continue;
+    }
+    for(double& value : column.values)
+      value = std::isnan(value) ? none : value;
+    column.values = weights.majorities(column.values);
+    for(double& value : column.values)
+      value = value == none ? std::nan("") : value;
+  }
+  return result;
+}
+
 void resample(const Resample_options& options, Run& run)
 {
   run.read();
@@ -63,6 +85,9 @@ void resample(const Resample_options& options, Run& run)
   std::vector<Point> points;
   for(const Point& direction : target.sphere)
     points.push_back(point_at(shape, direction));
+  run.data = on_host(run.input, [&](const auto& policy) {
+    return resampled(run.data, SP::linear_resampling(policy, shape, target.sphere));
+  });
   run.write("--output", out, points, Surface::SHAPE);
   run.write("--output-sphere", out, target.sphere, Surface::SPHERE);
   const Sampling_loss loss = sampling_loss(run.mesh(), out, points);

@@ -29,10 +29,13 @@ void segment(std::optional<std::int64_t> number, Run& run)
     throw Refusal(result.error, run.options.input, get_error_message(result.error), result.detail);
 
   std::size_t number_of_segments = result.number_of_segments;
-  if(input.prepared)
+  if(input.prepared) {
     segments = labels_of_file(*input.prepared, segments, number_of_segments);
-  on_mesh_of_file(
-    input, [&](const Mesh& mesh) { write_segments_ply(*run.out(), run.ascii, mesh, segments, number_of_segments); });
+    run.data = input.prepared->soup.data;
+  }
+  on_mesh_of_file(input, [&](const Mesh& mesh) {
+    write_segments_ply(*run.out(), run.ascii, mesh, segments, number_of_segments, run.data);
+  });
   if(std::ostream* const labels = run.out("--labels"))
     for(const std::size_t segment : segments)
       *labels << segment << '\n';

@@ -1,0 +1,520 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+//
+// The files of VTK, as of https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html: the older ones of text
+// or bytes below lines of words (.vtk), and those of XML (.vtp).
+
+#include "input/binary.h"
+#include "input/compression.h"
+#include "input/mesh_readers.h"
+#include "input/text_lines.h"
+#include "input/xml.h"
+#include "system/refusal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+namespace tool {
+namespace {
+
+const std::string damaged = "the file is damaged; export it again";
+
+/// What both have in common: a mesh, and arrays at its points.
+class Vtk_mesh {
+public:
+  explicit Vtk_mesh(const std::string& file) : file_(file) {}
+
+protected:
+  [[noreturn]] void refuse(const std::string& wrong, const std::string& remedy = damaged) const
+  {
+    throw Refusal(unreadable_file, file_, wrong, remedy);
+  }
+
+  const Number_type& type(std::string_view name) const
+  {
+    if(const Number_type* const found = number_type(name))
+      return *found;
+    refuse("has numbers of type " + in_quotes(name), "leave that array out");
+  }
+
+  void set_coordinate(std::size_t i, double x)
+  {
+    soup_.points[i / 3][i % 3] = x;
+    if(!std::isfinite(x) && !soup_.non_finite)
+      soup_.non_finite.emplace(Error_code::NON_FINITE_COORDINATE, file_,
+                               "vertex " + std::to_string(i / 3) + " has the coordinate " + std::to_string(x),
+                               non_finite_remedy);
+  }
+
+  /// Of cells: each is larger than the one before.
+  void check_offsets(const std::vector<double>& offsets) const
+  {
+    const auto are_wrong = [](double a, double b) { return !(a < b) || b != std::floor(b); }; // NaN, too
+    if(!(offsets.front() >= 0) || !(offsets.back() <= 4. * largest_count) ||
+       std::adjacent_find(offsets.begin(), offsets.end(), are_wrong) != offsets.end())
+      refuse("has offsets of faces that are not in order");
+  }
+
+  /// Appends a corner, and the face with its last one.
+  void add_corner(double vertex, bool is_last)
+  {
+    const bool is_index = vertex >= 0 && vertex < static_cast<double>(largest_count) && vertex == std::floor(vertex);
+    corners_.push_back(is_index ? static_cast<int>(vertex) : -1);
+    check_corner(file_, soup_.faces, corners_.back(), soup_.points.size());
+    if(!is_last)
+      return;
+    if(corners_.size() >= 3)
+      soup_.add_face(corners_);
+    else if(!has_lines_)
+      refuse("face " + std::to_string(soup_.faces) + " has only " + std::to_string(corners_.size()) + " vertices");
+    corners_.clear();
+  }
+
+  /// A column for each component of an array, in which the components of a point are together. Normals are left out:
+  /// the surface has them.
+  void add_array(const std::string& name, const Number_type& type, std::size_t components,
+                 const std::vector<double>& values)
+  {
+    if(components == 3 && lower_case(name) == "normals")
+      return;
+    for(std::size_t k = 0; k < components; ++k) {
+      const std::string component = components == 1 ? "" : '_' + std::to_string(k);
+      Vertex_column column = {(name.empty() ? "data" : name) + component, {}, type.is_integer && type.size >= 4};
+      for(std::size_t i = k; i < values.size(); i += components) {
+        column.values.push_back(values[i]);
+        column.is_label = column.is_label && std::abs(values[i]) <= std::numeric_limits<int>::max();
+      }
+      add_column(soup_.data, std::move(column));
+    }
+  }
+
+  Soup finished()
+  {
+    if(soup_.faces == 0)
+      throw Refusal(Error_code::EMPTY_MESH, file_,
+                    "has " + std::to_string(soup_.points.size()) + " vertices, but no faces",
+                    "a point cloud cannot be mapped; reconstruct a surface first");
+    return std::move(soup_);
+  }
+
+  std::string file_;
+  Soup soup_;
+  bool has_lines_ = false; ///< and points among its faces, which are left out
+
+private:
+  std::vector<int> corners_; ///< of the next face
+};
+
+class Vtk_reader : private Vtk_mesh {
+public:
+  Vtk_reader(const std::string& file, std::string_view bytes) : Vtk_mesh(file), rest_(bytes) {}
+
+  Soup read()
+  {
+    std::string_view line = next_line();
+    if(lower_case(line.substr(0, 14)) != "# vtk datafile")
+      refuse("does not begin with '# vtk DataFile Version'", "check that this is a VTK file");
+    for(int i = 0; i < 5; ++i)
+      version_ = next_token(line);
+    next_line(); // a title
+    const std::string format = lower_case(next_line());
+    if(format != "ascii" && format != "binary")
+      refuse("line 3 is " + in_quotes(format) + ", and neither ASCII nor BINARY");
+    is_text_ = format == "ascii";
+    while(!is_at_end()) {
+      line_ = next_line();
+      read_section(lower_case(next_token(line_)));
+    }
+    return finished();
+  }
+
+private:
+  bool is_at_end()
+  {
+    const std::size_t begin = rest_.find_first_not_of(" \t\r\n");
+    rest_.remove_prefix(std::min(begin, rest_.size()));
+    return rest_.empty();
+  }
+
+  std::string_view next_line()
+  {
+    std::string_view line = rest_.substr(0, rest_.find('\n'));
+    rest_.remove_prefix(std::min(line.size() + 1, rest_.size()));
+    if(!line.empty() && line.back() == '\r')
+      line.remove_suffix(1);
+    return line;
+  }
+
+  /// The next word of the line, which is a number not below `least`.
+  std::size_t next_count(std::int64_t least = 0)
+  {
+    const std::string_view token = next_token(line_);
+    const auto count = to_integer(token);
+    if(!count || *count < least || *count > 4 * std::int64_t(largest_count))
+      refuse("has the count " + in_quotes(token));
+    return static_cast<std::size_t>(*count);
+  }
+
+  void read_section(const std::string& keyword)
+  {
+    if(keyword == "dataset")
+      read_kind(lower_case(next_token(line_)));
+    else if(keyword == "points")
+      read_points();
+    else if(keyword == "polygons" || keyword == "cells") {
+      has_lines_ = keyword == "cells";
+      read_cells(true);
+    } else if(keyword == "vertices" || keyword == "lines")
+      read_cells(false);
+    else if(keyword == "cell_types")
+      read_numbers(type("int"), next_count(), [this](std::size_t, double kind) {
+        if(kind != 1 && kind != 3 && kind != 5 && kind != 7 && kind != 9) // vertex, line, triangle, polygon, quadrangle
+          refuse("has cells that are no faces", "save the triangles of its surface");
+      });
+    else if(keyword == "triangle_strips")
+      refuse("has its faces as triangle strips", "save triangles, as vtkTriangleFilter makes them");
+    else if(keyword == "point_data" || keyword == "cell_data") {
+      is_at_points_ = keyword == "point_data";
+      size_ = next_count();
+      if(is_at_points_ && size_ != soup_.points.size())
+        refuse("has data for " + std::to_string(size_) + " points, and " + std::to_string(soup_.points.size()) +
+               " points");
+    } else if(keyword == "metadata")
+      while(!rest_.empty() && !next_line().empty())
+        continue;
+    else
+      read_attribute(keyword);
+  }
+
+  void read_kind(const std::string& kind)
+  {
+    if(kind != "polydata" && kind != "unstructured_grid")
+      refuse("is a dataset of the kind " + in_quotes(kind), "save its surface as PolyData");
+  }
+
+  /// Calls `use(i, number)` for so many numbers.
+  template <class Use>
+  void read_numbers(const Number_type& type, std::size_t count, Use use)
+  {
+    if(count > (is_text_ ? (rest_.size() + 1) / 2 : rest_.size() / type.size)) // in text a digit and a space
+      refuse("cut short: " + std::to_string(count) + " numbers are announced where " + std::to_string(rest_.size()) +
+             " bytes are left");
+    for(std::size_t i = 0; i < count; ++i) {
+      double value = 0;
+      if(!is_text_)
+        value = type.read(&rest_[i * type.size], Byte_order::BIG);
+      else if(const std::string_view token = next_token(rest_); to_number(token, value) == Number::NONE)
+        refuse(token.empty() ? "cut short" : in_quotes(token) + " stands where a number should be");
+      use(i, value);
+    }
+    if(!is_text_)
+      rest_.remove_prefix(count * type.size);
+  }
+
+  void read_points()
+  {
+    const std::size_t count = next_count();
+    const Number_type& of_coordinates = type(next_token(line_));
+    if(!soup_.points.empty() || count > rest_.size())
+      refuse("has the points twice, or is cut short: " + std::to_string(count) + " points are announced");
+    soup_.points.resize(count);
+    read_numbers(of_coordinates, 3 * count, [this](std::size_t i, double x) { set_coordinate(i, x); });
+  }
+
+  /// Up to version 4 each cell as the number of its corners and the corners, from version 5 on all places where cells
+  /// begin and all corners.
+  void read_cells(bool are_faces)
+  {
+    const std::size_t first = next_count(), second = next_count();
+    if(version_.compare(0, 1, "5") < 0) {
+      std::int64_t left = 0;
+      std::size_t cells = 0;
+      read_numbers(type("int"), second, [&](std::size_t, double x) {
+        if(left > 0) {
+          --left;
+          if(are_faces)
+            add_corner(x, left == 0);
+        } else if(++cells, x >= 1 && x <= double(second))
+          left = std::int64_t(x);
+        else
+          refuse("cell " + std::to_string(cells - 1) + " has an impossible number of vertices");
+      });
+      if(left > 0 || cells != first)
+        refuse("announces " + std::to_string(first) + " cells and has " + std::to_string(cells));
+      return;
+    }
+    std::vector<double> begin;
+    line_ = is_at_end() ? std::string_view() : next_line(); // OFFSETS vtktypeint64
+    next_token(line_);
+    read_numbers(type(next_token(line_)), first, [&](std::size_t, double x) { begin.push_back(x); });
+    line_ = is_at_end() ? std::string_view() : next_line(); // CONNECTIVITY vtktypeint64
+    next_token(line_);
+    std::size_t cell = 0;
+    if(begin.empty() || begin.front() != 0 || begin.back() != double(second))
+      refuse("has offsets of cells that do not fit their " + std::to_string(second) + " corners");
+    check_offsets(begin);
+    read_numbers(type(next_token(line_)), second, [&](std::size_t i, double x) {
+      while(begin[cell + 1] <= double(i))
+        ++cell;
+      if(are_faces)
+        add_corner(x, begin[cell + 1] == double(i + 1));
+    });
+  }
+
+  void read_attribute(const std::string& keyword)
+  {
+    const auto is = [&keyword](std::initializer_list<const char*> words) {
+      return std::any_of(words.begin(), words.end(), [&](const char* word) { return keyword == word; });
+    };
+    const std::string name = decoded(next_token(line_));
+    if(keyword == "field") {
+      const std::size_t arrays = next_count();
+      for(std::size_t i = 0; i < arrays; ++i) {
+        while(!is_at_end() && lower_case(rest_.substr(0, 8)) == "metadata") // of the array before
+          while(!next_line().empty())
+            continue;
+        line_ = is_at_end() ? std::string_view() : next_line();
+        const std::string of_array = decoded(next_token(line_));
+        const std::size_t components = next_count(), tuples = next_count();
+        const std::string_view of_numbers = next_token(line_);
+        read_array(of_array, type(of_numbers), components, tuples);
+      }
+    } else if(keyword == "scalars") {
+      const Number_type& of_numbers = type(next_token(line_));
+      const std::size_t components = std::string_view(line_).find_first_not_of(' ') < line_.size() ? next_count(1) : 1;
+      if(!is_at_end() && lower_case(rest_.substr(0, 12)) == "lookup_table")
+        next_line();
+      read_array(name, of_numbers, components, size_);
+    } else if(keyword == "color_scalars")
+      read_array(name, type(is_text_ ? "float" : "uchar"), next_count(), size_);
+    else if(keyword == "lookup_table") // colours of values
+      read_numbers(type(is_text_ ? "float" : "uchar"), 4 * next_count(), [](std::size_t, double) {});
+    else if(keyword == "texture_coordinates") {
+      const std::size_t components = next_count();
+      read_array(name, type(next_token(line_)), components, size_);
+    } else if(is({"vectors", "normals"}))
+      read_array(keyword == "normals" ? keyword : name, type(next_token(line_)), 3, size_);
+    else if(is({"tensors", "tensors6"}))
+      read_array(name, type(next_token(line_)), keyword == "tensors" ? 9 : 6, size_);
+    else if(is({"global_ids", "pedigree_ids", "edge_flags"}))
+      read_array(name, type(next_token(line_)), 1, size_);
+    else
+      refuse("has the unknown keyword " + in_quotes(keyword));
+  }
+
+  /// Kept if it is at the points.
+  void read_array(const std::string& name, const Number_type& type, std::size_t components, std::size_t tuples)
+  {
+    if(components > 0 && tuples > 4 * largest_count / components)
+      refuse("cut short: an array of " + std::to_string(tuples) + " rows is announced");
+    std::vector<double> values;
+    read_numbers(type, components * tuples, [&](std::size_t, double x) { values.push_back(x); });
+    if(is_at_points_ && tuples == soup_.points.size())
+      add_array(name, type, components, values);
+  }
+
+  /// VTK writes characters that would end a word as %20.
+  static std::string decoded(std::string_view word)
+  {
+    std::string text;
+    for(std::size_t i = 0; i < word.size(); ++i) {
+      const std::string digits = word[i] == '%' ? std::string(word.substr(i + 1, 2)) : "";
+      const bool is_code =
+        digits.size() == 2 && digits.find_first_not_of("0123456789abcdefABCDEF") == std::string::npos;
+      text += is_code ? static_cast<char>(std::stoi(digits, nullptr, 16)) : word[i];
+      i += is_code ? 2 : 0;
+    }
+    return text;
+  }
+
+  std::string_view rest_; ///< of the bytes
+  std::string_view line_; ///< as far as it has not been read
+  std::string version_;
+  bool is_text_ = false;
+  bool is_at_points_ = false; ///< where the arrays are that follow
+  std::size_t size_ = 0;      ///< of each
+};
+
+class Vtp_reader : private Vtk_mesh {
+public:
+  Vtp_reader(const std::string& file, std::string_view bytes) : Vtk_mesh(file)
+  {
+    // What is appended may be bytes, which are no XML.
+    const std::size_t begin = std::min(bytes.find("<AppendedData"), bytes.size());
+    const std::size_t end = std::min(bytes.find('>', begin), bytes.size());
+    std::string text(bytes.substr(0, end));
+    if(begin < bytes.size()) {
+      text += "/></VTKFile>";
+      const std::size_t mark = bytes.find('_', end);
+      if(mark == std::string_view::npos)
+        refuse("has no '_' before its appended data");
+      appended_ = bytes.substr(mark + 1);
+    }
+    parse_xml(file, text, document_);
+    root_ = child(file_, document_, "VTKFile");
+    is_raw_ = root_.child("AppendedData").attribute("encoding").value() == std::string_view("raw");
+  }
+
+  Soup read()
+  {
+    const std::string_view kind = root_.attribute("type").value(), compressor = root_.attribute("compressor").value();
+    if(kind != "PolyData")
+      refuse("is a VTK file of the type " + in_quotes(kind), "save its surface as PolyData");
+    if(!compressor.empty() && compressor != "vtkZLibDataCompressor")
+      refuse("is compressed by " + in_quotes(compressor), "save it with the compressor zlib, or with none");
+    const pugi::xml_node piece = child(file_, child(file_, root_, "PolyData"), "Piece");
+    if(piece.next_sibling("Piece"))
+      refuse("has several pieces", "save it as one");
+    if(piece.attribute("NumberOfStrips").as_llong() > 0)
+      refuse("has its faces as triangle strips", "save triangles, as vtkTriangleFilter makes them");
+    const std::size_t points = count_of(file_, piece, "NumberOfPoints");
+    const std::size_t faces = count_of(file_, piece, "NumberOfPolys");
+    const std::vector<double> coordinates =
+      numbers(child(file_, child(file_, piece, "Points"), "DataArray"), 3 * points);
+    soup_.points.resize(points);
+    for(std::size_t i = 0; i < coordinates.size(); ++i)
+      set_coordinate(i, coordinates[i]);
+    if(faces > 0)
+      read_faces(child(file_, piece, "Polys"), faces);
+    for(const pugi::xml_node array : piece.child("PointData").children("DataArray")) {
+      const std::size_t components = array.attribute("NumberOfComponents").as_uint(1);
+      if(components > largest_count / std::max<std::size_t>(points, 1))
+        refuse("has an array of " + std::to_string(components) + " components");
+      add_array(array.attribute("Name").value(), type(attribute(file_, array, "type").value()), components,
+                numbers(array, components * points));
+    }
+    return finished();
+  }
+
+private:
+  void read_faces(pugi::xml_node polys, std::size_t faces)
+  {
+    const auto array = [&](const char* name) {
+      const pugi::xml_node found = polys.find_child_by_attribute("DataArray", "Name", name);
+      if(!found)
+        refuse("has faces without an array '" + std::string(name) + "'");
+      return found;
+    };
+    const std::vector<double> ends = numbers(array("offsets"), faces);
+    check_offsets(ends);
+    const std::vector<double> corners = numbers(array("connectivity"), static_cast<std::size_t>(ends.back()));
+    std::size_t face = 0;
+    for(std::size_t i = 0; i < corners.size(); ++i) {
+      while(ends[face] <= double(i))
+        ++face;
+      add_corner(corners[i], ends[face] == double(i + 1));
+    }
+  }
+
+  /// The numbers of an array, of which there have to be so many.
+  std::vector<double> numbers(pugi::xml_node array, std::size_t count) const
+  {
+    const Number_type& of_numbers = type(attribute(file_, array, "type").value());
+    const std::string_view format = attribute(file_, array, "format").value();
+    std::vector<double> values;
+    if(format == "ascii") {
+      std::string_view rest = array.child_value();
+      double value = 0;
+      for(std::string_view token = next_token(rest); !token.empty(); token = next_token(rest)) {
+        if(to_number(token, value) == Number::NONE)
+          refuse(in_quotes(token) + " stands where a number should be");
+        values.push_back(value);
+      }
+      check_size(values.size(), count);
+      return values;
+    }
+    if(count == 0)
+      return values;
+    std::string_view stream = array.child_value();
+    const bool is_appended = format == "appended";
+    if(is_appended)
+      stream = appended_.substr(std::min<std::size_t>(array.attribute("offset").as_ullong(), appended_.size()));
+    else if(format != "binary")
+      refuse("has an array of the format " + in_quotes(format));
+    else
+      stream.remove_prefix(std::min(stream.find_first_not_of(" \t\r\n"), stream.size()));
+    const std::string bytes = bytes_of(stream, is_appended && is_raw_, count * of_numbers.size);
+    values.reserve(count);
+    const Byte_order order =
+      root_.attribute("byte_order").value() == std::string_view("BigEndian") ? Byte_order::BIG : Byte_order::LITTLE;
+    for(std::size_t i = 0; i < count; ++i)
+      values.push_back(of_numbers.read(&bytes[i * of_numbers.size], order));
+    return values;
+  }
+
+  void check_size(std::uint64_t size, std::size_t announced) const
+  {
+    if(size != announced)
+      refuse("an array has the size " + std::to_string(size) + ", where " + std::to_string(announced) +
+             " is announced");
+  }
+
+  /// A block of so many bytes, which in Base64 is encoded by itself.
+  std::string take(std::string_view& stream, bool is_raw, std::size_t size) const
+  {
+    const std::size_t letters = is_raw ? size : size / 3 * 4 + (size % 3 > 0 ? 4 : 0);
+    if(letters > stream.size())
+      refuse("cut short: an array of " + std::to_string(size) + " bytes is announced");
+    const std::optional<std::string> bytes =
+      is_raw ? std::string(stream.substr(0, letters)) : from_base64(stream.substr(0, letters));
+    if(!bytes || bytes->size() < size)
+      refuse("an array is no Base64 text");
+    stream.remove_prefix(letters);
+    return bytes->substr(0, size);
+  }
+
+  /// The bytes of an array, of which there should be `size`: behind their number, or in blocks behind the number of
+  /// blocks, the size of a block and that of a last, smaller one, and the sizes of all of them when compressed.
+  std::string bytes_of(std::string_view stream, bool is_raw, std::size_t size) const
+  {
+    const std::size_t width = root_.attribute("header_type").value() == std::string_view("UInt64") ? 8 : 4;
+    const auto number = [&](const std::string& bytes, std::size_t i) -> std::uint64_t {
+      const Byte_order order =
+        root_.attribute("byte_order").value() == std::string_view("BigEndian") ? Byte_order::BIG : Byte_order::LITTLE;
+      return width == 8 ? number_at<std::uint64_t>(&bytes[8 * i], order)
+                        : number_at<std::uint32_t>(&bytes[4 * i], order);
+    };
+    std::string_view first = stream;
+    const std::uint64_t announced = number(take(first, is_raw, width), 0);
+    if(!root_.attribute("compressor")) {
+      check_size(announced, size);
+      return take(stream, is_raw, width + size).substr(width);
+    }
+    if(announced > stream.size())
+      refuse("cut short: an array of " + std::to_string(announced) + " compressed blocks is announced");
+    const std::string header = take(stream, is_raw, (3 + announced) * width);
+    std::uint64_t sum = 0;
+    for(std::size_t i = 0; i < announced; ++i)
+      sum += std::min<std::uint64_t>(number(header, 3 + i), stream.size() + 1);
+    const std::string compressed = take(stream, is_raw, sum);
+    std::string bytes;
+    std::size_t at = 0;
+    for(std::size_t i = 0; i < announced && bytes.size() <= size; ++i) {
+      const bool is_last = i + 1 == announced && number(header, 2) > 0;
+      const auto block = from_zlib(std::string_view(compressed).substr(at, number(header, 3 + i)),
+                                   std::min<std::uint64_t>(number(header, is_last ? 2 : 1), size + 1));
+      if(!block)
+        refuse("an array cannot be decompressed to the size that it announces");
+      bytes += *block;
+      at += number(header, 3 + i);
+    }
+    check_size(bytes.size(), size);
+    return bytes;
+  }
+
+  pugi::xml_document document_;
+  pugi::xml_node root_;
+  std::string_view appended_;
+  bool is_raw_ = false;
+};
+
+} // namespace
+
+Soup read_vtk(const std::string& file, const std::string& bytes) { return Vtk_reader(file, bytes).read(); }
+
+Soup read_vtp(const std::string& file, const std::string& bytes) { return Vtp_reader(file, bytes).read(); }
+
+} // namespace tool

@@ -8,12 +8,14 @@
 #include "input/mesh.h"
 #include "mapping/spherical_map.h"
 #include "output/write_mesh.h"
+#include "output/write_vertex_data.h"
 
 #include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -107,9 +109,9 @@ void check_file(const std::string& file, bool triangulate)
   check_round_trip(*mesh, {tool::Mesh_format::PLY}, ".copy.ply");
   check_round_trip(*mesh, {tool::Mesh_format::FREESURFER}, ".copy.white");
   check_round_trip(*mesh, {tool::Mesh_format::GLB}, ".copy.glb");
-#ifdef SPHERICAL_PARAMETERIZATION_WITH_GIFTI
   check_round_trip(*mesh, {tool::Mesh_format::GIFTI}, ".copy.gii");
-#endif
+  check_round_trip(*mesh, {tool::Mesh_format::VTK}, ".copy.vtk");
+  check_round_trip(*mesh, {tool::Mesh_format::VTP}, ".copy.vtp");
 
   tool::Sphere sphere;
   try {
@@ -119,6 +121,81 @@ void check_file(const std::string& file, bool triangulate)
   } catch(const tool::Refusal& refusal) {
     check_refusal(refusal);
   }
+}
+
+namespace {
+
+bool is_same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
+
+void check_columns(const tool::Vertex_data& data, std::size_t number_of_vertices)
+{
+  std::set<std::string> names;
+  promise(!data.empty(), "data without columns");
+  for(const tool::Vertex_column& column : data) {
+    promise(!column.name.empty() && names.insert(column.name).second, "a column without a name of its own");
+    promise(column.values.size() == number_of_vertices, "a column of another size");
+    promise(column.is_label || column.table.empty(), "a table of numbers");
+    std::set<double> keys;
+    for(const tool::Label& label : column.table) {
+      promise(keys.insert(label.key).second, "a key that is there twice");
+      for(const float x : label.rgba)
+        promise(x >= 0 && x <= 1, "a colour out of range");
+    }
+    for(const double value : column.values)
+      promise(!column.is_label || std::isnan(value) || value == static_cast<int>(value), "a label that is no integer");
+  }
+}
+
+/// What a format holds of the columns is read again, as far as it can be told: .csv has the names of labels only.
+void check_columns_again(const tool::Vertex_data& data, const std::string& name)
+{
+  const bool has_labels = name == ".copy.label.gii" || name == ".copy.annot", has_all = name == ".copy.csv";
+  tool::Vertex_data expected;
+  for(const tool::Vertex_column& column : data)
+    if(has_all || column.is_label == has_labels)
+      expected.push_back(column);
+  std::ostringstream out;
+  try {
+    tool::write_vertex_data(out, name, data);
+  } catch(const tool::Refusal& refusal) {
+    check_refusal(refusal);
+    return;
+  }
+  const std::string bytes = out.str();
+  const Input_file copy(name, reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+  tool::Vertex_data again;
+  try {
+    again = tool::read_vertex_data(copy.name(), data.front().values.size());
+  } catch(const tool::Refusal& refusal) {
+    const std::string text = refusal.what();
+    promise(has_all && text.find("only numbers") != std::string::npos, "data that cannot be read again: " + text);
+    return;
+  }
+  check_columns(again, data.front().values.size());
+  promise(again.size() == expected.size(), "a column that does not come back");
+  for(std::size_t k = 0; k < again.size(); ++k)
+    for(std::size_t v = 0; v < again[k].values.size(); ++v) {
+      const double value = expected[k].values[v];
+      promise((has_all && expected[k].is_label) || (name == ".copy.annot" && std::isnan(value)) || // which may be black
+                is_same(again[k].values[v], has_all || has_labels ? value : static_cast<float>(value)),
+              "a value that comes back changed");
+    }
+}
+
+} // namespace
+
+void check_data(const std::string& file, std::size_t number_of_vertices)
+{
+  tool::Vertex_data data;
+  try {
+    data = tool::read_vertex_data(file, number_of_vertices);
+  } catch(const tool::Refusal& refusal) {
+    check_refusal(refusal);
+    return;
+  }
+  check_columns(data, number_of_vertices);
+  for(const char* name : {".copy.csv", ".copy.func.gii", ".copy.label.gii", ".copy.annot"})
+    check_columns_again(data, name);
 }
 
 } // namespace fuzz

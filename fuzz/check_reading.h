@@ -6,6 +6,7 @@
 
 #include "system/refusal.h"
 
+#include <cstddef>
 #include <string>
 
 namespace fuzz {
@@ -15,6 +16,9 @@ void check_refusal(const tool::Refusal& refusal);
 
 /// A file is refused, or is a mesh that is one and comes back when it is written; also as a sphere.
 void check_file(const std::string& file, bool triangulate);
+
+/// A file is refused, or has columns that come back when they are written.
+void check_data(const std::string& file, std::size_t number_of_vertices);
 
 } // namespace fuzz
 

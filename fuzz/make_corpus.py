@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """make_corpus.py FOLDER: writes what the fuzzers of the readers start from, a small file for every dialect that the
-tool reads and for a few ways to be wrong, into FOLDER/read_meshes, FOLDER/read_formats and FOLDER/read_indices. (What the other two start
+tool reads and for a few ways to be wrong, into FOLDER/read_meshes, FOLDER/read_formats, FOLDER/read_data and FOLDER/read_indices. (What the other two start
 from was found by the fuzzers themselves.)"""
 
 import base64
@@ -147,6 +147,92 @@ OTHER_MESHES = {
            "cut_short": gzip.compress(off().encode(), mtime=0)[:-9], "bomb": gzip.compress(bytes(20000), mtime=0)},
 }
 
+DATA_FORMATS = ["curv", "annot", "label", "csv", "func.gii", "label.gii", "ply", "vtk", "vtp"]  # as in read_data.cpp
+
+
+def annot(version):
+    colours = [(25, 5, 25, 0), (0, 10, 200, 55)]
+    values = [25 | 5 << 8 | 25 << 16, 10 << 8 | 200 << 16, 0, 7]
+    head = struct.pack(">i8i", 4, *(x for v, value in enumerate(values) for x in (v, value)))
+    table = struct.pack(">i", 1) + (struct.pack(">3i", -2, 9, 2) + b"t\0" + struct.pack(">i", 2) if version == 2 else struct.pack(">2i", 2, 2) + b"t\0")
+    for k, colour in enumerate(colours):
+        table += (struct.pack(">i", 4 * k) if version == 2 else b"") + struct.pack(">i", 2) + bytes([97 + k, 0]) + struct.pack(">4i", *colour)
+    return head + table
+
+
+def gifti_data(intent, kind, numbers, encoding, table=""):
+    array = data_array(intent, kind, numbers, encoding, "LittleEndian").replace('Dim1="3"', 'Dim1="1"')
+    return f'<?xml version="1.0"?>\n<GIFTI Version="1.0" NumberOfDataArrays="1"><LabelTable>{table}</LabelTable>{array}</GIFTI>'
+
+
+def vtk(kind, version="4.2", dataset="POLYDATA"):
+    def numbers(form, *rows):
+        if kind == "ASCII":
+            return "".join(" ".join(map(str, row)) + "\n" for row in rows).encode()
+        return b"".join(struct.pack(">" + str(len(row)) + form, *row) for row in rows) + b"\n"
+
+    body = f"# vtk DataFile Version {version}\nby hand\n{kind}\nDATASET {dataset}\nPOINTS 4 float\n".encode() + numbers("f", *POINTS)
+    if version > "5":
+        body += b"POLYGONS 5 12\nOFFSETS vtktypeint64\n" + numbers("q", range(0, 15, 3)) + b"CONNECTIVITY vtktypeint64\n" + numbers("q", *FACES)
+    else:
+        body += (b"CELLS" if dataset != "POLYDATA" else b"POLYGONS") + b" 4 16\n" + numbers("i", *((3,) + f for f in FACES))
+    if dataset != "POLYDATA":
+        body += b"CELL_TYPES 4\n" + numbers("i", (5, 5, 5, 5))
+    body += b"POINT_DATA 4\nSCALARS a%20b double 1\nLOOKUP_TABLE default\n" + numbers("d", (1, 2.5, -1, 0))
+    body += b"FIELD FieldData 2\nkind 1 4 int\n" + numbers("i", (1, 2, 1, 7)) + b"METADATA\nINFORMATION 0\n\nv 2 4 short\n" + numbers("h", range(8))
+    return body + b"NORMALS n float\n" + numbers("f", *POINTS)
+
+
+def vtp(form, is_compressed=False, encoding="base64"):
+    appended = []
+
+    def array(name, kind, numbers, components=1):
+        numbers = list(numbers)
+        head = f'<DataArray type="{kind[1]}" Name="{name}" NumberOfComponents="{components}" format="{form}"'
+        if form == "ascii":
+            return head + ">" + " ".join(map(str, numbers)) + "</DataArray>"
+        data = struct.pack(f"<{len(numbers)}{kind[0]}", *numbers)
+        blocks = [struct.pack("<I", len(data)) + data]
+        if is_compressed:
+            parts = [data[:32], data[32:]] if 32 < len(data) else [data]
+            folded = [zlib.compress(part) for part in parts]
+            sizes = [len(parts), 32 if len(parts) > 1 else len(data), len(parts[1]) if len(parts) > 1 else 0] + [len(f) for f in folded]
+            blocks = [struct.pack(f"<{len(sizes)}I", *sizes), b"".join(folded)]
+        bytes_of = b"".join(blocks if encoding == "raw" else [base64.b64encode(block) for block in blocks])
+        if form == "binary":
+            return head + ">" + bytes_of.decode() + "</DataArray>"
+        appended.append(bytes_of)
+        return head + f' offset="{sum(map(len, appended[:-1]))}"/>'
+
+    compressor = ' compressor="vtkZLibDataCompressor"' if is_compressed else ""
+    text = f'<?xml version="1.0"?>\n<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian"{compressor}><PolyData>'
+    text += '<Piece NumberOfPoints="4" NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" NumberOfPolys="4"><PointData>'
+    text += array("a", ("d", "Float64"), [1, 2.5, -1, 0]) + array("kind", ("q", "Int64"), [1, 2, 1, 7]) + "</PointData><Points>"
+    text += array("Points", ("f", "Float32"), [x for p in POINTS for x in p], 3) + "</Points><Polys>"
+    text += array("connectivity", ("i", "Int32"), [i for f in FACES for i in f]) + array("offsets", ("i", "Int32"), [3, 6, 9, 12])
+    text = (text + "</Polys></Piece></PolyData>").encode()
+    if appended:
+        text += f'<AppendedData encoding="{encoding}">_'.encode() + b"".join(appended) + b"</AppendedData>"
+    return text + b"</VTKFile>"
+
+
+DATA = {
+    "curv": {"new": b"\xff\xff\xff" + struct.pack(">3i4f", 4, 4, 1, 1, 2.5, -1, 0), "old": b"\0\0\4\0\0\4" + struct.pack(">4h", 100, -5, 0, 7),
+             "cut_short": b"\xff\xff\xff" + struct.pack(">3i3f", 4, 4, 1, 1, 2.5, -1)},
+    "annot": {"old": annot(1), "new": annot(2), "cut_short": annot(2)[:-9]},
+    "label": {"plain": "#!ascii label  , from subject me\n2\n3 1.0 2 3 0.5\n1 1 1 1 0\n", "outside": "2\n4 0 0 0 0\n"},
+    "csv": {"plain": 'a,"b, c",d\r\n1,x,\n2.5,"y ""z""",NaN\n-1,,NA\n1e999,x,inf\n', "short": "a,b\n1,2\n3\n", "numbers": "1\n2\n3\n4\n5\n"},
+    "func.gii": {kind: gifti_data("SHAPE", "FLOAT32", [1, 2.5, -1, 0], kind) for kind in ("ASCII", "Base64Binary", "GZipBase64Binary")},
+    "label.gii": {"plain": gifti_data("LABEL", "INT32", [1, 2, 1, 7], "ASCII", '<Label Key="1" Red="1" Green="0" Blue="0.5" Alpha="1">one</Label>'
+                                                                               '<Label Key="2">two &amp; two</Label>')},
+    "ply": {"ascii": ply("ascii", "property uchar red\n"), "binary": ply("binary_little_endian", "property uchar kind\n"),
+            "big": ply("binary_big_endian", "property char kind\n")},
+    "vtk": {"text": vtk("ASCII"), "bytes": vtk("BINARY"), "text_5": vtk("ASCII", "5.1"), "bytes_5": vtk("BINARY", "5.1"),
+            "cells": vtk("BINARY", dataset="UNSTRUCTURED_GRID"), "cut_short": vtk("BINARY")[:-60]},
+    "vtp": {"text": vtp("ascii"), "base64": vtp("binary"), "zlib": vtp("binary", True), "raw": vtp("appended", encoding="raw"),
+            "raw_zlib": vtp("appended", True, "raw"), "appended": vtp("appended", True), "cut_short": vtp("appended", True, "raw")[:-80]},
+}
+
 # Bytes of a good index that are other ones: offset in two bytes, value.
 INDICES = {
     "empty": b"",
@@ -161,7 +247,7 @@ INDICES = {
 
 def main():
     folder = pathlib.Path(sys.argv[1])
-    for target in ("read_meshes", "read_formats", "read_indices"):
+    for target in ("read_meshes", "read_formats", "read_data", "read_indices"):
         (folder / target).mkdir(parents=True, exist_ok=True)
     for k, name in enumerate(FORMATS):
         for what, content in MESHES[name].items():
@@ -172,6 +258,10 @@ def main():
         for what, content in OTHER_MESHES[name].items():
             data = content if isinstance(content, bytes) else content.encode()
             (folder / "read_formats" / f"{name}_{what}").write_bytes(bytes([k]) + data)
+    for k, name in enumerate(DATA_FORMATS):
+        for what, content in DATA[name].items():
+            data = content if isinstance(content, bytes) else content.encode()
+            (folder / "read_data" / f"{name}_{what}").write_bytes(bytes([k, 4]) + data)
     for what, content in INDICES.items():
         (folder / "read_indices" / what).write_bytes(content)
 

@@ -30,6 +30,10 @@ void read_meshes(const std::uint8_t* data, std::size_t size);
 /// The same for GIFTI, GLB, glTF and FreeSurfer's format, and for compressed files of all formats.
 void read_formats(const std::uint8_t* data, std::size_t size);
 
+/// The first byte chooses the format, the second is the number of vertices: values and labels at vertices, and meshes
+/// of VTK.
+void read_data(const std::uint8_t* data, std::size_t size);
+
 /// A damaged index of signatures, and the nearest neighbours in it.
 void read_indices(const std::uint8_t* data, std::size_t size);
 

@@ -10,7 +10,7 @@ root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 seconds=${1:?usage: fuzz.sh SECONDS [BUILD_FOLDER [TARGET...]]}
 build=${2:-$root/build-fuzz}
 targets=("${@:3}")
-[ ${#targets[@]} -gt 0 ] || targets=(read_meshes read_formats read_indices map_meshes use_maps)
+[ ${#targets[@]} -gt 0 ] || targets=(read_meshes read_formats read_data read_indices map_meshes use_maps)
 
 cmake -S "$root" -B "$build" -DCMAKE_CXX_COMPILER="${CXX:-clang++}" -DCMAKE_BUILD_TYPE=None \
   -DCMAKE_CXX_FLAGS="-O1 -g1 -D_GLIBCXX_ASSERTIONS" -DCGAL_SP_WITH_FUZZING=ON -DCGAL_SP_WITH_OPENCL=OFF \

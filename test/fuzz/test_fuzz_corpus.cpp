@@ -43,6 +43,7 @@ void run_all(const std::string& target, void (*run)(const std::uint8_t*, std::si
 
 TEST_CASE("fuzz: files of meshes", "[fuzz]") { run_all("read_meshes", fuzz::read_meshes); }
 TEST_CASE("fuzz: files of meshes in other formats", "[fuzz]") { run_all("read_formats", fuzz::read_formats); }
+TEST_CASE("fuzz: values and labels at vertices", "[fuzz]") { run_all("read_data", fuzz::read_data); }
 TEST_CASE("fuzz: indices of signatures", "[fuzz]") { run_all("read_indices", fuzz::read_indices); }
 TEST_CASE("fuzz: maps of any mesh", "[fuzz]") { run_all("map_meshes", fuzz::map_meshes); }
 TEST_CASE("fuzz: uses of any map", "[fuzz]") { run_all("use_maps", fuzz::use_maps); }

@@ -62,8 +62,8 @@ KERNEL sp_stiffening_curvature(int n, MATRIX(a), real p, real_in mass, vec3 mu, 
   ADD_UP(5);
 }
 
-KERNEL sp_balance_gradient(int n, real_in inverse_diagonal, real_in mass, vec3 mu, vec3_in v, vec3_in step,
-                           vec3_out g, real_out partial)
+KERNEL sp_balance_gradient(int n, real_in inverse_diagonal, real_in mass, vec3 mu, vec3_in v, vec3_in step, vec3_out g,
+                           real_out partial)
 {
   SUMS(2);
   FOR_EACH_OF_BLOCK(i, n)
@@ -71,8 +71,7 @@ KERNEL sp_balance_gradient(int n, real_in inverse_diagonal, real_in mass, vec3 m
   ADD_UP(2);
 }
 
-KERNEL sp_direction_products(int n, real_in mass, vec3_in v, vec3_in g, vec3_in step, vec3_in d,
-                             real_out partial)
+KERNEL sp_direction_products(int n, real_in mass, vec3_in v, vec3_in g, vec3_in step, vec3_in d, real_out partial)
 {
   SUMS(14);
   FOR_EACH_OF_BLOCK(i, n)

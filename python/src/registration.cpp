@@ -25,9 +25,8 @@ py::tuple register_maps(const Doubles& points_a, const py::array& triangles_a, c
                         const std::string& motion, double curvature_weight, double stretch_weight,
                         double isometry_weight, double position_weight,
                         const std::vector<std::tuple<std::vector<double>, std::vector<double>, double>>& features,
-                        double landmark_weight,
-                        const std::vector<std::pair<int, int>>& pairs, const std::string& policy,
-                        double maximum_running_time, const py::object& progress)
+                        double landmark_weight, const std::vector<std::pair<int, int>>& pairs,
+                        const std::string& policy, double maximum_running_time, const py::object& progress)
 {
   const Mesh a = make_mesh(points_a, triangles_a), b = make_mesh(points_b, triangles_b);
   const Sphere images_a = sphere_of(sphere_a), images_b = sphere_of(sphere_b);

@@ -140,8 +140,8 @@ TEST_CASE("faults: a disk that is full leaves nothing half-written", "[tool][fau
     for(const std::string& output : command.outputs)
       largest = std::max(largest, static_cast<long>(fs::file_size(scratch / output)));
     remove_outputs(scratch, command);
-    const bool has_seconds = command.arguments.front() == "view" ||
-                             (command.outputs.size() == 1 && command.outputs.front() == "report.json");
+    const bool has_seconds =
+      command.arguments.front() == "view" || (command.outputs.size() == 1 && command.outputs.front() == "report.json");
     const long too_little = has_seconds ? 50 : 1; // which have some digits more or less
     for(const long space : {little, largest / 2, largest - too_little}) {
       CAPTURE(space);

@@ -17,8 +17,8 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-/// Numbers of mean 0 and variance 1, normally distributed (G. Box, M. Muller, 1958): std::normal_distribution is another
-/// one in every standard library.
+/// Numbers of mean 0 and variance 1, normally distributed (G. Box, M. Muller, 1958): std::normal_distribution is
+/// another one in every standard library.
 inline std::vector<double> normal_numbers(std::size_t number, std::uint32_t seed)
 {
   std::mt19937 random(seed);

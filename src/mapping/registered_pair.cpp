@@ -93,6 +93,43 @@ Landmarks read_landmarks(const std::string& file, const Registered_pair& pair)
   return landmarks;
 }
 
+/// The columns of a file of --features at the vertices of the mesh that is mapped.
+Vertex_data read_features(const std::string& file, const Mapped_mesh& input)
+{
+  Vertex_data data =
+    read_vertex_data(file, input.prepared ? input.prepared->soup.points.size() : input.mesh().number_of_vertices());
+  if(input.prepared)
+    data = carried(data, input.prepared->preparation.parts.front().old_vertex);
+  for(const Vertex_column& column : data) {
+    if(column.is_label)
+      throw Refusal(unreadable_file, file, "column '" + column.name + "' has labels", "features are numbers");
+    if(!std::all_of(column.values.begin(), column.values.end(), [](double x) { return std::isfinite(x); }))
+      throw Refusal(unreadable_file, file, "column '" + column.name + "' has no value at some vertices of the mesh",
+                    input.prepared ? "give a value to every vertex; those that --prepare adds have none: prepare the "
+                                     "mesh first"
+                                   : "give a value to every vertex");
+  }
+  return data;
+}
+
+/// Column k of both files is one feature.
+std::vector<SP::Registration_feature> read_features(const Registration_options& options, const Registered_pair& pair)
+{
+  std::vector<SP::Registration_feature> result;
+  if(options.features.empty())
+    return result;
+  const Vertex_data a = read_features(options.features[0], pair.a), b = read_features(options.features[1], pair.b);
+  const std::vector<double> weights = feature_weights(options);
+  if(a.size() != b.size() || (weights.size() != 1 && weights.size() != a.size()))
+    throw Refusal(unreadable_file, options.features[1],
+                  "has " + std::to_string(b.size()) + " columns, " + options.features[0] + " has " +
+                    std::to_string(a.size()) + ", and there are " + std::to_string(weights.size()) + " weights",
+                  "as many columns are needed, and one weight or as many");
+  for(std::size_t k = 0; k < a.size(); ++k)
+    result.push_back({a[k].values, b[k].values, weights[weights.size() == 1 ? 0 : k]});
+  return result;
+}
+
 Changes_of_lengths changes_of_lengths(const Mesh& mesh, const std::vector<Point>& on_b)
 {
   typedef std::array<double, 3> Gram; // of two sides of a triangle
@@ -154,6 +191,18 @@ void add_registration_options(Options& all, Registration_options& options)
   };
   SP::Registration& registration = options.registration;
   add_weight("--curvature-weight", registration.curvature_weight, "the mean curvature");
+  all
+    .add("--features", options.features,
+         "Two files, as for --data, with values at the vertices of A and of B that should be equal at corresponding "
+         "points, such as sulcal depth. Columns are compared in order; their units do not matter")
+    .is("FILE")
+    .times(2);
+  all
+    .add("--feature-weight", options.feature_weights,
+         "Deformation: weight of the features, or of each column as W,W,...; with --curvature-weight 0 the features "
+         "replace the curvature")
+    .is("W")
+    .only_with("--features");
   add_weight("--stretch-weight", registration.stretch_weight,
              "the area stretch of the maps, which must come from the same method");
   add_weight("--isometry-weight", registration.isometry_weight, "the stretching of the surface of A onto that of B");
@@ -161,6 +210,20 @@ void add_registration_options(Options& all, Registration_options& options)
              "the positions in space, for shapes in the same position and pose");
   add_weight("--landmark-weight", registration.landmark_weight, "the landmarks at the beginning");
   add_weight("--landmark-stiffness", registration.landmark_weight, "").group.clear(); // its name before
+}
+
+std::vector<double> feature_weights(const Registration_options& options)
+{
+  std::vector<double> weights;
+  std::istringstream words(options.feature_weights);
+  for(std::string word; std::getline(words, word, ',');) {
+    double weight = 0;
+    require(to_number(word, weight) == Number::FINITE && weight >= 0 && weight <= 1e6, "--feature-weight",
+            in_quotes(word) + " is no number from 0 to 1000000");
+    weights.push_back(weight);
+  }
+  require(!weights.empty(), "--feature-weight", "is empty");
+  return weights;
 }
 
 void read_pair(const Registration_options& options, Registered_pair& pair)
@@ -176,6 +239,7 @@ void register_pair(const Registration_options& options, Registered_pair& pair)
   map_input(options_of(options, false), pair.a);
   map_input(options_of(options, true), pair.b);
   SP::Registration registration = options.registration;
+  registration.features = read_features(options, pair);
   registration.motion = options.motion == "rotation"  ? SP::Registration::Motion::ROTATION
                         : options.motion == "moebius" ? SP::Registration::Motion::MOEBIUS
                                                       : SP::Registration::Motion::DEFORMATION;
@@ -274,6 +338,8 @@ nlohmann::ordered_json registration_json(const Registration_options& options, co
           {"stretch_weight", options.registration.stretch_weight},
           {"isometry_weight", options.registration.isometry_weight},
           {"position_weight", options.registration.position_weight},
+          {"features", options.features},
+          {"feature_weight", feature_weights(options)},
           {"start", r.start},
           {"margin", r.margin},
           {"signature_difference", r.signature_difference},

@@ -22,6 +22,8 @@ struct Registration_options : Mapping_options {
   std::string other;                ///< the second mesh; `input` is the first one
   std::vector<std::string> spheres; ///< of both; or none
   std::string landmarks;
+  std::vector<std::string> features; ///< files of A and of B; or none
+  std::string feature_weights = "20";
   std::string motion = "deformation";
   SP::Registration registration;
 };
@@ -55,6 +57,9 @@ struct Registered_pair {
 
 /// The options that say how they are registered.
 void add_registration_options(Options& all, Registration_options& options);
+
+/// The weights of features, one or several. Throws a `CLI::ValidationError` for what is none.
+std::vector<double> feature_weights(const Registration_options& options);
 
 /// Reads both meshes. Throws a `Refusal`.
 void read_pair(const Registration_options& options, Registered_pair& pair);

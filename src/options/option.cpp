@@ -124,6 +124,8 @@ bool Options::is_of_use(const Option& option) const
     std::find_if(begin(), end(), [&option](const Option& other) { return other.name() == option.other; });
   if(const auto is_there = std::get_if<bool*>(&decides->value))
     return **is_there;
+  if(const auto are_there = std::get_if<std::vector<std::string>*>(&decides->value))
+    return !(*are_there)->empty();
   const auto& values = option.values;
   return std::find(values.begin(), values.end(), **std::get_if<std::string*>(&decides->value)) != values.end();
 }

@@ -31,7 +31,7 @@ struct Option {
   std::vector<std::string> words = {};  ///< of which the value has to be one, if there are any
   std::string interval = {};            ///< that a number has to be in, as in "[0,1)"
   std::string other = {};               ///< option that decides whether this one is of use:
-  std::vector<std::string> values = {}; ///< by having one of these values; a flag by being there
+  std::vector<std::string> values = {}; ///< by having one of these values; a flag, or a list, by being given
   std::size_t count = 1;                ///< of values; 0: one or more
   bool is_required = false;
 

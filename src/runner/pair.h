@@ -31,7 +31,13 @@ inline Work work_on_pair(const std::function<void(const Registration_options&, R
     run_pair(options, run);
   }};
   add_registration_options(work.options, *own);
-  work.reads = [own](const Request&) { return Work::Files{{"--landmarks", own->landmarks}}; };
+  work.check = [own](const Request&) { feature_weights(*own); };
+  work.reads = [own](const Request&) {
+    Work::Files files = {{"--landmarks", own->landmarks}};
+    for(const std::string& file : own->features)
+      files.emplace_back("--features", file);
+    return files;
+  };
   return work;
 }
 

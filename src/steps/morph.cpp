@@ -132,7 +132,10 @@ Work morph_work()
   work.options.add("--steps", own->steps, "The number of steps: STEPS + 1 meshes are written").in("[1,10000]");
   work.options.add("--format", own->format, "Format of the meshes").of({"off", "obj", "ply", "glb"});
   work.options.add("--ascii", own->ascii, "Write PLY files as text instead of little-endian binary");
-  work.check = [own](const Request& request) { check_folder(*own, request.file()); };
+  work.check = [own, check = work.check](const Request& request) {
+    check(request);
+    check_folder(*own, request.file());
+  };
   work.writes = [own](const Request& request) { return files_of(*own, request.file()); };
   return work;
 }

@@ -54,7 +54,8 @@ void register_meshes(const Registration_options& options, Run& run)
 Work register_work()
 {
   Work work = work_on_pair(register_meshes);
-  work.check = [](const Request& request) {
+  work.check = [check = work.check](const Request& request) {
+    check(request);
     require(request.has("--output") || request.has("--correspondence"), "--output", "is required, or --correspondence");
   };
   return work;

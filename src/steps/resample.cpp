@@ -7,6 +7,7 @@
 
 #include <CGAL/Spherical_parameterization/resample.h>
 #include <CGAL/Spherical_parameterization/resampling_weights.h>
+#include <CGAL/Spherical_parameterization/shape_statistics.h>
 
 #include <array>
 #include <cmath>
@@ -36,6 +37,9 @@ Point point_at(const SP::Spherical_locator<Mesh>& shape, const Point& direction)
 struct Resample_options {
   int level = 6;
   std::string sphere; ///< empty: an icosphere
+  std::string weights = "linear";
+  std::vector<std::string> areas; ///< files of surfaces with the old and with the new vertices; or none
+  std::string labels = "majority";
 };
 
 /// The new mesh and its map: a sphere, of which this is certified, or an icosphere.
@@ -56,8 +60,24 @@ Mapped_mesh sphere_of(const Resample_options& options, const Run& run)
   return result;
 }
 
-/// Numbers are linear on the faces, and labels those of most of the weights; having none counts as one.
-Vertex_data resampled(const Vertex_data& data, const SP::Resampling_weights& weights)
+/// Of the vertices: those of the surface, or of the one in that file of --area-surfaces.
+template <class Policy>
+std::vector<double> areas(const Policy& policy, const Resample_options& options, std::size_t file, const Mesh& mesh,
+                          const std::vector<Point>& points)
+{
+  if(options.areas.empty())
+    return SP::mean_vertex_areas(policy, mesh, std::vector<SP::Shape_points>{points});
+  const Mesh surface = read_mesh(options.areas[file]).mesh;
+  if(surface.number_of_vertices() != mesh.number_of_vertices())
+    throw Refusal(not_the_sphere, options.areas[file],
+                  "has " + std::to_string(surface.number_of_vertices()) + " vertices instead of " +
+                    std::to_string(mesh.number_of_vertices()),
+                  file == 0 ? "give a surface with the vertices of IN" : "give a surface with the new vertices");
+  return SP::mean_vertex_areas(policy, surface, std::vector<SP::Shape_points>{surface.points()});
+}
+
+/// Numbers are weighted means, and labels as `options` say; having none counts as one.
+Vertex_data resampled(const Resample_options& options, const Vertex_data& data, const SP::Resampling_weights& weights)
 {
   constexpr double none = std::numeric_limits<double>::infinity(); // which, unlike NaN, is equal to itself
   Vertex_data result = data;
@@ -68,7 +88,7 @@ Vertex_data resampled(const Vertex_data& data, const SP::Resampling_weights& wei
     }
     for(double& value : column.values)
       value = std::isnan(value) ? none : value;
-    column.values = weights.majorities(column.values);
+    column.values = options.labels == "majority" ? weights.majorities(column.values) : weights.nearest(column.values);
     for(double& value : column.values)
       value = value == none ? std::nan("") : value;
   }
@@ -85,9 +105,16 @@ void resample(const Resample_options& options, Run& run)
   std::vector<Point> points;
   for(const Point& direction : target.sphere)
     points.push_back(point_at(shape, direction));
-  run.data = on_host(run.input, [&](const auto& policy) {
-    return resampled(run.data, SP::linear_resampling(policy, shape, target.sphere));
-  });
+  if(!run.data.empty())
+    run.data = on_host(run.input, [&](const auto& policy) {
+      if(options.weights == "linear")
+        return resampled(options, run.data, SP::linear_resampling(policy, shape, target.sphere));
+      const SP::Spherical_locator<Mesh> to(policy, out, as_map(target.sphere));
+      return resampled(options, run.data,
+                       SP::area_preserving_resampling(policy, shape, run.input.sphere,
+                                                      areas(policy, options, 0, run.mesh(), run.mesh().points()), to,
+                                                      target.sphere, areas(policy, options, 1, out, points)));
+    });
   run.write("--output", out, points, Surface::SHAPE);
   run.write("--output-sphere", out, target.sphere, Surface::SPHERE);
   const Sampling_loss loss = sampling_loss(run.mesh(), out, points);
@@ -123,10 +150,30 @@ Work resample_work()
       "The new mesh has the vertices and faces of this sphere instead, such as that of a template; the map of IN has "
       "to be registered to it, as --output-sphere of 'register' is")
     .is("FILE");
+  work.options
+    .add("--data-weights", own->weights,
+         "How values of --data are resampled: linearly in a face of IN, or such that every vertex of IN contributes in "
+         "proportion to its area, even if the new mesh is coarser")
+    .of({"linear", "area-preserving"});
+  work.options
+    .add("--area-surfaces", own->areas,
+         "Two surfaces that give the areas: one with the vertices of IN, one with the new vertices [IN, the output]")
+    .is("FILE")
+    .times(2)
+    .only_with("--data-weights", {"area-preserving"});
+  work.options
+    .add("--data-labels", own->labels,
+         "Labels of --data: the label with the largest sum of weights, or that of the vertex with the largest weight")
+    .of({"majority", "nearest"});
   work.check = [own](const Request& request) {
     require(own->sphere.empty() || !request.has("--level"), "--to-sphere", "excludes --level");
   };
-  work.reads = [own](const Request&) { return Work::Files{{"--to-sphere", own->sphere}}; };
+  work.reads = [own](const Request&) {
+    Work::Files files = {{"--to-sphere", own->sphere}};
+    for(const std::string& file : own->areas)
+      files.emplace_back("--area-surfaces", file);
+    return files;
+  };
   return work;
 }
 

@@ -635,6 +635,41 @@ TEST_CASE("data: every command carries it", "[tool][data]")
     }
     CHECK(largest < 1e-6); // z is linear on every face; it was read as floats
   }
+  SECTION("resample: areas count if that is asked for")
+  {
+    const std::string sphere = write_off(scratch / "sphere.off", icosphere(2)), csv = scratch / "out.csv";
+    const std::vector<std::string> command = {"resample", input,           "-o", scratch / "out.ply", "--to-sphere",
+                                              sphere,     "--data-output", csv};
+    const auto resampled = [&](const std::vector<std::string>& options) {
+      std::vector<std::string> all = command;
+      all.insert(all.end(), options.begin(), options.end());
+      run(all);
+      return tool::read_vertex_data(csv, 162);
+    };
+    const tool::Vertex_data linear = resampled({});
+    const tool::Vertex_data kept = resampled({"--data-weights", "area-preserving"});
+    std::size_t different = 0;
+    for(std::size_t v = 0; v < 162; ++v)
+      different += linear[0].values[v] == kept[0].values[v] ? 0 : 1;
+    CHECK(different > 150); // the new mesh is coarser
+    const std::string output = scratch / "new.ply";
+    write_text(output, text_of(scratch / "out.ply"));
+    const std::vector<std::string> surfaces = {"--data-weights", "area-preserving", "--area-surfaces", input,
+                                               output}; // what is taken without them
+    const tool::Vertex_data same = resampled(surfaces);
+    check_values(same[0], kept[0]);
+    check_values(same[1], kept[1]);
+    CHECK(resampled({"--data-labels", "nearest"})[1].values != kept[1].values);
+    for(const auto& [options, exit_code] :
+        {std::pair(std::vector<std::string>{"--area-surfaces", input, input}, 2),
+         std::pair(std::vector<std::string>{"--data-weights", "area-preserving", "--area-surfaces", input, input},
+                   1)}) {
+      std::vector<std::string> all = command;
+      all.insert(all.end(), options.begin(), options.end());
+      all.insert(all.end(), {"--data", scratch / "lh.height"});
+      CHECK(run_tool(all).exit_code == exit_code);
+    }
+  }
   SECTION("another mesh's data is refused")
   {
     write_off(scratch / "other.off", icosphere(1));
@@ -644,4 +679,67 @@ TEST_CASE("data: every command carries it", "[tool][data]")
     CHECK(is_one_line(refused.err));
     CHECK(contains(refused.err, "but the mesh has 42; give the data of this mesh"));
   }
+}
+
+TEST_CASE("register: features of one's own turn an ellipsoid of revolution about its axis", "[tool][data]")
+{
+  Scratch scratch;
+  const Soup round = icosphere(4);
+  const auto turned = [](const Point& p) { return Point(-p.y(), p.x(), p.z()); };
+  const std::string body = write_off(scratch / "body.off", ellipsoid(1, 1, 1.5, 4)),
+                    sphere = write_off(scratch / "sphere.off", round);
+  tool::Vertex_data of_a = {{"x", {}}, {"y", {}}, {"z", {}}}, of_b = of_a;
+  for(int k = 0; k < 3; ++k)
+    for(const Point& p : round.points) {
+      of_a[std::size_t(k)].values.push_back(300 * std::sin(5 * turned(p)[k] + k)); // another unit than B has
+      of_b[std::size_t(k)].values.push_back(std::sin(5 * p[k] + k));
+    }
+  const std::string a = scratch / "a.csv", b = scratch / "b.csv";
+  write_data(a, of_a);
+  write_data(b, of_b);
+  const auto run = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> command = {"register",
+                                        body,
+                                        body,
+                                        "--sphere",
+                                        sphere,
+                                        sphere,
+                                        "-o",
+                                        scratch / "out.off",
+                                        "--output-sphere",
+                                        scratch / "registered.off",
+                                        "--report",
+                                        scratch / "r.json"};
+    command.insert(command.end(), options.begin(), options.end());
+    return run_tool(command);
+  };
+  const Process_result done = run({"--features", a, b, "--feature-weight", "20,20,10", "--curvature-weight", "0"});
+  CAPTURE(done.out, done.err);
+  REQUIRE(done.exit_code == 0);
+  const Soup registered = read(scratch / "registered.off");
+  for(std::size_t v = 0; v < round.points.size(); ++v)
+    CHECK((registered.points[v] - turned(round.points[v])).squared_length() < 1e-3);
+  CHECK(contains(text_of(scratch / "r.json"), "\"features\""));
+
+  tool::Vertex_data with_labels = of_b, incomplete = of_b;
+  with_labels[2] = {"parcel", std::vector<double>(round.points.size(), 1), true};
+  incomplete[2].values[5] = missing;
+  write_data(scratch / "two.csv", {of_b[0], of_b[1]});
+  write_data(scratch / "incomplete.csv", incomplete);
+  write_data(scratch / "lh.parcel.annot", {with_labels[2]});
+  const auto refused = [&](const std::string& file, const std::vector<std::string>& options, int exit_code,
+                           const std::string& word) {
+    std::vector<std::string> all = {"--features", a, scratch / file};
+    all.insert(all.end(), options.begin(), options.end());
+    const Process_result result = run(all);
+    CAPTURE(file, result.err);
+    CHECK(result.exit_code == exit_code);
+    CHECK(contains(result.err, word));
+  };
+  refused("two.csv", {}, 1, "has 2 columns");
+  refused("incomplete.csv", {}, 1, "'z' has no value");
+  refused("lh.parcel.annot", {}, 1, "has labels");
+  refused("b.csv", {"--feature-weight", "1,2"}, 1, "2 weights");
+  refused("b.csv", {"--feature-weight", "1,x"}, 2, "--feature-weight");
+  refused("b.csv", {"--feature-weight", "-1"}, 2, "--feature-weight");
 }

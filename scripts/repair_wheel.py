@@ -18,7 +18,7 @@ import tempfile
 from pathlib import Path
 
 # What auditwheel, too, expects of every system
-OF_THE_SYSTEM = re.compile(r"lib(c|m|dl|rt|pthread|gcc_s|stdc\+\+|z|expat)\.so\.\d+|ld-linux-.*")
+OF_THE_SYSTEM = re.compile(r"lib(c|m|dl|rt|pthread|gcc_s|stdc\+\+|z)\.so\.\d+|ld-linux-.*")
 # The newest symbols of libstdc++ on systems by the version of their C library, from the policies of auditwheel
 NEWEST_SYMBOLS = {
     (2, 28): {"GLIBCXX": (3, 4, 24), "CXXABI": (1, 3, 11)},

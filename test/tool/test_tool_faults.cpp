@@ -179,7 +179,8 @@ TEST_CASE("faults: of the steps of morph, and of an atlas, all are written or no
                          const std::vector<std::string>& outputs) {
     REQUIRE(run_tool(command).exit_code == 0);
     Process_options options;
-    options.largest_file = static_cast<long>(fs::file_size(scratch / largest)) - 1;
+    options.largest_file =
+      static_cast<long>(fs::file_size(scratch / largest)) - 100; // seconds have more or fewer digits
     for(const std::string& output : outputs) {
       CHECK(fs::exists(scratch / output));
       fs::remove(scratch / output);

@@ -212,10 +212,13 @@ def test_other_errors() -> None:
         result = sp.parameterize(points, triangles, sp.Balanced(), iterations=1)
     assert result.termination == "iterations" and result.attempts[0].termination == "iterations"
     assert result.error == "NOT_CONVERGED" and not result and result.sphere.any() and result.detail
+    # which tubes converge to a map that doubles do not resolve is a matter of rounding
+    options = {"method": sp.Balanced(), "weights": "barycentric"}
+    rings = next(n for n in range(160, 200, 2) if sp.parameterize(*tube(n), **options, warn=False).error == "NOT_BIJECTIVE")
     with pytest.warns(sp.MapWarning, match="not bijective"):
-        result = sp.parameterize(*tube(180), sp.Balanced(), weights="barycentric")
+        result = sp.parameterize(*tube(rings), **options)
     assert result.error == "NOT_BIJECTIVE" and result.flipped_faces > 0
-    certificate = sp.certify(tube(180)[1], result.sphere)
+    certificate = sp.certify(tube(rings)[1], result.sphere)
     assert not certificate and certificate == sp.Certificate(result.flipped_faces, result.degree)
 
 

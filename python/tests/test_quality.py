@@ -64,7 +64,7 @@ def test_nothing_that_is_gpl() -> None:
         folder = next(parent.parent for parent in d.parents if parent.name == "CMakeFiles")  # where the compiler ran
         files |= {(folder / name).resolve() for name in re.findall(r"\s(\S+/(?:CGAL|compiled|src)/\S+)", d.read_text())}
     assert len(files) > 100
-    for file in files:
+    for file in filter(Path.exists, files):  # others are of a build before
         spdx = re.search(r"SPDX-License-Identifier: (.*)", file.read_text())
         licence = spdx.group(1) if spdx else ""
         assert not re.match(r"(?<!L)GPL", licence), f"{file}: {licence}"

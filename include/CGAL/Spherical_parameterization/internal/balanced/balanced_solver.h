@@ -119,8 +119,11 @@ public:
         ++references;
         refer((std::min)(balance_tolerance, per_residual * before));
         balance_forces();
-        if(report.residual > largest_rise * before) // the map collapses, and each reference is another one
+        if(report.residual > largest_rise * before) { // the map collapses, and each reference is another one
           references = most_references;
+          best = report.residual; // of the last one
+          best_at = report.iterations;
+        }
       }
       if(report.iterations == 0)
         first = best = report.residual;

@@ -555,6 +555,7 @@ TEST_CASE("faults: kill -9 in a command leaves what is complete, and nothing els
     std::map<std::string, std::uintmax_t> whole;
     for(const std::string& output : command.outputs)
       whole[output] = fs::file_size(scratch / output);
+    const std::uintmax_t digits = command.arguments.front() == "view" ? 50 : 0; // of the seconds in it, more or less
     remove_outputs(scratch, command);
     for(const int after : {5, 20, 60}) {
       Process_options options;
@@ -565,8 +566,10 @@ TEST_CASE("faults: kill -9 in a command leaves what is complete, and nothing els
       run_tool(command.arguments, options);
       CAPTURE(command.arguments, after);
       for(const auto& [output, size] : whole)
-        if(output != "report.json" && fs::exists(scratch / output)) // it has seconds, of one digit more or less
-          CHECK(fs::file_size(scratch / output) == size);
+        if(output != "report.json" && fs::exists(scratch / output)) { // which has seconds, too
+          CHECK(fs::file_size(scratch / output) >= size - digits);
+          CHECK(fs::file_size(scratch / output) <= size + digits);
+        }
       REQUIRE(run_tool(command.arguments).exit_code == 0); // as if nothing had been
       remove_outputs(scratch, command);
     }

@@ -19,8 +19,17 @@ struct Weighted_graph {
   Host_array<int> offset = {0};
   Host_array<int> target;
   Host_array<double> weight;
-  Host_array<double> excess; ///< empty: zero
-  Host_array<double> inverse_diagonal;
+  Host_array<double> excess;           ///< empty: zero
+  Host_array<double> inverse_diagonal; ///< by which Jacobi steps are scaled; on coarse levels see drop_weak_edges()
+
+  /// Of the matrix
+  double diagonal(int i) const
+  {
+    double sum = excess.empty() ? 0 : excess[i];
+    for(int k = offset[i]; k < offset[i + 1]; ++k)
+      sum += weight[k];
+    return sum;
+  }
 
   int size() const { return static_cast<int>(offset.size()) - 1; }
 
@@ -36,9 +45,7 @@ struct Weighted_graph {
   {
     inverse_diagonal.resize(size());
     loop.for_each(size(), [&](int i) {
-      double sum = excess.empty() ? 0 : excess[i];
-      for(int k = offset[i]; k < offset[i + 1]; ++k)
-        sum += weight[k];
+      const double sum = diagonal(i);
       inverse_diagonal[i] = (!is_fixed.empty() && is_fixed[i]) || !(sum > 0) ? 0 : 1 / sum;
     });
   }

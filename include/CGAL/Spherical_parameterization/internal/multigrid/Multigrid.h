@@ -41,6 +41,7 @@ class Multigrid {
 
 public:
   /// `monitor`, if any, is asked before each level. Throws Error if the computation has to end.
+  /// \pre the weights of `fine` are not negative
   Multigrid(const Backend& backend, Shared_graph fine, Monitor* monitor = nullptr) : backend_(backend)
   {
     bool is_singular = fine->excess.empty();
@@ -52,7 +53,7 @@ public:
     while(a->size() > bottom_size) {
       if(monitor)
         monitor->advance_or_throw();
-      const double radius = spectral_radius(loop, *a);
+      const double radius = spectral_radius(*a);
       Aggregates aggregates = aggregate(loop, *a, strength_threshold);
       if(aggregates.count() > slow_coarsening * a->size())
         aggregates = aggregate(loop, *a, 0);

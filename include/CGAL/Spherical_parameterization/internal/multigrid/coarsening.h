@@ -182,7 +182,7 @@ inline Weighted_graph galerkin_product(const Host_loop& loop, const Weighted_gra
         const int f = r.column[k];
         const double share = r.value[k];
         const int row = a.offset[f];
-        const double diagonal = 1 / a.inverse_diagonal[f]; // vertices without one are in no aggregate
+        const double diagonal = a.diagonal(f);
         ra.add(a.target.data() + row, a.weight.data() + row, a.offset[f + 1] - row, -share);
         ra.add(&f, &diagonal, 1, share);
       }
@@ -221,6 +221,10 @@ inline Weighted_graph galerkin_product(const Host_loop& loop, const Weighted_gra
 /// Galerkin products have many, where a detour over a third vertex is stronger in both of its edges. So no part of the
 /// graph gets lost that hangs on weak edges only: of the edges that leave it the strongest one stays. The row sums
 /// stay, and with them the kernel.
+///
+/// Where weights are negative the Jacobi steps get shorter: they are scaled by the mean of a_ii and the sum of |w_ij|,
+/// so that no eigenvalue of the scaled matrix is above 2 (S. Gershgorin; compare the l1-Jacobi smoother of A. Baker, R.
+/// Falgout, T. Kolev, U. Yang, "Multigrid smoothers for ultraparallel computing", SIAM J. Sci. Comput. 33, 2011).
 inline void drop_weak_edges(const Host_loop& loop, double threshold, Weighted_graph& a)
 {
   constexpr double detour = 10; // times stronger than the edge
@@ -237,7 +241,7 @@ inline void drop_weak_edges(const Host_loop& loop, double threshold, Weighted_gr
             return true;
         return false;
       };
-      double diagonal = a.excess.empty() ? 0 : a.excess[i];
+      double diagonal = a.excess.empty() ? 0 : a.excess[i], magnitude = 0;
       for(int k = a.offset[i]; k < a.offset[i + 1]; ++k) {
         const int j = a.target[k];
         const double w = a.weight[k];
@@ -245,11 +249,12 @@ inline void drop_weak_edges(const Host_loop& loop, double threshold, Weighted_gr
            has_detour(j, std::abs(w)))
           continue;
         diagonal += w;
+        magnitude += std::abs(w);
         out.column.push_back(j);
         out.value.push_back(w);
       }
       out.offset.push_back(static_cast<int>(out.column.size()));
-      inverse[i] = diagonal > 0 ? 1 / diagonal : 0;
+      inverse[i] = diagonal > 0 ? 1 / (std::max)(diagonal, (diagonal + magnitude) / 2) : 0;
       for(int k = a.offset[i]; k < a.offset[i + 1]; ++k)
         weight_to[a.target[k]] = 0;
     }
@@ -260,29 +265,16 @@ inline void drop_weak_edges(const Host_loop& loop, double threshold, Weighted_gr
   a.inverse_diagonal = std::move(inverse);
 }
 
-/// Estimate from above of the largest eigenvalue of D^-1 A: power iteration from a fixed start, at most Gershgorin's
-/// bound. Where that is 2 (no negative weights), the eigenvalue is known well enough beforehand to look at a principal
-/// submatrix only: the eigenvectors in question are local.
-inline double spectral_radius(const Host_loop& loop, const Weighted_graph& a)
+/// Estimate from above of the largest eigenvalue of D^-1 A, which is at most 2: the weights of the finest graph are not
+/// negative, and those of coarse ones are scaled (see drop_weak_edges()). Power iteration from a fixed start, on a
+/// principal submatrix, since the eigenvectors in question are local.
+inline double spectral_radius(const Weighted_graph& a)
 {
   constexpr int iterations = 6;
   constexpr double safety = 1.15;
   constexpr int sample_size = 50000;
   const Host_array<double>& inverse = a.inverse_diagonal;
-  const std::vector<double> bounds = results_of_parts(loop, a.size(), [&](int begin, int end) {
-    double bound = 0;
-    for(int i = begin; i < end; ++i) {
-      double sum = 0;
-      for(int k = a.offset[i]; k < a.offset[i + 1]; ++k)
-        sum += std::abs(a.weight[k]);
-      if(inverse[i] > 0)
-        bound = (std::max)(bound, 1 + sum * inverse[i]);
-    }
-    return bound;
-  });
-  const double bound = *std::max_element(bounds.begin(), bounds.end());
-  const bool is_positive = bound < 2 + 1e-12;
-  const int n = is_positive ? (std::min)(a.size(), sample_size) : a.size();
+  const int n = (std::min)(a.size(), sample_size);
   Host_array<double> x(n), y(n);
   unsigned state = 1;
   for(double& e : x) {
@@ -308,7 +300,7 @@ inline double spectral_radius(const Host_loop& loop, const Weighted_graph& a)
       x[i] = s * y[i];
   }
   constexpr double least = 1.7; // from here on two Chebyshev steps do no harm to eigenvalues up to 2
-  return (std::min)(bound, (std::max)(is_positive ? least : 0, safety * radius));
+  return (std::min)(2., (std::max)(least, safety * radius));
 }
 
 } // namespace CGAL::Spherical_parameterization::internal

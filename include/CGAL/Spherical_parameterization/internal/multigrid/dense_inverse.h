@@ -82,7 +82,7 @@ inline Host_array<double> dense_inverse(const Weighted_graph& a, bool is_singula
       m[at(i, i)] = 1;
       continue;
     }
-    m[at(i, i)] = 1 / a.inverse_diagonal[i];
+    m[at(i, i)] = a.diagonal(i);
     scale = (std::max)(scale, m[at(i, i)]);
     for(int k = a.offset[i]; k < a.offset[i + 1]; ++k)
       if(a.inverse_diagonal[a.target[k]] > 0)

@@ -22,6 +22,7 @@
 #include <CGAL/Spherical_parameterization/register_maps.h>
 #include <CGAL/Spherical_parameterization/resample.h>
 #include <CGAL/Spherical_parameterization/resampling_weights.h>
+#include <CGAL/Spherical_parameterization/rigid_path.h>
 #include <CGAL/Spherical_parameterization/segmentation.h>
 #include <CGAL/Spherical_parameterization/shape_atlas.h>
 #include <CGAL/Spherical_parameterization/shape_signature.h>

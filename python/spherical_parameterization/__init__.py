@@ -23,23 +23,24 @@ from .methods import (
     Automatic, Balanced, ClampedWeights, GirthProfiles, Isometric, MajorityVote, RegionGrowing, SaddlePoint,
 )
 from .prepare import Prepared, prepare
-from .registration import RegisteredMap, moebius_centred, register_maps
+from .registration import RegisteredMap, moebius_centred, morph, register_maps
 from .spherical_harmonics import Ellipsoid, Harmonics, ShapeAlignment, harmonics, read_harmonics
 from .spectrum import Eigenpairs, laplacian_eigenpairs
 from .statistics import (
     ModelQuality, ShapeSet, ShapeStatistics, align_shapes, left_out_errors, mean_vertex_areas, model_quality,
     shape_statistics,
 )
+from .view import Page, view
 
 __all__ = [
     "Atlas", "Attempt", "Automatic", "Balanced", "Certificate", "ClampedWeights", "DeviceError", "DistortionSummary",
     "Distribution", "Eigenpairs", "Ellipsoid", "ErrorCode", "GirthProfiles", "Harmonics", "Isometric", "Locator",
-    "MajorityVote", "MapWarning", "MeshError", "ModelQuality", "OpenCLDevice", "Prepared", "RegionGrowing",
+    "MajorityVote", "MapWarning", "MeshError", "ModelQuality", "OpenCLDevice", "Page", "Prepared", "RegionGrowing",
     "RegisteredMap", "Resampling", "Result", "SaddlePoint", "Seconds", "ShapeAlignment", "ShapeSet", "ShapeStatistics",
     "Texture", "VertexColumn", "__version__", "align_shapes", "atlas", "certify", "collection", "distortion", "edges",
     "face_distortion", "harmonics", "icosphere", "laplacian_eigenpairs", "left_out_errors", "mean_over_faces",
-    "mean_vertex_areas", "model_quality", "moebius_centred", "opencl_device", "opencl_devices", "parameterize",
+    "mean_vertex_areas", "model_quality", "moebius_centred", "morph", "opencl_device", "opencl_devices", "parameterize",
     "prepare", "read_data", "read_harmonics", "read_mesh", "register_maps", "search", "segment", "shape_signature",
     "shape_statistics", "stretch_histogram", "texture_coordinates", "texture_seams", "vertex_log_area_stretch",
-    "write_data", "write_mesh",
+    "view", "write_data", "write_mesh",
 ]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Preparation of meshes by the module `_preparation`, which is under the GPL, like the CGAL packages that it uses."""
+"""Preparation of meshes, by the module `_preparation`, which is under the GPL, like the CGAL packages that it uses."""
 
 from __future__ import annotations
 
@@ -13,6 +13,17 @@ import numpy.typing as npt
 
 from .arrays import Doubles, Integers, OneLine, check, index_triples, one_of, vectors
 from .errors import ErrorCode, MeshError
+
+
+def gpl_module() -> Any:
+    """The module `_preparation`."""
+    try:
+        return importlib.import_module("._preparation", __package__)
+    except ImportError as error:
+        raise ImportError(
+            "spherical_parameterization._preparation is not there: it is under the GPL, and comes separately, by "
+            "'pip install ./python/preparation' or with the .deb"
+        ) from error
 
 
 @dataclasses.dataclass(frozen=True, repr=False)
@@ -67,13 +78,7 @@ def prepare(
     ImportError
         If the module `_preparation` is not installed. It is under the GPL, and is installed separately.
     """
-    try:
-        module = importlib.import_module("._preparation", __package__)
-    except ImportError as error:
-        raise ImportError(
-            "spherical_parameterization._preparation is not there: it is under the GPL, and comes separately, by "
-            "'pip install ./python/preparation' or with the .deb"
-        ) from error
+    module = gpl_module()
     check(prepare, locals())
     one_of("components", components, "largest", "all")
     if not 0 <= merge_distance < np.inf:

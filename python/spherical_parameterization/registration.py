@@ -169,6 +169,43 @@ def register_maps(
     return RegisteredMap(registered, is_complete, start, margin, difference, trust, np.array(rotation), *figures)
 
 
+def morph(points: npt.ArrayLike, other_points: npt.ArrayLike, steps: int = 10) -> Doubles:
+    """The points of a mesh on their way to other places, such as the corresponding points of another shape.
+
+    The best rigid motion is made at an even speed, and the rest is linear, so that a shape that only turns does not shrink
+    on the way.
+
+    Parameters
+    ----------
+    points, other_points : array_like (n, 3) of float
+        The points at the start and at the end.
+    steps : int
+        At least 1.
+
+    Returns
+    -------
+    ndarray (steps + 1, n, 3) of float64
+        The first and the last are the given points.
+
+    Examples
+    --------
+    >>> import spherical_parameterization as sp
+    >>> points, triangles = sp.icosphere(2)
+    >>> half = sp.morph(points * [2, 1, 1], points * [-2, -1, 1])[5]  # turned by 90 degrees
+    >>> bool(abs(abs(half) - abs(points * [2, 1, 1])[:, [1, 0, 2]]).max() < 1e-12)
+    True
+    """
+    check(morph, locals())
+    a, b = vectors("points", points), vectors("other_points", other_points)
+    if len(a) != len(b) or len(a) == 0:
+        raise ValueError(f"other_points: as many as points are needed, at least one, not {len(b)} for {len(a)}")
+    if not (np.isfinite(a).all() and np.isfinite(b).all()):
+        raise ValueError("points, other_points: finite numbers are needed")
+    if steps < 1:
+        raise ValueError(f"steps: a number from 1 on is needed, not {steps}")
+    return _core.morph(a, b, steps)
+
+
 def moebius_centred(sphere: Sphere, triangles: npt.ArrayLike, masses: npt.ArrayLike) -> Doubles:
     """Moves a map by the Moebius transformation that brings the centroid of masses to the centre of the sphere.
 

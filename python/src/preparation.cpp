@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 //
-// The module spherical_parameterization._preparation. It is under the GPL, as the packages of CGAL are that mend
-// meshes, and a module by itself, so that the others are not.
+// The module spherical_parameterization._preparation. It is under the GPL, as the packages of CGAL that mend meshes and
+// the page that shows them are, and a module by itself, so that the others are not.
 
 #include "arrays.h"
 #include "errors.h"
 #include "watch.h"
 
+#include "input/mesh.h"
 #include "preparation/report.h"
+#include "runner/page.h"
 
 #include <nlohmann/json.hpp>
 
@@ -16,7 +18,10 @@
 
 #include <functional>
 #include <optional>
+#include <sstream>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace {
 
@@ -70,10 +75,32 @@ py::tuple prepare(const Doubles& points, const py::array_t<std::int32_t>& triang
                         numbers(result.old_vertex), numbers(result.old_face), report.dump());
 }
 
+/// The page of a mesh with its map, as the command `view` makes it: measures of faces by name, and the report as JSON.
+std::string page(const std::vector<Doubles>& shapes, const py::array& triangles,
+                 const std::vector<std::pair<std::string, std::vector<double>>>& measures, const std::string& report)
+{
+  tool::Page result;
+  std::vector<tool::Point> points;
+  for(const Doubles& shape : shapes) {
+    const Rows<double> rows(shape);
+    points.assign(rows.begin(), rows.end());
+    tool::Page::check_size("the mesh", points.size());
+    result.add(points);
+  }
+  for(const auto& [name, values] : measures)
+    result.header[name] = result.add(values);
+  with_triangles(triangles, [&](auto faces) { result.add(tool::Mesh(tool::Mesh::Unchecked(), points, faces)); });
+  result.header["report"] = nlohmann::ordered_json::parse(report);
+  std::ostringstream html;
+  result.write(html);
+  return html.str();
+}
+
 } // namespace
 
 PYBIND11_MODULE(_preparation, module)
 {
   py::register_local_exception_translator(translate);
   module.def("prepare", prepare);
+  module.def("page", page);
 }

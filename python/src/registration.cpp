@@ -8,9 +8,11 @@
 
 #include <CGAL/Spherical_parameterization/moebius_centring.h>
 #include <CGAL/Spherical_parameterization/register_maps.h>
+#include <CGAL/Spherical_parameterization/rigid_path.h>
 
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -72,10 +74,29 @@ std::pair<Doubles, double> moebius_centred(const Doubles& sphere, const py::arra
   return {centred, distance};
 }
 
+/// The places of the points at steps + 1 times.
+py::array morph(const Doubles& points, const Doubles& others, int steps)
+{
+  const auto size = static_cast<std::size_t>(points.shape(0));
+  py::array_t<double, py::array::c_style> all = make_array<double>(steps + 1, size, 3);
+  auto* const out = reinterpret_cast<std::array<double, 3>*>(all.mutable_data());
+  const py::gil_scoped_release no_lock;
+  const Rows<double> from(points), to(others);
+  const auto path = SP::rigid_path(from, to);
+  for(int step = 1; step < steps; ++step) {
+    const auto places = path(double(step) / steps);
+    std::copy(places.begin(), places.end(), out + static_cast<std::size_t>(step) * size);
+  }
+  std::copy(from.begin(), from.end(), out); // both ends are as they are, without rounding
+  std::copy(to.begin(), to.end(), out + static_cast<std::size_t>(steps) * size);
+  return std::move(all);
+}
+
 } // namespace
 
 void add_registration(py::module_& module)
 {
   module.def("register_maps", register_maps);
   module.def("moebius_centred", moebius_centred);
+  module.def("morph", morph);
 }

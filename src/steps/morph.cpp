@@ -8,7 +8,7 @@
 #include "runner/pair.h"
 #include "system/interruption.h"
 
-#include <Eigen/Geometry>
+#include <CGAL/Spherical_parameterization/rigid_path.h>
 
 #include <filesystem>
 #include <memory>
@@ -21,42 +21,6 @@ struct Morph_options {
   std::string format = "ply";
   int steps = 10;
   bool ascii = false;
-};
-
-/// The path of the vertices from one shape to the other: the best rigid motion between them is made at an even speed,
-/// and the rest is linear, so that a shape that only turns does not shrink on the way.
-class Rigid_path {
-public:
-  Rigid_path(const std::vector<Point>& from, const std::vector<Point>& to)
-    : from_(by_columns(from)), to_(by_columns(to)), from_centre_(from_.rowwise().mean()),
-      to_centre_(to_.rowwise().mean())
-  {
-    from_.colwise() -= from_centre_;
-    to_.colwise() -= to_centre_;
-    turn_ = Eigen::Matrix3d(Eigen::umeyama(from_, to_, false).topLeftCorner<3, 3>());
-    to_ = turn_.inverse().toRotationMatrix() * to_;
-  }
-
-  std::vector<Point> at(double t) const
-  {
-    const Eigen::Matrix3d turn = Eigen::AngleAxisd(t * turn_.angle(), turn_.axis()).toRotationMatrix();
-    const Points all = (turn * ((1 - t) * from_ + t * to_)).colwise() + ((1 - t) * from_centre_ + t * to_centre_);
-    std::vector<Point> points;
-    for(Eigen::Index v = 0; v < all.cols(); ++v)
-      points.push_back({all(0, v), all(1, v), all(2, v)});
-    return points;
-  }
-
-private:
-  using Points = Eigen::Matrix<double, 3, Eigen::Dynamic>;
-  static Points by_columns(const std::vector<Point>& points)
-  {
-    return Eigen::Map<const Points>(points.front().data(), 3, static_cast<Eigen::Index>(points.size()));
-  }
-
-  Points from_, to_; ///< about their centres; those of the other shape turned back
-  Eigen::Vector3d from_centre_, to_centre_;
-  Eigen::AngleAxisd turn_;
 };
 
 std::string name_of_step(const Morph_options& options, const std::string& folder, int step)
@@ -94,11 +58,11 @@ void morph(const Morph_options& own, const Registration_options& options, Run& r
   register_pair(options, pair);
 
   const Mesh& mesh = pair.a.mesh();
-  const Rigid_path path(mesh.points(), pair.points_on_b);
+  const auto path = SP::rigid_path(mesh.points(), pair.points_on_b);
   Page page;
   constexpr int shapes_of_page = 9; // between which the page interpolates
   for(int k = 0; k < shapes_of_page; ++k)
-    page.add(path.at(double(k) / (shapes_of_page - 1)));
+    page.add(path(double(k) / (shapes_of_page - 1)));
   page.add(mesh);
   page.header["vertices"] = mesh.number_of_vertices();
   page.header["faces"] = mesh.number_of_faces();
@@ -111,7 +75,7 @@ void morph(const Morph_options& own, const Registration_options& options, Run& r
     // both ends are as they are, without rounding
     const std::vector<Point> points = step == 0           ? mesh.points()
                                       : step == own.steps ? pair.points_on_b
-                                                          : path.at(double(step) / own.steps);
+                                                          : path(double(step) / own.steps);
     write_mesh(run.open(name), {format_of_name(name).value(), own.ascii}, mesh, points, Surface::SHAPE,
                pair.a.file->annotations, pair.a.file->data);
     run.complete();

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_RIGID_PATH_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_RIGID_PATH_H
+
+#include <CGAL/Spherical_parameterization/internal/api/precondition.h>
+
+#include <Eigen/Geometry>
+
+#include <array>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization {
+
+/// \ingroup PkgSphericalParameterizationInverse
+///
+/// \brief The path of points from one place to another one, such as the vertices of a mesh that takes the shape of
+/// another mesh. The best rigid motion between both (S. Umeyama, "Least-squares estimation of transformation parameters
+/// between two point patterns", 1991) is made at an even speed, and the rest is linear, so that a shape that only turns
+/// does not shrink on the way.
+///
+/// \tparam Points  a contiguous range of `std::array<double, 3>`
+/// \return a function of a time from 0 (the start) to 1 (the end, up to rounding): the points as a
+///   `std::vector<std::array<double, 3>>`
+/// \pre there are as many points here as there, at least one, and all are finite
+template <class Points>
+auto rigid_path(const Points& start, const Points& end)
+{
+  using Matrix = Eigen::Matrix<double, 3, Eigen::Dynamic>;
+  CGAL_SP_PRECONDITION(start.size() > 0 && start.size() == end.size(), "both ends of a path have the same points");
+  const auto by_columns = [](const Points& points) -> Matrix {
+    return Eigen::Map<const Matrix>(points.begin()->data(), 3, static_cast<Eigen::Index>(points.size()));
+  };
+  Matrix from = by_columns(start), to = by_columns(end);
+  const Eigen::Vector3d from_centre = from.rowwise().mean(), to_centre = to.rowwise().mean();
+  from.colwise() -= from_centre;
+  to.colwise() -= to_centre;
+  const Eigen::AngleAxisd turn(Eigen::Matrix3d(Eigen::umeyama(from, to, false).template topLeftCorner<3, 3>()));
+  to = turn.inverse().toRotationMatrix() * to; // turned back
+  return [=](double t) {
+    const Eigen::Matrix3d part = Eigen::AngleAxisd(t * turn.angle(), turn.axis()).toRotationMatrix();
+    const Matrix all = (part * ((1 - t) * from + t * to)).colwise() + ((1 - t) * from_centre + t * to_centre);
+    std::vector<std::array<double, 3>> points;
+    for(Eigen::Index v = 0; v < all.cols(); ++v)
+      points.push_back({all(0, v), all(1, v), all(2, v)});
+    return points;
+  };
+}
+
+} // namespace CGAL::Spherical_parameterization
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_RIGID_PATH_H

@@ -73,10 +73,12 @@ def view(
     module = gpl_module()
     check(view, locals())
     points, triangles = vectors("points", points), index_triples(triangles)
-    result = parameterize(points, triangles, policy=policy) if sphere is None else None
-    if result is not None and not result:
-        raise MeshError(result.error, result.detail)
-    images = directions("sphere", sphere if result is None else result, len(points))
+    result = None
+    if sphere is None:
+        sphere = result = parameterize(points, triangles, policy=policy)
+        if not result:
+            raise MeshError(result.error, result.detail)
+    images = directions("sphere", sphere, len(points))
     certificate = certify(triangles, images, policy=policy)
     if not certificate:
         text = f"{certificate.flipped_faces} flipped faces, the degree is {certificate.degree}"

@@ -2,7 +2,7 @@
 // Part of CGAL Spherical Parameterization.
 //
 // node build.mjs: the core by emscripten; then the package of npm, dist/package/; and the page, dist/index.html, one file
-// with everything in it.
+// with everything in it. Beside it, for servers, the core for all cores of the machine: dist/threads.js, dist/threads.worker.js.
 // node build.mjs --viewer: viewer/view.html alone, which the tool's command `view` fills with data; needs no emscripten.
 
 import { build } from "esbuild";
@@ -13,7 +13,7 @@ import { fileURLToPath } from "node:url";
 
 const here = dirname(fileURLToPath(import.meta.url));
 const source = (name) => readFileSync(join(here, "src", name), "utf8");
-const core = join(here, "build", "core");
+const [core, threads] = ["core", "threads"].map((name) => join(here, "build", name)); // for one core, and for all
 
 async function script(entry, plugins = [], format = "iife") {
   const result = await build({
@@ -75,12 +75,12 @@ async function viewer() {
   writeFileSync(join(here, "viewer", "view.html"), page + (page.endsWith("\n") ? "" : "\n"));
 }
 
-function compileCore() {
+function compile(folder, ...options) {
   const env = { ...process.env, NODE_PATH: "/usr/share/nodejs" }; // where Debian has acorn, which emscripten needs
   const run = (program, ...args) => execFileSync(program, args, { cwd: here, env, stdio: ["ignore", "inherit", "inherit"] });
-  if (!existsSync(join(core, "Makefile")))
-    run("emcmake", "cmake", "-S", join(here, "core"), "-B", core, "-DCMAKE_BUILD_TYPE=Release");
-  run("cmake", "--build", core, "--parallel", "2");
+  if (!existsSync(join(folder, "Makefile")))
+    run("emcmake", "cmake", "-S", join(here, "core"), "-B", folder, "-DCMAKE_BUILD_TYPE=Release", ...options);
+  run("cmake", "--build", folder, "--parallel", "2");
 }
 
 const compiled = provide("core", () => readFileSync(join(core, "core.js"), "utf8"), "js");
@@ -92,7 +92,7 @@ async function npmPackage() {
   mkdirSync(folder, { recursive: true });
   const head = "// SPDX-License-Identifier: LGPL-3.0-or-later\n";
   writeFileSync(join(folder, "index.js"), head + (await script("core/index.ts", [compiled], "esm")) + "\n");
-  const tsc = ["--declaration", "--emitDeclarationOnly", "--noEmit", "false", "--outDir", folder, "--target", "es2022"];
+  const tsc = ["--declaration", "--stripInternal", "--emitDeclarationOnly", "--noEmit", "false", "--outDir", folder, "--target", "es2022"];
   const sources = ["core/index.ts", "src/modules.d.ts"].map((name) => join(here, name));
   execFileSync(join(here, "node_modules", ".bin", "tsc"), [...tsc, ...sources], { stdio: "inherit" });
   const of = (...path) => readFileSync(join(here, ...path), "utf8");
@@ -115,11 +115,15 @@ async function page() {
   const worker = await script("src/worker.ts", [compiled]);
   const js = await script("src/page.ts", [provide("worker-text", () => worker, "text")]);
   writeFileSync(join(here, "dist", "index.html"), await html(js, ""));
+  const head = "// SPDX-License-Identifier: LGPL-3.0-or-later AND Apache-2.0\n// Part of CGAL Spherical Parameterization. Contains oneTBB.\n";
+  for (const suffix of [".js", ".worker.js"])
+    writeFileSync(join(here, "dist", `threads${suffix}`), head + readFileSync(join(threads, `core${suffix}`), "utf8"));
 }
 
 await viewer();
 if (!process.argv.includes("--viewer")) {
-  compileCore();
+  compile(core);
+  compile(threads, "-DTHREADS=ON");
   await npmPackage();
   await page();
 }

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # install_dependencies.sh
 # Installs what the page and its tests need besides the tool: emscripten, chromium, node, the npm packages of
-# package-lock.json, and the sources of pugixml and zlib, which Debian has compiled for other machines only. As root, or
+# package-lock.json, and the sources of oneTBB, pugixml and zlib, which Debian has compiled for other machines only. As root, or
 # through sudo. Does nothing where all are there.
 set -euo pipefail
 here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
@@ -17,4 +17,4 @@ if ! cmp -s "$here/package-lock.json" "$here/node_modules/.lock-of-the-page"; th
   cp "$here/package-lock.json" "$here/node_modules/.lock-of-the-page"
 fi
 
-"$here/../scripts/fetch_sources.sh" "$here/libraries" pugixml zlib
+"$here/../scripts/fetch_sources.sh" "$here/libraries" onetbb pugixml zlib

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 //
-// node serve.mjs [PORT]: serves dist/ on this machine, compressed. Any other static server does, too.
+// node serve.mjs [PORT]: serves dist/ on this machine, compressed. Any other static server does, too; with the same two headers the
+// page may share memory between threads, and uses all cores.
 
 import { readFileSync } from "node:fs";
 import { createServer } from "node:http";
@@ -9,15 +10,23 @@ import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
 
-const file = join(dirname(fileURLToPath(import.meta.url)), "dist", "index.html");
+const dist = join(dirname(fileURLToPath(import.meta.url)), "dist");
+const isolated = { "Cross-Origin-Opener-Policy": "same-origin", "Cross-Origin-Embedder-Policy": "require-corp" };
 
 /// Resolves to the server, which listens on `port`, or on any that is free for 0.
-export function serve(port) {
-  const page = gzipSync(readFileSync(file), { level: 9 });
+export function serve(port, headers = isolated) {
+  const files = new Map(
+    ["index.html", "threads.js", "threads.worker.js"].map((name) => {
+      const type = name.endsWith(".html") ? "text/html" : "text/javascript";
+      const body = gzipSync(readFileSync(join(dist, name)), { level: 9 });
+      return [`/${name}`, { body, headers: { "Content-Type": type, "Content-Encoding": "gzip", ...headers } }];
+    }),
+  );
+  files.set("/", files.get("/index.html"));
   const server = createServer((request, response) => {
-    const found = request.method === "GET" && /^\/(index\.html)?(\?.*)?$/.test(request.url);
-    response.writeHead(found ? 200 : 404, found ? { "Content-Type": "text/html", "Content-Encoding": "gzip" } : {});
-    response.end(found ? page : undefined);
+    const found = request.method === "GET" && files.get(request.url.replace(/\?.*/, ""));
+    response.writeHead(found ? 200 : 404, found?.headers);
+    response.end(found?.body);
   });
   return new Promise((done) => server.listen(port, "127.0.0.1", () => done(server)));
 }

@@ -139,7 +139,7 @@ SP::Result map_by(const Mesh& mesh, Points& sphere, const Method& method, const 
     return value.isUndefined() ? otherwise : value.as<double>();
   };
   return SP::parameterize(
-    CGAL::Sequential_tag(), mesh, method, as_map<Mesh::Vertex_index>(sphere),
+    CGAL::Parallel_if_available_tag(), mesh, method, as_map<Mesh::Vertex_index>(sphere),
     CGAL::parameters::edge_weight_map(weights_of(mesh, settings["weights"].as<std::string>()))
       .accuracy(number("accuracy", Method::default_accuracy))
       .number_of_iterations(static_cast<std::size_t>(number("iterations", Method::default_number_of_iterations)))

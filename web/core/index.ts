@@ -202,8 +202,13 @@ function needed<A extends Verdict>(answer: A): Omit<A, keyof Verdict> {
 }
 
 /** Starts WebAssembly; every call gives a core with a memory of its own. */
-export async function load(): Promise<SphericalParameterization> {
-  const core = (await createCore()) as Core;
+export function load(): Promise<SphericalParameterization> {
+  return start(createCore);
+}
+
+/** @internal The same with another core: that of the page for all cores. */
+export async function start(create: () => Promise<unknown>): Promise<SphericalParameterization> {
+  const core = (await create()) as Core;
   return {
     version: core.version,
     parameterize(points, triangles, options = {}) {

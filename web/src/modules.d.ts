@@ -1,7 +1,7 @@
 // What the build provides: see build.mjs.
 
 declare module "core" {
-  export default function createCore(): Promise<unknown>;
+  export default function createCore(options?: object): Promise<unknown>;
 }
 
 /// The text of the script of the worker.

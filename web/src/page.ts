@@ -29,7 +29,7 @@ let patience: ReturnType<typeof setTimeout> | undefined;
 
 function start(): Worker {
   const url = URL.createObjectURL(new Blob([workerText], { type: "text/javascript" }));
-  const result = new Worker(url);
+  const result = new Worker(url, { name: document.baseURI }); // where it finds the core for all cores
   // what an ended worker has said before may still come
   const hearIt = (message: Message) => result === worker && hear(message);
   result.onmessage = ({ data }: MessageEvent<Message>) => hearIt(data);

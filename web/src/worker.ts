@@ -3,7 +3,7 @@
 //
 // Runs the compiled core away from the page, so that this never waits for it.
 
-import { load, MeshError, type Measures, type Options, type Result } from "../core/index";
+import { load, MeshError, start, type Measures, type Options, type Result, type SphericalParameterization } from "../core/index";
 import type { Mesh, Report } from "./model";
 
 /// How to map.
@@ -38,7 +38,16 @@ export type Message =
 const post = (message: Message, transfer: Transferable[] = []) =>
   (self as unknown as { postMessage(m: Message, t: Transferable[]): void }).postMessage(message, transfer);
 
-const core = load();
+/// Where a server permits that threads share memory, the core beside the page that uses all of the machine's.
+function allCores(): Promise<SphericalParameterization> {
+  const scope = self as unknown as { name: string; importScripts(url: string): void; createCore: (options: object) => Promise<unknown> };
+  const address = (name: string) => new URL(name, scope.name).href;
+  scope.importScripts(address("threads.js"));
+  const place = { mainScriptUrlOrBlob: address("threads.js"), locateFile: () => address("threads.worker.js") };
+  return start(() => scope.createCore(place));
+}
+
+const core = self.crossOriginIsolated ? allCores() : load();
 core.then(
   ({ version }) => post({ kind: "ready", version }),
   (error: unknown) => post({ kind: "failed", why: String(error) }),

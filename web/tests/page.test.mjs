@@ -342,6 +342,27 @@ test("narrow and dark, by touch", async () => {
   page = wide;
 });
 
+test("uses all cores where the server permits it, and has the same bits where it does not", async () => {
+  const example = examples.find(({ file }) => file === "bar.off");
+  const ask = async (...options) => {
+    const asked = new Set();
+    const other = await serve(0, ...options);
+    other.on("request", ({ url }) => asked.add(url));
+    const wide = page;
+    page = await open(`http://127.0.0.1:${other.address().port}/`);
+    await page.click(`[data-example="${example.file}"]`);
+    await state(example.file, "certified");
+    const sphere = await page.evaluate(() => Array.from(window.page.stage.model.sphere));
+    await page.context().close();
+    other.close();
+    page = wide;
+    return { sphere, allCores: asked.has("/threads.js") };
+  };
+  const [all, one] = [await ask(), await ask({})];
+  assert.deepEqual([all.allCores, one.allCores], [true, false]);
+  assert.equal(different(all.sphere, one.sphere), 0);
+});
+
 test("works from a file, too, and the file of `view`", async () => {
   const wide = page;
   page = await open(pathToFileURL(join(web, "dist", "index.html")).href);

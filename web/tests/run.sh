@@ -12,7 +12,9 @@ command -v node >/dev/null || skip node
 [ -d "$web/node_modules/esbuild" ] || skip "web/node_modules"
 if [ "$1" != viewer ]; then
   command -v emcmake >/dev/null || skip emscripten
-  [ -d "$web/libraries/zlib" ] && [ -d "$web/libraries/pugixml" ] || skip "web/libraries"
+  for library in onetbb pugixml zlib; do
+    [ -d "$web/libraries/$library" ] || skip "web/libraries/$library"
+  done
 fi
 if [ "$1" = page ] || [ "$1" = package ]; then
   command -v "${CHROMIUM:-chromium}" >/dev/null || skip chromium

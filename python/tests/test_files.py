@@ -103,18 +103,19 @@ def test_data_come_back(tmp_path: Path) -> None:
     height = sp.VertexColumn("height", rng.normal(size=len(points)))
     keys = rng.choice([2.0, 5.0, np.nan], len(points))
     parcel = sp.VertexColumn("parcel", keys, {2: ("bänk", (1.0, 0.0, 0.2, 1.0)), 5: ("five", (0.0, 1.0, 0.4, 1.0))})
-    for name in ("all.csv", "numbers.func.gii", "lh.height", "labels.label.gii", "lh.parcel.annot"):
+    for name in ("all.csv", "numbers.func.gii", "lh.height", "parcel.label.gii", "lh.parcel.annot", "lh.height.label"):
         sp.write_data(tmp_path / name, [height, parcel])
         found = sp.read_data(tmp_path / name, len(points))
-        expected = [height, parcel] if name == "all.csv" else [parcel] if "label" in name or "annot" in name else [height]
+        expected = [height, parcel] if name == "all.csv" else [parcel] if "parcel" in name else [height]
         assert [column.name for column in found] == [column.name for column in expected]
         for a, b in zip(found, expected):
             if name == "all.csv" and b.labels:  # which has their names
                 assert a.labels is not None
                 assert {label for label, _ in a.labels.values()} == {"bänk", "five"}
                 continue
-            values = np.asarray(b.values)
-            assert np.array_equal(a.values, values if b.labels or name == "all.csv" else values.astype("f4"), equal_nan=True)
+            are_doubles = b.labels or name in ("all.csv", "lh.height.label")
+            values = np.asarray(b.values, None if are_doubles else "f4")
+            assert np.array_equal(a.values, values, equal_nan=True)
             assert (a.labels is None) == (b.labels is None)
             for key, (label, colour) in (b.labels or {}).items():
                 assert a.labels is not None

@@ -9,6 +9,7 @@
 #include "output/text_writer.h"
 #include "system/refusal.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -55,6 +56,17 @@ void write_csv(std::ostream& out, const Vertex_data& data)
     }
 }
 
+/// FreeSurfer's numbers at some vertices: those that have one. Coordinates, which the surface has, are 0.
+void write_label(std::ostream& out, const std::vector<double>& values)
+{
+  Text_writer write(out);
+  const auto missing = std::count_if(values.begin(), values.end(), [](double x) { return std::isnan(x); });
+  write("#!ascii label\n", values.size() - static_cast<std::size_t>(missing), '\n');
+  for(std::size_t v = 0; v < values.size(); ++v)
+    if(!std::isnan(values[v]))
+      write(v, " 0 0 0 ", values[v], '\n');
+}
+
 } // namespace
 
 int key_of(double value, int none) { return std::isnan(value) ? none : static_cast<int>(value); }
@@ -74,8 +86,9 @@ std::optional<Data_format> data_format_of_name(const std::string& file)
     return Data_format::CSV;
   if(extension == ".annot")
     return Data_format::ANNOT;
-  const bool is_freesurfer = format_of_name(file) == Mesh_format::FREESURFER;
-  return is_freesurfer && extension != ".label" ? std::optional(Data_format::CURV) : std::nullopt;
+  if(extension == ".label")
+    return Data_format::LABEL;
+  return format_of_name(file) == Mesh_format::FREESURFER ? std::optional(Data_format::CURV) : std::nullopt;
 }
 
 void write_vertex_data(std::ostream& out, const std::string& file, const Vertex_data& data,
@@ -91,7 +104,7 @@ void write_vertex_data(std::ostream& out, const std::string& file, const Vertex_
   if(held.empty())
     throw Refusal(unwritable_file, file, "there are no columns of " + what + " to write",
                   "give a file that has some: --data");
-  const bool holds_one = format == Data_format::ANNOT || format == Data_format::CURV;
+  const bool holds_one = format == Data_format::ANNOT || format == Data_format::LABEL || format == Data_format::CURV;
   if(holds_one && held.size() > 1)
     throw Refusal(unwritable_file, file,
                   "the format holds one column, and there are " + std::to_string(held.size()) + " of " + what,
@@ -99,6 +112,7 @@ void write_vertex_data(std::ostream& out, const std::string& file, const Vertex_
   switch(format) {
   case Data_format::CSV: return write_csv(out, held);
   case Data_format::ANNOT: return write_annot(out, file, held.front());
+  case Data_format::LABEL: return write_label(out, held.front().values);
   case Data_format::CURV: return write_curv(out, held.front());
   default: return write_gifti_data(out, file, held, format, annotations);
   }

@@ -14,18 +14,18 @@
 namespace tool {
 
 /// Files of values and labels at vertices.
-enum class Data_format { CSV, FUNC_GII, SHAPE_GII, LABEL_GII, ANNOT, CURV };
+enum class Data_format { CSV, FUNC_GII, SHAPE_GII, LABEL_GII, ANNOT, LABEL, CURV };
 
 /// The names that they may have, for messages.
 inline const char* const data_names =
-  ".csv, .func.gii, .shape.gii, .label.gii, .annot, or as lh.thickness (FreeSurfer's curv)";
+  ".csv, .func.gii, .shape.gii, .label.gii, .annot, .label, or as lh.thickness (FreeSurfer's curv)";
 
 /// The format that a name stands for.
 std::optional<Data_format> data_format_of_name(const std::string& file);
 
-/// Writes the columns that the format of the name holds: .annot and .label.gii labels, .func.gii, .shape.gii and curv
-/// numbers, .csv all. Throws a `Refusal` if there is none, or more than one in .annot and curv. `annotations` are those
-/// of the surface.
+/// Writes the columns that the format of the name holds: .annot and .label.gii labels, .func.gii, .shape.gii, .label
+/// and curv numbers, .csv all. Throws a `Refusal` if there is none, or more than one in .annot, .label and curv.
+/// `annotations` are those of the surface.
 void write_vertex_data(std::ostream& out, const std::string& file, const Vertex_data& data,
                        const Annotations& annotations = {});
 

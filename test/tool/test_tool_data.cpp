@@ -16,6 +16,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <iostream>
@@ -206,8 +207,10 @@ TEST_CASE("data: nibabel reads what is written here, and its files are read", "[
 {
   Scratch scratch;
   const tool::Vertex_data data = columns(42);
-  for(const char* name : {"out.func.gii", "out.shape.gii", "out.label.gii", "lh.thickness", "lh.out.annot", "out.csv"})
+  for(const char* name :
+      {"out.func.gii", "out.shape.gii", "out.label.gii", "lh.thickness", "lh.out.annot", "lh.out.label", "out.csv"})
     write_data(scratch / name, data);
+  check_values(tool::read_vertex_data(scratch / "lh.out.label", 42)[0], data[0]);
   check_python(R"(
 import sys
 try:
@@ -230,6 +233,8 @@ assert (image.agg_data('label') == keys).all()
 assert image.labeltable.get_labels_as_dict() == {0: 'unknown', 7: 'bank, "s" & <ts>', 3: '\u00e9'}
 assert numpy.allclose(image.labeltable.labels[-1].rgba, (1, .2, .4, 1))
 assert numpy.array_equal(fs.read_morph_data(folder + 'lh.thickness'), values.astype('f4'), equal_nan=True)
+listed, numbers = fs.read_label(folder + 'lh.out.label', read_scalars=True)
+assert (listed == numpy.flatnonzero(values == values)).all() and (numbers == values[listed]).all()
 index, table, names = fs.read_annot(folder + 'lh.out.annot')
 assert list(table[index[1]][:4]) == [255, 51, 102, 0] and b'bank, "s" & <ts>' in names
 assert index[0] == index[4] == -1 and index[2] == index[6] != index[1]
@@ -530,7 +535,7 @@ TEST_CASE("data: what a format cannot hold is refused, not written", "[tool][dat
   check("lh.out", "out.label.gii", 1, "no columns of labels");
   check("lh.out.annot", "out.func.gii", 1, "no columns of numbers");
   check("in.csv", "out.gii", 2, "must be called");
-  check("in.csv", "lh.out.label", 2, "must be called");
+  check("in.csv", "out.label", 0, "");
   write_text(
     scratch / "two.csv", "a,b\n" + [] {
       std::string rows;
@@ -742,4 +747,34 @@ TEST_CASE("register: features of one's own turn an ellipsoid of revolution about
   refused("b.csv", {"--feature-weight", "1,2"}, 1, "2 weights");
   refused("b.csv", {"--feature-weight", "1,x"}, 2, "--feature-weight");
   refused("b.csv", {"--feature-weight", "-1"}, 2, "--feature-weight");
+
+  Soup open = ellipsoid(1, 1, 1.5, 4);
+  open.faces.erase(std::remove_if(open.faces.begin(), open.faces.end(),
+                                  [&](const auto& face) { return open.points[std::size_t(face[0])].x() > 0.95; }),
+                   open.faces.end());
+  write_off(scratch / "open.off", open);
+  const auto mend = [&] {
+    return run_tool({"register", scratch / "open.off", body, "--prepare", "-o", scratch / "out.off", "--features", a, b,
+                     "--feature-weight", "20", "--curvature-weight", "0", "--data", a, "--data-output",
+                     scratch / "out.csv"});
+  };
+  const Process_result mended = mend();
+  CAPTURE(mended.out, mended.err);
+  REQUIRE(mended.exit_code == 0);
+  const Soup on_b = read(scratch / "out.off");
+  const tool::Vertex_data carried = tool::read_vertex_data(scratch / "out.csv", on_b.points.size());
+  std::size_t added = 0;
+  double sum = 0;
+  for(std::size_t v = 0; v < on_b.points.size(); ++v) {
+    const Point& p = on_b.points[v];
+    added += std::isnan(carried[0].values[v]) ? 1 : 0;
+    for(int k = 0; k < 3; ++k)
+      if(const double value = carried[std::size_t(k)].values[v]; !std::isnan(value))
+        sum += std::abs(value / 300 - std::sin(5 * (k < 2 ? p[k] : p[k] / 1.5) + k));
+  }
+  CHECK(added > 0);
+  CHECK(sum / (3 * double(on_b.points.size())) < 0.05);
+  of_a[0].values[std::size_t(open.faces[0][0])] = missing; // of the file
+  write_data(a, of_a);
+  CHECK(contains(mend().err, "no value at some vertices"));
 }

@@ -46,6 +46,11 @@ def write_data(name: str, values: np.ndarray) -> Path:
     return FOLDER / name
 
 
+def rolled(file: Path, axis: int, corner: int) -> Path:
+    points, triangles = nib.load(file).agg_data()
+    return write_surface(f"rolled_{file.name}", np.roll(points, axis, 1), np.roll(triangles, corner, 1), "Sphere")
+
+
 def wb(command: str, *arguments: object) -> np.ndarray:
     """Runs wb_command, and reads its output."""
     out = next(a for a in arguments if isinstance(a, Path) and a.name.startswith("out"))
@@ -103,6 +108,11 @@ class Source:
         wb_points = wb("surface-resample", self.surface_file, *spheres, "BARYCENTRIC", FOLDER / "out.surf.gii")
         areas = ("-area-surfs", self.surface_file, write_surface("area.surf.gii", wb_points, triangles, "Anatomical"))
         wb_linear = wb("metric-resample", self.metric_file, *spheres, "BARYCENTRIC", FOLDER / "out.shape.gii")
+        wb_again = [  # what is the same but for rounding: other names of the axes, other first corners of the faces
+            wb("metric-resample", self.metric_file, *others, "BARYCENTRIC", FOLDER / "out.shape.gii")
+            for axis, corner in np.ndindex(3, 3)
+            for others in [[rolled(file, axis, corner) for file in spheres]]
+        ]
         wb_kept = wb("metric-resample", self.metric_file, *spheres, "ADAP_BARY_AREA", FOLDER / "out.shape.gii", *areas)
         wb_labels = wb("label-resample", self.label_file, *spheres, "ADAP_BARY_AREA", FOLDER / "out.label.gii", *areas)
         locator = sp.Locator(self.triangles, self.sphere)
@@ -124,6 +134,7 @@ class Source:
             f"{(kept.majorities(self.labels) != wb_labels).sum()} of {len(wb_labels)}",
             difference(nearest[:, :3], wb_points, self.points),
             difference(nearest[:, 3], wb_linear, self.curvature),
+            difference(np.max(wb_again, axis=0), np.min(wb_again, axis=0), self.curvature),
         ]
         print(f"| {' | '.join(cells)} |", flush=True)
 
@@ -135,9 +146,9 @@ def main() -> None:
     turn *= np.linalg.det(turn)
     levels = {level: sp.icosphere(level) for level in (4, 5, 6)}
     print("| from, to | points | curvature | curvature, area-preserving | labels that differ "
-          "| points, nearest point | curvature, nearest point |\n|---|---|---|---|---|---|---|")
+          "| points, nearest point | curvature, nearest point | curvature, wb_command and itself |\n|---|---|---|---|---|---|---|---|")
     own = Source(points, triangles, sphere)
-    own.compare("fsaverage5, itself", radius_100(sphere) / 100, triangles)
+    own.compare("fsaverage5, itself", np.float64(sphere) / 100, triangles)
     own.compare("fsaverage5, itself rotated", radius_100(sphere) / 100 @ turn.T, triangles)
     own.compare("fsaverage5, 2,562 vertices", levels[4][0] @ turn.T, levels[4][1])
     own.compare("fsaverage5, 40,962 vertices", levels[6][0] @ turn.T, levels[6][1])

@@ -93,21 +93,46 @@ Landmarks read_landmarks(const std::string& file, const Registered_pair& pair)
   return landmarks;
 }
 
+/// Gives the vertices that were added when the mesh was repaired the means of their neighbours, from the border of what
+/// was filled inwards.
+void extend(const Mesh& mesh, const std::vector<int>& old_vertex, std::vector<double>& values)
+{
+  for(bool is_complete = false; !is_complete;) {
+    std::vector<double> sum(values.size()), number(values.size());
+    for(std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+      for(std::size_t k = 0; k < 3; ++k) { // every neighbour once, since the mesh is closed
+        const auto from = std::size_t(mesh.triangle(f)[k]), to = std::size_t(mesh.triangle(f)[(k + 1) % 3]);
+        if(std::isfinite(values[from])) {
+          sum[to] += values[from];
+          ++number[to];
+        }
+      }
+    is_complete = true;
+    for(std::size_t v = 0; v < values.size(); ++v)
+      if(old_vertex[v] < 0 && std::isnan(values[v]) && number[v] > 0) {
+        values[v] = sum[v] / number[v];
+        is_complete = false;
+      }
+  }
+}
+
 /// The columns of a file of --features at the vertices of the mesh that is mapped.
 Vertex_data read_features(const std::string& file, const Mapped_mesh& input)
 {
   Vertex_data data =
     read_vertex_data(file, input.prepared ? input.prepared->soup.points.size() : input.mesh().number_of_vertices());
-  if(input.prepared)
-    data = carried(data, input.prepared->preparation.parts.front().old_vertex);
+  if(input.prepared) {
+    const std::vector<int>& old_vertex = input.prepared->preparation.parts.front().old_vertex;
+    data = carried(data, old_vertex);
+    for(Vertex_column& column : data)
+      extend(input.mesh(), old_vertex, column.values);
+  }
   for(const Vertex_column& column : data) {
     if(column.is_label)
       throw Refusal(unreadable_file, file, "column '" + column.name + "' has labels", "features are numbers");
     if(!std::all_of(column.values.begin(), column.values.end(), [](double x) { return std::isfinite(x); }))
       throw Refusal(unreadable_file, file, "column '" + column.name + "' has no value at some vertices of the mesh",
-                    input.prepared ? "give a value to every vertex; those that --prepare adds have none: prepare the "
-                                     "mesh first"
-                                   : "give a value to every vertex");
+                    "give a value to every vertex");
   }
   return data;
 }
@@ -192,9 +217,11 @@ void add_registration_options(Options& all, Registration_options& options)
   SP::Registration& registration = options.registration;
   add_weight("--curvature-weight", registration.curvature_weight, "the mean curvature");
   all
-    .add("--features", options.features,
-         "Two files, as for --data, with values at the vertices of A and of B that should be equal at corresponding "
-         "points, such as sulcal depth. Columns are compared in order; their units do not matter")
+    .add(
+      "--features", options.features,
+      "Two files, as for --data, with values at the vertices of A and of B that should be equal at corresponding "
+      "points, such as sulcal depth. Columns are compared in order; their units do not matter. Vertices that --prepare "
+      "adds get the means of their neighbours")
     .is("FILE")
     .times(2);
   all

@@ -3,7 +3,7 @@
 //
 // SPHERICAL_PARAMETERIZATION_TOOL=TOOL node measure.mjs MESH...: size and first picture of the page; for each mesh the
 // seconds of its map in the browser and by the tool on one core, and frames per second while it turns and while it maps.
-// Medians of five.
+// Medians of five. With ONE_CORE=1 the page is served so that it cannot use more.
 
 import { spawnSync } from "node:child_process";
 import { mkdtempSync, readFileSync } from "node:fs";
@@ -27,7 +27,7 @@ const five = async (one) => {
 /// Of the phases that both have: the map and its certificate, without reading.
 const mapping = ({ start_map, solve, certify }) => start_map + solve + certify;
 
-const server = await serve(0);
+const server = await serve(0, process.env.ONE_CORE ? {} : undefined);
 const url = `http://127.0.0.1:${server.address().port}/`;
 const browser = await chromium.launch({
   executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",

@@ -20,7 +20,7 @@ namespace CGAL::Spherical_parameterization {
 /// between two point patterns", 1991) is made at an even speed, and the rest is linear, so that a shape that only turns
 /// does not shrink on the way.
 ///
-/// \tparam Points  a contiguous range of `std::array<double, 3>`
+/// \param start,end  both places: contiguous ranges of `std::array<double, 3>`
 /// \return a function of a time from 0 (the start) to 1 (the end, up to rounding): the points as a
 ///   `std::vector<std::array<double, 3>>`
 /// \pre there are as many points here as there, at least one, and all are finite

@@ -539,6 +539,40 @@ class Locator:
         a, b, c = directions("sphere", sphere)[index_triples(triangles)].swapaxes(0, 1)
         return of_faces[self.locate(a + (b + c))[0]]
 
+    def transfer_segment_labels(
+        self,
+        labels: npt.ArrayLike,
+        points: npt.ArrayLike,
+        triangles: npt.ArrayLike,
+        sphere: Sphere,
+        segments: npt.ArrayLike,
+    ) -> Any:
+        """Gives each segment of another mesh the label that the largest share of its area has here.
+
+        Parameters
+        ----------
+        labels : array_like (m,)
+            Labels of the faces of this mesh, of any type that can be sorted.
+        points : array_like (l, 3) of float
+            The points of the other mesh.
+        triangles : array_like (k, 3) of int
+        sphere : array_like (l, 3) of float
+            A map of the other mesh in the same position, such as a registered one, see `register_maps()`.
+        segments : array_like (k,) of int
+            The segments of the faces of the other mesh, see `segment()`.
+
+        Returns
+        -------
+        ndarray (k,)
+        """
+        names, numbered = np.unique(_rows("labels", labels, len(self._triangles)), return_inverse=True)
+        points, triangles, sphere = _mesh(points, triangles, sphere)
+        of_faces = _rows("segments", integers("segments", segments), len(triangles))
+        found = self._locator.transfer_segment_labels(
+            numbered.astype(np.int32), points, triangles, sphere, of_faces.astype(np.int32), self._policy
+        )
+        return names[found]
+
     def resample(
         self, points: npt.ArrayLike, level: int
     ) -> tuple[Doubles, npt.NDArray[np.int32], Doubles]:

@@ -249,6 +249,22 @@ public:
     return result;
   }
 
+  /// One label for every face of the other mesh.
+  py::array transfer_segment_labels(const py::array_t<std::int32_t>& labels, const Doubles& points,
+                                    const py::array& triangles, const Doubles& sphere,
+                                    const py::array_t<std::int32_t>& segments, const std::string& policy) const
+  {
+    typedef Array_map<Mesh::Face_index, const std::int32_t> Given;
+    const Mesh mesh = make_mesh(points, triangles);
+    auto result = make_array<std::int32_t>(mesh.number_of_faces());
+    const Array_map<Mesh::Face_index, std::int32_t> map(result);
+    const Given given(labels.data()), of_segments(segments.data());
+    on(policy, [&](const auto& p) {
+      SP::transfer_segment_labels(p, locator_, given, mesh, sphere_of(sphere), of_segments, map);
+    });
+    return result;
+  }
+
   SP::Resampling_weights linear_resampling(const Doubles& directions, const std::string& policy) const
   {
     return on(policy, [&](const auto& p) { return SP::linear_resampling(p, locator_, Rows<double>(directions)); });
@@ -351,6 +367,7 @@ void add_analysis(py::module_& module)
     .def(py::init<const py::array&, const Doubles&, const std::string&>())
     .def("locate", &Locator::locate)
     .def("interpolate", &Locator::interpolate)
+    .def("transfer_segment_labels", &Locator::transfer_segment_labels)
     .def("linear_resampling", &Locator::linear_resampling)
     .def("area_preserving_resampling", &Locator::area_preserving_resampling)
     .def("align", &Locator::align);

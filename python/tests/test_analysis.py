@@ -126,6 +126,13 @@ def test_locate(mapped: tuple[np.ndarray, ...]) -> None:
     assert (locator.transfer_faces(labels, triangles, sphere) == labels).all()
     with pytest.raises(ValueError, match="rows"):
         locator.transfer_faces(labels[1:], triangles, sphere)
+    halves = np.where(points[triangles].mean(axis=1)[:, 0] < 0, "left", "right")
+    segments = (halves == "left") + 2 * np.arange(len(triangles))
+    assert (locator.transfer_segment_labels(halves, points, triangles, sphere, segments) == halves).all()
+    whole = locator.transfer_segment_labels(halves, points, triangles, sphere, 0 * segments)
+    assert set(whole) < {"left", "right"}
+    with pytest.raises(ValueError, match="rows"):
+        locator.transfer_segment_labels(halves, points, triangles, sphere, segments[1:])
     with pytest.raises(sp.MeshError):
         locator.locate([[0, 0, 0]])
     with pytest.raises(sp.MeshError) as caught:

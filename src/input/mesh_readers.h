@@ -114,6 +114,9 @@ struct Fixed_vertex {
 std::vector<double> read_densities(const std::string& file, std::size_t number_of_vertices,
                                    std::size_t number_of_faces);
 
+/// Reads the label of every face: whole numbers from 0 on. Throws a `Refusal` as above.
+std::vector<std::size_t> read_labels(const std::string& file, std::size_t number_of_faces);
+
 /// Reads lines `index x y z`: the number of a vertex, from 0 on, and the direction it is to have on the sphere.
 /// Throws a `Refusal` that names the first line that does not fit a mesh of so many vertices.
 std::vector<Fixed_vertex> read_fixed_vertices(const std::string& file, std::size_t number_of_vertices);

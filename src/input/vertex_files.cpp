@@ -8,6 +8,8 @@
 #include "system/refusal.h"
 
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <set>
 
 namespace tool {
@@ -67,6 +69,25 @@ std::vector<double> read_densities(const std::string& file, std::size_t number_o
                     std::to_string(number_of_vertices) + " vertices and " + std::to_string(number_of_faces) + " faces",
                   "give one number for every vertex, or for every face, in their order");
   return density;
+}
+
+std::vector<std::size_t> read_labels(const std::string& file, std::size_t number_of_faces)
+{
+  std::vector<std::size_t> labels;
+  Text_lines lines(file, read_file(file));
+  while(lines.next())
+    for(std::string_view token = lines.token(); !token.empty(); token = lines.token()) {
+      const std::optional<std::int64_t> label = to_integer(token);
+      if(!label || *label < 0 || *label > std::numeric_limits<std::int32_t>::max())
+        lines.refuse(in_quotes(token) + " is not a label", "labels are whole numbers from 0 to 2147483647");
+      labels.push_back(static_cast<std::size_t>(*label));
+    }
+  if(labels.size() != number_of_faces)
+    throw Refusal(unreadable_file, file,
+                  "has " + std::to_string(labels.size()) + " labels, but the mesh has " +
+                    std::to_string(number_of_faces) + " faces",
+                  "give one label for every face, in their order, as --labels does");
+  return labels;
 }
 
 } // namespace tool

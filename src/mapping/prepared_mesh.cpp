@@ -96,24 +96,32 @@ std::string preparation_text(const std::string& file, const std::optional<Prepar
 }
 
 std::vector<std::size_t> labels_of_file(const Prepared_mesh& prepared, const std::vector<std::size_t>& labels,
-                                        std::size_t& number_of_labels)
+                                        std::size_t first_free)
 {
   const Preparation& preparation = prepared.preparation;
   const std::vector<int> nearest = nearest_faces(prepared.soup, preparation.parts.front());
-  const std::size_t of_pieces = labels.empty() ? 0 : *std::max_element(labels.begin(), labels.end()) + 1;
   std::vector<std::size_t> result;
   for(std::size_t f = 0; f < prepared.soup.triangles.size(); ++f) {
     const int piece = preparation.piece_of_face[f];
     const bool is_elsewhere = piece >= 0 && !preparation.pieces[place(piece)].is_kept;
-    result.push_back(is_elsewhere ? of_pieces + place(piece) : labels[place(nearest[f])]);
+    result.push_back(is_elsewhere ? first_free + place(piece) : labels[place(nearest[f])]);
   }
-  // a label may be that of new faces only
-  std::vector<std::size_t> used = result;
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
-  for(std::size_t& label : result)
-    label = static_cast<std::size_t>(std::lower_bound(used.begin(), used.end(), label) - used.begin());
-  number_of_labels = used.size();
+  return result;
+}
+
+std::vector<std::size_t> labels_of_mended(const Prepared_mesh& prepared, const std::vector<std::size_t>& labels)
+{
+  const Glued_surface& surface = prepared.preparation.parts.front();
+  std::vector<Vector> centres;
+  for(const auto& face : surface.faces) {
+    const auto [a, b, c] = corners_of(surface.points, face);
+    centres.push_back({(a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3, (a[2] + b[2] + c[2]) / 3});
+  }
+  const std::vector<int> nearest = nearest_old_faces(centres, surface);
+  std::vector<std::size_t> result;
+  for(std::size_t f = 0; f < centres.size(); ++f)
+    result.push_back(
+      labels[place(surface.old_face[surface.old_face[f] == Glued_surface::none ? place(nearest[f]) : f])]);
   return result;
 }
 

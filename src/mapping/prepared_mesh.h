@@ -40,10 +40,12 @@ Input_mesh read_prepared_mesh(const std::string& file, Prepare how, std::optiona
 std::string preparation_text(const std::string& file, const std::optional<Prepared_mesh>& prepared);
 
 /// Labels of the faces of the file, from those of the mended faces: a face that was left out has that of the nearest
-/// one, and a component that was left out has a label of its own. They are numbered from 0 on without gaps, and
-/// `number_of_labels` is set to how many there are.
+/// one, and a component that was left out has a label of its own, from `first_free` on.
 std::vector<std::size_t> labels_of_file(const Prepared_mesh& prepared, const std::vector<std::size_t>& labels,
-                                        std::size_t& number_of_labels);
+                                        std::size_t first_free);
+
+/// Labels of the mended faces, from those of the faces of the file: a new face has that of the nearest one.
+std::vector<std::size_t> labels_of_mended(const Prepared_mesh& prepared, const std::vector<std::size_t>& labels);
 
 /// By vertex of the file: the mended vertex, or one of its copies; -1 if it was left out.
 std::vector<int> mended_vertices(const Prepared_mesh& prepared);

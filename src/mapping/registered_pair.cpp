@@ -169,6 +169,7 @@ Changes_of_lengths changes_of_lengths(const Mesh& mesh, const std::vector<Point>
   };
   const auto det = [](const Gram& g) { return std::max(0., g[0] * g[2] - g[1] * g[1]); };
   std::vector<std::pair<double, double>> changes; // square of the larger factor, area
+  std::vector<double> of_faces;
   double area_a = 0, area_b = 0;
   for(std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
     const Gram a = gram(mesh.points(), mesh.triangle(f)), b = gram(on_b, mesh.triangle(f));
@@ -178,6 +179,7 @@ Changes_of_lengths changes_of_lengths(const Mesh& mesh, const std::vector<Point>
   const double scale = area_a / area_b;
   for(std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
     const Gram a = gram(mesh.points(), mesh.triangle(f)), b = gram(on_b, mesh.triangle(f));
+    double& factor = of_faces.emplace_back(1);
     if(det(a) == 0)
       continue;
     // the squares of the factors are the eigenvalues of a^-1 b
@@ -185,6 +187,7 @@ Changes_of_lengths changes_of_lengths(const Mesh& mesh, const std::vector<Point>
     const double product = scale * scale * det(b) / det(a);
     const double larger = half + std::sqrt(std::max(0., half * half - product));
     changes.emplace_back(std::max(larger, larger / product), std::sqrt(det(a)));
+    factor = std::sqrt(changes.back().first);
   }
   std::sort(changes.begin(), changes.end());
   double below = 0, large = 0;
@@ -194,10 +197,26 @@ Changes_of_lengths changes_of_lengths(const Mesh& mesh, const std::vector<Point>
     middle = below <= area_a / 2 ? i : middle;
     large += changes[i].first > Changes_of_lengths::large * Changes_of_lengths::large ? changes[i].second : 0;
   }
-  return {changes.empty() ? 1 : std::sqrt(changes[middle].first), large / area_a};
+  return {changes.empty() ? 1 : std::sqrt(changes[middle].first), large / area_a, std::move(of_faces)};
 }
 
 } // namespace
+
+Registration_options to_register(const Mapping_options& options, const std::string& other)
+{
+  Registration_options result;
+  result.input = options.input;
+  result.other = other;
+  result.triangulate = options.triangulate;
+  result.prepare = options.prepare;
+  result.can_prepare_all = options.can_prepare_all;
+  result.policy = options.policy;
+  result.device = options.device;
+  result.precision = options.precision;
+  result.max_time = options.max_time;
+  result.method = "isometric";
+  return result;
+}
 
 void add_registration_options(Options& all, Registration_options& options)
 {
@@ -255,16 +274,18 @@ std::vector<double> feature_weights(const Registration_options& options)
 
 void read_pair(const Registration_options& options, Registered_pair& pair)
 {
-  read_input(options_of(options, false), pair.a);
-  read_input(options_of(options, true), pair.b);
+  for(Mapped_mesh* const mesh : {&pair.a, &pair.b})
+    if(!mesh->file)
+      read_input(options_of(options, mesh == &pair.b), *mesh);
 }
 
 void register_pair(const Registration_options& options, Registered_pair& pair)
 {
   const Mesh &a = pair.a.mesh(), &b = pair.b.mesh();
   const Landmarks landmarks = options.landmarks.empty() ? Landmarks() : read_landmarks(options.landmarks, pair);
-  map_input(options_of(options, false), pair.a);
-  map_input(options_of(options, true), pair.b);
+  for(Mapped_mesh* const mesh : {&pair.a, &pair.b})
+    if(mesh->sphere.empty())
+      map_input(options_of(options, mesh == &pair.b), *mesh);
   SP::Registration registration = options.registration;
   registration.features = read_features(options, pair);
   registration.motion = options.motion == "rotation"  ? SP::Registration::Motion::ROTATION

@@ -33,6 +33,7 @@ struct Registration_options : Mapping_options {
 struct Changes_of_lengths {
   double median = 1;         ///< by area of A
   double share_of_large = 0; ///< of the area of A, on which it is more than `large`
+  std::vector<double> of_faces = {};
   static constexpr double large = 3;
 
   /// What people see of that.
@@ -55,16 +56,19 @@ struct Registered_pair {
   Changes_of_lengths changes;
 };
 
+/// To register the mesh of `options`, which is mapped in another way, to another one: by maps of low distortion.
+Registration_options to_register(const Mapping_options& options, const std::string& other);
+
 /// The options that say how they are registered.
 void add_registration_options(Options& all, Registration_options& options);
 
 /// The weights of features, one or several. Throws a `CLI::ValidationError` for what is none.
 std::vector<double> feature_weights(const Registration_options& options);
 
-/// Reads both meshes. Throws a `Refusal`.
+/// Reads the meshes that have not been read. Throws a `Refusal`.
 void read_pair(const Registration_options& options, Registered_pair& pair);
 
-/// Maps both and registers them. Throws a `Refusal` if there is no certified registered map.
+/// Maps both, unless they have a map, and registers them. Throws a `Refusal` if there is no certified registered map.
 void register_pair(const Registration_options& options, Registered_pair& pair);
 
 /// By vertex of the file of A its place on the mesh of the file of B; none if it was left out when A was mended.

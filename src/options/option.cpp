@@ -126,8 +126,9 @@ bool Options::is_of_use(const Option& option) const
     return **is_there;
   if(const auto are_there = std::get_if<std::vector<std::string>*>(&decides->value))
     return !(*are_there)->empty();
+  const std::string& value = **std::get_if<std::string*>(&decides->value);
   const auto& values = option.values;
-  return std::find(values.begin(), values.end(), **std::get_if<std::string*>(&decides->value)) != values.end();
+  return values.empty() ? !value.empty() : std::find(values.begin(), values.end(), value) != values.end();
 }
 
 } // namespace tool

@@ -127,6 +127,31 @@ TEST_CASE("labels of faces are transferred as they are", "[transfer]")
     CHECK(entry.second == 4); // the four that a coarse face was cut into
 }
 
+TEST_CASE("transfer_segment_labels: a segment gets the label of most of its area, and keeps its boundary", "[transfer]")
+{
+  const Mesh coarse = make_mesh(icosphere(3)), fine = make_mesh(icosphere(4));
+  const auto centre = [](const Mesh& mesh, Face f) {
+    Vector sum(0, 0, 0);
+    for(const Vertex v : vertices_around_face(halfedge(f, mesh), mesh))
+      sum = sum + (mesh.point(v) - CGAL::ORIGIN);
+    return sum;
+  };
+  const auto labels =
+    Readable_map<Face, std::string>{[&](Face f) { return std::string(centre(coarse, f).x() < 0 ? "left" : "right"); }};
+  // four segments, whose boundary is nearly that of the labels
+  const auto segments = Readable_map<Face, int>{[&](Face f) {
+    const Vector c = centre(fine, f);
+    return (c.x() + 0.2 * c.z() < 0 ? 0 : 1) + (c.y() < 0 ? 10 : 20);
+  }};
+  std::map<Face, std::string> result, of_faces;
+  const Locator locator(coarse, coarse.points());
+  SP::transfer_segment_labels(locator, labels, fine, fine.points(), segments, Writable_map<Face, std::string>{&result});
+  SP::transfer_face_property(locator, labels, fine, fine.points(), Writable_map<Face, std::string>{&of_faces});
+  CHECK(result != of_faces);
+  for(const Face f : fine.faces())
+    CHECK(result.at(f) == (get(segments, f) % 10 == 0 ? "left" : "right"));
+}
+
 namespace {
 
 /// Of the vertices on the surface.

@@ -498,6 +498,63 @@ TEST_CASE("segment: one label per face, and colours for them", "[tool]")
   CHECK(text_of(scratch / "two.txt").find('1') == std::string::npos);
 }
 
+TEST_CASE("segment --like: segments get the labels of the corresponding ones of another mesh", "[tool]")
+{
+  Scratch scratch;
+  const auto& directions = six_directions();
+  const std::vector<Limb> limbs = {{directions[0], 0.5, 1.5}, {directions[1], 0.4, 2.5}, {directions[2], 0.3, 4}};
+  std::vector<Limb> others = limbs;
+  others[1].length = 2.7;
+  const Body_with_limbs a = body_with_limbs(limbs, 4), b = body_with_limbs(others, 4);
+  fs::create_directory(scratch / "in");
+  const std::string in_a = write_off(scratch / "in/a.off", a.soup);
+  write_off(scratch / "in/b.off",
+            transformed(b.soup, [](const Point& p) { return Point(p.y() + 5, -p.x(), 2 * p.z() - p.z()); }));
+  const int names[] = {7, 3, 40, 5}; // of the parts
+  {
+    std::ofstream labels(scratch / "labels.txt");
+    for(const std::size_t part : a.part)
+      labels << names[part] << '\n';
+  }
+  const auto labels_in = [&](const std::string& file) {
+    std::istringstream in(text_of(scratch / file));
+    return std::vector<int>((std::istream_iterator<int>(in)), std::istream_iterator<int>());
+  };
+  Process_result run = run_tool({"segment", scratch / "in", "-o", scratch / "out", "--labels", "labels.txt", "--report",
+                                 "report.json", "--like", in_a, "--like-labels", scratch / "labels.txt"});
+  CAPTURE(run.out, run.err);
+  REQUIRE(run.exit_code == 0);
+  for(const auto& [name, body] : {std::pair("a", &a), std::pair("b", &b)}) {
+    const std::vector<int> labels = labels_in(std::string("out/") + name + ".labels.txt");
+    REQUIRE(labels.size() == body->part.size());
+    std::size_t same = 0;
+    for(std::size_t f = 0; f < labels.size(); ++f)
+      same += labels[f] == names[body->part[f]];
+    CHECK(double(same) > 0.9 * double(labels.size()));
+    CHECK(std::set<int>(labels.begin(), labels.end()) == std::set<int>{3, 5, 7, 40});
+    const nlohmann::json report =
+      nlohmann::json::parse(text_of(scratch / (std::string("out/") + name + ".report.json")));
+    CHECK(report["segments"] == 4);
+    CHECK(report["like"]["mesh"] == in_a);
+    CHECK(run.out.find(report["like"]["trust"]) != std::string::npos);
+  }
+
+  // without labels of its own the mesh has those of its segments
+  REQUIRE(run_tool({"segment", in_a, "-o", scratch / "a.ply", "--labels", scratch / "a.txt"}).exit_code == 0);
+  REQUIRE(
+    run_tool({"segment", in_a, "-o", scratch / "a.ply", "--labels", scratch / "like.txt", "--like", in_a, "--prepare"})
+      .exit_code == 0);
+  CHECK(text_of(scratch / "a.txt") == text_of(scratch / "like.txt"));
+
+  std::ofstream(scratch / "labels.txt", std::ios::app) << "1\n";
+  run = run_tool({"segment", in_a, "-o", scratch / "b.ply", "--like", in_a, "--like-labels", scratch / "labels.txt"});
+  CHECK(run.exit_code == 1);
+  CHECK(run.err.find("labels, but the mesh has") != std::string::npos);
+  CHECK(!fs::exists(scratch / "b.ply"));
+  run = run_tool({"segment", in_a, "-o", scratch / "b.ply", "--like-labels", scratch / "labels.txt"});
+  CHECK(run.exit_code == 2);
+}
+
 TEST_CASE("view: a page with everything in it", "[tool]")
 {
   Scratch scratch;

@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_TRANSFER_PROPERTIES_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_TRANSFER_PROPERTIES_H
 
+#include <CGAL/Spherical_parameterization/internal/api/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
 #include <CGAL/Spherical_parameterization/internal/locate/weighted_mean.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
@@ -13,7 +14,9 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <cstddef>
+#include <map>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization {
@@ -35,6 +38,21 @@ std::vector<Face_location<TriangleMesh>> locate_all(const Loop& loop, const Sphe
       result[i] = locator.locate(directions[i]);
   });
   return result;
+}
+
+/// Where the centres of the faces of another map are.
+template <class Loop, class TriangleMesh, class ToMesh, class ToSphereMap>
+std::vector<Face_location<TriangleMesh>> locate_centres(const Loop& loop,
+                                                        const Spherical_locator<TriangleMesh>& locator,
+                                                        const ToMesh& to, ToSphereMap to_sphere)
+{
+  const Mapped_surface map = read_map(to, to_sphere, Reading::UNCHECKED, loop);
+  Host_array<vec3> centre;
+  for(int f = 0; f < map.number_of_faces(); ++f) {
+    const auto corner = map.on_sphere(f);
+    centre.push_back(add(corner[0], add(corner[1], corner[2])));
+  }
+  return locate_all(loop, locator, centre);
 }
 
 } // namespace internal
@@ -95,19 +113,55 @@ template <class ExecutionPolicy, class FromMesh, class FromMap, class ToMesh, cl
 void transfer_face_property(const ExecutionPolicy& policy, const Spherical_locator<FromMesh>& from, FromMap from_map,
                             const ToMesh& to, ToSphereMap to_sphere, ToMap to_map)
 {
-  const auto loop = internal::host_loop(policy);
-  const internal::Mapped_surface map = internal::read_map(to, to_sphere, internal::Reading::UNCHECKED, loop);
-  internal::Host_array<internal::vec3> centre;
-  for(int f = 0; f < map.number_of_faces(); ++f) {
-    const auto corner = map.on_sphere(f);
-    centre.push_back(internal::add(corner[0], internal::add(corner[1], corner[2])));
-  }
-  const auto place = internal::locate_all(loop, from, centre);
+  const auto place = internal::locate_centres(internal::host_loop(policy), from, to, to_sphere);
   std::size_t i = 0;
   for(auto f : faces(to))
     put(to_map, f, get(from_map, place[i++].first));
 }
 CGAL_SP_ON_ONE_CORE(transfer_face_property)
+
+/// Gives the segments of a mesh the labels of the corresponding segments of another one, so that shapes are labelled
+/// consistently: every segment gets the label that the largest share of its area has there. It keeps its boundary,
+/// which is more precise than a correspondence between different shapes. \param policy      `CGAL::Sequential_tag` or
+/// `CGAL::Parallel_tag`; the result does not depend on it \param from        the inverse of the map of the mesh that
+/// has the labels \param from_labels readable, key face_descriptor of that mesh; values can be compared \param to the
+/// mesh that gets the labels, a triangle mesh and a model of `FaceListGraph` \param to_sphere   readable, key
+/// vertex_descriptor of `to`; a map in the same position as that of `from`, such as a
+///                    registered one (`register_maps()`)
+/// \param to_segments readable, key face_descriptor of `to`: its segments (`segmentation_via_area_stretch()`); values
+///                    can be compared
+/// \param to_labels   writable, key face_descriptor of `to`; may be `to_segments`
+/// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
+/// \throws Error  `NON_FINITE_COORDINATE` if a centre is not a direction, before anything is written
+///
+/// Complexity: one query for each face of `to`.
+template <class ExecutionPolicy, class FromMesh, class FromMap, class ToMesh, class ToSphereMap, class ToSegmentMap,
+          class ToMap, class CGAL_NP_TEMPLATE_PARAMETERS, internal::If_policy<ExecutionPolicy> = 0>
+void transfer_segment_labels(const ExecutionPolicy& policy, const Spherical_locator<FromMesh>& from,
+                             FromMap from_labels, const ToMesh& to, ToSphereMap to_sphere, ToSegmentMap to_segments,
+                             ToMap to_labels, const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  typedef typename boost::property_traits<FromMap>::value_type Label;
+  typedef typename boost::property_traits<ToSegmentMap>::value_type Segment;
+  const auto loop = internal::host_loop(policy);
+  const auto place = internal::locate_centres(loop, from, to, to_sphere);
+  internal::Vertices<ToMesh> vertex;
+  const internal::Surface surface =
+    internal::read_surface(to, internal::vertex_points(to, np), internal::Reading::UNCHECKED, loop, vertex);
+  std::map<Segment, std::map<Label, double>> areas;
+  std::size_t i = 0;
+  for(auto f : faces(to)) {
+    areas[get(to_segments, f)][get(from_labels, place[i].first)] += surface.face_area(loop)[i];
+    ++i;
+  }
+  for(auto f : faces(to)) {
+    const auto& of_segment = areas.at(get(to_segments, f));
+    put(to_labels, f, std::max_element(of_segment.begin(), of_segment.end(), [](const auto& a, const auto& b) {
+                        return a.second < b.second;
+                      })->first);
+  }
+}
+CGAL_SP_ON_ONE_CORE(transfer_segment_labels)
 
 /// @}
 

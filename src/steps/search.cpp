@@ -5,7 +5,11 @@
 
 #include "collections/signatures.h"
 #include "input/files.h"
+#include "mapping/registered_pair.h"
+#include "output/ply.h"
+#include "system/interruption.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <iomanip>
 #include <memory>
@@ -19,7 +23,62 @@ namespace {
 struct Search_options {
   std::string index;
   int number = 10;
+  int rerank = 0;
+  std::string changes; ///< file of where they change
 };
+
+/// How the query is registered to a mesh.
+struct Comparison {
+  SP::Registration_result result;
+  Changes_of_lengths changes;
+};
+
+struct Hit {
+  double distance; ///< of the signatures
+  std::string name;
+  std::optional<Comparison> comparison = std::nullopt;
+  std::optional<Refusal> refusal = std::nullopt; ///< why it could not be compared
+
+  /// Signatures say little of where things are, registered features little of what is missing: their product.
+  double order() const { return distance * comparison->result.mismatch; }
+};
+
+/// Registers the query to the first hits, and orders these by distance times difference; those that cannot be compared
+/// come behind, in their order.
+void rerank(std::vector<Hit>& hits, int number, Run& run)
+{
+  Registration_options options = to_register(run.options, "");
+  Registered_pair pair;
+  read_input(options, pair.a);
+  map_input(options, pair.a);
+  const auto end = hits.begin() + std::min<std::ptrdiff_t>(number, hits.end() - hits.begin());
+  std::for_each(hits.begin(), end, [&](Hit& hit) {
+    hit.refusal = guarded(hit.name, [&] {
+      options.other = hit.name;
+      pair.b = Mapped_mesh();
+      read_pair(options, pair);
+      register_pair(options, pair);
+      hit.comparison = {pair.result, pair.changes};
+    });
+    stop_if_interrupted(run.options.input);
+  });
+  std::stable_sort(hits.begin(), end,
+                   [](const Hit& a, const Hit& b) { return a.comparison && (!b.comparison || a.order() < b.order()); });
+  run.input = std::move(pair.a);
+}
+
+/// The query, with a column for each mesh that was compared: by face, how many times lengths change on the way there.
+void write_changes(const std::vector<Hit>& hits, const std::string& file, Run& run)
+{
+  Ply_extras extras;
+  for(const Hit& hit : hits)
+    if(hit.comparison) {
+      const std::vector<double>& factors = hit.comparison->changes.of_faces;
+      extras.of_faces.push_back({Ply_column::Type::DOUBLE, "change_" + std::to_string(extras.of_faces.size() + 1),
+                                 [&factors](std::size_t f) { return factors[f]; }});
+    }
+  write_ply(run.open(file), false, run.mesh(), run.mesh().points(), extras);
+}
 
 void search(const Search_options& options, Run& run)
 {
@@ -33,15 +92,43 @@ void search(const Search_options& options, Run& run)
     throw Refusal(Error_code::INTERRUPTED, query, "interrupted", "");
   if(!row->signature)
     throw Refusal(*row->refusal);
-  const auto neighbours = index.nearest(*row->signature, static_cast<std::size_t>(options.number));
-  if(neighbours.empty())
+  std::vector<Hit> hits;
+  for(const auto& [distance, name] :
+      index.nearest(*row->signature, static_cast<std::size_t>(std::max(options.number, options.rerank))))
+    hits.push_back({distance, name});
+  if(hits.empty())
     throw Refusal(unreadable_file, file, "has no signature", "the command 'signature' says why");
+  const bool has_comparisons = options.rerank > 0;
+  if(has_comparisons)
+    rerank(hits, options.rerank, run);
+  hits.resize(std::min(hits.size(), static_cast<std::size_t>(options.number)));
   std::ostringstream text;
-  text << "distance  name" << std::fixed << std::setprecision(4);
-  for(const auto& [distance, name] : neighbours) {
-    text << '\n' << std::setw(8) << distance << "  " << name;
-    run.details["found"].push_back({{"distance", distance}, {"name", name}});
+  text << "distance  " << (has_comparisons ? "difference   alike  " : "") << "name" << std::fixed;
+  for(const auto& [distance, name, comparison, refusal] : hits) {
+    nlohmann::ordered_json found = {{"distance", distance}, {"name", name}};
+    text << '\n' << std::setw(8) << std::setprecision(4) << distance << "  ";
+    if(comparison) {
+      const auto& [result, changes] = *comparison;
+      const double alike = 1 - changes.share_of_large;
+      const char* const trust = SP::get_trust_name(result.trust());
+      found.update({{"difference", comparison->result.mismatch},
+                    {"alike", alike},
+                    {"change_of_lengths", changes.median},
+                    {"stretching", result.stretching},
+                    {"margin", result.margin},
+                    {"trust", trust}});
+      text << std::setw(10) << comparison->result.mismatch << std::setw(6) << std::setprecision(0) << 100 * alike
+           << " %  " << name << ": " << trust;
+    } else if(has_comparisons) {
+      if(refusal)
+        found["error"] = refusal->what();
+      text << "         -       -  " << name << (refusal ? std::string(": ") + refusal->what() : "");
+    } else
+      text << name;
+    run.details["found"].push_back(found);
   }
+  if(!options.changes.empty())
+    write_changes(hits, options.changes, run);
   run.text = text.str();
 }
 
@@ -56,6 +143,22 @@ Work search_work()
     .is("FILE")
     .required();
   work.options.add("-k,--number", own->number, "Number of meshes to list").in("[1,2147483647]");
+  work.options
+    .add("--rerank", own->rerank,
+         "Compare QUERY with so many of the nearest meshes by registration, and order these by the distance times the "
+         "difference of corresponding points")
+    .in("[1,2147483647]");
+  work.options
+    .add("--changes", own->changes,
+         "With --rerank: write QUERY with a property 'change_1', 'change_2', ... of its faces for each mesh that was "
+         "compared, in the order of the lines: how many times lengths change on the way to that mesh (.ply)")
+    .is("FILE");
+  work.check = [own](const Request&) {
+    require(own->changes.empty() || own->rerank > 0, "--changes", "requires --rerank");
+    if(!own->changes.empty())
+      require_extension("--changes", own->changes, {".ply"});
+  };
+  work.writes = [own](const Request&) { return Work::Files{{"--changes", own->changes}}; };
   work.reads = [own](const Request&) {
     return Work::Files{{"--index", own->index}, {"--index", index_of(own->index)}};
   };
@@ -78,7 +181,9 @@ Step search_step()
     search_work,
     "search bunny.ply --index index.db -k 5",
     "Prints a line for each mesh: the distance of its signature, and its name. Typical distances are 0.2 between poses "
-    "of the same shape and 2 between different shapes."};
+    "of the same shape and 2 between different shapes. With --rerank also how much corresponding points differ, on "
+    "which "
+    "share of QUERY lengths change less than three times, and how far to trust that: sure, unsure or unlike."};
 }
 
 } // namespace tool

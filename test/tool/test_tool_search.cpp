@@ -5,9 +5,11 @@
 #include "helpers/tool.h"
 
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <iterator>
 #include <map>
@@ -145,4 +147,46 @@ TEST_CASE("search: what is wrong is said in one line", "[tool][search]")
   CHECK(run_tool({"search", good}).exit_code == 2);
   CHECK(run_tool({"search", "--index", index}).exit_code == 2);
   CHECK(run_tool({"search", good, "--index", index, "-k", "0"}).exit_code == 2);
+}
+
+TEST_CASE("search --rerank: the first ones by how little they differ, and where", "[tool][search]")
+{
+  Scratch scratch;
+  const std::string index = make_index(scratch), query = scratch / "star1.off";
+  std::filesystem::remove(scratch / "star2.off"); // which cannot be compared
+  const Process_result run = run_tool({"search", query, "--index", index, "-k", "6", "--rerank", "4", "--changes",
+                                       scratch / "changes.ply", "--report", scratch / "report.json"});
+  CAPTURE(run.out, run.err);
+  REQUIRE(run.exit_code == 0);
+  const std::vector<std::string> lines = lines_of(run.out);
+  REQUIRE(lines.size() == 7);
+  CHECK(lines[0] == "distance  difference   alike  name");
+  const nlohmann::json found = nlohmann::json::parse(text_of(scratch / "report.json"))["found"];
+  REQUIRE(found.size() == 6);
+  for(std::size_t i = 0; i < 6; ++i)
+    CHECK(lines[i + 1].find(found[i]["name"]) != std::string::npos);
+  // the query itself is among them
+  CHECK(found[0]["name"] == query);
+  CHECK(found[0]["difference"] < 0.05);
+  CHECK(found[0]["alike"] > 0.99);
+  CHECK(found[0]["change_of_lengths"] < 1.01);
+  for(std::size_t i = 1; i < 3; ++i) {
+    const auto order = [&](std::size_t k) { return double(found[k]["distance"]) * double(found[k]["difference"]); };
+    CHECK(order(i - 1) <= order(i));
+    CHECK(lines[i + 1].find(": " + std::string(found[i]["trust"])) != std::string::npos);
+  }
+  CHECK(found[3]["name"] == scratch / "star2.off");
+  CHECK(found[3].contains("error"));
+  CHECK(!found[3].contains("difference"));
+  // the others are as without it
+  const std::vector<Hit> all = hits(run_tool({"search", query, "--index", index, "-k", "6"}).out);
+  for(std::size_t i = 4; i < 6; ++i) {
+    CHECK(found[i]["name"] == all[i].name);
+    CHECK(found[i].size() == 2);
+  }
+  const std::string ply = text_of(scratch / "changes.ply");
+  CHECK(ply.find("property double change_3\n") != std::string::npos);
+  CHECK(ply.find("change_4") == std::string::npos);
+
+  CHECK(run_tool({"search", query, "--index", index, "--changes", scratch / "b.ply"}).exit_code == 2);
 }

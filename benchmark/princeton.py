@@ -1,19 +1,25 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""All models of the Princeton segmentation benchmark by `segment --prepare`, against its human segmentations.
+"""All models of the Princeton segmentation benchmark by `segment --prepare`, against its human segmentations; and labels
+that were carried from one model of a class to the next one by `segment --like`.
 
     benchmark/princeton.py DATA OUTPUT [TOOL [OPTION...]]
 
 DATA has off/N.off and seg/Benchmark/N/N_*.seg, as the benchmark's authors distribute them (Chen, Golovinskiy, Funkhouser: "A benchmark
 for 3D mesh segmentation", 2009). OUTPUT gets segments/ from the tool, which resumes a run that was stopped, rows.csv with a row per
-model, and princeton.md, the table of the manual. Options are those of `segment`. The Rand index error is the share of the pairs of
+model, and princeton.md, the tables of the manual. Options are those of `segment`. The Rand index error is the share of the pairs of
 faces that one segmentation keeps together and the other does not, as in `benchmark segmentation`: the mean over the humans of a model,
-then over models. Humans are compared with each other.
+then over models. Humans are compared with each other. The halves are every other class, those with models in DATA counted.
+
+Labels are carried from every model, its first human segmentation, to the next model of its class, and from the last one to the
+first one. The table compares them with the human segmentations of the model that got them, by what the tool says of the
+correspondence.
 """
 
 import collections
 import csv
 import itertools
+import json
 import pathlib
 import statistics
 import subprocess
@@ -38,6 +44,10 @@ def genus(mesh):
     return (2 - vertices + faces // 2) // 2
 
 
+def labels_in(file):
+    return file.read_text().split() if file.exists() else None
+
+
 def row_of(mesh, labels, humans):
     row = {"model": mesh.stem, "class": CLASSES[(int(mesh.stem) - 1) // 20], "genus": genus(mesh), "humans": None,
            "segments": None, "error": None}
@@ -54,6 +64,9 @@ def table(rows):
         return statistics.mean(row[key] for row in rows if row[key] is not None)
 
     groups = [(name, [row for row in rows if row["class"] == name]) for name in CLASSES]
+    groups = [(name, group) for name, group in groups if group]
+    for name, half in (("1st, 3rd, ... class", groups[::2]), ("2nd, 4th, ... class", groups[1::2])):
+        groups.append((name, [row for _, group in half for row in group]))
     groups += [("of genus 0", [row for row in rows if row["genus"] == 0]),
                ("with handles", [row for row in rows if row["genus"] > 0]), ("**all**", rows)]
     lines = ["| class | models | with labels | humans | `segment --prepare` |", "|---|---|---|---|---|"]
@@ -64,21 +77,60 @@ def table(rows):
     return "\n".join(lines).replace("0.", ".") + "\n"
 
 
+def carry(tool, options, meshes, humans, output):
+    """Rows of the models to which labels were carried."""
+    output.mkdir(exist_ok=True)
+    for _, group in itertools.groupby(meshes, lambda mesh: (int(mesh.stem) - 1) // 20):
+        models = [mesh for mesh in group if humans[mesh.stem]]
+        for mesh, other in zip(models, models[1:] + models[:1]):
+            if mesh == other:
+                continue
+            files = {name: output / f"{mesh.stem}.{name}" for name in ("ply", "labels.txt", "json", "like.txt")}
+            files["like.txt"].write_text("\n".join(humans[other.stem][0]))
+            subprocess.run([tool, "segment", mesh, "-o", files["ply"], "--labels", files["labels.txt"], "--report", files["json"],
+                            "--like", other, "--like-labels", files["like.txt"], "--prepare", *options],
+                           check=False, stdin=subprocess.DEVNULL)
+            labels = labels_in(files["labels.txt"])
+            if labels:
+                row = row_of(mesh, labels, humans[mesh.stem])
+                yield {**row, "like": other.stem, "trust": json.loads(files["json"].read_text())["like"]["trust"]}
+
+
+def table_of_carried(carried, rows):
+    own = {row["model"]: row["error"] for row in rows}
+    lines = ["| correspondence | models | humans | own segments | carried labels |", "|---|---|---|---|---|"]
+    for name in ("sure", "unsure", "unlike", "all"):
+        group = [row for row in carried if name in ("all", row["trust"])]
+        if group:
+            means = [statistics.mean(row["humans"] for row in group), statistics.mean(own[row["model"]] for row in group),
+                     statistics.mean(row["error"] for row in group)]
+            lines.append(f"| {name} | {len(group)} | " + " | ".join(f"{mean:.3f}" for mean in means) + " |")
+    return "\n".join(lines).replace("0.", ".") + "\n"
+
+
+def write_rows(file, rows):
+    with open(file, "w", newline="", encoding="utf-8") as out:
+        writer = csv.DictWriter(out, rows[0].keys())
+        writer.writeheader()
+        writer.writerows(rows)
+
+
 def main(data, output, tool="build/src/spherical-parameterization", *options):
     data, output = pathlib.Path(data), pathlib.Path(output)
     subprocess.run([tool, "segment", data / "off", "-o", output / "segments", "--labels", "labels.txt", "--prepare", *options],
                    check=False, stdin=subprocess.DEVNULL)
-    rows = []
-    for mesh in sorted((data / "off").glob("*.off"), key=lambda file: int(file.stem)):
-        labels = output / "segments" / f"{mesh.stem}.labels.txt"
-        humans = [file.read_text().split() for file in sorted((data / "seg/Benchmark" / mesh.stem).glob("*.seg"))]
-        rows.append(row_of(mesh, labels.read_text().split() if labels.exists() else None, humans))
-    with open(output / "rows.csv", "w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, rows[0].keys())
-        writer.writeheader()
-        writer.writerows(rows)
-    (output / "princeton.md").write_text(table(rows))
-    print(table(rows), end="")
+    meshes = sorted((data / "off").glob("*.off"), key=lambda file: int(file.stem))
+    humans = {mesh.stem: [labels_in(file) for file in sorted((data / "seg/Benchmark" / mesh.stem).glob("*.seg"))]
+              for mesh in meshes}
+    rows = [row_of(mesh, labels_in(output / "segments" / f"{mesh.stem}.labels.txt"), humans[mesh.stem]) for mesh in meshes]
+    carried = list(carry(tool, options, meshes, humans, output / "carried"))
+    write_rows(output / "rows.csv", rows)
+    tables = table(rows)
+    if carried:
+        write_rows(output / "carried.csv", carried)
+        tables += "\n" + table_of_carried(carried, rows)
+    (output / "princeton.md").write_text(tables)
+    print(tables, end="")
 
 
 if __name__ == "__main__":

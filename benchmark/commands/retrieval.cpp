@@ -7,6 +7,8 @@
 #include "shapes/descriptors.h"
 #include "tables/table.h"
 
+#include <CGAL/Spherical_parameterization/shape_signature.h>
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -14,8 +16,10 @@
 #include <cmath>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <map>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -167,28 +171,102 @@ Retrieval_measures search(const Models& queries, const Models& models, std::size
   return result;
 }
 
+/// The models of every other class, in the order of the names.
+Models half_of(const Models& models, std::size_t half)
+{
+  std::set<std::string> classes;
+  for(const Model& model : models)
+    classes.insert(model.label);
+  Models result;
+  for(const Model& model : models)
+    if(static_cast<std::size_t>(std::distance(classes.begin(), classes.find(model.label))) % 2 == half)
+      result.push_back(model);
+  return result;
+}
+
 void tabulate_groups(const Options& options, const std::map<std::string, Models>& groups, const Models& all,
                      const std::vector<Descriptor>& descriptors)
 {
   Table table(options.output, "retrieval", "Retrieval",
               {"every model is a query among the others of its group; means over the queries, in percent",
+               "odd, even: queries of the 1st, 3rd, ... and of the 2nd, 4th, ... class of the group; a choice that was "
+               "made on one half can be judged by the other",
                "seconds: per mesh on one core, the map included where it is needed"},
-              {"group", "models", "descriptor", "nearest neighbour", "first tier", "second tier", "E-measure", "DCG",
+              {"group", "queries", "descriptor", "nearest neighbour", "first tier", "second tier", "E-measure", "DCG",
                "average precision", "seconds"});
-  const auto add_rows = [&](const std::string& group, const Models& models) {
+  const auto add_rows_of = [&](const std::string& group, const Models& queries, const Models& models) {
     for(std::size_t d = 0; d < descriptors.size(); ++d) {
-      const Retrieval_measures m = search(models, models, d);
+      const Retrieval_measures m = search(queries, models, d);
       double seconds = 0;
-      for(const Model& model : models)
-        seconds += model.described.seconds[d] / models.size();
-      table.add_row({group, models.size(), descriptors[d].name, m.percent[0], m.percent[1], m.percent[2], m.percent[3],
+      for(const Model& query : queries)
+        seconds += query.described.seconds[d] / queries.size();
+      table.add_row({group, queries.size(), descriptors[d].name, m.percent[0], m.percent[1], m.percent[2], m.percent[3],
                      m.percent[4], m.percent[5], seconds});
     }
+  };
+  const auto add_rows = [&](const std::string& group, const Models& models) {
+    add_rows_of(group, models, models);
+    add_rows_of(group + ", odd", half_of(models, 0), models);
+    add_rows_of(group + ", even", half_of(models, 1), models);
   };
   for(const auto& [group, models] : groups)
     if(has_several_classes(models))
       add_rows(group, models);
   add_rows("all", all);
+}
+
+/// How well the weights of the parts of the signature, the first descriptor, can be chosen: on one half of the classes,
+/// by average precision, to be judged by the other half.
+void tabulate_choice_of_weights(const Options& options, const std::map<std::string, Models>& groups)
+{
+  using CGAL::Spherical_parameterization::Shape_signature;
+  constexpr std::size_t signature = 0;   // number of the descriptor
+  typedef std::array<double, 4> Weights; // girths in coarse and in fine bins, lengths and areas of limbs
+  constexpr std::size_t sizes[] = {Shape_signature::coarse_bins, Shape_signature::fine_bins, Shape_signature::limbs,
+                                   Shape_signature::limbs};
+  std::vector<Weights> choices = {{1, 1, 1, 1}}; // the default, which is kept where others are not better
+  for(const double a : {0.5, 1., 2.})
+    for(const double b : {0.5, 1., 2.})
+      for(const double c : {0.5, 1., 2.})
+        for(const double d : {0., 0.5, 1., 2.})
+          choices.push_back({a, b, c, d});
+  const auto weighted = [&](Models models, const Weights& weights) {
+    for(Model& model : models) {
+      double* value = model.described.values.front().data();
+      for(std::size_t part = 0; part < weights.size(); ++part)
+        for(std::size_t i = 0; i < sizes[part]; ++i)
+          *value++ *= weights[part];
+    }
+    return models;
+  };
+  Table table(options.output, "retrieval_choice", "Weights of the signature, chosen on one half of the classes",
+              {"first tier and average precision in percent; weights: of girths in coarse and in fine bins, of lengths "
+               "and areas of limbs",
+               std::to_string(choices.size() - 1) + " choices, by average precision"},
+              {"group", "chosen on", "weights", "first tier there", "average precision there", "first tier, other half",
+               "average precision, other half", "first tier, other half, default",
+               "average precision, other half, default"});
+  for(const auto& [group, models] : groups) {
+    if(!has_several_classes(models))
+      continue;
+    std::vector<std::array<Retrieval_measures, 2>> found; // by choice and half
+    for(const Weights& weights : choices) {
+      const Models all = weighted(models, weights);
+      found.push_back({search(half_of(all, 0), all, signature), search(half_of(all, 1), all, signature)});
+    }
+    for(const std::size_t half : {0, 1}) {
+      const auto best = std::max_element(found.begin(), found.end(), [half](const auto& a, const auto& b) {
+        return a[half].percent[5] < b[half].percent[5];
+      });
+      std::ostringstream text;
+      for(const double weight : choices[static_cast<std::size_t>(best - found.begin())])
+        text << weight << ' ';
+      const auto &here = (*best)[half].percent, &there = (*best)[1 - half].percent,
+                 &by_default = found.front()[1 - half].percent;
+      table.add_row({group, half == 0 ? "odd" : "even", text.str(), here[1], here[5], there[1], there[5], by_default[1],
+                     by_default[5]});
+    }
+  }
 }
 
 void tabulate_pairs_of_groups(const Options& options, const std::map<std::string, Models>& groups,
@@ -262,6 +340,9 @@ void tabulate_retrieval(const Options& options)
   for(const Model& model : models)
     groups[model.group].push_back(model);
   tabulate_groups(options, groups, models, descriptors);
+  std::map<std::string, Models> with_all = groups;
+  with_all["all"] = models;
+  tabulate_choice_of_weights(options, with_all);
   tabulate_pairs_of_groups(options, groups, descriptors);
   for(const std::string& group : options.variants_of) {
     if(groups.count(group) == 0)

@@ -238,7 +238,7 @@ TEST_CASE("a fine mesh follows the coarse one", "[registration]")
   const Registered r = registered(a, b);
   check_certificate(a, r);
   CHECK(r.result.start == "spectrum");
-  CHECK(mean_error(a, r, b, [&](Vertex v) { return posed.points[v]; }) < 0.1);
+  CHECK(mean_error(a, r, b, [&](Vertex v) { return posed.points[v]; }) < 0.12);
 }
 
 TEST_CASE("shapes that have nothing to do with each other are not trusted to correspond", "[registration]")

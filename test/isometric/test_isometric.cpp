@@ -12,8 +12,11 @@
 #include <tbb/task_arena.h>
 #endif
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <utility>
+#include <vector>
 
 using namespace test;
 
@@ -172,6 +175,35 @@ TEST_CASE("scaling by a power of two, and exact translations, leave isometric ma
   const Soup moved =
     transformed(soup, [](const Point& p) { return Point(p.x() + (1 << 30), p.y() - (1 << 30), p.z() + 3); });
   CHECK(solve_or_throw(moved, isometric()) == sphere);
+}
+
+TEST_CASE("isometric maps do not depend on how the mesh is numbered", "[isometric]")
+{
+  // without symmetry, with spikes, and with many equal edges
+  const int shape = GENERATE(0, 1, 2, 3);
+  const Soup soup = shape == 0 ? bumpy_sphere(4) : shape == 1 ? spiky_star(4, 5) : shape == 2 ? tree(5) : icosphere(3);
+  const Sphere sphere = solve_or_throw(soup, isometric());
+  for(unsigned seed : {1, 2}) {
+    CAPTURE(shape, seed);
+    std::vector<std::size_t> order;
+    const Sphere other = solve_or_throw(renumbered(soup, seed, order), isometric());
+    for(std::size_t i = 0; i < order.size(); ++i)
+      REQUIRE(other[i] == sphere[order[i]]);
+  }
+}
+
+TEST_CASE("a similarity moves no vertex of an isometric map by more than 1e-3", "[isometric]")
+{
+  const Soup soup = GENERATE(0, 1) == 0 ? bumpy_sphere(5) : spiky_star(4, 1.5);
+  const Sphere sphere = solve_or_throw(soup, isometric());
+  for(unsigned seed : {1, 2, 3}) {
+    const std::array<Vector, 3> rows = random_rotation(seed);
+    const Soup turned = transformed(soup, [&](const Point& p) {
+      const Vector x = 1.7 * (p - CGAL::ORIGIN) + Vector(3, 1, -2);
+      return Point(rows[0] * x, rows[1] * x, rows[2] * x);
+    });
+    CHECK(distance_up_to_rotation(sphere, solve_or_throw(turned, isometric())) < 1e-3);
+  }
 }
 
 TEST_CASE("any scale and any place give valid isometric maps", "[isometric]")

@@ -145,7 +145,7 @@ TEST_CASE("densities of coarse meshes are means, and undoing collapses gives tho
   problem.number_of_vertices = n;
   for(const auto& f : source.face)
     problem.density.push_back(source.point[f[0]].z > 0 ? 1 : 0.1);
-  I::Carried_density density(problem, {});
+  I::Carried_density density(problem);
   I::Progressive_mesh mesh(loop, source.face, n);
   // The areas that the faces are wanted to have, were all of them 1
   const auto wanted = [&] {
@@ -216,17 +216,18 @@ TEST_CASE("decimation keeps the vertices that it has to, and a map a bijection",
 TEST_CASE("a quadric is the sum of squared distances to its planes", "[progressive]")
 {
   Random random;
-  I::Quadric first, second;
+  I::Quadric quadrics[2];
+  const vec3 origins[2] = {random.vector(), random.vector()};
   struct Plane {
     vec3 normal, point;
     double weight;
   };
   std::vector<Plane> planes;
   for(int k = 0; k < 6; ++k) {
-    planes.push_back({random.unit_vector(), random.vector(), random.number(0.1, 2)});
-    (k % 2 ? first : second).add_plane(planes.back().normal, planes.back().point, planes.back().weight);
+    planes.push_back({random.unit_vector(), origins[k % 2], random.number(0.1, 2)});
+    quadrics[k % 2].add_plane(planes.back().normal, planes.back().weight);
   }
-  first.add(second);
+  quadrics[0].add(quadrics[1], I::sub(origins[0], origins[1]));
   for(int k = 0; k < 20; ++k) {
     const vec3 p = random.vector();
     double sum = 0;
@@ -234,6 +235,6 @@ TEST_CASE("a quadric is the sum of squared distances to its planes", "[progressi
       const double distance = I::inner(plane.normal, I::sub(p, plane.point));
       sum += plane.weight * distance * distance;
     }
-    CHECK(first(p) == Approx(sum));
+    CHECK(quadrics[0](I::sub(p, origins[0])) == Approx(sum));
   }
 }

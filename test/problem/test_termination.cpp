@@ -31,7 +31,7 @@ TEST_CASE("an isometric map has converged if one more step promises less than th
   const Soup soup = spiky_star(3, 1.5);
   Sphere sphere;
   double before = 1;
-  for(const std::size_t iterations : {0, 1, 3}) {
+  for(const std::size_t iterations : {0, 1, 2}) {
     const Result result = solve(soup, sphere, isometric(iterations, 1e-12));
     CAPTURE(iterations, result);
     CHECK(result.error == Error_code::NOT_CONVERGED);

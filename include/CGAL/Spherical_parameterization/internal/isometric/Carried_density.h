@@ -24,8 +24,7 @@ namespace CGAL::Spherical_parameterization::internal {
 /// stands for, by areas, and a face the mean of its corners. A uniform density is 1 everywhere, to the last bit.
 class Carried_density {
 public:
-  /// `order[k]` is the face of the problem that is face `k` of the progressive mesh; empty if they are numbered alike.
-  Carried_density(const Problem& problem, const std::vector<int>& order)
+  explicit Carried_density(const Problem& problem)
   {
     if(problem.density.empty())
       return;
@@ -47,12 +46,10 @@ public:
     stands_for_.resize(problem.size(), {0, 0});
     before_.resize(problem.size());
     for(int f = 0; f < number_of_faces; ++f) {
-      const double density = problem.density[f] / mean;
+      const double density = of_face_[f] = problem.density[f] / mean;
       for(int v : problem.face[f])
         stands_for_[v] = {stands_for_[v].area + area[f], stands_for_[v].wanted + density * area[f]};
     }
-    for(int k = 0; k < number_of_faces; ++k)
-      of_face_[k] = problem.density[order.empty() ? k : order[k]] / mean;
   }
 
   /// After the collapse of h.

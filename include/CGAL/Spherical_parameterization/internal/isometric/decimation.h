@@ -15,6 +15,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -23,35 +25,42 @@
 namespace CGAL::Spherical_parameterization::internal {
 
 /// The sum of squared distances to weighted planes, as a quadratic form: M. Garland and P. Heckbert, "Surface
-/// simplification using quadric error metrics", SIGGRAPH 1997.
+/// simplification using quadric error metrics", SIGGRAPH 1997. Points are relative to an origin close to the planes:
+/// so the distances keep their digits where a surface is flat.
 class Quadric {
 public:
-  /// The plane through p with unit normal n.
-  void add_plane(vec3 n, vec3 p, double weight)
+  /// The plane through the origin with unit normal n.
+  void add_plane(vec3 n, double weight)
   {
-    const double d = -inner(n, p);
-    const std::array<double, 10> plane = {n.x * n.x, n.y * n.y, n.z * n.z, n.x * n.y, n.x * n.z,
-                                          n.y * n.z, d * n.x,   d * n.y,   d * n.z,   d * d};
-    for(int k = 0; k < 10; ++k)
-      coefficient_[k] += weight * plane[k];
+    const std::array<double, 6> plane = {n.x * n.x, n.y * n.y, n.z * n.z, n.x * n.y, n.x * n.z, n.y * n.z};
+    for(int k = 0; k < 6; ++k)
+      square_[k] += weight * plane[k];
   }
 
-  void add(const Quadric& other)
+  /// `shift` leads from the origin of the other one to this one.
+  void add(const Quadric& other, vec3 shift)
   {
-    for(int k = 0; k < 10; ++k)
-      coefficient_[k] += other.coefficient_[k];
+    at_origin_ += other(shift);
+    linear_ = internal::add(linear_, internal::add(other.linear_, other.squared(shift)));
+    for(int k = 0; k < 6; ++k)
+      square_[k] += other.square_[k];
   }
 
-  double operator()(vec3 p) const
-  {
-    const auto& c = coefficient_;
-    return (std::max)(
-      0., c[0] * p.x * p.x + c[1] * p.y * p.y + c[2] * p.z * p.z +
-            2 * (c[3] * p.x * p.y + c[4] * p.x * p.z + c[5] * p.y * p.z + c[6] * p.x + c[7] * p.y + c[8] * p.z) + c[9]);
-  }
+  double operator()(vec3 p) const { return (std::max)(0., inner(p, add_scaled(squared(p), 2, linear_)) + at_origin_); }
+  double at_origin() const { return at_origin_; }
 
 private:
-  std::array<double, 10> coefficient_{};
+  /// The product with the matrix of the squares.
+  vec3 squared(vec3 p) const
+  {
+    const auto& s = square_;
+    return {s[0] * p.x + s[3] * p.y + s[4] * p.z, s[3] * p.x + s[1] * p.y + s[5] * p.z,
+            s[4] * p.x + s[5] * p.y + s[2] * p.z};
+  }
+
+  std::array<double, 6> square_{};
+  vec3 linear_ = {0, 0, 0};
+  double at_origin_ = 0;
 };
 
 /// Coarsens a mesh to a tetrahedron, in rounds of independent half-edge collapses. It gets there whatever the mesh: a
@@ -78,7 +87,8 @@ public:
     std::iota(remaining_.begin(), remaining_.end(), 0);
     const double twice_area = sum_by_parts(loop, mesh.capacity(), [&](int v) { return initialise_quadric(v); });
     const double mean_area = twice_area / 2 / (2. * mesh.number_of_vertices()) / 3;
-    least_cost_ = 1e-3 * length_weight * mean_area * mean_area;
+    if(mean_area * mean_area > 0)
+      unit_ = mean_area * mean_area;
   }
 
   /// Collapses edges until a share of the vertices is removed, or no more can be at once. Returns the half-edges, in
@@ -140,9 +150,10 @@ private:
 
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr double length_weight = 1e-3; ///< of the squared length of the edge, times the area of the star
-  static constexpr double aspect_scale2 = 25;   ///< an aspect ratio of 5 doubles the cost
-  static constexpr double flip_penalty = 1e3;   ///< for a normal that turns by more than 78 degrees
-  static constexpr int good_degree = 9;         ///< each neighbour more doubles the cost
+  static constexpr double least_cost = 1e-3 * length_weight; ///< so that flat regions do not collapse in any order
+  static constexpr double aspect_scale2 = 25;                ///< an aspect ratio of 5 doubles the cost
+  static constexpr double flip_penalty = 1e3;                ///< for a normal that turns by more than 78 degrees
+  static constexpr int good_degree = 9;                      ///< each neighbour more doubles the cost
   static constexpr double share_of_candidates = 0.4;
   static constexpr int steps_of_a_task = 256;
 
@@ -170,7 +181,7 @@ private:
       const vec3 n = face_normal(c);
       const double length = std::sqrt(inner(n, n));
       if(length > 0)
-        quadric_[v].add_plane(scale(1 / length, n), point_[v], length / 2);
+        quadric_[v].add_plane(scale(1 / length, n), length / 2);
       twice_area += length;
     });
     return twice_area;
@@ -246,9 +257,22 @@ private:
     const double degree_factor = degree > good_degree ? std::ldexp(1, (std::min)(degree - good_degree, 200))
                                  : degree < 4         ? 0.5
                                                       : 1;
-    const double distances = is_exact ? quadric_[u](p) + quadric_[v](p) : quadric_[u](p);
-    return (distances + length_weight * area * inner(edge, edge) + least_cost_) * degree_factor *
-           (is_exact ? shape_factor(ring, i) : 1);
+    const double distances = is_exact ? quadric_[u](edge) + quadric_[v].at_origin() : quadric_[u](edge);
+    return rounded(((distances + length_weight * area * inner(edge, edge)) / unit_ + least_cost) * degree_factor *
+                   (is_exact ? shape_factor(ring, i) : 1));
+  }
+
+  /// To ten bits, which are those of a similar mesh, too: costs are in units of the mesh. Costs that symmetry makes
+  /// equal, and rounding errors not, are a tie then, which the order of the vertices decides: a mesh that is turned is
+  /// decimated alike.
+  static double rounded(double cost)
+  {
+    constexpr std::uint64_t unit = std::uint64_t(1) << (std::numeric_limits<double>::digits - 1 - 10);
+    std::uint64_t bits;
+    std::memcpy(&bits, &cost, sizeof bits);
+    bits = (bits + unit / 2) & ~(unit - 1);
+    std::memcpy(&cost, &bits, sizeof bits);
+    return cost;
   }
 
   /// What badly shaped or turned triangles multiply the cost by when u moves to the first point of ring[i].
@@ -390,7 +414,7 @@ private:
       });
       role_[u] = FREE;
       best_[u] = Collapse();
-      quadric_[v].add(quadric_[u]);
+      quadric_[v].add(quadric_[u], sub(point_[v], point_[u]));
       mesh_.collapse(h);
     }
   }
@@ -399,7 +423,7 @@ private:
   const Host_array<vec3>& point_;
   const Host_array<vec3>* const map_; ///< to be kept a bijection, or null
   Progressive_mesh& mesh_;
-  std::vector<Quadric> quadric_;
+  std::vector<Quadric> quadric_;  ///< of every vertex, from there
   std::vector<Collapse> best_;    ///< of every vertex
   std::vector<Role> role_;        ///< of every vertex in the collapses chosen for this round
   std::vector<int> remaining_;    ///< vertices that were not removed before this round
@@ -407,7 +431,7 @@ private:
   std::vector<char> is_kept_;     ///< empty when none is any more
   int kept_until_;                ///< so many are left
   int band_size_;                 ///< number of vertices
-  double least_cost_ = 0;         ///< so that flat regions do not collapse for nothing, in any order
+  double unit_ = 1;               ///< of costs: the square of the mean area of a vertex
   int maximum_degree_ = 24;       ///< of vertices to be removed
 };
 

@@ -43,6 +43,15 @@ public:
     return search(newton_direction(maximum_iterations, tolerance));
   }
 
+  /// The same where the matrix itself may be positive: it is tried first, if the last step went well. Then the steps
+  /// converge quadratically.
+  double step_near_minimum(int maximum_iterations, double tolerance)
+  {
+    constexpr double near = 1e-2;
+    const double least_lift = step_length_ >= 1 && promised_gain_ < near ? 0 : half_lift;
+    return search(newton_direction(maximum_iterations, tolerance, least_lift));
+  }
+
   /// What `promised_gain()` of the next step would be. It is not taken.
   double gain_ahead(int maximum_iterations, double tolerance)
   {
@@ -59,6 +68,8 @@ public:
   double step_length() const { return step_length_; }
 
 private:
+  static constexpr double half_lift = 0.5; ///< of what makes the Hessians of the faces positive
+
   struct Entry {
     int column;
     float ss, st, ts, tt;
@@ -276,10 +287,13 @@ private:
   }
 
   /// The direction of the next step, and the slope along it.
-  std::vector<vec3> newton_direction(int maximum_iterations, double tolerance)
+  std::vector<vec3> newton_direction(int maximum_iterations, double tolerance, double least_lift = half_lift)
   {
     std::vector<vec3> direction;
-    for(double lift : {0.5, 1.}) { // all blocks in orthonormal tangents first, then in those that the diagonal asks for
+    for(double lift :
+        {0., half_lift, 1.}) { // all blocks in orthonormal tangents first, then in those that the diagonal asks for
+      if(lift < least_lift)
+        continue;
       assemble(lift);
       for_each_of_level(loop_, 0, level_.size(), [&](int i) { normalise_row(i); });
       direction = solve(maximum_iterations, tolerance);

@@ -4,12 +4,12 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_ISOMETRIC_SOLVE_ISOMETRIC_IMPL_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_ISOMETRIC_SOLVE_ISOMETRIC_IMPL_H
 
-#include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/text/text.h>
 #include <CGAL/Spherical_parameterization/internal/isometric/Carried_density.h>
 #include <CGAL/Spherical_parameterization/internal/isometric/Map_level.h>
 #include <CGAL/Spherical_parameterization/internal/isometric/Progressive_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/isometric/canonical_order.h>
 #include <CGAL/Spherical_parameterization/internal/relaxation/Star.h>
 #include <CGAL/Spherical_parameterization/internal/isometric/decimation.h>
 #include <CGAL/Spherical_parameterization/internal/isometric/landmark_placement.h>
@@ -21,7 +21,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,6 +40,8 @@ namespace CGAL::Spherical_parameterization::internal {
 /// Fixed vertices are landmarks. The decimation keeps them while there are many more vertices than landmarks. On the
 /// coarsest mesh that has all of them the map is rotated to fit their places, and they are moved there; where that mesh
 /// is too coarse, on one of the next. From then on they do not move.
+///
+/// The problem is to be in canonical order, see canonical_order.h.
 template <class...>
 class Coarse_to_fine_map {
 public:
@@ -58,8 +59,8 @@ public:
       last_exponent_(method.area_exponent.value_or(problem.density.empty() ? Isometric::default_area_exponent
                                                                            : Isometric::area_exponent_of_densities)),
       exponent_((std::min)(last_exponent_, largest_coarse_exponent)), distortion_(exponent_), problem_(problem),
-      effort_(effort), monitor_(monitor), source_area_(area_of_source()), order_of_faces_(order_of_faces(problem)),
-      density_(problem, order_of_faces_), mesh_(loop, faces_in_order(problem, order_of_faces_), problem.size()),
+      effort_(effort), monitor_(monitor), source_area_(area_of_source()), density_(problem),
+      mesh_(loop, problem.face, problem.size()),
       level_(loop, problem.size()), map_{Host_array<vec3>(problem.size(), vec3{0, 0, 0}),
                                          std::vector<int>(problem.size(), -1)},
       level_sizes_(sizes_of_levels(problem.size(), exponent_))
@@ -101,6 +102,8 @@ private:
   static constexpr Metric_bounds final_bounds = {1e3, 1e-8};
   static constexpr double largest_coarse_exponent = 3;
   static constexpr double linear_tolerance = 0.1;       ///< of Newton's equations
+  static constexpr double fine_linear_tolerance = 0.01; ///< ... near a minimum
+  static constexpr double converged_share = 0.02; ///< of the default accuracy: the map moves by about 1e-4 after that
   static constexpr int maximum_linear_iterations = 100; ///< ... on fine levels
   static constexpr int sweeps_of_levels = 2;
   static constexpr int coarse_size = 20000; ///< the largest meshes of which many levels are relaxed
@@ -112,33 +115,6 @@ private:
   static constexpr int size_of_second_start = 50;
   /// Of the energy, for which a Newton step on a coarse level is worth while
   static constexpr double least_gain_without_limbs = 1e-3, least_gain_with_limbs = 1e-4;
-
-  /// The faces by their smallest vertices, so that those of a star lie close together in memory, as the vertices do:
-  /// where a mesh is larger than the caches, that is half of the time of the decimation. Others are left as they are.
-  static std::vector<int> order_of_faces(const Problem& problem)
-  {
-    if(problem.size() <= coarse_size)
-      return {};
-    const auto smallest = [](const std::array<int, 3>& f) { return (std::min)({f[0], f[1], f[2]}); };
-    std::vector<int> begin(problem.size() + 1, 0);
-    for(const std::array<int, 3>& f : problem.face)
-      ++begin[smallest(f) + 1];
-    std::partial_sum(begin.begin(), begin.end(), begin.begin());
-    std::vector<int> order(problem.face.size());
-    for(int f = 0; f < static_cast<int>(order.size()); ++f)
-      order[begin[smallest(problem.face[f])]++] = f;
-    return order;
-  }
-
-  static Host_array<std::array<int, 3>> faces_in_order(const Problem& problem, const std::vector<int>& order)
-  {
-    if(order.empty())
-      return problem.face;
-    Host_array<std::array<int, 3>> faces(order.size());
-    for(std::size_t f = 0; f < order.size(); ++f)
-      faces[f] = problem.face[order[f]];
-    return faces;
-  }
 
   /// The smallest area that faces count with is a share of this. So it has needles as good as they will count: were the
   /// whole surface needles, and their true areas added up, then the share would be nothing to any of them.
@@ -499,21 +475,36 @@ private:
     report.has_converged = are_defaults || report.residual <= accuracy;
   }
 
+  /// Whether the level is the whole mesh, of a shape without limbs, and small enough for that to be cheap. Then there
+  /// is one minimum, as far as was seen, and a few exact Newton steps reach it, in the directions, too, in which the
+  /// energy is flat. So two maps of one shape agree.
+  bool is_minimum_near() const
+  {
+    return level_.size() == problem_.size() && is_level_coarse() && exponent_ <= 1 &&
+           level_.energy(distortion_) < distortion_of_limbs;
+  }
+
   /// Newton's method until a step promises to gain little. On fine levels steps are dear: one that could be taken in
   /// full has left about a quarter of what it promised, measured, so that the next one need not be computed to know.
   void descend(std::size_t maximum_steps, Solver_report& report)
   {
     constexpr double share_left = 0.25;
     constexpr double small_size = 2000, least_part = 0.05; // steps are cheap on small meshes
-    const double accuracy =
-      effort_.accuracy.value_or(Isometric::default_accuracy) * std::clamp(level_.size() / small_size, least_part, 1.);
+    const bool is_to_converge = is_minimum_near();
+    const double asked = effort_.accuracy.value_or(Isometric::default_accuracy);
+    const double accuracy = is_to_converge
+                              ? (std::min)(asked, converged_share * (std::max)(asked, Isometric::default_accuracy))
+                              : asked * std::clamp(level_.size() / small_size, least_part, 1.);
     Newton_relaxation<> newton(loop_, distortion_, level_);
     for(std::size_t s = 0; s < maximum_steps && monitor_.advance(progress()); ++s) {
-      newton.step(maximum_linear_iterations, linear_tolerance);
+      if(is_to_converge)
+        newton.step_near_minimum(maximum_linear_iterations, fine_linear_tolerance);
+      else
+        newton.step(maximum_linear_iterations, linear_tolerance);
       report.residual = newton.promised_gain();
       ++report.iterations;
       level_.relax(distortion_);
-      const bool is_quartered = !is_level_coarse() && newton.step_length() >= 1;
+      const bool is_quartered = !is_to_converge && !is_level_coarse() && newton.step_length() >= 1;
       if((is_quartered ? share_left : 1) * report.residual < accuracy)
         return;
     }
@@ -549,7 +540,6 @@ private:
   Effort effort_;
   Monitor& monitor_;
   double source_area_;
-  const std::vector<int> order_of_faces_;
   Carried_density density_;
   Progressive_mesh mesh_;
   Map_level<> level_;
@@ -659,7 +649,11 @@ CGAL_SP_CORE Solution solve_isometric(const Host_loop& loop, const Isometric& me
     check_fixed_faces(problem);
   const Stopwatch watch;
   Solution solution;
-  solution.position = coarse_to_fine_map(loop, method, problem, effort, monitor, solution.report);
+  Host_array<int> vertex;
+  const Problem canonical = in_canonical_order(loop, problem, vertex);
+  const Host_array<vec3> position = coarse_to_fine_map(loop, method, canonical, effort, monitor, solution.report);
+  solution.position.resize(problem.size());
+  for_each_index(loop, problem.size(), [&](int i) { solution.position[vertex[i]] = position[i]; });
   solution.accuracy = effort.accuracy.value_or(Isometric::default_accuracy);
   solution.seconds.solve = watch.seconds();
 

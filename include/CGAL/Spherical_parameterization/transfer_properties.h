@@ -122,11 +122,13 @@ CGAL_SP_ON_ONE_CORE(transfer_face_property)
 
 /// Gives the segments of a mesh the labels of the corresponding segments of another one, so that shapes are labelled
 /// consistently: every segment gets the label that the largest share of its area has there. It keeps its boundary,
-/// which is more precise than a correspondence between different shapes. \param policy      `CGAL::Sequential_tag` or
-/// `CGAL::Parallel_tag`; the result does not depend on it \param from        the inverse of the map of the mesh that
-/// has the labels \param from_labels readable, key face_descriptor of that mesh; values can be compared \param to the
-/// mesh that gets the labels, a triangle mesh and a model of `FaceListGraph` \param to_sphere   readable, key
-/// vertex_descriptor of `to`; a map in the same position as that of `from`, such as a
+/// which is more precise than a correspondence between different shapes.
+///
+/// \param policy      `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result does not depend on it
+/// \param from        the inverse of the map of the mesh that has the labels
+/// \param from_labels readable, key face_descriptor of that mesh; values can be compared
+/// \param to          the mesh that gets the labels, a triangle mesh and a model of `FaceListGraph`
+/// \param to_sphere   readable, key vertex_descriptor of `to`; a map in the same position as that of `from`, such as a
 ///                    registered one (`register_maps()`)
 /// \param to_segments readable, key face_descriptor of `to`: its segments (`segmentation_via_area_stretch()`); values
 ///                    can be compared

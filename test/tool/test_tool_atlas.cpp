@@ -171,7 +171,7 @@ TEST_CASE("atlas --prepare: a mesh with a hole, and a template with one, are men
   const auto report = nlohmann::json::parse(text_of(scratch / "atlas/report.json"));
   CHECK(report["shapes"] == 3);
   CHECK(report["faces"] == (has_template_faces ? body.faces.size() : 1280));
-  CHECK(report["modes"][0]["explained"] > 0.97);
+  CHECK(report["modes"][0]["explained"] > 0.95);
   CHECK(run_tool(command).out.find("3 done by an earlier run") != std::string::npos);
 }
 

@@ -4,6 +4,8 @@
 #ifndef SPHERICAL_PARAMETERIZATION_TOOL_TEXT_WRITER_H
 #define SPHERICAL_PARAMETERIZATION_TOOL_TEXT_WRITER_H
 
+#include "input/compression.h"
+
 #include <array>
 #include <charconv>
 #include <cstddef>
@@ -14,11 +16,11 @@
 
 namespace tool {
 
-/// A field of a line of comma-separated values, in quotes where RFC 4180 asks for them: around commas, quotes and line
-/// breaks.
+/// A field of a line of comma-separated values, in quotes where RFC 4180 asks for them, around commas, quotes and line
+/// breaks, and where a file that begins with the text would be taken for a compressed one ("BZh...").
 inline std::string csv_quoted(const std::string& text)
 {
-  if(text.find_first_of(",\"\n\r") == std::string::npos)
+  if(text.find_first_of(",\"\n\r") == std::string::npos && compression_of_content(text) == Compression::NONE)
     return text;
   std::string result = "\"";
   for(char c : text)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Preparation of meshes, by the module `_preparation`, which is under the GPL, like the CGAL packages that it uses."""
+"""Preparation of meshes by the module `_preparation`, which is under the GPL, like the CGAL packages that it uses."""
 
 from __future__ import annotations
 

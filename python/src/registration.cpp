@@ -81,14 +81,11 @@ py::array morph(const Doubles& points, const Doubles& others, int steps)
   py::array_t<double, py::array::c_style> all = make_array<double>(steps + 1, size, 3);
   auto* const out = reinterpret_cast<std::array<double, 3>*>(all.mutable_data());
   const py::gil_scoped_release no_lock;
-  const Rows<double> from(points), to(others);
-  const auto path = SP::rigid_path(from, to);
-  for(int step = 1; step < steps; ++step) {
+  const auto path = SP::rigid_path(Rows<double>(points), Rows<double>(others));
+  for(int step = 0; step <= steps; ++step) {
     const auto places = path(double(step) / steps);
     std::copy(places.begin(), places.end(), out + static_cast<std::size_t>(step) * size);
   }
-  std::copy(from.begin(), from.end(), out); // both ends are as they are, without rounding
-  std::copy(to.begin(), to.end(), out + static_cast<std::size_t>(steps) * size);
   return std::move(all);
 }
 

@@ -111,17 +111,12 @@ std::vector<std::size_t> labels_of_file(const Prepared_mesh& prepared, const std
 
 std::vector<std::size_t> labels_of_mended(const Prepared_mesh& prepared, const std::vector<std::size_t>& labels)
 {
-  const Glued_surface& surface = prepared.preparation.parts.front();
-  std::vector<Vector> centres;
-  for(const auto& face : surface.faces) {
-    const auto [a, b, c] = corners_of(surface.points, face);
-    centres.push_back({(a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3, (a[2] + b[2] + c[2]) / 3});
-  }
-  const std::vector<int> nearest = nearest_old_faces(centres, surface);
+  std::vector<Place> centres;
+  for(std::size_t f = 0; f < prepared.preparation.parts.front().faces.size(); ++f)
+    centres.push_back({static_cast<int>(f), {1. / 3, 1. / 3, 1. / 3}});
   std::vector<std::size_t> result;
-  for(std::size_t f = 0; f < centres.size(); ++f)
-    result.push_back(
-      labels[place(surface.old_face[surface.old_face[f] == Glued_surface::none ? place(nearest[f]) : f])]);
+  for(const Place& old : places_of_file(prepared, centres))
+    result.push_back(labels[place(old.face)]);
   return result;
 }
 

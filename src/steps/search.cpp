@@ -111,14 +111,14 @@ void search(const Search_options& options, Run& run)
       const auto& [result, changes] = *comparison;
       const double alike = 1 - changes.share_of_large;
       const char* const trust = SP::get_trust_name(result.trust());
-      found.update({{"difference", comparison->result.mismatch},
+      found.update({{"difference", result.mismatch},
                     {"alike", alike},
                     {"change_of_lengths", changes.median},
                     {"stretching", result.stretching},
                     {"margin", result.margin},
                     {"trust", trust}});
-      text << std::setw(10) << comparison->result.mismatch << std::setw(6) << std::setprecision(0) << 100 * alike
-           << " %  " << name << ": " << trust;
+      text << std::setw(10) << result.mismatch << std::setw(6) << std::setprecision(0) << 100 * alike << " %  " << name
+           << ": " << trust;
     } else if(has_comparisons) {
       if(refusal)
         found["error"] = refusal->what();
@@ -182,8 +182,7 @@ Step search_step()
     "search bunny.ply --index index.db -k 5",
     "Prints a line for each mesh: the distance of its signature, and its name. Typical distances are 0.2 between poses "
     "of the same shape and 2 between different shapes. With --rerank also how much corresponding points differ, on "
-    "which "
-    "share of QUERY lengths change less than three times, and how far to trust that: sure, unsure or unlike."};
+    "which share of QUERY lengths change less than three times, and how far to trust that: sure, unsure or unlike."};
 }
 
 } // namespace tool

@@ -21,7 +21,7 @@ namespace CGAL::Spherical_parameterization {
 /// does not shrink on the way.
 ///
 /// \param start,end  both places: contiguous ranges of `std::array<double, 3>`
-/// \return a function of a time from 0 (the start) to 1 (the end, up to rounding): the points as a
+/// \return a function of a time from 0 (the start) to 1 (the end, both to the last bit): the points as a
 ///   `std::vector<std::array<double, 3>>`
 /// \pre there are as many points here as there, at least one, and all are finite
 template <class Points>
@@ -38,10 +38,13 @@ auto rigid_path(const Points& start, const Points& end)
   to.colwise() -= to_centre;
   const Eigen::AngleAxisd turn(Eigen::Matrix3d(Eigen::umeyama(from, to, false).template topLeftCorner<3, 3>()));
   to = turn.inverse().toRotationMatrix() * to; // turned back
-  return [=](double t) {
+  typedef std::vector<std::array<double, 3>> Places;
+  return [=, first = Places(start.begin(), start.end()), last = Places(end.begin(), end.end())](double t) {
+    if(t <= 0 || t >= 1)
+      return t <= 0 ? first : last;
     const Eigen::Matrix3d part = Eigen::AngleAxisd(t * turn.angle(), turn.axis()).toRotationMatrix();
     const Matrix all = (part * ((1 - t) * from + t * to)).colwise() + ((1 - t) * from_centre + t * to_centre);
-    std::vector<std::array<double, 3>> points;
+    Places points;
     for(Eigen::Index v = 0; v < all.cols(); ++v)
       points.push_back({all(0, v), all(1, v), all(2, v)});
     return points;

@@ -150,10 +150,11 @@ void transfer_segment_labels(const ExecutionPolicy& policy, const Spherical_loca
   internal::Vertices<ToMesh> vertex;
   const internal::Surface surface =
     internal::read_surface(to, internal::vertex_points(to, np), internal::Reading::UNCHECKED, loop, vertex);
+  const auto& area = surface.face_area(loop);
   std::map<Segment, std::map<Label, double>> areas;
   std::size_t i = 0;
   for(auto f : faces(to)) {
-    areas[get(to_segments, f)][get(from_labels, place[i].first)] += surface.face_area(loop)[i];
+    areas[get(to_segments, f)][get(from_labels, place[i].first)] += area[i];
     ++i;
   }
   for(auto f : faces(to)) {

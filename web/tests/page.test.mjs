@@ -21,16 +21,19 @@ const { examples, small, torus } = await source("examples.ts");
 const { off } = await source("downloads.ts");
 let browser, server, page;
 const complaints = []; // of the console
+/// Of the browser, or of a thread whose page or worker ended while it was still loading: where one that is needed cannot
+/// load, nothing is computed, and a test waits in vain.
+const harmless = /GPU stall|GL Driver|swiftshader|threads\.js' failed to load/i;
 
 /// A page that notes errors.
 async function open(url, options = {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
   const result = await context.newPage();
+  const note = (complaint) => harmless.test(complaint) || complaints.push(complaint);
   result.on("console", (message) => {
-    if (["error", "warning"].includes(message.type()) && !/GPU stall|GL Driver|swiftshader/i.test(message.text()))
-      complaints.push(message.text());
+    if (["error", "warning"].includes(message.type())) note(message.text());
   });
-  result.on("pageerror", (error) => complaints.push(error.message));
+  result.on("pageerror", (error) => note(error.message));
   await result.goto(url);
   return result;
 }

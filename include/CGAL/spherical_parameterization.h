@@ -25,6 +25,7 @@
 #include <CGAL/Spherical_parameterization/rigid_path.h>
 #include <CGAL/Spherical_parameterization/segmentation.h>
 #include <CGAL/Spherical_parameterization/shape_atlas.h>
+#include <CGAL/Spherical_parameterization/shape_form.h>
 #include <CGAL/Spherical_parameterization/shape_signature.h>
 #include <CGAL/Spherical_parameterization/shape_statistics.h>
 #include <CGAL/Spherical_parameterization/spherical_harmonics.h>

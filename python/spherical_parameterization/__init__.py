@@ -12,7 +12,7 @@ from . import collection
 from ._core import OpenCLDevice, __version__
 from .analysis import (
     DistortionSummary, Distribution, Locator, Resampling, Texture, distortion, face_distortion, icosphere,
-    mean_over_faces, search, segment, shape_signature, stretch_histogram, texture_coordinates, texture_seams,
+    mean_over_faces, relevance, search, segment, shape_form, shape_signature, stretch_histogram, texture_coordinates, texture_seams,
     vertex_log_area_stretch,
 )
 from .atlas import Atlas, atlas
@@ -40,7 +40,8 @@ __all__ = [
     "Texture", "VertexColumn", "__version__", "align_shapes", "atlas", "certify", "collection", "distortion", "edges",
     "face_distortion", "harmonics", "icosphere", "laplacian_eigenpairs", "left_out_errors", "mean_over_faces",
     "mean_vertex_areas", "model_quality", "moebius_centred", "morph", "opencl_device", "opencl_devices", "parameterize",
-    "prepare", "read_data", "read_harmonics", "read_mesh", "register_maps", "search", "segment", "shape_signature",
+    "prepare", "read_data", "read_harmonics", "read_mesh", "register_maps", "relevance", "search", "segment",
+    "shape_form", "shape_signature",
     "shape_statistics", "stretch_histogram", "texture_coordinates", "texture_seams", "vertex_log_area_stretch",
     "view", "write_data", "write_mesh",
 ]

@@ -13,6 +13,7 @@
 #include <CGAL/Spherical_parameterization/resample.h>
 #include <CGAL/Spherical_parameterization/resampling_weights.h>
 #include <CGAL/Spherical_parameterization/segmentation.h>
+#include <CGAL/Spherical_parameterization/shape_form.h>
 #include <CGAL/Spherical_parameterization/shape_signature.h>
 #include <CGAL/Spherical_parameterization/stretch_histogram.h>
 #include <CGAL/Spherical_parameterization/texture_coordinates.h>
@@ -319,6 +320,25 @@ Doubles shape_signature(const Doubles& points, const py::array& triangles, const
   return Doubles(static_cast<py::ssize_t>(signature.values.size()), signature.values.data());
 }
 
+Doubles shape_form(const Doubles& points, const py::array& triangles)
+{
+  const SP::Shape_form form = SP::shape_form(make_mesh(points, triangles));
+  return py::array(py::cast(form.values)).cast<Doubles>();
+}
+
+/// To the first row, which is a signature and a form, like all others.
+std::vector<double> relevance(const Doubles& signatures, const Doubles& forms)
+{
+  std::vector<SP::Shape_description> shapes(static_cast<std::size_t>(signatures.shape(0)));
+  for(std::size_t i = 0; i < shapes.size(); ++i) {
+    const auto row = static_cast<py::ssize_t>(i);
+    std::copy_n(signatures.data(row, 0), SP::Shape_signature::size, shapes[i].signature.values.begin());
+    std::transform(forms.data(row, 0), forms.data(row, 0) + SP::Shape_form::size, shapes[i].form.values.begin(),
+                   [](double x) { return static_cast<float>(x); });
+  }
+  return SP::relevance_of_shapes(shapes);
+}
+
 /// From one signature to each row of `index`.
 Doubles distances(const Doubles& signature, const Doubles& index)
 {
@@ -378,6 +398,8 @@ void add_analysis(py::module_& module)
     .def("nearest", &SP::Resampling_weights::nearest<int>);
   module.def("icosphere", icosphere);
   module.def("shape_signature", shape_signature);
+  module.def("shape_form", shape_form);
+  module.def("relevance", relevance);
   module.def("distances", distances);
   module.def("stretch_histogram", stretch_histogram);
 }

@@ -198,6 +198,20 @@ def test_search() -> None:
         sp.search(index[0], index[:, 1:])
 
 
+def test_relevance() -> None:
+    triangles = sp.icosphere(3)[1]
+    shapes = [sp.icosphere(3)[0] * (1, 1, z) for z in (1, 1.1, 1.2, 1.3, 3, 3.2, 3.4)]
+    signatures = [sp.shape_signature(points, triangles) for points in shapes]
+    forms = [sp.shape_form(points, triangles) for points in shapes]
+    assert np.allclose([form[:64].sum() * 0.435 for form in forms], 1)
+    found = sp.relevance(signatures, forms)
+    assert found[0] == 1 and found[1:4].min() > found[4:].max() >= 0
+    with pytest.raises(ValueError, match="forms: 7 rows"):
+        sp.relevance(signatures, forms[1:])
+    with pytest.raises(ValueError, match="signatures: shape"):
+        sp.relevance([], [])
+
+
 def test_histogram(mapped: tuple[np.ndarray, ...]) -> None:
     for sampling in ("exact-areas", "uniform", "random", "vertices"):
         shares = sp.stretch_histogram(*mapped, sampling=sampling, bins=8, low=-2, high=2)

@@ -50,6 +50,8 @@ CALLS: list[tuple[Callable[..., object], dict[str, object]]] = [
     (LOCATOR.resample, {"points": POINTS, "level": 1}),
     (LOCATOR.align, {"points": POINTS, "other": LOCATOR, "other_points": POINTS}),
     (sp.shape_signature, MESH),
+    (sp.shape_form, {"points": POINTS, "triangles": TRIANGLES}),
+    (sp.relevance, {"signatures": np.zeros((3, 96)), "forms": np.zeros((3, 112))}),
     (sp.search, {"signature": np.zeros(96), "index": np.zeros((3, 96))}),
     (sp.stretch_histogram, MESH),
     (sp.harmonics, {"triangles": TRIANGLES, "sphere": SPHERE, "values": POINTS, "degree": 3, "points": POINTS}),

@@ -18,11 +18,11 @@
 namespace tool {
 namespace {
 
-constexpr Database::Format format = {0x5348415a, "an index of signatures", R"(
+constexpr Database::Format format = {0x53484146, "an index of signatures", R"(
   CREATE TABLE mesh(id INTEGER PRIMARY KEY, name TEXT NOT NULL UNIQUE,
     bytes INTEGER NOT NULL, changed INTEGER NOT NULL, hash TEXT NOT NULL,
     vertices INTEGER NOT NULL, status TEXT NOT NULL, map TEXT NOT NULL, message TEXT NOT NULL, signature BLOB,
-    prepared INTEGER NOT NULL, program TEXT NOT NULL);
+    prepared INTEGER NOT NULL, program TEXT NOT NULL, form BLOB);
   CREATE TABLE code(block INTEGER PRIMARY KEY, codes BLOB NOT NULL))"};
 
 /// A signature in a quarter of the space, in steps of 1/4096 from 1 up to where 16 bits go. Zeros are no signature.
@@ -93,11 +93,12 @@ void Shape_index::put(const Signature_row& row)
   database_.run("BEGIN");
   auto inserted = database_.query(
     "INSERT OR REPLACE INTO mesh VALUES((SELECT id FROM mesh WHERE name = ?1), ?1, ?, ?, ?, ?, ?, ?, ?, "
-    "?, ?, ?) RETURNING id",
+    "?, ?, ?, ?) RETURNING id",
     row.name, row.version.bytes, row.version.changed, row.version.hash, static_cast<std::int64_t>(row.vertices),
     row.status, row.map, row.message,
     row.signature ? Bytes{row.signature->values.data(), sizeof row.signature->values} : Bytes(),
-    static_cast<std::int64_t>(row.mending), this_program());
+    static_cast<std::int64_t>(row.mending), this_program(),
+    row.signature ? Bytes{row.form.values.data(), sizeof row.form.values} : Bytes());
   inserted.next();
   const std::int64_t id = inserted.integer(0), block = id / codes_per_block;
   inserted.next(); // to the end, or it could not be committed
@@ -123,6 +124,18 @@ std::optional<Shape_signature> Shape_index::signature(const Database::Rows& row,
   return signature;
 }
 
+Shape_form Shape_index::form(const Database::Rows& row, int column) const
+{
+  const std::string_view bytes = row.bytes(column);
+  Shape_form form;
+  if(bytes.size() != sizeof form.values)
+    database_.refuse_damaged("a form is not complete");
+  std::memcpy(form.values.data(), bytes.data(), bytes.size());
+  if(!std::all_of(form.values.begin(), form.values.end(), [](float x) { return std::isfinite(x); }))
+    database_.refuse_damaged("a form is not finite");
+  return form;
+}
+
 std::optional<Signature_row> Shape_index::row(const std::string& mesh) const
 {
   auto row = database_.query("SELECT * FROM mesh WHERE name = ?", mesh);
@@ -131,8 +144,19 @@ std::optional<Signature_row> Shape_index::row(const std::string& mesh) const
   const File_version version = {row.integer(2), row.integer(3), row.text(4)};
   const auto vertices = static_cast<std::size_t>(row.integer(5));
   const auto mending = static_cast<Mending>(row.integer(10));
-  return Signature_row{mesh,        version, vertices,          row.text(6), row.text(7),
-                       row.text(8), mending, signature(row, 9), std::nullopt};
+  const auto signature_of_row = signature(row, 9);
+  return Signature_row{mesh,        version,          vertices,
+                       row.text(6), row.text(7),      row.text(8),
+                       mending,     signature_of_row, signature_of_row ? form(row, 12) : Shape_form(),
+                       std::nullopt};
+}
+
+Shape_description Shape_index::description(const std::string& mesh) const
+{
+  const std::optional<Signature_row> found = row(mesh);
+  if(!found || !found->signature)
+    database_.refuse_damaged("the signature of " + mesh + " is missing");
+  return {*found->signature, found->form};
 }
 
 std::size_t Shape_index::keep_only(const std::vector<std::string>& meshes)

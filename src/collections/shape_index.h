@@ -8,7 +8,7 @@
 #include "collections/file_version.h"
 #include "system/refusal.h"
 
-#include <CGAL/Spherical_parameterization/shape_signature.h>
+#include <CGAL/Spherical_parameterization/shape_form.h>
 
 #include <cstddef>
 #include <optional>
@@ -19,6 +19,8 @@
 
 namespace tool {
 
+using SP::Shape_description;
+using SP::Shape_form;
 using SP::Shape_signature;
 
 /// What was done to a mesh before it was mapped.
@@ -34,6 +36,7 @@ struct Signature_row {
   std::string message;      ///< what is wrong, in one line; empty if OK
   Mending mending = Mending::NOT_ASKED;
   std::optional<Shape_signature> signature;
+  Shape_form form; ///< of a mesh that has a signature
   std::optional<Refusal> refusal = std::nullopt; ///< what is wrong, of a row that has just been computed
 };
 
@@ -61,8 +64,12 @@ public:
   /// Exact: distances of rounded coordinates, which are quickly read and computed, only tell which rows to look at.
   std::set<std::pair<double, std::string>> nearest(const Shape_signature& query, std::size_t k) const;
 
+  /// Of a mesh that has a signature.
+  Shape_description description(const std::string& mesh) const;
+
 private:
   std::optional<Shape_signature> signature(const Database::Rows& row, int column) const;
+  Shape_form form(const Database::Rows& row, int column) const;
 
   Database database_;
 };

@@ -70,6 +70,7 @@ void sign(const std::string& file, bool mends, Signature_row& row)
     }
   }
   row.signature = SP::shape_signature(mesh, as_map(sphere));
+  row.form = SP::shape_form(mesh);
 }
 
 void write_csv_header(std::ostream& out)

@@ -23,6 +23,7 @@ namespace {
 struct Search_options {
   std::string index;
   int number = 10;
+  bool by_form = false;
   int rerank = 0;
   std::string changes; ///< file of where they change
 };
@@ -33,15 +34,39 @@ struct Comparison {
   Changes_of_lengths changes;
 };
 
+/// How the query is like a mesh in form.
+struct Formal_comparison {
+  double distance;  ///< of the forms
+  double relevance; ///< among the candidates
+};
+
 struct Hit {
   double distance; ///< of the signatures
   std::string name;
+  std::optional<Formal_comparison> form = std::nullopt;
   std::optional<Comparison> comparison = std::nullopt;
   std::optional<Refusal> refusal = std::nullopt; ///< why it could not be compared
 
   /// Signatures say little of where things are, registered features little of what is missing: their product.
   double order() const { return distance * comparison->result.mismatch; }
 };
+
+/// So many of the nearest signatures are compared by their form, too. They have to hold the class of the query, and the
+/// time of the comparison grows with their cube: 0.2 s.
+constexpr std::size_t candidates_by_form = 500;
+
+/// Orders the hits by girths, limbs and form, and by chains of similar shapes among them.
+void order_by_form(std::vector<Hit>& hits, const Shape_description& query, const Shape_index& index)
+{
+  std::vector<Shape_description> shapes = {query};
+  for(const Hit& hit : hits)
+    shapes.push_back(index.description(hit.name));
+  const std::vector<double> relevance = SP::relevance_of_shapes(shapes);
+  for(std::size_t i = 0; i < hits.size(); ++i)
+    hits[i].form = {distance(query.form, shapes[i + 1].form), relevance[i + 1]};
+  std::stable_sort(hits.begin(), hits.end(),
+                   [](const Hit& a, const Hit& b) { return a.form->relevance > b.form->relevance; });
+}
 
 /// Registers the query to the first hits, and orders these by distance times difference; those that cannot be compared
 /// come behind, in their order.
@@ -93,20 +118,28 @@ void search(const Search_options& options, Run& run)
   if(!row->signature)
     throw Refusal(*row->refusal);
   std::vector<Hit> hits;
+  const auto number = static_cast<std::size_t>(std::max(options.number, options.rerank));
   for(const auto& [distance, name] :
-      index.nearest(*row->signature, static_cast<std::size_t>(std::max(options.number, options.rerank))))
+      index.nearest(*row->signature, options.by_form ? std::max(number, candidates_by_form) : number))
     hits.push_back({distance, name});
   if(hits.empty())
     throw Refusal(unreadable_file, file, "has no signature", "the command 'signature' says why");
+  if(options.by_form)
+    order_by_form(hits, {*row->signature, row->form}, index);
   const bool has_comparisons = options.rerank > 0;
   if(has_comparisons)
     rerank(hits, options.rerank, run);
   hits.resize(std::min(hits.size(), static_cast<std::size_t>(options.number)));
   std::ostringstream text;
-  text << "distance  " << (has_comparisons ? "difference   alike  " : "") << "name" << std::fixed;
-  for(const auto& [distance, name, comparison, refusal] : hits) {
+  text << "distance  " << (options.by_form ? "   form  relevance  " : "")
+       << (has_comparisons ? "difference   alike  " : "") << "name" << std::fixed;
+  for(const auto& [distance, name, form, comparison, refusal] : hits) {
     nlohmann::ordered_json found = {{"distance", distance}, {"name", name}};
     text << '\n' << std::setw(8) << std::setprecision(4) << distance << "  ";
+    if(form) {
+      found.update({{"form_distance", form->distance}, {"relevance", form->relevance}});
+      text << std::setw(7) << form->distance << "  " << std::setw(9) << form->relevance << "  ";
+    }
     if(comparison) {
       const auto& [result, changes] = *comparison;
       const double alike = 1 - changes.share_of_large;
@@ -143,6 +176,10 @@ Work search_work()
     .is("FILE")
     .required();
   work.options.add("-k,--number", own->number, "Number of meshes to list").in("[1,2147483647]");
+  work.options.add(
+    "--form", own->by_form,
+    "For things that have one pose: compare the 500 nearest meshes by their form, too, and order them by chains of "
+    "similar meshes");
   work.options
     .add("--rerank", own->rerank,
          "Compare QUERY with so many of the nearest meshes by registration, and order these by the distance times the "
@@ -181,7 +218,9 @@ Step search_step()
     search_work,
     "search bunny.ply --index index.db -k 5",
     "Prints a line for each mesh: the distance of its signature, and its name. Typical distances are 0.2 between poses "
-    "of the same shape and 2 between different shapes. With --rerank also how much corresponding points differ, on "
+    "of the same shape and 2 between different shapes. With --form also the distance of forms, and the relevance, from "
+    "0 "
+    "to 1, by which the lines are ordered then. With --rerank also how much corresponding points differ, on "
     "which share of QUERY lengths change less than three times, and how far to trust that: sure, unsure or unlike."};
 }
 

@@ -149,6 +149,28 @@ TEST_CASE("search: what is wrong is said in one line", "[tool][search]")
   CHECK(run_tool({"search", good, "--index", index, "-k", "0"}).exit_code == 2);
 }
 
+TEST_CASE("search --form: by relevance, which is said", "[tool][search]")
+{
+  Scratch scratch;
+  const std::string index = make_index(scratch), query = scratch / "dumbbell1.off";
+  const std::string report = scratch / "report.json";
+  const Process_result run = run_tool({"search", query, "--index", index, "-k", "7", "--form", "--report", report});
+  CAPTURE(run.out, run.err);
+  REQUIRE(run.exit_code == 0);
+  const std::vector<std::string> lines = lines_of(run.out);
+  REQUIRE(lines.size() == 8);
+  CHECK(lines[0] == "distance     form  relevance  name");
+  const nlohmann::json found = nlohmann::json::parse(text_of(report))["found"];
+  REQUIRE(found.size() == 7);
+  CHECK(found[0]["name"] == query);
+  CHECK(found[0]["form_distance"] == 0);
+  for(std::size_t i = 0; i < found.size(); ++i) {
+    CHECK(lines[i + 1].find(found[i]["name"]) != std::string::npos);
+    CHECK((std::string(found[i]["name"]).find("dumbbell") != std::string::npos) == (i < 4));
+    CHECK((i == 0 || found[i]["relevance"] <= found[i - 1]["relevance"]));
+  }
+}
+
 TEST_CASE("search --rerank: the first ones by how little they differ, and where", "[tool][search]")
 {
   Scratch scratch;

@@ -14,9 +14,8 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-/// Chosen, like the number of neighbours and the bins of the angles, on the classes 1, 3, ... of the Princeton
-/// benchmark. The median distances of signatures there is 2.6, that of each part of a form 1, and a signature
-/// weighs 1.5 times a part.
+/// The median distance of signatures is 2.6 on the Princeton benchmark, that of each part of a form 1, and a signature
+/// weighs 1.5 times a part. How this and the number of neighbours were chosen: doc/shape_search.md.
 constexpr double weight_of_forms = 2.6 / 1.5;
 
 /// How similar each of n things is to the first one, by chains of neighbours: see `relevance_of_shapes()`.

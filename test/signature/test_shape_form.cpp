@@ -72,10 +72,21 @@ TEST_CASE("form: that of a ball is known", "[signature][form]")
       CHECK(share == Approx((bin + 0.5) / 32).margin(0.003));
   }
   CHECK(sum == Approx(1));
+  for(std::size_t angle = 0; angle < 4; ++angle) {
+    double share = 0;
+    for(std::size_t bin = 0; bin < 16; ++bin)
+      share += 0.435 * form.values[4 * bin + angle];
+    CHECK(share == Approx(0.25).margin(0.005));
+  }
   // the radius is 1, and normals point along it
   const double radii = std::accumulate(form.values.begin() + 64, form.values.end(), 0.);
   CHECK(0.88 * radii == Approx(1));
   CHECK(0.88 * (form.values[64 + 4 * 4 + 3] + form.values[64 + 4 * 5 + 3]) > 0.99);
+}
+
+TEST_CASE("form: samples are spread evenly over large faces, too", "[signature][form]")
+{
+  CHECK(SP::distance(form_of(flat_octahedron(0)), form_of(flat_octahedron(5))) < 0.1); // the same surface
 }
 
 TEST_CASE("form: what has none", "[signature][form]")
@@ -115,7 +126,7 @@ TEST_CASE("relevance: few shapes, and copies", "[signature][form]")
 {
   CHECK(SP::relevance_of_shapes(shapes_at({3})) == std::vector<double>{1});
   const std::vector<double> two = SP::relevance_of_shapes(shapes_at({3, 4}));
-  CHECK(two[1] > 0);
+  CHECK(two[1] == Approx(0.95)); // the walk goes on with this probability
   for(const double place : {0., 5.}) {
     std::vector<double> places(10, 0.); // more copies than neighbours
     places.push_back(place);

@@ -33,14 +33,38 @@ constexpr double steps_per_unit = 4096;
 constexpr std::int64_t codes_per_block = 21;
 typedef std::array<Code, codes_per_block> Block;
 
-Block block_of(const Database& database, const Database::Rows& row, int column)
+/// The bytes of a row as what they are. `what` says so if they are damaged.
+template <class Value>
+Value value_of(const Database& database, const Database::Rows& row, int column, const std::string& what)
 {
   const std::string_view bytes = row.bytes(column);
-  Block block;
-  if(bytes.size() != sizeof block)
-    database.refuse_damaged("a block of codes is not complete");
-  std::memcpy(block.data(), bytes.data(), sizeof block);
-  return block;
+  Value value;
+  if(bytes.size() != sizeof value)
+    database.refuse_damaged(what + " is not complete");
+  std::memcpy(value.data(), bytes.data(), sizeof value);
+  return value;
+}
+
+Block block_of(const Database& database, const Database::Rows& row, int column)
+{
+  return value_of<Block>(database, row, column, "a block of codes");
+}
+
+template <class Numbers>
+Numbers finite_numbers(const Database& database, const Database::Rows& row, int column, const std::string& what)
+{
+  const auto numbers = value_of<Numbers>(database, row, column, what);
+  if(!std::all_of(numbers.begin(), numbers.end(), [](auto x) { return std::isfinite(x); }))
+    database.refuse_damaged(what + " is not finite");
+  return numbers;
+}
+
+/// None: the mesh has none.
+std::optional<Shape_signature> signature_of(const Database& database, const Database::Rows& row, int column)
+{
+  if(row.bytes(column).empty())
+    return std::nullopt;
+  return Shape_signature{finite_numbers<decltype(Shape_signature::values)>(database, row, column, "a signature")};
 }
 
 Code code_of(const std::optional<Shape_signature>& signature)
@@ -110,32 +134,6 @@ void Shape_index::put(const Signature_row& row)
   database_.run("COMMIT");
 }
 
-std::optional<Shape_signature> Shape_index::signature(const Database::Rows& row, int column) const
-{
-  const std::string_view bytes = row.bytes(column);
-  if(bytes.empty())
-    return std::nullopt;
-  Shape_signature signature;
-  if(bytes.size() != sizeof signature.values)
-    database_.refuse_damaged("a signature is not complete");
-  std::memcpy(signature.values.data(), bytes.data(), bytes.size());
-  if(!std::all_of(signature.values.begin(), signature.values.end(), [](double x) { return std::isfinite(x); }))
-    database_.refuse_damaged("a signature is not finite");
-  return signature;
-}
-
-Shape_form Shape_index::form(const Database::Rows& row, int column) const
-{
-  const std::string_view bytes = row.bytes(column);
-  Shape_form form;
-  if(bytes.size() != sizeof form.values)
-    database_.refuse_damaged("a form is not complete");
-  std::memcpy(form.values.data(), bytes.data(), bytes.size());
-  if(!std::all_of(form.values.begin(), form.values.end(), [](float x) { return std::isfinite(x); }))
-    database_.refuse_damaged("a form is not finite");
-  return form;
-}
-
 std::optional<Signature_row> Shape_index::row(const std::string& mesh) const
 {
   auto row = database_.query("SELECT * FROM mesh WHERE name = ?", mesh);
@@ -144,11 +142,12 @@ std::optional<Signature_row> Shape_index::row(const std::string& mesh) const
   const File_version version = {row.integer(2), row.integer(3), row.text(4)};
   const auto vertices = static_cast<std::size_t>(row.integer(5));
   const auto mending = static_cast<Mending>(row.integer(10));
-  const auto signature_of_row = signature(row, 9);
-  return Signature_row{mesh,        version,          vertices,
-                       row.text(6), row.text(7),      row.text(8),
-                       mending,     signature_of_row, signature_of_row ? form(row, 12) : Shape_form(),
-                       std::nullopt};
+  const auto signature = signature_of(database_, row, 9);
+  Shape_form form;
+  if(signature)
+    form.values = finite_numbers<decltype(form.values)>(database_, row, 12, "a form");
+  return Signature_row{mesh,        version, vertices,  row.text(6), row.text(7),
+                       row.text(8), mending, signature, form,        std::nullopt};
 }
 
 Shape_description Shape_index::description(const std::string& mesh) const
@@ -196,7 +195,7 @@ std::set<std::pair<double, std::string>> Shape_index::nearest(const Shape_signat
     if(found.size() == k && least_distance(steps) > found.rbegin()->first)
       break;
     auto row = database_.query("SELECT name, signature FROM mesh WHERE id = ?", id);
-    if(const auto other = row.next() ? signature(row, 1) : std::nullopt) // none: removed
+    if(const auto other = row.next() ? signature_of(database_, row, 1) : std::nullopt) // none: removed
       found.emplace(distance(query, *other), row.text(0));
     if(found.size() > k)
       found.erase(std::prev(found.end()));

@@ -36,7 +36,7 @@ struct Signature_row {
   std::string message;      ///< what is wrong, in one line; empty if OK
   Mending mending = Mending::NOT_ASKED;
   std::optional<Shape_signature> signature;
-  Shape_form form;                               ///< of a mesh that has a signature
+  Shape_form form = {};                          ///< of a mesh that has a signature
   std::optional<Refusal> refusal = std::nullopt; ///< what is wrong, of a row that has just been computed
 };
 
@@ -68,9 +68,6 @@ public:
   Shape_description description(const std::string& mesh) const;
 
 private:
-  std::optional<Shape_signature> signature(const Database::Rows& row, int column) const;
-  Shape_form form(const Database::Rows& row, int column) const;
-
   Database database_;
 };
 

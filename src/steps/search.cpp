@@ -218,10 +218,9 @@ Step search_step()
     search_work,
     "search bunny.ply --index index.db -k 5",
     "Prints a line for each mesh: the distance of its signature, and its name. Typical distances are 0.2 between poses "
-    "of the same shape and 2 between different shapes. With --form also the distance of forms, and the relevance, from "
-    "0 "
-    "to 1, by which the lines are ordered then. With --rerank also how much corresponding points differ, on "
-    "which share of QUERY lengths change less than three times, and how far to trust that: sure, unsure or unlike."};
+    "of the same shape and 2 between different shapes. With --form also the distance of forms, and the relevance, by "
+    "which the lines are ordered then, from 0 to 1. With --rerank also how much corresponding points differ, on which "
+    "share of QUERY lengths change less than three times, and how far to trust that: sure, unsure or unlike."};
 }
 
 } // namespace tool

@@ -12,6 +12,23 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
+/// Where a value is shared between two bins whose centres are nearest, so that a small change of the value is a small
+/// change of the histogram.
+struct Place_between_bins {
+  std::size_t bin; ///< there is another one behind it
+  double share;    ///< of that
+
+  /// \param position  from 0 to the number of bins, which is 2 or more; what lies outside counts in the first or last
+  /// bin
+  Place_between_bins(double position, std::size_t bins)
+  {
+    const double last = static_cast<double>(bins) - 1, x = std::clamp(position - 0.5, 0., last);
+    const double floor = (std::min)(std::floor(x), last - 1);
+    bin = static_cast<std::size_t>(floor);
+    share = x - floor;
+  }
+};
+
 /// A weighted histogram of equal bins over [low, high]; what lies outside counts in the first or the last bin.
 class Histogram {
 public:
@@ -23,14 +40,11 @@ public:
     bins_[static_cast<std::size_t>(std::clamp(std::floor(position(value)), 0., last()))] += weight;
   }
 
-  /// Shares the weight between the two bins whose centres are nearest, so that a small change of the value is a small
-  /// change of the histogram.
   void add_interpolated(double value, double weight)
   {
-    const double x = std::clamp(position(value) - 0.5, 0., last());
-    const double bin = (std::min)(std::floor(x), last() - 1);
-    bins_[static_cast<std::size_t>(bin)] += weight * (1 - (x - bin));
-    bins_[static_cast<std::size_t>(bin) + 1] += weight * (x - bin);
+    const Place_between_bins place(position(value), bins_.size());
+    bins_[place.bin] += weight * (1 - place.share);
+    bins_[place.bin + 1] += weight * place.share;
   }
 
   /// The weights of the bins over their sum.

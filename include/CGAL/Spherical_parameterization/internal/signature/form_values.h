@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SIGNATURE_FORM_VALUES_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SIGNATURE_FORM_VALUES_H
 
+#include <CGAL/Spherical_parameterization/internal/algebra/histogram.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
@@ -35,8 +36,8 @@ public:
   /// \param y  the same
   void add(double x, double y)
   {
-    const auto [i, u] = place<rows>(x);
-    const auto [j, v] = place<columns>(y);
+    const auto [i, u] = Place_between_bins(x * rows, rows);
+    const auto [j, v] = Place_between_bins(y * columns, columns);
     sum_[i][j] += (1 - u) * (1 - v);
     sum_[i][j + 1] += (1 - u) * v;
     sum_[i + 1][j] += u * (1 - v);
@@ -55,19 +56,6 @@ public:
   }
 
 private:
-  struct Place {
-    std::size_t bin; ///< there is another one behind it
-    double share;    ///< of that
-  };
-
-  template <std::size_t bins>
-  static Place place(double x)
-  {
-    const double at = std::clamp(x * bins - 0.5, 0., bins - 1.);
-    const std::size_t bin = (std::min)(static_cast<std::size_t>(at), bins - 2);
-    return {bin, at - static_cast<double>(bin)};
-  }
-
   std::array<std::array<double, columns>, rows> sum_ = {};
   std::size_t count_ = 0;
 };

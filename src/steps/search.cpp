@@ -5,17 +5,22 @@
 
 #include "collections/signatures.h"
 #include "input/files.h"
+#include "input/mesh_readers.h"
 #include "mapping/registered_pair.h"
 #include "output/ply.h"
 #include "system/interruption.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <filesystem>
 #include <iomanip>
 #include <memory>
 #include <optional>
 #include <sstream>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 namespace tool {
 namespace {
@@ -26,6 +31,7 @@ struct Search_options {
   bool by_form = false;
   int rerank = 0;
   std::string changes; ///< file of where they change
+  std::string picture; ///< file of the query and the meshes that are listed, side by side
 };
 
 /// How the query is registered to a mesh.
@@ -45,7 +51,7 @@ struct Hit {
   std::string name;
   std::optional<Formal_comparison> form = std::nullopt;
   std::optional<Comparison> comparison = std::nullopt;
-  std::optional<Refusal> refusal = std::nullopt; ///< why it could not be compared
+  std::optional<Refusal> refusal = std::nullopt; ///< why it could not be compared, or read for the picture
 
   /// Signatures say little of where things are, registered features little of what is missing: their product.
   double order() const { return distance * comparison->result.mismatch; }
@@ -105,6 +111,54 @@ void write_changes(const std::vector<Hit>& hits, const std::string& file, Run& r
   write_ply(run.open(file), false, run.mesh(), run.mesh().points(), extras);
 }
 
+/// Meshes side by side along the x axis, each scaled to area 1.
+struct Row_of_meshes {
+  Soup soup;
+  std::vector<int> place; ///< by face: the number of its mesh
+  double end = 0;         ///< of the row, on the x axis
+
+  void add(const Soup& mesh, int number)
+  {
+    constexpr double gap = 0.1;
+    const auto distance = [&](int v, int w) {
+      const Point &p = mesh.points[v], &q = mesh.points[w];
+      return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+    };
+    double area = 0;
+    for(const auto& [a, b, c] : mesh.triangles) { // Heron's formula: good enough for the eye
+      const double u = distance(a, b), v = distance(b, c), w = distance(c, a), s = (u + v + w) / 2;
+      area += std::sqrt((std::max)(0., s * (s - u) * (s - v) * (s - w)));
+    }
+    const double scale = area > 0 ? 1 / std::sqrt(area) : 1;
+    const auto [left, right] = std::minmax_element(mesh.points.begin(), mesh.points.end());
+    const int first = static_cast<int>(soup.points.size());
+    for(const auto& [x, y, z] : mesh.points)
+      soup.points.push_back({end + (x - (*left)[0]) * scale, y * scale, z * scale});
+    for(const auto& [a, b, c] : mesh.triangles)
+      soup.triangles.push_back({a + first, b + first, c + first});
+    place.resize(soup.triangles.size(), number);
+    end += ((*right)[0] - (*left)[0]) * scale + gap;
+  }
+};
+
+/// The query and the hits in a row, the query in another colour; those that cannot be read are left out, and say so.
+void write_picture(std::vector<Hit>& hits, const std::string& file, Run& run)
+{
+  Row_of_meshes row;
+  row.add(read_triangles(run.options.input), 0);
+  for(std::size_t i = 0; i < hits.size(); ++i)
+    if(auto refusal = guarded(hits[i].name, [&] { row.add(read_triangles(hits[i].name), static_cast<int>(i + 1)); }))
+      hits[i].refusal = std::move(refusal);
+  constexpr std::array<double, 3> of_query = {230, 120, 40}, of_hits = {150, 170, 190};
+  Ply_extras extras;
+  extras.of_faces = {{Ply_column::Type::INT, "place", [&](std::size_t f) { return row.place[f]; }}};
+  for(int k = 0; k < 3; ++k)
+    extras.of_faces.push_back({Ply_column::Type::UCHAR, std::array{"red", "green", "blue"}[k],
+                               [&, k](std::size_t f) { return (row.place[f] == 0 ? of_query : of_hits)[k]; }});
+  write_ply(run.open(file), false, Mesh(Mesh::Unchecked(), row.soup.points, row.soup.triangles), row.soup.points,
+            extras);
+}
+
 void search(const Search_options& options, Run& run)
 {
   const std::string file = index_of(options.index), &query = run.options.input;
@@ -130,6 +184,8 @@ void search(const Search_options& options, Run& run)
   if(has_comparisons)
     rerank(hits, options.rerank, run);
   hits.resize(std::min(hits.size(), static_cast<std::size_t>(options.number)));
+  if(!options.picture.empty())
+    write_picture(hits, options.picture, run);
   std::ostringstream text;
   text << "distance  " << (options.by_form ? "   form  relevance  " : "")
        << (has_comparisons ? "difference   alike  " : "") << "name" << std::fixed;
@@ -152,12 +208,12 @@ void search(const Search_options& options, Run& run)
                     {"trust", trust}});
       text << std::setw(10) << result.mismatch << std::setw(6) << std::setprecision(0) << 100 * alike << " %  " << name
            << ": " << trust;
-    } else if(has_comparisons) {
-      if(refusal)
-        found["error"] = refusal->what();
-      text << "         -       -  " << name << (refusal ? std::string(": ") + refusal->what() : "");
     } else
-      text << name;
+      text << (has_comparisons ? "         -       -  " : "") << name;
+    if(refusal) {
+      found["error"] = refusal->what();
+      text << ": " << refusal->what();
+    }
     run.details["found"].push_back(found);
   }
   if(!options.changes.empty())
@@ -190,12 +246,19 @@ Work search_work()
          "With --rerank: write QUERY with a property 'change_1', 'change_2', ... of its faces for each mesh that was "
          "compared, in the order of the lines: how many times lengths change on the way to that mesh (.ply)")
     .is("FILE");
+  work.options
+    .add(
+      "--picture", own->picture,
+      "Write QUERY and the meshes that are listed side by side, each scaled to the same area, with a property 'place' "
+      "of the faces: 0 for QUERY, 1 for the first line, ... (.ply)")
+    .is("FILE");
   work.check = [own](const Request&) {
     require(own->changes.empty() || own->rerank > 0, "--changes", "requires --rerank");
-    if(!own->changes.empty())
-      require_extension("--changes", own->changes, {".ply"});
+    for(const auto& [option, file] : {std::pair("--changes", own->changes), std::pair("--picture", own->picture)})
+      if(!file.empty())
+        require_extension(option, file, {".ply"});
   };
-  work.writes = [own](const Request&) { return Work::Files{{"--changes", own->changes}}; };
+  work.writes = [own](const Request&) { return Work::Files{{"--changes", own->changes}, {"--picture", own->picture}}; };
   work.reads = [own](const Request&) {
     return Work::Files{{"--index", own->index}, {"--index", index_of(own->index)}};
   };

@@ -256,6 +256,29 @@ TEST_CASE("what is convex and round is one segment", "[segmentation]")
   }
 }
 
+TEST_CASE("a long rod is one segment, and two where it gets thinner", "[segmentation]")
+{
+  const Soup rod = capsule(3, 64); // of radius 1, between the heights -9.4 and 9.4
+  const Soup stepped = transformed(rod, [](const Point& p) {
+    const double radius = p.z() < 4 ? 1 : 0.5;
+    return Point(radius * p.x(), radius * p.y(), p.z());
+  });
+  CHECK(count(segments_or_throw(rod, solve_or_throw(rod), SP::Majority_vote())) == 1);
+  const Labels labels = segments_or_throw(stepped, solve_or_throw(stepped), SP::Majority_vote());
+  Labels truth;
+  for(const auto& f : stepped.faces)
+    truth.push_back(stepped.points[f[0]].z() + stepped.points[f[1]].z() + stepped.points[f[2]].z() < 3 * 4);
+  CHECK(count(labels) == 2);
+  CHECK(rand_error(labels, truth) < 0.03);
+}
+
+TEST_CASE("inside and outside of a bowl are one segment", "[segmentation]")
+{
+  const Soup bowl = transformed(
+    icosphere(5), [](const Point& p) { return p.z() < 0 ? p : Point(0.8 * p.x(), 0.8 * p.y(), -0.8 * p.z()); });
+  CHECK(count(segments_or_throw(bowl, solve_or_throw(bowl), SP::Majority_vote())) == 1);
+}
+
 TEST_CASE("segments do not depend on position, size or rotation of mesh and sphere", "[segmentation]")
 {
   const auto of_mesh = random_rotation(3), of_sphere = random_rotation(4);

@@ -171,6 +171,37 @@ TEST_CASE("search --form: by relevance, which is said", "[tool][search]")
   }
 }
 
+TEST_CASE("search --picture: the query and the meshes found, side by side", "[tool][search]")
+{
+  Scratch scratch;
+  const std::string index = make_index(scratch), query = scratch / "star1.off", picture = scratch / "picture.ply";
+  std::filesystem::remove(scratch / "star2.off"); // which cannot be drawn
+  const Process_result run = run_tool({"search", query, "--index", index, "-k", "4", "--picture", picture});
+  CAPTURE(run.out, run.err);
+  REQUIRE(run.exit_code == 0);
+  const std::vector<std::string> lines = lines_of(run.out);
+  REQUIRE(lines.size() == 5);
+  CHECK(std::count_if(lines.begin(), lines.end(), [](const std::string& line) {
+          return line.find("star2.off: ") != std::string::npos; // the reason
+        }) == 1);
+  CHECK(text_of(picture).find("property int place\n") != std::string::npos);
+  const Soup star = read(query), row = read(picture);
+  REQUIRE(row.faces.size() == 4 * star.faces.size()); // the query, and the three stars that are left
+  REQUIRE(row.points.size() == 4 * star.points.size());
+  double end = -1;
+  for(std::size_t i = 0; i < 4; ++i) {
+    const auto first = row.points.begin() + std::ptrdiff_t(i * star.points.size());
+    const auto [left, right] = std::minmax_element(first, first + std::ptrdiff_t(star.points.size()));
+    CHECK(left->x() > end);
+    end = right->x();
+  }
+  double area = 0;
+  for(const auto& f : row.faces)
+    area += std::sqrt(CGAL::squared_area(row.points[f[0]], row.points[f[1]], row.points[f[2]]));
+  CHECK(area == Approx(4));
+  CHECK(run_tool({"search", query, "--index", index, "--picture", scratch / "b.off"}).exit_code == 2);
+}
+
 TEST_CASE("search --rerank: the first ones by how little they differ, and where", "[tool][search]")
 {
   Scratch scratch;

@@ -20,15 +20,15 @@ struct Segment_limits {
   std::size_t number_of_segments = 0;
 };
 
-/// The default: a vote of girth profiles and four concavity segmentations.
+/// The default: a vote of girth profiles, four segmentations along concave creases, and one by the light inside.
 ///
-/// Girth profiles find where a limb ends, but not parts that are no limbs: fins, lids, the steps of a turned part. Such
-/// parts are bordered by concave creases. A bottom-up normalized cut finds creases, but cuts all of them. There are
-/// four such cuts, at four scales (valleys of 0.02 to 0.07 times the square root of the area), with one vote each; the
-/// girth profiles have two votes. Neighbours whose union has a majority are united. If a shape has no limbs, the girths
-/// vote for no cut, and three of the four scales have to agree.
+/// Girth profiles (2.5 votes) find where a limb ends, but no fins, lids, or steps of a turned part. Bottom-up
+/// normalized cuts at four scales (creases of 0.02 to 0.07 times the square root of the area; one vote each) find the
+/// concave creases around such parts. Light that walls reflect inside the body (one vote) tells what lies around one
+/// cavity: limbs are cut off, also where they bend, and the two sides of the wall of a cup are not. Neighbours whose
+/// union has the majority are united, and then those with no crease between them, such as two halves of a rod.
 ///
-/// O(n log n); on one core 15,000 faces take about 0.3 s.
+/// O(n log n); on one core 15,000 faces take about 0.4 s. Outside is where normals point: counterclockwise faces.
 ///
 /// \cgalModels{SphericalSegmentationMethod}
 struct Majority_vote : Segment_limits {};

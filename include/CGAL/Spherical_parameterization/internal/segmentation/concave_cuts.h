@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <memory>
 #include <numeric>
@@ -67,58 +68,80 @@ Host_array<vec3> smoothed_normals(const Loop& loop, const Segmentation_mesh& mes
   return normal;
 }
 
-/// How much the normal turns inwards across each side along a way of length r: positive in concave places.
-CGAL_SP_INLINE Side_costs inward_turn(const Segmentation_mesh& mesh, const Host_array<vec3>& normal, double radius)
+/// How much the normal turns inwards across side k of face f along a way of length r: positive in concave places.
+CGAL_SP_INLINE double inward_turn(const Segmentation_mesh& mesh, const Host_array<vec3>& normal, double radius, int f,
+                                  int k)
 {
-  Side_costs turn(mesh.face.size());
-  for(int f = 0; f < mesh.number_of_faces(); ++f)
-    for(int k = 0; k < 3; ++k) {
-      const int g = mesh.across(f, k);
-      const vec3 d = sub(mesh.centroid(g), mesh.centroid(f)), dn = sub(normal[g], normal[f]);
-      const double angle = std::atan2(norm(outer(normal[f], normal[g])), inner(normal[f], normal[g]));
-      const double distance = norm(d), size = distance > 0 ? angle / distance * radius : 0;
-      turn[f][k] = inner(d, dn) < 0 ? size : -size;
-    }
-  return turn;
+  const int g = mesh.across(f, k);
+  const vec3 d = sub(mesh.centroid(g), mesh.centroid(f)), dn = sub(normal[g], normal[f]);
+  const double angle = std::atan2(norm(outer(normal[f], normal[g])), inner(normal[f], normal[g]));
+  const double distance = norm(d), size = distance > 0 ? angle / distance * radius : 0;
+  return inner(d, dn) < 0 ? size : -size;
 }
 
-/// What it costs to cut along each edge: its length, less in valleys of width r. A valley is where the surface turns
-/// inwards more than it does at a wider scale, so that the inside of a bowl, which is concave everywhere, is none.
-/// `fine` and `wide` are inward_turn() of normals smoothed at radius r and at that scale. On a rugged surface, like
-/// curly hair, valleys are everywhere, and say little: the costs of all edges rise as their mean falls.
-CGAL_SP_INLINE Side_costs cutting_costs(const Segmentation_mesh& mesh, const Side_costs& fine, const Side_costs& wide)
-{
-  constexpr double sharpness = 60; // a turn by 0.2 radians makes a cut 50 times cheaper
-  constexpr double least = 0.02;   // of the length: the shorter of two perfect valleys is the better cut
-  constexpr double ruggedness = 6; // the mean cost is 0.9 of the length on limbs, and 0.7 on curly hair
-  Side_costs cost(mesh.face.size());
-  double total_cost = 0, total_length = 0;
-  for(int f = 0; f < mesh.number_of_faces(); ++f)
-    for(int k = 0; k < 3; ++k) {
-      const double valley = fine[f][k] - 0.5 * (std::max)(0., wide[f][k]);
-      const double share = valley > 0 ? std::pow((std::max)(0., 1 - valley / pi), sharpness) : 1;
-      const double length = mesh.side_length(f, k);
-      cost[f][k] = (std::max)(share, least) * length;
-      total_cost += cost[f][k];
-      total_length += length;
-    }
-  const double factor = std::pow(total_length / total_cost, ruggedness);
-  for(std::array<double, 3>& of_face : cost)
-    for(double& c : of_face)
-      c *= factor;
-  return cost;
-}
+/// The concave creases of a mesh, at four scales.
+class Creases {
+public:
+  static constexpr int scales = 4;
+
+  template <class Loop>
+  Creases(const Loop& loop, const Segmentation_mesh& mesh) : mesh_(mesh)
+  {
+    for(int scale = 0; scale < scales + wider; ++scale)
+      normals_.push_back(smoothed_normals(loop, mesh, radius(scale)));
+  }
+
+  /// What it costs to cut along side k of face f: its length, less in a crease of the width of that scale. A crease is
+  /// where the surface turns inwards more than it does at a wider scale, so that the inside of a bowl, which is concave
+  /// everywhere, is none.
+  double cost(int scale, int f, int k) const
+  {
+    constexpr double sharpness = 60; // a turn by 0.2 radians makes a cut 50 times cheaper
+    constexpr double least = 0.02;   // of the length: the shorter of two perfect creases is the better cut
+    const double fine = inward_turn(mesh_, normals_[scale], radius(scale), f, k);
+    const double wide = inward_turn(mesh_, normals_[scale + wider], radius(scale), f, k);
+    const double crease = fine - 0.5 * (std::max)(0., wide);
+    const double share = crease > 0 ? std::pow((std::max)(0., 1 - crease / pi), sharpness) : 1;
+    return (std::max)(share, least) * mesh_.side_length(f, k);
+  }
+
+  /// The costs of all sides. On a rugged surface, like curly hair, creases are everywhere, and say little: all costs
+  /// rise as their mean falls.
+  Side_costs costs(int scale) const
+  {
+    constexpr double ruggedness = 6; // the mean cost is 0.9 of the length on limbs, and 0.7 on curly hair
+    Side_costs costs(mesh_.face.size());
+    double total_cost = 0, total_length = 0;
+    for(int f = 0; f < mesh_.number_of_faces(); ++f)
+      for(int k = 0; k < 3; ++k) {
+        costs[f][k] = cost(scale, f, k);
+        total_cost += costs[f][k];
+        total_length += mesh_.side_length(f, k);
+      }
+    const double factor = std::pow(total_length / total_cost, ruggedness);
+    for(std::array<double, 3>& of_face : costs)
+      for(double& c : of_face)
+        c *= factor;
+    return costs;
+  }
+
+private:
+  static constexpr int wider = 2; // so many scales on is the one that creases are compared with
+
+  /// of the width of creases, in square roots of the area; meshes of 10,000 faces have edges of 0.015
+  static double radius(int scale) { return 0.02 * std::pow(1.5, scale); }
+
+  const Segmentation_mesh& mesh_;
+  std::vector<Host_array<vec3>> normals_;
+};
 
 /// Bottom-up normalized cuts (after Golovinskiy and Funkhouser, "Randomized cuts for 3D mesh analysis", SIGGRAPH Asia
-/// 2008): from single faces on, the two neighbours are merged that lower the sum over all segments of (cost of the
-/// perimeter) / area most, until the best merger lowers it by less than `stop`. Areas are shares of the whole, and
-/// costs lengths relative to its square root.
-CGAL_SP_INLINE std::vector<int> normalized_cuts(const Segmentation_mesh& mesh, const Side_costs& costs, double stop)
+/// 2008): the two neighbours are merged that lower the sum over all segments of (cost of the perimeter) / area most,
+/// while there are more than `most` regions, or the best merger lowers it by `stop` at least. Areas are shares of the
+/// whole, and costs lengths relative to its square root.
+CGAL_SP_INLINE void merge_by_normalized_cuts(Region_graph& regions, std::size_t most, double stop)
 {
-  std::vector<int> single(mesh.face.size());
-  std::iota(single.begin(), single.end(), 0);
-  Region_graph regions(mesh, std::move(single), costs);
-  const double tiny = 1e-9 / mesh.number_of_faces(); // faces without area merge first
+  constexpr double tiny = 1e-15; // faces without area merge first
   const auto change_of_sum = [&](int a, const Region_graph::Border& border) {
     const int b = border.region;
     const double area_a = regions.area(a) + tiny, area_b = regions.area(b) + tiny;
@@ -126,29 +149,57 @@ CGAL_SP_INLINE std::vector<int> normalized_cuts(const Segmentation_mesh& mesh, c
     return (perimeter_a + perimeter_b - 2 * border.cost) / (area_a + area_b) - perimeter_a / area_a -
            perimeter_b / area_b;
   };
-  merge_in_order(regions, change_of_sum, [&](double change) { return -change >= stop; });
-  return regions.labels();
+  merge_in_order(regions, change_of_sum,
+                 [&](double change) { return regions.number_of_regions() > most || -change >= stop; });
 }
 
-/// Segmentations along concave creases at four scales, each on a thread.
+/// Segmentations along concave creases.
+struct Crease_segments {
+  std::array<std::vector<int>, Creases::scales> at_scale;
+  std::vector<int> patches; ///< some hundred small ones
+};
+
+/// Each scale on a thread.
 template <class Loop>
-std::vector<std::vector<int>> concavity_segments(const Loop& loop, const Segmentation_mesh& mesh)
+Crease_segments crease_segments(const Loop& loop, const Segmentation_mesh& mesh, const Creases& creases)
 {
-  constexpr int scales = 4;
-  constexpr double finest = 0.02; // of the square root of the area; meshes of 10,000 faces have edges of 0.015
-  constexpr double ratio = 1.5;   // of one scale to the next; valleys are compared with the scale after that
-  constexpr double stop = 6;      // what a part of area a and perimeter p has to save, p / a, to be one
-  const auto radius = [&](int scale) { return finest * std::pow(ratio, scale); };
-  std::vector<Host_array<vec3>> normals;
-  for(int i = 0; i < scales + 2; ++i)
-    normals.push_back(smoothed_normals(loop, mesh, radius(i)));
-  std::vector<std::vector<int>> segments(scales);
-  loop.for_each(scales, [&](int i) {
-    const Side_costs fine = inward_turn(mesh, normals[i], radius(i));
-    const Side_costs wide = inward_turn(mesh, normals[i + 2], radius(i));
-    segments[i] = normalized_cuts(mesh, cutting_costs(mesh, fine, wide), stop);
+  constexpr double stop = 6; // what a part of area a and perimeter p has to save, p / a, to be one
+  constexpr int scale_of_patches = 1;
+  constexpr std::size_t number_of_patches = 200;
+  constexpr double never = std::numeric_limits<double>::infinity();
+  Crease_segments segments;
+  loop.for_each(Creases::scales, [&](int scale) {
+    std::vector<int> single(mesh.face.size());
+    std::iota(single.begin(), single.end(), 0);
+    Region_graph regions(mesh, std::move(single), creases.costs(scale));
+    if(scale == scale_of_patches) {
+      merge_by_normalized_cuts(regions, number_of_patches, never);
+      segments.patches = regions.labels();
+    }
+    merge_by_normalized_cuts(regions, mesh.face.size(), stop);
+    segments.at_scale[scale] = regions.labels();
   });
   return segments;
+}
+
+/// Unites segments whose border is no crease, the longest border first: a long tube is one part, however much it would
+/// save to cut it.
+CGAL_SP_INLINE std::vector<int> without_flat_borders(const Segmentation_mesh& mesh, const Creases& creases,
+                                                     const std::vector<int>& label)
+{
+  constexpr double flat = 0.85; // of the length: the mean cost along the border, and over the scales
+  Side_costs excess(mesh.face.size(), {0, 0, 0});
+  for(int f = 0; f < mesh.number_of_faces(); ++f)
+    for(int k = 0; k < 3; ++k)
+      if(label[f] != label[mesh.across(f, k)]) {
+        for(int scale = 0; scale < Creases::scales; ++scale)
+          excess[f][k] += creases.cost(scale, f, k) / Creases::scales;
+        excess[f][k] -= flat * mesh.side_length(f, k);
+      }
+  Region_graph regions(mesh, label, excess);
+  merge_in_order(
+    regions, [](int, const Region_graph::Border& border) { return -border.cost; }, [](double key) { return key < 0; });
+  return regions.labels();
 }
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -8,6 +8,7 @@
 #include <CGAL/Spherical_parameterization/internal/segmentation/Segmentation_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/concave_cuts.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/girth_profiles.h>
+#include <CGAL/Spherical_parameterization/internal/segmentation/inner_light.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/majority_vote.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/region_growing.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/segments.h>
@@ -40,12 +41,16 @@ std::vector<int> segments_of(const Loop& loop, Mapped_surface surface, std::vect
   else if constexpr(std::is_same_v<Method, Girth_profiles>)
     return selected_segments(mesh, girth_labels(loop, mesh, stretch), method);
   else {
-    constexpr double girth_weight = 2;
+    constexpr double girth_weight = 2.5;
     std::vector<Voter> voters = {
       {selected_segments(mesh, girth_labels(loop, mesh, stretch), Girth_profiles()), girth_weight}};
-    for(std::vector<int>& label : concavity_segments(loop, mesh))
+    const Creases creases(loop, mesh);
+    Crease_segments by_creases = crease_segments(loop, mesh, creases);
+    voters.push_back({segments_of_light(loop, mesh, std::move(by_creases.patches)), 1});
+    for(std::vector<int>& label : by_creases.at_scale)
       voters.push_back({std::move(label), 1});
-    return majority_segments(mesh, voters, method);
+    const std::vector<int> segments = majority_segments(mesh, voters, method);
+    return method.number_of_segments > 0 ? segments : without_flat_borders(mesh, creases, segments);
   }
 }
 

@@ -36,10 +36,10 @@ rooms='
 8|core|driver|read_problem, solve, write_solution; Automatic
 5|beside|distortion|stretch and angles per face
 5|beside|locate|kd-tree, barycentric coordinates
-5|beside|segmentation|girths, creases, regions
 5|beside|signature|conformal factor, intrinsic Laplacian
 5|beside|spectrum|eigenfunctions of the Laplacian
 5|beside|statistics|Procrustes alignment, principal components
+6|beside|segmentation|girths, creases, light inside, regions
 6|beside|spherical_harmonics|transforms, least squares, rotations
 6|beside|texture|charts, poles, grid of coordinates
 7|beside|correspondence|features, deformation, the best rotation

@@ -131,7 +131,7 @@ class _SegmentLimits(_Options):
 
 @dataclass(frozen=True)
 class MajorityVote(_SegmentLimits):
-    """Segmentation by a vote of girth profiles and four concavity segmentations. The default.
+    """Segmentation by a vote of girth profiles, four segmentations along creases, and one by the light inside. The default.
 
     Parameters
     ----------

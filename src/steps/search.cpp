@@ -117,9 +117,26 @@ struct Row_of_meshes {
   std::vector<int> place; ///< by face: the number of its mesh
   double end = 0;         ///< of the row, on the x axis
 
-  void add(const Soup& mesh, int number)
+  void add(const std::string& file, int number)
   {
-    constexpr double gap = 0.1;
+    Soup mesh = read_triangles(file);
+    if(mesh.triangles.empty())
+      throw Refusal(Error_code::EMPTY_MESH, file, "has no faces", "");
+    if(soup.points.size() + mesh.points.size() > largest_count ||
+       soup.triangles.size() + mesh.triangles.size() > largest_count)
+      throw Refusal(unreadable_file, file, "is too large for the picture", "list fewer meshes (-k)");
+    Point low = mesh.points[0], high = low;
+    for(const Point& p : mesh.points)
+      for(int k = 0; k < 3; ++k) {
+        low[k] = (std::min)(low[k], p[k]);
+        high[k] = (std::max)(high[k], p[k]);
+      }
+    double half_size = 0; // of the box; halves are taken before differences, which may overflow
+    for(int k = 0; k < 3; ++k)
+      half_size = (std::max)(half_size, high[k] / 2 - low[k] / 2);
+    for(Point& p : mesh.points)
+      for(int k = 0; k < 3; ++k)
+        p[k] = half_size > 0 ? (p[k] / 2 - low[k] / 2) / half_size : 0;
     const auto distance = [&](int v, int w) {
       const Point &p = mesh.points[v], &q = mesh.points[w];
       return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
@@ -130,14 +147,17 @@ struct Row_of_meshes {
       area += std::sqrt((std::max)(0., s * (s - u) * (s - v) * (s - w)));
     }
     const double scale = area > 0 ? 1 / std::sqrt(area) : 1;
-    const auto [left, right] = std::minmax_element(mesh.points.begin(), mesh.points.end());
     const int first = static_cast<int>(soup.points.size());
-    for(const auto& [x, y, z] : mesh.points)
-      soup.points.push_back({end + (x - (*left)[0]) * scale, y * scale, z * scale});
+    double width = 0;
+    for(const auto& [x, y, z] : mesh.points) {
+      soup.points.push_back({end + x * scale, y * scale, z * scale});
+      width = (std::max)(width, x * scale);
+    }
     for(const auto& [a, b, c] : mesh.triangles)
       soup.triangles.push_back({a + first, b + first, c + first});
     place.resize(soup.triangles.size(), number);
-    end += ((*right)[0] - (*left)[0]) * scale + gap;
+    constexpr double gap = 0.1;
+    end += width + gap;
   }
 };
 
@@ -145,10 +165,15 @@ struct Row_of_meshes {
 void write_picture(std::vector<Hit>& hits, const std::string& file, Run& run)
 {
   Row_of_meshes row;
-  row.add(read_triangles(run.options.input), 0);
-  for(std::size_t i = 0; i < hits.size(); ++i)
-    if(auto refusal = guarded(hits[i].name, [&] { row.add(read_triangles(hits[i].name), static_cast<int>(i + 1)); }))
-      hits[i].refusal = std::move(refusal);
+  row.add(run.options.input, 0);
+  for(std::size_t i = 0; i < hits.size(); ++i) {
+    stop_if_interrupted(run.options.input);
+    try {
+      row.add(hits[i].name, static_cast<int>(i + 1));
+    } catch(const Refusal& refusal) {
+      hits[i].refusal = refusal;
+    }
+  }
   constexpr std::array<double, 3> of_query = {230, 120, 40}, of_hits = {150, 170, 190};
   Ply_extras extras;
   extras.of_faces = {{Ply_column::Type::INT, "place", [&](std::size_t f) { return row.place[f]; }}};

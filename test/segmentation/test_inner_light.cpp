@@ -2,7 +2,7 @@
 // Light inside a body: the first face that a ray meets, and how much of it goes from one part to another.
 
 #include "helpers/meshes.h"
-#include "helpers/policies.h"
+#include "helpers/property_maps.h"
 #include "helpers/solve.h"
 
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
@@ -11,7 +11,10 @@
 
 #include <catch2/catch.hpp>
 
+#include <numeric>
 #include <random>
+#include <utility>
+#include <vector>
 
 using namespace test;
 namespace internal = CGAL::Spherical_parameterization::internal;
@@ -19,13 +22,14 @@ using internal::vec3;
 
 namespace {
 
-/// Its own points are the map: what light does does not depend on it.
+/// Light does not ask where vertices are on the sphere.
 internal::Segmentation_mesh segmentation_mesh(const Soup& soup)
 {
   const Mesh mesh = make_mesh(soup);
+  const Readable_map<Mesh::Vertex_index, Point> sphere = {[](const Mesh::Vertex_index&) { return Point(0, 0, 1); }};
   const internal::Host_loop loop = internal::host_loop(CGAL::Sequential_tag());
   return internal::Segmentation_mesh(
-    internal::read_map(mesh, mesh.points(), mesh.points(), internal::Reading::BREADTH_FIRST, loop), loop);
+    internal::read_map(mesh, mesh.points(), sphere, internal::Reading::BREADTH_FIRST, loop), loop);
 }
 
 /// How much light the two sides of the plane z = `height` exchange: 1 in a ball.
@@ -83,6 +87,33 @@ TEST_CASE("a tree of rays finds the nearest face", "[segmentation]")
       CHECK(tree.first_hit(ray, hit) != hit);
   }
   CHECK(hits > 50);
+}
+
+TEST_CASE("a ray in the plane of a side of a box meets what is in the box", "[segmentation]")
+{
+  const internal::Segmentation_mesh mesh = segmentation_mesh(cube());
+  const internal::Ray_tree tree(mesh.point, mesh.face);
+  const internal::Bounding_box box(mesh.point);
+  for(const double z : {box.low.z, box.high.z})
+    for(const double zero : {0., -0.}) {
+      const vec3 origin = {0.3 * box.low.x + 0.7 * box.high.x, 0.4 * box.low.y + 0.6 * box.high.y, z};
+      CHECK(tree.first_hit({origin, {1, zero, zero}}, -1) >= 0);
+    }
+}
+
+TEST_CASE("where no light is inside, it cuts nothing", "[segmentation]")
+{
+  Soup inside_out = spiky_star(3, 1.5);
+  for(auto& f : inside_out.faces)
+    std::swap(f[0], f[1]);
+  const Soup sheet = transformed(icosphere(3), [](const Point& p) { return Point(p.x(), p.y(), 0); });
+  const internal::Host_loop loop = internal::host_loop(CGAL::Sequential_tag());
+  for(const Soup& soup : {inside_out, sheet}) {
+    const internal::Segmentation_mesh mesh = segmentation_mesh(soup);
+    std::vector<int> patches(mesh.face.size());
+    std::iota(patches.begin(), patches.end(), 0);
+    CHECK(internal::segments_of_light(loop, mesh, patches) == std::vector<int>(patches.size(), 0));
+  }
 }
 
 TEST_CASE("light spreads evenly in a ball, and hardly through a thin bar", "[segmentation]")

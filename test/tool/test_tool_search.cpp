@@ -175,7 +175,7 @@ TEST_CASE("search --picture: the query and the meshes found, side by side", "[to
 {
   Scratch scratch;
   const std::string index = make_index(scratch), query = scratch / "star1.off", picture = scratch / "picture.ply";
-  std::filesystem::remove(scratch / "star2.off"); // which cannot be drawn
+  write_text(scratch / "star2.off", "OFF\n0 0 0\n"); // which cannot be drawn
   const Process_result run = run_tool({"search", query, "--index", index, "-k", "4", "--picture", picture});
   CAPTURE(run.out, run.err);
   REQUIRE(run.exit_code == 0);

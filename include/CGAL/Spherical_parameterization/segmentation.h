@@ -80,7 +80,7 @@ Segmentation_result segment(const Loop& loop, const TriangleMesh& mesh, VertexSp
 /// are numbered 0 ... n-1 in the order of their first faces.
 ///
 /// Deterministic. Scaling or rotating the mesh, or rotating the sphere, changes the result only where a decision
-/// depends on rounding; another numbering only where the shape leaves a choice, as symmetric shapes do.
+/// depends on rounding; another numbering where symmetry, or the sampling of light, leaves a choice.
 /// \param policy      `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result does not depend on it
 /// \param mesh        a closed triangle mesh of genus 0, a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param sphere_map  readable, key vertex_descriptor, value of any length but 0

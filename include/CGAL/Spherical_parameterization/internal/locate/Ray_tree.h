@@ -78,9 +78,11 @@ private:
     {
       double from = 0, to = nearest;
       const auto clip = [&](double l, double h, double o, double i) {
-        const double a = (l - o) * i, b = (h - o) * i; // not a number, and without effect, in the plane of a side
-        from = (std::max)(from, (std::min)(a, b));
-        to = (std::min)(to, (std::max)(a, b));
+        const double a = (l - o) * i, b = (h - o) * i;
+        if(a <= b || b <= a) { // else one is not a number: the ray runs in the plane of a side
+          from = (std::max)(from, (std::min)(a, b));
+          to = (std::min)(to, (std::max)(a, b));
+        }
       };
       clip(low.x, high.x, origin.x, inverse.x);
       clip(low.y, high.y, origin.y, inverse.y);

@@ -156,7 +156,7 @@ CGAL_SP_INLINE void merge_by_normalized_cuts(Region_graph& regions, std::size_t 
 /// Segmentations along concave creases.
 struct Crease_segments {
   std::array<std::vector<int>, Creases::scales> at_scale;
-  std::vector<int> patches; ///< some hundred small ones
+  std::vector<int> patches; ///< at most 200: those of one scale before most mergers
 };
 
 /// Each scale on a thread.
@@ -182,8 +182,8 @@ Crease_segments crease_segments(const Loop& loop, const Segmentation_mesh& mesh,
   return segments;
 }
 
-/// Unites segments whose border is no crease, the longest border first: a long tube is one part, however much it would
-/// save to cut it.
+/// Unites segments whose border is no crease, those first whose border costs most above the limit: a long tube is one
+/// part, however much it would save to cut it.
 CGAL_SP_INLINE std::vector<int> without_flat_borders(const Segmentation_mesh& mesh, const Creases& creases,
                                                      const std::vector<int>& label)
 {

@@ -23,9 +23,9 @@ struct Flight {
 };
 
 /// Ways of light that leaves every place of the surface inwards with the same density, and in every direction with the
-/// cosine of its angle to the normal, as a matt surface reflects it. What leaves the body through a gap of rounding is
-/// left out. Places and directions follow a sequence of low discrepancy: M. Roberts, "The unreasonable effectiveness of
-/// quasirandom sequences", 2018.
+/// cosine of its angle to the normal, as a matt surface reflects it. What ends nowhere is left out. Places and
+/// directions follow a sequence of low discrepancy: M. Roberts, "The unreasonable effectiveness of quasirandom
+/// sequences", 2018.
 template <class Loop>
 std::vector<Flight> flights_inside(const Loop& loop, const Segmentation_mesh& mesh, int count)
 {
@@ -43,7 +43,8 @@ std::vector<Flight> flights_inside(const Loop& loop, const Segmentation_mesh& me
   const Ray_tree tree(mesh.point, mesh.face);
   for_each_index(loop, count, [&](int i) {
     const int f = flights[i].from;
-    int k = 0; // the longest side: the directions must not depend on which corner is the first one
+    int k =
+      0; // the longest side: as far as sides differ, the directions do not depend on which corner is the first one
     for(int other : {1, 2})
       if(mesh.side_length(f, other) > mesh.side_length(f, k))
         k = other;
@@ -66,8 +67,8 @@ std::vector<Flight> flights_inside(const Loop& loop, const Segmentation_mesh& me
   return flights;
 }
 
-/// How much light goes from one region to another one, in one flight or in two: also those see each other that lie side
-/// by side on a wall, by what is opposite.
+/// How much light goes from one region to another one, half of it directly, and half reflected once on the way: so
+/// those see each other, too, that lie side by side on a wall, by what is opposite.
 class Exchange_of_light {
 public:
   Exchange_of_light(const std::vector<int>& region, int count, const std::vector<double>& face_area,
@@ -76,27 +77,26 @@ public:
   {
     for(std::size_t f = 0; f < region.size(); ++f)
       area_[region[f]] += face_area[f];
-    std::vector<double> once(light_.size(), 0), sum(count, 1e-12);
-    const double half = 0.5 / static_cast<double>((std::max)(flights.size(), std::size_t(1)));
+    std::vector<double> direct(light_.size(), 0), sum(count, 0);
     for(const Flight& flight : flights) { // light may go either way
       const int a = region[flight.from], b = region[flight.to];
-      once[at(a, b)] += half;
-      once[at(b, a)] += half;
-      sum[a] += half;
-      sum[b] += half;
+      ++direct[at(a, b)];
+      ++direct[at(b, a)];
+      ++sum[a];
+      ++sum[b];
     }
     for(int a = 0; a < count; ++a)
-      for(int c = 0; c < count; ++c) {
-        light_[at(a, c)] += once[at(a, c)] / 2;
-        if(const double share = once[at(a, c)] / (2 * sum[c]); share > 0)
+      for(int c = 0; c < count; ++c)
+        if(const double arrives = direct[at(a, c)]; arrives > 0) {
+          light_[at(a, c)] += arrives;
           for(int b = 0; b < count; ++b)
-            light_[at(a, b)] += share * once[at(c, b)];
-      }
+            light_[at(a, b)] += arrives / sum[c] * direct[at(c, b)];
+        }
   }
 
-  /// Of the light that starts in one region and stays in the two, the share that ends in the other one, over the share
-  /// of the other one in their area; for that one of the two that has less light. 1 in a ball, and less if the way
-  /// between them is narrow or bent.
+  /// Of the light that starts in one region and stays in the two, the share that ends in the other one: for that region
+  /// which sends less to itself, and over the share of the larger region in their area. 1 in a ball, less if the way
+  /// between them is narrow or bent, and more if they are all that they see.
   double share(int a, int b) const
   {
     const double over = light_[at(a, b)];
@@ -124,15 +124,19 @@ private:
 };
 
 /// The parts of the body within which light spreads: a limb gets little light of the body it is on, and a bent limb
-/// little from beyond the bend; the inside and the outside of a cup see each other through the wall.
+/// little from beyond the bend; the inside and the outside of a cup see each other through the wall. A single part if
+/// most light ends nowhere, as where the faces are turned inside out.
 /// \param patches  labels of the faces from 0 on without gaps: what is not cut
 template <class Loop>
-std::vector<int> segments_of_light(const Loop& loop, const Segmentation_mesh& mesh, std::vector<int> patches)
+std::vector<int> segments_of_light(const Loop& loop, const Segmentation_mesh& mesh, const std::vector<int>& patches)
 {
-  constexpr int flights = 1 << 16; // some hundred for each of 200 patches
+  constexpr int count = 1 << 16; // about 330 for each of 200 patches
   constexpr double least_share = 0.4;
-  Region_graph regions(mesh, std::move(patches), side_lengths(mesh));
-  Exchange_of_light light(regions.labels(), regions.capacity(), mesh.face_area, flights_inside(loop, mesh, flights));
+  const std::vector<Flight> flights = flights_inside(loop, mesh, count);
+  if(flights.size() < count / 2)
+    return std::vector<int>(patches.size(), 0);
+  Region_graph regions(mesh, patches, side_lengths(mesh));
+  Exchange_of_light light(patches, regions.capacity(), mesh.face_area, flights);
   const auto darkness = [&](int a, const Region_graph::Border& border) { return -light.share(a, border.region); };
   merge_in_order(
     regions, darkness, [&](double key) { return -key > least_share; },

@@ -46,10 +46,11 @@ std::vector<int> segments_of(const Loop& loop, Mapped_surface surface, std::vect
       {selected_segments(mesh, girth_labels(loop, mesh, stretch), Girth_profiles()), girth_weight}};
     const Creases creases(loop, mesh);
     Crease_segments by_creases = crease_segments(loop, mesh, creases);
-    voters.push_back({segments_of_light(loop, mesh, std::move(by_creases.patches)), 1});
+    voters.push_back({segments_of_light(loop, mesh, by_creases.patches), 1});
     for(std::vector<int>& label : by_creases.at_scale)
       voters.push_back({std::move(label), 1});
     const std::vector<int> segments = majority_segments(mesh, voters, method);
+    // A given number of segments has been reached by now.
     return method.number_of_segments > 0 ? segments : without_flat_borders(mesh, creases, segments);
   }
 }

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdint>
 #include <set>
+#include <utility>
 
 namespace tool {
 namespace {
@@ -111,6 +112,15 @@ std::vector<Ply_column> ply_columns(const Vertex_data& data)
     else
       columns.push_back({Ply_column::Type::DOUBLE, name, [&values](std::size_t v) { return values[v]; }});
   }
+  return columns;
+}
+
+std::vector<Ply_column> colour_columns(const std::vector<Colour>& colours)
+{
+  std::vector<Ply_column> columns;
+  for(const auto& [k, name] : {std::pair(0, "red"), std::pair(1, "green"), std::pair(2, "blue")})
+    columns.push_back(
+      {Ply_column::Type::UCHAR, name, [&colours, k = std::size_t(k)](std::size_t i) { return double(colours[i][k]); }});
   return columns;
 }
 

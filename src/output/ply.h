@@ -6,7 +6,9 @@
 
 #include "input/mesh.h"
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <ostream>
 #include <string>
@@ -31,6 +33,11 @@ struct Ply_extras {
 
 /// The columns under names that a PLY file can have: without spaces, and each once. Colours are bytes, labels integers.
 std::vector<Ply_column> ply_columns(const Vertex_data& data);
+
+using Colour = std::array<std::uint8_t, 3>;
+
+/// Red, green and blue of vertices or faces. The colours are kept by reference.
+std::vector<Ply_column> colour_columns(const std::vector<Colour>& colours);
 
 /// Writes a PLY file: little-endian binary, or text with the fewest digits from which the same numbers are read.
 void write_ply(std::ostream& out, bool is_text, const Mesh& mesh, const std::vector<Point>& points,

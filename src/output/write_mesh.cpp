@@ -20,8 +20,6 @@
 namespace tool {
 namespace {
 
-using Colour = std::array<std::uint8_t, 3>;
-
 void write_off(std::ostream& out, const Mesh& mesh, const std::vector<Point>& points)
 {
   Text_writer write(out);
@@ -41,16 +39,6 @@ void write_obj(std::ostream& out, const Mesh& mesh, const std::vector<Point>& po
     const auto [a, b, c] = mesh.triangle(f);
     write("f ", a + 1, ' ', b + 1, ' ', c + 1, '\n');
   }
-}
-
-/// Red, green and blue of vertices or faces.
-std::vector<Ply_column> columns_of(const std::vector<Colour>& colours)
-{
-  std::vector<Ply_column> columns;
-  for(const auto& [k, name] : {std::pair(0, "red"), std::pair(1, "green"), std::pair(2, "blue")})
-    columns.push_back(
-      {Ply_column::Type::UCHAR, name, [&colours, k = std::size_t(k)](std::size_t i) { return double(colours[i][k]); }});
-  return columns;
 }
 
 /// A diverging scale of even lightness (K. Moreland, "Diverging color maps for scientific visualization", 2009),
@@ -131,7 +119,7 @@ void write_stretch_ply(std::ostream& out, bool ascii, const Mesh& mesh, const st
   colours.reserve(stretch.size());
   for(const double x : stretch)
     colours.push_back(diverging(x / (x < 0 ? -low : high)));
-  Ply_extras extras = {comment.str(), columns_of(colours), {}};
+  Ply_extras extras = {comment.str(), colour_columns(colours), {}};
   extras.of_vertices.push_back(
     {Ply_column::Type::DOUBLE, "log_area_stretch", [&stretch](std::size_t v) { return stretch[v]; }});
   write_ply(out, ascii, mesh, mesh.points(), extras);
@@ -151,7 +139,7 @@ void write_variance_ply(std::ostream& out, bool ascii, const Mesh& mesh, const s
   std::vector<Colour> colours;
   for(const double x : deviation)
     colours.push_back(diverging(x / high));
-  Ply_extras extras = {comment.str(), columns_of(colours), {}};
+  Ply_extras extras = {comment.str(), colour_columns(colours), {}};
   extras.of_vertices.push_back(
     {Ply_column::Type::DOUBLE, "standard_deviation", [&deviation](std::size_t v) { return deviation[v]; }});
   write_ply(out, ascii, mesh, points, extras);
@@ -164,7 +152,7 @@ void write_segments_ply(std::ostream& out, bool ascii, const Mesh& mesh, const s
   colours.reserve(segments.size());
   for(const std::size_t segment : segments)
     colours.push_back(distinct_colour(segment));
-  Ply_extras extras = {std::to_string(number_of_segments) + " segments", ply_columns(data), columns_of(colours)};
+  Ply_extras extras = {std::to_string(number_of_segments) + " segments", ply_columns(data), colour_columns(colours)};
   extras.of_faces.push_back(
     {Ply_column::Type::INT, "segment", [&segments](std::size_t f) { return double(segments[f]); }});
   write_ply(out, ascii, mesh, mesh.points(), extras);

@@ -11,7 +11,6 @@
 #include "system/interruption.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
 #include <iomanip>
@@ -174,12 +173,15 @@ void write_picture(std::vector<Hit>& hits, const std::string& file, Run& run)
       hits[i].refusal = refusal;
     }
   }
-  constexpr std::array<double, 3> of_query = {230, 120, 40}, of_hits = {150, 170, 190};
+  constexpr Colour of_query = {230, 120, 40}, of_hits = {150, 170, 190};
+  std::vector<Colour> colours;
+  colours.reserve(row.place.size());
+  for(const int place : row.place)
+    colours.push_back(place == 0 ? of_query : of_hits);
   Ply_extras extras;
   extras.of_faces = {{Ply_column::Type::INT, "place", [&](std::size_t f) { return row.place[f]; }}};
-  for(int k = 0; k < 3; ++k)
-    extras.of_faces.push_back({Ply_column::Type::UCHAR, std::array{"red", "green", "blue"}[k],
-                               [&, k](std::size_t f) { return (row.place[f] == 0 ? of_query : of_hits)[k]; }});
+  for(Ply_column& column : colour_columns(colours))
+    extras.of_faces.push_back(std::move(column));
   write_ply(run.open(file), false, Mesh(Mesh::Unchecked(), row.soup.points, row.soup.triangles), row.soup.points,
             extras);
 }

@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LOCATE_RAY_TREE_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LOCATE_RAY_TREE_H
 
+#include <CGAL/Spherical_parameterization/internal/algebra/Bounding_box.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 
@@ -33,7 +34,7 @@ public:
     centre.reserve(faces.size());
     for(const auto& [a, b, c] : faces)
       centre.push_back(add(add(points[a], points[b]), points[c]));
-    boxes_.reserve(2 * faces.size() / leaf_size + 1);
+    nodes_.reserve(2 * faces.size() / leaf_size + 1);
     if(!order_.empty())
       add_node(centre, 0, order_.size());
   }
@@ -44,23 +45,22 @@ public:
     const vec3 inverse = {1 / ray.direction.x, 1 / ray.direction.y, 1 / ray.direction.z};
     double nearest = std::numeric_limits<double>::infinity();
     int hit = -1;
-    std::size_t node = 0;
-    while(node < boxes_.size()) {
-      const Node& box = boxes_[node];
-      if(!box.is_met(ray.origin, inverse, nearest)) {
-        node = box.next;
+    std::size_t i = 0;
+    while(i < nodes_.size()) {
+      const Node& node = nodes_[i];
+      if(!node.is_met(ray.origin, inverse, nearest)) {
+        i = node.next;
         continue;
       }
-      if(box.next == node + 1) // a leaf
-        for(std::size_t i = box.begin; i < box.end; ++i) {
-          const int f = order_[i];
+      if(node.next == ++i) // a leaf
+        for(std::size_t k = node.begin; k < node.end; ++k) {
+          const int f = order_[k];
           const double distance = f == own ? -1 : distance_to(f, ray);
           if(distance > 0 && (distance < nearest || (distance == nearest && f < hit))) {
             nearest = distance;
             hit = f;
           }
         }
-      ++node;
     }
     return hit;
   }
@@ -70,7 +70,7 @@ private:
 
   /// In the order in which a walk meets the nodes.
   struct Node {
-    vec3 low, high;
+    Bounding_box box;
     std::size_t begin, end; ///< its faces, in `order_`
     std::size_t next;       ///< the first node that is not below this one
 
@@ -84,29 +84,24 @@ private:
           to = (std::min)(to, (std::max)(a, b));
         }
       };
-      clip(low.x, high.x, origin.x, inverse.x);
-      clip(low.y, high.y, origin.y, inverse.y);
-      clip(low.z, high.z, origin.z, inverse.z);
+      clip(box.low.x, box.high.x, origin.x, inverse.x);
+      clip(box.low.y, box.high.y, origin.y, inverse.y);
+      clip(box.low.z, box.high.z, origin.z, inverse.z);
       return from <= to;
     }
   };
 
   void add_node(const std::vector<vec3>& centre, std::size_t begin, std::size_t end)
   {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    const std::size_t node = boxes_.size();
-    boxes_.push_back({{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}, begin, end, 0});
-    vec3 low = boxes_.back().low, high = boxes_.back().high;
+    std::vector<vec3> corners;
+    corners.reserve(3 * (end - begin));
     for(std::size_t i = begin; i < end; ++i)
-      for(const int v : faces_[order_[i]]) {
-        const vec3 p = points_[v];
-        low = {(std::min)(low.x, p.x), (std::min)(low.y, p.y), (std::min)(low.z, p.z)};
-        high = {(std::max)(high.x, p.x), (std::max)(high.y, p.y), (std::max)(high.z, p.z)};
-      }
-    boxes_[node].low = low;
-    boxes_[node].high = high;
+      for(const int v : faces_[order_[i]])
+        corners.push_back(points_[v]);
+    const std::size_t node = nodes_.size();
+    nodes_.push_back({Bounding_box(corners), begin, end, 0});
     if(end - begin > leaf_size) {
-      const vec3 size = sub(high, low);
+      const vec3 size = sub(nodes_[node].box.high, nodes_[node].box.low);
       const auto coordinate = [&](int f) {
         const vec3 c = centre[f];
         return size.x >= size.y && size.x >= size.z ? c.x : size.y >= size.z ? c.y : c.z;
@@ -118,7 +113,7 @@ private:
       add_node(centre, begin, (begin + end) / 2);
       add_node(centre, (begin + end) / 2, end);
     }
-    boxes_[node].next = boxes_.size();
+    nodes_[node].next = nodes_.size();
   }
 
   /// To the triangle, in lengths of the direction; -1 where it is not met. T. Möller and B. Trumbore, "Fast, minimum
@@ -136,7 +131,7 @@ private:
   const Host_array<vec3>& points_;
   const Host_array<std::array<int, 3>>& faces_;
   std::vector<int> order_;
-  std::vector<Node> boxes_;
+  std::vector<Node> nodes_;
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -137,9 +137,9 @@ private:
 
 /// Bottom-up normalized cuts (after Golovinskiy and Funkhouser, "Randomized cuts for 3D mesh analysis", SIGGRAPH Asia
 /// 2008): the two neighbours are merged that lower the sum over all segments of (cost of the perimeter) / area most,
-/// while there are more than `most` regions, or the best merger lowers it by `stop` at least. Areas are shares of the
-/// whole, and costs lengths relative to its square root.
-CGAL_SP_INLINE void merge_by_normalized_cuts(Region_graph& regions, std::size_t most, double stop)
+/// while `goes_on(by how much)`. Areas are shares of the whole, and costs lengths relative to its square root.
+template <class Goes_on>
+void merge_by_normalized_cuts(Region_graph& regions, Goes_on goes_on)
 {
   constexpr double tiny = 1e-15; // faces without area merge first
   const auto change_of_sum = [&](int a, const Region_graph::Border& border) {
@@ -149,8 +149,7 @@ CGAL_SP_INLINE void merge_by_normalized_cuts(Region_graph& regions, std::size_t 
     return (perimeter_a + perimeter_b - 2 * border.cost) / (area_a + area_b) - perimeter_a / area_a -
            perimeter_b / area_b;
   };
-  merge_in_order(regions, change_of_sum,
-                 [&](double change) { return regions.number_of_regions() > most || -change >= stop; });
+  merge_in_order(regions, change_of_sum, [&](double change) { return goes_on(-change); });
 }
 
 /// Segmentations along concave creases.
@@ -166,17 +165,16 @@ Crease_segments crease_segments(const Loop& loop, const Segmentation_mesh& mesh,
   constexpr double stop = 6; // what a part of area a and perimeter p has to save, p / a, to be one
   constexpr int scale_of_patches = 1;
   constexpr std::size_t number_of_patches = 200;
-  constexpr double never = std::numeric_limits<double>::infinity();
   Crease_segments segments;
   loop.for_each(Creases::scales, [&](int scale) {
     std::vector<int> single(mesh.face.size());
     std::iota(single.begin(), single.end(), 0);
     Region_graph regions(mesh, std::move(single), creases.costs(scale));
     if(scale == scale_of_patches) {
-      merge_by_normalized_cuts(regions, number_of_patches, never);
+      merge_by_normalized_cuts(regions, [&](double) { return regions.number_of_regions() > number_of_patches; });
       segments.patches = regions.labels();
     }
-    merge_by_normalized_cuts(regions, mesh.face.size(), stop);
+    merge_by_normalized_cuts(regions, [&](double saving) { return saving >= stop; });
     segments.at_scale[scale] = regions.labels();
   });
   return segments;

@@ -9,6 +9,7 @@
 #include <CGAL/Spherical_parameterization/internal/locate/Ray_tree.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/Region_graph.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/Segmentation_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/surface/even_samples.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,36 +24,25 @@ struct Flight {
 };
 
 /// Ways of light that leaves every place of the surface inwards with the same density, and in every direction with the
-/// cosine of its angle to the normal, as a matt surface reflects it. What ends nowhere is left out. Places and
-/// directions follow a sequence of low discrepancy: M. Roberts, "The unreasonable effectiveness of quasirandom
-/// sequences", 2018.
+/// cosine of its angle to the normal, as a matt surface reflects it. What ends nowhere is left out.
 template <class Loop>
 std::vector<Flight> flights_inside(const Loop& loop, const Segmentation_mesh& mesh, int count)
 {
-  // powers of 1 / 1.16730397826..., the positive root of x^5 = x + 1
   constexpr double step[] = {0.8566748838545029, 0.733891856627126, 0.6287067210378087, 0.5385972572236101};
-  const auto fraction = [](double x) { return x - std::floor(x); };
+  const std::vector<int> faces = faces_at_even_areas(mesh.face_area, 1, count);
   std::vector<Flight> flights(count);
-  double before = 0; // the area of the faces before this one
-  int face = 0;
-  for(int i = 0; i < count; ++i) {
-    for(; before + mesh.face_area[face] < (i + 0.5) / count && face + 1 < mesh.number_of_faces(); ++face)
-      before += mesh.face_area[face];
-    flights[i].from = face;
-  }
   const Ray_tree tree(mesh.point, mesh.face);
   for_each_index(loop, count, [&](int i) {
-    const int f = flights[i].from;
-    int k =
-      0; // the longest side: as far as sides differ, the directions do not depend on which corner is the first one
+    const int f = faces[i];
+    flights[i] = {f, -1};
+    int k = 0; // the longest side: as far as sides differ, directions do not depend on which corner is the first one
     for(int other : {1, 2})
       if(mesh.side_length(f, other) > mesh.side_length(f, k))
         k = other;
-    const double s = std::sqrt(fraction((i + 1) * step[0])), t = fraction((i + 1) * step[1]);
-    const double square = fraction((i + 1) * step[2]), turn = 2 * pi * fraction((i + 1) * step[3]);
+    const double s = std::sqrt(quasirandom(i, step[0])), t = quasirandom(i, step[1]);
+    const double square = quasirandom(i, step[2]), turn = 2 * pi * quasirandom(i, step[3]);
     const vec3 along = mesh.side(f, k), inwards = scale(-1, mesh.area_vector(f));
     const double length = norm(along), twice_area = norm(inwards);
-    flights[i].to = -1;
     if(!(length > 0 && twice_area > 0))
       return;
     const vec3 z = scale(1 / twice_area, inwards), x = scale(1 / length, along), y = outer(z, x);

@@ -8,6 +8,7 @@
 #include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
+#include <CGAL/Spherical_parameterization/internal/surface/even_samples.h>
 #include <CGAL/Spherical_parameterization/values/Error.h>
 
 #include <algorithm>
@@ -65,9 +66,8 @@ struct Surface_sample {
   vec3 point, normal;
 };
 
-/// Points spread evenly over the area, around their centre, with a mean square distance of 1 from it. Within faces they
-/// follow a sequence of low discrepancy: M. Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018.
-/// Throws Error for a surface without area.
+/// Points spread evenly over the area, around their centre, with a mean square distance of 1 from it. Throws Error for
+/// a surface without area.
 inline std::vector<Surface_sample> samples_of(const Surface& surface, int count)
 {
   const Host_array<double>& area = surface.face_area(Host_loop());
@@ -77,16 +77,12 @@ inline std::vector<Surface_sample> samples_of(const Surface& surface, int count)
   if(!(total > 0))
     throw Input_error(Error_code::DEGENERATE_FACE, "the area of the surface is 0");
   constexpr double first_step = 0.7548776662466927, second_step = 0.5698402909980532;
-  const auto fraction = [](double x) { return x - std::floor(x); };
+  const std::vector<int> faces = faces_at_even_areas(area, total, count);
   std::vector<Surface_sample> samples;
-  double before = 0; // the area of the faces before this one
-  int face = 0;
   for(int i = 0; i < count; ++i) {
-    const double at = (i + 0.5) / count * total;
-    for(; before + area[face] < at && face + 1 < surface.number_of_faces(); ++face)
-      before += area[face];
+    const int face = faces[i];
     const auto [a, b, c] = surface.in_source(face);
-    const double s = std::sqrt(fraction((i + 1) * first_step)), t = fraction((i + 1) * second_step);
+    const double s = std::sqrt(quasirandom(i, first_step)), t = quasirandom(i, second_step);
     const vec3 n = normal(surface.point, surface.face[face]);
     const double length = norm(n);
     samples.push_back(

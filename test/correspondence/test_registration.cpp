@@ -226,6 +226,21 @@ TEST_CASE("a body is found in another pose, whatever the numbers of its vertices
   CHECK(mean_error(a, r, b, [&](Vertex v) { return posed.points[v]; }) < 0.1); // limbs are 1.2 to 2 long
 }
 
+TEST_CASE("a body is found in another one, whose limbs have other lengths", "[registration]")
+{
+  const std::vector<Vector>& d = six_directions();
+  const Mapped a(limbs(1.4)); // the others are 2, 1.2 and 1.6 long
+  for(const std::array<double, 4>& length : {std::array<double, 4>{2, 1.4, 1.6, 1.2}, {0.9, 3, 0.8, 2.6}}) {
+    const Mapped b(in_another_pose(
+      body_with_limbs({{d[0], 0.4, length[0]}, {d[1], 0.3, length[1]}, {d[2], 0.4, length[2]}, {d[4], 0.35, length[3]}},
+                      4)
+        .soup));
+    const Registered r = registered(a, b);
+    check_certificate(a, r);
+    CHECK(mean_error(a, r, b, [&](Vertex v) { return b.soup.points[v]; }) < 0.25); // limbs exchanged: 1.7
+  }
+}
+
 TEST_CASE("a fine mesh follows the coarse one", "[registration]")
 {
   const auto body = [](int level) {

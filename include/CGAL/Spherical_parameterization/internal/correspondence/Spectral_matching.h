@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <initializer_list>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -39,8 +40,9 @@ inline Matrix_3 super_fibonacci_rotation(int i, int number)
 /// difference between a shape and its mirror image. The sphere knows that difference: a map that keeps orientation
 /// there is none of a left hand to a right one. So candidates come from rotations of the sphere and from assignments of
 /// the ends of limbs, and the limbs of those that are found are put onto each other anew with orientation kept, and
-/// with left and right exchanged by the symmetry that B has itself. Each candidate is refined, and what decides is how
-/// much signatures and curvatures differ, and how much of the surface keeps its orientation. See doc/registration.md.
+/// with left and right exchanged by the symmetry that B has itself. What decides is how much signatures and curvatures
+/// differ, and how much of the surface keeps its orientation. The best candidates climb: they are made smooth on the
+/// sphere and refined in turn as long as that makes them better. See doc/registration.md.
 template <class Loop>
 class Spectral_matching {
 public:
@@ -77,31 +79,33 @@ public:
     std::vector<Map> starts;
     for(std::size_t k = 0; k < roughly.size() && k < 3; ++k)
       for(double width : {0.3, 0.5}) {
-        starts.push_back(turned(roughly[k], width));
+        starts.push_back(vertices_near(turned(roughly[k], width, Anchors::LIMBS)));
         for(const Map& symmetry : symmetries)
-          starts.push_back(turned(composed(roughly[k], symmetry), width));
+          starts.push_back(vertices_near(turned(composed(roughly[k], symmetry), width, Anchors::LIMBS)));
       }
     for(double width : {0.3, 0.5, 0.7})
       if(landmarks_.size() >= 3)
         starts.push_back(turned_to_landmarks(width));
     for(Map& start : turned_to_tips())
       starts.push_back(std::move(start));
-    std::vector<Candidate> pool = upsampled(starts, {14, 17, 20, 25, 30});
+    std::vector<Map> pool;
+    for(Candidate& c : upsampled(starts, {14, 17, 20, 25, 30}))
+      pool.push_back(std::move(c.map));
     for(Candidate& c : upsampled(roughly, {20, 25, 30}))
-      pool.push_back(std::move(c));
+      pool.push_back(std::move(c.map));
     loop_.begin_stage(share_of_starts, share_of_work);
-    std::vector<Candidate> found = judged(best_distinct(std::move(pool), 6, 0.25));
+    std::vector<Candidate> found;
+    climb(guided(pool, {30, 40}), 4, found);
 
     // A duel of the best one with itself where left and right are exchanged
+    const Map best_map = std::min_element(found.begin(), found.end(), is_better)->map;
     starts.clear();
     for(const Map& symmetry : symmetries)
       for(double width : {0.2, 0.3, 0.4, 0.5, 0.7})
-        starts.push_back(turned(composed(first(found.front().map), symmetry), width));
-    pool = upsampled(starts, {14, 17, 20, 25, 30});
-    for(Candidate& c : upsampled(starts, {20, 25, 30}))
-      pool.push_back(std::move(c));
-    for(Candidate& c : judged(best_distinct(std::move(pool), 2, 0.2)))
-      found.push_back(std::move(c));
+        for(Anchors anchors : {Anchors::LIMBS, Anchors::ALL})
+          starts.push_back(vertices_near(turned(composed(best_map, symmetry), width, anchors)));
+    climb(guided(starts, climbing_numbers), 2, found);
+    found = judged(best_distinct(std::move(found), 6, 0.1));
     std::stable_sort(found.begin(), found.end(), is_better);
 
     Match result;
@@ -110,7 +114,7 @@ public:
     for(const Candidate& other : found)
       if(distance(best.map, other.map, a_.all) > rough_distance)
         result.margin = (std::min)(result.margin, other.score - best.score);
-    result.map = on_all_vertices(upsample(best.map, a_.all, all_vertices(), {80, 100, 120}));
+    result.map = on_all_vertices(upsample(best.map, a_.all, all_vertices(), std::array<int, 3>{80, 100, 120}));
     for(int i = 0; i < a_.size(); ++i)
       result.difference += a_.area[i] * signature_difference(a_, i, b_, result.map[i]);
     return result;
@@ -119,6 +123,12 @@ public:
 private:
   static constexpr double rough_distance = 0.35; ///< from which on two maps are different answers
   static constexpr double orientation_weight = 0.3;
+  static constexpr std::array<int, 4> climbing_numbers = {20, 25, 30, 40}; ///< of eigenfunctions
+
+  typedef std::vector<vec3> Places; ///< on the sphere of B
+
+  /// Which samples a start is turned to: limbs, which are remote, or all of them.
+  enum class Anchors { LIMBS, ALL };
 
   struct Candidate {
     Map map;         ///< of the first samples
@@ -135,7 +145,7 @@ private:
 
   static bool is_better(const Candidate& x, const Candidate& y) { return x.score < y.score; }
 
-  Map first(const Map& map) const { return Map(map.begin(), map.begin() + a_.some.size()); }
+  Map first_samples() const { return Map(a_.sample.begin(), a_.sample.begin() + a_.some.size()); }
 
   Map on_all_samples(const Map& map) const
   {
@@ -149,6 +159,14 @@ private:
   {
     Map result(b_.size());
     std::iota(result.begin(), result.end(), 0);
+    return result;
+  }
+
+  Map vertices_near(const Places& places) const
+  {
+    Map result;
+    for(const vec3& p : places)
+      result.push_back(b_.vertex_near(p));
     return result;
   }
 
@@ -215,28 +233,36 @@ private:
 
   /// With more and more eigenfunctions: S. Melzi, J. Ren, E. Rodola, A. Sharma, P. Wonka, M. Ovsjanikov, "ZoomOut",
   /// ACM TOG 38 (2019).
+  /// \param beside_a, beside_b  what else is compared: a row for each sample, and for each target
+  template <class Numbers>
   Candidate upsample(Map map, const typename Shape::Cells& cells, const std::vector<int>& targets,
-                     const std::vector<int>& numbers) const
+                     const Numbers& numbers, const Rows& beside_a = Rows(), const Rows& beside_b = Rows()) const
   {
     const std::vector<int> samples(a_.sample.begin(), a_.sample.begin() + cells.size());
+    const int others = static_cast<int>(beside_a.cols());
     Candidate c;
     for(int number : numbers) {
       const int k = (std::min)(number, most_functions_);
-      const Rows from = rows(a_.function, samples, k);
-      Rows weighted = from;
+      Rows from(samples.size(), k + others), to(targets.size(), k + others);
+      from.leftCols(k) = rows(a_.function, samples, k);
+      Rows weighted = from.leftCols(k);
       for(int r = 0; r < cells.size(); ++r)
         weighted.row(r) *= static_cast<float>(cells.area[r]);
       c.functional.noalias() = weighted.transpose() * rows(b_.function, map, k);
+      to.leftCols(k) = rows(b_.function, targets, k) * c.functional.transpose();
+      if(others > 0) {
+        from.rightCols(others) = beside_a;
+        to.rightCols(others) = beside_b;
+      }
       double sum = 0;
-      for_each_nearest(from, rows(b_.function, targets, k) * c.functional.transpose(), [&](int r, int s, float square) {
+      for_each_nearest(from, to, [&](int r, int s, float square) {
         map[r] = targets[s];
-        sum += cells.area[r] * square;
+        sum += cells.area[r] * (others == 0 ? square : (from.row(r) - to.row(s)).head(k).squaredNorm());
       });
       c.residual = std::sqrt(sum / k);
     }
     c.map = std::move(map);
     c.orientation = orientation(c.functional);
-    c.score = c.residual - orientation_weight * c.orientation + landmark_error(c.map, cells);
     return c;
   }
 
@@ -302,12 +328,107 @@ private:
     return result;
   }
 
-  std::vector<Candidate> upsampled(const std::vector<Map>& starts, const std::vector<int>& numbers) const
+  std::vector<Candidate> upsampled(const std::vector<Map>& starts, std::initializer_list<int> numbers) const
   {
     std::vector<Candidate> result(starts.size());
     loop_.for_each(static_cast<int>(starts.size()),
                    [&](int k) { result[k] = upsample(starts[k], a_.some, b_.sample, numbers); });
     return result;
+  }
+
+  /// Eigenfunctions of shapes that differ lead astray: features guide them and, if there are any, places that keep
+  /// orientation. With the score that decides.
+  template <class Numbers>
+  Candidate guided(Map map, const Numbers& numbers, const Places& places = {}) const
+  {
+    constexpr float weight_of_places = 4;
+    constexpr int number = Shape::number_of_features;
+    const int columns = number + (places.empty() ? 0 : 3);
+    const std::vector<int> targets(b_.sample.begin(), b_.sample.begin() + b_.some.size());
+    Rows beside_a(map.size(), columns), beside_b(targets.size(), columns);
+    beside_a.leftCols(number) = rows(a_.feature, first_samples(), number);
+    beside_b.leftCols(number) = rows(b_.feature, targets, number);
+    const auto place = [&](Rows& of, std::size_t r, vec3 p) {
+      of.row(r).tail(3) << static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z);
+      of.row(r).tail(3) *= weight_of_places;
+    };
+    if(!places.empty()) {
+      for(std::size_t r = 0; r < places.size(); ++r)
+        place(beside_a, r, places[r]);
+      for(std::size_t r = 0; r < targets.size(); ++r)
+        place(beside_b, r, b_.image[targets[r]]);
+    }
+    return with_score(upsample(std::move(map), a_.some, targets, numbers, beside_a, beside_b), a_.some);
+  }
+
+  template <class Numbers = std::initializer_list<int>>
+  std::vector<Candidate> guided(const std::vector<Map>& starts, const Numbers& numbers) const
+  {
+    std::vector<Candidate> result(starts.size());
+    loop_.for_each(static_cast<int>(starts.size()), [&](int k) { result[k] = guided(starts[k], numbers); });
+    return result;
+  }
+
+  /// Adds up to `most` of the candidates, the best first, that are not like each other or those that have been found.
+  void climb(std::vector<Candidate> candidates, int most, std::vector<Candidate>& found) const
+  {
+    constexpr double different = 0.5;
+    std::stable_sort(candidates.begin(), candidates.end(), is_better);
+    std::vector<Map> known;
+    for(const Candidate& c : found)
+      known.push_back(c.map);
+    for(const Candidate& c : candidates)
+      if(most > 0 && std::all_of(known.begin(), known.end(),
+                                 [&](const Map& o) { return distance(c.map, o, a_.some) > different; })) {
+        found.push_back(climbed(c));
+        known.push_back(c.map);
+        known.push_back(found.back().map);
+        --most;
+      }
+  }
+
+  /// By steps to the best one of a few neighbours, each smooth on the sphere and refined. Where that does not help
+  /// much, limbs are made longer or shorter: shapes differ by that.
+  Candidate climbed(Candidate c) const
+  {
+    constexpr int most_steps = 10;
+    constexpr double little = 0.02, least = 1e-3, change_of_limbs = 0.2;
+    const auto step = [&](const std::vector<Places>& ways) {
+      std::vector<Candidate> next(ways.size());
+      loop_.for_each(static_cast<int>(ways.size()), [&](int k) {
+        next[k] = guided(vertices_near(ways[k]), climbing_numbers, ways[k]);
+      });
+      for(Candidate& other : next)
+        if(is_better(other, c))
+          c = std::move(other);
+    };
+    for(int k = 0; k < most_steps; ++k) {
+      const Map before = c.map;
+      const double score = c.score;
+      step({turned(before, 0.15, Anchors::ALL), turned(before, 0.3, Anchors::ALL)});
+      if(score - c.score <= little) {
+        const Places smooth = turned(before, 0.2, Anchors::ALL);
+        std::vector<Places> ways;
+        for(int tip : a_.tip)
+          for(double change : {-change_of_limbs, change_of_limbs})
+            ways.push_back(moved_from(smooth[a_.some.of_vertex[tip]], change, smooth));
+        step(ways);
+      }
+      if(score - c.score <= least)
+        break;
+    }
+    return c;
+  }
+
+  /// Moves places away from a centre, the more so the farther off they are, within reach.
+  static Places moved_from(vec3 centre, double change, Places places)
+  {
+    constexpr double reach = 0.6;
+    for(vec3& p : places) {
+      const vec3 d = sub(p, centre);
+      p = unit(add_scaled(p, change * std::exp(-inner(d, d) / (2 * reach * reach)), d));
+    }
+    return places;
   }
 
   /// Maps of the first samples by rotations and reflections of the sphere, best first. What is compared is what bending
@@ -358,7 +479,7 @@ private:
     }
     std::vector<Candidate> candidates = upsampled(starts, {6, 10, 14, 20});
     for(Candidate& c : candidates)
-      c.score += (orientation_weight - weight_of_orientation) * c.orientation;
+      c.score = c.residual - weight_of_orientation * c.orientation + landmark_error(c.map, a_.some);
     std::stable_sort(candidates.begin(), candidates.end(), is_better);
     std::vector<Map> result;
     for(Candidate& c : candidates)
@@ -371,7 +492,7 @@ private:
   std::vector<Map> symmetries() const
   {
     std::vector<Candidate> found;
-    for(const Map& start : distinct(coarse_maps(-orientation_weight), 5, a_.some, rough_distance, first(a_.sample))) {
+    for(const Map& start : distinct(coarse_maps(-orientation_weight), 5, a_.some, rough_distance, first_samples())) {
       Candidate c;
       c.map = start;
       c = judged({std::move(c)}).front();
@@ -390,9 +511,9 @@ private:
     return result;
   }
 
-  /// A start that keeps orientation: the samples are rotated on the sphere as anchors want it, and moved smoothly
-  /// towards where these belong. \param weight  of the anchors
-  Map turned(const std::vector<int>& anchor, const std::vector<vec3>& place, const std::vector<double>& weight,
+  /// Places that keep orientation: the samples are rotated on the sphere as anchors want it, and moved smoothly towards
+  /// where these belong. \param weight  of the anchors
+  Places turned(const std::vector<int>& anchor, const std::vector<vec3>& place, const std::vector<double>& weight,
              double width) const
   {
     Matrix_3 products = {};
@@ -407,7 +528,7 @@ private:
     const Matrix_3 rotation = rotation_of_products(products);
     for(int v : anchor)
       from.push_back(rotated(rotation, a_.image[v]));
-    Map result;
+    Places result;
     for(int i = 0; i < a_.some.size(); ++i) {
       const vec3 p = rotated(rotation, a_.image[a_.sample[i]]);
       vec3 d = {0, 0, 0};
@@ -417,7 +538,7 @@ private:
         d = add_scaled(d, w, sub(place[k], from[k]));
         sum += w;
       }
-      result.push_back(b_.vertex_near(unit(add_scaled(p, sum > 0 ? 1 / sum : 0, d))));
+      result.push_back(unit(add_scaled(p, sum > 0 ? 1 / sum : 0, d)));
     }
     return result;
   }
@@ -459,7 +580,7 @@ private:
         place.push_back(b_.image[has_a_fewer ? other : own]);
       }
       for(double width : {0.4, 0.7})
-        result.push_back(turned(anchor, place, std::vector<double>(n, 1.), width));
+        result.push_back(vertices_near(turned(anchor, place, std::vector<double>(n, 1.), width)));
     }
     return result;
   }
@@ -471,15 +592,15 @@ private:
     return (x - y).cwiseAbs().sum() / (x + y).cwiseAbs().sum();
   }
 
-  /// Limbs, which are remote, stay where a map has them.
-  Map turned(const Map& map, double width) const
+  /// Anchors stay where a map has them.
+  Places turned(const Map& map, double width, Anchors anchors) const
   {
-    std::vector<int> anchor(a_.sample.begin(), a_.sample.begin() + a_.some.size());
-    std::vector<vec3> place;
+    const std::vector<int> anchor = first_samples();
+    Places place;
     std::vector<double> weight;
     for(int i = 0; i < a_.some.size(); ++i) {
       place.push_back(b_.image[map[i]]);
-      const double remoteness = a_.remoteness[anchor[i]];
+      const double remoteness = anchors == Anchors::LIMBS ? a_.remoteness[anchor[i]] : 1;
       weight.push_back(a_.some.area[i] * remoteness * remoteness * remoteness);
     }
     return turned(anchor, place, weight, width);
@@ -493,25 +614,34 @@ private:
       anchor.push_back(l.of_a);
       place.push_back(b_.image[l.of_b]);
     }
-    return turned(anchor, place, std::vector<double>(anchor.size(), 1.), width);
+    return vertices_near(turned(anchor, place, std::vector<double>(anchor.size(), 1.), width));
   }
 
   /// With the score that decides.
-  std::vector<Candidate> judged(const std::vector<Candidate>& candidates) const
+  Candidate with_score(Candidate c, const typename Shape::Cells& cells) const
   {
     constexpr double least = 1e-9;
+    double signatures = 0;
+    std::array<double, 2> curvatures = {};
+    for(int i = 0; i < cells.size(); ++i) {
+      const int v = a_.sample[i], t = c.map[i];
+      signatures += cells.area[i] * signature_difference(a_, v, b_, t);
+      for(std::size_t s = 0; s < curvatures.size(); ++s)
+        curvatures[s] += cells.area[i] * std::abs(a_.curvature[s][v] - b_.curvature[s][t]);
+    }
+    c.score = std::log((std::max)(signatures, least)) - c.orientation + landmark_error(c.map, cells);
+    for(double difference : {curvatures[0], curvatures[1], c.residual})
+      c.score += std::log((std::max)(difference, least)) / 2;
+    return c;
+  }
+
+  /// With many eigenfunctions, and the score that decides.
+  std::vector<Candidate> judged(const std::vector<Candidate>& candidates) const
+  {
+    constexpr std::array<int, 4> numbers = {30, 40, 50, 60};
     std::vector<Candidate> result(candidates.size());
     loop_.for_each(static_cast<int>(candidates.size()), [&](int n) {
-      Candidate& c = result[n];
-      c = upsample(on_all_samples(candidates[n].map), a_.all, b_.target, {30, 40, 50, 60});
-      double signatures = 0, curvatures = 0;
-      for(int i = 0; i < a_.all.size(); ++i) {
-        const int v = a_.sample[i], t = c.map[i];
-        signatures += a_.all.area[i] * signature_difference(a_, v, b_, t);
-        curvatures += a_.all.area[i] * std::abs(a_.curvature[v] - b_.curvature[t]);
-      }
-      c.score = std::log((std::max)(signatures, least)) + std::log((std::max)(curvatures, least)) / 2 +
-                std::log((std::max)(c.residual, least)) / 2 - c.orientation + landmark_error(c.map, a_.all);
+      result[n] = with_score(upsample(on_all_samples(candidates[n].map), a_.all, b_.target, numbers), a_.all);
     });
     return result;
   }

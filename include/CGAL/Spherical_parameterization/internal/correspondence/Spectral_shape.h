@@ -78,14 +78,16 @@ struct Spectral_shape {
   /// A row for each vertex. Floats are enough to choose by.
   typedef typename Floats<Loop>::Rows Rows;
 
-  static constexpr int most_functions = 120, number_of_energies = 40;
+  static constexpr int most_functions = 120, number_of_energies = 40, number_of_bands = 8, number_of_features = 9;
 
   Rows function;                  ///< the eigenfunctions of the surface of area 1
   Rows signature;                 ///< the wave kernel signature
+  Rows feature;                   ///< curvature, and logarithms of the signature in bands of energies
   std::vector<double> area;       ///< of every vertex, 1 in all
   std::vector<double> remoteness; ///< of every vertex: the mean geodesic distance to all others, from 0 to 1
   std::vector<double> stretch;    ///< of every vertex: the logarithm of its area by that on the sphere
-  std::vector<double> curvature;  ///< of every vertex: the mean curvature, smooth, of variance 1
+  /// Of every vertex: the mean curvature of variance 1, smooth at two scales.
+  std::array<std::vector<double>, 2> curvature;
   Host_array<vec3> image;         ///< on the sphere
   Vertex_table<Loop> vertex_near; ///< by direction
   std::vector<int> sample;        ///< vertices far from each other, those first that are farthest
@@ -146,6 +148,7 @@ private:
     monitor.advance_or_throw();
     sign(spectrum.value);
     bend(table, map.point, spectrum.value);
+    choose_features();
     choose_faces(map);
     choose_samples(loop, map.point);
   }
@@ -166,7 +169,7 @@ private:
   /// Mean curvature by the angles at the edges, low frequencies only.
   void bend(const Corner_table& table, const Host_array<vec3>& point, const std::vector<double>& value)
   {
-    constexpr double scale = 0.03; // of the heat flow that it is seen through, as a length
+    constexpr double scale[] = {0.03, 0.06}; // of the heat flow that it is seen through, as a length
     const int n = size(), number = number_of_functions();
     std::vector<double> bending(n, 0.);
     for(int h = 0; h < table.number_of_halfedges(); ++h) {
@@ -179,18 +182,36 @@ private:
       bending[table.origin(h)] += norm(e) * angle / 4;
       bending[table.target(h)] += norm(e) * angle / 4;
     }
-    std::vector<double> coefficient(number, 0.);
-    double square = 0;
-    for(int k = 1; k < number; ++k) { // the constant is no feature
+    std::vector<double> sharp(number, 0.);
+    for(int k = 1; k < number; ++k) // the constant is no feature
       for(int i = 0; i < n; ++i)
-        coefficient[k] += bending[i] * function(i, k);
-      coefficient[k] *= std::exp(-value[k] * scale * scale / 2);
-      square += coefficient[k] * coefficient[k];
+        sharp[k] += bending[i] * function(i, k);
+    for(std::size_t s = 0; s < curvature.size(); ++s) {
+      std::vector<double> coefficient = sharp;
+      double square = 0;
+      for(int k = 1; k < number; ++k) {
+        coefficient[k] *= std::exp(-value[k] * scale[s] * scale[s] / 2);
+        square += coefficient[k] * coefficient[k];
+      }
+      curvature[s].assign(n, 0.);
+      for(int i = 0; i < n; ++i)
+        for(int k = 1; k < number; ++k)
+          curvature[s][i] += coefficient[k] / std::sqrt((std::max)(square, 1e-300)) * function(i, k);
     }
-    curvature.assign(n, 0.);
-    for(int i = 0; i < n; ++i)
-      for(int k = 1; k < number; ++k)
-        curvature[i] += coefficient[k] / std::sqrt((std::max)(square, 1e-300)) * function(i, k);
+  }
+
+  void choose_features()
+  {
+    constexpr int width = number_of_energies / number_of_bands;
+    constexpr float least = 1e-30F;
+    feature.resize(size(), number_of_features);
+    for(int i = 0; i < size(); ++i) {
+      feature(i, 0) = static_cast<float>(curvature[0][i]);
+      for(int band = 0; band < number_of_bands; ++band) {
+        const float sum = signature.row(i).segment(band * width, width).sum();
+        feature(i, 1 + band) = std::log((std::max)(sum, least)) / std::sqrt(static_cast<float>(number_of_bands));
+      }
+    }
   }
 
   /// \param distance  from the first samples

@@ -395,9 +395,8 @@ private:
     constexpr double little = 0.02, least = 1e-3, change_of_limbs = 0.2;
     const auto step = [&](const std::vector<Places>& ways) {
       std::vector<Candidate> next(ways.size());
-      loop_.for_each(static_cast<int>(ways.size()), [&](int k) {
-        next[k] = guided(vertices_near(ways[k]), climbing_numbers, ways[k]);
-      });
+      loop_.for_each(static_cast<int>(ways.size()),
+                     [&](int k) { next[k] = guided(vertices_near(ways[k]), climbing_numbers, ways[k]); });
       for(Candidate& other : next)
         if(is_better(other, c))
           c = std::move(other);
@@ -514,7 +513,7 @@ private:
   /// Places that keep orientation: the samples are rotated on the sphere as anchors want it, and moved smoothly towards
   /// where these belong. \param weight  of the anchors
   Places turned(const std::vector<int>& anchor, const std::vector<vec3>& place, const std::vector<double>& weight,
-             double width) const
+                double width) const
   {
     Matrix_3 products = {};
     std::vector<vec3> from;

@@ -53,11 +53,15 @@ struct Mapped {
   auto both() const { return SP::mapped_mesh(mesh, map()); }
 };
 
-Soup limbs(double length)
+Soup limbs(const std::array<double, 4>& length, int level = 4)
 {
   const std::vector<Vector>& d = six_directions();
-  return body_with_limbs({{d[0], 0.4, length}, {d[1], 0.3, 2}, {d[2], 0.4, 1.2}, {d[4], 0.35, 1.6}}, 4).soup;
+  return body_with_limbs(
+           {{d[0], 0.4, length[0]}, {d[1], 0.3, length[1]}, {d[2], 0.4, length[2]}, {d[4], 0.35, length[3]}}, level)
+    .soup;
 }
+
+Soup limbs(double length) { return limbs({length, 2, 1.2, 1.6}); }
 
 Sphere moved(const Sphere& sphere, const std::function<Point(const Point&)>& f)
 {
@@ -228,13 +232,9 @@ TEST_CASE("a body is found in another pose, whatever the numbers of its vertices
 
 TEST_CASE("a body is found in another one, whose limbs have other lengths", "[registration]")
 {
-  const std::vector<Vector>& d = six_directions();
-  const Mapped a(limbs(1.4)); // the others are 2, 1.2 and 1.6 long
+  const Mapped a(limbs({1.4, 2, 1.2, 1.6}));
   for(const std::array<double, 4>& length : {std::array<double, 4>{2, 1.4, 1.6, 1.2}, {0.9, 3, 0.8, 2.6}}) {
-    const Mapped b(in_another_pose(
-      body_with_limbs({{d[0], 0.4, length[0]}, {d[1], 0.3, length[1]}, {d[2], 0.4, length[2]}, {d[4], 0.35, length[3]}},
-                      4)
-        .soup));
+    const Mapped b(in_another_pose(limbs(length)));
     const Registered r = registered(a, b);
     check_certificate(a, r);
     CHECK(mean_error(a, r, b, [&](Vertex v) { return b.soup.points[v]; }) < 0.25); // limbs exchanged: 1.7
@@ -243,11 +243,8 @@ TEST_CASE("a body is found in another one, whose limbs have other lengths", "[re
 
 TEST_CASE("a fine mesh follows the coarse one", "[registration]")
 {
-  const auto body = [](int level) {
-    const std::vector<Vector>& d = six_directions();
-    return body_with_limbs({{d[0], 0.4, 1.4}, {d[1], 0.3, 2}, {d[2], 0.4, 1.2}, {d[4], 0.35, 1.6}}, level).soup;
-  };
-  const Mapped a(body(5)), b(in_another_pose(body(4)));
+  const std::array<double, 4> length = {1.4, 2, 1.2, 1.6};
+  const Mapped a(limbs(length, 5)), b(in_another_pose(limbs(length)));
   REQUIRE(a.sphere.size() > 10000); // more than eigenfunctions are computed of
   const Soup posed = in_another_pose(a.soup);
   const Registered r = registered(a, b);

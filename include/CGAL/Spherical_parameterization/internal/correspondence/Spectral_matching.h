@@ -15,7 +15,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <initializer_list>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -104,7 +103,7 @@ public:
       for(double width : {0.2, 0.3, 0.4, 0.5, 0.7})
         for(Anchors anchors : {Anchors::LIMBS, Anchors::ALL})
           starts.push_back(vertices_near(turned(composed(best_map, symmetry), width, anchors)));
-    climb(guided(starts, climbing_numbers), 2, found);
+    climb(guided(starts, climbing_numbers_), 2, found);
     found = judged(best_distinct(std::move(found), 6, 0.1));
     std::stable_sort(found.begin(), found.end(), is_better);
 
@@ -114,7 +113,7 @@ public:
     for(const Candidate& other : found)
       if(distance(best.map, other.map, a_.all) > rough_distance)
         result.margin = (std::min)(result.margin, other.score - best.score);
-    result.map = on_all_vertices(upsample(best.map, a_.all, all_vertices(), std::array<int, 3>{80, 100, 120}));
+    result.map = on_all_vertices(upsample(best.map, a_.all, all_vertices(), {80, 100, 120}));
     for(int i = 0; i < a_.size(); ++i)
       result.difference += a_.area[i] * signature_difference(a_, i, b_, result.map[i]);
     return result;
@@ -123,7 +122,6 @@ public:
 private:
   static constexpr double rough_distance = 0.35; ///< from which on two maps are different answers
   static constexpr double orientation_weight = 0.3;
-  static constexpr std::array<int, 4> climbing_numbers = {20, 25, 30, 40}; ///< of eigenfunctions
 
   typedef std::vector<vec3> Places; ///< on the sphere of B
 
@@ -145,7 +143,10 @@ private:
 
   static bool is_better(const Candidate& x, const Candidate& y) { return x.score < y.score; }
 
-  Map first_samples() const { return Map(a_.sample.begin(), a_.sample.begin() + a_.some.size()); }
+  static std::vector<int> first(const std::vector<int>& samples, const typename Shape::Cells& cells)
+  {
+    return {samples.begin(), samples.begin() + cells.size()};
+  }
 
   Map on_all_samples(const Map& map) const
   {
@@ -234,11 +235,11 @@ private:
   /// With more and more eigenfunctions: S. Melzi, J. Ren, E. Rodola, A. Sharma, P. Wonka, M. Ovsjanikov, "ZoomOut",
   /// ACM TOG 38 (2019).
   /// \param beside_a, beside_b  what else is compared: a row for each sample, and for each target
-  template <class Numbers>
   Candidate upsample(Map map, const typename Shape::Cells& cells, const std::vector<int>& targets,
-                     const Numbers& numbers, const Rows& beside_a = Rows(), const Rows& beside_b = Rows()) const
+                     const std::vector<int>& numbers, const Rows& beside_a = Rows(),
+                     const Rows& beside_b = Rows()) const
   {
-    const std::vector<int> samples(a_.sample.begin(), a_.sample.begin() + cells.size());
+    const std::vector<int> samples = first(a_.sample, cells);
     const int others = static_cast<int>(beside_a.cols());
     Candidate c;
     for(int number : numbers) {
@@ -328,7 +329,7 @@ private:
     return result;
   }
 
-  std::vector<Candidate> upsampled(const std::vector<Map>& starts, std::initializer_list<int> numbers) const
+  std::vector<Candidate> upsampled(const std::vector<Map>& starts, const std::vector<int>& numbers) const
   {
     std::vector<Candidate> result(starts.size());
     loop_.for_each(static_cast<int>(starts.size()),
@@ -338,15 +339,14 @@ private:
 
   /// Eigenfunctions of shapes that differ lead astray: features guide them and, if there are any, places that keep
   /// orientation. With the score that decides.
-  template <class Numbers>
-  Candidate guided(Map map, const Numbers& numbers, const Places& places = {}) const
+  Candidate guided(Map map, const std::vector<int>& numbers, const Places& places = {}) const
   {
     constexpr float weight_of_places = 4;
     constexpr int number = Shape::number_of_features;
     const int columns = number + (places.empty() ? 0 : 3);
-    const std::vector<int> targets(b_.sample.begin(), b_.sample.begin() + b_.some.size());
+    const std::vector<int> targets = first(b_.sample, b_.some);
     Rows beside_a(map.size(), columns), beside_b(targets.size(), columns);
-    beside_a.leftCols(number) = rows(a_.feature, first_samples(), number);
+    beside_a.leftCols(number) = rows(a_.feature, first(a_.sample, a_.some), number);
     beside_b.leftCols(number) = rows(b_.feature, targets, number);
     const auto place = [&](Rows& of, std::size_t r, vec3 p) {
       of.row(r).tail(3) << static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z);
@@ -361,8 +361,7 @@ private:
     return with_score(upsample(std::move(map), a_.some, targets, numbers, beside_a, beside_b), a_.some);
   }
 
-  template <class Numbers = std::initializer_list<int>>
-  std::vector<Candidate> guided(const std::vector<Map>& starts, const Numbers& numbers) const
+  std::vector<Candidate> guided(const std::vector<Map>& starts, const std::vector<int>& numbers) const
   {
     std::vector<Candidate> result(starts.size());
     loop_.for_each(static_cast<int>(starts.size()), [&](int k) { result[k] = guided(starts[k], numbers); });
@@ -396,7 +395,7 @@ private:
     const auto step = [&](const std::vector<Places>& ways) {
       std::vector<Candidate> next(ways.size());
       loop_.for_each(static_cast<int>(ways.size()),
-                     [&](int k) { next[k] = guided(vertices_near(ways[k]), climbing_numbers, ways[k]); });
+                     [&](int k) { next[k] = guided(vertices_near(ways[k]), climbing_numbers_, ways[k]); });
       for(Candidate& other : next)
         if(is_better(other, c))
           c = std::move(other);
@@ -436,7 +435,7 @@ private:
   {
     constexpr int number = 600, most = 50, features = 3;
     constexpr double most_stretch = 2;
-    const std::vector<int> samples(a_.sample.begin(), a_.sample.begin() + a_.few.size());
+    const std::vector<int> samples = first(a_.sample, a_.few);
     const auto by_scale = b_.signature.array().square().colwise().mean().sqrt().inverse().eval();
     const Rows signature_a = rows(a_.signature, samples, Shape::number_of_energies).array().rowwise() * by_scale;
     const Rows signature_b = b_.signature.array().rowwise() * by_scale;
@@ -491,7 +490,8 @@ private:
   std::vector<Map> symmetries() const
   {
     std::vector<Candidate> found;
-    for(const Map& start : distinct(coarse_maps(-orientation_weight), 5, a_.some, rough_distance, first_samples())) {
+    for(const Map& start :
+        distinct(coarse_maps(-orientation_weight), 5, a_.some, rough_distance, first(a_.sample, a_.some))) {
       Candidate c;
       c.map = start;
       c = judged({std::move(c)}).front();
@@ -594,7 +594,7 @@ private:
   /// Anchors stay where a map has them.
   Places turned(const Map& map, double width, Anchors anchors) const
   {
-    const std::vector<int> anchor = first_samples();
+    const std::vector<int> anchor = first(a_.sample, a_.some);
     Places place;
     std::vector<double> weight;
     for(int i = 0; i < a_.some.size(); ++i) {
@@ -637,10 +637,9 @@ private:
   /// With many eigenfunctions, and the score that decides.
   std::vector<Candidate> judged(const std::vector<Candidate>& candidates) const
   {
-    constexpr std::array<int, 4> numbers = {30, 40, 50, 60};
     std::vector<Candidate> result(candidates.size());
     loop_.for_each(static_cast<int>(candidates.size()), [&](int n) {
-      result[n] = with_score(upsample(on_all_samples(candidates[n].map), a_.all, b_.target, numbers), a_.all);
+      result[n] = with_score(upsample(on_all_samples(candidates[n].map), a_.all, b_.target, {30, 40, 50, 60}), a_.all);
     });
     return result;
   }
@@ -649,6 +648,7 @@ private:
   const Shape& a_;
   const Shape& b_;
   int most_functions_;
+  const std::vector<int> climbing_numbers_ = {20, 25, 30, 40}; ///< of eigenfunctions
   std::vector<Landmark> landmarks_;
 };
 

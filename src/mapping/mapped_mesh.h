@@ -19,14 +19,8 @@
 
 namespace tool {
 
-/// The mesh that a command works on, and its certified spherical map. A command is
-///
-///     read_input(options, input);      // refuses what is not a triangulated sphere
-///     Atomic_file file(output);        // refuses what cannot be written, before the work
-///     map_input(options, input);       // refuses what has no certified map
-///     ...
-///
-/// inside `guarded()`.
+/// The mesh that a command works on, and its certified spherical map, once `read_input()` and `map_input()` have not
+/// refused it.
 struct Mapped_mesh {
   const Mesh& mesh() const { return file->mesh; }
 

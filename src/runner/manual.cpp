@@ -64,7 +64,7 @@ std::string why_not(const Step& step, const std::string& what)
   if(takes.meshes == Takes::NONE)
     return what == "Ctrl-C" || what == "pipe" ? "" : "takes no mesh";
   if(what == "--prepare" && takes.prepare == Prepare::NO)
-    return "always";
+    return step.name == "prepare" ? "always" : "no";
   if((what == "--jobs" || what == "resumed") && !is_of_each && takes.meshes != Takes::TOGETHER)
     return takes.meshes == Takes::PAIR ? "takes one pair" : "takes one query";
   if(what == "progress" && takes.method == nullptr && takes.meshes != Takes::TOGETHER)

@@ -10,7 +10,6 @@
 #include <CGAL/Spherical_parameterization/shape_atlas.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -144,7 +143,7 @@ private:
       outcome.refusal = guarded(item.mesh, [&] {
         Mapping_options one = run_.options;
         one.input = item.mesh;
-        if(run_.meshes.number_of_jobs() > 1)
+        if(run_.meshes.number_of_jobs() > 1 && !run_.has("--policy"))
           one.policy = "sequential";
         Mapped_mesh input;
         read_input(one, input);

@@ -10,7 +10,6 @@
 
 #include <CGAL/Spherical_parameterization/rigid_path.h>
 
-#include <filesystem>
 #include <memory>
 #include <set>
 

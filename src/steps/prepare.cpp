@@ -12,7 +12,6 @@
 #include "system/standard_output.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>

@@ -413,6 +413,12 @@ TEST_CASE("what cannot be registered is named", "[registration]")
   method.curvature_weight = -1;
   CHECK_THROWS_AS(registered(a, a, method), CGAL::Precondition_exception);
   method = {};
+  method.landmark_weight = std::numeric_limits<double>::infinity();
+  CHECK_THROWS_AS(registered(a, a, method), CGAL::Precondition_exception);
+  method = {};
+  method.iterations = -1;
+  CHECK_THROWS_AS(registered(a, a, method), CGAL::Precondition_exception);
+  method = {};
   method.levels = 0;
   CHECK_THROWS_AS(registered(a, a, method), CGAL::Precondition_exception);
   method = {};

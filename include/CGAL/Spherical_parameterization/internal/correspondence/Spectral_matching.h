@@ -4,12 +4,12 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CORRESPONDENCE_SPECTRAL_MATCHING_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CORRESPONDENCE_SPECTRAL_MATCHING_H
 
-#include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/rotations.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
+#include <CGAL/Spherical_parameterization/internal/correspondence/Spectral_refinement.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/Spectral_shape.h>
-#include <CGAL/Spherical_parameterization/internal/relaxation/Star.h>
+#include <CGAL/Spherical_parameterization/internal/correspondence/places_on_sphere.h>
 
 #include <algorithm>
 #include <array>
@@ -22,16 +22,6 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-/// Rotations that cover all of them evenly: M. Alexa, "Super-Fibonacci spirals", CVPR 2022.
-inline Matrix_3 super_fibonacci_rotation(int i, int number)
-{
-  constexpr double psi = 1.533751168755204288118041;
-  const double s = i + 0.5, r = std::sqrt(s / number), other = std::sqrt(1 - s / number);
-  const double alpha = 2 * pi * s / std::sqrt(2.), beta = 2 * pi * s / psi;
-  return rotation_of_quaternion(
-    {other * std::cos(beta), r * std::sin(alpha), r * std::cos(alpha), other * std::sin(beta)});
-}
-
 /// Which points of B are those of A: a map of the vertices of A to those of B, without anything but the shapes and
 /// their maps to the sphere.
 ///
@@ -43,16 +33,21 @@ inline Matrix_3 super_fibonacci_rotation(int i, int number)
 /// differ, and how much of the surface keeps its orientation. The best candidates climb: they are made smooth on the
 /// sphere and refined in turn as long as that makes them better. See doc/registration.md.
 template <class Loop>
-class Spectral_matching {
+class Spectral_matching : Spectral_refinement<Loop> {
+  typedef Spectral_refinement<Loop> Base;
+  using Base::a_, Base::b_, Base::landmarks_, Base::loop_, Base::rough_distance;
+  using Base::candidates, Base::distance, Base::first, Base::guided, Base::is_apart, Base::is_better, Base::judged,
+    Base::landmark_error, Base::on_all_vertices, Base::rows, Base::signature_difference, Base::upsample;
+  typedef typename Base::Candidate Candidate;
+  typedef typename Base::Cells Cells;
+  typedef typename Base::Rows Rows;
+
 public:
   static constexpr double share_of_work = 0.3; ///< for the callback, of a whole registration
 
-  typedef Spectral_shape<Loop> Shape;
-  typedef typename Shape::Rows Rows;
-  typedef std::vector<int> Map; ///< of samples of A, in their order, or of all its vertices: vertices of B
-
-  /// Vertices of A and of B that correspond.
-  typedef std::vector<std::pair<int, int>> Landmarks;
+  typedef typename Base::Shape Shape;
+  typedef typename Base::Landmarks Landmarks;
+  typedef typename Base::Map Map;
 
   struct Match {
     Map map;               ///< of all vertices
@@ -61,105 +56,120 @@ public:
   };
 
   Spectral_matching(const Watched_loop<Loop>& loop, const Shape& a, const Shape& b, const Landmarks& landmarks)
-    : loop_(loop), a_(a), b_(b), most_functions_((std::min)(a.number_of_functions(), b.number_of_functions()))
-  {
-    for(const auto& [v, w] : landmarks)
-      landmarks_.push_back({v, w, b.graph.distances(w)});
-  }
+    : Base(loop, a, b, landmarks)
+  {}
 
   Match run() const
   {
     constexpr double share_of_symmetries = share_of_work / 3, share_of_starts = 2 * share_of_work / 3;
+    constexpr double clear = 0.4, much = 0.6, very_much = 1; // differences of scores
+    constexpr int patience = 2, much_patience = 5;
     loop_.begin_stage(0, share_of_symmetries);
     const std::vector<Map> symmetries = Spectral_matching(loop_, b_, b_, {}).symmetries();
-
     loop_.begin_stage(share_of_symmetries, share_of_starts);
-    const std::vector<Map> roughly = distinct(coarse_maps(), 5, a_.some, rough_distance);
-    std::vector<Map> starts;
-    for(std::size_t k = 0; k < roughly.size() && k < 3; ++k)
-      for(double width : {0.3, 0.5}) {
-        starts.push_back(vertices_near(turned(roughly[k], width, Anchors::LIMBS)));
-        for(const Map& symmetry : symmetries)
-          starts.push_back(vertices_near(turned(composed(roughly[k], symmetry), width, Anchors::LIMBS)));
-      }
-    for(double width : {0.3, 0.5, 0.7})
-      if(landmarks_.size() >= 3)
-        starts.push_back(turned_to_landmarks(width));
-    for(Map& start : turned_to_tips())
-      starts.push_back(std::move(start));
-    std::vector<Map> pool;
-    for(Candidate& c : upsampled(starts, {14, 17, 20, 25, 30}))
-      pool.push_back(std::move(c.map));
-    for(Candidate& c : upsampled(roughly, {20, 25, 30}))
-      pool.push_back(std::move(c.map));
+    const std::vector<Candidate> starts = first_candidates(symmetries);
     loop_.begin_stage(share_of_starts, share_of_work);
-    std::vector<Candidate> found;
-    climb(guided(pool, {30, 40}), 4, found);
 
-    // A duel of the best one with itself where left and right are exchanged
-    const Map best_map = std::min_element(found.begin(), found.end(), is_better)->map;
-    starts.clear();
-    for(const Map& symmetry : symmetries)
-      for(double width : {0.2, 0.3, 0.4, 0.5, 0.7})
-        for(Anchors anchors : {Anchors::LIMBS, Anchors::ALL})
-          starts.push_back(vertices_near(turned(composed(best_map, symmetry), width, anchors)));
-    climb(guided(starts, climbing_numbers_), 2, found);
-    found = judged(best_distinct(std::move(found), 6, 0.1));
-    std::stable_sort(found.begin(), found.end(), is_better);
+    std::vector<Climber> climbers;
+    const auto go_on = [&](Climber& c, double farthest, int its_patience) {
+      const std::vector<Candidate> all = bests(climbers);
+      climb(c, best_of(all).score + farthest, its_patience);
+    };
+    const auto begin = [&](const std::vector<Candidate>& from, int most) {
+      std::vector<Map> known;
+      for(const Climber& c : climbers)
+        known.push_back(c.best.map);
+      for(; most > 0; --most) {
+        const auto next = std::find_if(from.begin(), from.end(),
+                                       [&](const Candidate& c) { return is_apart(c.map, known, a_.some, different); });
+        if(next == from.end())
+          break;
+        climbers.push_back({*next, *next});
+        go_on(climbers.back(), much, patience);
+        known.push_back(next->map);
+        known.push_back(climbers.back().best.map);
+      }
+    };
+    begin(starts, 4);
+    begin(exchanged(best_of(bests(climbers)).map, symmetries), 2); // a duel of the best one with its mirror image
+    if(margin(bests(climbers), a_.some) < clear)
+      for(Climber& c : climbers)
+        go_on(c, very_much, much_patience);
+    std::vector<Candidate> found = best_distinct(bests(climbers), 6, 0.1);
+    found = candidates(found.size(), [&](int k) { return judged(found[k]); });
+    const Candidate best = best_of(found);
 
     Match result;
-    const Candidate& best = found.front();
-    result.margin = std::numeric_limits<double>::infinity();
-    for(const Candidate& other : found)
-      if(distance(best.map, other.map, a_.all) > rough_distance)
-        result.margin = (std::min)(result.margin, other.score - best.score);
-    result.map = on_all_vertices(upsample(best.map, a_.all, all_vertices(), {80, 100, 120}));
+    result.margin = margin(found, a_.all);
+    Map all(b_.size());
+    std::iota(all.begin(), all.end(), 0);
+    result.map = on_all_vertices(upsample(best.map, a_.all, all, {80, 100, 120}).functional);
     for(int i = 0; i < a_.size(); ++i)
       result.difference += a_.area[i] * signature_difference(a_, i, b_, result.map[i]);
     return result;
   }
 
 private:
-  static constexpr double rough_distance = 0.35; ///< from which on two maps are different answers
   static constexpr double orientation_weight = 0.3;
-
-  typedef std::vector<vec3> Places; ///< on the sphere of B
+  static constexpr double different = 0.5; ///< from which on a candidate may climb beside another one
 
   /// Which samples a start is turned to: limbs, which are remote, or all of them.
   enum class Anchors { LIMBS, ALL };
 
-  struct Candidate {
-    Map map;         ///< of the first samples
-    Rows functional; ///< C = Phi_A^T M_A Phi_B[map]
-    double residual = 0;
-    double orientation = 0; ///< the share of the area that keeps its orientation less that which does not
-    double score = 0;       ///< the less the better
-  };
-
-  struct Landmark {
-    int of_a, of_b;
-    std::vector<double> distance; ///< on B
-  };
-
-  static bool is_better(const Candidate& x, const Candidate& y) { return x.score < y.score; }
-
-  static std::vector<int> first(const std::vector<int>& samples, const typename Shape::Cells& cells)
+  static const Candidate& best_of(const std::vector<Candidate>& found)
   {
-    return {samples.begin(), samples.begin() + cells.size()};
+    return *std::min_element(found.begin(), found.end(), is_better);
   }
 
-  Map on_all_samples(const Map& map) const
+  /// From rotations of the sphere, with limbs put onto each other, from the ends of limbs, and from landmarks; best
+  /// first.
+  std::vector<Candidate> first_candidates(const std::vector<Map>& symmetries) const
   {
-    Map result;
-    for(int v : a_.sample)
-      result.push_back(map[a_.some.of_vertex[v]]);
+    const std::vector<Map> roughly = distinct(coarse_maps(), 5);
+    std::vector<Map> starts = turned_to_tips();
+    for(std::size_t k = 0; k < roughly.size() && k < 3; ++k)
+      for(double width : {0.3, 0.5}) {
+        starts.push_back(vertices_near(smoothed(roughly[k], width, Anchors::LIMBS)));
+        for(const Map& symmetry : symmetries)
+          starts.push_back(vertices_near(smoothed(composed(roughly[k], symmetry), width, Anchors::LIMBS)));
+      }
+    Map of_a, of_b;
+    for(const auto& l : landmarks_) {
+      of_a.push_back(l.of_a);
+      of_b.push_back(l.of_b);
+    }
+    for(double width : {0.3, 0.5, 0.7})
+      if(landmarks_.size() >= 3)
+        starts.push_back(turned_to(of_a, of_b, width));
+    const int number_of_turned = static_cast<int>(starts.size());
+    starts.insert(starts.end(), roughly.begin(), roughly.end());
+    std::vector<Candidate> result = candidates(starts.size(), [&](int k) {
+      const std::vector<int> numbers =
+        k < number_of_turned ? std::vector<int>{14, 17, 20, 25, 30} : std::vector<int>{20, 25, 30};
+      return guided(upsample(starts[k], a_.some, b_.sample, numbers).map, {30, 40});
+    });
+    std::stable_sort(result.begin(), result.end(), is_better);
     return result;
   }
 
-  Map all_vertices() const
+  /// A map with left and right exchanged, best first.
+  std::vector<Candidate> exchanged(const Map& map, const std::vector<Map>& symmetries) const
   {
-    Map result(b_.size());
-    std::iota(result.begin(), result.end(), 0);
+    std::vector<Map> starts;
+    for(const Map& symmetry : symmetries)
+      for(double width : {0.2, 0.3, 0.4, 0.5, 0.7})
+        for(Anchors anchors : {Anchors::LIMBS, Anchors::ALL})
+          starts.push_back(vertices_near(smoothed(composed(map, symmetry), width, anchors)));
+    std::vector<Candidate> result = candidates(starts.size(), [&](int k) { return guided(starts[k], {20, 30, 40}); });
+    std::stable_sort(result.begin(), result.end(), is_better);
+    return result;
+  }
+
+  static Places images(const Shape& shape, const Map& vertices)
+  {
+    Places result;
+    for(int v : vertices)
+      result.push_back(shape.image[v]);
     return result;
   }
 
@@ -178,255 +188,99 @@ private:
     return map;
   }
 
-  static Rows rows(const Rows& all, const std::vector<int>& which, int columns)
-  {
-    Rows result(which.size(), columns);
-    for(std::size_t r = 0; r < which.size(); ++r)
-      result.row(r) = all.row(which[r]).head(columns);
-    return result;
-  }
-
-  /// Calls f(r, s, square) with the nearest row s of `to`, and its squared distance, for every row r of `from`.
-  template <class F>
-  static void for_each_nearest(const Rows& from, const Rows& to, F f)
-  {
-    constexpr int block = 64;
-    const auto half = (to.rowwise().squaredNorm() / 2).eval();
-    const Rows transposed = to.transpose();
-    Rows product;
-    for(int begin = 0; begin < from.rows(); begin += block) {
-      const int size = (std::min)(block, static_cast<int>(from.rows()) - begin);
-      product.noalias() = from.middleRows(begin, size) * transposed;
-      for(int r = 0; r < size; ++r) {
-        const float* p = product.row(r).data();
-        int nearest = 0;
-        for(int s = 1; s < to.rows(); ++s)
-          if(p[s] - half[s] > p[nearest] - half[nearest])
-            nearest = s;
-        const float square = from.row(begin + r).squaredNorm() - 2 * (p[nearest] - half[nearest]);
-        f(begin + r, nearest, (std::max)(0.f, square));
-      }
-    }
-  }
-
-  /// Every vertex goes downhill in the embedding by eigenfunctions, from where its sample has been mapped to.
-  Map on_all_vertices(const Candidate& of_samples) const
-  {
-    const Rows &c = of_samples.functional, to = b_.function.leftCols(c.cols()) * c.transpose();
-    Map result(a_.size());
-    loop_.for_each(a_.size(), [&](int i) {
-      const auto square = [&](int w) { return (a_.function.row(i).head(c.rows()) - to.row(w)).squaredNorm(); };
-      int at = of_samples.map[a_.all.of_vertex[i]];
-      float least = square(at);
-      for(int before = -1; before != at;) {
-        before = at;
-        b_.graph.for_each_way(before, [&](int w, double) {
-          if(const float s = square(w); s < least) {
-            least = s;
-            at = w;
-          }
-        });
-      }
-      result[i] = at;
-    });
-    return result;
-  }
-
-  /// With more and more eigenfunctions: S. Melzi, J. Ren, E. Rodola, A. Sharma, P. Wonka, M. Ovsjanikov, "ZoomOut",
-  /// ACM TOG 38 (2019).
-  /// \param beside_a, beside_b  what else is compared: a row for each sample, and for each target
-  Candidate upsample(Map map, const typename Shape::Cells& cells, const std::vector<int>& targets,
-                     const std::vector<int>& numbers, const Rows& beside_a = Rows(),
-                     const Rows& beside_b = Rows()) const
-  {
-    const std::vector<int> samples = first(a_.sample, cells);
-    const int others = static_cast<int>(beside_a.cols());
-    Candidate c;
-    for(int number : numbers) {
-      const int k = (std::min)(number, most_functions_);
-      Rows from(samples.size(), k + others), to(targets.size(), k + others);
-      from.leftCols(k) = rows(a_.function, samples, k);
-      Rows weighted = from.leftCols(k);
-      for(int r = 0; r < cells.size(); ++r)
-        weighted.row(r) *= static_cast<float>(cells.area[r]);
-      c.functional.noalias() = weighted.transpose() * rows(b_.function, map, k);
-      to.leftCols(k) = rows(b_.function, targets, k) * c.functional.transpose();
-      if(others > 0) {
-        from.rightCols(others) = beside_a;
-        to.rightCols(others) = beside_b;
-      }
-      double sum = 0;
-      for_each_nearest(from, to, [&](int r, int s, float square) {
-        map[r] = targets[s];
-        sum += cells.area[r] * (others == 0 ? square : (from.row(r) - to.row(s)).head(k).squaredNorm());
-      });
-      c.residual = std::sqrt(sum / k);
-    }
-    c.map = std::move(map);
-    c.orientation = orientation(c.functional);
-    return c;
-  }
-
-  /// Of the smooth map to the sphere that C stands for.
-  double orientation(const Rows& functional) const
-  {
-    const int k = static_cast<int>(functional.rows());
-    const Rows carried = functional * b_.sphere.topRows(functional.cols());
-    double sum = 0;
-    for(const std::array<int, 3>& f : a_.some_face) {
-      std::array<vec3, 3> at;
-      for(int c = 0; c < 3; ++c) {
-        const auto p = (a_.function.row(f[c]).head(k) * carried).eval();
-        at[c] = {p(0), p(1), p(2)};
-      }
-      const double d = determinant(at[0], at[1], at[2]);
-      sum += d > 0 ? 1 : d < 0 ? -1 : 0;
-    }
-    return sum / static_cast<double>(a_.some_face.size());
-  }
-
-  /// The mean distance on B from where landmarks should be, so weighted that nothing outweighs it.
-  double landmark_error(const Map& map, const typename Shape::Cells& cells) const
-  {
-    constexpr double weight = 10;
-    double sum = 0;
-    for(const Landmark& l : landmarks_)
-      sum += weight * l.distance[map[cells.of_vertex[l.of_a]]] / static_cast<double>(landmarks_.size());
-    return sum;
-  }
-
-  /// Root mean square distance of two maps in the embedding by eigenfunctions.
-  double distance(const Map& x, const Map& y, const typename Shape::Cells& cells) const
-  {
-    const int k = (std::min)(20, most_functions_ - 1);
-    double sum = 0;
-    for(int r = 0; r < cells.size(); ++r)
-      sum += cells.area[r] * (b_.function.row(x[r]).segment(1, k) - b_.function.row(y[r]).segment(1, k)).squaredNorm();
-    return std::sqrt(sum / k);
-  }
-
-  /// The first few maps that are farther from each other than `limit`, and from one that is known.
-  std::vector<Map> distinct(const std::vector<Map>& maps, std::size_t number, const typename Shape::Cells& cells,
-                            double limit, const Map& known = {}) const
+  /// The first few maps that differ roughly from each other, and from one that is known.
+  std::vector<Map> distinct(const std::vector<Map>& maps, std::size_t number, const Map& known = {}) const
   {
     std::vector<Map> result;
     for(const Map& m : maps)
-      if(result.size() < number && (known.empty() || distance(m, known, cells) > limit) &&
-         std::all_of(result.begin(), result.end(), [&](const Map& o) { return distance(m, o, cells) > limit; }))
+      if(result.size() < number && is_apart(m, result, a_.some, rough_distance) &&
+         (known.empty() || is_apart(m, {known}, a_.some, rough_distance)))
         result.push_back(m);
     return result;
   }
 
+  /// The best few, farther from each other than `limit`.
   std::vector<Candidate> best_distinct(std::vector<Candidate> pool, std::size_t number, double limit) const
   {
     std::stable_sort(pool.begin(), pool.end(), is_better);
     std::vector<Candidate> result;
+    std::vector<Map> maps;
     for(Candidate& c : pool)
-      if(result.size() < number && std::all_of(result.begin(), result.end(), [&](const Candidate& o) {
-           return distance(c.map, o.map, a_.some) > limit;
-         }))
+      if(result.size() < number && is_apart(c.map, maps, a_.some, limit)) {
+        maps.push_back(c.map);
         result.push_back(std::move(c));
-    return result;
-  }
-
-  std::vector<Candidate> upsampled(const std::vector<Map>& starts, const std::vector<int>& numbers) const
-  {
-    std::vector<Candidate> result(starts.size());
-    loop_.for_each(static_cast<int>(starts.size()),
-                   [&](int k) { result[k] = upsample(starts[k], a_.some, b_.sample, numbers); });
-    return result;
-  }
-
-  /// Eigenfunctions of shapes that differ lead astray: features guide them and, if there are any, places that keep
-  /// orientation. With the score that decides.
-  Candidate guided(Map map, const std::vector<int>& numbers, const Places& places = {}) const
-  {
-    constexpr float weight_of_places = 4;
-    constexpr int number = Shape::number_of_features;
-    const int columns = number + (places.empty() ? 0 : 3);
-    const std::vector<int> targets = first(b_.sample, b_.some);
-    Rows beside_a(map.size(), columns), beside_b(targets.size(), columns);
-    beside_a.leftCols(number) = rows(a_.feature, first(a_.sample, a_.some), number);
-    beside_b.leftCols(number) = rows(b_.feature, targets, number);
-    const auto place = [&](Rows& of, std::size_t r, vec3 p) {
-      of.row(r).tail(3) << static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z);
-      of.row(r).tail(3) *= weight_of_places;
-    };
-    if(!places.empty()) {
-      for(std::size_t r = 0; r < places.size(); ++r)
-        place(beside_a, r, places[r]);
-      for(std::size_t r = 0; r < targets.size(); ++r)
-        place(beside_b, r, b_.image[targets[r]]);
-    }
-    return with_score(upsample(std::move(map), a_.some, targets, numbers, beside_a, beside_b), a_.some);
-  }
-
-  std::vector<Candidate> guided(const std::vector<Map>& starts, const std::vector<int>& numbers) const
-  {
-    std::vector<Candidate> result(starts.size());
-    loop_.for_each(static_cast<int>(starts.size()), [&](int k) { result[k] = guided(starts[k], numbers); });
-    return result;
-  }
-
-  /// Adds up to `most` of the candidates, the best first, that are not like each other or those that have been found.
-  void climb(std::vector<Candidate> candidates, int most, std::vector<Candidate>& found) const
-  {
-    constexpr double different = 0.5;
-    std::stable_sort(candidates.begin(), candidates.end(), is_better);
-    std::vector<Map> known;
-    for(const Candidate& c : found)
-      known.push_back(c.map);
-    for(const Candidate& c : candidates)
-      if(most > 0 && std::all_of(known.begin(), known.end(),
-                                 [&](const Map& o) { return distance(c.map, o, a_.some) > different; })) {
-        found.push_back(climbed(c));
-        known.push_back(c.map);
-        known.push_back(found.back().map);
-        --most;
       }
+    return result;
+  }
+
+  /// How much worse the best of all other answers is than the best, infinite if there is none.
+  double margin(const std::vector<Candidate>& found, const Cells& cells) const
+  {
+    const Candidate& best = best_of(found);
+    double result = std::numeric_limits<double>::infinity();
+    for(const Candidate& other : found)
+      if(distance(best.map, other.map, cells) > rough_distance)
+        result = (std::min)(result, other.score - best.score);
+    return result;
+  }
+
+  /// Where a candidate has come to.
+  struct Climber {
+    Candidate at, best;
+    int in_vain = 0; ///< steps since the best
+  };
+
+  static std::vector<Candidate> bests(const std::vector<Climber>& climbers)
+  {
+    std::vector<Candidate> result;
+    for(const Climber& c : climbers)
+      result.push_back(c.best);
+    return result;
   }
 
   /// By steps to the best one of a few neighbours, each smooth on the sphere and refined. Where that does not help
-  /// much, limbs are made longer or shorter: shapes differ by that.
-  Candidate climbed(Candidate c) const
+  /// much, limbs are made longer or shorter: shapes differ by that. Local optima are many, so a few steps may be in
+  /// vain. \param limit  a score: no such patience if its best is worse
+  void climb(Climber& c, double limit, int patience) const
   {
-    constexpr int most_steps = 10;
+    constexpr int most_steps = 20;
     constexpr double little = 0.02, least = 1e-3, change_of_limbs = 0.2;
-    const auto step = [&](const std::vector<Places>& ways) {
-      std::vector<Candidate> next(ways.size());
-      loop_.for_each(static_cast<int>(ways.size()),
-                     [&](int k) { next[k] = guided(vertices_near(ways[k]), climbing_numbers_, ways[k]); });
-      for(Candidate& other : next)
-        if(is_better(other, c))
-          c = std::move(other);
-    };
-    for(int k = 0; k < most_steps; ++k) {
-      const Map before = c.map;
-      const double score = c.score;
-      step({turned(before, 0.15, Anchors::ALL), turned(before, 0.3, Anchors::ALL)});
-      if(score - c.score <= little) {
-        const Places smooth = turned(before, 0.2, Anchors::ALL);
+    for(int k = 0; k < most_steps && c.in_vain <= patience; ++k) {
+      const double score = c.best.score;
+      Candidate next = best_refined({smoothed(c.at.map, 0.15, Anchors::ALL), smoothed(c.at.map, 0.3, Anchors::ALL)});
+      if(score - next.score <= little) {
+        const Places smooth = smoothed(c.at.map, 0.2, Anchors::ALL);
         std::vector<Places> ways;
         for(int tip : a_.tip)
           for(double change : {-change_of_limbs, change_of_limbs})
             ways.push_back(moved_from(smooth[a_.some.of_vertex[tip]], change, smooth));
-        step(ways);
+        if(Candidate other = best_refined(ways); is_better(other, next))
+          next = std::move(other);
       }
-      if(score - c.score <= least)
-        break;
+      c.at = std::move(next);
+      if(is_better(c.at, c.best))
+        c.best = c.at;
+      c.in_vain = score - c.best.score > least ? 0 : c.in_vain + 1;
+      if(c.in_vain > 0 && c.best.score > limit)
+        return;
     }
-    return c;
   }
 
-  /// Moves places away from a centre, the more so the farther off they are, within reach.
-  static Places moved_from(vec3 centre, double change, Places places)
+  /// The best of them when refined by a few eigenfunctions; those that lead then, by more.
+  Candidate best_refined(const std::vector<Places>& ways) const
   {
-    constexpr double reach = 0.6;
-    for(vec3& p : places) {
-      const vec3 d = sub(p, centre);
-      p = unit(add_scaled(p, change * std::exp(-inner(d, d) / (2 * reach * reach)), d));
-    }
-    return places;
+    constexpr std::size_t most = 2;
+    const std::vector<Candidate> found =
+      candidates(ways.size(), [&](int k) { return guided(vertices_near(ways[k]), {20}, ways[k]); });
+    std::vector<std::size_t> order(ways.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t k, std::size_t l) { return is_better(found[k], found[l]); });
+    order.resize((std::min)(order.size(), most));
+    const std::vector<Candidate> last = candidates(order.size(), [&](int k) {
+      return guided(found[order[k]].map, {30, 40}, ways[order[k]]);
+    });
+    return *std::min_element(last.begin(), last.end(), is_better);
   }
 
   /// Maps of the first samples by rotations and reflections of the sphere, best first. What is compared is what bending
@@ -464,9 +318,9 @@ private:
         sum[r] += difference[r][k] / (std::max)(all[number], 1e-300);
     }
     std::vector<Map> starts;
-    for(int first : {0, number}) {
+    for(int begin : {0, number}) {
       std::vector<int> order(number);
-      std::iota(order.begin(), order.end(), first);
+      std::iota(order.begin(), order.end(), begin);
       std::stable_sort(order.begin(), order.end(), [&](int x, int y) { return sum[x] < sum[y]; });
       for(int k = 0; k < most; ++k) {
         Map start;
@@ -475,12 +329,14 @@ private:
         starts.push_back(std::move(start));
       }
     }
-    std::vector<Candidate> candidates = upsampled(starts, {6, 10, 14, 20});
-    for(Candidate& c : candidates)
+    std::vector<Candidate> found = candidates(starts.size(), [&](int k) {
+      return upsample(starts[k], a_.some, b_.sample, {6, 10, 14, 20});
+    });
+    for(Candidate& c : found)
       c.score = c.residual - weight_of_orientation * c.orientation + landmark_error(c.map, a_.some);
-    std::stable_sort(candidates.begin(), candidates.end(), is_better);
+    std::stable_sort(found.begin(), found.end(), is_better);
     std::vector<Map> result;
-    for(Candidate& c : candidates)
+    for(Candidate& c : found)
       result.push_back(std::move(c.map));
     return result;
   }
@@ -489,56 +345,20 @@ private:
   /// and turn the surface over.
   std::vector<Map> symmetries() const
   {
+    const std::vector<Map> starts = distinct(coarse_maps(-orientation_weight), 5, first(a_.sample, a_.some));
     std::vector<Candidate> found;
-    for(const Map& start :
-        distinct(coarse_maps(-orientation_weight), 5, a_.some, rough_distance, first(a_.sample, a_.some))) {
-      Candidate c;
-      c.map = start;
-      c = judged({std::move(c)}).front();
-      c.score += 2 * c.orientation;
+    for(Candidate& c : candidates(starts.size(), [&](int k) {
+          Candidate start;
+          start.map = starts[k];
+          return judged(start);
+        })) {
+      c.score += 2 * c.orientation; // less orientation is better here
       if(distance(c.map, a_.sample, a_.all) > rough_distance)
         found.push_back(std::move(c));
     }
     std::vector<Map> result;
-    for(const Candidate& c : best_distinct(std::move(found), 2, rough_distance)) {
-      Map map(a_.size());
-      const Rows from = a_.function.leftCols(c.functional.rows());
-      const Rows to = rows(a_.function, a_.target, static_cast<int>(c.functional.cols())) * c.functional.transpose();
-      for_each_nearest(from, to, [&](int r, int s, float) { map[r] = a_.target[s]; });
-      result.push_back(std::move(map));
-    }
-    return result;
-  }
-
-  /// Places that keep orientation: the samples are rotated on the sphere as anchors want it, and moved smoothly towards
-  /// where these belong. \param weight  of the anchors
-  Places turned(const std::vector<int>& anchor, const std::vector<vec3>& place, const std::vector<double>& weight,
-                double width) const
-  {
-    Matrix_3 products = {};
-    std::vector<vec3> from;
-    for(std::size_t k = 0; k < anchor.size(); ++k) {
-      const vec3 p = a_.image[anchor[k]];
-      const std::array<double, 3> f = {p.x, p.y, p.z}, t = {place[k].x, place[k].y, place[k].z};
-      for(int i = 0; i < 3; ++i)
-        for(int j = 0; j < 3; ++j)
-          products[i][j] += weight[k] * f[i] * t[j];
-    }
-    const Matrix_3 rotation = rotation_of_products(products);
-    for(int v : anchor)
-      from.push_back(rotated(rotation, a_.image[v]));
-    Places result;
-    for(int i = 0; i < a_.some.size(); ++i) {
-      const vec3 p = rotated(rotation, a_.image[a_.sample[i]]);
-      vec3 d = {0, 0, 0};
-      double sum = 0;
-      for(std::size_t k = 0; k < anchor.size(); ++k) {
-        const double w = std::exp((inner(p, from[k]) - 1) / (width * width)) * weight[k];
-        d = add_scaled(d, w, sub(place[k], from[k]));
-        sum += w;
-      }
-      result.push_back(unit(add_scaled(p, sum > 0 ? 1 / sum : 0, d)));
-    }
+    for(const Candidate& c : best_distinct(std::move(found), 2, rough_distance))
+      result.push_back(on_all_vertices(c.functional));
     return result;
   }
 
@@ -571,85 +391,31 @@ private:
     std::stable_sort(found.begin(), found.end());
     std::vector<Map> result;
     for(std::size_t k = 0; k < (std::min)(most, found.size()); ++k) {
-      std::vector<int> anchor;
-      std::vector<vec3> place;
-      for(std::size_t i = 0; i < n; ++i) {
-        const int own = fewer.tip[i], other = more.tip[found[k].second[i]];
-        anchor.push_back(has_a_fewer ? own : other);
-        place.push_back(b_.image[has_a_fewer ? other : own]);
-      }
+      const Map &own = fewer.tip, other = composed({found[k].second.begin(), found[k].second.begin() + n}, more.tip);
       for(double width : {0.4, 0.7})
-        result.push_back(vertices_near(turned(anchor, place, std::vector<double>(n, 1.), width)));
+        result.push_back(has_a_fewer ? turned_to(own, other, width) : turned_to(other, own, width));
     }
     return result;
   }
 
-  /// From 0 to 1.
-  static double signature_difference(const Shape& a, int v, const Shape& b, int w)
+  /// Places of the first samples that keep orientation; anchors stay near where a map has them.
+  Places smoothed(const Map& map, double width, Anchors anchors) const
   {
-    const auto x = a.signature.row(v), y = b.signature.row(w);
-    return (x - y).cwiseAbs().sum() / (x + y).cwiseAbs().sum();
-  }
-
-  /// Anchors stay where a map has them.
-  Places turned(const Map& map, double width, Anchors anchors) const
-  {
-    const std::vector<int> anchor = first(a_.sample, a_.some);
-    Places place;
+    const Places anchor = images(a_, first(a_.sample, a_.some));
     std::vector<double> weight;
     for(int i = 0; i < a_.some.size(); ++i) {
-      place.push_back(b_.image[map[i]]);
-      const double remoteness = anchors == Anchors::LIMBS ? a_.remoteness[anchor[i]] : 1;
+      const double remoteness = anchors == Anchors::LIMBS ? a_.remoteness[a_.sample[i]] : 1;
       weight.push_back(a_.some.area[i] * remoteness * remoteness * remoteness);
     }
-    return turned(anchor, place, weight, width);
+    return turned(anchor, anchor, images(b_, map), weight, width);
   }
 
-  Map turned_to_landmarks(double width) const
+  /// All samples, smoothly with a few vertices that go to those of B.
+  Map turned_to(const Map& anchor, const Map& of_b, double width) const
   {
-    std::vector<int> anchor;
-    std::vector<vec3> place;
-    for(const Landmark& l : landmarks_) {
-      anchor.push_back(l.of_a);
-      place.push_back(b_.image[l.of_b]);
-    }
-    return vertices_near(turned(anchor, place, std::vector<double>(anchor.size(), 1.), width));
+    return vertices_near(turned(images(a_, first(a_.sample, a_.some)), images(a_, anchor), images(b_, of_b),
+                                std::vector<double>(anchor.size(), 1.), width));
   }
-
-  /// With the score that decides.
-  Candidate with_score(Candidate c, const typename Shape::Cells& cells) const
-  {
-    constexpr double least = 1e-9;
-    double signatures = 0;
-    std::array<double, 2> curvatures = {};
-    for(int i = 0; i < cells.size(); ++i) {
-      const int v = a_.sample[i], t = c.map[i];
-      signatures += cells.area[i] * signature_difference(a_, v, b_, t);
-      for(std::size_t s = 0; s < curvatures.size(); ++s)
-        curvatures[s] += cells.area[i] * std::abs(a_.curvature[s][v] - b_.curvature[s][t]);
-    }
-    c.score = std::log((std::max)(signatures, least)) - c.orientation + landmark_error(c.map, cells);
-    for(double difference : {curvatures[0], curvatures[1], c.residual})
-      c.score += std::log((std::max)(difference, least)) / 2;
-    return c;
-  }
-
-  /// With many eigenfunctions, and the score that decides.
-  std::vector<Candidate> judged(const std::vector<Candidate>& candidates) const
-  {
-    std::vector<Candidate> result(candidates.size());
-    loop_.for_each(static_cast<int>(candidates.size()), [&](int n) {
-      result[n] = with_score(upsample(on_all_samples(candidates[n].map), a_.all, b_.target, {30, 40, 50, 60}), a_.all);
-    });
-    return result;
-  }
-
-  const Watched_loop<Loop>& loop_;
-  const Shape& a_;
-  const Shape& b_;
-  int most_functions_;
-  const std::vector<int> climbing_numbers_ = {20, 25, 30, 40}; ///< of eigenfunctions
-  std::vector<Landmark> landmarks_;
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -18,12 +18,14 @@
 #include <CGAL/Spherical_parameterization/internal/surface/Mapped_surface.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Spring_lengths.h>
 #include <CGAL/Spherical_parameterization/internal/surface/conformal_graph.h>
+#include <CGAL/Spherical_parameterization/internal/surface/even_samples.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -91,11 +93,11 @@ struct Spectral_shape {
   Host_array<vec3> image;         ///< on the sphere
   Vertex_table<Loop> vertex_near; ///< by direction
   std::vector<int> sample;        ///< vertices far from each other, those first that are farthest
-  std::vector<int> tip;           ///< vertices more remote than all near them: ends of limbs, remotest first
+  std::vector<int> tip; ///< vertices more remote than all near them: ends of limbs, remotest first; never none
   std::vector<std::vector<double>> tip_distance; ///< of the tips from each other, geodesic
   std::vector<int> target;                       ///< the samples, and others: what another shape is mapped to
-  std::vector<std::array<int, 3>> some_face;     ///< each stands for as much area
-  Rows sphere;                                   ///< by eigenfunction: the coefficients of the image
+  Rows corner; ///< eigenfunctions at the corners of some faces, three rows a face; each face stands for as much area
+  Rows sphere; ///< by eigenfunction: the coefficients of the image
   Geodesic_graph graph;
 
   /// The parts of the surface that are nearest to each of the first samples.
@@ -116,16 +118,12 @@ struct Spectral_shape {
 
 private:
   Spectral_shape(const Loop& loop, const Mapped_surface& map, const Corner_table& table, Monitor& monitor)
-    : area(map.number_of_vertices, 0.), stretch(map.number_of_vertices), image(map.image), vertex_near(loop, map),
-      graph(table, map.point)
+    : area(map.vertex_area(loop).begin(), map.vertex_area(loop).end()), stretch(map.number_of_vertices),
+      image(map.image), vertex_near(loop, map), graph(table, map.point)
   {
     const int n = size();
-    std::vector<double> on_sphere(n, 0.);
-    for(const std::array<int, 3>& f : map.face)
-      for(int i : f) {
-        area[i] += norm(normal(map.point, f)) / 6;
-        on_sphere[i] += norm(normal(image, f)) / 6;
-      }
+    const Host_array<double> on_sphere =
+      thirds_at_vertices(loop, map.face, n, [&](int f) { return norm(normal(image, map.face[f])) / 2; });
     constexpr double least = 1e-12;
     for(int i = 0; i < n; ++i)
       stretch[i] = std::log((std::max)(area[i], least) / (std::max)(on_sphere[i] / (4 * pi), least));
@@ -146,14 +144,14 @@ private:
         sphere.col(c) += static_cast<float>(area[i] * std::array<double, 3>{image[i].x, image[i].y, image[i].z}[c]) *
                          function.row(i).transpose();
     monitor.advance_or_throw();
-    sign(spectrum.value);
-    bend(table, map.point, spectrum.value);
+    find_signatures(spectrum.value);
+    find_curvatures(table, map.point, spectrum.value);
     choose_features();
-    choose_faces(map);
+    choose_faces(loop, map);
     choose_samples(loop, map.point);
   }
 
-  void sign(const std::vector<double>& value)
+  void find_signatures(const std::vector<double>& value)
   {
     constexpr std::size_t most = 100;
     const int last = static_cast<int>((std::min)(most, value.size()));
@@ -167,7 +165,7 @@ private:
   }
 
   /// Mean curvature by the angles at the edges, low frequencies only.
-  void bend(const Corner_table& table, const Host_array<vec3>& point, const std::vector<double>& value)
+  void find_curvatures(const Corner_table& table, const Host_array<vec3>& point, const std::vector<double>& value)
   {
     constexpr double scale[] = {0.03, 0.06}; // of the heat flow that it is seen through, as a length
     const int n = size(), number = number_of_functions();
@@ -237,16 +235,15 @@ private:
     }
   }
 
-  void choose_faces(const Mapped_surface& map)
+  void choose_faces(const Loop& loop, const Mapped_surface& map)
   {
     constexpr int number = 1000;
-    std::vector<double> sum;
-    for(const std::array<int, 3>& f : map.face)
-      sum.push_back((sum.empty() ? 0 : sum.back()) + norm(normal(map.point, f)));
-    for(int k = 0; k < number; ++k) {
-      const auto it = std::lower_bound(sum.begin(), sum.end(), (k + 0.5) / number * sum.back());
-      some_face.push_back(map.face[(std::min)(it - sum.begin(), static_cast<std::ptrdiff_t>(map.face.size()) - 1)]);
-    }
+    const Host_array<double>& face_area = map.face_area(loop);
+    corner.resize(3 * number, function.cols());
+    int r = 0;
+    for(int f : faces_at_even_areas(face_area, std::accumulate(face_area.begin(), face_area.end(), 0.), number))
+      for(int v : map.face[f])
+        corner.row(r++) = function.row(v);
   }
 
   void choose_samples(const Loop& loop, const Host_array<vec3>& point)

@@ -8,7 +8,6 @@
 #include <CGAL/Spherical_parameterization/values/Rotation.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/rotations.h>
-#include <CGAL/Spherical_parameterization/internal/algebra/point_coordinates.h>
 #include <CGAL/Spherical_parameterization/internal/api/precondition.h>
 #include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/Spectral_registration.h>
@@ -412,13 +411,14 @@ private:
 
 CGAL_SP_CORE void check_registration(const Registration& settings)
 {
-  CGAL_SP_PRECONDITION(settings.curvature_weight >= 0 && settings.stretch_weight >= 0 &&
-                         settings.position_weight >= 0 && settings.landmark_weight >= 0 &&
-                         settings.isometry_weight >= 0 &&
-                         std::all_of(settings.features.begin(), settings.features.end(),
-                                     [](const Registration_feature& feature) { return feature.weight >= 0; }),
-                       "the weights of a registration must not be negative");
-  CGAL_SP_PRECONDITION(settings.levels >= 1 && settings.iterations >= 0, "a registration has a level or more");
+  std::vector<double> weights = {settings.curvature_weight, settings.stretch_weight, settings.position_weight,
+                                 settings.landmark_weight, settings.isometry_weight};
+  for(const Registration_feature& feature : settings.features)
+    weights.push_back(feature.weight);
+  CGAL_SP_PRECONDITION(std::all_of(weights.begin(), weights.end(), [](double w) { return w >= 0 && std::isfinite(w); }),
+                       "the weights of a registration must not be negative or infinite");
+  CGAL_SP_PRECONDITION(settings.levels >= 1, "a registration has a level or more");
+  CGAL_SP_PRECONDITION(settings.iterations >= 0, "the number of iterations must not be negative");
   CGAL_SP_PRECONDITION(settings.coarsest_scale > 0 && settings.accuracy > 0, "scale and accuracy have to be positive");
 }
 
@@ -439,7 +439,7 @@ CGAL_SP_CORE Registered_surface registered_surface(const Host_loop& loop, const 
       centre = add_scaled(centre, of_face / 3, map.point[i]);
   }
   if(!(area > 0) || !std::isfinite(area))
-    throw Input_error(Error_code::DEGENERATE_FACE, "the area of the surface is " + std::to_string(area));
+    throw Input_error(Error_code::DEGENERATE_FACE, "the area of the surface is " + to_string(area));
   const double factor = std::sqrt(4 * pi / area);
   for(const vec3& p : map.point)
     surface.point.push_back(scale(factor, add_scaled(p, -1 / area, centre)));

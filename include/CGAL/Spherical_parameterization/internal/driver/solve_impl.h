@@ -128,8 +128,10 @@ Solution Method_solver<Automatic>::solve(const Backend& backend, const Problem& 
     seconds.solve += solution.seconds.solve;
     seconds.certify += solution.seconds.certify;
     const bool is_valid = solution.error == Error_code::OK;
+    const Stopwatch watch;
     const double shrunk =
       is_valid ? shrunk_share(backend.host_loop(), problem, solution.position, method_.largest_shrinkage) : 0;
+    seconds.certify += watch.seconds();
     const bool is_extreme = shrunk > negligible_share;
     if(is_extreme)
       attempts.back().detail = "valid, but lengths shrink more than " + to_string(method_.largest_shrinkage) +

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CORRESPONDENCE_SPECTRAL_REFINEMENT_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CORRESPONDENCE_SPECTRAL_REFINEMENT_H
+
+#include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
+#include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
+#include <CGAL/Spherical_parameterization/internal/correspondence/Spectral_shape.h>
+#include <CGAL/Spherical_parameterization/internal/correspondence/places_on_sphere.h>
+#include <CGAL/Spherical_parameterization/internal/relaxation/Star.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+/// Maps of samples of a shape A to vertices of a shape B: how they are refined by eigenfunctions, and what is compared
+/// to choose one.
+template <class Loop>
+class Spectral_refinement {
+public:
+  typedef Spectral_shape<Loop> Shape;
+  typedef typename Shape::Rows Rows;
+  typedef typename Shape::Cells Cells;
+  typedef std::vector<int> Map; ///< of samples of A, in their order, or of all its vertices: vertices of B
+
+  /// Vertices of A and of B that correspond.
+  typedef std::vector<std::pair<int, int>> Landmarks;
+
+  static constexpr double rough_distance = 0.35; ///< from which on two maps are different answers
+
+  struct Candidate {
+    Map map;         ///< of the first samples, or of all of them
+    Rows functional; ///< C = Phi_A^T M_A Phi_B[map]
+    double residual = 0;
+    double orientation = 0; ///< the share of the area that keeps its orientation less that which does not
+    double score = 0;       ///< the less the better
+  };
+
+  Spectral_refinement(const Watched_loop<Loop>& loop, const Shape& a, const Shape& b, const Landmarks& landmarks)
+    : loop_(loop), a_(a), b_(b), most_functions_((std::min)(a.number_of_functions(), b.number_of_functions()))
+  {
+    for(const auto& [v, w] : landmarks)
+      landmarks_.push_back({v, w, b.graph.distances(w)});
+  }
+
+  static bool is_better(const Candidate& x, const Candidate& y) { return x.score < y.score; }
+
+  /// Candidates made side by side: f(k) for k = 0 ... number-1.
+  template <class F>
+  std::vector<Candidate> candidates(std::size_t number, F f) const
+  {
+    std::vector<Candidate> result(number);
+    loop_.for_each(static_cast<int>(number), [&](int k) { result[k] = f(k); });
+    return result;
+  }
+
+  static std::vector<int> first(const std::vector<int>& samples, const Cells& cells)
+  {
+    return {samples.begin(), samples.begin() + cells.size()};
+  }
+
+  /// With more and more eigenfunctions: S. Melzi, J. Ren, E. Rodola, A. Sharma, P. Wonka, M. Ovsjanikov, "ZoomOut",
+  /// ACM TOG 38 (2019).
+  /// \param beside_a, beside_b  what else is compared: a row for each sample, and for each target
+  Candidate upsample(Map map, const Cells& cells, const std::vector<int>& targets, const std::vector<int>& numbers,
+                     const Rows& beside_a = Rows(), const Rows& beside_b = Rows()) const
+  {
+    const std::vector<int> samples = first(a_.sample, cells);
+    const int others = static_cast<int>(beside_a.cols());
+    Candidate c;
+    for(int number : numbers) {
+      const int k = (std::min)(number, most_functions_);
+      Rows from(samples.size(), k + others), to(targets.size(), k + others);
+      from.leftCols(k) = rows(a_.function, samples, k);
+      Rows weighted = from.leftCols(k);
+      for(int r = 0; r < cells.size(); ++r)
+        weighted.row(r) *= static_cast<float>(cells.area[r]);
+      c.functional.noalias() = weighted.transpose() * rows(b_.function, map, k);
+      to.leftCols(k) = rows(b_.function, targets, k) * c.functional.transpose();
+      if(others > 0) {
+        from.rightCols(others) = beside_a;
+        to.rightCols(others) = beside_b;
+      }
+      double sum = 0;
+      for_each_nearest(from, to, [&](int r, int s, float square) {
+        map[r] = targets[s];
+        sum += cells.area[r] * (others == 0 ? square : (from.row(r) - to.row(s)).head(k).squaredNorm());
+      });
+      c.residual = std::sqrt(sum / k);
+    }
+    c.map = std::move(map);
+    c.orientation = orientation(c.functional);
+    return c;
+  }
+
+  /// By eigenfunctions beside features, since those of shapes that differ lead astray, and beside places on the sphere
+  /// that keep orientation, if there are any. With the score that decides.
+  Candidate guided(Map map, const std::vector<int>& numbers, const Places& places = {}) const
+  {
+    constexpr float weight_of_places = 4;
+    constexpr int number = Shape::number_of_features;
+    const int columns = number + (places.empty() ? 0 : 3);
+    const std::vector<int> targets = first(b_.sample, b_.some);
+    Rows beside_a(map.size(), columns), beside_b(targets.size(), columns);
+    beside_a.leftCols(number) = rows(a_.feature, first(a_.sample, a_.some), number);
+    beside_b.leftCols(number) = rows(b_.feature, targets, number);
+    const auto place = [&](Rows& of, std::size_t r, vec3 p) {
+      of.row(r).tail(3) << static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z);
+      of.row(r).tail(3) *= weight_of_places;
+    };
+    if(!places.empty()) {
+      for(std::size_t r = 0; r < places.size(); ++r)
+        place(beside_a, r, places[r]);
+      for(std::size_t r = 0; r < targets.size(); ++r)
+        place(beside_b, r, b_.image[targets[r]]);
+    }
+    return with_score(upsample(std::move(map), a_.some, targets, numbers, beside_a, beside_b), a_.some);
+  }
+
+  /// The nearest vertex in the embedding by eigenfunctions: the nearest target, and downhill from there.
+  Map on_all_vertices(const Rows& functional) const
+  {
+    constexpr int block = 512;
+    const int columns = static_cast<int>(functional.rows());
+    const Rows to = b_.function.leftCols(functional.cols()) * functional.transpose();
+    const Rows to_targets = rows(to, b_.target, columns);
+    Map result(a_.size());
+    loop_.for_each((a_.size() + block - 1) / block, [&](int k) {
+      const int begin = k * block;
+      const Rows from = a_.function.block(begin, 0, (std::min)(block, a_.size() - begin), columns);
+      for_each_nearest(from, to_targets, [&](int r, int s, float least) {
+        int at = b_.target[s];
+        for(int before = -1; before != at;) {
+          before = at;
+          b_.graph.for_each_way(before, [&](int w, double) {
+            if(const float square = (from.row(r) - to.row(w)).squaredNorm(); square < least) {
+              least = square;
+              at = w;
+            }
+          });
+        }
+        result[begin + r] = at;
+      });
+    });
+    return result;
+  }
+
+  /// With all samples and many eigenfunctions, and the score that decides.
+  Candidate judged(const Candidate& c) const
+  {
+    Map map;
+    for(int v : a_.sample)
+      map.push_back(c.map[a_.some.of_vertex[v]]);
+    return with_score(upsample(std::move(map), a_.all, b_.target, {30, 40, 50, 60}), a_.all);
+  }
+
+  /// The mean distance on B from where landmarks should be, so weighted that nothing outweighs it.
+  double landmark_error(const Map& map, const Cells& cells) const
+  {
+    constexpr double weight = 10;
+    double sum = 0;
+    for(const Landmark& l : landmarks_)
+      sum += weight * l.distance[map[cells.of_vertex[l.of_a]]] / static_cast<double>(landmarks_.size());
+    return sum;
+  }
+
+  /// Root mean square distance of two maps in the embedding by eigenfunctions.
+  double distance(const Map& x, const Map& y, const Cells& cells) const
+  {
+    const int k = (std::min)(20, most_functions_ - 1);
+    double sum = 0;
+    for(int r = 0; r < cells.size(); ++r)
+      sum += cells.area[r] * (b_.function.row(x[r]).segment(1, k) - b_.function.row(y[r]).segment(1, k)).squaredNorm();
+    return std::sqrt(sum / k);
+  }
+
+  /// Whether a map is farther from all others than `limit`.
+  bool is_apart(const Map& map, const std::vector<Map>& others, const Cells& cells, double limit) const
+  {
+    return std::all_of(others.begin(), others.end(), [&](const Map& o) { return distance(map, o, cells) > limit; });
+  }
+
+  /// From 0 to 1.
+  static double signature_difference(const Shape& a, int v, const Shape& b, int w)
+  {
+    const auto x = a.signature.row(v), y = b.signature.row(w);
+    return (x - y).cwiseAbs().sum() / (x + y).cwiseAbs().sum();
+  }
+
+  static Rows rows(const Rows& all, const std::vector<int>& which, int columns)
+  {
+    Rows result(which.size(), columns);
+    for(std::size_t r = 0; r < which.size(); ++r)
+      result.row(r) = all.row(which[r]).head(columns);
+    return result;
+  }
+
+  /// Calls f(r, s, square) with the nearest row s of `to`, and its squared distance, for every row r of `from`.
+  template <class F>
+  static void for_each_nearest(const Rows& from, const Rows& to, F f)
+  {
+    constexpr int block = 64;
+    const auto half = (to.rowwise().squaredNorm().transpose() / 2).eval();
+    const Rows transposed = to.transpose();
+    Rows product;
+    for(int begin = 0; begin < from.rows(); begin += block) {
+      const int size = (std::min)(block, static_cast<int>(from.rows()) - begin);
+      product.noalias() = from.middleRows(begin, size) * transposed;
+      product.rowwise() -= half;
+      for(int r = 0; r < size; ++r) {
+        const float most = product.row(r).maxCoeff(); // with its place it would not be vectorized
+        const float* const p = product.row(r).data();
+        const auto nearest = std::find(p, p + to.rows(), most) - p;
+        f(begin + r, static_cast<int>(nearest), (std::max)(0.f, from.row(begin + r).squaredNorm() - 2 * most));
+      }
+    }
+  }
+
+protected:
+  const Watched_loop<Loop>& loop_;
+  const Shape& a_;
+  const Shape& b_;
+
+  struct Landmark {
+    int of_a, of_b;
+    std::vector<double> distance; ///< on B
+  };
+  std::vector<Landmark> landmarks_;
+
+private:
+  /// Of the smooth map to the sphere that C stands for.
+  double orientation(const Rows& functional) const
+  {
+    const int k = static_cast<int>(functional.rows());
+    const Rows corner = a_.corner.leftCols(k) * (functional * b_.sphere.topRows(functional.cols()));
+    double sum = 0;
+    for(int r = 0; r < corner.rows(); r += 3) {
+      const double d = determinant(vec3{corner(r, 0), corner(r, 1), corner(r, 2)},
+                                   vec3{corner(r + 1, 0), corner(r + 1, 1), corner(r + 1, 2)},
+                                   vec3{corner(r + 2, 0), corner(r + 2, 1), corner(r + 2, 2)});
+      sum += d > 0 ? 1 : d < 0 ? -1 : 0;
+    }
+    return 3 * sum / static_cast<double>(corner.rows());
+  }
+
+  /// With the score that decides.
+  Candidate with_score(Candidate c, const Cells& cells) const
+  {
+    constexpr double least = 1e-9;
+    double signatures = 0;
+    std::array<double, 2> curvatures = {};
+    for(int i = 0; i < cells.size(); ++i) {
+      const int v = a_.sample[i], t = c.map[i];
+      signatures += cells.area[i] * signature_difference(a_, v, b_, t);
+      for(std::size_t s = 0; s < curvatures.size(); ++s)
+        curvatures[s] += cells.area[i] * std::abs(a_.curvature[s][v] - b_.curvature[s][t]);
+    }
+    c.score = std::log((std::max)(signatures, least)) - c.orientation + landmark_error(c.map, cells);
+    for(double difference : {curvatures[0], curvatures[1], c.residual})
+      c.score += std::log((std::max)(difference, least)) / 2;
+    return c;
+  }
+
+  int most_functions_;
+};
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CORRESPONDENCE_SPECTRAL_REFINEMENT_H

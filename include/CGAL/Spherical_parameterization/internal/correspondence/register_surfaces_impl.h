@@ -365,9 +365,13 @@ private:
   }
 
   /// Whether a deformation has made the shapes more alike. Where they are the same already, the chords of coarse faces
-  /// still have a little to gain by it.
+  /// still have a little to gain by it. What eigenfunctions have found stands in all other cases: between bodies of
+  /// other proportions it may well stretch more than a rotation that puts limbs nowhere.
   bool gains(const Refinement_report& before, const Refinement_report& after) const
   {
+    constexpr double same = 5; // stretching; 4: none
+    if(!deformed_.empty() && before.stretching > same)
+      return true;
     const auto difference = [this](const Refinement_report& report) {
       return report.mismatch + (settings_.isometry_weight > 0 ? settings_.isometry_weight * report.stretching : 0);
     };

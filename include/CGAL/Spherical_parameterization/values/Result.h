@@ -79,8 +79,8 @@ struct Result {
     double read = 0;      ///< reading the mesh into arrays, with all checks of the input
     double weights = 0;   ///< edge weights; for conformal weights with the Delaunay triangulation
     double start_map = 0; ///< set-up of the multigrid hierarchy, and the start map; of all attempts
-    double solve = 0;     ///< from the start map to the result; of all attempts
-    double certify = 0;   ///< certificates of all attempts, moving vertices for them, and writing the property map
+    double solve = 0;     ///< from the start map to the result, with mending; of all attempts
+    double certify = 0;   ///< certificates of all attempts, and writing the property map
     double total = 0;     ///< the whole call
   };
   /// A method that was tried, and its outcome.

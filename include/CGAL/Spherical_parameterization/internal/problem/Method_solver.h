@@ -30,7 +30,7 @@ enum class Weights {
 ///     template <>
 ///     class Method_solver<M> {
 ///     public:
-///       explicit Method_solver(const M& method);   // checks the options: precondition()
+///       explicit Method_solver(const M& method);   // checks the options with CGAL_SP_PRECONDITION
 ///       static Weights weights();
 ///       bool needs_given_start() const;            // whether it starts from what the sphere map holds
 ///       std::string name() const;                  // for Result::method
@@ -39,7 +39,8 @@ enum class Weights {
 ///     };
 ///
 /// solve() works with the verbs of `backend`, or on the host with backend.host_loop(). It calls monitor.advance(share),
-/// through which callbacks and time limits reach it, and ends with finish(). It throws an Error if there is no map.
+/// through which callbacks and time limits reach it, and ends with finish(). It throws an Input_error if there is no
+/// map.
 template <class Method>
 class Method_solver;
 

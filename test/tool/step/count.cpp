@@ -14,8 +14,8 @@ Step count_step()
               run.read(); // or it is refused
               const Mesh& mesh = run.mesh();
               const std::size_t number = *counts_faces ? mesh.number_of_faces() : mesh.number_of_vertices();
-              if(run.has("--output"))
-                *run.out() << number << '\n';
+              if(std::ostream* out = run.out())
+                *out << number << '\n';
               run.details["number"] = number; // in the report
               run.line = std::to_string(number) + (*counts_faces ? " faces" : " vertices");
               run.text = run.name_of_input() + ": " + run.line;

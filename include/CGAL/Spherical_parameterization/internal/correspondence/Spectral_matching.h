@@ -75,20 +75,19 @@ public:
       const std::vector<Candidate> all = bests(climbers);
       climb(c, best_of(all).score + farthest, its_patience);
     };
-    const auto begin = [&](const std::vector<Candidate>& from, int most) {
+    const auto begin = [&](std::vector<Candidate> from, int most) {
+      std::stable_sort(from.begin(), from.end(), is_better);
       std::vector<Map> known;
       for(const Climber& c : climbers)
         known.push_back(c.best.map);
-      for(; most > 0; --most) {
-        const auto next = std::find_if(from.begin(), from.end(),
-                                       [&](const Candidate& c) { return is_apart(c.map, known, a_.some, different); });
-        if(next == from.end())
-          break;
-        climbers.push_back({*next, *next});
-        go_on(climbers.back(), much, patience);
-        known.push_back(next->map);
-        known.push_back(climbers.back().best.map);
-      }
+      for(const Candidate& c : from)
+        if(most > 0 && is_apart(c.map, known, a_.some, different)) {
+          climbers.push_back({c, c});
+          go_on(climbers.back(), much, patience);
+          known.push_back(c.map);
+          known.push_back(climbers.back().best.map);
+          --most;
+        }
     };
     begin(starts, 4);
     begin(exchanged(best_of(bests(climbers)).map, symmetries), 2); // a duel of the best one with its mirror image
@@ -96,7 +95,7 @@ public:
       for(Climber& c : climbers)
         go_on(c, very_much, much_patience);
     std::vector<Candidate> found = best_distinct(bests(climbers), 6, 0.1);
-    found = candidates(found.size(), [&](int k) { return judged(found[k]); });
+    found = candidates(found.size(), [&](int k) { return judged(found[k].map); });
     const Candidate best = best_of(found);
 
     Match result;
@@ -121,8 +120,7 @@ private:
     return *std::min_element(found.begin(), found.end(), is_better);
   }
 
-  /// From rotations of the sphere, with limbs put onto each other, from the ends of limbs, and from landmarks; best
-  /// first.
+  /// From rotations of the sphere, with limbs put onto each other, from the ends of limbs, and from landmarks.
   std::vector<Candidate> first_candidates(const std::vector<Map>& symmetries) const
   {
     const std::vector<Map> roughly = distinct(coarse_maps(), 5);
@@ -143,16 +141,14 @@ private:
         starts.push_back(turned_to(of_a, of_b, width));
     const int number_of_turned = static_cast<int>(starts.size());
     starts.insert(starts.end(), roughly.begin(), roughly.end());
-    std::vector<Candidate> result = candidates(starts.size(), [&](int k) {
+    return candidates(starts.size(), [&](int k) {
       const std::vector<int> numbers =
         k < number_of_turned ? std::vector<int>{14, 17, 20, 25, 30} : std::vector<int>{20, 25, 30};
       return guided(upsample(starts[k], a_.some, b_.sample, numbers).map, {30, 40});
     });
-    std::stable_sort(result.begin(), result.end(), is_better);
-    return result;
   }
 
-  /// A map with left and right exchanged, best first.
+  /// A map with left and right exchanged.
   std::vector<Candidate> exchanged(const Map& map, const std::vector<Map>& symmetries) const
   {
     std::vector<Map> starts;
@@ -160,9 +156,7 @@ private:
       for(double width : {0.2, 0.3, 0.4, 0.5, 0.7})
         for(Anchors anchors : {Anchors::LIMBS, Anchors::ALL})
           starts.push_back(vertices_near(smoothed(composed(map, symmetry), width, anchors)));
-    std::vector<Candidate> result = candidates(starts.size(), [&](int k) { return guided(starts[k], {20, 30, 40}); });
-    std::stable_sort(result.begin(), result.end(), is_better);
-    return result;
+    return candidates(starts.size(), [&](int k) { return guided(starts[k], {20, 30, 40}); });
   }
 
   static Places images(const Shape& shape, const Map& vertices)
@@ -347,11 +341,7 @@ private:
   {
     const std::vector<Map> starts = distinct(coarse_maps(-orientation_weight), 5, first(a_.sample, a_.some));
     std::vector<Candidate> found;
-    for(Candidate& c : candidates(starts.size(), [&](int k) {
-          Candidate start;
-          start.map = starts[k];
-          return judged(start);
-        })) {
+    for(Candidate& c : candidates(starts.size(), [&](int k) { return judged(starts[k]); })) {
       c.score += 2 * c.orientation; // less orientation is better here
       if(distance(c.map, a_.sample, a_.all) > rough_distance)
         found.push_back(std::move(c));

@@ -152,11 +152,11 @@ public:
   }
 
   /// With all samples and many eigenfunctions, and the score that decides.
-  Candidate judged(const Candidate& c) const
+  Candidate judged(const Map& of_some) const
   {
     Map map;
     for(int v : a_.sample)
-      map.push_back(c.map[a_.some.of_vertex[v]]);
+      map.push_back(of_some[a_.some.of_vertex[v]]);
     return with_score(upsample(std::move(map), a_.all, b_.target, {30, 40, 50, 60}), a_.all);
   }
 

@@ -8,7 +8,6 @@
 #include <CGAL/Spherical_parameterization/internal/algebra/rotations.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -44,15 +43,10 @@ inline Places moved_from(vec3 centre, double change, Places places)
 inline Places turned(Places places, const Places& anchor, const Places& place, const std::vector<double>& weight,
                      double width)
 {
-  Matrix_3 products = {};
-  for(std::size_t k = 0; k < anchor.size(); ++k) {
-    const std::array<double, 3> f = {anchor[k].x, anchor[k].y, anchor[k].z}, t = {place[k].x, place[k].y, place[k].z};
-    for(int i = 0; i < 3; ++i)
-      for(int j = 0; j < 3; ++j)
-        products[i][j] += weight[k] * f[i] * t[j];
-  }
-  const Matrix_3 rotation = rotation_of_products(products);
-  Places from;
+  Places weighted, from;
+  for(std::size_t k = 0; k < anchor.size(); ++k)
+    weighted.push_back(scale(weight[k], anchor[k]));
+  const Matrix_3 rotation = best_rotation(weighted, place);
   for(const vec3& p : anchor)
     from.push_back(rotated(rotation, p));
   for(vec3& p : places) {

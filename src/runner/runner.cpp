@@ -290,7 +290,11 @@ int Line::execute()
     request_.options.sphere = inputs.back();
     inputs.pop_back();
   }
-  return is_about_each() && are_many() ? run_many() : run_one();
+  const bool is_each_of_many = is_about_each() && are_many();
+  if((is_each_of_many || step_.takes.meshes == Takes::TOGETHER) && request_.meshes.number_of_jobs() > 1 &&
+     !request_.has("--policy"))
+    request_.options.policy = "sequential"; // the other cores have meshes of their own
+  return is_each_of_many ? run_many() : run_one();
 }
 
 int Line::run_one()
@@ -358,8 +362,6 @@ int Line::run_many()
               "is a folder: '" + file + "' is added to the names of the meshes, and may not have a '/'");
     }
   const int threads = request_.meshes.number_of_jobs();
-  if(threads > 1 && !request_.has("--policy"))
-    request_.options.policy = "sequential"; // the other cores have meshes of their own
   const auto& [in, list, jobs] = request_.meshes;
   const bool is_one = in.size() == 1 && list.empty() && !is_folder(in.front()) && !is_folder(request_.options.sphere);
   const auto spheres = spheres_in(is_one ? "" : request_.options.sphere);

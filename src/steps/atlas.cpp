@@ -143,8 +143,6 @@ private:
       outcome.refusal = guarded(item.mesh, [&] {
         Mapping_options one = run_.options;
         one.input = item.mesh;
-        if(run_.meshes.number_of_jobs() > 1 && !run_.has("--policy"))
-          one.policy = "sequential";
         Mapped_mesh input;
         read_input(one, input);
         Atomic_files files;

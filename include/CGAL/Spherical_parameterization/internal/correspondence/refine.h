@@ -22,7 +22,7 @@ namespace CGAL::Spherical_parameterization::internal {
 /// from A to B. What is minimized over x is
 ///   the mean symmetric Dirichlet energy of x, from the map that A came with: 4 where nothing is bent, infinite where a
 ///   face flips
-///   + the mean squared differences of features, those of B being looked up at x
+///   + the mean squared differences of features over the surface of A, those of B being looked up at x
 ///   + how much the surface of A is stretched onto that of B (Carried_face)
 ///   + springs between landmarks.
 /// Features are linear between the vertices. Coarse features first, then finer ones, as B. Fischl, M. Sereno, A. Dale,

@@ -138,35 +138,23 @@ public:
     }
     const int k = static_cast<int>(mean.rows());
     const Map all = on_all_vertices(mean);
-    return on_all_vertices(functional(a_.function.leftCols(k), a_.area, rows(b_.function, all, k)));
+    return downhill(functional(a_.function.leftCols(k), a_.area, rows(b_.function, all, k)), all);
   }
 
-  /// The nearest vertex in the embedding by eigenfunctions: the nearest target, and downhill from there.
+  /// The nearest vertex in the embedding by eigenfunctions: the nearest target by the first ones, and downhill from
+  /// there.
   Map on_all_vertices(const Rows& functional) const
   {
-    constexpr int block = 512;
-    const int columns = static_cast<int>(functional.rows());
-    const Rows to = b_.function.leftCols(functional.cols()) * functional.transpose();
-    const Rows to_targets = rows(to, b_.target, columns);
+    constexpr int first_ones = 60;
+    const int columns = (std::min)(first_ones, static_cast<int>(functional.rows()));
+    const Rows to = rows(b_.function, b_.target, static_cast<int>(functional.cols())) *
+                    functional.topRows(columns).transpose();
     Map result(a_.size());
-    loop_.for_each((a_.size() + block - 1) / block, [&](int k) {
-      const int begin = k * block;
-      const Rows from = a_.function.block(begin, 0, (std::min)(block, a_.size() - begin), columns);
-      for_each_nearest(from, to_targets, [&](int r, int s, float least) {
-        int at = b_.target[s];
-        for(int before = -1; before != at;) {
-          before = at;
-          b_.graph.for_each_way(before, [&](int w, double) {
-            if(const float square = (from.row(r) - to.row(w)).squaredNorm(); square < least) {
-              least = square;
-              at = w;
-            }
-          });
-        }
-        result[begin + r] = at;
-      });
+    for_each_block([&](int begin, int size) {
+      for_each_nearest(a_.function.block(begin, 0, size, columns), to,
+                       [&](int r, int s, float) { result[begin + r] = b_.target[s]; });
     });
-    return result;
+    return downhill(functional, std::move(result));
   }
 
   /// With all samples and many eigenfunctions, and the score that decides.
@@ -252,6 +240,38 @@ protected:
   std::vector<Landmark> landmarks_;
 
 private:
+  /// Calls f(begin, size) for blocks of the vertices of A.
+  template <class F>
+  void for_each_block(F f) const
+  {
+    constexpr int block = 512;
+    loop_.for_each((a_.size() + block - 1) / block,
+                   [&](int k) { f(k * block, (std::min)(block, a_.size() - k * block)); });
+  }
+
+  /// Every vertex where it is nearer in the embedding than at all neighbours.
+  Map downhill(const Rows& functional, Map map) const
+  {
+    const int columns = static_cast<int>(functional.rows());
+    const Rows to = b_.function.leftCols(functional.cols()) * functional.transpose();
+    for_each_block([&](int begin, int size) {
+      for(int v = begin; v < begin + size; ++v) {
+        const auto square = [&](int w) { return (a_.function.row(v).head(columns) - to.row(w)).squaredNorm(); };
+        float least = square(map[v]);
+        for(int before = -1; before != map[v];) {
+          before = map[v];
+          b_.graph.for_each_way(before, [&](int w, double) {
+            if(const float there = square(w); there < least) {
+              least = there;
+              map[v] = w;
+            }
+          });
+        }
+      }
+    });
+    return map;
+  }
+
   /// Phi_A^T M_A Phi_B of points that correspond.
   static Rows functional(Rows of_a, const std::vector<double>& area, const Rows& of_b)
   {

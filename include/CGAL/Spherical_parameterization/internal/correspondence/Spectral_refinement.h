@@ -147,8 +147,8 @@ public:
   {
     constexpr int first_ones = 60;
     const int columns = (std::min)(first_ones, static_cast<int>(functional.rows()));
-    const Rows to = rows(b_.function, b_.target, static_cast<int>(functional.cols())) *
-                    functional.topRows(columns).transpose();
+    const Rows to =
+      rows(b_.function, b_.target, static_cast<int>(functional.cols())) * functional.topRows(columns).transpose();
     Map result(a_.size());
     for_each_block([&](int begin, int size) {
       for_each_nearest(a_.function.block(begin, 0, size, columns), to,

@@ -145,7 +145,7 @@ public:
   /// there.
   Map on_all_vertices(const Rows& functional) const
   {
-    constexpr int first_ones = 60;
+    constexpr int first_ones = 100;
     const int columns = (std::min)(first_ones, static_cast<int>(functional.rows()));
     const Rows to =
       rows(b_.function, b_.target, static_cast<int>(functional.cols())) * functional.topRows(columns).transpose();

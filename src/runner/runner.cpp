@@ -272,7 +272,7 @@ int Line::execute()
   check_use(work_.options);
   if(!request_.spheres.empty() || request_.has("--sphere"))
     for(const Option& option : all_) {
-      const bool is_allowed = option.group == general_options || option.group.empty() ||
+      const bool is_allowed = option.group == general_options || option.group.empty() || option.name() == "--policy" ||
                               (option.name() == "--max-time" && !request_.spheres.empty());
       require(!request_.has(option.name()) || is_allowed, "--sphere", "excludes " + option.name());
     }

@@ -38,3 +38,19 @@ TEST_CASE("map: the time limit stops every policy", "[tool][policies]")
   check_refused(scratch, write_off(scratch / "in.off", dumbbell(3)), "--max-time",
                 {"--policy", default_policy_name(), "--max-time", "1e-9"});
 }
+
+TEST_CASE("register: with spheres of before, too, the policy may be chosen, and the points are the same", "[tool][policies]")
+{
+  Scratch scratch;
+  const std::string a = write_off(scratch / "a.off", bumpy_sphere(3)), b = write_off(scratch / "b.off", dumbbell(3));
+  for(const std::string name : {"a", "b"})
+    REQUIRE(run_tool({"map", scratch / (name + ".off"), "-o", scratch / (name + ".ply")}).exit_code == 0);
+  const auto points = [&](const std::string& policy) {
+    const Process_result run = run_tool({"register", a, b, "--sphere", scratch / "a.ply", scratch / "b.ply", "--policy",
+                                         policy, "--correspondence", scratch / (policy + ".csv")});
+    CAPTURE(run.out, run.err);
+    REQUIRE(run.exit_code == 0);
+    return text_of(scratch / (policy + ".csv"));
+  };
+  CHECK((points(default_policy_name()) == points("sequential")));
+}

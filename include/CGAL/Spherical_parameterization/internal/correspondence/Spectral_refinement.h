@@ -117,7 +117,7 @@ public:
       for(std::size_t r = 0; r < targets.size(); ++r)
         place(beside_b, r, b_.image[targets[r]]);
     }
-    return with_score(upsample(std::move(map), a_.some, targets, numbers, beside_a, beside_b), a_.some);
+    return with_score(upsample(std::move(map), a_.some, targets, numbers, beside_a, beside_b), a_.some, 1);
   }
 
   /// All vertices, from a map of all samples, by many eigenfunctions. The matrices of a map and of the one back are
@@ -160,10 +160,11 @@ public:
   /// With all samples and many eigenfunctions, and the score that decides.
   Candidate judged(const Map& of_some) const
   {
+    constexpr double weight_of_signatures = 0.5; // many eigenfunctions say more
     Map map;
     for(int v : a_.sample)
       map.push_back(of_some[a_.some.of_vertex[v]]);
-    return with_score(upsample(std::move(map), a_.all, b_.target, {30, 40, 50, 60}), a_.all);
+    return with_score(upsample(std::move(map), a_.all, b_.target, {30, 40, 50, 60}), a_.all, weight_of_signatures);
   }
 
   /// The mean distance on B from where landmarks should be, so weighted that nothing outweighs it.
@@ -296,7 +297,7 @@ private:
   }
 
   /// With the score that decides.
-  Candidate with_score(Candidate c, const Cells& cells) const
+  Candidate with_score(Candidate c, const Cells& cells, double weight_of_signatures) const
   {
     constexpr double least = 1e-9;
     double signatures = 0;
@@ -307,9 +308,13 @@ private:
       for(std::size_t s = 0; s < curvatures.size(); ++s)
         curvatures[s] += cells.area[i] * std::abs(a_.curvature[s][v] - b_.curvature[s][t]);
     }
-    c.score = std::log((std::max)(signatures, least)) - c.orientation + landmark_error(c.map, cells);
+    c.score = landmark_error(c.map, cells) - c.orientation;
+    const auto add = [&](double difference, double weight) {
+      c.score += weight * std::log((std::max)(difference, least));
+    };
+    add(signatures, weight_of_signatures);
     for(double difference : {curvatures[0], curvatures[1], c.residual})
-      c.score += std::log((std::max)(difference, least)) / 2;
+      add(difference, 0.5);
     return c;
   }
 

@@ -39,7 +39,8 @@ TEST_CASE("map: the time limit stops every policy", "[tool][policies]")
                 {"--policy", default_policy_name(), "--max-time", "1e-9"});
 }
 
-TEST_CASE("register: with spheres of before, too, the policy may be chosen, and the points are the same", "[tool][policies]")
+TEST_CASE("register: with spheres of before, too, the policy may be chosen, and the points are the same",
+          "[tool][policies]")
 {
   Scratch scratch;
   const std::string a = write_off(scratch / "a.off", bumpy_sphere(3)), b = write_off(scratch / "b.off", dumbbell(3));

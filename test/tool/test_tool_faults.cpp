@@ -488,9 +488,9 @@ void check_stops_of_all_methods(int expected, const Stop& stop)
 {
   Scratch scratch;
   for(const std::string& policy : policies()) {
-    const int level = policy == "opencl" ? 5 : 4; // devices are not used for less
-    const std::string input = write_off(scratch / "in.off", spiky_star(level, 1));
     for(const Mapping& mapping : mappings()) {
+      const int level = policy == "opencl" || mapping.is_endless ? 5 : 4; // devices are not used for less
+      const std::string input = write_off(scratch / "in.off", spiky_star(level, 1));
       std::vector<std::string> arguments = {"map", input, "-o", scratch / "out.off", "--policy", policy};
       arguments.insert(arguments.end(), mapping.options.begin(), mapping.options.end());
       check_stops(scratch, arguments, mapping.is_endless, expected, stop);

@@ -72,7 +72,7 @@ private:
   /// No template, so that TBB's are instantiated once, and not for every loop.
   void run(int count, void (*run_range)(void*, int, int), void* loop) const
   {
-    if(!on_all_cores_)
+    if(!on_all_cores_ || count <= 1) // a single part would wake other threads in vain
       return run_range(loop, 0, count);
     tbb::parallel_for(tbb::blocked_range<int>(0, count),
                       [=](const tbb::blocked_range<int>& range) { run_range(loop, range.begin(), range.end()); });

@@ -9,6 +9,7 @@
 #include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
 #include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
+#include <CGAL/Spherical_parameterization/internal/correspondence/Geodesic_graph.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/Spectral_matching.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/Spectral_shape.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/coarse_map.h>
@@ -77,8 +78,10 @@ public:
       target[coarse_landmarks[k].first] = b.point[landmarks[k].second];
     }
     rotation = best_rotation(surface.image, place);
-    std::vector<int> spread(shape_a.sample.begin(),
-                            shape_a.sample.begin() + (std::min)(most_places, static_cast<int>(shape_a.sample.size())));
+    std::vector<int> spread;
+    for(int k = 0; k < (std::min)(most_places, static_cast<int>(shape_a.sample.size())); ++k)
+      if(const int v = shape_a.sample[k]; !is_torn_off(v, shape_a.graph, surface.point, target))
+        spread.push_back(v);
     for(const auto& [v, w] : coarse_landmarks)
       spread.push_back(v);
     image = moved_to(surface, spread, place, target, 0.3, 0.55);
@@ -108,6 +111,26 @@ private:
   Coarse_map coarse(const Registered_surface& surface, const std::vector<int>& kept) const
   {
     return Coarse_map(loop_.bare(), surface, surface.point, surface.image, kept, most_vertices, monitor_);
+  }
+
+  /// Whether the target of a vertex is far from those of the vertices around it. A few such points, if they are held,
+  /// drag whole limbs along.
+  static bool is_torn_off(int v, const Geodesic_graph& graph, const Host_array<vec3>& point,
+                          const Host_array<vec3>& target)
+  {
+    constexpr std::size_t around = 50;
+    constexpr double limit = 1.5; // times as far
+    std::vector<int> near = {v};
+    for(std::size_t k = 0; k < near.size() && near.size() <= around; ++k)
+      graph.for_each_way(near[k], [&](int w, double) {
+        if(std::find(near.begin(), near.end(), w) == near.end())
+          near.push_back(w);
+      });
+    const auto is_farther = [&](int w) {
+      return norm(sub(target[w], target[v])) > limit * norm(sub(point[w], point[v]));
+    };
+    const auto farther = std::count_if(near.begin() + 1, near.end(), is_farther);
+    return 2 * static_cast<std::size_t>(farther) > near.size() - 1;
   }
 
   /// The point of B that has this image.

@@ -45,7 +45,7 @@ public:
   Spectral_registration(const Watched_loop<Host_loop>& loop, Monitor& monitor, const Registered_surface& a,
                         const Registered_surface& b, const Locator& locator_b,
                         const std::vector<std::pair<int, int>>& landmarks)
-    : loop_(loop), monitor_(monitor), b_(b), locator_b_(locator_b)
+    : loop_(loop), monitor_(monitor), b_(b), locator_b_(locator_b), number_of_landmarks_(landmarks.size())
   {
     std::vector<int> landmark_of_a, landmark_of_b;
     for(const auto& [v, w] : landmarks) {
@@ -140,6 +140,20 @@ private:
     return mean_of_corners(b_.face[face], weight, b_.point);
   }
 
+  /// Lets go of the vertices that are still far from their places, but for landmarks, which come last. Returns whether
+  /// there are any: the others hold the map elsewhere, so these places are wrong.
+  bool let_go(Problem& problem, const std::vector<int>& spread, const Host_array<vec3>& position) const
+  {
+    constexpr double too_far = 0.2;
+    bool result = false;
+    for(std::size_t k = 0; k + number_of_landmarks_ < spread.size(); ++k)
+      if(const int v = spread[k]; problem.is_fixed[v] && norm(sub(position[v], problem.given[v])) > too_far) {
+        problem.is_fixed[v] = 0;
+        result = true;
+      }
+    return result;
+  }
+
   /// A map of a surface with some vertices, spread evenly, near their places, and then all of them near their targets
   /// on B. Places and targets may be wrong by a little, and contradict each other.
   Host_array<vec3> moved_to(const Registered_surface& a, const std::vector<int>& spread, const Host_array<vec3>& place,
@@ -147,7 +161,7 @@ private:
   {
     constexpr double pull = 3000, target_weight = 10000, isometry_weight = 1, accuracy = 1e-5;
     constexpr double farthest = 0.5; // what is farther off pulls less, since it is more likely to be wrong
-    constexpr int most_iterations = 300;
+    constexpr int most_iterations = 300, most_solutions = 3;
     const int n = static_cast<int>(a.point.size());
     Problem problem;
     problem.face = a.face;
@@ -164,8 +178,12 @@ private:
     }
     Isometric method;
     method.landmark_weight = pull;
-    monitor_.begin_stage(begin, (begin + end) / 2);
-    Solution solution = solve_isometric(loop_.bare(), method, problem, {}, monitor_);
+    const double middle = (begin + end) / 2, part = (middle - begin) / most_solutions;
+    Solution solution;
+    for(int k = 0; k == 0 || (k < most_solutions && let_go(problem, spread, solution.position)); ++k) {
+      monitor_.begin_stage(begin + k * part, begin + (k + 1) * part);
+      solution = solve_isometric(loop_.bare(), method, problem, {}, monitor_);
+    }
     if(!solution.certificate.is_valid())
       return {};
     Host_array<vec3>& x = solution.position;
@@ -175,7 +193,7 @@ private:
       if(const double square = inner(way, way); square > farthest * farthest)
         target[v] = add_scaled(at, farthest * farthest / square, way);
     });
-    monitor_.begin_stage((begin + end) / 2, end);
+    monitor_.begin_stage(middle, end);
     Registration_features features;
     for(double vec3::*coordinate : {&vec3::x, &vec3::y, &vec3::z}) {
       for(const vec3& p : target)
@@ -195,6 +213,7 @@ private:
   Monitor& monitor_;
   const Registered_surface& b_;
   const Locator& locator_b_;
+  std::size_t number_of_landmarks_;
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -78,9 +78,12 @@ public:
       target[coarse_landmarks[k].first] = b.point[landmarks[k].second];
     }
     rotation = best_rotation(surface.image, place);
-    std::vector<int> spread;
+    std::vector<int> spread; // each vertex once, the landmarks last
+    const auto is_landmark = [&](int v) {
+      return std::any_of(coarse_landmarks.begin(), coarse_landmarks.end(), [&](const auto& l) { return l.first == v; });
+    };
     for(int k = 0; k < (std::min)(most_places, static_cast<int>(shape_a.sample.size())); ++k)
-      if(const int v = shape_a.sample[k]; !is_torn_off(v, shape_a.graph, surface.point, target))
+      if(const int v = shape_a.sample[k]; !is_landmark(v) && !is_torn_off(v, shape_a.graph, surface.point, target))
         spread.push_back(v);
     for(const auto& [v, w] : coarse_landmarks)
       spread.push_back(v);
@@ -180,10 +183,11 @@ private:
     method.landmark_weight = pull;
     const double middle = (begin + end) / 2, part = (middle - begin) / most_solutions;
     Solution solution;
-    for(int k = 0; k == 0 || (k < most_solutions && let_go(problem, spread, solution.position)); ++k) {
+    int k = 0;
+    do {
       monitor_.begin_stage(begin + k * part, begin + (k + 1) * part);
       solution = solve_isometric(loop_.bare(), method, problem, {}, monitor_);
-    }
+    } while(++k < most_solutions && let_go(problem, spread, solution.position));
     if(!solution.certificate.is_valid())
       return {};
     Host_array<vec3>& x = solution.position;

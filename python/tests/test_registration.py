@@ -37,7 +37,7 @@ def test_landmarks_are_put_onto_each_other() -> None:
     assert sp.register_maps(points, triangles, sphere, *other, motion="rotation").trust == "unknown"
     assert sp.certify(triangles, r.sphere).is_valid
     distance = np.linalg.norm(r.sphere[[i for i, _ in pairs]] - other[2][[j for _, j in pairs]], axis=1)
-    assert distance.max() <= r.largest_landmark_distance + 1e-12 and distance.max() < 0.1
+    assert distance.max() <= r.largest_landmark_distance + 1e-12 and distance.max() < 1e-12
 
 
 def test_own_features_turn_what_has_no_form() -> None:

@@ -34,7 +34,7 @@ TEST_CASE("by all of its eigenfunctions a body with limbs is mapped to itself ve
   const Spectral_shape<Host_loop> shape(loop, of_area_1, monitor);
   const Watched_loop<Host_loop> watched(loop, monitor);
   typedef Spectral_refinement<Host_loop> Refinement;
-  const Refinement refinement(watched, shape, shape, {});
+  const Refinement refinement(watched, shape, shape, {}, false);
   const int n = shape.number_of_functions();
   Refinement::Map all(soup.points.size());
   std::iota(all.begin(), all.end(), 0);

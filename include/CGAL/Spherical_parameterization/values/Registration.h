@@ -47,7 +47,7 @@ struct Registration {
   double stretch_weight = 0;  ///< of the logarithmic area stretch of the maps; for maps of the same method
   double isometry_weight = 1; ///< of the mean stretching of the first surface onto the second, from the second level on
   double position_weight = 0; ///< of the coordinates, after the best motion in space: for shapes in one pose
-  double landmark_weight = 300; ///< of the squared distances of the landmarks on the sphere
+  double landmark_weight = 300; ///< of their squared distances on the sphere, until they are in place
 
   double coarsest_scale = 0.6; ///< of the features that are compared first, as a length on the surface of area 4 pi
   int levels = 4;              ///< each has features half as large as the one before

@@ -168,15 +168,6 @@ public:
     for_each_index(loop_, n, [&](int i) { result[i] = tangent(result[i], x[i]); });
   }
 
-  /// The faces at vertex i
-  Star star(int i, const Host_array<vec3>& x) const
-  {
-    Star result;
-    for(int k = corner_offset_[i]; k < corner_offset_[i + 1]; ++k)
-      result.push_back(Star_face_at(*this, x, corner_[k]).face);
-    return result;
-  }
-
 private:
   /// A face at one of its corners
   struct Star_face_at {

@@ -35,9 +35,10 @@ namespace CGAL::Spherical_parameterization::internal {
 template <class Loop>
 class Spectral_matching : Spectral_refinement<Loop> {
   typedef Spectral_refinement<Loop> Base;
-  using Base::a_, Base::b_, Base::landmarks_, Base::loop_, Base::rough_distance;
-  using Base::candidates, Base::distance, Base::first, Base::guided, Base::is_apart, Base::is_better, Base::judged,
-    Base::landmark_error, Base::on_all_vertices, Base::precise, Base::rows, Base::signature_difference, Base::upsample;
+  using Base::a_, Base::are_guides_, Base::b_, Base::landmarks_, Base::loop_, Base::rough_distance;
+  using Base::candidates, Base::distance, Base::first, Base::guided, Base::guiding_error, Base::is_apart,
+    Base::is_better, Base::is_near, Base::judged, Base::on_all_vertices, Base::precise, Base::rows,
+    Base::signature_difference, Base::upsample;
   typedef typename Base::Candidate Candidate;
   typedef typename Base::Cells Cells;
   typedef typename Base::Rows Rows;
@@ -50,13 +51,15 @@ public:
   typedef typename Base::Map Map;
 
   struct Match {
-    Map map;               ///< of all vertices
-    double margin = 0;     ///< how much worse the best of all other answers is; infinite if there is none
-    double difference = 0; ///< of the signatures of points that correspond, from 0 to 1
+    Map map;                    ///< of all vertices
+    double margin = 0;          ///< how much worse the best of all other answers is; infinite if there is none
+    double difference = 0;      ///< of the signatures of points that correspond, from 0 to 1
+    bool fits_landmarks = true; ///< all of them are near where they should be
   };
 
-  Spectral_matching(const Watched_loop<Loop>& loop, const Shape& a, const Shape& b, const Landmarks& landmarks)
-    : Base(loop, a, b, landmarks)
+  Spectral_matching(const Watched_loop<Loop>& loop, const Shape& a, const Shape& b, const Landmarks& landmarks,
+                    bool are_guides)
+    : Base(loop, a, b, landmarks, are_guides)
   {}
 
   Match run() const
@@ -65,7 +68,7 @@ public:
     constexpr double clear = 0.4, much = 0.6, very_much = 1; // differences of scores
     constexpr int patience = 2, much_patience = 5;
     loop_.begin_stage(0, share_of_symmetries);
-    const std::vector<Map> symmetries = Spectral_matching(loop_, b_, b_, {}).symmetries();
+    const std::vector<Map> symmetries = Spectral_matching(loop_, b_, b_, {}, false).symmetries();
     loop_.begin_stage(share_of_symmetries, share_of_starts);
     const std::vector<Candidate> starts = first_candidates(symmetries);
     loop_.begin_stage(share_of_starts, share_of_work);
@@ -103,6 +106,8 @@ public:
     result.map = precise(best.map);
     for(int i = 0; i < a_.size(); ++i)
       result.difference += a_.area[i] * signature_difference(a_, i, b_, result.map[i]);
+    for(const auto& l : landmarks_)
+      result.fits_landmarks = result.fits_landmarks && is_near(l.distance, result.map[l.of_a]);
     return result;
   }
 
@@ -135,7 +140,7 @@ private:
       of_b.push_back(l.of_b);
     }
     for(double width : {0.3, 0.5, 0.7})
-      if(landmarks_.size() >= 3)
+      if(are_guides_ && landmarks_.size() >= 3)
         starts.push_back(turned_to(of_a, of_b, width));
     const int number_of_turned = static_cast<int>(starts.size());
     starts.insert(starts.end(), roughly.begin(), roughly.end());
@@ -325,7 +330,7 @@ private:
       return upsample(starts[k], a_.some, b_.sample, {6, 10, 14, 20});
     });
     for(Candidate& c : found)
-      c.score = c.residual - weight_of_orientation * c.orientation + landmark_error(c.map, a_.some);
+      c.score = c.residual - weight_of_orientation * c.orientation + guiding_error(c.map);
     std::stable_sort(found.begin(), found.end(), is_better);
     std::vector<Map> result;
     for(Candidate& c : found)

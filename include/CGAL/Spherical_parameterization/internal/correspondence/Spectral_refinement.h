@@ -42,8 +42,11 @@ public:
     double score = 0;       ///< the less the better
   };
 
-  Spectral_refinement(const Watched_loop<Loop>& loop, const Shape& a, const Shape& b, const Landmarks& landmarks)
-    : loop_(loop), a_(a), b_(b), most_functions_((std::min)(a.number_of_functions(), b.number_of_functions()))
+  /// \param are_guides  whether landmarks count from the beginning, and not only in `judged()`
+  Spectral_refinement(const Watched_loop<Loop>& loop, const Shape& a, const Shape& b, const Landmarks& landmarks,
+                      bool are_guides)
+    : loop_(loop), a_(a), b_(b), are_guides_(are_guides),
+      most_functions_((std::min)(a.number_of_functions(), b.number_of_functions()))
   {
     for(const auto& [v, w] : landmarks)
       landmarks_.push_back({v, w, b.graph.distances(w)});
@@ -117,7 +120,9 @@ public:
       for(std::size_t r = 0; r < targets.size(); ++r)
         place(beside_b, r, b_.image[targets[r]]);
     }
-    return with_score(upsample(std::move(map), a_.some, targets, numbers, beside_a, beside_b), a_.some, 1);
+    Candidate c = with_score(upsample(std::move(map), a_.some, targets, numbers, beside_a, beside_b), a_.some, 1);
+    c.score += guiding_error(c.map);
+    return c;
   }
 
   /// All vertices, from a map of all samples, by many eigenfunctions. The matrices of a map and of the one back are
@@ -164,17 +169,20 @@ public:
     Map map;
     for(int v : a_.sample)
       map.push_back(of_some[a_.some.of_vertex[v]]);
-    return with_score(upsample(std::move(map), a_.all, b_.target, {30, 40, 50, 60}), a_.all, weight_of_signatures);
+    Candidate c =
+      with_score(upsample(std::move(map), a_.all, b_.target, {30, 40, 50, 60}), a_.all, weight_of_signatures);
+    c.score += landmark_error(c.map, a_.all);
+    return c;
   }
 
-  /// The mean distance on B from where landmarks should be, so weighted that nothing outweighs it.
-  double landmark_error(const Map& map, const Cells& cells) const
+  /// Of a map of the first samples, while candidates are sought.
+  double guiding_error(const Map& of_some) const { return are_guides_ ? landmark_error(of_some, a_.some) : 0; }
+
+  /// Whether a point of B is where a landmark should be. If it is only near it, it is moved there in the end.
+  static bool is_near(const std::vector<double>& distance_from_landmark, int v)
   {
-    constexpr double weight = 10;
-    double sum = 0;
-    for(const Landmark& l : landmarks_)
-      sum += weight * l.distance[map[cells.of_vertex[l.of_a]]] / static_cast<double>(landmarks_.size());
-    return sum;
+    constexpr double near = 0.25;
+    return distance_from_landmark[v] <= near;
   }
 
   /// Root mean square distance of two maps in the embedding by eigenfunctions.
@@ -239,8 +247,20 @@ protected:
     std::vector<double> distance; ///< on B
   };
   std::vector<Landmark> landmarks_;
+  bool are_guides_;
 
 private:
+  /// The mean distance on B from where landmarks should be, so weighted that nothing outweighs it.
+  double landmark_error(const Map& map, const Cells& cells) const
+  {
+    constexpr double weight = 10;
+    double sum = 0;
+    for(const Landmark& l : landmarks_)
+      if(const int v = map[cells.of_vertex[l.of_a]]; !is_near(l.distance, v))
+        sum += weight * l.distance[v] / static_cast<double>(landmarks_.size());
+    return sum;
+  }
+
   /// Calls f(begin, size) for blocks of the vertices of A.
   template <class F>
   void for_each_block(F f) const
@@ -308,7 +328,7 @@ private:
       for(std::size_t s = 0; s < curvatures.size(); ++s)
         curvatures[s] += cells.area[i] * std::abs(a_.curvature[s][v] - b_.curvature[s][t]);
     }
-    c.score = landmark_error(c.map, cells) - c.orientation;
+    c.score = -c.orientation;
     const auto add = [&](double difference, double weight) {
       c.score += weight * std::log((std::max)(difference, least));
     };

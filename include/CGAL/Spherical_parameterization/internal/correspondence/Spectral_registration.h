@@ -13,6 +13,7 @@
 #include <CGAL/Spherical_parameterization/internal/correspondence/Spectral_matching.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/Spectral_shape.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/coarse_map.h>
+#include <CGAL/Spherical_parameterization/internal/correspondence/landmarks_in_place.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/refine.h>
 #include <CGAL/Spherical_parameterization/internal/isometric/solve_isometric.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Locator.h>
@@ -45,7 +46,7 @@ public:
   Spectral_registration(const Watched_loop<Host_loop>& loop, Monitor& monitor, const Registered_surface& a,
                         const Registered_surface& b, const Locator& locator_b,
                         const std::vector<std::pair<int, int>>& landmarks)
-    : loop_(loop), monitor_(monitor), b_(b), locator_b_(locator_b), number_of_landmarks_(landmarks.size())
+    : loop_(loop), monitor_(monitor), b_(b), locator_b_(locator_b)
   {
     std::vector<int> landmark_of_a, landmark_of_b;
     for(const auto& [v, w] : landmarks) {
@@ -58,7 +59,10 @@ public:
     for(const auto& [v, w] : landmarks)
       coarse_landmarks.emplace_back(coarse_a.number_of(v), coarse_b.number_of(w));
     const Spectral_shape<Host_loop> shape_a(loop.bare(), coarse_a, monitor), shape_b(loop.bare(), coarse_b, monitor);
-    const auto match = Spectral_matching<Host_loop>(loop, shape_a, shape_b, coarse_landmarks).run();
+    // Where the shapes say the same as landmarks, these change nothing, but for what they are moved by in the end
+    auto match = Spectral_matching<Host_loop>(loop, shape_a, shape_b, coarse_landmarks, false).run();
+    if(!match.fits_landmarks)
+      match = Spectral_matching<Host_loop>(loop, shape_a, shape_b, coarse_landmarks, true).run();
     margin = match.margin;
     difference = match.difference;
 
@@ -73,21 +77,19 @@ public:
       place.push_back(shape_b.image[match.map[i]]);
       target.push_back(b.point[coarse_b.vertex[match.map[i]]]);
     }
+    std::vector<Registration_landmark> in_place;
     for(std::size_t k = 0; k < landmarks.size(); ++k) {
-      place[coarse_landmarks[k].first] = b.image[landmarks[k].second];
-      target[coarse_landmarks[k].first] = b.point[landmarks[k].second];
+      const int v = coarse_landmarks[k].first, w = landmarks[k].second;
+      in_place.push_back({v, b.image[w]});
+      place[v] = b.image[w];
+      target[v] = b.point[w];
     }
     rotation = best_rotation(surface.image, place);
-    std::vector<int> spread; // each vertex once, the landmarks last
-    const auto is_landmark = [&](int v) {
-      return std::any_of(coarse_landmarks.begin(), coarse_landmarks.end(), [&](const auto& l) { return l.first == v; });
-    };
+    std::vector<int> spread;
     for(int k = 0; k < (std::min)(most_places, static_cast<int>(shape_a.sample.size())); ++k)
-      if(const int v = shape_a.sample[k]; !is_landmark(v) && !is_torn_off(v, shape_a.graph, surface.point, target))
+      if(const int v = shape_a.sample[k]; !is_torn_off(v, shape_a.graph, surface.point, target))
         spread.push_back(v);
-    for(const auto& [v, w] : coarse_landmarks)
-      spread.push_back(v);
-    image = moved_to(surface, spread, place, target, 0.3, 0.55);
+    image = moved_to(surface, spread, place, target, in_place, 0.3, 0.55);
     if(image.empty() || n == static_cast<int>(a.point.size()))
       return;
 
@@ -99,13 +101,15 @@ public:
       all_places[v] = unit(mean_of_corners(coarse_a.face[face], weight, image));
       all_targets[v] = on_b(all_places[v]);
     });
-    for(const auto& [v, w] : landmarks) {
+    for(std::size_t k = 0; k < landmarks.size(); ++k) {
+      const auto& [v, w] = landmarks[k];
+      in_place[k].vertex = v;
       all_places[v] = b.image[w];
       all_targets[v] = b.point[w];
     }
     for(int& v : spread)
       v = coarse_a.vertex[v];
-    image = moved_to(a, spread, all_places, all_targets, 0.55, 0.8);
+    image = moved_to(a, spread, all_places, all_targets, in_place, 0.55, 0.8);
   }
 
 private:
@@ -143,38 +147,35 @@ private:
     return mean_of_corners(b_.face[face], weight, b_.point);
   }
 
-  /// Lets go of the vertices that are still far from their places, but for landmarks, which come last. Returns whether
-  /// there are any: the others hold the map elsewhere, so these places are wrong.
-  bool let_go(Problem& problem, const std::vector<int>& spread, const Host_array<vec3>& position) const
+  /// After a map has been found: lets go of vertices that are still far from their places, since the others hold the
+  /// map elsewhere, so these places are wrong; and takes hold of landmarks that are far. Returns whether there are any.
+  static bool is_held_anew(Problem& problem, const std::vector<Registration_landmark>& landmarks,
+                           const Host_array<vec3>& position)
   {
-    constexpr double too_far = 0.2;
-    bool result = false;
-    for(std::size_t k = 0; k + number_of_landmarks_ < spread.size(); ++k)
-      if(const int v = spread[k]; problem.is_fixed[v] && norm(sub(position[v], problem.given[v])) > too_far) {
+    constexpr double too_far = 0.2, too_far_for_landmarks = 0.1;
+    const std::vector<char> before = problem.is_fixed;
+    for(int v = 0; v < problem.size(); ++v)
+      if(problem.is_fixed[v] && norm(sub(position[v], problem.given[v])) > too_far)
         problem.is_fixed[v] = 0;
-        result = true;
+    for(const Registration_landmark& l : landmarks)
+      if(before[l.vertex] || norm(sub(position[l.vertex], l.place)) > too_far_for_landmarks) {
+        problem.is_fixed[l.vertex] = 1;
+        problem.given[l.vertex] = l.place;
       }
-    return result;
+    return problem.is_fixed != before;
   }
 
   /// A map of a surface with some vertices, spread evenly, near their places, and then all of them near their targets
-  /// on B. Places and targets may be wrong by a little, and contradict each other.
+  /// on B. Places and targets may be wrong by a little, and contradict each other. Landmarks are where they should be.
   Host_array<vec3> moved_to(const Registered_surface& a, const std::vector<int>& spread, const Host_array<vec3>& place,
-                            Host_array<vec3> target, double begin, double end)
+                            Host_array<vec3> target, const std::vector<Registration_landmark>& landmarks, double begin,
+                            double end)
   {
     constexpr double pull = 3000, target_weight = 10000, isometry_weight = 1, accuracy = 1e-5;
     constexpr double farthest = 0.5; // what is farther off pulls less, since it is more likely to be wrong
     constexpr int most_iterations = 300, most_solutions = 3;
     const int n = static_cast<int>(a.point.size());
-    Problem problem;
-    problem.face = a.face;
-    problem.point = a.point;
-    scale_to_unit_box(problem.point);
-    problem.number_of_vertices = n;
-    problem.position.resize(n);
-    std::iota(problem.position.begin(), problem.position.end(), 0);
-    problem.is_fixed.assign(n, 0);
-    problem.given.assign(n, {0, 0, 0});
+    Problem problem = isometric_problem(a.face, a.point);
     for(int v : spread) {
       problem.is_fixed[v] = 1;
       problem.given[v] = place[v];
@@ -187,10 +188,11 @@ private:
     do {
       monitor_.begin_stage(begin + k * part, begin + (k + 1) * part);
       solution = solve_isometric(loop_.bare(), method, problem, {}, monitor_);
-    } while(++k < most_solutions && let_go(problem, spread, solution.position));
+    } while(++k < most_solutions && is_held_anew(problem, landmarks, solution.position));
     if(!solution.certificate.is_valid())
       return {};
     Host_array<vec3>& x = solution.position;
+    put_in_place(loop_.bare(), a.face, landmarks, monitor_, x);
 
     loop_.for_each(n, [&](int v) {
       const vec3 at = on_b(x[v]), way = sub(target[v], at);
@@ -208,7 +210,7 @@ private:
     }
     const Registered_surface from = {{a.face, a.twin}, a.point, x};
     iterations += static_cast<std::size_t>(
-      refine(loop_.bare(), from, b_, features, {}, {0, isometry_weight, most_iterations, accuracy}, monitor_, x)
+      refine(loop_.bare(), from, b_, features, landmarks, {0, isometry_weight, most_iterations, accuracy}, monitor_, x)
         .iterations);
     return std::move(x);
   }
@@ -217,7 +219,6 @@ private:
   Monitor& monitor_;
   const Registered_surface& b_;
   const Locator& locator_b_;
-  std::size_t number_of_landmarks_;
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -93,15 +93,12 @@ CGAL_SP_CORE std::vector<Host_array<double>> shape_features(const Host_loop& loo
 
 /// Moves x, the images of the vertices of A, which are without flips and stay so: nonlinear conjugate gradients,
 /// preconditioned by a multigrid cycle of the Laplacian on the sphere. No step lets a face shrink to less than a fifth.
-/// Where rounding has flipped faces already, the energy is infinite, and nothing is moved.
+/// Where rounding has flipped faces already, the energy is infinite, and nothing is moved. Landmarks that are in place
+/// stay there.
 CGAL_SP_CORE Refinement_report refine(const Host_loop& loop, const Registered_surface& a, const Registered_surface& b,
                                       const Registration_features& features,
                                       const std::vector<Registration_landmark>& landmarks, const Refinement& settings,
                                       Monitor& monitor, Host_array<vec3>& x);
-
-/// Puts landmarks exactly where they should go, if that flips no face.
-CGAL_SP_CORE void place_landmarks(const Host_loop& loop, const Registered_surface& a,
-                                  const std::vector<Registration_landmark>& landmarks, Host_array<vec3>& x);
 
 } // namespace CGAL::Spherical_parameterization::internal
 

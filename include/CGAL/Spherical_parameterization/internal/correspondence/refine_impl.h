@@ -19,6 +19,7 @@
 #include <limits>
 #include <memory>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 
@@ -144,7 +145,7 @@ CGAL_SP_CORE Refinement_report refine(const Host_loop& loop, const Registered_su
                                       Monitor& monitor, Host_array<vec3>& x)
 {
   constexpr double least_share = 0.2, armijo = 1e-4, stiffness = 8; // of the distortion at an isometry
-  constexpr double isometric = 4;
+  constexpr double isometric = 4, stiffness_of_held = 1e6;
   constexpr int maximum_halvings = 25, window = 10;
   const int n = static_cast<int>(x.size());
   Registration_energy<> energy(loop, a, b, features, landmarks, settings, x);
@@ -170,8 +171,13 @@ CGAL_SP_CORE Refinement_report refine(const Host_loop& loop, const Registered_su
     w *= stiffness;
   laplacian.excess.resize(n);
   for_each_index(loop, n, [&](int i) { laplacian.excess[i] = stiffness * energy.vertex_area(i); });
+  std::vector<int> held; // landmarks that are in place
   for(const Registration_landmark& l : landmarks)
-    laplacian.excess[l.vertex] += 2 * energy.landmark_stiffness() * energy.area();
+    if(is_equal(x[l.vertex], l.place)) {
+      held.push_back(l.vertex);
+      laplacian.excess[l.vertex] *= stiffness_of_held;
+    } else
+      laplacian.excess[l.vertex] += 2 * energy.landmark_stiffness() * energy.area();
   laplacian.update_diagonal({}, loop);
   const Host_backend<Host_loop> backend{loop};
   Multigrid<Host_backend<Host_loop>> multigrid(backend, std::make_shared<const Weighted_graph>(std::move(laplacian)));
@@ -183,6 +189,8 @@ CGAL_SP_CORE Refinement_report refine(const Host_loop& loop, const Registered_su
     for_each_index(loop, n, [&](int i) { g[i] = scale(energy.area(), g[i]); });
     multigrid.apply(0, g, smooth);
     for_each_index(loop, n, [&](int i) { smooth[i] = tangent(smooth[i], x[i]); });
+    for(int v : held)
+      smooth[v] = {0, 0, 0};
     const double product = backend.dot(g, smooth);
     double beta = 0; // Polak and Ribiere
     if(!previous.empty() && previous_product > 0)
@@ -221,6 +229,8 @@ CGAL_SP_CORE Refinement_report refine(const Host_loop& loop, const Registered_su
     const double progress = double(report.iterations) / settings.iterations;
     for(int h = 0; h < maximum_halvings && !is_lower && (h == 0 || monitor.advance(progress)); ++h, t /= 2) {
       for_each_index(loop, n, [&](int i) { y[i] = unit(moved(i, t)); });
+      for(int v : held)
+        y[v] = x[v];
       next = energy.value(y);
       is_lower = next <= now + armijo * t * slope;
     }
@@ -244,16 +254,6 @@ CGAL_SP_CORE Refinement_report refine(const Host_loop& loop, const Registered_su
   }
   now = energy.value(x);
   return complete();
-}
-
-CGAL_SP_CORE void place_landmarks(const Host_loop& loop, const Registered_surface& a,
-                                  const std::vector<Registration_landmark>& landmarks, Host_array<vec3>& x)
-{
-  const Registration_features none;
-  const Registration_energy<> energy(loop, a, a, none, landmarks, {}, a.image);
-  for(const Registration_landmark& l : landmarks)
-    if(is_valid_centre(energy.star(l.vertex, x), l.place))
-      x[l.vertex] = l.place;
 }
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -11,6 +11,7 @@
 #include <CGAL/Spherical_parameterization/internal/api/precondition.h>
 #include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/Spectral_registration.h>
+#include <CGAL/Spherical_parameterization/internal/correspondence/landmarks_in_place.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/register_surfaces.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Locator.h>
 #include <CGAL/Spherical_parameterization/internal/moebius/Centring.h>
@@ -355,13 +356,9 @@ private:
         x = start_;
       return;
     }
-    constexpr int rounds = 4; // stiffer springs, until landmarks can be put where they belong
-    constexpr double stiffer = 10;
-    for(int round = 0; round < rounds && !monitor_.is_interrupted() && !place(x); ++round) {
-      refinement.landmark_weight *= stiffer;
-      result_.iterations += static_cast<std::size_t>(refined(from, features, refinement, x).iterations);
-    }
-    place(x);
+    if(put_in_place(loop_.bare(), a_.surface.face, landmarks_, monitor_, x))
+      result_.iterations +=
+        static_cast<std::size_t>(refined({a_.surface, a_.surface.point, x}, features, refinement, x).iterations);
   }
 
   /// Whether a deformation has made the shapes more alike. Where they are the same already, the chords of coarse faces
@@ -389,14 +386,6 @@ private:
   Refinement_report look_at(const Registration_features& features, Host_array<vec3> x)
   {
     return refined(a_.surface, features, {0, 1, 0, 0}, x);
-  }
-
-  /// Returns whether all landmarks are in place.
-  bool place(Host_array<vec3>& x) const
-  {
-    place_landmarks(loop_.bare(), a_.surface, landmarks_, x);
-    return std::all_of(landmarks_.begin(), landmarks_.end(),
-                       [&](const Registration_landmark& l) { return is_equal(x[l.vertex], l.place); });
   }
 
   const Watched_loop<Host_loop>& loop_;

@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CORRESPONDENCE_SPECTRAL_REGISTRATION_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CORRESPONDENCE_SPECTRAL_REGISTRATION_H
 
+#include <CGAL/Spherical_parameterization/values/Error.h>
 #include <CGAL/Spherical_parameterization/values/Rotation.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/rotations.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
@@ -184,11 +185,15 @@ private:
     method.landmark_weight = pull;
     const double middle = (begin + end) / 2, part = (middle - begin) / most_solutions;
     Solution solution;
-    int k = 0;
-    do {
-      monitor_.begin_stage(begin + k * part, begin + (k + 1) * part);
-      solution = solve_isometric(loop_.bare(), method, problem, {}, monitor_);
-    } while(++k < most_solutions && is_held_anew(problem, landmarks, solution.position));
+    for(int k = 0; k < most_solutions && (k == 0 || is_held_anew(problem, landmarks, solution.position)); ++k)
+      try {
+        monitor_.begin_stage(begin + k * part, begin + (k + 1) * part);
+        solution = solve_isometric(loop_.bare(), method, problem, {}, monitor_);
+      } catch(const Input_error&) { // no more time
+        if(k == 0)
+          throw;
+        break; // the map before is as valid
+      }
     if(!solution.certificate.is_valid())
       return {};
     Host_array<vec3>& x = solution.position;

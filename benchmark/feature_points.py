@@ -7,7 +7,7 @@
 BENCHMARK is the unpacked correspondence benchmark of V. Kim, Y. Lipman, T. Funkhouser, "Blended intrinsic maps", 2011, whose
 Results have the errors of that method. Of its pairs of SHREC 2007, every STEP-th is registered, from the one numbered FIRST on. The
 error is the mean distance on B, along edges and the diagonals of pairs of faces, over the square root of its area. "mirrored" is the
-smaller one of this and the mean with left and right exchanged. Needs numpy, scipy.
+smaller one of this and the mean with left and right exchanged. Needs numpy, scipy, matplotlib.
 """
 
 import concurrent.futures
@@ -22,16 +22,10 @@ import tempfile
 import numpy as np
 import scipy.sparse.csgraph
 
-from registration import graph_of
+from comparison import read_off
+from registration import area_of, graph_of
 
 SHAPES_PER_CLASS = 20
-
-
-def read_off(file):
-    words = file.read_text().split()
-    points, faces = int(words[1]), int(words[2])
-    end = 4 + 3 * points
-    return (np.array(words[4:end], float).reshape(-1, 3), np.array(words[end:end + 4 * faces], int).reshape(-1, 4)[:, 1:])
 
 
 def class_of(shape):
@@ -59,15 +53,13 @@ def measure(tool, data, a, b):
         table = np.loadtxt(places, delimiter=",", skiprows=1)
     of_a, of_b = (np.loadtxt(data / "Corrs" / f"{shape}.vts")[:, 0].astype(int) for shape in (a, b))
     points, triangles = read_off(meshes[1])
-    sides = points[triangles]
-    area = np.linalg.norm(np.cross(sides[:, 1] - sides[:, 0], sides[:, 2] - sides[:, 0]), axis=1).sum() / 2
     corner = triangles[table[of_a, 1].astype(int)]
     carried = np.einsum("vk,vkx->vx", table[of_a, 2:], points[corner])
     way = scipy.sparse.csgraph.dijkstra(graph_of(points, triangles), directed=False, indices=of_b)
     near = np.linalg.norm(points[corner] - carried[:, None], axis=2)
 
     def error(order):
-        return np.min(near + way[order[:, None], corner], axis=1).mean() / np.sqrt(area)
+        return np.min(near + way[order[:, None], corner], axis=1).mean() / np.sqrt(area_of(points, triangles))
 
     return error(np.arange(len(of_b))), error(mirrored(data / "Corrs" / f"{class_of(b)}.sym.info", len(of_b)))
 

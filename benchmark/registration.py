@@ -73,14 +73,17 @@ def graph_of(points, triangles):
     return scipy.sparse.csr_matrix((weight, (i, j)), (len(points), len(points)))
 
 
+def area_of(points, triangles):
+    sides = points[triangles]
+    return np.linalg.norm(np.cross(sides[:, 1] - sides[:, 0], sides[:, 2] - sides[:, 0]), axis=1).sum() / 2
+
+
 def errors_of(carried, vertices, points, triangles, graph):
     """Of SAMPLES vertices of A or a few more, that belong to these vertices of B, over the square root of the area of B."""
-    sides = points[triangles]
-    area = np.linalg.norm(np.cross(sides[:, 1] - sides[:, 0], sides[:, 2] - sides[:, 0]), axis=1).sum() / 2
     sample = np.arange(0, len(vertices), max(1, len(vertices) // SAMPLES))
     near, vertex = scipy.spatial.cKDTree(points).query(carried[sample])
     way = scipy.sparse.csgraph.dijkstra(graph, directed=False, indices=vertex)
-    return (near + way[np.arange(len(sample)), vertices[sample]]) / np.sqrt(area)
+    return (near + way[np.arange(len(sample)), vertices[sample]]) / np.sqrt(area_of(points, triangles))
 
 
 def measure(tool, pair, folder):

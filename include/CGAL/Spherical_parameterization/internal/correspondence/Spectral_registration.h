@@ -159,10 +159,8 @@ private:
       if(problem.is_fixed[v] && norm(sub(position[v], problem.given[v])) > too_far)
         problem.is_fixed[v] = 0;
     for(const Registration_landmark& l : landmarks)
-      if(before[l.vertex] || norm(sub(position[l.vertex], l.place)) > too_far_for_landmarks) {
-        problem.is_fixed[l.vertex] = 1;
-        problem.given[l.vertex] = l.place;
-      }
+      if(before[l.vertex] || norm(sub(position[l.vertex], l.place)) > too_far_for_landmarks)
+        hold(problem, l.vertex, l.place);
     return problem.is_fixed != before;
   }
 
@@ -177,10 +175,8 @@ private:
     constexpr int most_iterations = 300, most_solutions = 3;
     const int n = static_cast<int>(a.point.size());
     Problem problem = isometric_problem(a.face, a.point);
-    for(int v : spread) {
-      problem.is_fixed[v] = 1;
-      problem.given[v] = place[v];
-    }
+    for(int v : spread)
+      hold(problem, v, place[v]);
     Isometric method;
     method.landmark_weight = pull;
     const double middle = (begin + end) / 2, part = (middle - begin) / most_solutions;

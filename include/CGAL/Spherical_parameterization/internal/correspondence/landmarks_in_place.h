@@ -36,9 +36,10 @@ inline Problem isometric_problem(const Host_array<std::array<int, 3>>& face, con
   return problem;
 }
 
-inline bool is_in_place(const Registration_landmark& landmark, const Host_array<vec3>& x)
+inline void hold(Problem& problem, int vertex, vec3 place)
 {
-  return is_equal(x[landmark.vertex], landmark.place);
+  problem.is_fixed[vertex] = 1;
+  problem.given[vertex] = place;
 }
 
 /// Changes a map x so that all landmarks are exactly in place, and that little else is moved: x itself is taken for the
@@ -48,13 +49,11 @@ CGAL_SP_INLINE bool put_in_place(const Host_loop& loop, const Host_array<std::ar
                                  const std::vector<Registration_landmark>& landmarks, Monitor& monitor,
                                  Host_array<vec3>& x)
 {
-  if(std::all_of(landmarks.begin(), landmarks.end(), [&](const Registration_landmark& l) { return is_in_place(l, x); }))
+  if(std::all_of(landmarks.begin(), landmarks.end(), [&](const Registration_landmark& l) { return l.is_in_place(x); }))
     return false;
   Problem problem = isometric_problem(face, x);
-  for(const Registration_landmark& l : landmarks) {
-    problem.is_fixed[l.vertex] = 1;
-    problem.given[l.vertex] = l.place;
-  }
+  for(const Registration_landmark& l : landmarks)
+    hold(problem, l.vertex, l.place);
   try {
     Solution solution = solve_isometric(loop, Isometric(), problem, {}, monitor);
     if(!solution.certificate.is_valid())

@@ -9,6 +9,7 @@
 #include <CGAL/Spherical_parameterization/internal/api/compiled.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
+#include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Corner_table.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 
@@ -56,6 +57,8 @@ inline Host_array<double> vertex_areas(const Host_loop& loop, const Registered_s
 struct Registration_landmark {
   int vertex;
   vec3 place;
+
+  bool is_in_place(const Host_array<vec3>& x) const { return is_equal(x[vertex], place); }
 };
 
 /// What is compared. The features are scaled by the roots of their weights.

@@ -173,7 +173,7 @@ CGAL_SP_CORE Refinement_report refine(const Host_loop& loop, const Registered_su
   for_each_index(loop, n, [&](int i) { laplacian.excess[i] = stiffness * energy.vertex_area(i); });
   std::vector<int> held; // landmarks that are in place
   for(const Registration_landmark& l : landmarks)
-    if(is_equal(x[l.vertex], l.place)) {
+    if(l.is_in_place(x)) {
       held.push_back(l.vertex);
       laplacian.excess[l.vertex] *= stiffness_of_held;
     } else

@@ -7,7 +7,9 @@
 #include "helpers/solve.h"
 
 #include <CGAL/Spherical_parameterization/internal/correspondence/Geodesic_graph.h>
+#include <CGAL/Spherical_parameterization/internal/correspondence/Carried_face.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/Registration_energy.h>
+#include <CGAL/Spherical_parameterization/internal/correspondence/refine.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/register_surfaces.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
 #include <CGAL/Spherical_parameterization/moebius_centring.h>
@@ -596,6 +598,76 @@ TEST_CASE("the gradient of the registration is that of its energy", "[registrati
     };
     constexpr double h = 1e-7;
     CHECK((at(h) - at(-h)) / (2 * h) == Approx(slope).epsilon(1e-4).margin(1e-5));
+  }
+}
+
+TEST_CASE("the second derivative of a carried triangle is that of its gradient, without what is negative",
+          "[registration]")
+{
+  namespace I = SP::internal;
+  std::mt19937 random(2);
+  std::normal_distribution<double> normal;
+  const auto random_vector = [&] { return I::vec3{normal(random), normal(random), normal(random)}; };
+  typedef std::array<I::vec3, 3> Corners;
+  const bool is_stretched = GENERATE(false, true);
+  int trials = 0;
+  while(trials < 100) {
+    const Corners x = {random_vector(), random_vector(), random_vector()};
+    Corners y = {random_vector(), random_vector(), random_vector()}, way;
+    if(is_stretched) // where both singular values are above 1, nothing is negative
+      for(int m = 0; m < 3; ++m)
+        y[m] = I::add_scaled(I::scale(1.5, x[m]), 0.3, I::make_vec3(-x[m].y, x[m].x, 0.1 * x[m].z));
+    for(I::vec3& w : way)
+      w = random_vector();
+    const auto at = [&](double t) {
+      return I::Carried_face(x[0], x[1], x[2], I::add_scaled(y[0], t, way[0]), I::add_scaled(y[1], t, way[1]),
+                             I::add_scaled(y[2], t, way[2]));
+    };
+    const I::Carried_face face = at(0);
+    if(!face.counts() || !(face.energy() < 100 * face.area()))
+      continue;
+    ++trials;
+    constexpr double h = 1e-5;
+    const Corners after = at(h).gradients(), before = at(-h).gradients();
+    double measured = 0, sum = 0;
+    for(int m = 0; m < 3; ++m)
+      measured += I::inner(way[m], I::sub(after[m], before[m])) / (2 * h);
+    face.for_each_mode([&](double weight, const Corners& by_place) {
+      const double change =
+        I::inner(by_place[0], way[0]) + I::inner(by_place[1], way[1]) + I::inner(by_place[2], way[2]);
+      sum += weight * change * change;
+    });
+    INFO("trial " << trials);
+    CHECK(sum >= measured - 1e-3 * std::abs(measured));
+    if(is_stretched)
+      CHECK(sum == Approx(measured).epsilon(1e-3));
+  }
+}
+
+TEST_CASE("a deformation converges in a few steps of Newton's method at any size", "[registration]")
+{
+  namespace I = SP::internal;
+  const I::Host_loop loop;
+  for(const int level : {3, 4, 5}) {
+    const Soup round = icosphere(level);
+    const I::Registered_surface a = surface_of({bumpy_sphere(level), round.points}),
+                                b = surface_of({longer(bumpy_sphere(level)), bent(round.points)});
+    I::Registration_features features; // the places of B that A came with
+    for(double I::vec3::*coordinate : {&I::vec3::x, &I::vec3::y, &I::vec3::z}) {
+      for(const I::vec3& p : b.point)
+        features.a.push_back(30 * p.*coordinate);
+      for(const I::vec3& p : b.point)
+        features.b.push_back(30 * p.*coordinate);
+      ++features.number;
+    }
+    I::Host_array<I::vec3> x = a.image;
+    I::Monitor monitor(std::numeric_limits<double>::infinity(), {}, false);
+    const I::Refinement_report report = I::refine(loop, a, b, features, {}, {0, 1, 50, 1e-4}, monitor, x);
+    INFO("level " << level << ": " << report.iterations << " steps from " << report.energy_before << " to "
+                  << report.energy);
+    CHECK(report.has_converged);
+    CHECK(report.iterations <= 15);
+    CHECK(report.energy < report.energy_before);
   }
 }
 

@@ -38,7 +38,7 @@ TEST_CASE("by all of its eigenfunctions a body with limbs is mapped to itself ve
   const int n = shape.number_of_functions();
   Refinement::Map all(soup.points.size());
   std::iota(all.begin(), all.end(), 0);
-  CHECK(refinement.on_all_vertices(Refinement::Rows::Identity(n, n)) == all);
+  CHECK(refinement.nearest(all, Refinement::Rows::Identity(n, n)) == all);
 
   // and the refinement of the right answer leaves it there, with its orientation
   const Refinement::Map right = Refinement::first(shape.sample, shape.some);

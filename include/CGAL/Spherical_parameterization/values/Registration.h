@@ -52,7 +52,7 @@ struct Registration {
   double coarsest_scale = 0.6; ///< of the features that are compared first, as a length on the surface of area 4 pi
   int levels = 4;              ///< each has features half as large as the one before
   int iterations = 50;         ///< on every level, at most
-  double accuracy = 1e-3;      ///< a level ends when ten iterations gain less than this share of the energy above 4
+  double accuracy = 1e-3;      ///< a level ends when an iteration gains less than this share of the energy above 4
   /// @}
 };
 

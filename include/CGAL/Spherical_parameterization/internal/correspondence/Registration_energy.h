@@ -71,8 +71,8 @@ public:
     : loop_(loop), a_(a), b_(b), features_(features), landmarks_(landmarks),
       landmark_stiffness_(landmarks.empty() ? 0 : settings.landmark_weight / double(landmarks.size())),
       isometry_weight_(settings.isometry_weight), walk_(b), metric_(a.face.size()), corner_offset_(a.point.size() + 1),
-      corner_(3 * a.face.size()), vertex_area_(a.point.size(), 0.), surface_part_(vertex_areas(loop, a)),
-      force_(3 * a.face.size()), face_of_(a.point.size(), -1)
+      corner_(3 * a.face.size()), surface_part_(vertex_areas(loop, a)), force_(3 * a.face.size()),
+      face_of_(a.point.size(), -1)
   {
     constexpr Metric_bounds as_it_is = {1e100, 0};
     const int faces = static_cast<int>(a.face.size());
@@ -83,22 +83,26 @@ public:
       twice_area[f] = metric_[f].twice_area;
       metric_[f].twice_area = determinant(a.image[i], a.image[j], a.image[k]); // what determinants are compared with
     });
-    for(int f = 0; f < faces; ++f)
-      for(int i : a.face[f]) {
-        vertex_area_[i] += twice_area[f] / 6;
-        area_ += twice_area[f] / 6;
-      }
+    for(double twice : twice_area)
+      area_ += twice / 2;
+    spring_.resize(a.point.size(), 0.);
+    for(const Registration_landmark& l : landmarks)
+      spring_[l.vertex] += landmark_stiffness_;
     corner_offset_.back() = 3 * faces;
     for_each_fan(loop, a.face, static_cast<int>(a.point.size()), [&](const Fan& fan) {
       corner_offset_[fan.vertex] = fan.first;
-      std::copy(fan.begin(), fan.end(), corner_.begin() + fan.first);
+      for(int k = 0, corner = fan[0]; k < fan.size(); ++k, corner = a.twin[a.previous(corner)])
+        corner_[fan.first + k] = corner;
     });
     find_faces(x);
   }
 
-  double vertex_area(int i) const { return vertex_area_[i]; }
-  double area() const { return area_; }
-  double landmark_stiffness() const { return landmark_stiffness_; }
+  int size() const { return static_cast<int>(face_of_.size()); }
+
+  /// The corners of the faces of A round vertex i are corner()[k] with k from corner_offset()[i] on.
+  const Host_array<int>& corner_offset() const { return corner_offset_; }
+  const Host_array<int>& corner() const { return corner_; }
+  int target(int k) const { return a_.target(corner_[k]); }
 
   /// The terms at the x of the last `value()`
   double distortion() const { return distortion_; }
@@ -141,7 +145,7 @@ public:
   void gradient(const Host_array<vec3>& x, Host_array<vec3>& result)
   {
     for_each_index(loop_, static_cast<int>(a_.face.size()), [&](int f) {
-      const Face_hessian of_map = Star_face_at(*this, x, 3 * f).derivatives();
+      const Face_hessian of_map = Star_face_at(*this, x, 3 * f).derivatives(0);
       std::array<vec3, 3> of_surface = {};
       if(isometry_weight_ > 0)
         of_surface = carried(3 * f).gradients();
@@ -155,17 +159,65 @@ public:
       vec3 g = {0, 0, 0};
       for(int k = corner_offset_[i]; k < corner_offset_[i + 1]; ++k)
         g = add(g, force_[corner_[k]]);
-      const std::array<int, 3>& corner = b_.face[face_of_[i]];
-      for(int k = 0; k < features_.number; ++k) {
-        const double force = 2 / surface_area * surface_part_[i] * difference(k, i);
-        for(int c = 0; c < 3; ++c)
-          g = add_scaled(g, force * of_b(k, corner[c]), slope_[i][c]);
-      }
+      for(int k = 0; k < features_.number; ++k)
+        g = add_scaled(g, 2 / surface_area * surface_part_[i] * difference(k, i), slope_of_feature(k, i));
       result[i] = g;
     });
     for(const Registration_landmark& l : landmarks_)
       result[l.vertex] = add_scaled(result[l.vertex], 2 * landmark_stiffness_, sub(x[l.vertex], l.place));
     for_each_index(loop_, n, [&](int i) { result[i] = tangent(result[i], x[i]); });
+  }
+
+  /// The second derivative of what a face adds to the energy, without what is negative of it, in tangents at its
+  /// corners. The bending of the sphere adds to it.
+  struct Face_blocks {
+    std::array<Block, 3> diagonal, side; ///< the latter of the corners m and m + 1
+    std::array<double, 3> bend;
+  };
+
+  /// At the x of the last `value()`
+  /// \param tangents  of a vertex
+  template <class Tangents_of_vertex>
+  Face_blocks blocks_of_face(int f, const Host_array<vec3>& x, Tangents_of_vertex tangents) const
+  {
+    Face_blocks result;
+    const std::array<int, 3>& corner = a_.face[f];
+    const Face_hessian of_map = Star_face_at(*this, x, 3 * f).derivatives(1);
+    std::array<Face_hessian::Frame, 3> frame;
+    for(int m = 0; m < 3; ++m)
+      frame[m] = of_map.frame(m, tangents(corner[m]));
+    for(int m = 0; m < 3; ++m) {
+      const int n = (m + 1) % 3;
+      result.diagonal[m] = scaled(1 / area_, of_map.block(m, frame[m], m, frame[m]));
+      result.side[m] = scaled(1 / area_, of_map.block(m, frame[m], n, frame[n]));
+      result.bend[m] = -inner(of_map.gradient(m), x[corner[m]]) / area_;
+    }
+    if(isometry_weight_ > 0)
+      carried(3 * f).for_each_mode([&](double weight, const std::array<vec3, 3>& by_place) {
+        const double part = weight * isometry_weight_ / surface_area;
+        std::array<Planar, 3> change;
+        for(int m = 0; m < 3; ++m)
+          change[m] = frame[m].tangents.products(on_sphere(corner[m], by_place[m]));
+        for(int m = 0; m < 3; ++m) {
+          const Planar scaled_change = scaled(part, change[m]);
+          result.diagonal[m] = sum(result.diagonal[m], internal::outer(scaled_change, change[m]));
+          result.side[m] = sum(result.side[m], internal::outer(scaled_change, change[(m + 1) % 3]));
+        }
+      });
+    return result;
+  }
+
+  /// The same of what a vertex adds: its features, which are linear on the faces of B, and landmarks.
+  Block block_of_vertex(int i, const Tangents& tangents) const
+  {
+    const double spring = 2 * spring_[i];
+    Block result = {spring, 0, 0, spring};
+    const double part = 2 * surface_part_[i] / surface_area;
+    for(int k = 0; k < features_.number; ++k) {
+      const Planar slope = tangents.products(slope_of_feature(k, i));
+      result = sum(result, internal::outer(scaled(part, slope), slope));
+    }
+    return result;
   }
 
 private:
@@ -178,7 +230,7 @@ private:
       : x(at[e.a_.origin(corner)]), face(at[e.a_.target(corner)], at[e.a_.apex(corner)], e.metric_at(corner), 1)
     {}
     double energy() const { return face.energy(Distortion(1), x); }
-    Face_hessian derivatives() const { return Face_hessian(Distortion(1), x, face, 0); }
+    Face_hessian derivatives(double lift) const { return Face_hessian(Distortion(1), x, face, lift); }
   };
 
   Face_metric metric_at(int corner) const
@@ -205,6 +257,17 @@ private:
   }
 
   double of_b(int k, int vertex) const { return features_.b[k * b_.point.size() + vertex]; }
+
+  /// By the image of vertex i of A
+  vec3 slope_of_feature(int k, int i) const
+  {
+    const std::array<int, 3>& corner = b_.face[face_of_[i]];
+    vec3 result = {0, 0, 0};
+    for(int c = 0; c < 3; ++c)
+      result = add_scaled(result, of_b(k, corner[c]), slope_[i][c]);
+    return result;
+  }
+
   double difference(int k, int i) const
   {
     const std::array<int, 3>& corner = b_.face[face_of_[i]];
@@ -260,7 +323,7 @@ private:
   Face_walk walk_;
   Host_array<Face_metric> metric_;         ///< of the map that A came with
   Host_array<int> corner_offset_, corner_; ///< of every vertex
-  Host_array<double> vertex_area_;         ///< on the sphere
+  Host_array<double> spring_;              ///< of landmarks, by vertex
   Host_array<double> surface_part_;        ///< of every vertex of A: its area on the surface
   Host_array<vec3> force_;                 ///< on every corner of the faces of A
   double area_ = 0, distortion_ = 0, mismatch_ = 0, stretching_ = 0;

@@ -37,8 +37,8 @@ class Spectral_matching : Spectral_refinement<Loop> {
   typedef Spectral_refinement<Loop> Base;
   using Base::a_, Base::are_guides_, Base::b_, Base::landmarks_, Base::loop_, Base::rough_distance;
   using Base::candidates, Base::distance, Base::first, Base::guided, Base::guiding_error, Base::is_apart,
-    Base::is_better, Base::is_near, Base::judged, Base::on_all_vertices, Base::precise, Base::rows,
-    Base::signature_difference, Base::upsample;
+    Base::is_better, Base::is_near, Base::judged, Base::nearest, Base::precise, Base::rows, Base::signature_difference,
+    Base::upsample;
   typedef typename Base::Candidate Candidate;
   typedef typename Base::Cells Cells;
   typedef typename Base::Rows Rows;
@@ -338,8 +338,8 @@ private:
     return result;
   }
 
-  /// Of a shape to itself: up to two isometries other than the identity, of every vertex. They exchange left and right,
-  /// and turn the surface over.
+  /// Of a shape to itself: up to two isometries other than the identity, of the samples: other vertices go where
+  /// the nearest sample goes. They exchange left and right, and turn the surface over.
   std::vector<Map> symmetries() const
   {
     const std::vector<Map> starts = distinct(coarse_maps(-orientation_weight), 5, first(a_.sample, a_.some));
@@ -351,7 +351,7 @@ private:
     }
     std::vector<Map> result;
     for(const Candidate& c : best_distinct(std::move(found), 2, rough_distance))
-      result.push_back(on_all_vertices(c.functional));
+      result.push_back(composed(a_.all.of_vertex, nearest(a_.sample, c.functional)));
     return result;
   }
 

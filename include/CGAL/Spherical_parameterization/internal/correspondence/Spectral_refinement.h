@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -132,7 +133,7 @@ public:
   {
     const std::vector<int> of_a = first(a_.sample, a_.all), of_b = first(b_.sample, b_.all);
     Rows mean;
-    for(int number : {80, 120, 160, 200}) {
+    for(int number : {80, 120}) {
       const int k = (std::min)(number, most_functions_);
       const Rows from_a = rows(a_.function, of_a, k), from_b = rows(b_.function, of_b, k);
       const Rows there = functional(from_a, a_.all.area, rows(b_.function, map, k));
@@ -142,24 +143,27 @@ public:
       for_each_nearest(from_a, b_.function.leftCols(k) * mean.transpose(), [&](int r, int s, float) { map[r] = s; });
     }
     const int k = static_cast<int>(mean.rows());
-    const Map all = on_all_vertices(mean);
-    return downhill(functional(a_.function.leftCols(k), a_.area, rows(b_.function, all, k)), all);
+    std::vector<int> every(a_.size());
+    std::iota(every.begin(), every.end(), 0);
+    const Map all = nearest(every, mean);
+    return downhill(every, functional(a_.function.leftCols(k), a_.area, rows(b_.function, all, k)), all);
   }
 
-  /// The nearest vertex in the embedding by eigenfunctions: the nearest target by the first ones, and downhill from
-  /// there.
-  Map on_all_vertices(const Rows& functional) const
+  /// The nearest vertices of B in the embedding by eigenfunctions: the nearest targets by the first ones, and downhill
+  /// from there.
+  Map nearest(const std::vector<int>& vertices, const Rows& functional) const
   {
-    constexpr int first_ones = 100;
+    constexpr int first_ones = 60;
     const int columns = (std::min)(first_ones, static_cast<int>(functional.rows()));
     const Rows to =
       rows(b_.function, b_.target, static_cast<int>(functional.cols())) * functional.topRows(columns).transpose();
-    Map result(a_.size());
-    for_each_block([&](int begin, int size) {
-      for_each_nearest(a_.function.block(begin, 0, size, columns), to,
+    const Rows from = rows(a_.function, vertices, columns);
+    Map result(vertices.size());
+    for_each_block(result.size(), [&](int begin, int size) {
+      for_each_nearest(from.middleRows(begin, size), to,
                        [&](int r, int s, float) { result[begin + r] = b_.target[s]; });
     });
-    return downhill(functional, std::move(result));
+    return downhill(vertices, functional, std::move(result));
   }
 
   /// With all samples and many eigenfunctions, and the score that decides.
@@ -261,30 +265,31 @@ private:
     return sum;
   }
 
-  /// Calls f(begin, size) for blocks of the vertices of A.
+  /// Calls f(begin, size) for blocks of 0 ... number-1.
   template <class F>
-  void for_each_block(F f) const
+  void for_each_block(std::size_t number, F f) const
   {
     constexpr int block = 512;
-    loop_.for_each((a_.size() + block - 1) / block,
-                   [&](int k) { f(k * block, (std::min)(block, a_.size() - k * block)); });
+    const int n = static_cast<int>(number);
+    loop_.for_each((n + block - 1) / block, [&](int k) { f(k * block, (std::min)(block, n - k * block)); });
   }
 
   /// Every vertex where it is nearer in the embedding than at all neighbours.
-  Map downhill(const Rows& functional, Map map) const
+  Map downhill(const std::vector<int>& vertices, const Rows& functional, Map map) const
   {
     const int columns = static_cast<int>(functional.rows());
     const Rows to = b_.function.leftCols(functional.cols()) * functional.transpose();
-    for_each_block([&](int begin, int size) {
-      for(int v = begin; v < begin + size; ++v) {
-        const auto square = [&](int w) { return (a_.function.row(v).head(columns) - to.row(w)).squaredNorm(); };
-        float least = square(map[v]);
-        for(int before = -1; before != map[v];) {
-          before = map[v];
+    for_each_block(map.size(), [&](int begin, int size) {
+      for(int r = begin; r < begin + size; ++r) {
+        const auto from = a_.function.row(vertices[r]).head(columns);
+        const auto square = [&](int w) { return (from - to.row(w)).squaredNorm(); };
+        float least = square(map[r]);
+        for(int before = -1; before != map[r];) {
+          before = map[r];
           b_.graph.for_each_way(before, [&](int w, double) {
             if(const float there = square(w); there < least) {
               least = there;
-              map[v] = w;
+              map[r] = w;
             }
           });
         }

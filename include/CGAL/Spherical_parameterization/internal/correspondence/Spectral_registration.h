@@ -170,9 +170,9 @@ private:
                             Host_array<vec3> target, const std::vector<Registration_landmark>& landmarks, double begin,
                             double end)
   {
-    constexpr double pull = 3000, target_weight = 10000, isometry_weight = 1, accuracy = 1e-5;
+    constexpr double pull = 3000, target_weight = 3000, isometry_weight = 1, accuracy = 1e-3;
     constexpr double farthest = 0.5; // what is farther off pulls less, since it is more likely to be wrong
-    constexpr int most_iterations = 300, most_solutions = 3;
+    constexpr int most_iterations = 50, most_solutions = 3;
     const int n = static_cast<int>(a.point.size());
     Problem problem = isometric_problem(a.face, a.point);
     for(int v : spread)

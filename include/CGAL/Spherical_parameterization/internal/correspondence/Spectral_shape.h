@@ -80,7 +80,7 @@ struct Spectral_shape {
   /// A row for each vertex. Floats are enough to choose by.
   typedef typename Floats<Loop>::Rows Rows;
 
-  static constexpr int most_functions = 200, number_of_energies = 40, number_of_bands = 8, number_of_features = 9;
+  static constexpr int most_functions = 120, number_of_energies = 40, number_of_bands = 8, number_of_features = 9;
 
   Rows function;                  ///< the eigenfunctions of the surface of area 1
   Rows signature;                 ///< the wave kernel signature

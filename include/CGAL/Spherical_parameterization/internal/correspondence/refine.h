@@ -72,7 +72,7 @@ struct Refinement {
   double landmark_weight; ///< of the mean squared distance of the landmarks
   double isometry_weight; ///< of the mean stretching of surface A onto surface B
   int iterations;
-  double accuracy; ///< the share of the energy above 4 that ten iterations have to gain for others to follow
+  double accuracy; ///< the share of the energy above 4 that an iteration has to gain for another one to follow
 };
 
 /// How far it came.
@@ -94,10 +94,9 @@ CGAL_SP_CORE std::vector<Host_array<double>> shape_features(const Host_loop& loo
                                                             std::vector<Host_array<double>> own,
                                                             double scale_of_details, Monitor& monitor);
 
-/// Moves x, the images of the vertices of A, which are without flips and stay so: nonlinear conjugate gradients,
-/// preconditioned by a multigrid cycle of the Laplacian on the sphere. No step lets a face shrink to less than a fifth.
-/// Where rounding has flipped faces already, the energy is infinite, and nothing is moved. Landmarks that are in place
-/// stay there.
+/// Moves x, the images of the vertices of A, which are without flips and stay so: Newton's method, with line searches.
+/// No step lets a face shrink to less than a twentieth. Where rounding has flipped faces already, the energy is
+/// infinite, and nothing is moved. Landmarks that are in place stay there.
 CGAL_SP_CORE Refinement_report refine(const Host_loop& loop, const Registered_surface& a, const Registered_surface& b,
                                       const Registration_features& features,
                                       const std::vector<Registration_landmark>& landmarks, const Refinement& settings,

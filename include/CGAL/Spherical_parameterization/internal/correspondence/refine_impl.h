@@ -7,6 +7,7 @@
 #include <CGAL/Spherical_parameterization/internal/backend/Host_backend.h>
 #include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/Registration_energy.h>
+#include <CGAL/Spherical_parameterization/internal/correspondence/Registration_newton.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/refine.h>
 #include <CGAL/Spherical_parameterization/internal/multigrid/Multigrid.h>
 #include <CGAL/Spherical_parameterization/internal/surface/conformal_graph.h>
@@ -139,14 +140,32 @@ CGAL_SP_CORE std::vector<Host_array<double>> shape_features(const Host_loop& loo
   return field;
 }
 
+/// The longest step up to 1 along d with which no face shrinks to less than a twentieth at once.
+inline double longest_step(const Host_loop& loop, const Registered_surface& a, const Host_array<vec3>& x,
+                           const Host_array<vec3>& d)
+{
+  constexpr double least_share = 0.05, shrink = 0.7, shortest = 1e-9;
+  const auto of_part = results_of_parts(loop, static_cast<int>(a.face.size()), [&](int begin, int end) {
+    double t = 1;
+    for(int f = begin; f < end; ++f) {
+      const auto [i, j, k] = a.face[f];
+      const auto moved = [&](int v) { return add_scaled(x[v], t, d[v]); };
+      const double least = least_share * determinant(x[i], x[j], x[k]);
+      while(t > shortest && !(determinant(moved(i), moved(j), moved(k)) > least))
+        t *= shrink;
+    }
+    return t;
+  });
+  return *std::min_element(of_part.begin(), of_part.end());
+}
+
 CGAL_SP_CORE Refinement_report refine(const Host_loop& loop, const Registered_surface& a, const Registered_surface& b,
                                       const Registration_features& features,
                                       const std::vector<Registration_landmark>& landmarks, const Refinement& settings,
                                       Monitor& monitor, Host_array<vec3>& x)
 {
-  constexpr double least_share = 0.2, armijo = 1e-4, stiffness = 8; // of the distortion at an isometry
-  constexpr double isometric = 4, stiffness_of_held = 1e6;
-  constexpr int maximum_halvings = 25, window = 10;
+  constexpr double armijo = 1e-4, isometric = 4, least_at_stake = 1e-3;
+  constexpr int maximum_halvings = 25;
   const int n = static_cast<int>(x.size());
   Registration_energy<> energy(loop, a, b, features, landmarks, settings, x);
   Refinement_report report;
@@ -165,92 +184,33 @@ CGAL_SP_CORE Refinement_report refine(const Host_loop& loop, const Registered_su
   if(settings.iterations == 0 || !(now < std::numeric_limits<double>::infinity()))
     return complete();
 
-  Spring_lengths lengths;
-  Weighted_graph laplacian = conformal_graph(loop, a, a.image, lengths);
-  for(double& w : laplacian.weight)
-    w *= stiffness;
-  laplacian.excess.resize(n);
-  for_each_index(loop, n, [&](int i) { laplacian.excess[i] = stiffness * energy.vertex_area(i); });
-  std::vector<int> held; // landmarks that are in place
+  std::vector<char> is_held(n, 0); // landmarks that are in place
   for(const Registration_landmark& l : landmarks)
-    if(l.is_in_place(x)) {
-      held.push_back(l.vertex);
-      laplacian.excess[l.vertex] *= stiffness_of_held;
-    } else
-      laplacian.excess[l.vertex] += 2 * energy.landmark_stiffness() * energy.area();
-  laplacian.update_diagonal({}, loop);
-  const Host_backend<Host_loop> backend{loop};
-  Multigrid<Host_backend<Host_loop>> multigrid(backend, std::make_shared<const Weighted_graph>(std::move(laplacian)));
-
-  Host_array<vec3> g, d(n, make_vec3(0, 0, 0)), smooth(n), previous, y(n);
-  double previous_product = 0, milestone = now;
-  while(report.iterations < settings.iterations && monitor.advance(double(report.iterations) / settings.iterations)) {
+    is_held[l.vertex] = is_held[l.vertex] || l.is_in_place(x);
+  Registration_newton<> newton(loop, energy, is_held, monitor);
+  Host_array<vec3> g, y(n);
+  while(report.iterations < settings.iterations && !report.has_converged) {
+    const double progress = double(report.iterations) / settings.iterations;
+    if(!monitor.advance(progress))
+      break;
     energy.gradient(x, g);
-    for_each_index(loop, n, [&](int i) { g[i] = scale(energy.area(), g[i]); });
-    multigrid.apply(0, g, smooth);
-    for_each_index(loop, n, [&](int i) { smooth[i] = tangent(smooth[i], x[i]); });
-    for(int v : held)
-      smooth[v] = {0, 0, 0};
-    const double product = backend.dot(g, smooth);
-    double beta = 0; // Polak and Ribiere
-    if(!previous.empty() && previous_product > 0)
-      beta = (std::max)(0., (product - backend.dot(previous, smooth)) / previous_product);
-    const auto choose_direction = [&] {
-      for_each_index(loop, n, [&](int i) { d[i] = tangent(add_scaled(scale(-1, smooth[i]), beta, d[i]), x[i]); });
-      return backend.dot(g, d) / energy.area();
-    };
-    double slope = choose_direction();
-    if(!(slope < 0) && beta > 0) {
-      beta = 0;
-      slope = choose_direction();
-    }
+    const Host_array<vec3> d = newton.direction(x, g, progress);
+    const double slope = sum_by_parts(loop, n, [&](int i) { return inner(g[i], d[i]); });
     if(!(slope < 0))
       break;
-    previous = g;
-    previous_product = product;
-
-    // the longest step up to 1 with which no face shrinks too much at once
-    const auto moved = [&](int i, double t) { return add_scaled(x[i], t, d[i]); };
-    double t = 1;
-    for(double part : results_of_parts(loop, static_cast<int>(a.face.size()), [&](int begin, int end) {
-          constexpr double shrink = 0.7, shortest = 1e-9;
-          double longest = 1;
-          for(int f = begin; f < end; ++f) {
-            const auto [i, j, k] = a.face[f];
-            const double least = least_share * determinant(x[i], x[j], x[k]);
-            while(longest > shortest && !(determinant(moved(i, longest), moved(j, longest), moved(k, longest)) > least))
-              longest *= shrink;
-          }
-          return longest;
-        }))
-      t = (std::min)(t, part);
+    double t = longest_step(loop, a, x, d), next = now;
     bool is_lower = false;
-    double next = now;
-    const double progress = double(report.iterations) / settings.iterations;
     for(int h = 0; h < maximum_halvings && !is_lower && (h == 0 || monitor.advance(progress)); ++h, t /= 2) {
-      for_each_index(loop, n, [&](int i) { y[i] = unit(moved(i, t)); });
-      for(int v : held)
-        y[v] = x[v];
+      for_each_index(loop, n, [&](int i) { y[i] = is_held[i] ? x[i] : unit(add_scaled(x[i], t, d[i])); });
       next = energy.value(y);
       is_lower = next <= now + armijo * t * slope;
     }
-    if(!is_lower) {
-      energy.value(x); // its places are those of x again
-      if(beta == 0)
-        break;
-      previous.clear();
-      continue;
-    }
+    if(!is_lower)
+      break;
+    report.has_converged = now - next < settings.accuracy * (std::max)(least_at_stake, now - isometric);
     std::swap(x, y);
     now = next;
     ++report.iterations;
-    if(report.iterations % window == 0) {
-      const double at_stake = (std::max)(1e-3, milestone - isometric);
-      report.has_converged = milestone - now < settings.accuracy * at_stake;
-      if(report.has_converged)
-        break;
-      milestone = now;
-    }
   }
   now = energy.value(x);
   return complete();

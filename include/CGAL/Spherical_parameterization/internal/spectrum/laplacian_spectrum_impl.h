@@ -111,8 +111,9 @@ void sparse_spectrum(const Watched_loop<Loop>& loop, const Weighted_graph& lapla
   Host_array<double> constant(mass.size());
   for_each_index(loop.bare(), n, [&](int i) { constant[i] = spectrum.functions[0] * std::sqrt(mass[i]); });
 
-  // A basis of 9/4 of the pairs is mostly enough. The last block leads out of it, so there has to be room for one more.
-  const int first_check = 9 * others / 4 + 24, step = others / 5 + 8;
+  // A basis of 15/8 of the pairs is mostly enough. The last block leads out of it, so there has to be room for one
+  // more.
+  const int first_check = 15 * others / 8 + 24, step = others / 5 + 8;
   const int largest = (std::min)(n - 1 - Lanczos::width, 6 * others + 100);
   Lanczos lanczos(loop, inverse, constant, largest);
   for(int goal = first_check;; goal += step) {

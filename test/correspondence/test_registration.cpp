@@ -6,8 +6,8 @@
 #include "helpers/property_maps.h"
 #include "helpers/solve.h"
 
-#include <CGAL/Spherical_parameterization/internal/correspondence/Geodesic_graph.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/Carried_face.h>
+#include <CGAL/Spherical_parameterization/internal/correspondence/Geodesic_graph.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/Registration_energy.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/refine.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/register_surfaces.h>

@@ -99,7 +99,8 @@ public:
 
   int size() const { return static_cast<int>(face_of_.size()); }
 
-  /// The corners of the faces of A round vertex i are corner()[k] with k from corner_offset()[i] on.
+  /// The corners of the faces of A round vertex i are corner()[k] with k from corner_offset()[i] on, in such an order
+  /// that the apex of one is the target of the next.
   const Host_array<int>& corner_offset() const { return corner_offset_; }
   const Host_array<int>& corner() const { return corner_; }
   int target(int k) const { return a_.target(corner_[k]); }

@@ -205,14 +205,15 @@ CGAL_SP_CORE Refinement_report refine(const Host_loop& loop, const Registered_su
       next = energy.value(y);
       is_lower = next <= now + armijo * t * slope;
     }
-    if(!is_lower)
+    if(!is_lower) {
+      now = energy.value(x); // its places are those of x again
       break;
+    }
     report.has_converged = now - next < settings.accuracy * (std::max)(least_at_stake, now - isometric);
     std::swap(x, y);
     now = next;
     ++report.iterations;
   }
-  now = energy.value(x);
   return complete();
 }
 

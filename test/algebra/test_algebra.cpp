@@ -4,6 +4,7 @@
 #include "helpers/arrays.h"
 
 #include <CGAL/Spherical_parameterization/internal/algebra/Bounding_box.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/Nearest_rows.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/histogram.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/point_coordinates.h>
@@ -16,6 +17,8 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <random>
+#include <vector>
 
 using namespace test;
 
@@ -151,4 +154,36 @@ TEST_CASE("vectors of any length are scaled to the box of size one", "[algebra]"
     CHECK(distance(p, {1 / 3., -1, 2 / 3.}) < 1e-15);
   }
   CHECK(distance(I::scaled_to_unit_box({0, 0, 0}), {0, 0, 0}) == 0);
+}
+
+TEST_CASE("the nearest row is that of all comparisons, and the first of several", "[algebra]")
+{
+  const int number = GENERATE(1, 15, 16, 17, 250), others = GENERATE(1, 4, 7), columns = GENERATE(1, 6, 33);
+  std::minstd_rand random;
+  const auto digits = [&](int n) { // few different numbers: sums have no rounding, and there are ties
+    std::vector<float> result(n);
+    for(float& x : result)
+      x = static_cast<float>(random() % 3);
+    return result;
+  };
+  const std::vector<float> row = digits(number * columns), other = digits(others * columns);
+  int calls = 0;
+  const auto check = [&](int r, int nearest, float square) {
+    ++calls;
+    int first = 0;
+    float least = std::numeric_limits<float>::infinity();
+    for(int s = 0; s < number; ++s) {
+      float sum = 0;
+      for(int k = 0; k < columns; ++k)
+        sum += std::pow(other[r * columns + k] - row[s * columns + k], 2.F);
+      if(sum < least) {
+        least = sum;
+        first = s;
+      }
+    }
+    CHECK(nearest == first);
+    CHECK(square == least);
+  };
+  I::Nearest_rows(row.data(), number, columns).for_each_row_of(other.data(), others, check);
+  CHECK(calls == others);
 }

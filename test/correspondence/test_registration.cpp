@@ -304,6 +304,10 @@ TEST_CASE("ways along edges and diagonals are hardly longer than geodesics", "[r
     const double arc = 2 * std::asin(SP::internal::norm(SP::internal::sub(p, q)) / 2);
     CHECK(distance[i] >= 0.995 * arc); // the faces lie below the sphere
     CHECK(distance[i] <= 1.08 * arc);
+    double least = std::numeric_limits<double>::infinity(); // by way of a neighbour
+    graph.for_each_way(static_cast<int>(i),
+                       [&](int j, double length) { least = std::min(least, distance[j] + length); });
+    CHECK(distance[i] == (i == 0 ? 0 : least));
   }
 }
 

@@ -8,6 +8,8 @@
 #include <CGAL/Spherical_parameterization/Indexed_triangle_mesh.h>
 #include <CGAL/Spherical_parameterization/laplacian_eigenpairs.h>
 
+#include <Eigen/Core>
+
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -128,6 +130,21 @@ TEST_CASE("no eigenvalue is missed: the first ones are those of the whole matrix
   const SP::Laplacian_eigenpairs first = spectrum_of(surface, few), all = spectrum_of(surface, n);
   for(int k = 0; k < few; ++k)
     CHECK(first.value[k] == Approx(all.value[k]).margin(1e-8));
+}
+
+TEST_CASE("machines whose caches have other sizes find the same bits", "[spectrum]")
+{
+  const Surface surface = surface_of(bumpy(GENERATE(3, 4))); // dense matrices, and Lanczos iteration
+  const int number = 200;
+  std::ptrdiff_t l1 = 0, l2 = 0, l3 = 0;
+  Eigen::internal::manage_caching_sizes(Eigen::GetAction, &l1, &l2, &l3);
+  Eigen::setCpuCacheSizes(1 << 14, 1 << 18, 1 << 20);
+  const SP::Laplacian_eigenpairs small = spectrum_of(surface, number);
+  Eigen::setCpuCacheSizes(1 << 17, 1 << 22, 1 << 26);
+  const SP::Laplacian_eigenpairs large = spectrum_of(surface, number);
+  Eigen::setCpuCacheSizes(l1, l2, l3);
+  CHECK((small.value == large.value));
+  CHECK((small.functions == large.functions));
 }
 
 TEST_CASE("the sphere has the eigenvalues l (l + 1), each 2 l + 1 times", "[spectrum]")

@@ -4,6 +4,8 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CORRESPONDENCE_SPECTRAL_REFINEMENT_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CORRESPONDENCE_SPECTRAL_REFINEMENT_H
 
+#include <CGAL/Spherical_parameterization/internal/algebra/Nearest_rows.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/dense_matrices.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/Spectral_shape.h>
@@ -159,9 +161,10 @@ public:
       rows(b_.function, b_.target, static_cast<int>(functional.cols())) * functional.topRows(columns).transpose();
     const Rows from = rows(a_.function, vertices, columns);
     Map result(vertices.size());
+    const Nearest_rows targets(to.data(), static_cast<int>(to.rows()), columns);
     for_each_block(result.size(), [&](int begin, int size) {
-      for_each_nearest(from.middleRows(begin, size), to,
-                       [&](int r, int s, float) { result[begin + r] = b_.target[s]; });
+      targets.for_each_row_of(from.row(begin).data(), size,
+                              [&](int r, int s, float) { result[begin + r] = b_.target[s]; });
     });
     return downhill(vertices, functional, std::move(result));
   }
@@ -224,21 +227,8 @@ public:
   template <class F>
   static void for_each_nearest(const Rows& from, const Rows& to, F f)
   {
-    constexpr int block = 64;
-    const auto half = (to.rowwise().squaredNorm().transpose() / 2).eval();
-    const Rows transposed = to.transpose();
-    Rows product;
-    for(int begin = 0; begin < from.rows(); begin += block) {
-      const int size = (std::min)(block, static_cast<int>(from.rows()) - begin);
-      product.noalias() = from.middleRows(begin, size) * transposed;
-      product.rowwise() -= half;
-      for(int r = 0; r < size; ++r) {
-        const float most = product.row(r).maxCoeff(); // with its place it would not be vectorized
-        const float* const p = product.row(r).data();
-        const auto nearest = std::find(p, p + to.rows(), most) - p;
-        f(begin + r, static_cast<int>(nearest), (std::max)(0.f, from.row(begin + r).squaredNorm() - 2 * most));
-      }
-    }
+    Nearest_rows(to.data(), static_cast<int>(to.rows()), static_cast<int>(to.cols()))
+      .for_each_row_of(from.data(), static_cast<int>(from.rows()), f);
   }
 
 protected:
@@ -303,7 +293,9 @@ private:
   {
     for(int r = 0; r < of_a.rows(); ++r)
       of_a.row(r) *= static_cast<float>(area[r]);
-    return of_a.transpose() * of_b;
+    Rows result = Rows::Zero(of_a.cols(), of_b.cols());
+    add_product(of_a.transpose(), of_b, result);
+    return result;
   }
 
   /// Of the smooth map to the sphere that C stands for.

@@ -6,7 +6,7 @@
 
 #include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
-#include <CGAL/Spherical_parameterization/internal/correspondence/refine.h>
+#include <CGAL/Spherical_parameterization/internal/correspondence/Registered_surface.h>
 #include <CGAL/Spherical_parameterization/internal/isometric/solve_isometric.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/problem/Problem.h>

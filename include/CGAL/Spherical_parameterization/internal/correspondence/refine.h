@@ -4,16 +4,13 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CORRESPONDENCE_REFINE_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CORRESPONDENCE_REFINE_H
 
-#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
-#include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
-#include <CGAL/Spherical_parameterization/internal/api/compiled.h>
-#include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
-#include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Corner_table.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
+#include <CGAL/Spherical_parameterization/internal/api/compiled.h>
+#include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
+#include <CGAL/Spherical_parameterization/internal/correspondence/Registered_surface.h>
+#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 
-#include <array>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -29,51 +26,6 @@ namespace CGAL::Spherical_parameterization::internal {
 /// Features are linear between the vertices. Coarse features first, then finer ones, as B. Fischl, M. Sereno, A. Dale,
 /// "Cortical surface-based analysis II", 1999, and B. Yeo et al., "Spherical demons", 2010; the barrier in place of
 /// their checks.
-
-/// A closed surface and its map.
-struct Registered_surface : Corner_table {
-  Host_array<vec3> point; ///< of a surface of area 4 pi
-  Host_array<vec3> image; ///< unit vectors, without flips
-};
-
-/// The mean of what the corners of a face have.
-inline vec3 mean_of_corners(const std::array<int, 3>& corner, const std::array<double, 3>& weight,
-                            const Host_array<vec3>& of_vertex)
-{
-  vec3 mean = {0, 0, 0};
-  for(int c = 0; c < 3; ++c)
-    mean = add_scaled(mean, weight[c], of_vertex[corner[c]]);
-  return mean;
-}
-
-/// A third of the area of its faces, by vertex.
-inline Host_array<double> vertex_areas(const Host_loop& loop, const Registered_surface& surface)
-{
-  return thirds_at_vertices(loop, surface.face, static_cast<int>(surface.point.size()),
-                            [&](int f) { return norm(normal(surface.point, surface.face[f])) / 2; });
-}
-
-/// A vertex of A, and where it should go on the sphere.
-struct Registration_landmark {
-  int vertex;
-  vec3 place;
-
-  bool is_in_place(const Host_array<vec3>& x) const { return is_equal(x[vertex], place); }
-};
-
-/// What is compared. The features are scaled by the roots of their weights.
-struct Registration_features {
-  int number = 0;
-  Host_array<double> a, b; ///< feature after feature
-};
-
-/// Weights and limits of `refine()`.
-struct Refinement {
-  double landmark_weight; ///< of the mean squared distance of the landmarks
-  double isometry_weight; ///< of the mean stretching of surface A onto surface B
-  int iterations;
-  double accuracy; ///< the share of the energy above 4 that an iteration has to gain for another one to follow
-};
 
 /// How far it came.
 struct Refinement_report {

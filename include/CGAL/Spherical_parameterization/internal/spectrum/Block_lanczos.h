@@ -45,7 +45,7 @@ public:
     for(int b = 0; b < width; ++b)
       make_random(1 + b);
     subtract_projection(0, 1, 1, width);
-    orthonormalize(1, Matrix::Zero(width, 1));
+    orthonormalize(1, Matrix::Zero(1, width));
   }
 
   int size() const { return size_; }
@@ -83,7 +83,8 @@ public:
   void combine(const Matrix& coefficients, F f)
   {
     for_each_part([&](int p, Matrix& rows) {
-      const Matrix x = rows.middleCols(1, size_) * coefficients;
+      Matrix x = Matrix::Zero(rows.rows(), coefficients.cols());
+      add_product(rows.middleCols(1, size_), coefficients, x);
       for(Eigen::Index k = 0; k < x.cols(); ++k)
         for(Eigen::Index i = 0; i < x.rows(); ++i)
           f(p * part_rows + static_cast<int>(i), static_cast<int>(k), x(i, k));
@@ -106,7 +107,8 @@ private:
   {
     std::vector<Matrix> of_part(rows_.size());
     for_each_part([&](int p, Matrix& rows) {
-      of_part[p].noalias() = rows.middleCols(first, end - first).transpose() * rows.middleCols(column, count);
+      of_part[p] = Matrix::Zero(end - first, count);
+      add_product(rows.middleCols(first, end - first).transpose(), rows.middleCols(column, count), of_part[p]);
     });
     for(std::size_t p = 1; p < of_part.size(); ++p)
       of_part[0] += of_part[p];
@@ -117,9 +119,9 @@ private:
 
   Matrix subtract_projection(int first, int end, int column, int count)
   {
-    const Matrix product = products(first, end, column, count);
+    const Matrix product = products(first, end, column, count), less = -product;
     for_each_part([&](int, Matrix& rows) {
-      rows.middleCols(column, count).noalias() -= rows.middleCols(first, end - first) * product;
+      add_product(rows.middleCols(first, end - first), less, rows.middleCols(column, count));
     });
     return product;
   }
@@ -130,13 +132,37 @@ private:
       at(i, column) = static_cast<double>(random_()) / static_cast<double>(std::minstd_rand::max()) - 0.5;
   }
 
+  static constexpr double cancellation = 1e-2; ///< of lengths: more is lost than a second subtraction gives back
+  static constexpr double rounding = 1e-13;
+
   /// Makes the block at `column`, which is orthogonal to all columns before, orthonormal; it was that times the
-  /// triangle that is returned. What the columns before it leave nothing of, because the basis holds all that A makes
-  /// of it, becomes random, with a zero in the triangle.
-  /// \param original  lengths before anything was subtracted
+  /// triangle that is returned. By Cholesky's factor of the inner products, twice: Y. Yamamoto, Y. Nakatsukasa,
+  /// Y. Yanagisawa, T. Fukaya, "Roundoff error analysis of the CholeskyQR2 algorithm", ETNA 44 (2015).
+  /// \param original  a row: lengths before anything was subtracted
   Matrix orthonormalize(int column, const Matrix& original)
   {
-    constexpr double rounding = 1e-13, cancellation = 1e-2;
+    Matrix triangle = Matrix::Identity(width, width);
+    for(int twice = 0; twice < 2; ++twice) {
+      const Matrix product = products(column, column + width, column, width),
+                   length = product.diagonal().cwiseSqrt().transpose();
+      const Eigen::LLT<Matrix> factor(
+        (length.cwiseInverse().asDiagonal() * product * length.cwiseInverse().asDiagonal()).eval());
+      if(twice == 0 && !((length - rounding * original).minCoeff() > 0 && factor.info() == Eigen::Success &&
+                         factor.matrixLLT().diagonal().minCoeff() > cancellation))
+        return orthonormalize_singly(column, original);
+      const Matrix upper = Matrix(factor.matrixU()) * length.asDiagonal();
+      const Matrix inverse = upper.template triangularView<Eigen::Upper>().solve(Matrix::Identity(width, width));
+      for_each_part(
+        [&](int, Matrix& rows) { rows.middleCols(column, width) = rows.middleCols(column, width) * inverse; });
+      triangle = upper * triangle;
+    }
+    return triangle;
+  }
+
+  /// The same, column by column. What the columns before it leave nothing of, because the basis holds all that A makes
+  /// of it, becomes random, with a zero in the triangle.
+  Matrix orthonormalize_singly(int column, const Matrix& original)
+  {
     Matrix triangle = Matrix::Zero(width, width);
     for(int b = 0; b < width; ++b) {
       const int own = column + b;

@@ -82,8 +82,7 @@ private:
   typedef float Floats_8 __attribute__((vector_size(32)));
   typedef int Ints_8 __attribute__((vector_size(32)));
 
-  __attribute__((target("avx2"))) void find_by_avx2(const float* const (&row)[together],
-                                                    Found (&found)[together]) const
+  __attribute__((target("avx2"))) void find_by_avx2(const float* const (&row)[together], Found (&found)[together]) const
   {
     find_by<Floats_8, Ints_8>(row, found);
   }

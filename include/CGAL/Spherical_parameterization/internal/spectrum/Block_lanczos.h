@@ -119,7 +119,8 @@ private:
 
   Matrix subtract_projection(int first, int end, int column, int count)
   {
-    const Matrix product = products(first, end, column, count), less = -product;
+    Matrix product = products(first, end, column, count);
+    const Matrix less = -product;
     for_each_part([&](int, Matrix& rows) {
       add_product(rows.middleCols(first, end - first), less, rows.middleCols(column, count));
     });

@@ -62,8 +62,7 @@ inline std::string without_remedy(const std::string& detail, const std::string& 
 
 /// What is wrong with NaN and infinity.
 inline const char* const non_finite_remedy = "every coordinate must be a finite number; the command 'prepare' removes "
-                                             "such vertices of a surface with their faces, "
-                                             "and fills the holes";
+                                             "such vertices of a surface with their faces, and fills the holes";
 
 /// \name Codes of the tool alone, beside those of the library
 /// @{

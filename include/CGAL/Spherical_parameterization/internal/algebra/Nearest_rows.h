@@ -23,16 +23,18 @@ public:
   Nearest_rows(const float* rows, int number, int columns)
     : number_(number), columns_(columns), panel_((static_cast<std::size_t>(number) + width - 1) / width * panel_size())
   {
-    for(std::size_t s = 0; s < panel_.size() / (columns + 1); ++s) {
-      float* const row = panel_.data() + s / width * panel_size() + s % width;
-      float square = s < static_cast<std::size_t>(number) ? 0 : std::numeric_limits<float>::infinity();
-      for(int k = 0; k < columns && s < static_cast<std::size_t>(number); ++k) {
-        const float x = rows[s * columns + k];
-        row[(k + 1) * width] = x;
+    for(int s = 0; s < number; ++s) {
+      float* const entry = panel_.data() + first_entry(s);
+      float square = 0;
+      for(int k = 0; k < columns; ++k) {
+        const float x = *rows++;
+        entry[(k + 1) * width] = x;
         square += x * x;
       }
-      row[0] = -square / 2;
+      *entry = -square / 2;
     }
+    for(int s = number; s % width != 0; ++s) // what the last panel has too much is never the nearest
+      panel_[first_entry(s)] = -std::numeric_limits<float>::infinity();
   }
 
   /// Calls f(r, s, square) with the nearest row s, the first one if there are several, and its squared distance, for
@@ -65,6 +67,9 @@ private:
   };
 
   std::size_t panel_size() const { return static_cast<std::size_t>(width) * (columns_ + 1); }
+
+  /// Of row s; its others follow in steps of `width`.
+  std::size_t first_entry(int s) const { return s / width * panel_size() + s % width; }
 
   typedef float Floats_4 __attribute__((vector_size(16)));
   typedef int Ints_4 __attribute__((vector_size(16)));
@@ -101,7 +106,7 @@ private:
         where[r][p] = Ints{};
       }
     for(int s = 0; s < number_; s += parts * lanes) {
-      const float* column = panel_.data() + s / width * panel_size() + s % width;
+      const float* column = panel_.data() + first_entry(s);
       Floats sum[together][parts];
       for(int p = 0; p < parts; ++p) {
         std::memcpy(&sum[0][p], column + p * lanes, sizeof(Floats));

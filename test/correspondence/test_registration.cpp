@@ -8,7 +8,9 @@
 
 #include <CGAL/Spherical_parameterization/internal/correspondence/Carried_face.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/Geodesic_graph.h>
+#include <CGAL/Spherical_parameterization/internal/correspondence/Map_to_goal.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/Registration_energy.h>
+#include <CGAL/Spherical_parameterization/internal/correspondence/Spectral_registration.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/refine.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/register_surfaces.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
@@ -63,7 +65,7 @@ Soup limbs(const std::array<double, 4>& length, int level = 4)
     .soup;
 }
 
-Soup limbs(double length) { return limbs({length, 2, 1.2, 1.6}); }
+Soup limbs(double length, int level = 4) { return limbs({length, 2, 1.2, 1.6}, level); }
 
 Sphere moved(const Sphere& sphere, const std::function<Point(const Point&)>& f)
 {
@@ -391,6 +393,56 @@ TEST_CASE("what the form does not say, own features say", "[registration]")
   CHECK(mean_distance(registered(shape, shape, method).sphere, goal) < (bend == 0 ? 0.001 : 0.1));
 }
 
+namespace {
+
+/// The same shape and map, with other numbers of vertices and faces, and other first corners.
+Mapped with_other_numbers(const Mapped& shape, unsigned seed, std::vector<std::size_t>& order)
+{
+  Soup soup = renumbered(shape.soup, seed, order);
+  Sphere sphere;
+  for(std::size_t i : order)
+    sphere.push_back(shape.sphere[i]);
+  return {std::move(soup), std::move(sphere)};
+}
+
+} // namespace
+
+TEST_CASE("a registration is the same bits whatever the numbers of vertices and faces", "[registration]")
+{
+  const Mapped a(limbs(1.4, 3)), b(in_another_pose(a.soup));
+  std::vector<std::size_t> order_a, order_b;
+  const Mapped other_a = with_other_numbers(a, 1, order_a), other_b = with_other_numbers(b, 2, order_b);
+  SP::Registration method, other_method;
+  std::vector<SP::Landmark_pair<Mesh, Mesh>> landmarks, other_landmarks;
+  SECTION("alone") {}
+  SECTION("with landmarks")
+  {
+    for(std::size_t i : {10, 150, 300, 450}) {
+      landmarks.emplace_back(Vertex(unsigned(order_a[i])), Vertex(unsigned(order_b[i])));
+      other_landmarks.emplace_back(Vertex(unsigned(i)), Vertex(unsigned(i)));
+    }
+  }
+  SECTION("with a feature")
+  {
+    method.features = {paint(a.sphere, b.sphere)[0]};
+    SP::Registration_feature feature = method.features[0];
+    for(std::size_t i = 0; i < order_a.size(); ++i) {
+      feature.a[i] = method.features[0].a[order_a[i]];
+      feature.b[i] = method.features[0].b[order_b[i]];
+    }
+    other_method.features = {feature};
+  }
+  const Registered r = registered(a, b, method, landmarks),
+                   other = registered(other_a, other_b, other_method, other_landmarks);
+  check_certificate(a, r);
+  Sphere expected;
+  for(std::size_t i : order_a)
+    expected.push_back(r.sphere[i]);
+  CHECK(other.sphere == expected);
+  CHECK(other.result.stretching == r.result.stretching);
+  CHECK(other.result.margin == r.result.margin);
+}
+
 TEST_CASE("features without weight, and constant ones, say nothing", "[registration]")
 {
   const Mapped shape = ellipsoid();
@@ -552,6 +604,82 @@ TEST_CASE("faces that rounding loses are registered or refused", "[registration]
     check(Mapped(tube, map), three);
   }
   CHECK(maps > 0);
+}
+
+TEST_CASE("of answers that are equally good that one is taken which brings together what looks alike", "[registration]")
+{
+  namespace I = SP::internal;
+  // half a turn about the third axis makes no difference to the shape
+  const auto body = [](int level) {
+    return Mapped(body_with_limbs({{{1, 0, 0}, 0.4, 2}, {{-1, 0, 0}, 0.4, 2}, {{0, 0, 1}, 0.4, 1.2}}, level).soup);
+  };
+  const Mapped shape_a = body(3), shape_b = body(4);
+  const I::Registered_surface a = surface_of(shape_a), b = surface_of(shape_b);
+  const I::Host_loop loop;
+  I::Monitor monitor(1e9, {}, false);
+  const I::Watched_loop<I::Host_loop> watched(loop, monitor);
+  const I::Valid_map map_b(I::read_map(shape_b.mesh, shape_b.mesh.points(), shape_b.map(), I::Reading::CHECKED, loop),
+                           loop);
+  const I::Locator locator(loop, map_b);
+  const double side = GENERATE(1., -1.);
+  I::Registration_features paint = {1, {}, {}};
+  for(const I::vec3& p : a.point)
+    paint.a.push_back(p.x);
+  double square = 0;
+  for(const I::vec3& p : b.point) {
+    paint.b.push_back(side * p.x);
+    square += p.x * p.x / double(b.point.size());
+  }
+  I::Spectral_registration<> found(watched, monitor, a, b, locator, paint, {});
+  REQUIRE(!found.image.empty());
+  CHECK(std::abs(found.margin) < 0.1);
+  CHECK(I::refine(loop, a, b, paint, {}, {0, 0, 0, 0}, monitor, found.image).mismatch < 0.1 * square);
+}
+
+TEST_CASE("a few places that are wrong are let go, and do not drag the others along", "[registration]")
+{
+  namespace I = SP::internal;
+  const Mapped shape(limbs(1.4));
+  const I::Registered_surface a = surface_of(shape);
+  const I::Host_loop loop;
+  I::Monitor monitor(1e9, {}, false);
+  const I::Watched_loop<I::Host_loop> watched(loop, monitor);
+  const I::Valid_map map(I::read_map(shape.mesh, shape.mesh.points(), shape.map(), I::Reading::CHECKED, loop), loop);
+  const I::Locator locator(loop, map);
+  const int n = int(a.point.size());
+  I::Registration_goal goal;
+  goal.place = a.image;
+  goal.target = a.point;
+  const auto distance = [&](const I::Host_array<I::vec3>& x) {
+    double mean = 0;
+    for(int v = 0; v < n; ++v)
+      mean += norm(sub(I::point_at(a, locator, x[v]), a.point[v])) / n;
+    return mean;
+  };
+  std::vector<int> candidates;
+  for(int v = 0; v < n; v += n / 100)
+    candidates.push_back(v);
+  const I::Geodesic_graph graph(a, a.point);
+  SECTION("single ones are not pulled")
+  {
+    for(std::size_t k = 0; k < candidates.size(); k += 10) {
+      goal.place[candidates[k]] = a.image[n - 1 - candidates[k]];
+      goal.target[candidates[k]] = a.point[n - 1 - candidates[k]];
+    }
+    goal.spread_among(candidates, graph, a.point);
+    CHECK(goal.spread.size() == candidates.size() - (candidates.size() + 9) / 10);
+  }
+  SECTION("those that all others contradict are let go")
+  {
+    goal.spread = candidates;
+    for(std::size_t k = 0; k < candidates.size(); k += 10)
+      goal.place[candidates[k]] = a.image[n - 1 - candidates[k]];
+  }
+  I::Map_to_goal<> found(watched, monitor, a, a, locator, goal, 0, 1);
+  REQUIRE(!found.image().empty());
+  CHECK(distance(found.image()) < 0.2); // the radius is about 1
+  found.move_all(1e-3);
+  CHECK(distance(found.image()) < 0.05);
 }
 
 TEST_CASE("the gradient of the registration is that of its energy", "[registration]")

@@ -69,7 +69,8 @@ struct Registration_result {
   /// @{
 
   /// How much worse the best other candidate is, on a logarithmic scale. Small if the shapes are nearly symmetric or
-  /// dissimilar; infinite if there is no other candidate, or the spectrum was not used.
+  /// dissimilar, and down to -0.1 if the other one was passed over since its map brings together less that looks alike;
+  /// infinite if there is no other candidate, or the spectrum was not used.
   double margin = std::numeric_limits<double>::infinity();
   /// Mean relative difference of the wave kernel signatures of corresponding points, from 0 to 1: about 0.03 between
   /// poses of one body, 0.1 between different bodies. 0 if the spectrum was not used.

@@ -31,7 +31,8 @@ namespace CGAL::Spherical_parameterization::internal {
 /// the ends of limbs, and the limbs of those that are found are put onto each other anew with orientation kept, and
 /// with left and right exchanged by the symmetry that B has itself. What decides is how much signatures and curvatures
 /// differ, and how much of the surface keeps its orientation. The best candidates climb: they are made smooth on the
-/// sphere and refined in turn as long as that makes them better. See doc/registration.md.
+/// sphere and refined in turn as long as that makes them better. Answers that are nearly as good as the best one are
+/// left to those who deform maps to them. See doc/registration.md.
 template <class Loop>
 class Spectral_matching : Spectral_refinement<Loop> {
   typedef Spectral_refinement<Loop> Base;
@@ -50,8 +51,9 @@ public:
   typedef typename Base::Landmarks Landmarks;
   typedef typename Base::Map Map;
 
-  struct Match {
+  struct Answer {
     Map map;                    ///< of all vertices
+    double score = 0;           ///< the less the better
     double margin = 0;          ///< how much worse the best of all other answers is; infinite if there is none
     double difference = 0;      ///< of the signatures of points that correspond, from 0 to 1
     bool fits_landmarks = true; ///< all of them are near where they should be
@@ -62,11 +64,13 @@ public:
     : Base(loop, a, b, landmarks, are_guides)
   {}
 
-  Match run() const
+  /// The best answer first, then those that are nearly as good.
+  std::vector<Answer> run() const
   {
     constexpr double share_of_symmetries = share_of_work / 3, share_of_starts = 2 * share_of_work / 3;
     constexpr double clear = 0.4, much = 0.6, very_much = 1; // differences of scores
-    constexpr int patience = 2, much_patience = 5;
+    constexpr double nearly = 0.1;
+    constexpr int patience = 2, much_patience = 5, most_answers = 3;
     loop_.begin_stage(0, share_of_symmetries);
     const std::vector<Map> symmetries = Spectral_matching(loop_, b_, b_, {}, false).symmetries();
     loop_.begin_stage(share_of_symmetries, share_of_starts);
@@ -94,20 +98,15 @@ public:
     };
     begin(starts, 4);
     begin(exchanged(best_of(bests(climbers)).map, symmetries), 2); // a duel of the best one with its mirror image
-    if(margin(bests(climbers), a_.some) < clear)
+    if(const std::vector<Candidate> all = bests(climbers); margin(best_of(all), all, a_.some) < clear)
       for(Climber& c : climbers)
         go_on(c, very_much, much_patience);
     std::vector<Candidate> found = best_distinct(bests(climbers), 6, 0.1);
     found = candidates(found.size(), [&](int k) { return judged(found[k].map); });
-    const Candidate best = best_of(found);
-
-    Match result;
-    result.margin = margin(found, a_.all);
-    result.map = precise(best.map);
-    for(int i = 0; i < a_.size(); ++i)
-      result.difference += a_.area[i] * signature_difference(a_, i, b_, result.map[i]);
-    for(const auto& l : landmarks_)
-      result.fits_landmarks = result.fits_landmarks && is_near(l.distance, result.map[l.of_a]);
+    std::vector<Answer> result;
+    for(const Candidate& c : best_distinct(found, most_answers, rough_distance))
+      if(result.empty() || c.score <= result.front().score + nearly)
+        result.push_back(answer(c, found));
     return result;
   }
 
@@ -210,14 +209,23 @@ private:
     return result;
   }
 
-  /// How much worse the best of all other answers is than the best, infinite if there is none.
-  double margin(const std::vector<Candidate>& found, const Cells& cells) const
+  /// How much worse the best of all other answers is than one, infinite if there is none.
+  double margin(const Candidate& one, const std::vector<Candidate>& found, const Cells& cells) const
   {
-    const Candidate& best = best_of(found);
     double result = std::numeric_limits<double>::infinity();
     for(const Candidate& other : found)
-      if(distance(best.map, other.map, cells) > rough_distance)
-        result = (std::min)(result, other.score - best.score);
+      if(distance(one.map, other.map, cells) > rough_distance)
+        result = (std::min)(result, other.score - one.score);
+    return result;
+  }
+
+  Answer answer(const Candidate& c, const std::vector<Candidate>& found) const
+  {
+    Answer result = {precise(c.map), c.score, margin(c, found, a_.all)};
+    for(int i = 0; i < a_.size(); ++i)
+      result.difference += a_.area[i] * signature_difference(a_, i, b_, result.map[i]);
+    for(const auto& l : landmarks_)
+      result.fits_landmarks = result.fits_landmarks && is_near(l.distance, result.map[l.of_a]);
     return result;
   }
 

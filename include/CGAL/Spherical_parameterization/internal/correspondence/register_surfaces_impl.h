@@ -10,6 +10,7 @@
 #include <CGAL/Spherical_parameterization/internal/algebra/rotations.h>
 #include <CGAL/Spherical_parameterization/internal/api/precondition.h>
 #include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
+#include <CGAL/Spherical_parameterization/internal/correspondence/Order_on_sphere.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/Spectral_registration.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/landmarks_in_place.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/register_surfaces.h>
@@ -161,7 +162,8 @@ private:
        !settings_.features.empty() ||
        (std::min)(a_.surface.point.size(), b_.surface.point.size()) < Spectral_registration<>::least_vertices)
       return false;
-    Spectral_registration<> found(loop_, monitor_, a_.surface, b_.surface, b_.locator(), landmark_vertices_);
+    Spectral_registration<> found(loop_, monitor_, a_.surface, b_.surface, b_.locator(),
+                                  weighted(scale_of(settings_.levels - 1)), landmark_vertices_);
     result_.start = "spectrum";
     result_.margin = found.margin;
     result_.signature_difference = found.difference;
@@ -283,6 +285,9 @@ private:
       p = centring_b.inverse(unit(rotated(result_.rotation, centring_a(p))));
   }
 
+  /// Of the features of a level.
+  double scale_of(int level) const { return std::ldexp(settings_.coarsest_scale, -level); }
+
   /// The root of the weight of feature k.
   double factor(std::size_t k) const
   {
@@ -326,16 +331,15 @@ private:
   {
     const int first_level = deformed_.empty() ? 0 : settings_.levels - 1; // what is far off has been moved already
     const Registered_surface from = {a_.surface, a_.surface.point, x};
-    double size = std::ldexp(settings_.coarsest_scale, -first_level);
     Refinement refinement = {settings_.landmark_weight, 0, settings_.iterations, settings_.accuracy};
     Registration_features features;
     if(first_level > 0)
       refinement.isometry_weight = settings_.isometry_weight;
     for(int level = first_level; level < settings_.levels && (level == first_level || !monitor_.is_interrupted());
-        ++level, size /= 2) {
+        ++level) {
       const double share = (1 - share_to_align) / settings_.levels;
       monitor_.begin_stage(share_to_align + level * share, share_to_align + (level + 1) * share);
-      shape_ = features = weighted(size);
+      shape_ = features = weighted(scale_of(level));
       if(settings_.position_weight > 0) {
         const auto a = a_.coordinates(space_), b = b_.coordinates();
         for(int k = 0; k < 3; ++k)
@@ -463,16 +467,24 @@ CGAL_SP_CORE Registration_result register_surfaces(const Host_loop& loop, const 
                                                    const std::vector<std::pair<int, int>>& landmarks,
                                                    const Registration& settings, Monitor& monitor, const Store& store)
 {
-  const Registered_surface a = registered_surface(loop, map_a), b = registered_surface(loop, map_b);
-  const Locator locator_a(loop, map_a), locator_b(loop, map_b);
+  auto own_a = features_of(settings, &Registration_feature::a, map_a.image.size()),
+       own_b = features_of(settings, &Registration_feature::b, map_b.image.size());
+  const Order_on_sphere order_a(map_a.image), order_b(map_b.image);
+  for(std::size_t k = 0; k < own_a.size(); ++k) {
+    own_a[k] = order_a.ordered(own_a[k]);
+    own_b[k] = order_b.ordered(own_b[k]);
+  }
+  std::vector<std::pair<int, int>> pairs;
+  for(const auto& [i, j] : landmarks)
+    pairs.emplace_back(order_a(i), order_b(j));
+  const Valid_map ordered_a = order_a.ordered(loop, map_a), ordered_b = order_b.ordered(loop, map_b);
+  const Registered_surface a = registered_surface(loop, ordered_a), b = registered_surface(loop, ordered_b);
+  const Locator locator_a(loop, ordered_a), locator_b(loop, ordered_b);
   const Watched_loop<Host_loop> watched(loop, monitor);
   Registration_result result;
-  const auto side = [&](const Registered_surface& surface, const Locator& locator, auto own) {
-    return Registered_side(watched, monitor, surface, locator, features_of(settings, own, surface.point.size()));
-  };
-  Registrar<> registrar(watched, monitor, side(a, locator_a, &Registration_feature::a),
-                        side(b, locator_b, &Registration_feature::b), landmarks, settings, result);
-  const Host_array<vec3> stored = store(registrar.run());
+  Registrar<> registrar(watched, monitor, {watched, monitor, a, locator_a, std::move(own_a)},
+                        {watched, monitor, b, locator_b, std::move(own_b)}, pairs, settings, result);
+  const Host_array<vec3> stored = order_a.ordered(store(order_a.by_number(registrar.run())));
   const Certificate certificate = certify(loop, a.face, stored);
   result.flipped_faces = certificate.flipped_faces;
   result.degree = certificate.degree;

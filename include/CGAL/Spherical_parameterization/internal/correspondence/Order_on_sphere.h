@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CORRESPONDENCE_ORDER_ON_SPHERE_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CORRESPONDENCE_ORDER_ON_SPHERE_H
+
+#include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
+#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Mapped_surface.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Spherical_parameterization::internal {
+
+/// An order of the vertices and faces of a map that does not depend on their numbers, in which neighbours are near each
+/// other in memory: that of the images on G. Morton's curve through the cube round the sphere (1966). A registration of
+/// 80,000 vertices whose numbers have no order, as subdivision leaves them, takes half the time so.
+class Order_on_sphere {
+public:
+  explicit Order_on_sphere(const Host_array<vec3>& image) : old_(image.size()), new_(image.size())
+  {
+    std::vector<std::uint64_t> key;
+    key.reserve(image.size());
+    for(const vec3& p : image)
+      key.push_back(spread(p.x) | spread(p.y) << 1 | spread(p.z) << 2);
+    std::iota(old_.begin(), old_.end(), 0);
+    std::stable_sort(old_.begin(), old_.end(), [&](int i, int j) { return key[i] < key[j]; });
+    for(std::size_t i = 0; i < old_.size(); ++i)
+      new_[old_[i]] = static_cast<int>(i);
+  }
+
+  /// The place of a vertex.
+  int operator()(int vertex) const { return new_[vertex]; }
+
+  /// Values of the vertices, in this order.
+  template <class T>
+  Host_array<T> ordered(const Host_array<T>& values) const
+  {
+    return picked(values, old_);
+  }
+
+  /// Values in this order, by the numbers of the vertices again.
+  template <class T>
+  Host_array<T> by_number(const Host_array<T>& ordered) const
+  {
+    return picked(ordered, new_);
+  }
+
+  /// Vertices and faces in this order.
+  Valid_map ordered(const Host_loop& loop, const Mapped_surface& map) const
+  {
+    Mapped_surface result;
+    result.number_of_vertices = map.number_of_vertices;
+    result.point = ordered(map.point);
+    result.image = ordered(map.image);
+    result.face.reserve(map.face.size());
+    for(const auto& [i, j, k] : map.face) {
+      std::array<int, 3> f = {new_[i], new_[j], new_[k]};
+      std::rotate(f.begin(), std::min_element(f.begin(), f.end()), f.end());
+      result.face.push_back(f);
+    }
+    std::sort(result.face.begin(), result.face.end());
+    return Valid_map(std::move(result), loop);
+  }
+
+private:
+  /// The bits of a coordinate, with two of others between each and the next.
+  static std::uint64_t spread(double x)
+  {
+    constexpr int bits = 21;
+    const auto cell = static_cast<std::uint64_t>((std::clamp)(x / 2 + 0.5, 0., 1.) * ((1 << bits) - 1));
+    std::uint64_t result = 0;
+    for(int b = 0; b < bits; ++b)
+      result |= (cell >> b & 1) << 3 * b;
+    return result;
+  }
+
+  template <class T>
+  static Host_array<T> picked(const Host_array<T>& values, const std::vector<int>& from)
+  {
+    Host_array<T> result;
+    result.reserve(values.size());
+    for(int i : from)
+      result.push_back(values[i]);
+    return result;
+  }
+
+  std::vector<int> old_, new_; ///< numbers by place, and places by number
+};
+
+} // namespace CGAL::Spherical_parameterization::internal
+
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CORRESPONDENCE_ORDER_ON_SPHERE_H

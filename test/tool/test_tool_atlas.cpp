@@ -152,7 +152,7 @@ TEST_CASE("atlas --prepare: a mesh with a hole, and a template with one, are men
   const Soup body = bumpy_sphere(3);
   std::vector<std::string> command = {"atlas"};
   for(int i = 0; i < 3; ++i) {
-    Soup soup = transformed(body, [i](const Point& p) { return Point((1 + 0.2 * i) * p.x(), p.y(), p.z()); });
+    Soup soup = transformed(body, [i](const Point& p) { return Point((1 + 0.1 * i) * p.x(), p.y(), p.z()); });
     if(i != 1)
       soup.faces.pop_back(); // is filled with one face
     command.push_back(write_off(scratch / std::to_string(i) + ".off", soup));

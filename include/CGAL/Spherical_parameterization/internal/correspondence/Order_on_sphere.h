@@ -8,6 +8,7 @@
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Mapped_surface.h>
+#include <CGAL/Spherical_parameterization/internal/surface/breadth_first.h>
 
 #include <algorithm>
 #include <array>
@@ -24,7 +25,7 @@ namespace CGAL::Spherical_parameterization::internal {
 /// 80,000 vertices whose numbers have no order, as subdivision leaves them, takes half the time so.
 class Order_on_sphere {
 public:
-  explicit Order_on_sphere(const Host_array<vec3>& image) : old_(image.size()), new_(image.size())
+  Order_on_sphere(const Host_loop& loop, const Host_array<vec3>& image) : old_(image.size())
   {
     std::vector<std::uint64_t> key;
     key.reserve(image.size());
@@ -32,16 +33,17 @@ public:
       key.push_back(spread(p.x) | spread(p.y) << 1 | spread(p.z) << 2);
     std::iota(old_.begin(), old_.end(), 0);
     std::stable_sort(old_.begin(), old_.end(), [&](int i, int j) { return key[i] < key[j]; });
-    for(std::size_t i = 0; i < old_.size(); ++i)
-      new_[old_[i]] = static_cast<int>(i);
+    new_ = inverse_permutation(loop, old_);
   }
+
+  std::size_t size() const { return old_.size(); }
 
   /// The place of a vertex.
   int operator()(int vertex) const { return new_[vertex]; }
 
   /// Values of the vertices, in this order.
-  template <class T>
-  Host_array<T> ordered(const Host_array<T>& values) const
+  template <class Values>
+  Host_array<typename Values::value_type> ordered(const Values& values) const
   {
     return picked(values, old_);
   }
@@ -82,17 +84,17 @@ private:
     return result;
   }
 
-  template <class T>
-  static Host_array<T> picked(const Host_array<T>& values, const std::vector<int>& from)
+  template <class Values>
+  static Host_array<typename Values::value_type> picked(const Values& values, const Host_array<int>& from)
   {
-    Host_array<T> result;
+    Host_array<typename Values::value_type> result;
     result.reserve(values.size());
     for(int i : from)
       result.push_back(values[i]);
     return result;
   }
 
-  std::vector<int> old_, new_; ///< numbers by place, and places by number
+  Host_array<int> old_, new_; ///< numbers by place, and places by number
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

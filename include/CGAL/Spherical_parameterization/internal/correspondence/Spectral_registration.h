@@ -31,9 +31,9 @@ namespace CGAL::Spherical_parameterization::internal {
 
 /// A first bijection of two surfaces: `Spectral_matching` says where the vertices of A belong on B, on coarse surfaces;
 /// A is mapped to the sphere anew, so that some of them lie where these points of B are; and that map is deformed until
-/// all of them are near. Of answers that are nearly as good, that one is taken whose map
-/// brings together what looks alike. A fine surface follows the coarse one in the same two steps. Maps keep the barrier
-/// of their energies: they are without flips.
+/// all of them are near. Of answers that are nearly as good, that one is taken whose map brings together what looks
+/// alike. A fine surface follows the coarse one in the same two steps. Maps keep the barrier of their energies: they
+/// are without flips.
 template <class...>
 class Spectral_registration {
 public:
@@ -75,37 +75,38 @@ public:
       surface.point.push_back(a.point[v]);
       surface.image.push_back(a.image[v]);
     }
-    const Registration_features coarse_features = {features.number, of_vertices(features, coarse_a.vertex), features.b};
+    const std::vector<int> candidates = {shape_a.sample.begin(),
+                                         shape_a.sample.begin() +
+                                           (std::min)(most_places, static_cast<int>(shape_a.sample.size()))};
+    const auto goal_of = [&](const auto& answer) {
+      Registration_goal goal;
+      for(int t : answer.map) {
+        goal.place.push_back(shape_b.image[t]);
+        goal.target.push_back(b.point[coarse_b.vertex[t]]);
+      }
+      for(std::size_t l = 0; l < landmarks.size(); ++l)
+        goal.put(coarse_landmarks[l].first, b, landmarks[l].second);
+      goal.spread_among(candidates, shape_a.graph, surface.point);
+      return goal;
+    };
     constexpr double rough = 0.02; // is enough to choose by
     const auto stages = static_cast<double>(answers.size());
     std::optional<Map_to_goal<>> best;
     double least = 0;
     for(std::size_t k = 0; k < answers.size(); ++k)
       try {
-        const auto& answer = answers[k];
-        Registration_goal goal;
-        for(int t : answer.map) {
-          goal.place.push_back(shape_b.image[t]);
-          goal.target.push_back(b.point[coarse_b.vertex[t]]);
-        }
-        for(std::size_t l = 0; l < landmarks.size(); ++l)
-          goal.put(coarse_landmarks[l].first, b, landmarks[l].second);
-        const auto places = std::min<std::ptrdiff_t>(most_places, static_cast<std::ptrdiff_t>(shape_a.sample.size()));
-        goal.spread_among({shape_a.sample.begin(), shape_a.sample.begin() + places}, shape_a.graph, surface.point);
-        const Rotation its_rotation = best_rotation(surface.image, goal.place);
-        Map_to_goal<> map(loop, monitor, surface, b, locator_b, std::move(goal), 0.3 + 0.2 * k / stages,
+        Map_to_goal<> map(loop, monitor, surface, b, locator_b, goal_of(answers[k]), 0.3 + 0.2 * k / stages,
                           0.3 + 0.2 * (k + 1) / stages);
-        double score = answer.score;
+        double score = answers[k].score;
         if(answers.size() > 1) {
           iterations += map.move_all(rough);
           score += map.image().empty() ? std::numeric_limits<double>::infinity()
-                                       : std::log(mismatch(surface, coarse_features, map.image()));
+                                       : std::log(mismatch(surface, coarse_a.vertex, features, map.image()));
         }
         if(k == 0 || score < least) {
           least = score;
-          margin = answer.margin;
-          difference = answer.difference;
-          rotation = its_rotation;
+          margin = answers[k].margin;
+          difference = answers[k].difference;
           best.emplace(std::move(map));
         }
       } catch(const Input_error&) { // no more time
@@ -113,6 +114,7 @@ public:
           throw;
         break;
       }
+    rotation = best_rotation(surface.image, best->goal().place);
     monitor.begin_stage(0.5, 0.55);
     iterations += best->move_all(fine);
     image = best->image();
@@ -148,20 +150,15 @@ private:
     return Coarse_map(loop_.bare(), surface, surface.point, surface.image, kept, most_vertices, monitor_);
   }
 
-  static Host_array<double> of_vertices(const Registration_features& features, const std::vector<int>& vertex)
+  /// Of the features where x puts the vertices of a coarse surface, which are those vertices of A.
+  double mismatch(const Registered_surface& coarse_a, const std::vector<int>& vertex,
+                  const Registration_features& features, Host_array<vec3> x) const
   {
-    const std::size_t all = features.number == 0 ? 0 : features.a.size() / static_cast<std::size_t>(features.number);
-    Host_array<double> result;
+    Registration_features coarse = {features.number, {}, features.b};
     for(int k = 0; k < features.number; ++k)
       for(int v : vertex)
-        result.push_back(features.a[k * all + v]);
-    return result;
-  }
-
-  /// Of the features where x puts the vertices of A.
-  double mismatch(const Registered_surface& a, const Registration_features& features, Host_array<vec3> x) const
-  {
-    return refine(loop_.bare(), a, b_, features, {}, {0, 0, 0, 0}, monitor_, x).mismatch;
+        coarse.a.push_back(features.a[k * (features.a.size() / features.number) + v]);
+    return refine(loop_.bare(), coarse_a, b_, coarse, {}, {0, 0, 0, 0}, monitor_, x).mismatch;
   }
 
   const Watched_loop<Host_loop>& loop_;

@@ -443,21 +443,22 @@ CGAL_SP_CORE Registered_surface registered_surface(const Host_loop& loop, const 
   return surface;
 }
 
-/// The features of one side. Throws the precondition for those that have not a value for each of n vertices, and Error
-/// for what is no finite number.
+/// The features of one side, in an order. Throws the precondition for those that have not a value for each vertex, and
+/// Error for what is no finite number.
 inline std::vector<Host_array<double>> features_of(const Registration& settings,
-                                                   const std::vector<double> Registration_feature::*side, std::size_t n)
+                                                   const std::vector<double> Registration_feature::*side,
+                                                   const Order_on_sphere& order)
 {
   std::vector<Host_array<double>> result;
   for(const Registration_feature& feature : settings.features) {
     const std::vector<double>& values = feature.*side;
-    CGAL_SP_PRECONDITION(values.size() == n, "a feature has a value for every vertex of both meshes");
-    for(std::size_t i = 0; i < n; ++i)
+    CGAL_SP_PRECONDITION(values.size() == order.size(), "a feature has a value for every vertex of both meshes");
+    for(std::size_t i = 0; i < values.size(); ++i)
       if(!std::isfinite(values[i]))
         throw Input_error(Error_code::NON_FINITE_COORDINATE, "feature " + std::to_string(result.size()) + " of the " +
                                                                (side == &Registration_feature::a ? "first" : "second") +
                                                                " mesh is not finite at vertex " + std::to_string(i));
-    result.emplace_back(values.begin(), values.end());
+    result.push_back(order.ordered(values));
   }
   return result;
 }
@@ -467,13 +468,7 @@ CGAL_SP_CORE Registration_result register_surfaces(const Host_loop& loop, const 
                                                    const std::vector<std::pair<int, int>>& landmarks,
                                                    const Registration& settings, Monitor& monitor, const Store& store)
 {
-  auto own_a = features_of(settings, &Registration_feature::a, map_a.image.size()),
-       own_b = features_of(settings, &Registration_feature::b, map_b.image.size());
-  const Order_on_sphere order_a(map_a.image), order_b(map_b.image);
-  for(std::size_t k = 0; k < own_a.size(); ++k) {
-    own_a[k] = order_a.ordered(own_a[k]);
-    own_b[k] = order_b.ordered(own_b[k]);
-  }
+  const Order_on_sphere order_a(loop, map_a.image), order_b(loop, map_b.image);
   std::vector<std::pair<int, int>> pairs;
   for(const auto& [i, j] : landmarks)
     pairs.emplace_back(order_a(i), order_b(j));
@@ -482,8 +477,10 @@ CGAL_SP_CORE Registration_result register_surfaces(const Host_loop& loop, const 
   const Locator locator_a(loop, ordered_a), locator_b(loop, ordered_b);
   const Watched_loop<Host_loop> watched(loop, monitor);
   Registration_result result;
-  Registrar<> registrar(watched, monitor, {watched, monitor, a, locator_a, std::move(own_a)},
-                        {watched, monitor, b, locator_b, std::move(own_b)}, pairs, settings, result);
+  Registrar<> registrar(watched, monitor,
+                        {watched, monitor, a, locator_a, features_of(settings, &Registration_feature::a, order_a)},
+                        {watched, monitor, b, locator_b, features_of(settings, &Registration_feature::b, order_b)},
+                        pairs, settings, result);
   const Host_array<vec3> stored = order_a.ordered(store(order_a.by_number(registrar.run())));
   const Certificate certificate = certify(loop, a.face, stored);
   result.flipped_faces = certificate.flipped_faces;

@@ -683,7 +683,7 @@ TEST_CASE("a few places that are wrong are let go, and do not drag the others al
   I::Map_to_goal<> found(watched, monitor, a, a, locator, goal, 0, 1);
   REQUIRE(!found.image().empty());
   CHECK(distance(found.image()) < 0.2); // the radius is about 1
-  found.move_all(1e-3);
+  found.move_all();
   CHECK(distance(found.image()) < 0.05);
 }
 

@@ -115,12 +115,11 @@ public:
   const Host_array<vec3>& image() const { return image_; }
   const Registration_goal& goal() const { return goal_; }
 
-  /// Moves all vertices near their targets. Can be called again, with a smaller accuracy.
-  /// \param accuracy  see `Refinement`
+  /// Moves all vertices near their targets.
   /// \return the number of iterations
-  std::size_t move_all(double accuracy)
+  std::size_t move_all()
   {
-    constexpr double isometry_weight = 1;
+    constexpr double isometry_weight = 1, accuracy = 5e-3;
     constexpr int most_iterations = 50;
     if(image_.empty())
       return 0;

@@ -138,7 +138,7 @@ private:
   /// As far as the matrix is positive.
   Host_array<vec3> solve(const Host_array<vec3>& g, double progress) const
   {
-    constexpr double tolerance = 0.1;
+    constexpr double tolerance = 0.3; // what is left is for the next direction
     constexpr int most_iterations = 200;
     auto cycle = multigrid();
     const int n = size();

@@ -89,7 +89,6 @@ public:
       goal.spread_among(candidates, shape_a.graph, surface.point);
       return goal;
     };
-    constexpr double rough = 0.02; // is enough to choose by
     const auto stages = static_cast<double>(answers.size());
     std::optional<Map_to_goal<>> best;
     double least = 0;
@@ -98,11 +97,9 @@ public:
         Map_to_goal<> map(loop, monitor, surface, b, locator_b, goal_of(answers[k]), 0.3 + 0.2 * k / stages,
                           0.3 + 0.2 * (k + 1) / stages);
         double score = answers[k].score;
-        if(answers.size() > 1) {
-          iterations += map.move_all(rough);
+        if(answers.size() > 1)
           score += map.image().empty() ? std::numeric_limits<double>::infinity()
                                        : std::log(mismatch(surface, coarse_a.vertex, features, map.image()));
-        }
         if(k == 0 || score < least) {
           least = score;
           margin = answers[k].margin;
@@ -116,7 +113,7 @@ public:
       }
     rotation = best_rotation(surface.image, best->goal().place);
     monitor.begin_stage(0.5, 0.55);
-    iterations += best->move_all(fine);
+    iterations += best->move_all();
     image = best->image();
     if(image.empty() || n == static_cast<int>(a.point.size()))
       return;
@@ -137,13 +134,12 @@ public:
       goal.spread.push_back(coarse_a.vertex[v]);
     Map_to_goal<> map(loop, monitor, a, b, locator_b, std::move(goal), 0.55, 0.67);
     monitor.begin_stage(0.67, 0.8);
-    iterations += map.move_all(fine);
+    iterations += map.move_all();
     image = map.image();
   }
 
 private:
   static constexpr int most_vertices = 5500, most_places = 100;
-  static constexpr double fine = 1e-3; ///< accuracy
 
   Coarse_map coarse(const Registered_surface& surface, const std::vector<int>& kept) const
   {

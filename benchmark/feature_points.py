@@ -12,6 +12,7 @@ smaller one of this and the mean with left and right exchanged. Needs numpy, sci
 
 import concurrent.futures
 import csv
+import json
 import os
 import pathlib
 import re
@@ -43,13 +44,15 @@ def mirrored(file, number):
 
 
 def measure(tool, data, a, b):
-    """The errors at the feature points: as they are, and mirrored; or None and why the shapes were refused."""
+    """What the tool says of its answer, and the errors at the feature points, as they are and mirrored; or None and why the shapes were refused."""
     with tempfile.TemporaryDirectory() as folder:
-        places = pathlib.Path(folder) / "places.csv"
+        places, report = pathlib.Path(folder) / "places.csv", pathlib.Path(folder) / "report.json"
         meshes = [data / "Meshes" / f"{shape}.off" for shape in (a, b)]
-        run = subprocess.run([tool, "-q", "register", *meshes, "--prepare", "--correspondence", places], capture_output=True, text=True)
+        run = subprocess.run([tool, "-q", "register", *meshes, "--prepare", "--correspondence", places, "--report", report], capture_output=True,
+                             text=True)
         if run.returncode != 0:
             return None, run.stderr.strip()
+        trust = json.loads(report.read_text())["trust"]
         table = np.loadtxt(places, delimiter=",", skiprows=1)
     of_a, of_b = (np.loadtxt(data / "Corrs" / f"{shape}.vts")[:, 0].astype(int) for shape in (a, b))
     points, triangles = read_off(meshes[1])
@@ -61,7 +64,7 @@ def measure(tool, data, a, b):
     def error(order):
         return np.min(near + way[order[:, None], corner], axis=1).mean() / np.sqrt(area_of(points, triangles))
 
-    return error(np.arange(len(of_b))), error(mirrored(data / "Corrs" / f"{class_of(b)}.sym.info", len(of_b)))
+    return trust, error(np.arange(len(of_b))), error(mirrored(data / "Corrs" / f"{class_of(b)}.sym.info", len(of_b)))
 
 
 def main(output, tool, benchmark, step=1, first=0):
@@ -74,23 +77,27 @@ def main(output, tool, benchmark, step=1, first=0):
     rows = []
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         data = benchmark / "Data" / "watertight_shrec07"
-        for pair, (direct, other) in zip(pairs, pool.map(lambda p: measure(tool, data, *p), pairs), strict=True):
-            if direct is None:
-                print(*pair, other, flush=True)
+        for pair, (trust, *errors) in zip(pairs, pool.map(lambda p: measure(tool, data, *p), pairs), strict=True):
+            if trust is None:
+                print(*pair, *errors, flush=True)
                 continue
-            rows.append({"a": pair[0], "b": pair[1], "error": direct, "mirrored": min(direct, other),
+            direct, other = errors
+            rows.append({"a": pair[0], "b": pair[1], "trust": trust, "error": direct, "mirrored": min(direct, other),
                          "BIM": published[pair][0], "BIM mirrored": published[pair][1]})
-            print({key: round(x, 3) for key, x in rows[-1].items()}, flush=True)
+            print(rows[-1], flush=True)
     with open(output, "w", newline="") as file:
         writer = csv.DictWriter(file, rows[0])
         writer.writeheader()
         writer.writerows(rows)
-    columns = list(rows[0])[2:]
+    columns = list(rows[0])[3:]
     table = np.array([[row[c] for c in columns] for row in rows])
     number = np.array([class_of(row["a"]) for row in rows])
     for name, some in [(f"class {c}", number == c) for c in sorted(set(number))] + [("all", number > 0)]:
         print(name, some.sum(), *(f"{c} {table[some, k].mean():.3f} ({(table[some, k] < 0.1).sum()} below 0.1)"
                                   for k, c in enumerate(columns)), sep="  ")
+    for trust in sorted({row["trust"] for row in rows}):
+        errors = [row["error"] for row in rows if row["trust"] == trust]
+        print(f"{trust}: {len(errors)}, {sum(e < 0.1 for e in errors)} below 0.1, {sum(e > 0.2 for e in errors)} above 0.2")
 
 
 if __name__ == "__main__":

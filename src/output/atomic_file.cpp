@@ -74,7 +74,7 @@ Atomic_file::~Atomic_file()
 void Atomic_file::remove()
 {
   out_.close();
-  std::error_code ignored; // after commit() there is nothing left to remove
+  std::error_code ignored; // after rename() there is nothing left to remove
   std::filesystem::remove(temporary_, ignored);
 }
 

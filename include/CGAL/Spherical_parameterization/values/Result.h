@@ -43,8 +43,8 @@ struct Result {
   std::size_t number_of_vertices = 0; ///< of the mesh
   std::size_t number_of_faces = 0;    ///< of the mesh
 
-  /// \name Certificate
-  /// By exact predicates, on the coordinates as the sphere map stores them: floats are rounded first.
+  /// \name Certificate and Figures
+  /// Of the coordinates as the sphere map stores them: floats are rounded first. Flips and degree are exact.
   /// @{
   std::size_t flipped_faces = 0;  ///< faces (a,b,c) with orientation(O,a,b,c) <= 0
   std::size_t moved_vertices = 0; ///< `Conformal_weights`: vertices that were moved off the solution to repair their

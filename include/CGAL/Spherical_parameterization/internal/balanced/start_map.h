@@ -60,7 +60,7 @@ Host_array<vec3> planar_map(const Backend& backend, Multigrid<Backend>& multigri
 
 /// Inverse stereographic projection that keeps the orientation (the origin goes to the north pole), after the median of
 /// the points has been moved to the origin and their median distance from it scaled to 1. Points that are not finite,
-/// since doubles cannot tell the corners of the planar map apart, go to the north pole: the certificate counts them.
+/// since doubles cannot tell the corners of the planar map apart, go to the south pole: the certificate counts them.
 inline void to_sphere(Host_array<vec3>& z)
 {
   constexpr std::size_t sample_size = 50000; // an estimate is good enough: the Moebius transformation comes after
@@ -69,7 +69,10 @@ inline void to_sphere(Host_array<vec3>& z)
   const auto median = [&](auto coordinate) {
     value.clear();
     for(std::size_t i = 0; i < z.size(); i += stride)
-      value.push_back(coordinate(z[i]));
+      if(const double x = coordinate(z[i]); std::isfinite(x))
+        value.push_back(x);
+    if(value.empty())
+      return 0.;
     const auto middle = value.begin() + value.size() / 2;
     std::nth_element(value.begin(), middle, value.end());
     return *middle;
@@ -80,8 +83,7 @@ inline void to_sphere(Host_array<vec3>& z)
   for(vec3& p : z) {
     const vec3 q = scale(factor, sub(p, centre));
     const double s = inner(q, q);
-    const vec3 direction = s < 1e100 ? unit(make_vec3(2 * q.x, 2 * q.y, 1 - s)) : make_vec3(0, 0, -1);
-    p = is_finite(direction) ? direction : make_vec3(0, 0, 1);
+    p = s < 1e100 ? unit(make_vec3(2 * q.x, 2 * q.y, 1 - s)) : make_vec3(0, 0, -1);
   }
 }
 
@@ -143,8 +145,8 @@ struct Coarse_mesh {
 
 /// The planar harmonic map of a coarse level brought to the sphere, boosted until the centroid of the source area lies
 /// at the centre. Returns the level: the coarsest one on which a start map is still worth its work, and whose map has
-/// degree 1. (Aggregates need not be discs: orientation may be lost or reversed on the way down.) Throws Error where
-/// no face of the mesh has three vertices.
+/// degree 1; else the finest one, whatever its degree. (Aggregates need not be discs: orientation may be lost or
+/// reversed on the way down.) Throws Error where no face of the mesh has three vertices.
 template <class Backend>
 std::size_t coarse_start_map(const Backend& backend, Multigrid<Backend>& multigrid, const Problem& problem,
                              Monitor& monitor, std::size_t& iterations, typename Backend::Vectors& v)
@@ -181,9 +183,9 @@ std::size_t coarse_start_map(const Backend& backend, Multigrid<Backend>& multigr
   }
 }
 
-/// A map of degree 1 to start from, near the harmonic one of the mesh without fixed vertices: that of a coarse level,
-/// and from there up level by level, each map being the descent's start on the next finer one. On the finest level it
-/// is only interpolated, and not smooth.
+/// A map to start from, of degree 1 if a level has one, near the harmonic one of the mesh without fixed vertices: that
+/// of a coarse level, and from there up level by level, each map being the descent's start on the next finer one. On
+/// the finest level it is only interpolated, and not smooth.
 ///
 /// `multigrid`: of the graph without fixed vertices.
 template <class Backend>

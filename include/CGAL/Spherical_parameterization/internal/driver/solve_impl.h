@@ -171,7 +171,7 @@ Solution solve(const ExecutionPolicy& policy, const Method& method, const Proble
     policy, problem.size(), [&](const auto& backend, const std::string& device) {
       const double set_up = watch.seconds(); // kernels of a device are compiled when it is used first
       solution = attempt(backend, Method_solver<Method>(method), problem, problem.effort, monitor);
-      if(!solution.remedy.empty()) { // last: the attempts, and what is tried after them, are no place for advice
+      if(!solution.remedy.empty()) { // only at the end of `detail`: the attempts do not repeat it
         const std::string others = has_others ? "the automatic or the isometric method, or " : "";
         solution.remedy = "use " + others + solution.remedy;
         solution.detail += "; " + solution.remedy;

@@ -52,7 +52,6 @@ struct Anchor {
 
 /// The current mesh of a progressive mesh as compact arrays, with a map to the sphere: what is relaxed.
 ///
-///
 /// Vertices are sorted by colour. Those of one colour are not adjacent, so that all of them can be moved at once, with
 /// the same result as one after the other.
 template <class...>

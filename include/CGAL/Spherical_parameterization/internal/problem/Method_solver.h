@@ -96,8 +96,8 @@ inline double residual_of_rounding(const Problem& problem)
 }
 
 /// Mends the bad faces of a conformal map; then `solution` has the positions. Returns false where they cannot be
-/// mended, or are not known well enough: see `mend()` of the relaxation. \param is_harmonic  whether the springs have
-/// the exponent 2. If not, they trade angles for areas, and none but
+/// mended, or are not known well enough: see `mend()` of the relaxation.
+/// \param is_harmonic  whether the springs have the exponent 2. If not, they trade angles for areas, and none but
 ///                     flipped faces are bad
 inline bool mend(const Host_loop& loop, const Problem& problem, bool is_harmonic, double resolution, Monitor& monitor,
                  Host_array<vec3>&& v, Solution& solution)

@@ -45,9 +45,9 @@ struct Solution {
   std::string device;      ///< what it ran on
   Error_code error = Error_code::OK;
   std::string detail;
-  std::string remedy;          ///< of flips, besides other methods; or empty
-  std::string fallback_reason; ///< what was wrong with the methods that come before; empty if this is the first one
-  std::vector<Result::Attempt> attempts; ///< the methods that were tried, this one the last
+  std::string remedy;                    ///< another method to try, see `Result::remedy`; or empty
+  std::string fallback_reason;           ///< see `Result::fallback_reason`
+  std::vector<Result::Attempt> attempts; ///< the methods that were tried, in turn
 
   bool has_map() const { return !position.empty(); }
 };

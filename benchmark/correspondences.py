@@ -74,7 +74,7 @@ def main(output, tool, dataset, *sets):
     output = pathlib.Path(output)
     output.mkdir(parents=True, exist_ok=True)
     rows = []
-    figure, axes = pyplot.subplots(1, len(sets), figsize=(5 * len(sets), 3.6), squeeze=False)
+    figure, axes = pyplot.subplots(1, len(sets), figsize=(5 * len(sets), 5), squeeze=False)
     for axis, (name, step) in zip(axes[0], (s.split(":") for s in sets)):
         folder = pathlib.Path(dataset) / name / "vtx_5k"
         pairs = [line.split() for line in (folder.parent / "test_pairs.txt").read_text().splitlines() if line.strip()][:: int(step)]
@@ -93,7 +93,7 @@ def main(output, tool, dataset, *sets):
             axis.plot(np.percentile(error, percent), percent, linestyle=style, color="black", label=f"{program}: {mean:.3f}")
         axis.set(title=f"{name}, {len(pairs)} pairs", xlabel="geodesic error / square root of the area", ylabel="% of the vertices",
                  xlim=(0, 0.25), ylim=(0, 100))
-        axis.legend(loc="lower right", fontsize=8)
+        axis.legend(loc="upper center", bbox_to_anchor=(0.5, -0.2))  # below: curves are everywhere
         axis.grid(alpha=0.3)
     with open(output / "rows.csv", "w", newline="") as file:
         writer = csv.DictWriter(file, rows[0])

@@ -55,7 +55,7 @@ def graph_of(points, triangles):
         for i, j, k in ((a, b, c), (b, c, a), (c, a, b)):
             edge.setdefault((min(i, j), max(i, j)), []).append(k)
     ends = np.array(list(edge))
-    apex = np.array(list(edge.values()))
+    apex = np.array([(opposite * 2)[:2] for opposite in edge.values()])  # of a border one, twice
     p, q = points[ends[:, 0]], points[ends[:, 1]]
     length = np.linalg.norm(q - p, axis=1)
     along = (q - p) / length[:, None]

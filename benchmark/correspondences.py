@@ -12,7 +12,6 @@ OUTPUT gets rows.csv (a line for each pair and program), and correspondences.svg
 """
 
 import concurrent.futures
-import csv
 import io
 import os
 import pathlib
@@ -25,7 +24,7 @@ import matplotlib
 import numpy as np
 
 from comparison import read_off
-from registration import errors_of, graph_of
+from registration import errors_of, graph_of, write_rows
 
 matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402
@@ -62,11 +61,12 @@ def measure(tool, folder, pair):
             errors["register"] = errors_of(read_off(carried)[0][of_a], of_b, points, triangles, graph)
         else:
             print(*pair, run.stderr.strip(), flush=True)
-    for archive in sorted((folder / "maps").glob("*.zip")):
-        vertex = read_map(archive, pair)
-        if vertex is not None and archive.stem in PROGRAMS:
+    for file, program in PROGRAMS.items():
+        archive = folder / "maps" / f"{file}.zip"
+        vertex = read_map(archive, pair) if archive.exists() else None
+        if vertex is not None:
             known = vertex[of_a] >= 0
-            errors[PROGRAMS[archive.stem]] = errors_of(points[vertex[of_a[known]]], of_b[known], points, triangles, graph)
+            errors[program] = errors_of(points[vertex[of_a[known]]], of_b[known], points, triangles, graph)
     return errors
 
 
@@ -95,10 +95,7 @@ def main(output, tool, dataset, *sets):
                  xlim=(0, 0.25), ylim=(0, 100))
         axis.legend(loc="upper center", bbox_to_anchor=(0.5, -0.2))  # below: curves are everywhere
         axis.grid(alpha=0.3)
-    with open(output / "rows.csv", "w", newline="") as file:
-        writer = csv.DictWriter(file, rows[0])
-        writer.writeheader()
-        writer.writerows(rows)
+    write_rows(output / "rows.csv", rows)
     figure.tight_layout()
     figure.savefig(output / "correspondences.svg", metadata={"Date": None})
 

@@ -11,7 +11,6 @@ smaller one of this and the mean with left and right exchanged. Needs numpy, sci
 """
 
 import concurrent.futures
-import csv
 import json
 import os
 import pathlib
@@ -24,7 +23,7 @@ import numpy as np
 import scipy.sparse.csgraph
 
 from comparison import read_off
-from registration import area_of, graph_of
+from registration import area_of, graph_of, write_rows
 
 SHAPES_PER_CLASS = 20
 
@@ -85,10 +84,7 @@ def main(output, tool, benchmark, step=1, first=0):
             rows.append({"a": pair[0], "b": pair[1], "trust": trust, "error": direct, "mirrored": min(direct, other),
                          "BIM": published[pair][0], "BIM mirrored": published[pair][1]})
             print(rows[-1], flush=True)
-    with open(output, "w", newline="") as file:
-        writer = csv.DictWriter(file, rows[0])
-        writer.writeheader()
-        writer.writerows(rows)
+    write_rows(output, rows)
     columns = list(rows[0])[3:]
     table = np.array([[row[c] for c in columns] for row in rows])
     number = np.array([class_of(row["a"]) for row in rows])

@@ -86,6 +86,14 @@ def errors_of(carried, vertices, points, triangles, graph):
     return (near + way[np.arange(len(sample)), vertices[sample]]) / np.sqrt(area_of(points, triangles))
 
 
+def write_rows(file, rows):
+    """As CSV, with the names of the columns."""
+    with open(file, "w", newline="") as out:
+        writer = csv.DictWriter(out, rows[0])
+        writer.writeheader()
+        writer.writerows(rows)
+
+
 def measure(tool, pair, folder):
     """By the motion: the errors, and a row of the table. Files go to the folder."""
     folder = pathlib.Path(folder)
@@ -136,10 +144,7 @@ def main(output, tool, *pairs):
             rows += of_pair
             for motion in MOTIONS:
                 curves.setdefault((name, motion), []).append(errors[motion])
-    with open(output / "rows.csv", "w", newline="") as file:
-        writer = csv.DictWriter(file, rows[0])
-        writer.writeheader()
-        writer.writerows(rows)
+    write_rows(output / "rows.csv", rows)
 
     names = list(dict.fromkeys(name for name, _ in curves))
     figure, axes = pyplot.subplots(1, len(names), figsize=(5 * len(names), 3.6), squeeze=False)

@@ -11,8 +11,8 @@ True
 from . import collection
 from ._core import OpenCLDevice, __version__
 from .analysis import (
-    DistortionSummary, Distribution, Locator, Resampling, Texture, distortion, face_distortion, icosphere,
-    mean_over_faces, relevance, search, segment, shape_form, shape_signature, stretch_histogram, texture_coordinates, texture_seams,
+    DistortionSummary, Distribution, LengthChanges, Locator, Resampling, Texture, distortion, face_distortion, icosphere,
+    length_changes, mean_over_faces, relevance, search, segment, shape_form, shape_signature, stretch_histogram, texture_coordinates, texture_seams,
     vertex_log_area_stretch,
 )
 from .atlas import Atlas, atlas
@@ -34,14 +34,13 @@ from .view import Page, view
 
 __all__ = [
     "Atlas", "Attempt", "Automatic", "Balanced", "Certificate", "ClampedWeights", "DeviceError", "DistortionSummary",
-    "Distribution", "Eigenpairs", "Ellipsoid", "ErrorCode", "GirthProfiles", "Harmonics", "Isometric", "Locator",
-    "MajorityVote", "MapWarning", "MeshError", "ModelQuality", "OpenCLDevice", "Page", "Prepared", "RegionGrowing",
+    "Distribution", "Eigenpairs", "Ellipsoid", "ErrorCode", "GirthProfiles", "Harmonics", "Isometric",
+    "LengthChanges", "Locator", "MajorityVote", "MapWarning", "MeshError", "ModelQuality", "OpenCLDevice", "Page", "Prepared", "RegionGrowing",
     "RegisteredMap", "Resampling", "Result", "SaddlePoint", "Seconds", "ShapeAlignment", "ShapeSet", "ShapeStatistics",
     "Texture", "VertexColumn", "__version__", "align_shapes", "atlas", "certify", "collection", "distortion", "edges",
-    "face_distortion", "harmonics", "icosphere", "laplacian_eigenpairs", "left_out_errors", "mean_over_faces",
-    "mean_vertex_areas", "model_quality", "moebius_centred", "morph", "opencl_device", "opencl_devices", "parameterize",
+    "face_distortion", "harmonics", "icosphere", "laplacian_eigenpairs", "left_out_errors", "length_changes",
+    "mean_over_faces", "mean_vertex_areas", "model_quality", "moebius_centred", "morph", "opencl_device", "opencl_devices", "parameterize",
     "prepare", "read_data", "read_harmonics", "read_mesh", "register_maps", "relevance", "search", "segment",
-    "shape_form", "shape_signature",
-    "shape_statistics", "stretch_histogram", "texture_coordinates", "texture_seams", "vertex_log_area_stretch",
+    "shape_form", "shape_signature", "shape_statistics", "stretch_histogram", "texture_coordinates", "texture_seams", "vertex_log_area_stretch",
     "view", "write_data", "write_mesh",
 ]

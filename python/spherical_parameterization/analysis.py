@@ -118,6 +118,49 @@ def face_distortion(
     return _core.face_distortion(*_mesh(points, triangles, sphere), measure, policy)
 
 
+@dataclass(frozen=True, eq=False, repr=False)
+class LengthChanges(OneLine):
+    """How many times lengths become longer or shorter from a surface to another one, at least 1."""
+
+    of_faces: Doubles  #: (m,), in the direction in which they change most
+    factor: Distribution  #: of these values
+    share_of_large: float  #: of the area, on which they are more than 3: what corresponds is squeezed or stretched
+
+
+def length_changes(
+    points: npt.ArrayLike, triangles: npt.ArrayLike, other_points: npt.ArrayLike, *, policy: str = "parallel"
+) -> LengthChanges:
+    """The changes of lengths from a mesh to corresponding points, such as those on another shape that `register_maps()` finds.
+
+    They are max(s, 1 / t) of the principal stretches s >= t of each face, both surfaces scaled to the same area.
+
+    Parameters
+    ----------
+    points, other_points : array_like (n, 3) of float
+        The points of the mesh, and those that correspond to them.
+    triangles : array_like (m, 3) of int
+    policy : {"parallel", "sequential"}
+
+    Returns
+    -------
+    LengthChanges
+
+    Examples
+    --------
+    >>> import spherical_parameterization as sp
+    >>> points, triangles = sp.icosphere(3)
+    >>> changes = sp.length_changes(points, triangles, 5 * points)
+    >>> round(changes.factor.max, 6), changes.share_of_large
+    (1.0, 0.0)
+    """
+    check(length_changes, locals())
+    points, other_points = vectors("points", points), vectors("other_points", other_points)
+    if len(other_points) != len(points):
+        raise ValueError(f"other_points: as many as points are needed, not {len(other_points)} for {len(points)}")
+    of_faces, factor, share = _core.length_changes(points, index_triples(triangles), other_points, policy)
+    return LengthChanges(of_faces, Distribution(*factor), share)
+
+
 def _surface(triangles: npt.ArrayLike) -> tuple[Doubles, Integers]:
     """What the core takes for a mesh of which the points do not matter."""
     triangles = index_triples(triangles)

@@ -38,10 +38,7 @@ typedef Array_map<Mesh::Vertex_index, double> Vertex_values;
 std::pair<std::size_t, int> certify(const py::array& triangles, const Doubles& sphere, const std::string& policy)
 {
   const Mesh mesh = make_mesh(sphere, triangles);
-  return on(policy, [&](const auto& p) {
-    return std::pair<std::size_t, int>(SP::number_of_flipped_faces(p, mesh, sphere_of(sphere)),
-                                       SP::degree_of_map(p, mesh, sphere_of(sphere)));
-  });
+  return on(policy, [&](const auto& p) { return SP::certify_map(p, mesh, sphere_of(sphere)); });
 }
 
 Doubles face_distortion(const Doubles& points, const py::array& triangles, const Doubles& sphere,
@@ -88,6 +85,18 @@ py::tuple distortion_summary(const Doubles& points, const py::array& triangles, 
   return py::make_tuple(to_python(d.log_area_stretch), to_python(d.angle_distortion), to_python(d.dilatation),
                         to_python(d.symmetric_dirichlet), to_python(d.spherical_symmetric_dirichlet),
                         d.degenerate_faces);
+}
+
+/// Of every face, their distribution, and the share of large ones.
+py::tuple length_changes(const Doubles& points, const py::array& triangles, const Doubles& other_points,
+                         const std::string& policy)
+{
+  const Mesh mesh = make_mesh(points, triangles);
+  Doubles of_faces = make_array<double>(mesh.number_of_faces());
+  const Face_values map(of_faces);
+  const SP::Length_changes changes =
+    on(policy, [&](const auto& p) { return SP::face_length_changes(p, mesh, sphere_of(other_points), map); });
+  return py::make_tuple(of_faces, to_python(changes.factor), changes.share_of_large);
 }
 
 /// Values of faces as values of vertices.
@@ -380,6 +389,7 @@ void add_analysis(py::module_& module)
   module.def("vertex_log_area_stretch", vertex_log_area_stretch);
   module.def("mean_over_faces", mean_over_faces);
   module.def("distortion_summary", distortion_summary);
+  module.def("length_changes", length_changes);
   module.def("segment", segment);
   module.def("texture_coordinates", texture_coordinates);
   module.def("texture_seams", texture_seams);

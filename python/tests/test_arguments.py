@@ -32,6 +32,7 @@ CALLS: list[tuple[Callable[..., object], dict[str, object]]] = [
     (sp.edges, {"triangles": TRIANGLES}),
     (sp.distortion, MESH),
     (sp.face_distortion, MESH),
+    (sp.length_changes, {"points": POINTS, "triangles": TRIANGLES, "other_points": SPHERE}),
     (sp.vertex_log_area_stretch, MESH),
     (sp.mean_over_faces, {"triangles": TRIANGLES, "values": np.ones(len(TRIANGLES))}),
     (sp.segment, MESH),

@@ -11,13 +11,13 @@
 #include "system/progress_bar.h"
 #include "system/refusal.h"
 
+#include <CGAL/Spherical_parameterization/distortion_summary.h>
 #include <CGAL/Spherical_parameterization/transfer_properties.h>
 #include <CGAL/tags.h>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -155,51 +155,6 @@ std::vector<SP::Registration_feature> read_features(const Registration_options& 
   return result;
 }
 
-Changes_of_lengths changes_of_lengths(const Mesh& mesh, const std::vector<Point>& on_b)
-{
-  typedef std::array<double, 3> Gram; // of two sides of a triangle
-  const auto gram = [](const std::vector<Point>& points, const std::array<int, 3>& face) {
-    Gram g = {0, 0, 0};
-    for(std::size_t k = 0; k < 3; ++k) {
-      const double p = points[std::size_t(face[0])][k], u = points[std::size_t(face[1])][k] - p,
-                   v = points[std::size_t(face[2])][k] - p;
-      g = {g[0] + u * u, g[1] + u * v, g[2] + v * v};
-    }
-    return g;
-  };
-  const auto det = [](const Gram& g) { return std::max(0., g[0] * g[2] - g[1] * g[1]); };
-  std::vector<std::pair<double, double>> changes; // square of the larger factor, area
-  std::vector<double> of_faces;
-  double area_a = 0, area_b = 0;
-  for(std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-    const Gram a = gram(mesh.points(), mesh.triangle(f)), b = gram(on_b, mesh.triangle(f));
-    area_a += std::sqrt(det(a));
-    area_b += std::sqrt(det(b));
-  }
-  const double scale = area_a / area_b;
-  for(std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-    const Gram a = gram(mesh.points(), mesh.triangle(f)), b = gram(on_b, mesh.triangle(f));
-    double& factor = of_faces.emplace_back(1);
-    if(det(a) == 0)
-      continue;
-    // the squares of the factors are the eigenvalues of a^-1 b
-    const double half = scale * (a[2] * b[0] - 2 * a[1] * b[1] + a[0] * b[2]) / (2 * det(a));
-    const double product = scale * scale * det(b) / det(a);
-    const double larger = half + std::sqrt(std::max(0., half * half - product));
-    changes.emplace_back(std::max(larger, larger / product), std::sqrt(det(a)));
-    factor = std::sqrt(changes.back().first);
-  }
-  std::sort(changes.begin(), changes.end());
-  double below = 0, large = 0;
-  std::size_t middle = 0;
-  for(std::size_t i = 0; i < changes.size(); ++i) {
-    below += changes[i].second;
-    middle = below <= area_a / 2 ? i : middle;
-    large += changes[i].first > Changes_of_lengths::large * Changes_of_lengths::large ? changes[i].second : 0;
-  }
-  return {changes.empty() ? 1 : std::sqrt(changes[middle].first), large / area_a, std::move(of_faces)};
-}
-
 } // namespace
 
 Registration_options to_register(const Mapping_options& options, const std::string& other)
@@ -323,7 +278,11 @@ void register_pair(const Registration_options& options, Registered_pair& pair)
   if(!pair.result)
     throw Refusal(pair.result.error, options.input, std::string("cannot be registered: ") + pair.result.detail,
                   pair.result.error == SP::Error_code::INTERRUPTED ? "allow more --max-time" : "");
-  pair.changes = changes_of_lengths(a, pair.points_on_b);
+  pair.changes_of_faces.resize(a.number_of_faces());
+  pair.changes = on_host(pair.a, [&](const auto& policy) {
+    return SP::face_length_changes(policy, a, as_map(pair.points_on_b),
+                                   as_map<Mesh::Face_index>(pair.changes_of_faces));
+  });
 }
 
 std::vector<Place> places_by_files(const Registered_pair& pair)
@@ -342,6 +301,15 @@ std::string preparation_text(const Registration_options& options, const Register
 }
 
 namespace {
+
+/// What people see of changes of lengths.
+const char* verdict(const SP::Length_changes& changes)
+{
+  return changes.share_of_large < 0.02 ? "no part of A is lost"
+         : changes.share_of_large < 0.1
+           ? "small parts of A are squeezed or stretched on B, as if B had no such part"
+           : "large parts of A are squeezed or stretched on B; --landmarks can say which points correspond";
+}
 
 /// How far to trust the correspondence; empty if nothing is known.
 const char* trust_text(const SP::Registration_result& result)
@@ -367,9 +335,9 @@ std::string registration_text(const Registration_options& options, const Registe
   if(options.motion == "deformation")
     text << ", then deformed: mismatch of features from " << r.mismatch_before << " to " << r.mismatch
          << ", mean distortion " << r.distortion << " (4: none)";
-  const Changes_of_lengths& changes = pair.changes;
-  text << "\nlengths of A change " << changes.median << " times (median), and more than " << changes.large
-       << " times on " << 100 * changes.share_of_large << " % of it: " << changes.verdict() << trust_text(r);
+  const SP::Length_changes& changes = pair.changes;
+  text << "\nlengths of A change " << changes.factor.median << " times (median), and more than " << changes.large
+       << " times on " << 100 * changes.share_of_large << " % of it: " << verdict(changes) << trust_text(r);
   if(!options.landmarks.empty())
     text << "\nlandmarks: at most " << r.largest_landmark_distance << " radians apart";
   return text.str();
@@ -398,7 +366,7 @@ nlohmann::ordered_json registration_json(const Registration_options& options, co
           {"mismatch", r.mismatch},
           {"stretching", r.stretching},
           {"distortion", r.distortion},
-          {"change_of_lengths", pair.changes.median},
+          {"change_of_lengths", pair.changes.factor.median},
           {"share_of_large_changes", pair.changes.share_of_large},
           {"largest_landmark_distance", r.largest_landmark_distance},
           {"flipped_faces", r.flipped_faces},

@@ -9,6 +9,7 @@
 #include "options/usage.h"
 
 #include <CGAL/Spherical_parameterization/register_maps.h>
+#include <CGAL/Spherical_parameterization/values/Distortion_summary.h>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -28,24 +29,6 @@ struct Registration_options : Mapping_options {
   SP::Registration registration;
 };
 
-/// How many times lengths of A become longer or shorter on the way to B, against their mean, in the direction in which
-/// they do so most.
-struct Changes_of_lengths {
-  double median = 1;         ///< by area of A
-  double share_of_large = 0; ///< of the area of A, on which it is more than `large`
-  std::vector<double> of_faces = {};
-  static constexpr double large = 3;
-
-  /// What people see of that.
-  const char* verdict() const
-  {
-    return share_of_large < 0.02 ? "no part of A is lost"
-           : share_of_large < 0.1
-             ? "small parts of A are squeezed or stretched on B, as if B had no such part"
-             : "large parts of A are squeezed or stretched on B; --landmarks can say which points correspond";
-  }
-};
-
 /// Both meshes with their maps, and what registration has made of the first one's.
 struct Registered_pair {
   Mapped_mesh a, b;
@@ -53,7 +36,8 @@ struct Registered_pair {
   std::vector<Place> places_on_b; ///< where the vertices of A come to lie on the surface of B
   std::vector<Point> points_on_b; ///< the same as points
   SP::Registration_result result;
-  Changes_of_lengths changes;
+  SP::Length_changes changes;           ///< from A to B
+  std::vector<double> changes_of_faces; ///< of A
 };
 
 /// To register the mesh of `options`, which is mapped in another way, to another one: by maps of low distortion.

@@ -36,7 +36,8 @@ struct Search_options {
 /// How the query is registered to a mesh.
 struct Comparison {
   SP::Registration_result result;
-  Changes_of_lengths changes;
+  SP::Length_changes changes;
+  std::vector<double> changes_of_faces;
 };
 
 /// How the query is like a mesh in form.
@@ -88,7 +89,7 @@ void rerank(std::vector<Hit>& hits, int number, Run& run)
       pair.b = Mapped_mesh();
       read_pair(options, pair);
       register_pair(options, pair);
-      hit.comparison = {pair.result, pair.changes};
+      hit.comparison = {pair.result, pair.changes, pair.changes_of_faces};
     });
     stop_if_interrupted(run.options.input);
   });
@@ -103,7 +104,7 @@ void write_changes(const std::vector<Hit>& hits, const std::string& file, Run& r
   Ply_extras extras;
   for(const Hit& hit : hits)
     if(hit.comparison) {
-      const std::vector<double>& factors = hit.comparison->changes.of_faces;
+      const std::vector<double>& factors = hit.comparison->changes_of_faces;
       extras.of_faces.push_back({Ply_column::Type::DOUBLE, "change_" + std::to_string(extras.of_faces.size() + 1),
                                  [&factors](std::size_t f) { return factors[f]; }});
     }
@@ -224,12 +225,12 @@ void search(const Search_options& options, Run& run)
       text << std::setw(7) << form->distance << "  " << std::setw(9) << form->relevance << "  ";
     }
     if(comparison) {
-      const auto& [result, changes] = *comparison;
-      const double alike = 1 - changes.share_of_large;
+      const SP::Registration_result& result = comparison->result;
+      const double alike = 1 - comparison->changes.share_of_large;
       const char* const trust = SP::get_trust_name(result.trust());
       found.update({{"difference", result.mismatch},
                     {"alike", alike},
-                    {"change_of_lengths", changes.median},
+                    {"change_of_lengths", comparison->changes.factor.median},
                     {"stretching", result.stretching},
                     {"margin", result.margin},
                     {"trust", trust}});

@@ -38,7 +38,7 @@ Eigen::Matrix2d in_plane(const Point& a, const Point& b, const Point& c)
 }
 
 struct Expected {
-  std::vector<double> dilatation, energy, area_weight, angle;
+  std::vector<double> dilatation, energy, length_change, area_weight, angle;
 };
 
 /// By singular value decomposition.
@@ -71,6 +71,7 @@ Expected expected(const Soup& soup, const Sphere& sphere)
     const Eigen::Vector2d t = s * std::sqrt(source / target);
     result.dilatation.push_back(s[0] / s[1]);
     result.energy.push_back(t[0] * t[0] + t[1] * t[1] + 1 / (t[0] * t[0]) + 1 / (t[1] * t[1]));
+    result.length_change.push_back(std::max(t[0], 1 / t[1]));
   }
   return result;
 }
@@ -119,6 +120,36 @@ TEST_CASE("dilatation, symmetric Dirichlet energy and angles against a decomposi
   CHECK(summary.spherical_symmetric_dirichlet.mean == Approx(mean / total).epsilon(0.2)); // fine triangles
   CHECK(summary.spherical_symmetric_dirichlet.mean != summary.symmetric_dirichlet.mean);
   CHECK(summary.degenerate_faces == 0);
+
+  std::map<Face, double> change;
+  const Readable_map<Vertex, Point> seven_times = {
+    [&](const Vertex& v) { return CGAL::ORIGIN + 7 * (sphere[v] - CGAL::ORIGIN); }};
+  const SP::Length_changes changes = SP::face_length_changes(mesh, seven_times, Writable_map<Face, double>{&change});
+  double large = 0;
+  for(Face f : faces(mesh)) {
+    CHECK(change.at(f) == Approx(e.length_change[f]).epsilon(1e-7));
+    large += change.at(f) > SP::Length_changes::large ? e.area_weight[f] : 0;
+  }
+  CHECK(changes.factor.max == Approx(*std::max_element(e.length_change.begin(), e.length_change.end())).epsilon(1e-7));
+  CHECK(large > 0);
+  CHECK(changes.share_of_large == Approx(large / total).epsilon(1e-9));
+}
+
+TEST_CASE("lengths of faces without area do not change, and those of faces that lose theirs change without bound",
+          "[measures]")
+{
+  Soup soup = icosphere(1);
+  Sphere images = soup.points;
+  soup.points[soup.faces[0][0]] = soup.points[soup.faces[0][1]];
+  images[soup.faces[7][0]] = images[soup.faces[7][1]];
+  const Mesh mesh = make_mesh(soup);
+  std::map<Face, double> change;
+  const SP::Length_changes changes = SP::face_length_changes(mesh, on(images), Writable_map<Face, double>{&change});
+  CHECK(change.at(Face(0)) == 1);
+  CHECK(change.at(Face(7)) == std::numeric_limits<double>::infinity());
+  CHECK(changes.factor.max == std::numeric_limits<double>::infinity());
+  CHECK(changes.factor.median < SP::Length_changes::large);
+  CHECK(changes.share_of_large < 0.2);
 }
 
 TEST_CASE("an isometry of the inscribed polyhedron has energy 4 and dilatation 1, at any size and place", "[measures]")
@@ -137,6 +168,9 @@ TEST_CASE("an isometry of the inscribed polyhedron has energy 4 and dilatation 1
   CHECK(s.symmetric_dirichlet.max == Approx(4).epsilon(tolerance));
   CHECK(s.symmetric_dirichlet.min == Approx(4).epsilon(tolerance));
   CHECK(s.dilatation.max == Approx(1).epsilon(tolerance));
+  std::map<Face, double> change;
+  CHECK(SP::face_length_changes(mesh, on(sphere.points), Writable_map<Face, double>{&change}).factor.max ==
+        Approx(1).epsilon(std::sqrt(tolerance)));
   CHECK(std::abs(s.log_area_stretch.mean) < 0.01); // spherical triangles are a little larger than flat ones
   CHECK(s.log_area_stretch.deviation < 0.02);
   CHECK(s.angle_distortion.max < 0.02);
@@ -256,6 +290,10 @@ TEST_CASE("measures are the same bits on several threads", "[measures]")
   check([&](auto policy, auto map) { return SP::face_angle_distortion(policy, mesh, sphere, map); });
   check([&](auto policy, auto map) { return SP::face_dilatation(policy, mesh, sphere, map); });
   check([&](auto policy, auto map) { return SP::face_symmetric_dirichlet(policy, mesh, sphere, map); });
+  check([&](auto policy, auto map) {
+    const SP::Distribution factor = SP::face_length_changes(policy, mesh, sphere, map).factor;
+    return std::pair(factor.median, factor.deviation);
+  });
   std::map<Vertex, double> a, b;
   SP::vertex_log_area_stretch(mesh, sphere, Writable_map<Vertex, double>{&a});
   SP::vertex_log_area_stretch(several, mesh, sphere, Writable_map<Vertex, double>{&b});

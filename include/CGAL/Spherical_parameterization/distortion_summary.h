@@ -6,6 +6,7 @@
 
 #include <CGAL/Spherical_parameterization/internal/api/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
+#include <CGAL/Spherical_parameterization/internal/distortion/length_changes.h>
 #include <CGAL/Spherical_parameterization/internal/distortion/summarize.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
 #include <CGAL/Spherical_parameterization/values/Distortion_summary.h>
@@ -34,6 +35,35 @@ Distortion_summary distortion_summary(const ExecutionPolicy& policy, const Trian
     loop, internal::read_map(mesh, internal::vertex_points(mesh, np), sphere_map, internal::Reading::UNCHECKED, loop));
 }
 CGAL_SP_ON_ONE_CORE(distortion_summary)
+
+/// How many times lengths become longer or shorter from a surface to corresponding points of another one, such as those
+/// that `register_maps()` finds, in the direction in which they do so most: max(sigma_1, 1 / sigma_2) >= 1 of the
+/// affine map of each face, both surfaces scaled to the same area. 1 is isometric; where an image has no area it is
+/// infinite.
+/// \param policy      `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result does not depend on it
+/// \param mesh        a triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \param image_map   readable, key vertex_descriptor, value a point of space: the points that correspond to the
+/// vertices \param face_map    writable, key face_descriptor, value double; 1 for faces of area 0 \param np optional
+/// named parameters: `vertex_point_map`, by default the mesh's own \return how these values are spread over the area of
+/// the mesh
+///
+/// Complexity: as `distortion_summary()`.
+template <class ExecutionPolicy, class TriangleMesh, class VertexImageMap, class FaceMap,
+          class CGAL_NP_TEMPLATE_PARAMETERS, internal::If_policy<ExecutionPolicy> = 0>
+Length_changes face_length_changes(const ExecutionPolicy& policy, const TriangleMesh& mesh, VertexImageMap image_map,
+                                   FaceMap face_map, const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  const auto loop = internal::host_loop(policy);
+  internal::Mapped_surface map =
+    internal::read_map(mesh, internal::vertex_points(mesh, np), image_map, internal::Reading::UNCHECKED, loop);
+  internal::scale_to_unit_box(map.image);
+  const internal::Host_array<double> change = internal::length_changes(loop, map);
+  auto value = change.begin();
+  for(auto f : faces(mesh))
+    put(face_map, f, *value++);
+  return internal::summarize_length_changes(loop, map.face_area(loop), change);
+}
+CGAL_SP_ON_ONE_CORE(face_length_changes)
 
 /// @}
 

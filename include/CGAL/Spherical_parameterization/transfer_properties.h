@@ -49,7 +49,7 @@ std::vector<Face_location<TriangleMesh>> locate_centres(const Loop& loop,
   const Mapped_surface map = read_map(to, to_sphere, Reading::UNCHECKED, loop);
   Host_array<vec3> centre;
   for(int f = 0; f < map.number_of_faces(); ++f) {
-    const auto corner = map.on_sphere(f);
+    const auto corner = map.of_image(f);
     centre.push_back(add(corner[0], add(corner[1], corner[2])));
   }
   return locate_all(loop, locator, centre);

@@ -35,6 +35,15 @@ struct Distortion_summary {
   std::size_t degenerate_faces = 0; ///< number of source faces of area 0, ignored
 };
 
+/// \ingroup PkgSphericalParameterizationMeasures
+/// How much lengths change between a surface and corresponding points of another one, see `face_length_changes()`.
+struct Length_changes {
+  Distribution factor;       ///< how many times lengths become longer or shorter
+  double share_of_large = 0; ///< of the area of the surface, on which that is more than `large`
+
+  static constexpr double large = 3; ///< what corresponds is squeezed or stretched
+};
+
 } // namespace CGAL::Spherical_parameterization
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_VALUES_DISTORTION_SUMMARY_H

@@ -18,14 +18,17 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
+/// The share of the whole work that the start map takes, for the progress callback.
+constexpr double start_share = 0.4;
+
 /// When a descent ends, and how far it steps.
 struct Descent_options {
   double accuracy;
   std::size_t maximum_iterations;
-  std::size_t patience = 30;    ///< so many iterations without progress are taken for a stall
-  double longest_factor = 1000; ///< bound of the step length; 1 is the step of an exact preconditioner
-  double work_before = 0;       ///< share of the whole work that has been done before, for the progress callback
-  double work_after = 1;        ///< ... and afterwards
+  double work_before = start_share; ///< share of the whole work that has been done before, for the progress callback
+  double work_after = 1;            ///< ... and afterwards
+  std::size_t patience = 30;        ///< so many iterations without progress are taken for a stall
+  double longest_factor = 1000;     ///< bound of the step length; 1 is the step of an exact preconditioner
 };
 
 /// What is left of the freedom to move a solution by a Moebius transformation.

@@ -9,6 +9,7 @@
 #include <CGAL/Spherical_parameterization/internal/balanced/solve_balanced.h>
 #include <CGAL/Spherical_parameterization/internal/multigrid/Multigrid.h>
 #include <CGAL/Spherical_parameterization/internal/problem/Method_solver.h>
+#include <CGAL/Spherical_parameterization/internal/problem/settle.h>
 #include <CGAL/Spherical_parameterization/internal/balanced/balanced_solver.h>
 #include <CGAL/Spherical_parameterization/internal/balanced/start_map.h>
 #include <CGAL/Spherical_parameterization/values/methods.h>
@@ -51,7 +52,7 @@ bool solve_until_valid(const Backend& backend, const Problem& problem, Start sta
   std::size_t flipped_before = 0;
   bool is_hopeless = false; // fixed vertices contradict each other: what they flip does not depend on the accuracy
   bool is_stuck = false;    // nor does what noise flips all over the surface: another start may help
-  const auto is_settled = [&](double current, bool is_last) {
+  const auto settle_at = [&](double current, bool is_last) {
     const auto resolution = [&](const Certificate& certificate) {
       const std::size_t before = std::exchange(flipped_before, certificate.flipped_faces);
       const bool are_few = certificate.flipped_faces < few * problem.face.size();
@@ -64,7 +65,7 @@ bool solve_until_valid(const Backend& backend, const Problem& problem, Start sta
         return std::numeric_limits<double>::infinity();
       return current > finest_of_use && !is_rough ? large * current : 0.;
     };
-    return certify_and_settle(backend, problem, v, true, resolution, monitor, solution);
+    return settle(backend, problem, v, true, resolution, monitor, solution);
   };
 
   std::size_t done = 0;
@@ -72,7 +73,8 @@ bool solve_until_valid(const Backend& backend, const Problem& problem, Start sta
   bool is_certified = false;
   for(double longest_factor : {1000., 1.}) {
     start(v);
-    Descent_options options = {accuracy, maximum_iterations - done, 30, longest_factor, start_share, 1};
+    Descent_options options = {accuracy, maximum_iterations - done};
+    options.longest_factor = longest_factor;
     const std::size_t of_start = report.start_iterations;
     report = descend(options, v);
     report.start_iterations = of_start;
@@ -81,9 +83,11 @@ bool solve_until_valid(const Backend& backend, const Problem& problem, Start sta
     options.patience = patience_at_the_limit;
     is_certified = report.has_converged;
     flipped_before = 0;
-    bool settled = is_certified && is_settled(options.accuracy, options.accuracy <= finest_accuracy);
-    for(Solver_report refined = report; refined.has_converged && options.accuracy > finest_accuracy && !settled &&
-                                        !is_hopeless && !(is_stuck && solution.is_beyond_mending);) {
+    Settled settled =
+      is_certified ? settle_at(options.accuracy, options.accuracy <= finest_accuracy) : Settled::NOT_YET;
+    for(Solver_report refined = report; refined.has_converged && options.accuracy > finest_accuracy &&
+                                        settled != Settled::YES && !is_hopeless &&
+                                        !(is_stuck && settled == Settled::BEYOND_MENDING);) {
       options.accuracy *= accuracy_refinement;
       options.maximum_iterations = maximum_iterations - done;
       refined = descend(options, v);
@@ -91,9 +95,9 @@ bool solve_until_valid(const Backend& backend, const Problem& problem, Start sta
       report.iterations = done;
       report.residual = refined.residual;
       report.energy = refined.energy;
-      settled = is_settled(options.accuracy, !refined.has_converged || options.accuracy <= finest_accuracy);
+      settled = settle_at(options.accuracy, !refined.has_converged || options.accuracy <= finest_accuracy);
     }
-    if(settled || is_hopeless || done >= maximum_iterations || monitor.is_interrupted())
+    if(settled == Settled::YES || is_hopeless || done >= maximum_iterations || monitor.is_interrupted())
       break;
   }
   report.has_converged = report.residual <= accuracy;
@@ -174,8 +178,8 @@ bool solve_stiffening(const Backend& backend, const Problem& problem, double exp
         break;
       if(is_accurate) {
         is_certified = true;
-        if(certify_and_settle(
-             backend, problem, v, false, [](const Certificate&) { return 0.; }, monitor, solution))
+        const auto resolution = [](const Certificate&) { return 0.; };
+        if(settle(backend, problem, v, false, resolution, monitor, solution) == Settled::YES)
           break;
       }
       goal *= is_accurate ? accuracy_refinement : 0.1;
@@ -188,7 +192,7 @@ bool solve_stiffening(const Backend& backend, const Problem& problem, double exp
     Balanced_solver<Backend> solver(backend, matrix, multigrid, 0, exponent, gauge, mass);
     const std::size_t round = (std::min)(iterations_per_hierarchy(report.residual), maximum_iterations - done);
     is_certified = false;
-    report = solver.solve({goal, round, 30, 1000, start_share, 1}, monitor, v);
+    report = solver.solve({goal, round}, monitor, v);
     report.start_iterations = of_start;
     made = report.iterations;
   }
@@ -292,8 +296,8 @@ Solution Method_solver<Balanced>::solve(const Backend& backend, const Problem& p
   const auto measure = [&](const typename Backend::Vectors& x, Solver_report& report) {
     measure_balanced(backend, problem, method_.spring_exponent, x, report);
   };
-  finish(backend, problem, std::move(v), is_certified, method_.spring_exponent == 2, accuracy, measure, monitor,
-         solution);
+  hand_over(backend, problem, std::move(v), is_certified, method_.spring_exponent == 2, accuracy, measure, monitor,
+            solution);
   return solution;
 }
 

@@ -192,7 +192,7 @@ template <class Backend>
 typename Backend::Vectors start_map(const Backend& backend, Multigrid<Backend>& multigrid, const Problem& problem,
                                     Monitor& monitor, std::size_t& iterations)
 {
-  constexpr Descent_options coarse_descent = {1e-2, 30, 30, 1000, 0, start_share};
+  constexpr Descent_options coarse_descent = {1e-2, 30, 0, start_share};
   typename Backend::Vectors v;
   for(std::size_t k = coarse_start_map(backend, multigrid, problem, monitor, iterations, v); k > 0; --k) {
     typename Backend::Scalars mass = backend.scalars(multigrid.size(k));
@@ -207,8 +207,8 @@ typename Backend::Vectors start_map(const Backend& backend, Multigrid<Backend>& 
   return v;
 }
 
-/// The start map of a task with fixed vertices, or of a method without hierarchy: one is set up for the graph without
-/// fixed vertices. The map is moved by the Moebius transformation that suits the fixed vertices best.
+/// The start map of a problem with fixed vertices, or of a method without hierarchy: one is set up for the graph
+/// without fixed vertices. The map is moved by the Moebius transformation that suits the fixed vertices best.
 template <class Backend>
 Host_array<vec3> start_positions(const Backend& backend, const Problem& problem, Monitor& monitor,
                                  std::size_t& iterations)

@@ -90,9 +90,9 @@ public:
   double source_area(int f) const { return source_area_[f]; }
 
   /// Share of the source area over the share of the sphere, as a logarithm: positive where the map shrinks.
-  double log_area_stretch(int f) const { return log_stretch(f, map_.on_sphere(f)); }
+  double log_area_stretch(int f) const { return log_stretch(f, map_.of_image(f)); }
 
-  double angle_distortion(int f) const { return internal::angle_distortion(map_.in_source(f), map_.on_sphere(f)); }
+  double angle_distortion(int f) const { return internal::angle_distortion(map_.in_source(f), map_.of_image(f)); }
 
   double dilatation(int f) const { return ratio_of_singular_values(f, squared_singular_values(f)); }
 
@@ -145,7 +145,7 @@ private:
 
   double squared_singular_values(int f) const
   {
-    return internal::squared_singular_values(map_.in_source(f), source_area(f), map_.on_sphere(f));
+    return internal::squared_singular_values(map_.in_source(f), source_area(f), map_.of_image(f));
   }
 
   double ratio_of_singular_values(int f, double squared_sum) const

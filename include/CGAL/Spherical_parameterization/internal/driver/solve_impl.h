@@ -7,10 +7,12 @@
 #include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
 #include <CGAL/Spherical_parameterization/internal/backend/Host_backend.h>
 #include <CGAL/Spherical_parameterization/internal/driver/solve.h>
+#include <CGAL/Spherical_parameterization/internal/loops/for_each_face.h>
 
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -65,24 +67,12 @@ inline double shrunk_share(const Host_loop& loop, const Problem& problem, const 
                            double times)
 {
   constexpr double least_limb = 1e-4; // of the faces
-  const int number_of_faces = static_cast<int>(problem.face.size());
-  const auto area = [&](int f) {
-    const vec3 n = normal(problem.point, problem.face[f]);
-    return std::sqrt(inner(n, n)) / 2;
-  };
-  const double whole = sum_by_parts(loop, number_of_faces, area);
+  const auto area = [&](int f) { return problem.area_of_face(f); };
+  const double whole = sum_by_parts(loop, problem.number_of_faces(), area);
   const double least = 4 * pi / whole / times / times; // area on the sphere, per area of the surface
-  std::vector<int> shrunk;
-  for(const std::vector<int>&part : results_of_parts(loop, number_of_faces, [&](int begin, int end) {
-        std::vector<int> of_part;
-        for(int f = begin; f < end; ++f) {
-          const auto [i, j, k] = problem.face[f];
-          if(spherical_area(position[i], position[j], position[k]) < least * area(f))
-            of_part.push_back(f);
-        }
-        return of_part;
-      }))
-    shrunk.insert(shrunk.end(), part.begin(), part.end());
+  const std::vector<int> shrunk = faces_where(
+    loop, problem.face,
+    [&](int f, const std::array<vec3, 3>& x) { return spherical_area(x[0], x[1], x[2]) < least * area(f); }, position);
 
   // Faces with a common corner are of the same limb.
   std::vector<int> corners;
@@ -101,7 +91,7 @@ inline double shrunk_share(const Host_loop& loop, const Problem& problem, const 
     ++faces_of_limb[limb(f)];
   double of_limbs = 0;
   for(int f : shrunk)
-    if(faces_of_limb[limb(f)] >= least_limb * number_of_faces)
+    if(faces_of_limb[limb(f)] >= least_limb * problem.number_of_faces())
       of_limbs += area(f);
   return of_limbs / whole;
 }

@@ -253,12 +253,14 @@ public:
     for_each_vertex([&](int i) { relax_vertex(distortion, i); });
   }
 
-  /// So many such steps for the vertices whose stars are distorted more than `bound` in the mean, and for those up to
-  /// `rings` edges away.
-  void relax_distorted(const Distortion& distortion, double bound, int rings, int sweeps)
+  /// Some such sweeps over the vertices whose stars are distorted far more than the map, and over those around them.
+  /// \param mean  the mean distortion of the map
+  void relax_distorted(const Distortion& distortion, double mean)
   {
-    const std::vector<int> region = distorted_region(distortion, bound, rings);
-    for(int s = 0; s < sweeps && !region.empty(); ++s) {
+    constexpr int sweeps_of_regions = 3, rings = 2;
+    constexpr double bad_factor = 20; // times the mean distortion
+    const std::vector<int> region = distorted_region(distortion, bad_factor * mean, rings);
+    for(int s = 0; s < sweeps_of_regions && !region.empty(); ++s) {
       auto begin = region.begin();
       for(int end_of_colour : colour_begin_) {
         const auto end = std::lower_bound(begin, region.end(), end_of_colour);
@@ -330,7 +332,8 @@ private:
       position_[i] = x;
   }
 
-  /// In ascending order, hence by colour.
+  /// The vertices whose stars are distorted more than `bound` in the mean, and those up to `rings` edges away. In
+  /// ascending order, hence by colour.
   std::vector<int> distorted_region(const Distortion& distortion, double bound, int rings) const
   {
     std::vector<char> is_in_region(size());

@@ -116,10 +116,8 @@ private:
 
   void relax_locally()
   {
-    constexpr double bad_factor = 20; // times the mean distortion
-    constexpr int rings = 2, sweeps = 3;
     level_.relax(distortion_);
-    level_.relax_distorted(distortion_, bad_factor * level_.energy(distortion_), rings, sweeps);
+    level_.relax_distorted(distortion_, level_.energy(distortion_));
   }
 
   /// After some landmarks got stuck: relaxes the map without springs. Returns whether the energy comes down to not much

@@ -10,6 +10,7 @@
 #include <CGAL/Spherical_parameterization/internal/isometric/Map_level.h>
 #include <CGAL/Spherical_parameterization/internal/isometric/Progressive_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/isometric/canonical_order.h>
+#include <CGAL/Spherical_parameterization/internal/problem/settle.h>
 #include <CGAL/Spherical_parameterization/internal/relaxation/Star.h>
 #include <CGAL/Spherical_parameterization/internal/isometric/decimation.h>
 #include <CGAL/Spherical_parameterization/internal/isometric/landmark_placement.h>
@@ -402,15 +403,13 @@ private:
 
   void relax_level()
   {
-    constexpr int sweeps_of_regions = 3, rings = 2;
-    constexpr double bad_factor = 20; // times the mean distortion
     assign_level(coarse_bounds);
     for(int s = 0; s < sweeps_of_levels; ++s)
       level_.relax(distortion_);
     place_landmarks(false);
     relax_globally(distortion_);
     mean_distortion_ = level_.energy(distortion_);
-    level_.relax_distorted(distortion_, bad_factor * mean_distortion_, rings, sweeps_of_regions);
+    level_.relax_distorted(distortion_, mean_distortion_);
     if(!is_level_coarse()) {
       Solver_report report;
       descend(number_of_steps(), report);

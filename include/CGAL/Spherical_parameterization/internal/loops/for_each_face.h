@@ -5,12 +5,14 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LOOPS_FOR_EACH_FACE_H
 
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <tuple>
+#include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 
@@ -32,6 +34,27 @@ void for_each_face(const Host_array<std::array<int, 3>>& face, int begin, int en
     for(int i = 0; i < count; ++i)
       std::apply([&](const auto&... corners) { f(first + i, corners...); }, fetched[i]);
   }
+}
+
+/// The faces f, in their order, for which `holds(f, corners...)`, given their corners in every one of the arrays `at`.
+template <class Loop, class Holds, class... Arrays>
+std::vector<int> faces_where(const Loop& loop, const Host_array<std::array<int, 3>>& face, Holds holds,
+                             const Arrays&... at)
+{
+  std::vector<int> result;
+  for(const std::vector<int>&part : results_of_parts(loop, static_cast<int>(face.size()), [&](int begin, int end) {
+        std::vector<int> of_part;
+        for_each_face(
+          face, begin, end,
+          [&](int f, const auto&... corners) {
+            if(holds(f, corners...))
+              of_part.push_back(f);
+          },
+          at...);
+        return of_part;
+      }))
+    result.insert(result.end(), part.begin(), part.end());
+  return result;
 }
 
 } // namespace CGAL::Spherical_parameterization::internal

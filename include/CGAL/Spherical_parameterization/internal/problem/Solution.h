@@ -33,12 +33,11 @@ struct Solver_report {
 
 /// A map, and all that is to be said about it. Certificate and report belong to these positions and to no others.
 struct Solution {
-  Host_array<vec3> position;      ///< unit vectors as the caller's map will store them; empty: there is no map
-  Certificate certificate;        ///< of `position`
-  bool is_beyond_mending = false; ///< `Mending::TOO_MUCH`
-  std::vector<char> is_moved;     ///< vertices that are not where the springs pull them, see `mend.h`; or empty
-  Solver_report report;           ///< residual, energy and deviation are those of `position`
-  double accuracy = 0;            ///< that the residual is held against
+  Host_array<vec3> position;  ///< unit vectors as the caller's map will store them; empty: there is no map
+  Certificate certificate;    ///< of `position`
+  std::vector<char> is_moved; ///< vertices that are not where the springs pull them, see `mend.h`; or empty
+  Solver_report report;       ///< residual, energy and deviation are those of `position`
+  double accuracy = 0;        ///< that the residual is held against
   std::optional<Termination> termination;
   Result::Seconds seconds; ///< of the phases between reading and writing, all attempts together
   std::string method;      ///< that found the map

@@ -18,8 +18,8 @@ namespace CGAL::Spherical_parameterization::internal {
 /// How mending ended.
 enum class Mending {
   DONE,    ///< all faces are positively oriented, by the exact predicate
-  FAILED,  ///< some are not after a reasonable number of steps, or they are not known well enough
-  TOO_MUCH ///< that would take more vertices than may be moved
+  FAILED,  ///< too many are flipped, they are not known well enough, or some are flipped after many steps
+  TOO_MUCH ///< those that are flipped have more vertices around them than may be moved
 };
 
 /// A conformal map is a bijection of the intrinsic Delaunay triangles. The faces of the mesh are other triangles with

@@ -30,27 +30,6 @@ CGAL_SP_INLINE Face_metric metric_of(const Host_array<vec3>& point, const std::a
 
 constexpr Metric_bounds bounds_of_mending = {1e6, 1e-30};
 
-/// The faces f, in their order, for which `holds(f, corners...)`, given their corners in every one of the arrays `at`.
-template <class Holds, class... Arrays>
-std::vector<int> faces_where(const Host_loop& loop, const Host_array<std::array<int, 3>>& face, Holds holds,
-                             const Arrays&... at)
-{
-  std::vector<int> result;
-  for(const std::vector<int>&part : results_of_parts(loop, static_cast<int>(face.size()), [&](int begin, int end) {
-        std::vector<int> of_part;
-        for_each_face(
-          face, begin, end,
-          [&](int f, const auto&... corners) {
-            if(holds(f, corners...))
-              of_part.push_back(f);
-          },
-          at...);
-        return of_part;
-      }))
-    result.insert(result.end(), part.begin(), part.end());
-  return result;
-}
-
 /// The faces that have a corner in a set of vertices.
 CGAL_SP_INLINE std::vector<int> faces_at(const Host_loop& loop, const Host_array<std::array<int, 3>>& face,
                                          const std::vector<char>& is_in_set)
@@ -240,7 +219,7 @@ CGAL_SP_CORE Mending mend(const Host_loop& loop, const Host_array<std::array<int
     return !((std::max)({norm(sub(a, b)), norm(sub(b, c)), norm(sub(c, a))}) >= resolution);
   };
   if(flipped > largest_share * number_of_faces + few)
-    return Mending::FAILED;
+    return Mending::FAILED; // at a finer accuracy there may be fewer
   if(std::any_of(bad.begin(), bad.end(), is_unknown))
     return Mending::FAILED;
   if(bad.empty())

@@ -7,6 +7,7 @@
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/balanced/start_map.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/point_coordinates.h>
+#include <CGAL/Spherical_parameterization/internal/problem/settle.h>
 #include <CGAL/Spherical_parameterization/internal/saddle_point/solve_saddle_point.h>
 
 #include <algorithm>
@@ -157,7 +158,7 @@ Solution Method_solver<Saddle_point>::solve(const Backend& backend, const Proble
     report.residual = std::sqrt(backend.barycentric_residual2(matrix, x));
     report.energy = backend.energy(matrix, x);
   };
-  finish(backend, problem, std::move(v), false, true, accuracy, measure, monitor, solution);
+  hand_over(backend, problem, std::move(v), false, true, accuracy, measure, monitor, solution);
   return solution;
 }
 

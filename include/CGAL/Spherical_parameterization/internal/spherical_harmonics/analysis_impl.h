@@ -45,7 +45,7 @@ Host_array<double> vertex_weights(const Loop& loop, const Valid_map& map, Vertex
   if(weights == Vertex_weights::EQUAL)
     return Host_array<double>(map.image.size(), 1.);
   const auto area_on_sphere = [&](int f) {
-    const auto [a, b, c] = map.on_sphere(f);
+    const auto [a, b, c] = map.of_image(f);
     return (std::max)(0., spherical_area(a, b, c)); // that of a valid map is below 0 by rounding at most
   };
   const Host_array<double> result =
@@ -110,7 +110,7 @@ Harmonic_analysis analyze_vertices(const Loop& loop, Mapped_surface given, Sampl
     const std::vector<Samples> parts = results_of_parts<part>(loop, faces, [&](int first, int last) {
       Samples samples;
       for(int f = begin + first; f < begin + last; ++f)
-        quadrature.for_each_point(map.on_sphere(f), [&](const Quadrature_point& point) {
+        quadrature.for_each_point(map.of_image(f), [&](const Quadrature_point& point) {
           samples.direction.push_back(point.direction);
           for(int field = 0; field < d; ++field) {
             const double* const value = fields.value.data() + field * vertices;

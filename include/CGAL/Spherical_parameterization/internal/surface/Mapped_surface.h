@@ -21,9 +21,9 @@ namespace CGAL::Spherical_parameterization::internal {
 struct Mapped_surface : Surface {
   Host_array<vec3> image; ///< as the sphere map has it
 
-  std::array<vec3, 3> on_sphere(int f) const { return corners(image, f); }
+  std::array<vec3, 3> of_image(int f) const { return corners(image, f); }
 
-  /// Calls f(face, its corners in the source, those on the sphere) for all faces, in any order.
+  /// Calls f(face, its corners in the source, those of its image) for all faces, in any order.
   template <class Loop, class F>
   void for_each_face(const Loop& loop, F f) const
   {

@@ -99,6 +99,9 @@ struct Surface {
     return {face, twin_.known() ? *twin_.known() : matched_halfedges(loop)};
   }
 
+  double area_of_face(int f) const { return norm(normal(point, face[f])) / 2; }
+
+  /// The areas of all faces.
   const Host_array<double>& face_area(const Host_loop& loop) const
   {
     return face_area_.get([&] {
@@ -129,8 +132,6 @@ private:
     match_halfedges(loop, face, number_of_vertices, twin);
     return twin;
   }
-
-  double area_of_face(int f) const { return norm(normal(point, face[f])) / 2; }
 
   Kept<Host_array<int>> twin_;
   Kept<Host_array<double>> face_area_, vertex_area_;

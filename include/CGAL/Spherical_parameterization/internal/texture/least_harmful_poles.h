@@ -78,7 +78,7 @@ vec3 least_harmful_south_pole(const Loop& loop, const Mapped_surface& map)
 
   std::vector<Face_sample> samples;
   for(int f = 0; f < n; f += stride) {
-    const auto p = map.in_source(f), v = map.on_sphere(f);
+    const auto p = map.in_source(f), v = map.of_image(f);
     const vec3 e = sub(p[1], p[0]), g = sub(p[2], p[0]);
     const double length = norm(e), area = source_area[f];
     if(!(area > 0))
@@ -94,7 +94,7 @@ vec3 least_harmful_south_pole(const Loop& loop, const Mapped_surface& map)
     double in_source = 0, on_sphere = 0;
     for(int c : fan) {
       in_source += source_area[c / 3];
-      on_sphere += flat_area(map.on_sphere(c / 3));
+      on_sphere += flat_area(map.of_image(c / 3));
     }
     stretch[fan.vertex] = std::log((std::max)(in_source / total, 1e-300)) - std::log((std::max)(on_sphere, 1e-300));
   });

@@ -46,7 +46,7 @@ void lay_out_faces(const Loop& loop, const Valid_map& map, const Chart& chart, c
   const auto lay_out_part = [&](int begin, int end) {
     Texture_report report{};
     for(int f = begin; f < end; ++f) {
-      const Charted_face face = chart(map.on_sphere(f));
+      const Charted_face face = chart(map.of_image(f));
       Uv_triangle& uv = layout.uv[f] = grid.rounded(face.uv);
       report.seam_faces += face.is_at_seam;
       report.pole_faces += face.is_at_pole;

@@ -5,7 +5,7 @@
     PYTHONPATH=build/python benchmark/invariance.py MESH...
 
 Writes a table: energy, the largest angle in radians between positions in the map of the mesh as it is and of the changed mesh,
-after the best rotation.
+after the best rotation; 0 where the bits are the same.
 """
 
 import pathlib
@@ -43,10 +43,11 @@ def main(*files):
         renumbered[place] = points
         faces = place[triangles][random.permutation(len(triangles))]
         faces = np.take_along_axis(faces, (random.integers(3, size=(len(faces), 1)) + np.arange(3)) % 3, axis=1)
-        moved = sphere_of(renumbered, faces).sphere[place]
-        is_same = (moved == result.sphere).all()
-        similar = sphere_of(1.7 * points @ turn.T + [3, -2, 5], triangles).sphere
-        angles = 0 if is_same else largest_angle(result.sphere, moved), largest_angle(result.sphere, similar)
+        maps = (
+            sphere_of(renumbered, faces).sphere[place],
+            sphere_of(1.7 * points @ turn.T + [3, -2, 5], triangles).sphere,
+        )
+        angles = [0 if (sphere == result.sphere).all() else largest_angle(result.sphere, sphere) for sphere in maps]
         print(f"| {pathlib.Path(file).stem} | {result.energy:.4f} | {angles[0]:.0e} | {angles[1]:.0e} |", flush=True)
 
 

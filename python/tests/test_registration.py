@@ -25,6 +25,14 @@ def test_a_turned_map_is_brought_back() -> None:
     assert sp.certify(triangles, r.sphere).is_valid
     assert np.abs(r.sphere - sphere).max() < 0.02
     assert max(r.mismatch_before, r.mismatch) < 0.01 and r.distortion < 4.001
+    there = sp.Locator(triangles, sphere).transfer(points, r.sphere)
+    changes = sp.length_changes(points, triangles, there)
+    assert changes.of_faces.shape == (len(triangles),) and changes.of_faces.min() >= 1
+    assert changes.factor.median < 1.05 and changes.share_of_large == 0
+    stretched = sp.length_changes(points, triangles, points * [1, 1, 20])
+    assert stretched.factor.median > 2 and stretched.share_of_large > 0.3
+    with pytest.raises(ValueError, match="other_points"):
+        sp.length_changes(points, triangles, points[1:])
 
 
 def test_landmarks_are_put_onto_each_other() -> None:

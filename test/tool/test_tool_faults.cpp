@@ -168,7 +168,7 @@ TEST_CASE("faults: every command that writes is tried", "[tool][faults]")
   CHECK(all.size() >= 13);
 }
 
-TEST_CASE("faults: of the steps of morph, and of an atlas, all are written or none", "[tool][faults]")
+TEST_CASE("faults: of the steps of morph, of an atlas, and of parts, all are written or none", "[tool][faults]")
 {
   Scratch scratch;
   const std::string input = prepare(scratch, 2), sphere = scratch / "sphere.off";
@@ -194,6 +194,14 @@ TEST_CASE("faults: of the steps of morph, and of an atlas, all are written or no
   check({"atlas", scratch / "meshes", "-o", scratch / "atlas", "--level", "4"}, "atlas/variance.ply",
         {"atlas/variance.ply", "atlas/mean.ply", "atlas/scores.csv", "atlas/report.json", "atlas/modes/mode_1_plus.ply",
          "atlas/modes/mode_1_minus.ply"});
+  Soup two = icosphere(1);
+  const Soup larger = icosphere(3);
+  for(const auto& face : larger.faces)
+    two.faces.push_back({face[0] + two.points.size(), face[1] + two.points.size(), face[2] + two.points.size()});
+  for(const Point& p : larger.points)
+    two.points.push_back(p + Vector(9, 0, 0));
+  check({"prepare", write_off(scratch / "two.off", two), "-o", scratch / "part.off", "--steps", "merge,split"},
+        "part_2.off", {"part_1.off", "part_2.off"});
 }
 
 TEST_CASE("faults: an old output stays as it was where the new one cannot be written", "[tool][faults]")

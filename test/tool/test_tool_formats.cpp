@@ -341,6 +341,15 @@ TEST_CASE("formats: textured glTF has the image inside", "[tool][formats]")
     CHECK(contains(info.out, "Textures (embed.):  1"));
   }
   CHECK(scratch.number_of_files() == 3);
+  const std::string png = "\x89PNG\r\n\x1a\n";         // the header will do
+  for(const char* rest : {"1", "12", "123", "1234"}) { // the parts of a GLB end at multiples of four
+    write_text(scratch / "image.png", png + rest);
+    REQUIRE(run_tool({"texture", input, "-o", scratch / "x.glb", "--image", scratch / "image.png", "--chart", chart})
+              .exit_code == 0);
+    const std::string glb = text_of(scratch / "x.glb");
+    CHECK(glb.size() % 4 == 0);
+    CHECK(contains(glb, png + rest));
+  }
   write_text(scratch / "image.gif", "GIF89a");
   const Process_result run = run_tool({"texture", input, "-o", scratch / "x.glb", "--image", scratch / "image.gif"});
   CHECK(run.exit_code == 1);

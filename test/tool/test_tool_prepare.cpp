@@ -751,6 +751,26 @@ TEST_CASE("prepare: a hole of many edges", "[tool]")
   check_mapped(scratch);
 }
 
+TEST_CASE("prepare: a hole whose corners are on a line", "[tool]")
+{
+  Scratch scratch;
+  const int n = 20;
+  Soup soup;
+  soup.points.emplace_back(0, 0, 1);
+  for(int i = 0; i < n; ++i) {
+    soup.points.emplace_back(std::cos(2 * std::acos(-1.) * i / n + 0.1), 0, 0);
+    soup.faces.push_back({0, std::size_t(i + 1), std::size_t((i + 1) % n + 1)});
+  }
+  const Prepared prepared(scratch, soup);
+  CHECK(prepared.report["preparation"]["holes"][0]["edges"] == n);
+  CHECK(prepared.out.faces.size() == 2 * n); // all corners of the hole with a point between them
+  std::set<std::pair<std::size_t, std::size_t>> sides;
+  for(const auto& face : prepared.out.faces)
+    for(std::size_t k = 0; k < 3; ++k)
+      CHECK(sides.emplace(face[k], face[(k + 1) % 3]).second); // neighbours are oriented alike
+  check_mapped(scratch);
+}
+
 TEST_CASE("prepare: what is left of little is said to be little", "[tool]")
 {
   Scratch scratch;

@@ -69,6 +69,12 @@ std::map<std::string, std::vector<double>> signatures(const std::string& table)
   return result;
 }
 
+double distance_of(const std::vector<double>& a, const std::vector<double>& b)
+{
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0., std::plus<>(),
+                            [](double x, double y) { return std::abs(x - y); });
+}
+
 } // namespace
 
 TEST_CASE("search: exactly the nearest ones, by the numbers of the table", "[tool][search]")
@@ -80,9 +86,7 @@ TEST_CASE("search: exactly the nearest ones, by the numbers of the table", "[too
   for(const auto& [query, numbers] : all) {
     std::vector<std::pair<double, std::string>> expected;
     for(const auto& [name, other] : all)
-      expected.emplace_back(std::inner_product(numbers.begin(), numbers.end(), other.begin(), 0., std::plus<>(),
-                                               [](double x, double y) { return std::abs(x - y); }),
-                            name);
+      expected.emplace_back(distance_of(numbers, other), name);
     std::sort(expected.begin(), expected.end());
     const std::vector<Hit> found = hits(run_tool({"search", query, "--index", index, "-k", "5"}).out);
     REQUIRE(found.size() == 5);
@@ -91,6 +95,31 @@ TEST_CASE("search: exactly the nearest ones, by the numbers of the table", "[too
       CHECK(std::abs(found[i].distance - expected[i].first) < 1e-4);
     }
   }
+}
+
+TEST_CASE("search: exactly the nearest ones, though codes of signatures tell them no longer apart", "[tool][search]")
+{
+  Scratch scratch;
+  for(int i = 0; i < 16; ++i)
+    write_off(scratch / ("star" + std::to_string(i) + ".off"), spiky_star(3, 3 + 1e-3 * i));
+  const std::string index = scratch / "index.csv";
+  REQUIRE(run_tool({"signature", scratch.folder(), "-o", index}).exit_code == 0);
+  const auto all = signatures(index);
+  REQUIRE(all.size() == 16);
+  double largest = 0;
+  for(const auto& [query, numbers] : all) {
+    std::vector<double> expected;
+    for(const auto& entry : all)
+      expected.push_back(distance_of(numbers, entry.second));
+    std::sort(expected.begin(), expected.end());
+    largest = std::max(largest, expected.back());
+    const std::vector<Hit> found = hits(run_tool({"search", query, "--index", index, "-k", "4"}).out);
+    REQUIRE(found.size() == 4);
+    for(std::size_t i = 0; i < found.size(); ++i)
+      CHECK(std::abs(found[i].distance - expected[i]) < 1e-4);
+  }
+  CHECK(largest < 96. / 4096); // by which rounding may change a distance: a 4096th in each coordinate
+  CHECK(largest > 1e-3);
 }
 
 TEST_CASE("search: the class of the query comes first", "[tool][search]")

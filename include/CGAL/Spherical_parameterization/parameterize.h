@@ -64,11 +64,11 @@ Result run(const ExecutionPolicy& policy, const Method& method, const NamedParam
   if constexpr(is_supported_policy<ExecutionPolicy>())
     try {
       const auto input = with_input([&](const auto& mesh, const auto& inputs) {
-        return read_problem<ExecutionPolicy>(mesh, solver, sphere_map, effort, inputs, monitor, result);
+        return read_problem<ExecutionPolicy>(mesh, solver, sphere_map, inputs, monitor, result);
       });
       result.seconds.read = total.seconds() - result.seconds.weights;
       monitor.advance(0);
-      const Solution solution = solve<Host_loop>(policy, method, input.problem, monitor);
+      const Solution solution = solve<Host_loop>(policy, method, input.problem, effort, monitor);
       write_solution(solution, input, sphere_map, result);
       monitor.begin_stage(1, 1);
       monitor.advance(1);

@@ -34,7 +34,7 @@ Host_array<double> length_changes(const Loop& loop, const Mapped_surface& map)
     const double half = scale * squared_singular_values(map.in_source(f), area[f], map.of_image(f)) / 2;
     const double product = scale * image_area(f) / area[f]; // of both singular values
     const double larger = half + std::sqrt((std::max)(0., (half - product) * (half + product))); // the square of one
-    change[f] = product > 0 ? std::sqrt((std::max)(larger, larger / product / product))
+    change[f] = product > 0 ? std::sqrt((std::max)({1., larger, larger / product / product}))
                             : std::numeric_limits<double>::infinity();
   });
   return change;

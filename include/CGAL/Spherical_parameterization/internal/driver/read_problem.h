@@ -197,7 +197,7 @@ Host_array<double> face_densities(const TriangleMesh& mesh, const Inputs& inputs
 /// called before all has been read; conformal weights come after that.
 template <class ExecutionPolicy, class TriangleMesh, class Solver, class VertexSphereMap, class Inputs>
 Input<TriangleMesh> read_problem(const TriangleMesh& mesh, const Solver& solver, VertexSphereMap sphere_map,
-                                 const Effort& effort, const Inputs& inputs, Monitor& monitor, Result& result)
+                                 const Inputs& inputs, Monitor& monitor, Result& result)
 {
   const bool has_face_density = inputs.face_densities().has_value();
   const bool has_density = has_face_density || inputs.vertex_densities().has_value();
@@ -243,7 +243,6 @@ Input<TriangleMesh> read_problem(const TriangleMesh& mesh, const Solver& solver,
     }
   monitor.set_silent(false);
   result.seconds.weights = weights_watch.seconds();
-  problem.effort = effort;
   if constexpr(are_positions_rounded<Sphere_point>()) {
     problem.as_stored = position_as_stored<Sphere_point>;
     problem.rounding = std::ldexp(1., -std::numeric_limits<Coordinate_of<Sphere_point>>::digits);

@@ -47,14 +47,15 @@ private:
 
 /// Solves a problem where the policy says.
 template <class Host_loop, class ExecutionPolicy, class Method>
-Solution solve(const ExecutionPolicy& policy, const Method& method, const Problem& problem, Monitor& monitor);
+Solution solve(const ExecutionPolicy& policy, const Method& method, const Problem& problem, const Effort& effort,
+               Monitor& monitor);
 
 /// What the compiled library has of a policy, after the word `template` or `extern template`.
 #define CGAL_SP_FOR_EACH_METHOD(PREFIX, POLICY)                                                                        \
-  PREFIX Solution solve<Host_loop>(const POLICY&, const Balanced&, const Problem&, Monitor&);                          \
-  PREFIX Solution solve<Host_loop>(const POLICY&, const Saddle_point&, const Problem&, Monitor&);                      \
-  PREFIX Solution solve<Host_loop>(const POLICY&, const Isometric&, const Problem&, Monitor&);                         \
-  PREFIX Solution solve<Host_loop>(const POLICY&, const Automatic&, const Problem&, Monitor&);
+  PREFIX Solution solve<Host_loop>(const POLICY&, const Balanced&, const Problem&, const Effort&, Monitor&);           \
+  PREFIX Solution solve<Host_loop>(const POLICY&, const Saddle_point&, const Problem&, const Effort&, Monitor&);       \
+  PREFIX Solution solve<Host_loop>(const POLICY&, const Isometric&, const Problem&, const Effort&, Monitor&);          \
+  PREFIX Solution solve<Host_loop>(const POLICY&, const Automatic&, const Problem&, const Effort&, Monitor&);
 
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_COMPILED
 CGAL_SP_FOR_EACH_METHOD(extern template, CGAL::Sequential_tag)

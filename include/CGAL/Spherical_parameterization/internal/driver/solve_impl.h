@@ -152,7 +152,8 @@ Solution Method_solver<Automatic>::solve(const Backend& backend, const Problem& 
 }
 
 template <class Host_loop, class ExecutionPolicy, class Method>
-Solution solve(const ExecutionPolicy& policy, const Method& method, const Problem& problem, Monitor& monitor)
+Solution solve(const ExecutionPolicy& policy, const Method& method, const Problem& problem, const Effort& effort,
+               Monitor& monitor)
 {
   constexpr bool has_others = !std::is_same_v<Method, Automatic> && !std::is_same_v<Method, Isometric>;
   const Stopwatch watch;
@@ -160,7 +161,7 @@ Solution solve(const ExecutionPolicy& policy, const Method& method, const Proble
   Choice_of_backend<ExecutionPolicy, Host_loop>::call(
     policy, problem.size(), [&](const auto& backend, const std::string& device) {
       const double set_up = watch.seconds(); // kernels of a device are compiled when it is used first
-      solution = attempt(backend, Method_solver<Method>(method), problem, problem.effort, monitor);
+      solution = attempt(backend, Method_solver<Method>(method), problem, effort, monitor);
       if(!solution.remedy.empty()) { // only at the end of `detail`: the attempts do not repeat it
         const std::string others = has_others ? "the automatic or the isometric method, or " : "";
         solution.remedy = "use " + others + solution.remedy;

@@ -138,7 +138,6 @@ CGAL_SP_INLINE Problem in_canonical_order(const Host_loop& loop, const Problem& 
   const int n = problem.size();
   Problem result;
   result.number_of_vertices = n;
-  result.effort = problem.effort;
   result.as_stored = problem.as_stored;
   result.rounding = problem.rounding;
   const auto take = [&](const auto& from, auto& to) {

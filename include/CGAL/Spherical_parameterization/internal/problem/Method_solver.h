@@ -9,6 +9,8 @@
 #include <CGAL/Spherical_parameterization/internal/problem/Solution.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <optional>
 
 namespace CGAL::Spherical_parameterization::internal {
 
@@ -17,6 +19,12 @@ enum class Weights {
   NEEDED,       ///< there is no map without them
   IF_AVAILABLE, ///< it can do without them where a face has no area
   UNUSED
+};
+
+/// How far the caller wants a method to go; what is not given is the default of the method.
+struct Effort {
+  std::optional<double> accuracy;
+  std::optional<std::size_t> number_of_iterations;
 };
 
 /// How a method is run. A method of the package, a struct M of its options, is complete with the specialization

@@ -9,18 +9,11 @@
 #include <CGAL/Spherical_parameterization/internal/surface/Spring_lengths.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
-
-/// How far the caller wants a method to go; what is not given is the default of the method.
-struct Effort {
-  std::optional<double> accuracy;
-  std::optional<std::size_t> number_of_iterations;
-};
 
 /// What is to be mapped: a checked mesh as arrays, and what the caller asked for. From here on nothing depends on the
 /// type of the mesh, and nothing changes it.
@@ -28,11 +21,10 @@ struct Problem : Surface {
   Host_array<double> density; ///< of every face, the largest is 1, see `face_density_map`; empty: all equal
   Shared_graph graph; ///< the springs, in ascending order; the weights, with the diagonal of free vertices; or null
   std::optional<Spring_lengths> spring_lengths; ///< of conformal springs; others are edges of the faces
-  std::string missing_weights; ///< why there are no weights though the method could use them; else empty
-  double weight_unit = 1;      ///< what a weight of 1 in the graph is to the caller
-  std::vector<char> is_fixed;  ///< empty: no fixed vertex
-  Host_array<vec3> given;      ///< unit vectors the caller's map held on entry, where they are needed; else empty
-  Effort effort;
+  std::string missing_weights;       ///< why there are no weights though the method could use them; else empty
+  double weight_unit = 1;            ///< what a weight of 1 in the graph is to the caller
+  std::vector<char> is_fixed;        ///< empty: no fixed vertex
+  Host_array<vec3> given;            ///< unit vectors the caller's map held on entry, where they are needed; else empty
   vec3 (*as_stored)(vec3) = nullptr; ///< what the caller's map makes of a position; null: it keeps every double
   double rounding = 0;               ///< ... and by how much, relative; 0: by nothing
 

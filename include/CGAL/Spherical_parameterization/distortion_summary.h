@@ -42,10 +42,10 @@ CGAL_SP_ON_ONE_CORE(distortion_summary)
 /// infinite.
 /// \param policy      `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result does not depend on it
 /// \param mesh        a triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
-/// \param image_map   readable, key vertex_descriptor, value a point of space: the points that correspond to the
-/// vertices \param face_map    writable, key face_descriptor, value double; 1 for faces of area 0 \param np optional
-/// named parameters: `vertex_point_map`, by default the mesh's own \return how these values are spread over the area of
-/// the mesh
+/// \param image_map   readable, key vertex_descriptor, value a point of space: what corresponds to the vertex
+/// \param face_map    writable, key face_descriptor, value double; 1 for faces of area 0
+/// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
+/// \return how these values are spread over the area of the mesh
 ///
 /// Complexity: as `distortion_summary()`.
 template <class ExecutionPolicy, class TriangleMesh, class VertexImageMap, class FaceMap,

@@ -194,14 +194,14 @@ TEST_CASE("faults: of the steps of morph, of an atlas, and of parts, all are wri
   check({"atlas", scratch / "meshes", "-o", scratch / "atlas", "--level", "4"}, "atlas/variance.ply",
         {"atlas/variance.ply", "atlas/mean.ply", "atlas/scores.csv", "atlas/report.json", "atlas/modes/mode_1_plus.ply",
          "atlas/modes/mode_1_minus.ply"});
-  Soup two = icosphere(1);
-  const Soup larger = icosphere(3);
-  for(const auto& face : larger.faces)
-    two.faces.push_back({face[0] + two.points.size(), face[1] + two.points.size(), face[2] + two.points.size()});
-  for(const Point& p : larger.points)
+  Soup two = icosphere(0);
+  for(const auto& face : icosphere(0).faces)
+    two.faces.push_back({face[0] + 12, face[1] + 12, face[2] + 12});
+  for(const Point& p : icosphere(0).points)
     two.points.push_back(p + Vector(9, 0, 0));
-  check({"prepare", write_off(scratch / "two.off", two), "-o", scratch / "part.off", "--steps", "merge,split"},
-        "part_2.off", {"part_1.off", "part_2.off"});
+  check({"prepare", write_off(scratch / "two.off", two), "-o", scratch / "part.off", "--steps", "merge,split",
+         "--report", scratch / "report.json"},
+        "report.json", {"part_1.off", "part_2.off", "report.json"});
 }
 
 TEST_CASE("faults: an old output stays as it was where the new one cannot be written", "[tool][faults]")

@@ -9,6 +9,7 @@
 #include <CGAL/Spherical_parameterization/internal/distortion/length_changes.h>
 #include <CGAL/Spherical_parameterization/internal/distortion/summarize.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
+#include <CGAL/Spherical_parameterization/measure_distortion.h>
 #include <CGAL/Spherical_parameterization/values/Distortion_summary.h>
 
 namespace CGAL::Spherical_parameterization {
@@ -58,9 +59,7 @@ Length_changes face_length_changes(const ExecutionPolicy& policy, const Triangle
     internal::read_map(mesh, internal::vertex_points(mesh, np), image_map, internal::Reading::UNCHECKED, loop);
   internal::scale_to_unit_box(map.image);
   const internal::Host_array<double> change = internal::length_changes(loop, map);
-  auto value = change.begin();
-  for(auto f : faces(mesh))
-    put(face_map, f, *value++);
+  internal::put_values(faces(mesh), change, face_map);
   return internal::summarize_length_changes(loop, map.face_area(loop), change);
 }
 CGAL_SP_ON_ONE_CORE(face_length_changes)

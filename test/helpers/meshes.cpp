@@ -389,19 +389,20 @@ Soup open_sphere(int level)
   return soup;
 }
 
-Soup two_spheres()
+Soup joined(Soup soup, const Soup& other, const Vector& shift)
 {
-  Soup soup = icosphere(1);
-  const Soup second = transformed(icosphere(2), [](const Point& p) { return Point(p.x() + 3, p.y(), p.z()); });
   const std::size_t n = soup.points.size();
-  soup.points.insert(soup.points.end(), second.points.begin(), second.points.end());
-  for(auto face : second.faces) {
+  for(const Point& p : other.points)
+    soup.points.push_back(p + shift);
+  for(auto face : other.faces) {
     for(std::size_t& i : face)
       i += n;
     soup.faces.push_back(face);
   }
   return soup;
 }
+
+Soup two_spheres() { return joined(icosphere(1), icosphere(2), Vector(3, 0, 0)); }
 
 Soup isolated_vertex()
 {

@@ -194,13 +194,8 @@ TEST_CASE("faults: of the steps of morph, of an atlas, and of parts, all are wri
   check({"atlas", scratch / "meshes", "-o", scratch / "atlas", "--level", "4"}, "atlas/variance.ply",
         {"atlas/variance.ply", "atlas/mean.ply", "atlas/scores.csv", "atlas/report.json", "atlas/modes/mode_1_plus.ply",
          "atlas/modes/mode_1_minus.ply"});
-  Soup two = icosphere(0);
-  for(const auto& face : icosphere(0).faces)
-    two.faces.push_back({face[0] + 12, face[1] + 12, face[2] + 12});
-  for(const Point& p : icosphere(0).points)
-    two.points.push_back(p + Vector(9, 0, 0));
-  check({"prepare", write_off(scratch / "two.off", two), "-o", scratch / "part.off", "--steps", "merge,split",
-         "--report", scratch / "report.json"},
+  check({"prepare", write_off(scratch / "two.off", joined(icosphere(0), icosphere(0), Vector(9, 0, 0))), "-o",
+         scratch / "part.off", "--steps", "merge,split", "--report", scratch / "report.json"},
         "report.json", {"part_1.off", "part_2.off", "report.json"});
 }
 

@@ -97,19 +97,6 @@ void check_mapped(const Scratch& scratch)
   CHECK(run.exit_code == 0);
 }
 
-Soup joined(Soup soup, const Soup& other, const Vector& shift)
-{
-  const std::size_t n = soup.points.size();
-  for(const Point& p : other.points)
-    soup.points.push_back(p + shift);
-  for(auto face : other.faces) {
-    for(std::size_t& i : face)
-      i += n;
-    soup.faces.push_back(face);
-  }
-  return soup;
-}
-
 /// Every face with vertices of its own.
 Soup exploded(const Soup& soup)
 {

@@ -125,10 +125,26 @@ CGAL_SP_INLINE Canonical_order canonical_order(const Corner_table& mesh, const H
   return order;
 }
 
-/// The problem with vertices in canonical order, and with faces by their smallest vertices, which come first in them.
-/// So its bits do not depend on how the vertices and the faces of the mesh are numbered. And the faces of a star lie
-/// close together in memory, as the vertices do: where a mesh is larger than the caches, that is half of the time of
-/// the decimation. Springs are left out. Sets the vertices of the problem, in this order. \pre the mesh is simplicial
+/// Scales points so that the mean of their squared distances from their mean is 1, unless they are all one.
+inline void scale_to_unit_size(Host_array<vec3>& points)
+{
+  const double n = static_cast<double>(points.size());
+  vec3 mean = {0, 0, 0};
+  for(const vec3& p : points)
+    mean = add_scaled(mean, 1 / n, p);
+  double square = 0;
+  for(const vec3& p : points)
+    square += inner(sub(p, mean), sub(p, mean)) / n;
+  if(square > 0)
+    for(vec3& p : points)
+      p = scale(1 / std::sqrt(square), p);
+}
+
+/// The problem of a similar mesh, of unit size, with vertices in canonical order, and with faces by their smallest
+/// vertices, which come first in them. So its bits do not depend on how the vertices and the faces of the mesh are
+/// numbered. And the faces of a star lie close together in memory, as the vertices do: where a mesh is larger than the
+/// caches, that is half of the time of the decimation. Springs are left out. Sets the vertices of the problem, in this
+/// order. \pre the mesh is simplicial
 CGAL_SP_INLINE Problem in_canonical_order(const Host_loop& loop, const Problem& problem, Host_array<int>& vertex)
 {
   const Corner_table mesh = problem.copy_of_corner_table(loop);
@@ -147,6 +163,7 @@ CGAL_SP_INLINE Problem in_canonical_order(const Host_loop& loop, const Problem& 
     for_each_index(loop, n, [&](int i) { to[i] = from[vertex[i]]; });
   };
   take(problem.point, result.point);
+  scale_to_unit_size(result.point);
   take(problem.position, result.position);
   take(problem.is_fixed, result.is_fixed);
   take(problem.given, result.given);

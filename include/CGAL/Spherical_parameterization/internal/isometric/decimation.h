@@ -5,6 +5,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_ISOMETRIC_DECIMATION_H
 
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/rounded.h>
 #include <CGAL/Spherical_parameterization/internal/isometric/Progressive_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
@@ -15,8 +16,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <cstring>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -155,6 +154,7 @@ private:
   static constexpr double flip_penalty = 1e3;                ///< for a normal that turns by more than 78 degrees
   static constexpr int good_degree = 9;                      ///< each neighbour more doubles the cost
   static constexpr double share_of_candidates = 0.4;
+  static constexpr int digits_of_costs = 10; ///< binary ones
   static constexpr int steps_of_a_task = 256;
 
   /// Bands are long, since what lies across their borders is collapsed one by one, but four or more, for as many
@@ -247,7 +247,9 @@ private:
     });
   }
 
-  /// Of moving u to the first point of ring[i]; a lower bound, unless it is to be exact.
+  /// Of moving u to the first point of ring[i]; a lower bound, unless it is to be exact. In units of the mesh, and
+  /// rounded: costs that symmetry makes equal, and rounding errors not, are a tie then, which the order of the vertices
+  /// decides. So a mesh that is turned is decimated alike.
   template <class Ring>
   double cost(int u, const Ring& ring, std::size_t i, double area, bool is_exact) const
   {
@@ -258,21 +260,9 @@ private:
                                  : degree < 4         ? 0.5
                                                       : 1;
     const double distances = is_exact ? quadric_[u](edge) + quadric_[v].at_origin() : quadric_[u](edge);
-    return rounded(((distances + length_weight * area * inner(edge, edge)) / unit_ + least_cost) * degree_factor *
-                   (is_exact ? shape_factor(ring, i) : 1));
-  }
-
-  /// To ten bits, which are those of a similar mesh, too: costs are in units of the mesh. Costs that symmetry makes
-  /// equal, and rounding errors not, are a tie then, which the order of the vertices decides: a mesh that is turned is
-  /// decimated alike.
-  static double rounded(double cost)
-  {
-    constexpr std::uint64_t unit = std::uint64_t(1) << (std::numeric_limits<double>::digits - 1 - 10);
-    std::uint64_t bits;
-    std::memcpy(&bits, &cost, sizeof bits);
-    bits = (bits + unit / 2) & ~(unit - 1);
-    std::memcpy(&cost, &bits, sizeof bits);
-    return cost;
+    const double cost = ((distances + length_weight * area * inner(edge, edge)) / unit_ + least_cost) * degree_factor *
+                        (is_exact ? shape_factor(ring, i) : 1);
+    return cost < infinity ? rounded<digits_of_costs>(cost, cost) : infinity;
   }
 
   /// What badly shaped or turned triangles multiply the cost by when u moves to the first point of ring[i].

@@ -106,6 +106,7 @@ private:
   static constexpr double fine_linear_tolerance = 0.01; ///< ... near a minimum
   static constexpr double converged_share = 0.02; ///< of the default accuracy: the map moves by about 1e-4 after that
   static constexpr int maximum_linear_iterations = 100; ///< ... on fine levels
+  static constexpr int iterations_ahead = 20;           ///< ... of a step that is not taken
   static constexpr int sweeps_of_levels = 2;
   static constexpr int coarse_size = 20000; ///< the largest meshes of which many levels are relaxed
   static constexpr int tiny_size = 500; ///< the largest ones of which most levels are relaxed: limbs find places there
@@ -124,7 +125,7 @@ private:
     return sum_by_parts(loop_, static_cast<int>(problem_.face.size()), [&](int f) {
       const auto [i, j, k] = problem_.face[f];
       const vec3 a = sub(problem_.point[j], problem_.point[i]), b = sub(problem_.point[k], problem_.point[i]);
-      return face_metric(a, b, {coarse_bounds.aspect, 0}).twice_area / 2;
+      return in_six_digits(face_metric(a, b, {coarse_bounds.aspect, 0})).twice_area / 2;
     });
   }
 
@@ -196,6 +197,7 @@ private:
       relax_level();
   }
 
+  /// The level is that of the tetrahedron, too: the first vertices to be inserted need its scale.
   void embed_tetrahedron()
   {
     static const double c = 1 / std::sqrt(3.);
@@ -211,6 +213,7 @@ private:
     // seen from outside, the neighbours of (c, c, c) are regular[3], [2], [1], counterclockwise
     int k = 3;
     mesh_.for_each_corner(v, [&](int corner) { place(mesh_.target(corner), k--); });
+    assign_level(coarse_bounds);
   }
 
   /// Undoes the collapses of a round. Those for whose vertex doubles have no position come last, after the others
@@ -261,8 +264,8 @@ private:
       Star star;
       mesh_.for_each_corner(u, [&](int c) {
         const int j = mesh_.target(c), k = mesh_.apex(c);
-        Face_metric metric =
-          face_metric(sub(problem_.point[j], problem_.point[u]), sub(problem_.point[k], problem_.point[u]), bounds);
+        Face_metric metric = in_six_digits(
+          face_metric(sub(problem_.point[j], problem_.point[u]), sub(problem_.point[k], problem_.point[u]), bounds));
         density_.apply(mesh_, c, bounds.area, metric);
         star.emplace_back(map_.position[j], map_.position[k], metric, level_.area_scale());
       });
@@ -465,12 +468,12 @@ private:
     report.residual = std::numeric_limits<double>::quiet_NaN();
     if(monitor_.is_interrupted()) // there is no time to know
       return;
-    report.residual =
-      Newton_relaxation<>(loop_, distortion_, level_).gain_ahead(maximum_linear_iterations, linear_tolerance);
     const double accuracy = effort_.accuracy.value_or(Isometric::default_accuracy);
     const bool are_defaults = accuracy >= Isometric::default_accuracy &&
                               effort_.number_of_iterations.value_or(Isometric::default_number_of_iterations) >=
                                 Isometric::default_number_of_iterations;
+    report.residual = Newton_relaxation<>(loop_, distortion_, level_)
+                        .gain_ahead(are_defaults ? iterations_ahead : maximum_linear_iterations, linear_tolerance);
     report.has_converged = are_defaults || report.residual <= accuracy;
   }
 

@@ -5,6 +5,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RELAXATION_DISTORTION_H
 
 #include <CGAL/Spherical_parameterization/internal/backend/formulas/power.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/rounded.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 
 #include <algorithm>
@@ -127,6 +128,22 @@ inline Face_metric face_metric(vec3 a, vec3 b, const Metric_bounds& bounds)
   }
   const double twice_area = root3 / 2 * std::sqrt(large * small);
   return {{ab / twice_area, (aa - ab) / twice_area, (bb - ab) / twice_area}, twice_area};
+}
+
+/// The metric in six decimal digits: that of a triangle of the same area, to as many digits. A triangle that is turned
+/// or moved has the same one, bit for bit, but for the exceptions of `rounded()`.
+inline Face_metric in_six_digits(const Face_metric& metric)
+{
+  constexpr int digits = 20; // binary ones
+  constexpr double root3 = 1.7320508075688772;
+  const auto [x, j, k] = metric.cotangent;
+  // (mean + half, off; off, mean - half) is the metric of area 1 in the frame of an equilateral triangle.
+  const double size = (x + j + k) * 2 / 3;
+  const double half = rounded<digits>((x + j - 2 * k) / 3, size), off = rounded<digits>((x - j) / root3, size);
+  const double mean = std::sqrt(half * half + off * off + 4. / 3);
+  const double x_and_j = mean + half;
+  return {{(x_and_j + root3 * off) / 2, (x_and_j - root3 * off) / 2, mean / 2 - half},
+          rounded<digits>(metric.twice_area, metric.twice_area)};
 }
 
 } // namespace CGAL::Spherical_parameterization::internal

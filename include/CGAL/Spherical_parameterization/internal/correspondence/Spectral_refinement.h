@@ -123,7 +123,7 @@ public:
       for(std::size_t r = 0; r < targets.size(); ++r)
         place(beside_b, r, b_.image[targets[r]]);
     }
-    Candidate c = with_score(upsample(std::move(map), a_.some, targets, numbers, beside_a, beside_b), a_.some, 1);
+    Candidate c = with_score(upsample(std::move(map), a_.some, targets, numbers, beside_a, beside_b), a_.some, {1, 1});
     c.score += guiding_error(c.map);
     return c;
   }
@@ -172,12 +172,11 @@ public:
   /// With all samples and many eigenfunctions, and the score that decides.
   Candidate judged(const Map& of_some) const
   {
-    constexpr double weight_of_signatures = 0.5; // many eigenfunctions say more
+    constexpr Weights weights = {0.65, 0.5}; // many eigenfunctions say more
     Map map;
     for(int v : a_.sample)
       map.push_back(of_some[a_.some.of_vertex[v]]);
-    Candidate c =
-      with_score(upsample(std::move(map), a_.all, b_.target, {30, 40, 50, 60}), a_.all, weight_of_signatures);
+    Candidate c = with_score(upsample(std::move(map), a_.all, b_.target, {30, 40, 50, 60}), a_.all, weights);
     c.score += landmark_error(c.map, a_.all);
     return c;
   }
@@ -313,8 +312,13 @@ private:
     return 3 * sum / static_cast<double>(corner.rows());
   }
 
+  /// Of terms of the score; those of curvatures and residuals have 0.5.
+  struct Weights {
+    double orientation, signatures;
+  };
+
   /// With the score that decides.
-  Candidate with_score(Candidate c, const Cells& cells, double weight_of_signatures) const
+  Candidate with_score(Candidate c, const Cells& cells, const Weights& weights) const
   {
     constexpr double least = 1e-9;
     double signatures = 0;
@@ -325,11 +329,11 @@ private:
       for(std::size_t s = 0; s < curvatures.size(); ++s)
         curvatures[s] += cells.area[i] * std::abs(a_.curvature[s][v] - b_.curvature[s][t]);
     }
-    c.score = -c.orientation;
+    c.score = -weights.orientation * c.orientation;
     const auto add = [&](double difference, double weight) {
       c.score += weight * std::log((std::max)(difference, least));
     };
-    add(signatures, weight_of_signatures);
+    add(signatures, weights.signatures);
     for(double difference : {curvatures[0], curvatures[1], c.residual})
       add(difference, 0.5);
     return c;

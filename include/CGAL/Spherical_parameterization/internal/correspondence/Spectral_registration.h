@@ -146,7 +146,7 @@ private:
     return Coarse_map(loop_.bare(), surface, surface.point, surface.image, kept, most_vertices, monitor_);
   }
 
-  /// Of the features where x puts the vertices of a coarse surface, which are those vertices of A.
+  /// Root mean square, of the features where x puts the vertices of a coarse surface, which are those vertices of A.
   double mismatch(const Registered_surface& coarse_a, const std::vector<int>& vertex,
                   const Registration_features& features, Host_array<vec3> x) const
   {
@@ -154,7 +154,7 @@ private:
     for(int k = 0; k < features.number; ++k)
       for(int v : vertex)
         coarse.a.push_back(features.a[k * (features.a.size() / features.number) + v]);
-    return refine(loop_.bare(), coarse_a, b_, coarse, {}, {0, 0, 0, 0}, monitor_, x).mismatch;
+    return std::sqrt(refine(loop_.bare(), coarse_a, b_, coarse, {}, {0, 0, 0, 0}, monitor_, x).mismatch);
   }
 
   const Watched_loop<Host_loop>& loop_;

@@ -10,8 +10,8 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-/// x to the nearest multiple of 2^-digits times the power of two below `size`. So numbers that differ by rounding errors
-/// become one, but for rare exceptions: the border of two multiples can lie between them.
+/// x to the nearest multiple of 2^-digits times the power of two below `size`. So numbers that differ by rounding
+/// errors become one, but for rare exceptions: the border of two multiples can lie between them.
 /// \pre |x| <= size < infinity
 template <int digits>
 double rounded(double x, double size)
@@ -23,7 +23,8 @@ double rounded(double x, double size)
   bits &= exponent;
   double power;
   std::memcpy(&power, &bits, sizeof power);
-  const double shift = 1.5 * double(std::uint64_t(1) << (all - digits)) * power; // its last digit is the one to round to
+  // Its last digit is the one that x is rounded to.
+  const double shift = 1.5 * double(std::uint64_t(1) << (all - digits)) * power;
   return (x + shift) - shift;
 }
 

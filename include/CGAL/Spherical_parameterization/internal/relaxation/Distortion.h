@@ -137,7 +137,7 @@ inline Face_metric in_six_digits(const Face_metric& metric)
   constexpr int digits = 20; // binary ones
   constexpr double root3 = 1.7320508075688772;
   const auto [x, j, k] = metric.cotangent;
-  // (mean + half, off; off, mean - half) is the metric of area 1 in the frame of an equilateral triangle.
+  // (mean + half, off; off, mean - half) is the metric by twice the area, in the frame of an equilateral triangle.
   const double size = (x + j + k) * 2 / 3;
   const double half = rounded<digits>((x + j - 2 * k) / 3, size), off = rounded<digits>((x - j) / root3, size);
   const double mean = std::sqrt(half * half + off * off + 4. / 3);

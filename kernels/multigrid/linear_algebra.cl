@@ -44,6 +44,12 @@ KERNEL sp_scaled_residual(int n, MATRIX(a), vec3_in b, vec3_in x, vec3_out z)
   scaled_residual_at(i, VIEW(a), b, x, z);
 }
 
+KERNEL sp_smoothed_residual(int n, MATRIX(a), real omega, vec3_in b, vec3_in x, vec3_in z, vec3_out t)
+{
+  FOR_EACH(i, n)
+  smoothed_residual_at(i, VIEW(a), omega, b, x, z, t);
+}
+
 KERNEL sp_start_smoothing(int n, real_in inverse_diagonal, real gain, vec3_in b, vec3_out x)
 {
   FOR_EACH(i, n)
@@ -68,10 +74,10 @@ KERNEL sp_correct(int n, MATRIX(a), real omega, AGGREGATES(of), vec3_in x, vec3_
   correct_at(i, VIEW(a), omega, AGGREGATES_VIEW(of), x, y);
 }
 
-KERNEL sp_restrict(int n, MATRIX(a), real omega, AGGREGATES(of), vec3_in b, vec3_in x, vec3_in z, vec3_out y)
+KERNEL sp_restrict(int n, AGGREGATES(of), vec3_in t, vec3_out y)
 {
   FOR_EACH(c, n)
-  restrict_at(c, VIEW(a), omega, AGGREGATES_VIEW(of), b, x, z, y);
+  restrict_at(c, AGGREGATES_VIEW(of), t, y);
 }
 
 KERNEL sp_multiply_dense(int n, int columns, real_in b, vec3_in x, vec3_out y)

@@ -331,14 +331,16 @@ TEMPLATE_LIST_TEST_CASE("every verb does the same on every backend, bit by bit",
 
   const auto aggregates = std::make_shared<const Aggregates>(random_aggregates(n, (n + 3) / 4, random));
   const Positions coarse = random.vectors((n + 3) / 4);
-  check("prolong, correct, restrict", [&](auto& t) {
+  check("prolong, correct, smoothed_residual, restrict", [&](auto& t) {
     const auto of = t.backend.upload(aggregates);
     auto c = t.backend.upload(coarse);
     t.backend.prolong(t.a, 0.7, of, c, t.w);
     t.wrote(t.w);
     t.backend.correct(t.a, 0.7, of, c, t.y);
     t.wrote(t.y);
-    t.backend.restrict(t.a, 0.7, of, t.x, t.y, t.z, c);
+    t.backend.smoothed_residual(t.a, 0.7, t.x, t.y, t.z, t.w);
+    t.wrote(t.w);
+    t.backend.restrict(of, t.w, c);
     t.wrote(c);
   });
   if(n < 100) {

@@ -445,8 +445,7 @@ TEST_CASE("mending ends at a minimum: no vertex that was moved has a better plac
       for(int k = 0; k < 3; ++k)
         if(f[k] == i) {
           const int j = f[(k + 1) % 3], l = f[(k + 2) % 3];
-          const auto metric =
-            I::face_metric(I::sub(points[j], points[i]), I::sub(points[l], points[i]), I::Metric_bounds{1e6, 1e-30});
+          const auto metric = I::face_metric(points[i], points[j], points[l], I::Metric_bounds{1e6, 1e-30});
           star.emplace_back(v[j], v[l], metric, 1);
         }
     double energy = I::star_energy(mips, star, v[i]);
@@ -504,7 +503,7 @@ TEST_CASE("Newton's matrix of a face is the derivative of its gradient, flipped 
   const bool is_flipped = GENERATE(false, true);
   const I::Untangling_energy energy(e);
   const Positions x = {I::unit({0.1, 0.2, 1}), I::unit({is_flipped ? -0.1 : 0.5, 0.1, 1}), I::unit({0.1, 0.6, 1})};
-  const auto metric = I::face_metric({1, 0, 0}, {0.3, 0.8, 0}, I::Metric_bounds{30, 1e-30});
+  const auto metric = I::face_metric({0, 0, 0}, {1, 0, 0}, {0.3, 0.8, 0}, I::Metric_bounds{30, 1e-30});
   const auto gradient = [&](const Positions& p, int corner) {
     I::Star_face f(p[1], p[2], metric, 0.1);
     return I::Face_hessian(energy, p[0], f, 0).gradient(corner);
@@ -534,7 +533,7 @@ TEST_CASE("what is taken off a face's matrix leaves nothing negative of a small 
   const I::vec3 first = I::make_vec3(0.3 * size, 0.2 * size, 1), second = I::make_vec3(0.9 * size, 0.8 * size, 1),
                 third = I::make_vec3(-0.2 * size, 0.5 * size, 1);
   const Positions x = {I::unit(first), I::unit(is_flipped ? third : second), I::unit(is_flipped ? second : third)};
-  const auto metric = I::face_metric({1, 0, 0}, {0.3, 0.1, 0}, I::Metric_bounds{30, 1e-30});
+  const auto metric = I::face_metric({0, 0, 0}, {1, 0, 0}, {0.3, 0.1, 0}, I::Metric_bounds{30, 1e-30});
   const I::Star_face f(x[1], x[2], metric, size * size);
   REQUIRE((f.determinant(x[0]) < 0) == is_flipped);
   const auto smallest = [&](double lift, bool is_stiff = false) { // of the second derivatives in some directions

@@ -190,10 +190,11 @@ TEST_CASE("prolongation and restriction without a matrix are those of the matrix
   constexpr double omega = 0.6;
   const I::Sparse_matrix p = I::smoothed_prolongation(I::Host_loop(), *graph, *aggregates, omega);
   const Positions x = random_vectors(count, 1), r = random_vectors(n, 2), zero(n, vec3{0, 0, 0});
-  Positions y(n), z(n), coarse(count);
+  Positions y(n), z(n), t(n), coarse(count);
   backend.prolong(graph, omega, aggregates, x, y);
   backend.scaled_residual(graph, r, zero, z);
-  backend.restrict(graph, omega, aggregates, r, zero, z, coarse);
+  backend.smoothed_residual(graph, omega, r, zero, z, t);
+  backend.restrict(aggregates, t, coarse);
   Positions restricted(count, vec3{0, 0, 0});
   for(int i = 0; i < n; ++i) {
     vec3 sum = {0, 0, 0};

@@ -69,6 +69,12 @@ public:
     run(Verb<scaled_residual_at>{"sp_scaled_residual"}, x.size(), a, b, x, z);
   }
 
+  void smoothed_residual(const Matrix& a, double omega, const Vectors& b, const Vectors& x, const Vectors& z,
+                         Vectors& t) const
+  {
+    run(Verb<smoothed_residual_at>{"sp_smoothed_residual"}, x.size(), a, omega, b, x, z, t);
+  }
+
   void start_smoothing(const Matrix& a, double gain, const Vectors& b, Vectors& x) const
   {
     run(Verb<start_smoothing_at>{"sp_start_smoothing"}, x.size(), a->inverse_diagonal, gain, b, x);
@@ -89,10 +95,9 @@ public:
     run(Verb<correct_at>{"sp_correct"}, y.size(), a, omega, of, x, y);
   }
 
-  void restrict(const Matrix& a, double omega, const Aggregates& of, const Vectors& b, const Vectors& x,
-                const Vectors& z, Vectors& y) const
+  void restrict(const Aggregates& of, const Vectors& t, Vectors& y) const
   {
-    run(Verb<restrict_at>{"sp_restrict"}, y.size(), a, omega, of, b, x, z, y);
+    run(Verb<restrict_at>{"sp_restrict"}, y.size(), of, t, y);
   }
 
   void multiply_dense(const Scalars& b, const Vectors& x, Vectors& y) const

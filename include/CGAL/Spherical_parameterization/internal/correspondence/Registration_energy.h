@@ -79,7 +79,7 @@ public:
     Host_array<double> twice_area(faces);
     for_each_index(loop, faces, [&](int f) {
       const auto [i, j, k] = a.face[f];
-      metric_[f] = face_metric(sub(a.image[j], a.image[i]), sub(a.image[k], a.image[i]), as_it_is);
+      metric_[f] = face_metric(a.image[i], a.image[j], a.image[k], as_it_is);
       twice_area[f] = metric_[f].twice_area;
       metric_[f].twice_area = determinant(a.image[i], a.image[j], a.image[k]); // what determinants are compared with
     });

@@ -117,8 +117,7 @@ public:
         Corner& corner = corner_[c];
         if(corner.number > 0)
           continue;
-        corner.metric =
-          in_six_digits(face_metric(sub(points[vertex_[corner.j]], p), sub(points[vertex_[corner.k]], p), absolute));
+        corner.metric = in_six_digits(face_metric(p, points[vertex_[corner.j]], points[vertex_[corner.k]], absolute));
         density.apply(mesh, corner.face, absolute.area, corner.metric);
         corner_of_face_[std::exchange(corner.face, face++) / 3] = c;
       }

@@ -222,7 +222,7 @@ private:
   }
 
   /// The approximate Newton direction, as far as the matrix is positive.
-  std::vector<vec3> solve(int maximum_iterations, double tolerance)
+  Host_array<vec3> solve(int maximum_iterations, double tolerance)
   {
     const int n = level_.size();
     Host_array<Planar> x(n, Planar{0, 0}), r(n), p(n, Planar{0, 0}), t(n), w(n);
@@ -255,14 +255,14 @@ private:
       rr = next;
     }
     solve_upper([&](int i) { return x[i]; }, t);
-    std::vector<vec3> direction(n);
+    Host_array<vec3> direction(n);
     level_.for_each_vertex<many_steps>([&](int i) { direction[i] = tangents_[i].combined(t[i]); });
     slope_ = level_.sum_over_vertices<many_steps>([&](int i) { return inner(gradient_[i], t[i]); }) / level_.area();
     return direction;
   }
 
   /// The longest step up to 1 with which no face shrinks to less than a twentieth at once.
-  double feasible_step(const std::vector<vec3>& direction) const
+  double feasible_step(const Host_array<vec3>& direction) const
   {
     constexpr double least_share = 0.05, shrink = 0.7;
     const auto feasible = [&](int begin, int end) {
@@ -287,9 +287,9 @@ private:
   }
 
   /// The direction of the next step, and the slope along it.
-  std::vector<vec3> newton_direction(int maximum_iterations, double tolerance, double least_lift = half_lift)
+  Host_array<vec3> newton_direction(int maximum_iterations, double tolerance, double least_lift = half_lift)
   {
-    std::vector<vec3> direction;
+    Host_array<vec3> direction;
     for(double lift :
         {0., half_lift, 1.}) { // all blocks in orthonormal tangents first, then in those that the diagonal asks for
       if(lift < least_lift)
@@ -309,7 +309,7 @@ private:
     promised_gain_ = slope_ <= 0 ? -slope_ / 2 / before : 1; // NaN, from numbers out of range, promises anything
   }
 
-  double search(const std::vector<vec3>& direction)
+  double search(const Host_array<vec3>& direction)
   {
     constexpr double armijo = 1e-4;
     constexpr int maximum_halvings = 30;

@@ -124,8 +124,8 @@ private:
   {
     return sum_by_parts(loop_, static_cast<int>(problem_.face.size()), [&](int f) {
       const auto [i, j, k] = problem_.face[f];
-      const vec3 a = sub(problem_.point[j], problem_.point[i]), b = sub(problem_.point[k], problem_.point[i]);
-      return in_six_digits(face_metric(a, b, {coarse_bounds.aspect, 0})).twice_area / 2;
+      const auto& p = problem_.point;
+      return in_six_digits(face_metric(p[i], p[j], p[k], {coarse_bounds.aspect, 0})).twice_area / 2;
     });
   }
 
@@ -264,8 +264,8 @@ private:
       Star star;
       mesh_.for_each_corner(u, [&](int c) {
         const int j = mesh_.target(c), k = mesh_.apex(c);
-        Face_metric metric = in_six_digits(
-          face_metric(sub(problem_.point[j], problem_.point[u]), sub(problem_.point[k], problem_.point[u]), bounds));
+        const auto& p = problem_.point;
+        Face_metric metric = in_six_digits(face_metric(p[u], p[j], p[k], bounds));
         density_.apply(mesh_, c, bounds.area, metric);
         star.emplace_back(map_.position[j], map_.position[k], metric, level_.area_scale());
       });

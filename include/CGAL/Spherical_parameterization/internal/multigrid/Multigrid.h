@@ -76,6 +76,7 @@ public:
     if(a->size() <= bottom_size)
       bottom_inverse_ = backend.upload(dense_inverse(*a, is_singular));
     levels_.push_back({a->size(), backend.upload(a), {}, {}, {}, {}, backend.vectors(a->size()), {}, {}});
+    residual_ = backend.vectors(levels_[0].size);
   }
 
   /// Level 0 is the finest, the last one the smallest.
@@ -109,7 +110,8 @@ public:
     backend_.start_smoothing(level.matrix, first, b, x);
     backend_.smooth(level.matrix, second, b, x, y);
     backend_.scaled_residual(level.matrix, b, y, x);
-    backend_.restrict(level.matrix, level.damping, level.on_backend, b, y, x, level.coarse_b);
+    backend_.smoothed_residual(level.matrix, level.damping, b, y, x, residual_);
+    backend_.restrict(level.on_backend, residual_, level.coarse_b);
     apply(k + 1, level.coarse_b, level.coarse_x);
     backend_.correct(level.matrix, level.damping, level.on_backend, level.coarse_x, y);
     backend_.smooth(level.matrix, second, b, y, x); // in reverse order, which keeps the cycle symmetric
@@ -137,6 +139,7 @@ private:
 
   const Backend& backend_;
   std::vector<Level> levels_;
+  Vectors residual_;                         ///< of one level at a time
   typename Backend::Scalars bottom_inverse_; ///< of the last level
 };
 

@@ -78,11 +78,12 @@ struct Metric_bounds {
   double area;   ///< smallest area
 };
 
-/// The metric of the triangle with sides a, b at its first corner, after improving it to meet the bounds: the smaller
-/// principal stretch is raised to the bound of the aspect ratio, then both to that of the area.
-inline Face_metric face_metric(vec3 a, vec3 b, const Metric_bounds& bounds)
+/// The metric of the triangle p q r, after improving it to meet the bounds: the smaller principal stretch is raised to
+/// the bound of the aspect ratio, then both to that of the area.
+inline Face_metric face_metric(vec3 p, vec3 q, vec3 r, const Metric_bounds& bounds)
 {
   constexpr double root3 = 1.7320508075688772;
+  const vec3 a = sub(q, p), b = sub(r, p);
   double aa = inner(a, a), ab = inner(a, b), bb = inner(b, b);
   // The metric in the frame of an equilateral triangle of side 1.
   double xx = aa, xy = (2 * ab - aa) / root3, yy = (aa - 4 * ab + 4 * bb) / 3;

@@ -21,13 +21,6 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-/// What a face is in the source. \param f  its corners
-CGAL_SP_INLINE Face_metric metric_of(const Host_array<vec3>& point, const std::array<int, 3>& f,
-                                     const Metric_bounds& bounds)
-{
-  return face_metric(sub(point[f[1]], point[f[0]]), sub(point[f[2]], point[f[0]]), bounds);
-}
-
 constexpr Metric_bounds bounds_of_mending = {1e6, 1e-30};
 
 /// The faces that have a corner in a set of vertices.
@@ -121,7 +114,7 @@ CGAL_SP_INLINE bool untangle(const Host_array<vec3>& point, Monitor& monitor, Pa
   std::vector<Patch::Face>& faces = patch.faces();
   std::vector<double> largest(patch.size(), smallest_face);
   for(Patch::Face& f : faces) {
-    f.metric = metric_of(point, f.corner, bounds);
+    f.metric = face_metric(point[f.corner[0]], point[f.corner[1]], point[f.corner[2]], bounds);
     f.twice_area = (std::max)(smallest_face, patch.star_face(f).dirichlet(patch.position(f.corner[0])));
     for(int i : f.moving)
       if(i >= 0)
@@ -183,7 +176,7 @@ CGAL_SP_INLINE void polish(const Host_array<vec3>& point, Monitor& monitor, Patc
 {
   constexpr double hardly = 1e-10, held = 1e-6;
   for(Patch::Face& f : patch.faces()) {
-    f.metric = metric_of(point, f.corner, bounds_of_mending);
+    f.metric = face_metric(point[f.corner[0]], point[f.corner[1]], point[f.corner[2]], bounds_of_mending);
     f.twice_area = f.metric.twice_area;
     f.weight = 1;
   }
@@ -209,7 +202,7 @@ CGAL_SP_CORE Mending mend(const Host_loop& loop, const Host_array<std::array<int
 
   const auto is_flipped = [&](int f) { return !is_positively_oriented(v[face[f][0]], v[face[f][1]], v[face[f][2]]); };
   const auto is_bad = [&](int f, const std::array<vec3, 3>& x, const std::array<vec3, 3>& p) {
-    const Star_face s(x[1], x[2], face_metric(sub(p[1], p[0]), sub(p[2], p[0]), bounds_of_mending), 1);
+    const Star_face s(x[1], x[2], face_metric(p[0], p[1], p[2], bounds_of_mending), 1);
     return !(s.dirichlet(x[0]) <= bound * s.determinant(x[0])) || is_flipped(f);
   };
   std::vector<int> bad = faces_where(loop, face, is_bad, v, point);

@@ -103,7 +103,7 @@ CGAL_SP_FUNCTION void descend_at(int i, real alpha, vec3_in p, vec3_in q, vec3_o
 /* p = s + beta p */
 CGAL_SP_FUNCTION void conjugate_at(int i, real beta, vec3_in s, vec3_out p) { p[i] = add_scaled(s[i], beta, p[i]); }
 
-/* z = S D^-1 (b - A x), of which a restriction is made; S: see gain_of_smoothing() */
+/* z = S D^-1 r, where r = b - A x; S: see gain_of_smoothing() */
 CGAL_SP_FUNCTION void scaled_residual_at(int i, graph_view a, vec3_in b, vec3_in x, vec3_out z)
 {
   z[i] = scale(gain_of_smoothing(i, a), sub(b[i], laplacian(i, a, x)));
@@ -133,18 +133,21 @@ CGAL_SP_FUNCTION void correct_at(int i, graph_view a, real omega, aggregates_vie
   y[i] = add(y[i], prolonged(i, a, omega, of, x));
 }
 
-/* y = P^T r, of aggregate c, where r = b - A x, and z = S D^-1 r: P^T r = T^T (r - omega A z) */
-CGAL_SP_FUNCTION void restrict_at(int c, graph_view a, real omega, aggregates_view of, vec3_in b, vec3_in x, vec3_in z,
-                                  vec3_out y)
+/* t = r - omega A z, of which the restriction is the sum: P^T r = T^T t */
+CGAL_SP_FUNCTION void smoothed_residual_at(int i, graph_view a, real omega, vec3_in b, vec3_in x, vec3_in z, vec3_out t)
 {
-  vec3 sum = make_vec3(0, 0, 0), smoothed = sum;
-  for(int m = of.offset[c]; m < of.offset[c + 1]; ++m) {
-    const int i = of.member[m];
-    const real gain = gain_of_smoothing(i, a);
-    sum = add(sum, gain > 0 ? scale(1 / gain, z[i]) : sub(b[i], laplacian(i, a, x)));
-    smoothed = add(smoothed, laplacian(i, a, z));
-  }
-  y[c] = add_scaled(sum, -omega, smoothed);
+  const real gain = gain_of_smoothing(i, a);
+  const vec3 r = gain > 0 ? scale(1 / gain, z[i]) : sub(b[i], laplacian(i, a, x));
+  t[i] = add_scaled(r, -omega, laplacian(i, a, z));
+}
+
+/* y = T^T t, of aggregate c */
+CGAL_SP_FUNCTION void restrict_at(int c, aggregates_view of, vec3_in t, vec3_out y)
+{
+  vec3 sum = make_vec3(0, 0, 0);
+  for(int m = of.offset[c]; m < of.offset[c + 1]; ++m)
+    sum = add(sum, t[of.member[m]]);
+  y[c] = sum;
 }
 
 /* y = B x, B a dense matrix with so many columns, row by row */

@@ -38,16 +38,10 @@ KERNEL sp_conjugate(int n, real beta, vec3_in s, vec3_out p)
   conjugate_at(i, beta, s, p);
 }
 
-KERNEL sp_scaled_residual(int n, MATRIX(a), vec3_in b, vec3_in x, vec3_out z)
+KERNEL sp_residual(int n, MATRIX(a), vec3_in b, vec3_in x, vec3_out r)
 {
   FOR_EACH(i, n)
-  scaled_residual_at(i, VIEW(a), b, x, z);
-}
-
-KERNEL sp_smoothed_residual(int n, MATRIX(a), real omega, vec3_in b, vec3_in x, vec3_in z, vec3_out t)
-{
-  FOR_EACH(i, n)
-  smoothed_residual_at(i, VIEW(a), omega, b, x, z, t);
+  residual_at(i, VIEW(a), b, x, r);
 }
 
 KERNEL sp_start_smoothing(int n, real_in inverse_diagonal, real gain, vec3_in b, vec3_out x)
@@ -68,16 +62,16 @@ KERNEL sp_prolong(int n, MATRIX(a), real omega, AGGREGATES(of), vec3_in x, vec3_
   prolong_at(i, VIEW(a), omega, AGGREGATES_VIEW(of), x, y);
 }
 
-KERNEL sp_correct(int n, MATRIX(a), real omega, AGGREGATES(of), vec3_in x, vec3_out y)
+KERNEL sp_correct(int n, AGGREGATES(of), vec3_in e, vec3_out x)
 {
   FOR_EACH(i, n)
-  correct_at(i, VIEW(a), omega, AGGREGATES_VIEW(of), x, y);
+  correct_at(i, AGGREGATES_VIEW(of), e, x);
 }
 
-KERNEL sp_restrict(int n, AGGREGATES(of), vec3_in t, vec3_out y)
+KERNEL sp_restrict(int n, AGGREGATES(of), vec3_in r, vec3_out y)
 {
   FOR_EACH(c, n)
-  restrict_at(c, AGGREGATES_VIEW(of), t, y);
+  restrict_at(c, AGGREGATES_VIEW(of), r, y);
 }
 
 KERNEL sp_multiply_dense(int n, int columns, real_in b, vec3_in x, vec3_out y)

@@ -74,7 +74,6 @@ TEST_CASE("work: every level of a hierarchy is smaller than the one before, also
   for(int i = 0; i < size; ++i)
     b[i] = make_vec3(std::sin(i), i % 7, 1);
   multigrid.apply(0, b, x);
-  host.scaled_residual(multigrid.matrix(0), b, x, r);
-  const double diagonal = 1 + 2 * coupling; // but at the ends
-  CHECK(diagonal * diagonal * host.dot(r, r) < host.dot(b, b) / 9);
+  host.residual(multigrid.matrix(0), b, x, r);
+  CHECK(host.dot(r, r) < host.dot(b, b) / 9);
 }

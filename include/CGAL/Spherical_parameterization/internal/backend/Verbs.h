@@ -64,15 +64,9 @@ public:
     run(Verb<conjugate_at>{"sp_conjugate"}, p.size(), beta, s, p);
   }
 
-  void scaled_residual(const Matrix& a, const Vectors& b, const Vectors& x, Vectors& z) const
+  void residual(const Matrix& a, const Vectors& b, const Vectors& x, Vectors& r) const
   {
-    run(Verb<scaled_residual_at>{"sp_scaled_residual"}, x.size(), a, b, x, z);
-  }
-
-  void smoothed_residual(const Matrix& a, double omega, const Vectors& b, const Vectors& x, const Vectors& z,
-                         Vectors& t) const
-  {
-    run(Verb<smoothed_residual_at>{"sp_smoothed_residual"}, x.size(), a, omega, b, x, z, t);
+    run(Verb<residual_at>{"sp_residual"}, x.size(), a, b, x, r);
   }
 
   void start_smoothing(const Matrix& a, double gain, const Vectors& b, Vectors& x) const
@@ -90,14 +84,14 @@ public:
     run(Verb<prolong_at>{"sp_prolong"}, y.size(), a, omega, of, x, y);
   }
 
-  void correct(const Matrix& a, double omega, const Aggregates& of, const Vectors& x, Vectors& y) const
+  void correct(const Aggregates& of, const Vectors& e, Vectors& x) const
   {
-    run(Verb<correct_at>{"sp_correct"}, y.size(), a, omega, of, x, y);
+    run(Verb<correct_at>{"sp_correct"}, x.size(), of, e, x);
   }
 
-  void restrict(const Aggregates& of, const Vectors& t, Vectors& y) const
+  void restrict(const Aggregates& of, const Vectors& r, Vectors& y) const
   {
-    run(Verb<restrict_at>{"sp_restrict"}, y.size(), of, t, y);
+    run(Verb<restrict_at>{"sp_restrict"}, y.size(), of, r, y);
   }
 
   void multiply_dense(const Scalars& b, const Vectors& x, Vectors& y) const

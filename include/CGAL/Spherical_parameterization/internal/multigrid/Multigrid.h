@@ -76,7 +76,6 @@ public:
     if(a->size() <= bottom_size)
       bottom_inverse_ = backend.upload(dense_inverse(*a, is_singular));
     levels_.push_back({a->size(), backend.upload(a), {}, {}, {}, {}, backend.vectors(a->size()), {}, {}});
-    residual_ = backend.vectors(levels_[0].size);
   }
 
   /// Level 0 is the finest, the last one the smallest.
@@ -105,16 +104,21 @@ public:
         backend_.start_smoothing(level.matrix, 1, b, x);
       return;
     }
+    // The prolongation is P = (I - omega D^-1 A) T. After a Jacobi step of gain omega the residual is
+    // (I - omega A D^-1) r, r the one before, and its sum over an aggregate P^T r; after the correction by T e such a
+    // step makes it one by P e. So steps that smooth anyway apply both. They come in reverse order then, which keeps
+    // the cycle symmetric.
     const auto [first, second] = level.gains;
     Vectors& y = level.scratch;
     backend_.start_smoothing(level.matrix, first, b, x);
     backend_.smooth(level.matrix, second, b, x, y);
-    backend_.scaled_residual(level.matrix, b, y, x);
-    backend_.smoothed_residual(level.matrix, level.damping, b, y, x, residual_);
-    backend_.restrict(level.on_backend, residual_, level.coarse_b);
+    backend_.smooth(level.matrix, level.damping, b, y, x);
+    backend_.residual(level.matrix, b, x, y);
+    backend_.restrict(level.on_backend, y, level.coarse_b);
     apply(k + 1, level.coarse_b, level.coarse_x);
-    backend_.correct(level.matrix, level.damping, level.on_backend, level.coarse_x, y);
-    backend_.smooth(level.matrix, second, b, y, x); // in reverse order, which keeps the cycle symmetric
+    backend_.correct(level.on_backend, level.coarse_x, x);
+    backend_.smooth(level.matrix, level.damping, b, x, y);
+    backend_.smooth(level.matrix, second, b, y, x);
     backend_.smooth(level.matrix, first, b, x, y);
     std::swap(x, y);
   }
@@ -132,14 +136,13 @@ private:
     Matrix matrix;
     Shared_aggregates aggregates;
     typename Backend::Aggregates on_backend;
-    double damping; ///< of the prolongation
+    double damping; ///< of the prolongation: omega
     std::pair<double, double> gains;
     Vectors scratch, coarse_b, coarse_x;
   };
 
   const Backend& backend_;
   std::vector<Level> levels_;
-  Vectors residual_;                         ///< of one level at a time
   typename Backend::Scalars bottom_inverse_; ///< of the last level
 };
 

@@ -50,34 +50,14 @@ CGAL_SP_FUNCTION vec3 laplacian(int i, graph_view a, vec3_in x)
 }
 
 /* The prolongation of smoothed aggregation is P = (I - omega S D^-1 A) T: T gives every vertex the value of its
- * aggregate, a damped Jacobi step smooths that. It is not stored: to apply it costs one product with A. S leaves out
- * the vertices of a very high degree, as the poles of a globe have, for which P^T A P would be dense.
+ * aggregate, a damped Jacobi step smooths that. It is not stored. S leaves out the vertices of a very high degree, as
+ * the poles of a globe have, for which P^T A P would be dense.
  *
  * returns (S D^-1)_i */
 CGAL_SP_FUNCTION real gain_of_smoothing(int i, graph_view a)
 {
   const int longest_smoothed_row = 256;
   return a.offset[i + 1] - a.offset[i] <= longest_smoothed_row ? a.inverse_diagonal[i] : 0;
-}
-
-/* returns (P x)_i */
-CGAL_SP_FUNCTION vec3 prolonged(int i, graph_view a, real omega, aggregates_view of, vec3_in x)
-{
-  const vec3 zero = make_vec3(0, 0, 0);
-  const int own = of.of_vertex[i];
-  if(own < 0)
-    return zero;
-  const vec3 xi = x[own];
-  const real gain = omega * gain_of_smoothing(i, a);
-  if(gain == 0)
-    return xi;
-  vec3 sum = zero;
-  const int end = a.offset[i + 1];
-  for(int k = a.offset[i]; k < end; ++k) {
-    const int other = of.of_vertex[a.target[k]];
-    sum = add_scaled(sum, a.weight[k], sub(xi, other < 0 ? zero : x[other]));
-  }
-  return add_scaled(xi, -gain, a.excess ? add_scaled(sum, a.excess[i], xi) : sum);
 }
 
 /* y = x */
@@ -103,10 +83,10 @@ CGAL_SP_FUNCTION void descend_at(int i, real alpha, vec3_in p, vec3_in q, vec3_o
 /* p = s + beta p */
 CGAL_SP_FUNCTION void conjugate_at(int i, real beta, vec3_in s, vec3_out p) { p[i] = add_scaled(s[i], beta, p[i]); }
 
-/* z = S D^-1 r, where r = b - A x; S: see gain_of_smoothing() */
-CGAL_SP_FUNCTION void scaled_residual_at(int i, graph_view a, vec3_in b, vec3_in x, vec3_out z)
+/* r = b - A x */
+CGAL_SP_FUNCTION void residual_at(int i, graph_view a, vec3_in b, vec3_in x, vec3_out r)
 {
-  z[i] = scale(gain_of_smoothing(i, a), sub(b[i], laplacian(i, a, x)));
+  r[i] = sub(b[i], laplacian(i, a, x));
 }
 
 /* x = gain D^-1 b, the damped Jacobi step from 0 */
@@ -124,29 +104,33 @@ CGAL_SP_FUNCTION void smooth_at(int i, graph_view a, real gain, vec3_in b, vec3_
 /* y = P x */
 CGAL_SP_FUNCTION void prolong_at(int i, graph_view a, real omega, aggregates_view of, vec3_in x, vec3_out y)
 {
-  y[i] = prolonged(i, a, omega, of, x);
+  const vec3 zero = make_vec3(0, 0, 0);
+  const int own = of.of_vertex[i];
+  const vec3 xi = own < 0 ? zero : x[own];
+  const real gain = own < 0 ? 0 : omega * gain_of_smoothing(i, a);
+  vec3 sum = zero;
+  const int end = gain > 0 ? a.offset[i + 1] : 0;
+  for(int k = a.offset[i]; k < end; ++k) {
+    const int other = of.of_vertex[a.target[k]];
+    sum = add_scaled(sum, a.weight[k], sub(xi, other < 0 ? zero : x[other]));
+  }
+  y[i] = add_scaled(xi, -gain, a.excess ? add_scaled(sum, a.excess[i], xi) : sum);
 }
 
-/* y += P x */
-CGAL_SP_FUNCTION void correct_at(int i, graph_view a, real omega, aggregates_view of, vec3_in x, vec3_out y)
+/* x += T e */
+CGAL_SP_FUNCTION void correct_at(int i, aggregates_view of, vec3_in e, vec3_out x)
 {
-  y[i] = add(y[i], prolonged(i, a, omega, of, x));
+  const int own = of.of_vertex[i];
+  if(own >= 0)
+    x[i] = add(x[i], e[own]);
 }
 
-/* t = r - omega A z, of which the restriction is the sum: P^T r = T^T t */
-CGAL_SP_FUNCTION void smoothed_residual_at(int i, graph_view a, real omega, vec3_in b, vec3_in x, vec3_in z, vec3_out t)
-{
-  const real gain = gain_of_smoothing(i, a);
-  const vec3 r = gain > 0 ? scale(1 / gain, z[i]) : sub(b[i], laplacian(i, a, x));
-  t[i] = add_scaled(r, -omega, laplacian(i, a, z));
-}
-
-/* y = T^T t, of aggregate c */
-CGAL_SP_FUNCTION void restrict_at(int c, aggregates_view of, vec3_in t, vec3_out y)
+/* y = T^T r, of aggregate c */
+CGAL_SP_FUNCTION void restrict_at(int c, aggregates_view of, vec3_in r, vec3_out y)
 {
   vec3 sum = make_vec3(0, 0, 0);
   for(int m = of.offset[c]; m < of.offset[c + 1]; ++m)
-    sum = add(sum, t[of.member[m]]);
+    sum = add(sum, r[of.member[m]]);
   y[c] = sum;
 }
 

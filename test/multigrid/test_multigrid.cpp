@@ -382,7 +382,9 @@ TEST_CASE("conjugate gradients solve, in few steps, and no fixed vertex moves", 
   const std::size_t steps = I::conjugate_gradients(host, multigrid, 0, b, 1e-10, monitor, 0, x);
   CHECK(steps < 25);
   host.residual(graph, b, x, r);
-  for(int i : fixed)
+  for(int i : fixed) {
     CHECK((x[i].x == 0 && x[i].y == 0 && x[i].z == 0));
+    r[i] = {0, 0, 0};
+  }
   CHECK(host.dot(r, r) < 1e-14 * host.dot(b, b));
 }

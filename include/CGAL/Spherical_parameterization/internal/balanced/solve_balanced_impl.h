@@ -90,11 +90,16 @@ bool solve_until_valid(const Backend& backend, const Problem& problem, Start sta
                                         !(is_stuck && settled == Settled::BEYOND_MENDING);) {
       options.accuracy *= accuracy_refinement;
       options.maximum_iterations = maximum_iterations - done;
+      typename Backend::Vectors before = backend.vectors(problem.size());
+      backend.copy(v, before);
       refined = descend(options, v);
       done += refined.iterations;
       report.iterations = done;
-      report.residual = refined.residual;
-      report.energy = refined.energy;
+      if(refined.residual <= report.residual) {
+        report.residual = refined.residual;
+        report.energy = refined.energy;
+      } else // it has stalled above where it began
+        std::swap(v, before);
       settled = settle_at(options.accuracy, !refined.has_converged || options.accuracy <= finest_accuracy);
     }
     if(settled == Settled::YES || is_hopeless || done >= maximum_iterations || monitor.is_interrupted())

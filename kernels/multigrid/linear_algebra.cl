@@ -56,12 +56,6 @@ KERNEL sp_smooth(int n, MATRIX(a), real gain, vec3_in b, vec3_in x, vec3_out y)
   smooth_at(i, VIEW(a), gain, b, x, y);
 }
 
-KERNEL sp_prolong(int n, MATRIX(a), real omega, AGGREGATES(of), vec3_in x, vec3_out y)
-{
-  FOR_EACH(i, n)
-  prolong_at(i, VIEW(a), omega, AGGREGATES_VIEW(of), x, y);
-}
-
 KERNEL sp_correct(int n, AGGREGATES(of), vec3_in e, vec3_out x)
 {
   FOR_EACH(i, n)

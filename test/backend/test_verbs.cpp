@@ -331,11 +331,9 @@ TEMPLATE_LIST_TEST_CASE("every verb does the same on every backend, bit by bit",
 
   const auto aggregates = std::make_shared<const Aggregates>(random_aggregates(n, (n + 3) / 4, random));
   const Positions coarse = random.vectors((n + 3) / 4);
-  check("prolong, correct, restrict", [&](auto& t) {
+  check("correct, restrict", [&](auto& t) {
     const auto of = t.backend.upload(aggregates);
     auto c = t.backend.upload(coarse);
-    t.backend.prolong(t.a, 0.7, of, c, t.w);
-    t.wrote(t.w);
     t.backend.correct(of, c, t.y);
     t.wrote(t.y);
     t.backend.restrict(of, t.x, c);

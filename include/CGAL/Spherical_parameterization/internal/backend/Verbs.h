@@ -79,11 +79,6 @@ public:
     run(Verb<smooth_at>{"sp_smooth"}, x.size(), a, gain, b, x, y);
   }
 
-  void prolong(const Matrix& a, double omega, const Aggregates& of, const Vectors& x, Vectors& y) const
-  {
-    run(Verb<prolong_at>{"sp_prolong"}, y.size(), a, omega, of, x, y);
-  }
-
   void correct(const Aggregates& of, const Vectors& e, Vectors& x) const
   {
     run(Verb<correct_at>{"sp_correct"}, x.size(), of, e, x);

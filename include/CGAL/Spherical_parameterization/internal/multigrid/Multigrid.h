@@ -87,10 +87,14 @@ public:
   /// for the caller's use on level k, too; apply() overwrites it
   Vectors& scratch(std::size_t k) { return levels_[k].scratch; }
 
-  /// Interpolates x, of level k + 1, on level k.
+  /// Interpolates x, of level k + 1, on level k: a Jacobi step smooths the values of the aggregates.
   void prolong(std::size_t k, const Vectors& x, Vectors& y) const
   {
-    backend_.prolong(levels_[k].matrix, levels_[k].damping, levels_[k].on_backend, x, y);
+    const Level& level = levels_[k];
+    Vectors aggregated = backend_.vectors(level.size);
+    const Vectors zero = backend_.vectors(level.size);
+    backend_.correct(level.on_backend, x, aggregated);
+    backend_.smooth(level.matrix, level.damping, zero, aggregated, y);
   }
 
   /// x = M^-1 b on level k
@@ -104,9 +108,9 @@ public:
         backend_.start_smoothing(level.matrix, 1, b, x);
       return;
     }
-    // The prolongation is P = (I - omega D^-1 A) T. After a Jacobi step of gain omega the residual is
-    // (I - omega A D^-1) r, r the one before, and its sum over an aggregate P^T r; after the correction by T e such a
-    // step makes it one by P e. So steps that smooth anyway apply both. They come in reverse order then, which keeps
+    // See smoothed_prolongation(). After a Jacobi step of gain omega the residual is (I - omega A D^-1) r, r the one
+    // before, and its sum over an aggregate P^T r; after the correction by T e such a step makes it one by P e. So
+    // steps that smooth anyway apply both (and smooth where P does not). They come in reverse order then, which keeps
     // the cycle symmetric.
     const auto [first, second] = level.gains;
     Vectors& y = level.scratch;

@@ -49,17 +49,6 @@ CGAL_SP_FUNCTION vec3 laplacian(int i, graph_view a, vec3_in x)
   return a.excess ? add_scaled(sum, a.excess[i], xi) : sum;
 }
 
-/* The prolongation of smoothed aggregation is P = (I - omega S D^-1 A) T: T gives every vertex the value of its
- * aggregate, a damped Jacobi step smooths that. It is not stored. S leaves out the vertices of a very high degree, as
- * the poles of a globe have, for which P^T A P would be dense.
- *
- * returns (S D^-1)_i */
-CGAL_SP_FUNCTION real gain_of_smoothing(int i, graph_view a)
-{
-  const int longest_smoothed_row = 256;
-  return a.offset[i + 1] - a.offset[i] <= longest_smoothed_row ? a.inverse_diagonal[i] : 0;
-}
-
 /* y = x */
 CGAL_SP_FUNCTION void copy_at(int i, vec3_in x, vec3_out y) { y[i] = x[i]; }
 
@@ -101,23 +90,7 @@ CGAL_SP_FUNCTION void smooth_at(int i, graph_view a, real gain, vec3_in b, vec3_
   y[i] = add_scaled(x[i], gain * a.inverse_diagonal[i], sub(b[i], laplacian(i, a, x)));
 }
 
-/* y = P x */
-CGAL_SP_FUNCTION void prolong_at(int i, graph_view a, real omega, aggregates_view of, vec3_in x, vec3_out y)
-{
-  const vec3 zero = make_vec3(0, 0, 0);
-  const int own = of.of_vertex[i];
-  const vec3 xi = own < 0 ? zero : x[own];
-  const real gain = own < 0 ? 0 : omega * gain_of_smoothing(i, a);
-  vec3 sum = zero;
-  const int end = gain > 0 ? a.offset[i + 1] : 0;
-  for(int k = a.offset[i]; k < end; ++k) {
-    const int other = of.of_vertex[a.target[k]];
-    sum = add_scaled(sum, a.weight[k], sub(xi, other < 0 ? zero : x[other]));
-  }
-  y[i] = add_scaled(xi, -gain, a.excess ? add_scaled(sum, a.excess[i], xi) : sum);
-}
-
-/* x += T e */
+/* x += T e: every vertex gets the value of its aggregate */
 CGAL_SP_FUNCTION void correct_at(int i, aggregates_view of, vec3_in e, vec3_out x)
 {
   const int own = of.of_vertex[i];

@@ -50,20 +50,14 @@ protected:
   }
 
 private:
-  /// The entries of n rows, on average: a Gauss-Seidel sweep goes through one colour after the other. A restriction,
-  /// which has a row for every aggregate, goes through all of the matrix.
+  /// The entries of n rows, on average: a Gauss-Seidel sweep goes through one colour after the other.
   template <class... Arguments>
   void count(std::size_t n, const Arguments&... arguments) const
   {
-    const auto rows = [&n](const auto& x) {
-      if constexpr(std::is_same_v<decltype(x), const Aggregates&>)
-        n = x->of_vertex.size();
-    };
     const auto add = [&](const auto& x) {
       if constexpr(std::is_same_v<decltype(x), const Matrix&>)
         entries_ += n * x->target.size() / x->size();
     };
-    (rows(arguments), ...);
     (add(arguments), ...);
   }
 

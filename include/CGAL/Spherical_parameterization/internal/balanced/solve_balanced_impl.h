@@ -98,8 +98,10 @@ bool solve_until_valid(const Backend& backend, const Problem& problem, Start sta
       if(refined.residual <= report.residual) {
         report.residual = refined.residual;
         report.energy = refined.energy;
-      } else // it has stalled above where it began
+      } else { // it has ended above where it began
         std::swap(v, before);
+        flipped_before = 0; // the same faces will be flipped: that says nothing
+      }
       settled = settle_at(options.accuracy, !refined.has_converged || options.accuracy <= finest_accuracy);
     }
     if(settled == Settled::YES || is_hopeless || done >= maximum_iterations || monitor.is_interrupted())

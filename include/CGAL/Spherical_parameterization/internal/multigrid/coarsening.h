@@ -302,7 +302,7 @@ inline double spectral_radius(const Weighted_graph& a)
     for(int i = 0; i < n; ++i)
       x[i] = s * y[i];
   }
-  constexpr double least = 1.7; // from here on two Chebyshev steps do no harm to eigenvalues up to 2
+  constexpr double least = 1.7; // from here on the steps of a cycle do no harm to eigenvalues up to 2
   return (std::min)(2., (std::max)(least, safety * radius));
 }
 

@@ -14,7 +14,7 @@ set border 3
 set tics nomirror
 
 backends = system(sprintf("awk -F, '!/^#/ && $4 != \"backend\" && !seen[$4]++ { print $4 }' '%s'", csv))
-weights = 'barycentric conformal'
+weights = 'barycentric clamped'
 # a column, by its name, of the rows of one backend and weight
 of(name, b, w) = strcol('backend') eq b && strcol('weights') eq w ? column(name) : NaN
 width = 1.7

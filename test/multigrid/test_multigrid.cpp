@@ -275,6 +275,12 @@ TEST_CASE("the spectral radius is known from above, and not by much", "[multigri
     I::drop_weak_edges(I::Host_loop(), 0, *graph); // none; it scales the steps
   }
   const Dense a = dense(*graph);
+  for(std::size_t i = 0; i < a.size(); ++i) { // Gershgorin's bound, which the scale of the steps keeps at 2
+    double sum = 0;
+    for(double entry : a[i])
+      sum += std::abs(entry);
+    CHECK(graph->inverse_diagonal[i] * sum < 2 + 1e-12);
+  }
   std::vector<double> x(a.size());
   for(std::size_t i = 0; i < x.size(); ++i)
     x[i] = std::sin(double(i * i));

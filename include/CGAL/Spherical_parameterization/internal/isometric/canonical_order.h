@@ -135,9 +135,9 @@ inline void scale_to_unit_size(Host_array<vec3>& points)
   double square = 0;
   for(const vec3& p : points)
     square += inner(sub(p, mean), sub(p, mean)) / n;
-  if(square > 0)
-    for(vec3& p : points)
-      p = scale(1 / std::sqrt(square), p);
+  const double factor = square > 0 ? 1 / std::sqrt(square) : 1;
+  for(vec3& p : points)
+    p = scale(factor, p);
 }
 
 /// The problem of a similar mesh, of unit size, with vertices in canonical order, and with faces by their smallest

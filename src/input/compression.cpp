@@ -18,7 +18,6 @@
 
 #include <zlib.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <ios>
 #include <new>

@@ -3,12 +3,12 @@
 
 #include "input/mesh_format.h"
 
+#include "input/binary.h"
 #include "input/compression.h"
 #include "input/text_lines.h"
 
 #include <algorithm>
 #include <cstdint>
-#include <cstring>
 #include <filesystem>
 #include <iterator>
 
@@ -66,8 +66,7 @@ bool is_binary_stl(std::string_view bytes, std::size_t size)
 {
   if(bytes.size() < 84)
     return false;
-  std::uint32_t triangles = 0;
-  std::memcpy(&triangles, &bytes[80], sizeof(triangles));
+  const auto triangles = number_at<std::uint32_t>(&bytes[80]);
   return triangles > 0 && size == 84 + std::size_t(50) * triangles;
 }
 

@@ -56,6 +56,13 @@ struct Soup {
       triangles.push_back({corners[0], corners[i - 1], corners[i]});
     ++faces;
   }
+
+  /// Of coordinates that are no finite numbers, the first one is kept.
+  void note_non_finite(const std::string& file, const std::string& wrong)
+  {
+    if(!non_finite)
+      non_finite.emplace(Error_code::NON_FINITE_COORDINATE, file, wrong, non_finite_remedy);
+  }
 };
 
 /// Above this, 32-bit indices could not number all halfedges.
@@ -80,6 +87,9 @@ bool is_format_known(const std::string& file);
 /// Throws a `Refusal` of polygons that are no triangles.
 void check_triangles(const std::string& file, const Soup& soup,
                      const std::string& remedy = "triangulate the mesh, or use --triangulate");
+
+/// Throws the `Refusal` of a file with so many vertices and no faces.
+[[noreturn]] void refuse_point_cloud(const std::string& file, std::size_t vertices);
 
 /// Throws a `Refusal` if `corner` is not the number of one of so many vertices.
 void check_corner(const std::string& file, std::size_t face, int corner, std::size_t number_of_vertices);

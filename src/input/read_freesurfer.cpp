@@ -56,8 +56,7 @@ Soup read_freesurfer(const std::string& file, const std::string& bytes)
              std::to_string(bytes.size()),
            "export it again");
   if(triangles == 0)
-    throw Refusal(Error_code::EMPTY_MESH, file, "has " + std::to_string(vertices) + " vertices, but no faces",
-                  "a point cloud cannot be mapped; reconstruct a surface first");
+    refuse_point_cloud(file, static_cast<std::size_t>(vertices));
 
   Soup soup;
   soup.points.resize(static_cast<std::size_t>(vertices));
@@ -68,10 +67,8 @@ Soup read_freesurfer(const std::string& file, const std::string& bytes)
     for(double& x : soup.points[v]) {
       x = number_at<float>(at, Byte_order::BIG);
       at += 4;
-      if(!std::isfinite(x) && !soup.non_finite)
-        soup.non_finite.emplace(Error_code::NON_FINITE_COORDINATE, file,
-                                "vertex " + std::to_string(v) + " has the coordinate " + std::to_string(x),
-                                non_finite_remedy);
+      if(!std::isfinite(x))
+        soup.note_non_finite(file, "vertex " + std::to_string(v) + " has the coordinate " + std::to_string(x));
     }
   for(std::size_t f = 0; f < soup.faces; ++f)
     for(int& corner : soup.triangles[f]) {

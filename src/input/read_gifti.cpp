@@ -9,7 +9,6 @@
 #include "input/xml.h"
 #include "system/refusal.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -171,10 +170,8 @@ private:
   {
     soup_.points.resize(number_of_rows(array));
     read_numbers(array, soup_.points.size(), 3, [&](std::size_t row, std::size_t column, double x) {
-      if(!std::isfinite(x) && !soup_.non_finite)
-        soup_.non_finite.emplace(Error_code::NON_FINITE_COORDINATE, file_,
-                                 "vertex " + std::to_string(row) + " has the coordinate " + std::to_string(x),
-                                 non_finite_remedy);
+      if(!std::isfinite(x))
+        soup_.note_non_finite(file_, "vertex " + std::to_string(row) + " has the coordinate " + std::to_string(x));
       soup_.points[row][column] = x;
     });
   }
@@ -184,8 +181,7 @@ private:
     soup_.triangles.resize(number_of_rows(array));
     soup_.faces = soup_.triangles.size();
     if(soup_.faces == 0)
-      throw Refusal(Error_code::EMPTY_MESH, file_, "has no faces",
-                    "a point cloud cannot be mapped; reconstruct a surface first");
+      refuse_point_cloud(file_, soup_.points.size());
     read_numbers(array, soup_.faces, 3, [&](std::size_t row, std::size_t column, double corner) {
       // NaN, too, becomes an index that is refused
       const bool is_index = corner >= 0 && corner < static_cast<double>(largest_count) && corner == std::floor(corner);

@@ -12,8 +12,6 @@
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
@@ -23,22 +21,6 @@
 
 namespace tool {
 namespace {
-
-/// The name of a file from a URI, in which a space is %20.
-std::string percent_decoded(const std::string& uri)
-{
-  std::string text;
-  for(std::size_t i = 0; i < uri.size(); ++i) {
-    unsigned char byte = 0;
-    const char* const end = uri.data() + std::min(i + 3, uri.size());
-    if(uri[i] == '%' && i + 2 < uri.size() && std::from_chars(uri.data() + i + 1, end, byte, 16).ptr == end) {
-      text += static_cast<char>(byte);
-      i += 2;
-    } else
-      text += uri[i];
-  }
-  return text;
-}
 
 using Json = nlohmann::json;
 using Matrix = Eigen::Matrix4d;
@@ -192,11 +174,10 @@ private:
       const Eigen::Vector4d place = product(matrix, {at(0), at(1), at(2), 1});
       const std::array<double, 3> p = {place[0], place[1], place[2]};
       for(const double x : p)
-        if(!std::isfinite(x) && !soup_.non_finite)
-          soup_.non_finite.emplace(Error_code::NON_FINITE_COORDINATE, file_,
-                                   "vertex " + std::to_string(i) + " of accessor " +
-                                     std::to_string(number_of_accessor) + " has the coordinate " + std::to_string(x),
-                                   non_finite_remedy);
+        if(!std::isfinite(x))
+          soup_.note_non_finite(file_, "vertex " + std::to_string(i) + " of accessor " +
+                                         std::to_string(number_of_accessor) + " has the coordinate " +
+                                         std::to_string(x));
       result.push_back(welded_.index_of(p));
     }
     return result;

@@ -68,6 +68,12 @@ void check_triangles(const std::string& file, const Soup& soup, const std::strin
                   remedy);
 }
 
+void refuse_point_cloud(const std::string& file, std::size_t vertices)
+{
+  throw Refusal(Error_code::EMPTY_MESH, file, "has " + std::to_string(vertices) + " vertices, but no faces",
+                "a point cloud cannot be mapped; reconstruct a surface first");
+}
+
 void check_corner(const std::string& file, std::size_t face, int corner, std::size_t number_of_vertices)
 {
   if(corner < 0 || std::size_t(corner) >= number_of_vertices)
@@ -109,7 +115,8 @@ Input_mesh read_mesh(const std::string& file, Polygons polygons, const std::stri
     return {Mesh(CGAL::Parallel_if_available_tag(), std::move(soup.points), std::move(soup.triangles)), soup.polygons,
             std::move(soup.annotations), std::move(soup.data)};
   } catch(const SP::Error& error) {
-    throw Refusal(error.code(), file, "has " + error.detail(), how_to_mend);
+    const bool has_mesh = error.code() != Error_code::EMPTY_MESH && error.code() != Error_code::TOO_LARGE;
+    throw Refusal(error.code(), file, "has " + error.detail(), has_mesh ? how_to_mend : "");
   }
 }
 

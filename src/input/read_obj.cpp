@@ -116,8 +116,7 @@ private:
     if(soup_.points.empty())
       throw Refusal(Error_code::EMPTY_MESH, file_, "has no vertices", "check that this is an OBJ file with a mesh");
     if(soup_.faces == 0)
-      throw Refusal(Error_code::EMPTY_MESH, file_, "has " + vertices + ", but no faces",
-                    "a point cloud cannot be mapped; reconstruct a surface first");
+      refuse_point_cloud(file_, soup_.points.size());
     if(largest_number_ > soup_.points.size())
       throw Refusal(unreadable_file, file_,
                     "face " + std::to_string(face_of_largest_number_) + " has the vertex number " +

@@ -197,8 +197,7 @@ private:
         if(element.name == "tristrips")
           throw Refusal(unreadable_file, file_, "has " + points + " and its faces as triangle strips ('tristrips')",
                         "save it with one element 'face' per triangle");
-      throw Refusal(Error_code::EMPTY_MESH, file_, "has " + points + ", but no faces",
-                    "a point cloud cannot be mapped; reconstruct a surface first");
+      refuse_point_cloud(file_, vertices_->count);
     }
     corners_ = faces_->find("vertex_indices");
     if(!corners_)
@@ -331,11 +330,9 @@ private:
   /// The same, noted if it is not finite.
   double noted(double coordinate, std::size_t vertex, const std::string& name)
   {
-    if(!std::isfinite(coordinate) && !soup_.non_finite)
-      soup_.non_finite.emplace(Error_code::NON_FINITE_COORDINATE, file_,
-                               "vertex " + std::to_string(vertex) + " has the coordinate " + name + " = " +
-                                 std::to_string(coordinate),
-                               non_finite_remedy);
+    if(!std::isfinite(coordinate))
+      soup_.note_non_finite(file_, "vertex " + std::to_string(vertex) + " has the coordinate " + name + " = " +
+                                     std::to_string(coordinate));
     return coordinate;
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
+#include "input/binary.h"
 #include "input/mesh_readers.h"
 #include "input/text_lines.h"
 #include "input/welded_points.h"
@@ -114,8 +115,7 @@ Soup read_binary_stl(const std::string& file, const std::string& bytes)
   };
   if(bytes.size() < binary_header_size)
     refuse("neither begins with 'solid' nor has the 84 bytes of a binary STL header", "check that this is an STL file");
-  std::uint32_t triangles = 0; // STL is little-endian, and so are all machines that matter
-  std::memcpy(&triangles, &bytes[80], sizeof(triangles));
+  const auto triangles = number_at<std::uint32_t>(&bytes[80]);
   const std::size_t expected = binary_header_size + triangle_size * triangles;
   const std::string announced =
     "the header announces " + std::to_string(triangles) + " triangles in " + std::to_string(expected) + " bytes, ";

@@ -43,19 +43,16 @@ protected:
   void set_coordinate(std::size_t i, double x)
   {
     soup_.points[i / 3][i % 3] = x;
-    if(!std::isfinite(x) && !soup_.non_finite)
-      soup_.non_finite.emplace(Error_code::NON_FINITE_COORDINATE, file_,
-                               "vertex " + std::to_string(i / 3) + " has the coordinate " + std::to_string(x),
-                               non_finite_remedy);
+    if(!std::isfinite(x))
+      soup_.note_non_finite(file_, "vertex " + std::to_string(i / 3) + " has the coordinate " + std::to_string(x));
   }
 
-  /// Of cells: each is larger than the one before.
-  void check_offsets(const std::vector<double>& offsets) const
+  /// Of cells: whole numbers, each larger than the one before, and the first one than `before`.
+  void check_offsets(const std::vector<double>& offsets, double before) const
   {
-    const auto are_wrong = [](double a, double b) { return !(a < b) || b != std::floor(b); }; // NaN, too
-    if(!(offsets.front() >= 0) || !(offsets.back() <= 4. * largest_count) ||
-       std::adjacent_find(offsets.begin(), offsets.end(), are_wrong) != offsets.end())
-      refuse("has offsets of faces that are not in order");
+    for(double offset : offsets)
+      if(!(offset > std::exchange(before, offset)) || offset != std::floor(offset) || offset > 4. * largest_count)
+        refuse("has offsets of faces that are not in order");
   }
 
   /// Appends a corner, and the face with its last one.
@@ -94,9 +91,7 @@ protected:
   Soup finished()
   {
     if(soup_.faces == 0)
-      throw Refusal(Error_code::EMPTY_MESH, file_,
-                    "has " + std::to_string(soup_.points.size()) + " vertices, but no faces",
-                    "a point cloud cannot be mapped; reconstruct a surface first");
+      refuse_point_cloud(file_, soup_.points.size());
     return std::move(soup_);
   }
 
@@ -255,7 +250,7 @@ private:
     std::size_t cell = 0;
     if(begin.empty() || begin.front() != 0 || begin.back() != double(second))
       refuse("has offsets of cells that do not fit their " + std::to_string(second) + " corners");
-    check_offsets(begin);
+    check_offsets(begin, -1);
     read_numbers(type(next_token(line_)), second, [&](std::size_t i, double x) {
       while(begin[cell + 1] <= double(i))
         ++cell;
@@ -269,7 +264,7 @@ private:
     const auto is = [&keyword](std::initializer_list<const char*> words) {
       return std::any_of(words.begin(), words.end(), [&](const char* word) { return keyword == word; });
     };
-    const std::string name = decoded(next_token(line_));
+    const std::string name = percent_decoded(next_token(line_));
     if(keyword == "field") {
       const std::size_t arrays = next_count();
       for(std::size_t i = 0; i < arrays; ++i) {
@@ -277,7 +272,7 @@ private:
           while(!next_line().empty())
             continue;
         line_ = is_at_end() ? std::string_view() : next_line();
-        const std::string of_array = decoded(next_token(line_));
+        const std::string of_array = percent_decoded(next_token(line_));
         const std::size_t components = next_count(), tuples = next_count();
         const std::string_view of_numbers = next_token(line_);
         read_array(of_array, type(of_numbers), components, tuples);
@@ -285,7 +280,9 @@ private:
     } else if(keyword == "scalars") {
       const Number_type& of_numbers = type(next_token(line_));
       const std::size_t components = std::string_view(line_).find_first_not_of(' ') < line_.size() ? next_count(1) : 1;
-      if(!is_at_end() && lower_case(rest_.substr(0, 12)) == "lookup_table")
+      if(is_text_)
+        is_at_end(); // which skips spaces; bytes that look like these are numbers
+      if(lower_case(rest_.substr(0, 12)) == "lookup_table")
         next_line();
       read_array(name, of_numbers, components, size_);
     } else if(keyword == "color_scalars")
@@ -314,20 +311,6 @@ private:
     read_numbers(type, components * tuples, [&](std::size_t, double x) { values.push_back(x); });
     if(is_at_points_ && tuples == soup_.points.size())
       add_array(name, type, components, values);
-  }
-
-  /// VTK writes characters that would end a word as %20.
-  static std::string decoded(std::string_view word)
-  {
-    std::string text;
-    for(std::size_t i = 0; i < word.size(); ++i) {
-      const std::string digits = word[i] == '%' ? std::string(word.substr(i + 1, 2)) : "";
-      const bool is_code =
-        digits.size() == 2 && digits.find_first_not_of("0123456789abcdefABCDEF") == std::string::npos;
-      text += is_code ? static_cast<char>(std::stoi(digits, nullptr, 16)) : word[i];
-      i += is_code ? 2 : 0;
-    }
-    return text;
   }
 
   std::string_view rest_; ///< of the bytes
@@ -399,7 +382,7 @@ private:
       return found;
     };
     const std::vector<double> ends = numbers(array("offsets"), faces);
-    check_offsets(ends);
+    check_offsets(ends, 0);
     const std::vector<double> corners = numbers(array("connectivity"), static_cast<std::size_t>(ends.back()));
     std::size_t face = 0;
     for(std::size_t i = 0; i < corners.size(); ++i) {

@@ -68,6 +68,21 @@ std::optional<std::int64_t> to_integer(std::string_view token)
   return value;
 }
 
+std::string percent_decoded(std::string_view text)
+{
+  std::string decoded;
+  for(std::size_t i = 0; i < text.size(); ++i) {
+    unsigned char byte = 0;
+    const char* const end = text.data() + std::min(i + 3, text.size());
+    if(text[i] == '%' && i + 2 < text.size() && std::from_chars(text.data() + i + 1, end, byte, 16).ptr == end) {
+      decoded += static_cast<char>(byte);
+      i += 2;
+    } else
+      decoded += text[i];
+  }
+  return decoded;
+}
+
 std::string in_quotes(std::string_view token)
 {
   constexpr std::size_t longest = 24;

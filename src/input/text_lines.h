@@ -29,6 +29,9 @@ std::optional<std::int64_t> to_integer(std::string_view token);
 /// `token` in quotes, short and printable whatever bytes a broken file has there.
 std::string in_quotes(std::string_view token);
 
+/// The text in which bytes are written as %20.
+std::string percent_decoded(std::string_view text);
+
 /// Takes the next token, which ends at white space, off the text; empty at the end.
 std::string_view next_token(std::string_view& text);
 

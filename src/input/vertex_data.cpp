@@ -359,6 +359,16 @@ void add_column(Vertex_data& data, Vertex_column column)
   data.push_back(std::move(column));
 }
 
+std::array<double, 3> colour_of_hue(double hue)
+{
+  std::array<double, 3> colour;
+  for(std::size_t k = 0; k < 3; ++k) {
+    const double phase = std::abs(std::remainder(hue - static_cast<double>(k) / 3, 1.)); // 0 to 1/2
+    colour[k] = std::clamp(2 - 6 * phase, 0., 1.);
+  }
+  return colour;
+}
+
 std::array<std::uint8_t, 3> distinct_colour(std::size_t i)
 {
   // Hues by the golden ratio: every new one falls into the largest gap. Lightness alternates, so that hues that have
@@ -366,12 +376,10 @@ std::array<std::uint8_t, 3> distinct_colour(std::size_t i)
   const double hue = std::fmod(0.58 + 0.61803398874989485 * static_cast<double>(i), 1.);
   const double light = i % 3 == 0 ? 0.95 : i % 3 == 1 ? 0.75 : 0.55;
   const double saturation = i % 2 == 0 ? 0.55 : 0.8;
+  const std::array<double, 3> pure = colour_of_hue(hue);
   std::array<std::uint8_t, 3> colour;
-  for(std::size_t k = 0; k < 3; ++k) {
-    const double phase = std::abs(std::remainder(hue - static_cast<double>(k) / 3, 1.)); // 0 to 1/2
-    const double pure = std::clamp(2 - 6 * phase, 0., 1.);
-    colour[k] = static_cast<std::uint8_t>(std::lround(255 * light * (1 - saturation * (1 - pure))));
-  }
+  for(std::size_t k = 0; k < 3; ++k)
+    colour[k] = static_cast<std::uint8_t>(std::lround(255 * light * (1 - saturation * (1 - pure[k]))));
   return colour;
 }
 

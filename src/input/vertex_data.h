@@ -51,6 +51,9 @@ std::string name_of_column(const std::string& file);
 /// The values at other vertices: `old_vertex` has for each its number before, or -1 for one that is new, and gets none.
 Vertex_data carried(const Vertex_data& data, const std::vector<int>& old_vertex);
 
+/// A saturated colour, red, green and blue in [0,1]; `hue` in turns.
+std::array<double, 3> colour_of_hue(double hue);
+
 /// Red, green and blue of the i-th of many that are to be told apart.
 std::array<std::uint8_t, 3> distinct_colour(std::size_t i);
 

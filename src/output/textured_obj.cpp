@@ -3,6 +3,7 @@
 
 #include "output/write_mesh.h"
 
+#include "input/vertex_data.h"
 #include "output/text_writer.h"
 #include "output/texture_places.h"
 
@@ -10,28 +11,11 @@
 
 #include <png.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <stdexcept>
 #include <vector>
 
 namespace tool {
-namespace {
-
-/// A saturated colour; `hue` in turns.
-std::array<png_byte, 3> colour_of_hue(double hue)
-{
-  std::array<png_byte, 3> colour;
-  for(std::size_t i = 0; i < 3; ++i) {
-    const double phase = std::abs(std::remainder(hue - static_cast<double>(i) / 3, 1.)); // 0 to 1/2
-    colour[i] = static_cast<png_byte>(30 + 170 * std::clamp(2 - 6 * phase, 0., 1.));
-  }
-  return colour;
-}
-
-} // namespace
 
 void write_textured_obj(std::ostream& out, const Mesh& mesh, const std::vector<Uv>& uv,
                         const std::string& material_file)
@@ -67,8 +51,8 @@ void write_checker(std::ostream& out, int columns, int rows)
     for(int x = 0; x < width; ++x) {
       const int column = x / square, row = y / square;
       const bool is_white = (column + row) % 2 == 0;
-      const auto colour = is_white ? std::array<png_byte, 3>{250, 250, 250} : colour_of_hue((column + 0.5) / columns);
-      pixels.insert(pixels.end(), colour.begin(), colour.end());
+      for(const double pure : colour_of_hue((column + 0.5) / columns))
+        pixels.push_back(is_white ? 250 : static_cast<png_byte>(30 + 170 * pure));
     }
 
   png_image image = {};

@@ -540,6 +540,8 @@ TEST_CASE("files of coefficients read back", "[harmonics]")
     wrong[wrong.rfind('.')] = 'x';
     CHECK_THROWS_AS(read(wrong, format), std::runtime_error);
   }
+  CHECK_THROWS_WITH(read("{ 268435456, {0,0,0}", Format::SPHARM_PDM),
+                    Catch::Contains("cut short")); // and no memory is taken
   std::ostringstream out;
   CHECK_THROWS_AS(SP::write_coefficients(out, Coefficients(3, 2), Format::SPHARM_PDM), std::runtime_error);
 }

@@ -160,6 +160,13 @@ TEST_CASE("data: files of data are read back as they were written", "[tool][data
   }
 }
 
+std::string changed(std::string text, const std::string& from, const std::string& to)
+{
+  const std::size_t at = text.find(from);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, from.size(), to);
+}
+
 TEST_CASE("data: surfaces are read back with their columns", "[tool][data]")
 {
   Scratch scratch;
@@ -183,6 +190,20 @@ TEST_CASE("data: surfaces are read back with their columns", "[tool][data]")
       check_values(copy.data[1], keys);
       check_values(tool::read_vertex_data(scratch / name, mesh.number_of_vertices())[0], data[0]);
     }
+}
+
+TEST_CASE("data: bytes that look like spaces are numbers where VTK's scalars have no lookup table", "[tool][data]")
+{
+  Scratch scratch;
+  const tool::Mesh mesh = mesh_of(bumpy_sphere(2));
+  tool::Vertex_data data = columns(mesh.number_of_vertices());
+  data.resize(1);
+  data[0].values[0] = std::ldexp(1., -511); // its first byte is a space
+  write_mesh(scratch / "out.vtk", mesh, data, false);
+  write_text(scratch / "out.vtk", changed(text_of(scratch / "out.vtk"), "LOOKUP_TABLE default\n", ""));
+  const tool::Input_mesh copy = tool::read_mesh(scratch / "out.vtk");
+  REQUIRE(copy.data.size() == 1);
+  check_values(copy.data[0], data[0]);
 }
 
 TEST_CASE("data: colours of PLY stay bytes, and normals are left out", "[tool][data]")
@@ -417,11 +438,6 @@ TEST_CASE("data: broken files are refused in one line", "[tool][data]")
     write_data(scratch / name, data);
     return text_of(scratch / name);
   };
-  const auto changed = [](std::string text, const std::string& from, const std::string& to) {
-    const std::size_t at = text.find(from);
-    REQUIRE(at != std::string::npos);
-    return text.replace(at, from.size(), to);
-  };
 
   SECTION("curv")
   {
@@ -502,6 +518,8 @@ TEST_CASE("data: broken files are refused in one line", "[tool][data]")
     check("a.vtk", changed(text, "SCALARS", "SCALAR"), "keyword");
     write_mesh(scratch / "a.vtp", mesh, data, true);
     text = text_of(scratch / "a.vtp");
+    check("a.vtp", changed(text, ">\n3\n6", ">\n0\n6"), "not in order"); // ends of faces
+    check("a.vtp", changed(text, ">\n3\n6", ">\n.5\n6"), "not in order");
     check("a.vtp", changed(text, "NumberOfPoints=\"42", "NumberOfPoints=\"43"), "size");
     check("a.vtp", changed(text, "NumberOfPolys=\"80", "NumberOfPolys=\"81"), "size");
     check("a.vtp", changed(text, "\"PolyData\"", "\"ImageData\""), "PolyData");

@@ -207,8 +207,11 @@ CGAL_SP_CORE Harmonic_coefficients coefficients_of_spharm_pdm(const std::string&
 {
   Number_reader reader(text);
   reader.expect('{');
-  const int size = reader.number<int>();
-  Harmonic_coefficients c(degree_of_size(static_cast<std::size_t>((std::max)(size, 0))), 3);
+  const auto size = static_cast<std::size_t>((std::max)(reader.number<int>(), 0));
+  constexpr std::size_t shortest = 8; // ",{0,0,0}"
+  if(size > text.size() / shortest)
+    reader.fail("cut short, since it announces " + std::to_string(size) + " coefficients,");
+  Harmonic_coefficients c(degree_of_size(size), 3);
   for(int l = 0; l <= c.degree(); ++l)
     for(int i = 0; i <= 2 * l; ++i) {
       const int m = (i + 1) / 2 * (i % 2 == 1 ? 1 : -1);

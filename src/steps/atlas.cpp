@@ -124,6 +124,9 @@ private:
     exit_code_ = std::max(exit_code_, run_collection(collection));
   }
 
+  /// In the step that was run last. A file may also be one of an earlier run.
+  bool is_done(const Item& item) const { return said_.at(item.name).first == "OK"; }
+
   /// The maps of all meshes, and of the template, which need not be one of them.
   void map_meshes()
   {
@@ -161,12 +164,12 @@ private:
               },
               0});
     for(const Item& item : items_)
-      if(fs::exists(sphere_of(item), none)) {
+      if(is_done(item)) {
         mapped_.push_back(item);
         if(template_.mesh.empty())
           template_ = item;
       }
-    if(!template_.mesh.empty() && !fs::exists(sphere_of(template_), none))
+    if(!template_.mesh.empty() && !is_done(template_))
       throw Refusal(said_.at(template_.name).first, template_.mesh, "is the template, and has no map",
                     "name another --template");
     check_number(mapped_.size(), "could be mapped");
@@ -232,10 +235,9 @@ private:
   std::vector<Atlas_shape> read_shapes(int round)
   {
     std::vector<Atlas_shape> shapes;
-    std::error_code none;
     for(const Item& item : mapped_)
-      if(const std::string file = shape_of(round, item); fs::exists(file, none)) {
-        shapes.push_back({item.name, read_mesh(file).mesh.points()});
+      if(is_done(item)) {
+        shapes.push_back({item.name, read_mesh(shape_of(round, item)).mesh.points()});
         stop_if_interrupted(folder_);
       }
     check_number(shapes.size(), "could be registered");

@@ -181,6 +181,8 @@ TEST_CASE("atlas: where there is nothing to compare, nothing is written", "[tool
   const std::string one = write_off(scratch / "one.off", bumpy_sphere(1)),
                     bad = write_off(scratch / "bad.off", torus(6, 6));
   const std::string out = scratch / "atlas";
+  fs::create_directories(out + "/spheres");
+  write_off(out + "/spheres/bad.ply", bumpy_sphere(1)); // what has no row in the database is not a map of this mesh
   const Process_result run = run_tool({"atlas", one, bad, "-o", out});
   CHECK(run.exit_code == 1);
   CHECK(run.err.find("1 could be mapped") != std::string::npos);

@@ -8,7 +8,8 @@
 #include <CGAL/Spherical_parameterization/values/segmentation_methods.h>
 
 #define CGAL_SP_SEGMENTS(METHOD)                                                                                       \
-  template std::vector<int> segments_of(const Host_loop&, Mapped_surface, std::vector<double>, const METHOD&);
+  template std::vector<int> segments_of(const Watched_loop<Host_loop>&, Mapped_surface, std::vector<double>,           \
+                                        const METHOD&);
 
 namespace CGAL::Spherical_parameterization::internal {
 

@@ -4,6 +4,8 @@
 // What is done with a map: certificate, distortion, segments, textures, the inverse, shape search.
 
 #include "arrays.h"
+#include "watch.h"
+#include "system/loops.h"
 
 #include <CGAL/Spherical_parameterization/align_maps.h>
 #include <CGAL/Spherical_parameterization/distortion_summary.h>
@@ -20,10 +22,6 @@
 #include <CGAL/Spherical_parameterization/transfer_properties.h>
 
 #include <pybind11/stl.h>
-
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/parallel_for.h>
-#endif
 
 #include <algorithm>
 #include <utility>
@@ -131,18 +129,18 @@ py::array segment(const Doubles& points, const py::array& triangles, const Doubl
   const Array_map<Mesh::Face_index, std::int32_t> map(labels);
   Doubles given = stretch.is_none() ? Doubles() : Doubles(stretch);
   const double* const values = stretch.is_none() ? nullptr : given.data();
-  const SP::Segmentation_result result = on(policy, [&](const auto& p) {
-    return std::visit(
+  on_watched(policy, [&](const auto& p, const auto& np) {
+    const SP::Segmentation_result result = std::visit(
       [&](const auto& chosen) {
         if(values)
           return SP::segmentation_from_area_stretch(p, mesh, sphere_of(sphere),
-                                                    Array_map<Mesh::Face_index, const double>(values), map, chosen);
-        return SP::segmentation_via_area_stretch(p, mesh, sphere_of(sphere), map, chosen);
+                                                    Array_map<Mesh::Face_index, const double>(values), map, chosen, np);
+        return SP::segmentation_via_area_stretch(p, mesh, sphere_of(sphere), map, chosen, np);
       },
       method);
+    if(!result)
+      throw SP::Error(result.error, result.detail);
   });
-  if(!result)
-    throw SP::Error(result.error, result.detail);
   return labels;
 }
 
@@ -201,9 +199,7 @@ py::array texture_seams(const Doubles& points, const py::array& triangles, const
           {(std::min)(source(e, mesh), target(e, mesh)).idx(), (std::max)(source(e, mesh), target(e, mesh)).idx()});
     std::sort(seams.begin(), seams.end());
   }
-  auto result = make_array<std::int32_t>(seams.size(), 2);
-  std::copy(seams.begin(), seams.end(), reinterpret_cast<std::array<std::int32_t, 2>*>(result.mutable_data()));
-  return result;
+  return rows_of<std::int32_t>(seams);
 }
 
 /// The inverse of a map, with the mesh that it needs.
@@ -223,19 +219,13 @@ public:
     auto weights = make_array<double>(queries.size(), 3);
     std::int32_t* const face = faces.mutable_data();
     auto* const weight = reinterpret_cast<std::array<double, 3>*>(weights.mutable_data());
-    const auto one = [&](std::size_t i) {
-      const auto [f, w] = locator_.locate(queries[i]);
-      face[i] = f.idx();
-      weight[i] = {w[1], w[2], w[0]}; // the halfedge of a face starts at its last corner
-    };
     on(policy, [&](const auto& p) {
-      if constexpr(std::is_same_v<std::decay_t<decltype(p)>, CGAL::Sequential_tag>)
-        for(std::size_t i = 0; i < queries.size(); ++i)
-          one(i);
-#ifdef CGAL_LINKED_WITH_TBB
-      else
-        tbb::parallel_for(std::size_t(0), queries.size(), one);
-#endif
+      tool::for_each_index(!std::is_same_v<std::decay_t<decltype(p)>, CGAL::Sequential_tag>, queries.size(),
+                           [&](std::size_t i) {
+                             const auto [f, w] = locator_.locate(queries[i]);
+                             face[i] = f.idx();
+                             weight[i] = {w[1], w[2], w[0]}; // the halfedge of a face starts at its last corner
+                           });
     });
     return py::make_tuple(faces, weights);
   }

@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <tuple>
 #include <type_traits>
 #include <variant>
 #include <vector>
@@ -134,12 +135,13 @@ py::array_t<Number, py::array::c_style> make_array(Sizes... sizes)
   return py::array_t<Number, py::array::c_style>(std::vector<py::ssize_t>{static_cast<py::ssize_t>(sizes)...});
 }
 
-/// A vector of triples as an array (n, 3).
-template <class Number, class Triples>
-py::array_t<Number, py::array::c_style> rows_of(const Triples& triples)
+/// A vector of arrays of d numbers as an array (n, d).
+template <class Number, class Rows_of_numbers>
+py::array_t<Number, py::array::c_style> rows_of(const Rows_of_numbers& rows)
 {
-  auto array = make_array<Number>(triples.size(), 3);
-  std::copy(triples.begin(), triples.end(), reinterpret_cast<std::array<Number, 3>*>(array.mutable_data()));
+  constexpr std::size_t width = std::tuple_size<typename Rows_of_numbers::value_type>::value;
+  auto array = make_array<Number>(rows.size(), width);
+  std::copy(rows.begin(), rows.end(), reinterpret_cast<std::array<Number, width>*>(array.mutable_data()));
   return array;
 }
 

@@ -19,12 +19,18 @@ namespace tool {
 namespace {
 
 /// Which options may help. Empty where the detail of the library says what to do.
-std::string remedy(const Mapping_options& options, Error_code code)
+std::string remedy(const Mapping_options& options, Error_code code, std::optional<SP::Termination> termination)
 {
   const bool has_fall_back = options.method != "automatic" && options.method != "isometric" && !options.falls_back;
   switch(code) {
-  case Error_code::NOT_CONVERGED:
-    return std::string("allow more --iterations, or try ") + (has_fall_back ? "--method automatic" : "other --weights");
+  case Error_code::NOT_CONVERGED: {
+    const bool has_stalled = termination == SP::Termination::STALLED;
+    const std::string other = options.method == "isometric" ? ""
+                              : has_fall_back               ? "--method automatic"
+                                                            : "other --weights";
+    return std::string(has_stalled ? "" : "allow more --iterations") + (has_stalled || other.empty() ? "" : ", or ") +
+           (other.empty() ? "" : "try " + other);
+  }
   case Error_code::NOT_BIJECTIVE: return has_fall_back && options.sphere.empty() ? "try --method automatic" : "";
   case Error_code::INTERRUPTED: return "allow more --max-time";
   default: return "";
@@ -99,18 +105,26 @@ void map_input(const Mapping_options& options, Mapped_mesh& input, Map_quality q
   stop_if_interrupted(options.input);
 
   const SP::Result& result = input.result;
-  const bool is_accepted =
-    result || (quality == Map_quality::CONVERGED && result.error == Error_code::NOT_BIJECTIVE && !input.sphere.empty());
+  const bool is_accepted = result || (quality == Map_quality::CONVERGED && result.error == Error_code::NOT_BIJECTIVE &&
+                                      (options.sphere.empty() ? !input.sphere.empty() : result.degree == 1));
   if(!is_accepted) {
     const std::string& file = result.error == Error_code::BAD_CONSTRAINTS ? options.fixed
                               : result.error == Error_code::BAD_DENSITY   ? options.density
                               : options.sphere.empty()                    ? options.input
                                                                           : options.sphere;
-    const std::string what_to_do = remedy(options, result.error);
+    const std::string what_to_do = remedy(options, result.error, result.termination);
     const std::string detail = what_to_do.empty() ? result.detail : without_remedy(result.detail, result.remedy);
     throw Refusal(result.error, file, get_error_message(result.error) + (detail.empty() ? "" : ": " + detail),
                   what_to_do);
   }
+}
+
+void check_answer(const Mapping_options& options, Error_code error, const std::string& detail)
+{
+  stop_if_interrupted(options.input);
+  if(error != Error_code::OK)
+    throw Refusal(error, options.input, std::string(get_error_message(error)) + ": " + detail,
+                  remedy(options, error, std::nullopt));
 }
 
 void certify_as_stored(const std::string& output, Mesh_format format, Mapped_mesh& input, const Sphere& sphere)
@@ -128,6 +142,17 @@ void certify_as_stored(const std::string& output, Mesh_format format, Mapped_mes
                   std::to_string(input.result.flipped_faces) +
                     " faces flip when the sphere is rounded to the floats of this format",
                   "write .ply, .off or .obj, which hold doubles, or try --method isometric");
+}
+
+void take_as_stored(Mesh_format format, Mapped_mesh& input)
+{
+  if(!stores_floats(format))
+    return;
+  for(Point& p : input.sphere)
+    p = on_unit_sphere(as_stored(format, Surface::SPHERE, p));
+  SP::Result& r = input.result;
+  for(double* const figure : {&r.residual, &r.energy, &r.density_deviation, &r.smallest_area, &r.smallest_edge})
+    *figure = std::numeric_limits<double>::quiet_NaN();
 }
 
 } // namespace tool

@@ -9,10 +9,13 @@
 #include "mapping/prepared_mesh.h"
 #include "mapping/spherical_map.h"
 #include "options/mapping_options.h"
+#include "system/interruption.h"
 
 #include <CGAL/Spherical_parameterization/values/Result.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <variant>
@@ -42,7 +45,7 @@ void read_data(const Mapping_options& options, std::size_t number_of_vertices, V
 /// What a command needs.
 enum class Map_quality {
   CERTIFIED, ///< no flipped face, degree 1
-  CONVERGED  ///< or flipped faces where limbs are too thin for doubles
+  CONVERGED  ///< or flipped faces where limbs are too thin for doubles; of a sphere that is given, degree 1
 };
 
 /// Maps the mesh with a progress bar, or reads the sphere that the user has. Throws a `Refusal` if there is no such
@@ -52,6 +55,21 @@ void map_input(const Mapping_options& options, Mapped_mesh& input, Map_quality q
 /// Certifies a sphere of the mesh as a file of `format` will have it, which may hold floats: the certificate of the
 /// result is that of the file then. Throws a `Refusal` that names `output` if rounding flips faces.
 void certify_as_stored(const std::string& output, Mesh_format format, Mapped_mesh& input, const Sphere& sphere);
+
+/// The sphere becomes that of such a file, which may hold floats. The figures of the result that are not computed anew
+/// are no numbers then.
+void take_as_stored(Mesh_format format, Mapped_mesh& input);
+
+/// Named parameters of a function that works with the map: signals end it, and so does --max-time, less the time that
+/// the map took.
+inline auto stopped_as_map(const Mapping_options& options, const Mapped_mesh& input)
+{
+  const double limit = options.max_time.value_or(std::numeric_limits<double>::infinity());
+  return stopped_by_signals().maximum_running_time(std::max(0., limit - input.result.seconds.total));
+}
+
+/// Throws a `Refusal` if such a function has been stopped, or has had no answer.
+void check_answer(const Mapping_options& options, Error_code error, const std::string& detail);
 
 /// Calls `function` with the mesh as it is in its file, which is not that of the map if it was mended.
 template <class Function>

@@ -46,9 +46,9 @@ void check_same_faces(const std::string& file, const std::string& mesh_file, con
 
 bool has_radius_100(double radius) { return radius > 50 && radius < 200; }
 
-/// A unit vector up to rounding is not changed: where the sphere is dense, every bit counts. Points with fewer digits
-/// are normalized, and those of a sphere of radius 100, as neuroimaging programs have it.
-Point normalized(Point p)
+} // namespace
+
+Point on_unit_sphere(Point p)
 {
   if(has_radius_100(std::hypot(p[0], p[1], p[2])))
     for(double& x : p)
@@ -58,8 +58,6 @@ Point normalized(Point p)
     return p;
   return {p[0] / length, p[1] / length, p[2] / length};
 }
-
-} // namespace
 
 SP::Result certify(const SP::Any_policy& policy, const Mesh& mesh, const std::vector<Point>& points)
 {
@@ -91,7 +89,7 @@ Given_sphere read_given_sphere(const std::string& file, const std::string& mesh_
                     "the centre of the sphere must be the origin");
     sphere.smallest_radius = std::min(sphere.smallest_radius, radius);
     sphere.largest_radius = std::max(sphere.largest_radius, radius);
-    sphere.on_unit_sphere.push_back(normalized(p));
+    sphere.on_unit_sphere.push_back(on_unit_sphere(p));
   }
   return sphere;
 }

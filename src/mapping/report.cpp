@@ -8,6 +8,7 @@
 #include <boost/algorithm/string/replace.hpp>
 #include <nlohmann/json.hpp>
 
+#include <sstream>
 #include <tuple>
 #include <type_traits>
 #include <variant>
@@ -109,6 +110,21 @@ std::pair<double, std::size_t> effort_of(const Mapping_options& options, const S
                                             options.iterations.value_or(Method::default_number_of_iterations));
     },
     method_of(options));
+}
+
+std::string verbose_text(const SP::Result& result)
+{
+  std::ostringstream text;
+  text.precision(3);
+  for(const SP::Result::Attempt& attempt : result.attempts) {
+    const bool was_said = result.fallback_reason.find(attempt.detail) < std::string::npos; // also if there is none
+    text << "tried " << attempt.method << " for " << attempt.seconds.total << " s: " << get_error_message(attempt.error)
+         << (was_said ? "" : ": " + attempt.detail) << '\n';
+  }
+  if(result.smallest_area > 0)
+    text << "smallest area " << result.smallest_area << ", smallest edge " << result.smallest_edge << " roundings; ";
+  text << "peak memory " << double(peak_memory_bytes()) / 1e6 << " MB";
+  return text.str();
 }
 
 Json report_json(const Mapping_options& options, const Mapped_mesh& input, const Report& report)

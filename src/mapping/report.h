@@ -13,7 +13,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <utility>
 
 namespace tool {
@@ -32,6 +31,9 @@ std::pair<double, std::size_t> effort_of(const Mapping_options& options, const S
 
 /// The most memory that the process has had so far.
 std::size_t peak_memory_bytes();
+
+/// What `--verbose` adds: the methods that were tried for a map, and the memory. Lines without the end of the last one.
+std::string verbose_text(const SP::Result& result);
 
 /// The report, for programs to read. What is not known is null: all of the map if there is none, and how it was made if
 /// it was given (--sphere, `certify`). File names need not be valid

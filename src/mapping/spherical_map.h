@@ -43,6 +43,11 @@ SP::Result map_to_sphere(const Mesh& mesh, Sphere& sphere, const Mapping_options
 /// need not be unit vectors, the map is their projection from the origin. Flipped faces are an error of the result.
 SP::Result certify(const SP::Any_policy& policy, const Mesh& mesh, const std::vector<Point>& points);
 
+/// The direction of a point that is not the origin. A unit vector up to rounding is not changed: where the sphere is
+/// dense, every bit counts. Points with fewer digits are normalized, and those of a sphere of radius 100, as
+/// neuroimaging programs have it.
+Point on_unit_sphere(Point p);
+
 /// A sphere about the origin, of any radius.
 struct Given_sphere {
   std::vector<Point> points; ///< as they are in the file

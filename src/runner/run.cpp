@@ -8,8 +8,6 @@
 #include "system/interruption.h"
 #include "system/standard_output.h"
 
-#include <algorithm>
-
 namespace tool {
 
 const std::string& Request::file(const std::string& option) const
@@ -25,11 +23,11 @@ Output_format Request::mesh_format(const std::string& option) const
   if(option == "--output" && !format.empty())
     for(const auto& [word, of_word] : output_formats())
       if(word == format)
-        return {of_word, ascii};
+        return {of_word, ascii, shown(name, "standard output")};
   require(name != standard_stream || option != "--output", "--format", "is required for the standard output");
   const auto of_name = format_of_name(name);
   require(of_name && *of_name != Mesh_format::STL, option, "'" + name + "' must be called " + mesh_names);
-  return {*of_name, ascii};
+  return {*of_name, ascii, name};
 }
 
 std::string Request::settings(const std::set<std::string>& left_out) const
@@ -131,6 +129,8 @@ Outcome perform(const Step& step, const Work& work, Run& run)
   }
   if(!outcome.refusal || outcome.refusal->code() != unwritable_file)
     outcome.text = run.text;
+  if(is_verbose() && run.has_maps_ && !outcome.text.empty())
+    outcome.text += '\n' + verbose_text(run.input.result);
   outcome.line = run.line;
   return outcome;
 }

@@ -3,11 +3,10 @@
 
 #include "runner/step.h"
 
-#include "system/standard_output.h"
-
 #include <CGAL/Spherical_parameterization/distortion_summary.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 
+#include <cmath>
 #include <sstream>
 
 namespace tool {
@@ -29,11 +28,15 @@ void say(Run& run)
     text << preparation
          << "the sphere has the vertices and faces of the prepared mesh, which 'prepare --steps merge,orient' writes\n";
   text << name << ": " << result.number_of_vertices << " vertices, " << result.number_of_faces << " faces\n"
-       << line.str() << ", residual " << result.residual;
+       << line.str();
+  if(std::isnan(result.residual))
+    text << ", rounded to floats";
+  else
+    text << ", residual " << result.residual;
   const std::string shortfall = SP::get_shortcoming(result);
   if(!shortfall.empty())
     text << "\nvalid, but " << shortfall;
-  if(!run.options.density.empty())
+  if(!run.options.density.empty() && !std::isnan(result.density_deviation))
     text << "\nstandard deviation of log(area / target area): " << result.density_deviation;
   text << '\n'
        << result.method << ", " << (result.method == "isometric" ? "" : run.options.weights + " weights, ")
@@ -44,17 +47,6 @@ void say(Run& run)
   text << '\n';
   if(!result.fallback_reason.empty())
     text << "automatic: " << result.fallback_reason << '\n';
-  if(is_verbose()) {
-    const auto was_said = [&](const std::string& detail) {
-      return result.fallback_reason.find(detail) < std::string::npos;
-    };
-    for(const SP::Result::Attempt& attempt : result.attempts)
-      text << "tried " << attempt.method << " for " << attempt.seconds.total
-           << " s: " << get_error_message(attempt.error)
-           << (attempt.detail.empty() || was_said(attempt.detail) ? "" : ": " + attempt.detail) << '\n';
-    text << "smallest area " << result.smallest_area << ", smallest edge " << result.smallest_edge
-         << " roundings; peak memory " << double(peak_memory_bytes()) / 1e6 << " MB\n";
-  }
   text << run.figures.seconds_total << " s: read " << input.seconds_read << ", weights " << result.seconds.weights
        << ", start map " << result.seconds.start_map << ", solve " << result.seconds.solve << ", certify "
        << result.seconds.certify;
@@ -79,7 +71,10 @@ void map(Run& run)
   run.read();
   input.needs_neighbours = run.has("--stretch-ply");
   run.map();
-  certify_as_stored(run.file(), run.mesh_format().format, input, input.sphere);
+  const Mesh_format format = run.mesh_format().format;
+  certify_as_stored(run.file(), format, input, input.sphere);
+  run.write("--output", input.mesh(), input.sphere, Surface::SPHERE);
+  take_as_stored(format, input); // what follows is about the file
 
   const Stopwatch measuring;
   if(run.has("--report"))
@@ -95,7 +90,6 @@ void map(Run& run)
   }
   if(run.has("--report") || !stretch.empty())
     run.figures.seconds_measure = measuring.seconds();
-  run.write("--output", input.mesh(), input.sphere, Surface::SPHERE);
   if(std::ostream* const file = run.out("--stretch-ply"))
     write_stretch_ply(*file, run.ascii, input.mesh(), stretch);
   run.commit();

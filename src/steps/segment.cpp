@@ -40,10 +40,12 @@ Labels segments_of(const Segment_options& own, const Mapping_options& options, M
   Labels segments(input.mesh().number_of_faces());
   SP::Majority_vote method;
   method.number_of_segments = static_cast<std::size_t>(own.number.value_or(0));
-  const SP::Segmentation_result result =
-    SP::segmentation_via_area_stretch(input.mesh(), as_map(input.sphere), as_map<Mesh::Face_index>(segments), method);
-  if(!result)
-    throw Refusal(result.error, options.input, get_error_message(result.error), result.detail);
+  const SP::Segmentation_result result = on_host(input, [&](const auto& policy) {
+    return SP::segmentation_via_area_stretch(policy, input.mesh(), as_map(input.sphere),
+                                             as_map<Mesh::Face_index>(segments), method,
+                                             stopped_as_map(options, input));
+  });
+  check_answer(options, result.error, result.detail);
   return segments;
 }
 
@@ -81,7 +83,6 @@ SP::Registration_result label_like(const Segment_options& own, const Labelled_sh
     SP::transfer_segment_labels(policy, locator, as_map<Mesh::Face_index>(labels), pair.a.mesh(),
                                 as_map(pair.registered), as_map<Mesh::Face_index>(segments),
                                 as_map<Mesh::Face_index>(segments));
-    return 0;
   });
   return pair.result;
 }
@@ -100,7 +101,9 @@ void segment(const Segment_options& own, Labelled_shape& shape, Run& run)
   Mapped_mesh& input = run.input;
   run.options.falls_back = !run.has("--method");
   run.read();
+  const Stopwatch whole;
   Labels segments = segments_of(own, run.options, input);
+  run.figures.seconds_measure = whole.seconds() - input.result.seconds.total;
   std::optional<SP::Registration_result> likeness;
   if(!own.like.empty()) {
     std::call_once(shape.is_made, [&] { make(own, run.options, shape); });

@@ -24,18 +24,15 @@ void write_page(std::ostream& out, Run& run)
   std::vector<double> values(mesh.number_of_faces());
   const auto of_faces = as_map<Mesh::Face_index>(values);
   const auto add_measure = [&](const char* name, const auto& measure) {
-    on_host(input, [&](const auto& policy) {
-      measure(policy);
-      return 0;
-    });
+    on_host(input, measure);
     page.header[name] = page.add(values);
   };
   add_measure("stretch", [&](const auto& policy) { SP::face_log_area_stretch(policy, mesh, sphere, of_faces); });
   add_measure("angle", [&](const auto& policy) { SP::face_angle_distortion(policy, mesh, sphere, of_faces); });
   add_measure("segments", [&](const auto& policy) {
-    const SP::Segmentation_result result = SP::segmentation_via_area_stretch(policy, mesh, sphere, of_faces);
-    if(!result)
-      throw Refusal(result.error, run.options.input, get_error_message(result.error), result.detail);
+    const SP::Segmentation_result result = SP::segmentation_via_area_stretch(
+      policy, mesh, sphere, of_faces, SP::Majority_vote(), stopped_as_map(run.options, input));
+    check_answer(run.options, result.error, result.detail);
   });
   page.add(mesh);
   run.figures.distortion =

@@ -6,6 +6,7 @@
 #include "helpers/solve.h"
 
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
+#include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/inner_light.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
 
@@ -69,7 +70,7 @@ TEST_CASE("a tree of rays finds the nearest face", "[segmentation]")
     int expected = -1; // the nearest of the triangles, by the plane and the three sides
     double nearest = 1e300;
     for(int f = 0; f < mesh.number_of_faces(); ++f) {
-      const vec3 n = mesh.area_vector(f);
+      const vec3 n = SP::internal::normal(mesh.point, mesh.face[f]);
       const vec3 a = mesh.point[mesh.face[f][0]];
       const double t = inner(sub(a, ray.origin), n) / inner(ray.direction, n);
       const vec3 p = add_scaled(ray.origin, t, ray.direction);
@@ -107,7 +108,8 @@ TEST_CASE("where no light is inside, it cuts nothing", "[segmentation]")
   for(auto& f : inside_out.faces)
     std::swap(f[0], f[1]);
   const Soup sheet = transformed(icosphere(3), [](const Point& p) { return Point(p.x(), p.y(), 0); });
-  const internal::Host_loop loop = internal::host_loop(CGAL::Sequential_tag());
+  internal::Monitor monitor;
+  const internal::Watched_loop<internal::Host_loop> loop(internal::Host_loop(), monitor);
   for(const Soup& soup : {inside_out, sheet}) {
     const internal::Segmentation_mesh mesh = segmentation_mesh(soup);
     std::vector<int> patches(mesh.face.size());

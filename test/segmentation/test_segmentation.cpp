@@ -496,6 +496,38 @@ TEST_CASE("what cannot be segmented", "[segmentation]")
   }
 }
 
+TEST_CASE("segmentation ends where its callback or its time limit says so", "[segmentation]")
+{
+  const Soup soup = body_with_limbs(3);
+  const Mesh mesh = make_mesh(soup);
+  const auto error_of = [&](const auto& method, const auto& np) {
+    std::map<Face, std::size_t> segments;
+    const auto result = SP::segmentation_via_area_stretch(CGAL::Parallel_if_available_tag(), mesh, on(soup.points),
+                                                          Writable_map<Face, std::size_t>{&segments}, method, np);
+    CHECK(segments.empty() == (result.error != Error_code::OK));
+    return result.error;
+  };
+  int calls = 0;
+  double last = 0;
+  const auto goes_on = [&](double fraction) {
+    ++calls;
+    CHECK(fraction >= last);
+    last = fraction;
+    return true;
+  };
+  CHECK(error_of(SP::Majority_vote(), CGAL::parameters::callback(goes_on)) == Error_code::OK);
+  CHECK(calls > 20);
+  CHECK(last > 0.5);
+  for(const int most : {0, 3, 10}) {
+    int left = most;
+    CHECK(error_of(SP::Majority_vote(), CGAL::parameters::callback([&](double) { return left-- > 0; })) ==
+          Error_code::INTERRUPTED);
+  }
+  CHECK(error_of(SP::Majority_vote(), CGAL::parameters::maximum_running_time(0.)) == Error_code::INTERRUPTED);
+  CHECK(error_of(SP::Girth_profiles(), CGAL::parameters::maximum_running_time(0.)) == Error_code::INTERRUPTED);
+  CHECK(error_of(SP::Region_growing(), CGAL::parameters::maximum_running_time(0.)) == Error_code::INTERRUPTED);
+}
+
 TEST_CASE("segmentation: options out of range", "[segmentation]")
 {
   const Soup soup = icosphere(1);

@@ -103,6 +103,27 @@ TEST_CASE("map: weights and methods are those of the library", "[tool]")
   CHECK(distance(read(output).points, solve_or_throw(soup, settings)) < 1e-7);
 }
 
+TEST_CASE("map: where the file holds floats, all figures are those of the file", "[tool]")
+{
+  Scratch scratch;
+  const std::string input = write_off(scratch / "in.off", bumpy_sphere(3));
+  const auto report_of = [&](const std::vector<std::string>& command) {
+    std::vector<std::string> with_report = command;
+    with_report.insert(with_report.end(), {"--report", scratch / "report.json"});
+    REQUIRE(run_tool(with_report).exit_code == 0);
+    return nlohmann::json::parse(text_of(scratch / "report.json"));
+  };
+  for(const char* name : {"out.off", "out.gii", "lh.sphere", "out.glb"}) {
+    CAPTURE(name);
+    const auto mapped = report_of({"map", input, "-o", scratch / name});
+    CHECK(mapped.at("residual").is_null() == (name != std::string("out.off")));
+    CHECK(mapped.at("energy").is_null() == mapped.at("residual").is_null());
+    if(name != std::string("out.glb")) // in which vertices come in another order
+      CHECK(mapped.at("distortion") == report_of({"certify", input, scratch / name}).at("distortion"));
+  }
+  CHECK(run_tool({"map", input, "-o", scratch / "out.gii"}).out.find("rounded to floats") != std::string::npos);
+}
+
 TEST_CASE("map: the report says what was done and how good the map is", "[tool]")
 {
   Scratch scratch;

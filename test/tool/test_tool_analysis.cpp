@@ -579,6 +579,26 @@ TEST_CASE("view: a page with everything in it", "[tool]")
   CHECK(fs::exists(scratch / "<in>.html"));
 }
 
+TEST_CASE("segment: flipped tips are no harm, but a sphere that is mirrored is refused", "[tool]")
+{
+  Scratch scratch;
+  const Soup soup = bumpy_sphere(3);
+  const std::string input = write_off(scratch / "in.off", soup);
+  Soup sphere = soup;
+  sphere.points = solve_or_throw(soup, Settings());
+  const auto segment = [&](const Soup& of) {
+    return run_tool({"segment", input, "--sphere", write_off(scratch / "sphere.off", of), "-o", scratch / "out.ply"});
+  };
+  CHECK(segment(sphere).exit_code == 0);
+  Soup flipped = sphere;
+  std::swap(flipped.points[soup.faces[0][0]], flipped.points[soup.faces[0][1]]);
+  CHECK(segment(flipped).exit_code == 0);
+  const Process_result mirrored =
+    segment(transformed(sphere, [](const Point& p) { return Point(-p.x(), p.y(), p.z()); }));
+  CHECK(mirrored.exit_code == 1);
+  CHECK(mirrored.err.find("the degree is -1") != std::string::npos);
+}
+
 TEST_CASE("option --sphere: the map of 'map' gives the same as mapping again", "[tool]")
 {
   Scratch scratch;

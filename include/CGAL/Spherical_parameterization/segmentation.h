@@ -13,6 +13,7 @@
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
 #include <CGAL/Spherical_parameterization/internal/api/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/api/precondition.h>
+#include <CGAL/Spherical_parameterization/internal/context/make_monitor.h>
 #include <CGAL/Spherical_parameterization/internal/distortion/Face_measures.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/segments.h>
@@ -45,9 +46,9 @@ struct Segmentation_result {
 namespace internal {
 
 /// \param read_stretch  given the map as arrays, returns the stretch of the faces, in their order
-template <class Loop, class TriangleMesh, class VertexSphereMap, class ReadStretch, class FaceSegmentMap, class Method,
+template <class TriangleMesh, class VertexSphereMap, class ReadStretch, class FaceSegmentMap, class Method,
           class NamedParameters>
-Segmentation_result segment(const Loop& loop, const TriangleMesh& mesh, VertexSphereMap sphere_map,
+Segmentation_result segment(const Host_loop& loop, const TriangleMesh& mesh, VertexSphereMap sphere_map,
                             ReadStretch read_stretch, FaceSegmentMap segment_map, const Method& method,
                             const NamedParameters& np)
 {
@@ -57,10 +58,13 @@ Segmentation_result segment(const Loop& loop, const TriangleMesh& mesh, VertexSp
   if constexpr(std::is_same_v<Method, Region_growing>)
     CGAL_SP_PRECONDITION(method.threshold >= 0, "the threshold of region growing must not be negative");
   Segmentation_result result;
+  Monitor monitor = make_monitor(np);
   try {
     Mapped_surface map = read_map(mesh, vertex_points(mesh, np), sphere_map, Reading::BREADTH_FIRST, loop);
     std::vector<double> stretch = read_stretch(map);
-    const std::vector<int> segment = segments_of(loop, std::move(map), std::move(stretch), method);
+    const Watched_loop<Host_loop> watched(loop, monitor);
+    watched.advance(0);
+    const std::vector<int> segment = segments_of(watched, std::move(map), std::move(stretch), method);
     std::size_t i = 0;
     for(auto f : faces(mesh)) {
       const std::size_t id = static_cast<std::size_t>(segment[i++]);
@@ -89,7 +93,8 @@ Segmentation_result segment(const Loop& loop, const TriangleMesh& mesh, VertexSp
 ///                    resolve nothing smaller near length 1, so limbs that are too thin end in a plateau.
 /// \param segment_map writable, key face_descriptor, value constructible from std::size_t
 /// \param method      `Majority_vote`, `Girth_profiles` or `Region_growing`
-/// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
+/// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own; `callback` and
+///                    `maximum_running_time`, as in `parameterize()`: the error is `INTERRUPTED` then
 /// \return the number of segments, or the error of the mesh or the maps
 /// \pre the options of the method are in their ranges
 template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class FaceStretchMap, class FaceSegmentMap,

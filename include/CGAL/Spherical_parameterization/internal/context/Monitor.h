@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <functional>
 #include <iostream>
+#include <limits>
 #include <string>
 #include <thread>
 #include <utility>
@@ -34,6 +35,8 @@ private:
 /// the monitor, and on no other.
 class Monitor {
 public:
+  /// Of what nobody waits for
+  Monitor() : Monitor(std::numeric_limits<double>::infinity(), {}, false) {}
   Monitor(double maximum_running_time, std::function<bool(double)> callback, bool verbose)
     : limit_(maximum_running_time), callback_(std::move(callback)), verbose_(verbose)
   {}

@@ -20,6 +20,7 @@ public:
   Watched_loop(const Loop& loop, Monitor& monitor) : loop_(loop), monitor_(monitor) {}
 
   const Loop& bare() const { return loop_; }
+  Monitor& monitor() const { return monitor_; }
 
   /// How far the stage of the work has come. Throws Error if it has to end.
   void advance(double fraction) const

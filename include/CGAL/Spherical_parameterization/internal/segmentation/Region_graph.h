@@ -5,6 +5,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SEGMENTATION_REGION_GRAPH_H
 
 #include <CGAL/Spherical_parameterization/internal/api/compiled.h>
+#include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/Segmentation_mesh.h>
 #include <CGAL/Spherical_parameterization/values/segmentation_methods.h>
 
@@ -50,10 +51,11 @@ public:
     double cost; ///< summed over the edges of the border
   };
 
-  /// `region` numbers the regions of the faces from 0 without gaps.
-  Region_graph(const Segmentation_mesh& mesh, std::vector<int> region, const Side_costs& costs)
-    : region_(std::move(region)), count_(1 + *std::max_element(region_.begin(), region_.end())), parent_(count_),
-      area_(count_, 0), perimeter_(count_, 0), borders_(count_)
+  /// `region` numbers the regions of the faces from 0 without gaps. `loop` is asked now and then whether to go on.
+  Region_graph(const Watched_loop<Host_loop>& loop, const Segmentation_mesh& mesh, std::vector<int> region,
+               const Side_costs& costs)
+    : loop_(loop), region_(std::move(region)), count_(1 + *std::max_element(region_.begin(), region_.end())),
+      parent_(count_), area_(count_, 0), perimeter_(count_, 0), borders_(count_)
   {
     std::iota(parent_.begin(), parent_.end(), 0);
     for(int f = 0; f < mesh.number_of_faces(); ++f) {
@@ -83,7 +85,9 @@ public:
     if(borders_[a].size() < borders_[b].size())
       std::swap(a, b);
     parent_[b] = a;
-    --count_;
+    constexpr int mergers_at_once = 1024;
+    if(--count_ % mergers_at_once == 0)
+      loop_.advance(0);
     area_[a] += area_[b];
     for(const Border& border : borders_[b]) {
       const int c = border.region;
@@ -144,6 +148,7 @@ private:
     row.resize(kept);
   }
 
+  const Watched_loop<Host_loop>& loop_;
   std::vector<int> region_; // of the faces, before all merging
   int count_;
   std::vector<int> parent_;
@@ -231,10 +236,10 @@ void absorb_small_regions(Region_graph& regions, double minimum_area, Key key, M
 
 /// Connected segments from labels: parts that are too small go to the neighbour with the longest common border. While
 /// there are too many, the least significant cut is taken back: that of the smallest area over its squared length.
-CGAL_SP_INLINE std::vector<int> selected_segments(const Segmentation_mesh& mesh, const std::vector<int>& label,
-                                                  const Segment_limits& limits)
+CGAL_SP_INLINE std::vector<int> selected_segments(const Watched_loop<Host_loop>& loop, const Segmentation_mesh& mesh,
+                                                  const std::vector<int>& label, const Segment_limits& limits)
 {
-  Region_graph regions(mesh, connected_components(mesh, label), side_lengths(mesh));
+  Region_graph regions(loop, mesh, connected_components(mesh, label), side_lengths(mesh));
   absorb_small_regions(regions, limits.minimum_area,
                        [](int, const Region_graph::Border& border) { return -border.cost; });
   const auto significance = [&](int a, const Region_graph::Border& border) {

@@ -75,8 +75,6 @@ struct Segmentation_mesh : Corner_table {
     for(int k = graph.offset[v]; k < graph.offset[v + 1]; ++k)
       visit(graph.target[k]);
   }
-  /// Twice the area, along the normal.
-  vec3 area_vector(int f) const { return outer(side(f, 0), sub(point[face[f][2]], point[face[f][0]])); }
 };
 
 /// Spreads from face `first` to the faces beyond its sides that `takes(face)` takes, and on from these. Faces are asked
@@ -124,8 +122,9 @@ CGAL_SP_INLINE std::vector<double> stretch_of_vertices(const Segmentation_mesh& 
 }
 
 /// Damped Jacobi sweeps of a Laplacian with weights 1 / length: takes the noise of single triangles away.
-CGAL_SP_INLINE std::vector<double> smoothed(const Segmentation_mesh& mesh, std::vector<double> value, int sweeps)
+CGAL_SP_INLINE std::vector<double> smoothed(const Segmentation_mesh& mesh, std::vector<double> value)
 {
+  constexpr int sweeps = 5;
   std::vector<double> next(value.size());
   for(int sweep = 0; sweep < sweeps; ++sweep) {
     for(int v = 0; v < mesh.number_of_vertices(); ++v) {

@@ -15,7 +15,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <memory>
 #include <numeric>
 #include <utility>
@@ -25,8 +24,7 @@ namespace CGAL::Spherical_parameterization::internal {
 
 /// The faces as vertices of a graph, two neighbours joined with weight (length of the edge) / (distance of the
 /// centroids) times `diffusion`, and the areas as excess: M + diffusion * L of the dual mesh.
-template <class Loop>
-Weighted_graph dual_diffusion(const Loop& loop, const Segmentation_mesh& mesh, double diffusion)
+CGAL_SP_INLINE Weighted_graph dual_diffusion(const Host_loop& loop, const Segmentation_mesh& mesh, double diffusion)
 {
   // A needle must not tie its neighbours together more than a good triangle would, by orders of magnitude.
   constexpr double largest_weight = 100;
@@ -50,19 +48,19 @@ Weighted_graph dual_diffusion(const Loop& loop, const Segmentation_mesh& mesh, d
 
 /// The unit normals of the faces, averaged over neighbourhoods of root mean square radius r (the mesh has area 1): one
 /// implicit step of the heat equation, (M + r^2/4 L) n' = M n. Does not depend on how finely the mesh is divided.
-template <class Loop>
-Host_array<vec3> smoothed_normals(const Loop& loop, const Segmentation_mesh& mesh, double radius)
+CGAL_SP_INLINE Host_array<vec3> smoothed_normals(const Watched_loop<Host_loop>& loop, const Segmentation_mesh& mesh,
+                                                 double radius)
 {
-  const Host_backend<Loop> backend(loop);
-  const auto dual = std::make_shared<Weighted_graph>(dual_diffusion(loop, mesh, radius * radius / 4));
-  Multigrid<Host_backend<Loop>> multigrid(backend, dual);
+  loop.advance(0);
+  const Host_backend<Host_loop> backend(loop.bare());
+  const auto dual = std::make_shared<Weighted_graph>(dual_diffusion(loop.bare(), mesh, radius * radius / 4));
+  Multigrid<Host_backend<Host_loop>> multigrid(backend, dual);
   Host_array<vec3> mass_times_normal(mesh.number_of_faces());
   for(int f = 0; f < mesh.number_of_faces(); ++f)
-    mass_times_normal[f] = scale(0.5, mesh.area_vector(f));
+    mass_times_normal[f] = scale(0.5, normal(mesh.point, mesh.face[f]));
   Host_array<vec3> normal = backend.vectors(mesh.number_of_faces());
-  Monitor monitor(std::numeric_limits<double>::infinity(), {}, false);
   constexpr double accuracy = 1e-3; // of the normals, that is 1e-3 radians
-  conjugate_gradients(backend, multigrid, 0, mass_times_normal, accuracy, monitor, 0, normal);
+  conjugate_gradients(backend, multigrid, 0, mass_times_normal, accuracy, loop.monitor(), 0, normal);
   for(vec3& n : normal)
     n = inner(n, n) > 0 ? unit(n) : make_vec3(0, 0, 0);
   return normal;
@@ -84,8 +82,7 @@ class Creases {
 public:
   static constexpr int scales = 4;
 
-  template <class Loop>
-  Creases(const Loop& loop, const Segmentation_mesh& mesh) : mesh_(mesh)
+  Creases(const Watched_loop<Host_loop>& loop, const Segmentation_mesh& mesh) : mesh_(mesh)
   {
     for(int scale = 0; scale < scales + wider; ++scale)
       normals_.push_back(smoothed_normals(loop, mesh, radius(scale)));
@@ -159,8 +156,8 @@ struct Crease_segments {
 };
 
 /// Each scale on a thread.
-template <class Loop>
-Crease_segments crease_segments(const Loop& loop, const Segmentation_mesh& mesh, const Creases& creases)
+CGAL_SP_INLINE Crease_segments crease_segments(const Watched_loop<Host_loop>& loop, const Segmentation_mesh& mesh,
+                                               const Creases& creases)
 {
   constexpr double stop = 6; // what a part of area a and perimeter p has to save, p / a, to be one
   constexpr int scale_of_patches = 1;
@@ -169,7 +166,7 @@ Crease_segments crease_segments(const Loop& loop, const Segmentation_mesh& mesh,
   loop.for_each(Creases::scales, [&](int scale) {
     std::vector<int> single(mesh.face.size());
     std::iota(single.begin(), single.end(), 0);
-    Region_graph regions(mesh, std::move(single), creases.costs(scale));
+    Region_graph regions(loop, mesh, std::move(single), creases.costs(scale));
     if(scale == scale_of_patches) {
       merge_by_normalized_cuts(regions, [&](double) { return regions.number_of_regions() > number_of_patches; });
       segments.patches = regions.labels();
@@ -182,8 +179,8 @@ Crease_segments crease_segments(const Loop& loop, const Segmentation_mesh& mesh,
 
 /// Unites segments whose border is no crease, those first whose border costs most above the limit: a long tube is one
 /// part, however much it would save to cut it.
-CGAL_SP_INLINE std::vector<int> without_flat_borders(const Segmentation_mesh& mesh, const Creases& creases,
-                                                     const std::vector<int>& label)
+CGAL_SP_INLINE std::vector<int> without_flat_borders(const Watched_loop<Host_loop>& loop, const Segmentation_mesh& mesh,
+                                                     const Creases& creases, const std::vector<int>& label)
 {
   constexpr double flat = 0.85; // of the length: the mean cost along the border, and over the scales
   Side_costs excess(mesh.face.size(), {0, 0, 0});
@@ -194,7 +191,7 @@ CGAL_SP_INLINE std::vector<int> without_flat_borders(const Segmentation_mesh& me
           excess[f][k] += creases.cost(scale, f, k) / Creases::scales;
         excess[f][k] -= flat * mesh.side_length(f, k);
       }
-  Region_graph regions(mesh, label, excess);
+  Region_graph regions(loop, mesh, label, excess);
   merge_in_order(
     regions, [](int, const Region_graph::Border& border) { return -border.cost; }, [](double key) { return key < 0; });
   return regions.labels();

@@ -5,6 +5,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SEGMENTATION_GIRTH_PROFILES_H
 
 #include <CGAL/Spherical_parameterization/internal/api/compiled.h>
+#include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
 #include <CGAL/Spherical_parameterization/internal/surface/persistence.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/Segmentation_mesh.h>
 
@@ -226,16 +227,15 @@ CGAL_SP_INLINE void add_girth_cuts(const Segmentation_mesh& mesh, const Bundle& 
 
 /// A label for every face by girth profiles round the minima of the map's scale; equal labels need not be connected.
 /// The profiles of different bundles are measured on different threads.
-template <class Loop>
-std::vector<int> girth_labels(const Loop& loop, const Segmentation_mesh& mesh, const std::vector<double>& face_stretch)
+CGAL_SP_INLINE std::vector<int> girth_labels(const Watched_loop<Host_loop>& loop, const Segmentation_mesh& mesh,
+                                             const std::vector<double>& face_stretch)
 {
-  constexpr double persistence = 3; // about twice the length of a limb over its radius
-  constexpr int smoothing = 5;
+  constexpr double persistence = 3;                  // about twice the length of a limb over its radius
   constexpr std::size_t largest_number_of_tips = 40; // more, and they are noise
   std::vector<double> scale_of_map = stretch_of_vertices(mesh, face_stretch);
   for(double& x : scale_of_map)
     x = -x;
-  scale_of_map = smoothed(mesh, std::move(scale_of_map), smoothing);
+  scale_of_map = smoothed(mesh, std::move(scale_of_map));
   const auto neighbours = [&](int v, const auto& visit) { mesh.for_each_neighbour(v, visit); };
   std::vector<vec3> tips;
   for(const Basin& basin : basins(scale_of_map, std::vector<double>(scale_of_map.size(), 1), neighbours))
@@ -255,6 +255,7 @@ std::vector<int> girth_labels(const Loop& loop, const Segmentation_mesh& mesh, c
   std::vector<int> label(mesh.face.size(), 0);
   int count = 0;
   for(const Girth_cut& cut : cuts) {
+    loop.advance(0);
     const std::vector<double> rho = log_radius(mesh, cut.centre);
     ++count;
     for(int f = 0; f < mesh.number_of_faces(); ++f)

@@ -41,7 +41,7 @@ std::vector<Flight> flights_inside(const Loop& loop, const Segmentation_mesh& me
         k = other;
     const double s = std::sqrt(quasirandom(i, step[0])), t = quasirandom(i, step[1]);
     const double square = quasirandom(i, step[2]), turn = 2 * pi * quasirandom(i, step[3]);
-    const vec3 along = mesh.side(f, k), inwards = scale(-1, mesh.area_vector(f));
+    const vec3 along = mesh.side(f, k), inwards = scale(-1, normal(mesh.point, mesh.face[f]));
     const double length = norm(along), twice_area = norm(inwards);
     if(!(length > 0 && twice_area > 0))
       return;
@@ -117,15 +117,15 @@ private:
 /// little from beyond the bend; the inside and the outside of a cup see each other through the wall. A single part if
 /// most light ends nowhere, as where the faces are turned inside out.
 /// \param patches  labels of the faces from 0 on without gaps: what is not cut
-template <class Loop>
-std::vector<int> segments_of_light(const Loop& loop, const Segmentation_mesh& mesh, const std::vector<int>& patches)
+CGAL_SP_INLINE std::vector<int> segments_of_light(const Watched_loop<Host_loop>& loop, const Segmentation_mesh& mesh,
+                                                  const std::vector<int>& patches)
 {
   constexpr int count = 1 << 16; // about 330 for each of 200 patches
   constexpr double least_share = 0.4;
   const std::vector<Flight> flights = flights_inside(loop, mesh, count);
   if(flights.size() < count / 2)
     return std::vector<int>(patches.size(), 0);
-  Region_graph regions(mesh, patches, side_lengths(mesh));
+  Region_graph regions(loop, mesh, patches, side_lengths(mesh));
   Exchange_of_light light(patches, regions.capacity(), mesh.face_area, flights);
   const auto darkness = [&](int a, const Region_graph::Border& border) { return -light.share(a, border.region); };
   merge_in_order(

@@ -70,8 +70,8 @@ private:
 /// The segmentation that disagrees little with the voters, counted in pairs of points like the Rand index does: from
 /// the common refinement on, those neighbours are merged that have most votes for it, while they have more than half
 /// of them. If the limits have a number of segments, until there are that many.
-CGAL_SP_INLINE std::vector<int> majority_segments(const Segmentation_mesh& mesh, const std::vector<Voter>& voters,
-                                                  const Segment_limits& limits)
+CGAL_SP_INLINE std::vector<int> majority_segments(const Watched_loop<Host_loop>& loop, const Segmentation_mesh& mesh,
+                                                  const std::vector<Voter>& voters, const Segment_limits& limits)
 {
   std::map<std::vector<int>, int> number_of;
   std::vector<int> label(mesh.face.size()), key(voters.size());
@@ -81,7 +81,7 @@ CGAL_SP_INLINE std::vector<int> majority_segments(const Segmentation_mesh& mesh,
     label[f] = number_of.emplace(key, static_cast<int>(number_of.size())).first->second;
   }
   const std::vector<int> region = connected_components(mesh, label);
-  Region_graph regions(mesh, region, side_lengths(mesh));
+  Region_graph regions(loop, mesh, region, side_lengths(mesh));
   Ballots ballots(mesh, region, regions.capacity(), voters);
   const auto votes_against = [&](int a, const Region_graph::Border& border) {
     return 1 - ballots.votes_for_union(a, border.region);

@@ -37,8 +37,8 @@ CGAL_SP_INLINE std::vector<int> seeds(const Segmentation_mesh& mesh, const std::
 CGAL_SP_INLINE std::vector<int> grown_labels(const Segmentation_mesh& mesh, const std::vector<double>& face_stretch,
                                              double threshold)
 {
-  constexpr int smoothing = 5; // of the stretch, or almost every second vertex would be a seed
-  const std::vector<double> stretch = smoothed(mesh, stretch_of_vertices(mesh, face_stretch), smoothing);
+  // Without smoothing almost every second vertex would be a seed.
+  const std::vector<double> stretch = smoothed(mesh, stretch_of_vertices(mesh, face_stretch));
   std::vector<int> some_face(stretch.size(), -1);
   for(int f = 0; f < mesh.number_of_faces(); ++f)
     for(int v : mesh.face[f])

@@ -77,7 +77,7 @@ class Result:
 
     @property
     def is_valid(self) -> bool:
-        """Whether the map is certified: a bijection, for which the method has converged."""
+        """Whether the map is certified: no flipped face, degree 1. How far the method came is said by `termination`."""
         return self.error is ErrorCode.OK
 
     def __bool__(self) -> bool:

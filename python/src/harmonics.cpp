@@ -14,7 +14,6 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
-#include <cmath>
 #include <sstream>
 #include <tuple>
 

@@ -16,7 +16,6 @@
 
 #include <pybind11/stl.h>
 
-#include <functional>
 #include <optional>
 #include <sstream>
 #include <string>

@@ -39,7 +39,9 @@ void sign(const std::string& file, bool mends, Signature_row& row)
   row.version = version_with_hash(file);
   row.mending = mends ? Mending::NOTHING_TO_DO : Mending::NOT_ASKED;
   std::optional<Prepared_mesh> prepared;
-  const Mesh mesh = (mends ? read_prepared_mesh(file, Prepare::ALL, prepared) : read_mesh(file)).mesh;
+  const Mesh mesh =
+    (mends ? read_prepared_mesh(file, Prepare::ALL, prepared) : read_mesh(file, Polygons::REFUSE, "--prepare does it"))
+      .mesh;
   if(prepared && !sentences(prepared->preparation).empty())
     row.mending = Mending::DONE;
   prepared.reset();

@@ -271,7 +271,6 @@ void register_pair(const Registration_options& options, Registered_pair& pair)
                        pair.points_on_b[v] = SP::interpolate(b, location, as_map(b.points()));
                      });
     }
-    return 0;
   });
   bar.hide();
   stop_if_interrupted(options.input);

@@ -54,7 +54,7 @@ public:
 std::vector<std::string> command_names(const CLI::App& app)
 {
   std::vector<std::string> names;
-  for(const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+  for(const CLI::App* command : commands_of(app))
     names.push_back(command->get_name());
   return names;
 }
@@ -62,16 +62,28 @@ std::vector<std::string> command_names(const CLI::App& app)
 std::vector<std::string> option_names(const CLI::App& app)
 {
   std::vector<std::string> names;
-  for(const CLI::Option* option : app.get_options()) {
-    for(const std::string& name : option->get_snames())
-      names.push_back('-' + name);
-    for(const std::string& name : option->get_lnames())
-      names.push_back("--" + name);
-  }
+  for(const CLI::Option* option : app.get_options())
+    for(const std::string& name : names_of(option))
+      names.push_back(name);
   return names;
 }
 
 } // namespace
+
+std::vector<const CLI::App*> commands_of(const CLI::App& app)
+{
+  return app.get_subcommands([](const CLI::App*) { return true; });
+}
+
+std::vector<std::string> names_of(const CLI::Option* option)
+{
+  std::vector<std::string> names;
+  for(const std::string& name : option->get_snames())
+    names.push_back('-' + name);
+  for(const std::string& name : option->get_lnames())
+    names.push_back("--" + name);
+  return names;
+}
 
 std::shared_ptr<CLI::FormatterBase> help_formatter() { return std::make_shared<Help_formatter>(); }
 

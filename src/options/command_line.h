@@ -8,10 +8,12 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace CLI {
 class App;
 class FormatterBase;
+class Option;
 class ParseError;
 } // namespace CLI
 
@@ -19,6 +21,11 @@ namespace tool {
 
 /// Adds options to a command. They have to live as long as it does.
 void add_options(CLI::App& command, const Options& options);
+
+std::vector<const CLI::App*> commands_of(const CLI::App& app);
+
+/// "-o", "--output"
+std::vector<std::string> names_of(const CLI::Option* option);
 
 /// What `--help` prints, in lines that fit a terminal: per option the kind of its value, its description and its
 /// default. What excludes what, which CLI11 would say at every option, is for the descriptions.

@@ -141,14 +141,14 @@ void add_mapping_options(Options& all, Mapping_options& o, bool are_for_one)
   all.begin_group("Effort");
   all
     .add("--accuracy", o.accuracy,
-         "Residual to reach; isometric: relative energy decrease at which to stop" +
+         "Residual to reach; isometric: relative energy decrease at which to stop; automatic: of the balanced map" +
            defaults(Balanced::default_accuracy, Saddle_point::default_accuracy, Isometric::default_accuracy))
     .in("(0,1)");
   all
     .add("--iterations", o.iterations,
-         "Maximum number of iterations" + defaults(Balanced::default_number_of_iterations,
-                                                   Saddle_point::default_number_of_iterations,
-                                                   Isometric::default_number_of_iterations))
+         "Maximum number of iterations; automatic: of the balanced map" +
+           defaults(Balanced::default_number_of_iterations, Saddle_point::default_number_of_iterations,
+                    Isometric::default_number_of_iterations))
     .in("[1,inf)");
   all.add("--max-time", o.max_time, "Time limit in seconds [no limit]").in("(0,inf)");
   all.begin_group(general_options);

@@ -186,10 +186,10 @@ void write_gltf(std::ostream& out, Mesh_format format, const Mesh& mesh, const s
   writer.write(out, format);
 }
 
-void write_textured_gltf(std::ostream& out, Mesh_format format, const Mesh& mesh, const std::vector<Uv>& uv,
+void write_textured_gltf(std::ostream& out, const Output_format& format, const Mesh& mesh, const std::vector<Uv>& uv,
                          const std::string& image)
 {
-  check_float_range(mesh.points());
+  check_float_range(format.name, mesh.points());
   const Texture_places places(mesh, uv);
   std::vector<std::uint32_t> corners;
   for(const Mesh::Face_index f : faces(mesh))
@@ -198,7 +198,7 @@ void write_textured_gltf(std::ostream& out, Mesh_format format, const Mesh& mesh
   Gltf_writer writer(mesh, mesh.points());
   writer.add_surface(places.vertex, corners);
   writer.add_texture(places.place, image);
-  writer.write(out, format);
+  writer.write(out, format.format);
 }
 
 } // namespace tool

@@ -15,7 +15,6 @@
 #include <limits>
 #include <sstream>
 #include <string>
-#include <utility>
 
 namespace tool {
 namespace {
@@ -56,13 +55,36 @@ Colour diverging(double t)
   return colour;
 }
 
+/// With a value at every vertex, and its colour.
+void write_coloured_ply(std::ostream& out, bool ascii, const Mesh& mesh, const std::vector<Point>& points,
+                        const std::string& name, const std::vector<double>& values)
+{
+  // The scale ends at quantiles, or a few vertices at the tips of limbs would leave everything else white. Either side
+  // has its own, since limbs can shrink by many orders of magnitude while nothing grows by more than a few.
+  constexpr double least = std::numeric_limits<double>::min();
+  std::vector<double> sorted = values;
+  const double low = std::min(quantile(sorted, 0.02), -least), high = std::max(quantile(sorted, 0.98), least);
+  std::ostringstream comment;
+  comment.precision(std::numeric_limits<double>::max_digits10);
+  comment << "colours by " << name << ": ";
+  if(low < -least)
+    comment << "blue at " << low << ", ";
+  comment << "white at 0, red at " << high;
+  std::vector<Colour> colours;
+  for(const double x : values)
+    colours.push_back(diverging(x / (x < 0 ? -low : high)));
+  Ply_extras extras = {comment.str(), colour_columns(colours), {}};
+  extras.of_vertices.push_back({Ply_column::Type::DOUBLE, name, [&values](std::size_t v) { return values[v]; }});
+  write_ply(out, ascii, mesh, points, extras);
+}
+
 } // namespace
 
 void write_mesh(std::ostream& out, const Output_format& format, const Mesh& mesh, const std::vector<Point>& points,
                 Surface surface, const Annotations& annotations, const Vertex_data& data)
 {
   if(stores_floats(format.format))
-    check_float_range(points);
+    check_float_range(format.name, points);
   switch(format.format) {
   case Mesh_format::OFF: return write_off(out, mesh, points);
   case Mesh_format::OBJ: return write_obj(out, mesh, points);
@@ -77,7 +99,7 @@ void write_mesh(std::ostream& out, const Output_format& format, const Mesh& mesh
   }
 }
 
-void check_float_range(const std::vector<Point>& points)
+void check_float_range(const std::string& file, const std::vector<Point>& points)
 {
   double largest = 0;
   for(const Point& p : points)
@@ -90,7 +112,7 @@ void check_float_range(const std::vector<Point>& points)
   wrong.precision(3);
   wrong << "the format holds floats, and the largest coordinate, " << largest << ", is "
         << (is_too_large ? "above" : "below") << " their range";
-  throw Refusal(Error_code::NON_FINITE_COORDINATE, "the output", wrong.str(), "write .ply, .off or .obj");
+  throw Refusal(Error_code::NON_FINITE_COORDINATE, file, wrong.str(), "write .ply, .off or .obj");
 }
 
 Point as_stored(Mesh_format format, Surface surface, Point point)
@@ -106,23 +128,7 @@ Point as_stored(Mesh_format format, Surface surface, Point point)
 
 void write_stretch_ply(std::ostream& out, bool ascii, const Mesh& mesh, const std::vector<double>& stretch)
 {
-  // The scale ends at quantiles, or a few vertices at the tips of limbs would leave everything else white. Either side
-  // has its own, since limbs can shrink by many orders of magnitude while nothing grows by more than a few.
-  std::vector<double> sorted = stretch;
-  const double low = std::min(quantile(sorted, 0.02), -std::numeric_limits<double>::min());
-  const double high = std::max(quantile(sorted, 0.98), std::numeric_limits<double>::min());
-  std::ostringstream comment;
-  comment.precision(std::numeric_limits<double>::max_digits10);
-  comment << "colours by log_area_stretch: blue at " << low << ", white at 0, red at " << high;
-
-  std::vector<Colour> colours;
-  colours.reserve(stretch.size());
-  for(const double x : stretch)
-    colours.push_back(diverging(x / (x < 0 ? -low : high)));
-  Ply_extras extras = {comment.str(), colour_columns(colours), {}};
-  extras.of_vertices.push_back(
-    {Ply_column::Type::DOUBLE, "log_area_stretch", [&stretch](std::size_t v) { return stretch[v]; }});
-  write_ply(out, ascii, mesh, mesh.points(), extras);
+  write_coloured_ply(out, ascii, mesh, mesh.points(), "log_area_stretch", stretch);
 }
 
 void write_variance_ply(std::ostream& out, bool ascii, const Mesh& mesh, const std::vector<Point>& points,
@@ -131,18 +137,7 @@ void write_variance_ply(std::ostream& out, bool ascii, const Mesh& mesh, const s
   std::vector<double> deviation;
   for(const double v : variance)
     deviation.push_back(std::sqrt(v));
-  std::vector<double> sorted = deviation;
-  const double high = std::max(quantile(sorted, 0.98), std::numeric_limits<double>::min());
-  std::ostringstream comment;
-  comment.precision(std::numeric_limits<double>::max_digits10);
-  comment << "colours by standard_deviation: grey at 0, red at " << high;
-  std::vector<Colour> colours;
-  for(const double x : deviation)
-    colours.push_back(diverging(x / high));
-  Ply_extras extras = {comment.str(), colour_columns(colours), {}};
-  extras.of_vertices.push_back(
-    {Ply_column::Type::DOUBLE, "standard_deviation", [&deviation](std::size_t v) { return deviation[v]; }});
-  write_ply(out, ascii, mesh, points, extras);
+  write_coloured_ply(out, ascii, mesh, points, "standard_deviation", deviation);
 }
 
 void write_segments_ply(std::ostream& out, bool ascii, const Mesh& mesh, const std::vector<std::size_t>& segments,

@@ -18,7 +18,8 @@ namespace tool {
 /// In which format to write.
 struct Output_format {
   Mesh_format format = Mesh_format::PLY;
-  bool ascii = false; ///< PLY, VTK and VTP as text
+  bool ascii = false;              ///< PLY, VTK and VTP as text
+  std::string name = "the output"; ///< of the file, for messages
 };
 
 /// What the points of a mesh are. Spheres are written with the radius that the format's programs expect.
@@ -30,7 +31,7 @@ void write_mesh(std::ostream& out, const Output_format& format, const Mesh& mesh
                 Surface surface, const Annotations& annotations = {}, const Vertex_data& data = {});
 
 /// Throws a `Refusal` if floats cannot hold the points: the largest coordinate is beyond their range, above or below.
-void check_float_range(const std::vector<Point>& points);
+void check_float_range(const std::string& file, const std::vector<Point>& points);
 
 /// The coordinates that are read from a file of that format, which may hold floats and other radii.
 Point as_stored(Mesh_format format, Surface surface, Point point);
@@ -59,7 +60,7 @@ void write_textured_obj(std::ostream& out, const Mesh& mesh, const std::vector<U
 
 /// Writes the mesh as glTF 2.0 with a vertex for every position that one has in the texture, and the image, a PNG or
 /// JPEG file, inside.
-void write_textured_gltf(std::ostream& out, Mesh_format format, const Mesh& mesh, const std::vector<Uv>& uv,
+void write_textured_gltf(std::ostream& out, const Output_format& format, const Mesh& mesh, const std::vector<Uv>& uv,
                          const std::string& image);
 
 /// The media type of a PNG or JPEG file by its first bytes, which is all that glTF can hold; empty for others.

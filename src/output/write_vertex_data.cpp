@@ -14,7 +14,6 @@
 #include <filesystem>
 #include <map>
 #include <set>
-#include <utility>
 
 namespace tool {
 namespace {

@@ -4,6 +4,7 @@
 #include "runner/manual.h"
 
 #include "input/files.h"
+#include "options/command_line.h"
 
 #include <CLI/CLI.hpp>
 #include <boost/algorithm/string/replace.hpp>
@@ -15,25 +16,9 @@
 namespace tool {
 namespace {
 
-std::vector<const CLI::App*> commands_of(const CLI::App& app)
-{
-  return app.get_subcommands([](const CLI::App*) { return true; });
-}
-
 std::vector<const CLI::Option*> options_of(const CLI::App& command)
 {
   return command.get_options([](const CLI::Option* option) { return !option->get_group().empty(); });
-}
-
-/// "-o", "--output"
-std::vector<std::string> names_of(const CLI::Option* option)
-{
-  std::vector<std::string> names;
-  for(const std::string& name : option->get_snames())
-    names.push_back('-' + name);
-  for(const std::string& name : option->get_lnames())
-    names.push_back("--" + name);
-  return names;
 }
 
 /// As troff wants it.
@@ -104,8 +89,11 @@ std::string man_page(const CLI::App& app, const std::string& frame)
       else
         says_how_to_map = true;
     std::istringstream footer(command->get_footer());
-    for(std::string line; std::getline(footer, line);)
-      text << (line.find("Example:") == 0 || line.find("Exit code:") == 0 ? ".PP\n" : "") << escaped(line) << '\n';
+    bool begins = true; // a paragraph
+    for(std::string line; std::getline(footer, line); begins = false) {
+      begins = begins || line.find("Example:") == 0 || line.find("Exit code:") == 0;
+      text << (begins ? ".PP\n" : "") << escaped(line) << '\n';
+    }
     if(says_how_to_map)
       text << ".PP\nAlso all options of the section HOW TO MAP.\n";
   }
@@ -174,7 +162,7 @@ _spherical_parameterization()
   compopt -o filenames 2>/dev/null
   while IFS= read -r file; do # of arguments meshes only
     if [ -n "$previous" ] || [ -d "$file" ] ||
-      [[ ' off obj ply stl gii glb gltf gz xz zst bz2 ' = *" $(tr '[:upper:]' '[:lower:]' <<<"${file##*.}") "* ]]; then
+      [[ ' off obj ply stl gii vtk vtp glb gltf gz xz zst bz2 ' = *" $(tr '[:upper:]' '[:lower:]' <<<"${file##*.}") "* ]]; then
       COMPREPLY+=("$file")
     fi
   done < <(compgen -f -- "$current")

@@ -18,7 +18,6 @@
 
 #include <functional>
 #include <map>
-#include <memory>
 #include <ostream>
 #include <set>
 #include <string>

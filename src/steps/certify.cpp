@@ -69,13 +69,13 @@ void certify(Run& run)
   std::ostringstream certificate, text;
   certificate << "spherical map: " << result.flipped_faces << " flipped faces, degree " << result.degree;
   text.precision(3);
-  text << run.options.input << ": " << result.number_of_vertices << " vertices, " << result.number_of_faces
+  text << run.name_of_input() << ": " << result.number_of_vertices << " vertices, " << result.number_of_faces
        << " faces\n"
        << (result        ? "valid "
            : is_mirrored ? "mirrored "
                          : "no valid ")
        << certificate.str() << '\n';
-  say_radius(text, run.options.sphere, sphere);
+  say_radius(text, shown(run.options.sphere, "standard input"), sphere);
   say_distortion(text, *run.figures.distortion);
   run.text = text.str();
   run.line = "valid " + certificate.str() + ", " + std::to_string(result.number_of_vertices) + " vertices";

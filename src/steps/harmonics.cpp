@@ -65,7 +65,6 @@ std::vector<Point> reconstructed(const Mapped_mesh& input, const SP::Harmonic_co
   on_host(input, [&](const auto& policy) {
     SP::harmonic_synthesis(policy, coefficients, input.mesh(), as_map(input.sphere), as_map(points),
                            stopped_by_signals());
-    return 0;
   });
   return points;
 }

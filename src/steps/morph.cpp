@@ -71,7 +71,7 @@ void morph(const Morph_options& own, const Registration_options& options, Run& r
   page.write(run.open(files.front().second));
   for(int step = 0; step <= own.steps; ++step) {
     const std::string& name = files[static_cast<std::size_t>(step) + 1].second;
-    write_mesh(run.open(name), {format_of_name(name).value(), own.ascii}, mesh, path(double(step) / own.steps),
+    write_mesh(run.open(name), {format_of_name(name).value(), own.ascii, name}, mesh, path(double(step) / own.steps),
                Surface::SHAPE, pair.a.file->annotations, pair.a.file->data);
     run.complete();
     stop_if_interrupted(options.input);

@@ -104,9 +104,13 @@ void resample(const Resample_options& options, Run& run)
   const Mapped_mesh target = sphere_of(options, run);
   const Mesh& out = target.mesh();
   const SP::Spherical_locator<Mesh> shape(run.mesh(), as_map(run.input.sphere));
+  constexpr std::size_t points_at_once = 4096;
   std::vector<Point> points;
-  for(const Point& direction : target.sphere)
+  for(const Point& direction : target.sphere) {
+    if(points.size() % points_at_once == 0)
+      stop_if_interrupted(run.options.input);
     points.push_back(point_at(shape, direction));
+  }
   if(!run.data.empty())
     run.data = on_host(run.input, [&](const auto& policy) {
       if(options.weights == "linear")
@@ -134,7 +138,8 @@ void resample(const Resample_options& options, Run& run)
        << (method.empty() ? "" : " map; ") << "99 % of the shape is within " << 100 * loss.distance
        << " % of its diagonal, the bounding box has lost " << 100 * loss.bounding_box << " %";
   if(loss.distance > largest_distance || loss.bounding_box > largest_loss_of_box)
-    line << "; parts that are small on the sphere are lost: try --method isometric, --area-exponent 30 or a "
+    line << "; parts that are small on the sphere are lost: try "
+         << (method == "isometric" ? "a larger --area-exponent" : "--method isometric") << " or a "
          << (options.sphere.empty() ? "larger --level" : "finer sphere");
   run.line = line.str();
   run.text = preparation_text(run.name_of_input(), run.input.prepared) + run.name_of_output() + ": " + run.line;

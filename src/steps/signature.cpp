@@ -32,7 +32,7 @@ void sign_meshes(Run& run)
   if(summary.removed > 0)
     text << ", " << summary.removed << " rows of other meshes removed";
   run.text = text.str();
-  run.exit_code = signatures > 0 ? 0 : 1;
+  run.exit_code = summary.without_signature.empty() ? 0 : 1;
 }
 
 /// The index must not take the place of what it is made of.
@@ -73,7 +73,7 @@ Step signature_step()
       Output::REQUIRED}},
     signature_work,
     "signature scans/ -o index.db",
-    "A mesh without a signature has a row that says why; the exit code is 1 if no mesh has a signature. The same "
+    "A mesh without a signature has a row that says why, and the exit code is 1. The same "
     "command resumes a run that was stopped, and brings an index up to date: only new and edited meshes are computed, "
     "and rows of other meshes are removed."};
 }

@@ -122,9 +122,8 @@ void texture(const Own_options& options, Run& run)
     if(checker)
       write_checker(*checker, 32, checker_rows(options));
   } else
-    on_mesh_of_file(input, [&](const Mesh& mesh) {
-      write_textured_gltf(*run.out(), run.mesh_format().format, mesh, uv, image_inside);
-    });
+    on_mesh_of_file(
+      input, [&](const Mesh& mesh) { write_textured_gltf(*run.out(), run.mesh_format(), mesh, uv, image_inside); });
   run.details["texture"] = {{"north", report.axes.north},
                             {"seam_faces", report.seam_faces},
                             {"moved_faces", report.moved_faces},

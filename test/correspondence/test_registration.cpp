@@ -798,7 +798,7 @@ TEST_CASE("a deformation converges in a few steps of Newton's method at any size
       ++features.number;
     }
     I::Host_array<I::vec3> x = a.image;
-    I::Monitor monitor(std::numeric_limits<double>::infinity(), {}, false);
+    I::Monitor monitor;
     const I::Refinement_report report = I::refine(loop, a, b, features, {}, {0, 1, 50, 1e-4}, monitor, x);
     INFO("level " << level << ": " << report.iterations << " steps from " << report.energy_before << " to "
                   << report.energy);

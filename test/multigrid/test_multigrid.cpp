@@ -398,7 +398,7 @@ TEST_CASE("conjugate gradients solve, in few steps, and no fixed vertex moves", 
   for(int i : fixed)
     b[i] = {0, 0, 0};
   Positions x = host.vectors(graph->size()), r = x;
-  I::Monitor monitor(std::numeric_limits<double>::infinity(), {}, false);
+  I::Monitor monitor;
   const std::size_t steps = I::conjugate_gradients(host, multigrid, 0, b, 1e-10, monitor, 0, x);
   CHECK(steps < 25);
   host.residual(graph, b, x, r);

@@ -70,7 +70,7 @@ struct Result {
 
   /// \name Work
   /// @{
-  std::optional<Termination> termination; ///< why the method ended; empty if there is no map
+  std::optional<Termination> termination; ///< why the method ended; empty if the input was refused
   std::size_t start_iterations = 0;       ///< iterations for the start map, on all coarse levels together
   std::size_t iterations = 0;             ///< iterations of the method: descent steps, or saddle-point problems solved
   std::size_t sweeps = 0;                 ///< Jacobi or Gauss-Seidel sweeps (saddle-point method; else 0)

@@ -7,7 +7,6 @@
 #include <CGAL/Spherical_parameterization/internal/backend/vertex_formulas.h>
 
 #include <array>
-#include <cstddef>
 
 namespace CGAL::Spherical_parameterization::internal {
 

@@ -31,13 +31,6 @@ inline vec3 mean_of_corners(const std::array<int, 3>& corner, const std::array<d
   return mean;
 }
 
-/// A third of the area of its faces, by vertex.
-inline Host_array<double> vertex_areas(const Host_loop& loop, const Registered_surface& surface)
-{
-  return thirds_at_vertices(loop, surface.face, static_cast<int>(surface.point.size()),
-                            [&](int f) { return norm(normal(surface.point, surface.face[f])) / 2; });
-}
-
 /// A vertex of A, and where it should go on the sphere.
 struct Registration_landmark {
   int vertex;

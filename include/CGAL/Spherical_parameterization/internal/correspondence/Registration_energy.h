@@ -71,7 +71,7 @@ public:
     : loop_(loop), a_(a), b_(b), features_(features), landmarks_(landmarks),
       landmark_stiffness_(landmarks.empty() ? 0 : settings.landmark_weight / double(landmarks.size())),
       isometry_weight_(settings.isometry_weight), walk_(b), metric_(a.face.size()), corner_offset_(a.point.size() + 1),
-      corner_(3 * a.face.size()), surface_part_(vertex_areas(loop, a)), force_(3 * a.face.size()),
+      corner_(3 * a.face.size()), surface_part_(vertex_areas(loop, a.face, a.point)), force_(3 * a.face.size()),
       face_of_(a.point.size(), -1)
   {
     constexpr Metric_bounds as_it_is = {1e100, 0};

@@ -14,9 +14,7 @@
 #include <CGAL/Spherical_parameterization/internal/relaxation/Face_hessian.h>
 
 #include <algorithm>
-#include <array>
 #include <memory>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {

@@ -88,7 +88,7 @@ public:
       for(const Climber& c : climbers)
         known.push_back(c.best.map);
       for(const Candidate& c : from)
-        if(most > 0 && is_apart(c.map, known, a_.some, different)) {
+        if(most > 0 && is_apart(c.map, known, different)) {
           climbers.push_back({c, c});
           go_on(climbers.back(), much, patience);
           known.push_back(c.map);
@@ -189,8 +189,8 @@ private:
   {
     std::vector<Map> result;
     for(const Map& m : maps)
-      if(result.size() < number && is_apart(m, result, a_.some, rough_distance) &&
-         (known.empty() || is_apart(m, {known}, a_.some, rough_distance)))
+      if(result.size() < number && is_apart(m, result, rough_distance) &&
+         (known.empty() || is_apart(m, {known}, rough_distance)))
         result.push_back(m);
     return result;
   }
@@ -202,7 +202,7 @@ private:
     std::vector<Candidate> result;
     std::vector<Map> maps;
     for(Candidate& c : pool)
-      if(result.size() < number && is_apart(c.map, maps, a_.some, limit)) {
+      if(result.size() < number && is_apart(c.map, maps, limit)) {
         maps.push_back(c.map);
         result.push_back(std::move(c));
       }

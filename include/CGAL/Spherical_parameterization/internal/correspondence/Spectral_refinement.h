@@ -202,9 +202,9 @@ public:
   }
 
   /// Whether a map is farther from all others than `limit`.
-  bool is_apart(const Map& map, const std::vector<Map>& others, const Cells& cells, double limit) const
+  bool is_apart(const Map& map, const std::vector<Map>& others, double limit) const
   {
-    return std::all_of(others.begin(), others.end(), [&](const Map& o) { return distance(map, o, cells) > limit; });
+    return std::all_of(others.begin(), others.end(), [&](const Map& o) { return distance(map, o, a_.some) > limit; });
   }
 
   /// From 0 to 1.

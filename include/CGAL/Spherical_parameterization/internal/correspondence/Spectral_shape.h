@@ -122,8 +122,7 @@ private:
       image(map.image), vertex_near(loop, map), graph(table, map.point)
   {
     const int n = size();
-    const Host_array<double> on_sphere =
-      thirds_at_vertices(loop, map.face, n, [&](int f) { return norm(normal(image, map.face[f])) / 2; });
+    const Host_array<double> on_sphere = vertex_areas(loop, map.face, image);
     constexpr double least = 1e-12;
     for(int i = 0; i < n; ++i)
       stretch[i] = std::log((std::max)(area[i], least) / (std::max)(on_sphere[i] / (4 * pi), least));

@@ -32,9 +32,9 @@ struct Refinement_report {
   int iterations = 0;
   bool has_converged = false;
   double energy_before = 0, energy = 0;
-  double mismatch_before = 0, mismatch = 0; ///< the part of the features
-  double stretching = 0;                    ///< of surface A onto surface B: 4 where there is none
-  double distortion = 0;                    ///< the part of the symmetric Dirichlet energy
+  double mismatch = 0;   ///< the part of the features
+  double stretching = 0; ///< of surface A onto surface B: 4 where there is none
+  double distortion = 0; ///< the part of the symmetric Dirichlet energy
 };
 
 /// What a surface looks like at a scale, given as a length on the surface of area 4 pi: the logarithm of its area by

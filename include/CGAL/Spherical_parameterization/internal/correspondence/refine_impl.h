@@ -29,7 +29,7 @@ template <class...>
 class Heat_flow {
 public:
   Heat_flow(const Host_loop& loop, const Registered_surface& surface)
-    : backend_(loop), area_(vertex_areas(loop, surface))
+    : backend_(loop), area_(vertex_areas(loop, surface.face, surface.point))
   {
     Spring_lengths lengths;
     laplacian_ = conformal_graph(loop, surface, surface.point, lengths);
@@ -99,15 +99,11 @@ CGAL_SP_CORE std::vector<Host_array<double>> shape_features(const Host_loop& loo
   const int n = static_cast<int>(surface.point.size());
   const Heat_flow<> flow(loop, surface);
   const Host_array<double>& area = flow.area();
-  Host_array<double> sphere_area(n, 0.);
+  const Host_array<double> sphere_area = vertex_areas(loop, surface.face, surface.image);
   Host_array<vec3> normals(n, make_vec3(0, 0, 0));
-  for(const std::array<int, 3>& f : surface.face) {
-    const vec3 up = normal(surface.point, f), on_sphere = normal(surface.image, f);
-    for(int i : f) {
-      sphere_area[i] += norm(on_sphere) / 6;
-      normals[i] = add(normals[i], up);
-    }
-  }
+  for(const std::array<int, 3>& f : surface.face)
+    for(int i : f)
+      normals[i] = add(normals[i], normal(surface.point, f));
   // The stretch, and the mean curvature by the Laplacian (M. Meyer, M. Desbrun, P. Schroeder, A. Barr, "Discrete
   // differential-geometry operators for triangulated 2-manifolds", 2003)
   std::vector<Host_array<double>> field(2, Host_array<double>(n, 0.));
@@ -171,7 +167,6 @@ CGAL_SP_CORE Refinement_report refine(const Host_loop& loop, const Registered_su
   Refinement_report report;
   double now = energy.value(x);
   report.energy_before = now;
-  report.mismatch_before = energy.mismatch();
   const auto complete = [&] {
     report.energy = now;
     report.mismatch = energy.mismatch();

@@ -83,7 +83,10 @@ public:
     return features_;
   }
 
-  Centring centring() const { return Centring(loop_.bare(), vertex_areas(loop_.bare(), surface), surface.image); }
+  Centring centring() const
+  {
+    return Centring(loop_.bare(), vertex_areas(loop_.bare(), surface.face, surface.point), surface.image);
+  }
 
   /// Of the centred map.
   std::vector<Host_array<double>> features(double scale, const Centring& centring) const

@@ -123,10 +123,7 @@ public:
   Host_array<double> values(const Loop& loop, double (Face_measures::*measure)(int) const) const
   {
     Host_array<double> result(map_.face.size());
-    for_each_part(loop, number_of_faces(), [&](int begin, int end) {
-      for(int f = begin; f < end; ++f)
-        result[f] = (this->*measure)(f);
-    });
+    for_each_index(loop, number_of_faces(), [&](int f) { result[f] = (this->*measure)(f); });
     return result;
   }
 

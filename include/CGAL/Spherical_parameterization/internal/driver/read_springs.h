@@ -12,6 +12,7 @@
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Vertex_numbering.h>
 #include <CGAL/Spherical_parameterization/internal/surface/breadth_first.h>
+#include <CGAL/Spherical_parameterization/internal/surface/check_face_graph.h>
 #include <CGAL/Spherical_parameterization/internal/surface/conformal_graph.h>
 #include <CGAL/Spherical_parameterization/internal/surface/neighbours.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
@@ -31,7 +32,9 @@
 #include <optional>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <variant>
+#include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 
@@ -134,11 +137,18 @@ Springs read_springs(const TriangleMesh& mesh, const Surface& surface, const Ver
 
 /// The edges of the intrinsic Delaunay triangulation of the surface, with cotangent weights.
 template <class TriangleMesh>
-Springs read_springs(const TriangleMesh&, const Surface& surface, const Vertices<TriangleMesh>&, Conformal_weights,
+Springs read_springs(const TriangleMesh& mesh, const Surface& surface, const Vertices<TriangleMesh>&, Conformal_weights,
                      const Watched_loop<Host_loop>& loop)
 {
+  typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
+  Corner_table table;
+  if constexpr(Has_idx<face_descriptor>::value) { // faster than to match them; with a hash table of faces it is not
+    const std::vector<face_descriptor> all(faces(mesh).begin(), faces(mesh).end());
+    table = {surface.face, read_twins(mesh, all, loop.bare())};
+  } else
+    table = surface.copy_of_corner_table(loop);
   Springs springs;
-  springs.graph = conformal_graph(loop, surface.copy_of_corner_table(loop), surface.point, springs.lengths.emplace());
+  springs.graph = conformal_graph(loop, std::move(table), surface.point, springs.lengths.emplace());
   return springs;
 }
 

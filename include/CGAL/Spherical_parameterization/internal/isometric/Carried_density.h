@@ -12,7 +12,6 @@
 #include <CGAL/Spherical_parameterization/internal/relaxation/Distortion.h>
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {

@@ -8,12 +8,10 @@
 #include <CGAL/Spherical_parameterization/internal/isometric/Map_level.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <deque>
 #include <functional>
 #include <limits>
-#include <numeric>
 #include <queue>
 #include <utility>
 #include <vector>

@@ -11,9 +11,7 @@
 #include <CGAL/Spherical_parameterization/internal/isometric/newton_relaxation.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {

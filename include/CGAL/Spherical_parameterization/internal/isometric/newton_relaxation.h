@@ -122,13 +122,9 @@ private:
     const vec3 x = level_.position()[i];
     const Tangents tangents = tangents_at(x);
     const int begin = level_.offset(i), end = level_.offset(i + 1);
-    if(level_.is_pinned(i))
-      return assemble_pinned_row(i, tangents);
+    const bool is_pinned = level_.is_pinned(i);
     boost::container::small_vector<Block, 12> block(end - begin, Block{0, 0, 0, 0});
     Block diagonal = {0, 0, 0, 0};
-    const auto add_to = [](Block& sum, const Block& b) {
-      sum = {sum.ss + b.ss, sum.st + b.st, sum.ts + b.ts, sum.tt + b.tt};
-    };
     vec3 gradient = {0, 0, 0};
     for(int c = begin; c < end; ++c) {
       const Map_level<>::Corner& corner = level_.corner(c);
@@ -137,20 +133,28 @@ private:
       const int m = corner.number;
       const float *const d = of_face.diagonal[m], *const to_j = of_face.side[m],
                          *const from_k = of_face.side[m > 0 ? m - 1 : 2];
-      add_to(diagonal, {d[0], d[1], d[1], d[2]});
-      add_to(block[c - begin], {to_j[0], to_j[1], to_j[2], to_j[3]});
-      add_to(block[c + 1 == end ? 0 : c + 1 - begin], {from_k[0], from_k[2], from_k[1], from_k[3]});
+      Block &at_j = block[c - begin], &at_k = block[c + 1 == end ? 0 : c + 1 - begin];
+      diagonal = sum(diagonal, {d[0], d[1], d[1], d[2]});
+      at_j = sum(at_j, {to_j[0], to_j[1], to_j[2], to_j[3]});
+      at_k = sum(at_k, {from_k[0], from_k[2], from_k[1], from_k[3]});
     }
     int lower = begin, upper = end;
     for(int c = begin; c < end; ++c) {
       const Block& b = block[c - begin];
       const int j = level_.corner(c).j;
-      if(level_.is_pinned(j))
-        entry_[j < i ? lower++ : --upper] = {j, 0, 0, 0, 0};
+      Entry& entry = entry_[j < i ? lower++ : --upper];
+      if(is_pinned || level_.is_pinned(j))
+        entry = {j, 0, 0, 0, 0};
       else
-        entry_[j < i ? lower++ : --upper] = {j, float(b.ss), float(b.st), float(b.ts), float(b.tt)};
+        entry = {j, float(b.ss), float(b.st), float(b.ts), float(b.tt)};
     }
     middle_[i] = lower;
+    if(is_pinned) {
+      factor_[i] = {1, 0, 0, 1};
+      tangents_[i] = tangents;
+      gradient_[i] = {0, 0};
+      return;
+    }
 
     // The sphere bends away from the tangent plane, or towards the other side: not more than leaves the block positive.
     constexpr double least_share = 0.01;
@@ -169,20 +173,6 @@ private:
     tangents_[i] = {tangents.combined({factor_[i].ss, factor_[i].st}),
                     tangents.combined({factor_[i].ts, factor_[i].tt})};
     gradient_[i] = tangents_[i].products(gradient);
-  }
-
-  /// Of a vertex that does not move
-  void assemble_pinned_row(int i, const Tangents& tangents)
-  {
-    int lower = level_.offset(i), upper = level_.offset(i + 1);
-    for(int c = level_.offset(i); c < level_.offset(i + 1); ++c) {
-      const int j = level_.corner(c).j;
-      entry_[j < i ? lower++ : --upper] = {j, 0, 0, 0, 0};
-    }
-    middle_[i] = lower;
-    factor_[i] = {1, 0, 0, 1};
-    tangents_[i] = tangents;
-    gradient_[i] = {0, 0};
   }
 
   void normalise_row(int i)

@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -172,7 +171,7 @@ private:
     for(int i = 0; i < surface_.size(); ++i)
       right[i] = make_vec3(b[i], 0, 0);
     typename Backend::Vectors solution = backend_.vectors(surface_.size());
-    Monitor monitor(std::numeric_limits<double>::infinity(), {}, false);
+    Monitor monitor;
     conjugate_gradients(backend_, *multigrid_, 0, std::move(right), accuracy, monitor, 0, solution);
     Vector x(surface_.size());
     for(int i = 0; i < surface_.size(); ++i)

@@ -8,7 +8,6 @@
 #include <CGAL/Spherical_parameterization/values/Harmonic_coefficients.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>

@@ -8,11 +8,9 @@
 #include <CGAL/Spherical_parameterization/internal/algebra/rotations.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/Complex_harmonics.h>
 
-#include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -102,12 +100,11 @@ CGAL_SP_INLINE void turn_degree(const Quarter_turn& quarter, const Euler_angles&
 {
   typedef std::complex<double> Complex;
   const int l = quarter.degree();
-  constexpr double right_angle = 1.57079632679489661923;
   std::vector<Complex> a(2 * l + 1), b(2 * l + 1);
   for(int field = 0; field < from.number_of_fields(); ++field) {
     std::fill(b.begin(), b.end(), 0);
     for(int m = -l; m <= l; ++m) {
-      const Complex z = std::polar(1., -m * (angles.gamma - right_angle)) * from(l, m, field);
+      const Complex z = std::polar(1., -m * (angles.gamma - pi / 2)) * from(l, m, field);
       for(int k = -l; k <= l; ++k)
         b[k + l] += quarter(m, k) * z;
     }
@@ -117,7 +114,7 @@ CGAL_SP_INLINE void turn_degree(const Quarter_turn& quarter, const Euler_angles&
       Complex sum = 0;
       for(int k = -l; k <= l; ++k)
         sum += quarter(m, k) * b[k + l];
-      sum *= std::polar(1., -m * (angles.alpha + right_angle));
+      sum *= std::polar(1., -m * (angles.alpha + pi / 2));
       to(l, m, field) = sum;
       to(l, -m, field) = (m % 2 == 0 ? 1. : -1.) * std::conj(sum);
     }

@@ -18,7 +18,6 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
-#include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 

@@ -11,7 +11,6 @@
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/analysis.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <numeric>

@@ -21,7 +21,6 @@
 #include <complex>
 #include <cstddef>
 #include <numeric>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -101,10 +100,7 @@ public:
           for(int k = 0; k < 27 && is_largest; ++k)
             is_largest = here >= at(j + k / 9 - 1, c + k / 3 % 3 - 1, a + k % 3 - 1);
           if(is_largest)
-            found[j].push_back(
-              {Euler_angles(2 * right_angle_ * 2 * a / n, 2 * right_angle_ * 2 * j / n, 2 * right_angle_ * 2 * c / n)
-                 .matrix(),
-               here});
+            found[j].push_back({Euler_angles(2 * pi * a / n, 2 * pi * j / n, 2 * pi * c / n).matrix(), here});
         }
     });
     std::vector<Correlation> all;
@@ -116,7 +112,6 @@ public:
 
 private:
   typedef std::complex<double> Complex;
-  static constexpr double right_angle_ = 1.57079632679489661923;
 
   /// A step. `g`: turned by that rotation. Returns whether there is more to be gained.
   bool climb(Complex_harmonics& g, Correlation& now) const
@@ -210,7 +205,7 @@ private:
           for(int k = 0; k <= l; ++k)
             sum[k] += quarter_[l](m, k) * quarter_[l](m2, k) * product;
         }
-        const Complex phase = std::polar(1., right_angle_ * (m2 - m)); // from here on with exp(-i (m alpha + ...))
+        const Complex phase = std::polar(1., pi / 2 * (m2 - m)); // from here on with exp(-i (m alpha + ...))
         for(int k = degree_; k >= 0; --k) {
           sum[k] *= phase;
           if(k > 0)

@@ -72,6 +72,14 @@ Host_array<double> thirds_at_vertices(const Host_loop& loop, const Host_array<st
   return sum;
 }
 
+/// Every vertex's third of the areas of its faces.
+inline Host_array<double> vertex_areas(const Host_loop& loop, const Host_array<std::array<int, 3>>& face,
+                                       const Host_array<vec3>& point)
+{
+  return thirds_at_vertices(loop, face, static_cast<int>(point.size()),
+                            [&](int f) { return norm(normal(point, face[f])) / 2; });
+}
+
 /// A triangle mesh as arrays, as read_surface.h reads it. What follows from them is computed where it is asked for
 /// first, and kept: see `Kept`. The arrays must not be changed after that.
 struct Surface {
@@ -114,8 +122,7 @@ struct Surface {
   /// Every vertex's third of the areas of its faces.
   const Host_array<double>& vertex_area(const Host_loop& loop) const
   {
-    return vertex_area_.get(
-      [&] { return thirds_at_vertices(loop, face, number_of_vertices, [&](int f) { return area_of_face(f); }); });
+    return vertex_area_.get([&] { return vertex_areas(loop, face, point); });
   }
 
 protected:

@@ -172,7 +172,7 @@ Checked_graph check_face_graph(const TriangleMesh& mesh, const Vertex_numbering<
 template <class TriangleMesh, class Face>
 Host_array<int> read_twins(const TriangleMesh& mesh, const std::vector<Face>& descriptors, const Host_loop& loop)
 {
-  const Face_numbering<TriangleMesh> numbering(descriptors);
+  const auto numbering = numbering_of<Face>(mesh, descriptors);
   Host_array<int> twin(3 * descriptors.size());
   for_each_index(loop, static_cast<int>(descriptors.size()), [&](int f) {
     auto h = halfedge(descriptors[f], mesh);

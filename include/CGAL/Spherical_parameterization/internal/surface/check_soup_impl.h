@@ -12,7 +12,6 @@
 #include <boost/iterator/counting_iterator.hpp>
 #include <boost/pending/disjoint_sets.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <functional>

@@ -64,7 +64,9 @@ def main(data, output, tool="build/src/spherical-parameterization"):
     data, output = pathlib.Path(data), pathlib.Path(output)
     output.mkdir(parents=True, exist_ok=True)
     folder, index = (data / "off" if (data / "off").is_dir() else data), output / "index.db"
-    subprocess.run([tool, "signature", folder, "-o", index, "--prepare"], stdin=subprocess.DEVNULL)
+    signed = subprocess.run([tool, "signature", folder, "-o", index, "--prepare"], check=False, stdin=subprocess.DEVNULL)
+    if signed.returncode not in (0, 1) or not index.exists():  # 1: some meshes were refused
+        sys.exit("no index could be made")
     meshes = sorted((file for file in folder.rglob("*") if file.is_file()),
                     key=lambda file: (int(file.stem),) if folder.name == "off" else (file.parent.name, file.name))
     rows = [row for order, options in (("`search`", ()), ("`search --form`", ("--form",)))

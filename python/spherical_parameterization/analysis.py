@@ -243,6 +243,8 @@ def segment(
     ------
     MeshError
         If something is wrong with the mesh or the map.
+    KeyboardInterrupt
+        After Ctrl-C, within a fraction of a second. Other Python threads run during the call.
     """
     check(segment, locals())
     points, triangles, sphere = _mesh(points, triangles, sphere)

@@ -77,7 +77,10 @@ class Result:
 
     @property
     def is_valid(self) -> bool:
-        """Whether the map is certified: no flipped face, degree 1. How far the method came is said by `termination`."""
+        """Whether the map is certified (no flipped face, degree 1) and the method has done what was asked for.
+
+        `termination` says whether it has reached its accuracy, or how it ended before.
+        """
         return self.error is ErrorCode.OK
 
     def __bool__(self) -> bool:

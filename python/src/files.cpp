@@ -96,8 +96,8 @@ void write_mesh(const std::string& file, const Doubles& points, const py::array&
     const tool::Annotations annotations = like.empty() ? tool::Annotations() : tool::read_triangles(like).annotations;
     const std::vector<tool::Point> places(rows.begin(), rows.end());
     tool::Atomic_files files;
-    tool::write_mesh(files.open(file), {*format, ascii}, tool::Mesh(tool::Mesh::Unchecked(), places, faces), places,
-                     is_sphere ? tool::Surface::SPHERE : tool::Surface::SHAPE, annotations, data);
+    tool::write_mesh(files.open(file), {*format, ascii, file}, tool::Mesh(tool::Mesh::Unchecked(), places, faces),
+                     places, is_sphere ? tool::Surface::SPHERE : tool::Surface::SHAPE, annotations, data);
     files.commit();
   });
 }

@@ -40,8 +40,8 @@ inline const char* const mesh_extensions = "OFF, OBJ, PLY, STL, GIFTI, FreeSurfe
 std::vector<std::string> named_inputs(const std::vector<std::string>& inputs, const std::string& list);
 
 /// The mesh files that the user means, each once, in an order that depends on the names alone: `inputs` in their order,
-/// folders replaced by all mesh files in them and in their subfolders, sorted by name; then the lines of `list` in the
-/// same way. Files that do not exist stay in the list. Throws a `Refusal`.
+/// folders replaced by all mesh files in them and in their subfolders that are not hidden, sorted by name; then the
+/// lines of `list` in the same way. Files that do not exist stay in the list. Throws a `Refusal`.
 std::vector<std::string> list_meshes(const std::vector<std::string>& inputs, const std::string& list);
 
 } // namespace tool

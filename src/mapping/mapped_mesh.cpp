@@ -92,6 +92,7 @@ void read_data(const Mapping_options& options, std::size_t number_of_vertices, V
 
 void map_input(const Mapping_options& options, Mapped_mesh& input, Map_quality quality)
 {
+  const Stopwatch mapping;
   if(!options.sphere.empty())
     input.result = read_sphere(input.data.policy, options.sphere, options.input, input.mesh(), input.sphere);
   else {
@@ -99,9 +100,12 @@ void map_input(const Mapping_options& options, Mapped_mesh& input, Map_quality q
     if(options.falls_back && asks_for_another_method(input.result.error) && !was_interrupted()) {
       Mapping_options others = options;
       others.method = "automatic";
+      if(options.max_time)
+        others.max_time = std::max(0., *options.max_time - mapping.seconds());
       compute_map(others, input);
     }
   }
+  input.seconds_map = mapping.seconds();
   stop_if_interrupted(options.input);
 
   const SP::Result& result = input.result;

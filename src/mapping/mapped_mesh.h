@@ -34,6 +34,7 @@ struct Mapped_mesh {
   Map_data data;
   bool needs_neighbours = true; ///< after mapping; without them the mesh takes less memory
   double seconds_read = 0;      ///< reading and checking
+  double seconds_map = 0;       ///< all of `map_input()`
 };
 
 /// Reads the mesh, and from here on watches for interruption. Throws a `Refusal`, and what `make_policy()` throws.
@@ -65,7 +66,7 @@ void take_as_stored(Mesh_format format, Mapped_mesh& input);
 inline auto stopped_as_map(const Mapping_options& options, const Mapped_mesh& input)
 {
   const double limit = options.max_time.value_or(std::numeric_limits<double>::infinity());
-  return stopped_by_signals().maximum_running_time(std::max(0., limit - input.result.seconds.total));
+  return stopped_by_signals().maximum_running_time(std::max(0., limit - input.seconds_map));
 }
 
 /// Throws a `Refusal` if such a function has been stopped, or has had no answer.

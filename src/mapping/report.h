@@ -13,14 +13,15 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <utility>
 
 namespace tool {
 
-/// What one run of `map` or `certify` did besides mapping.
+/// What a command did besides mapping.
 struct Report {
   std::optional<SP::Distortion_summary> distortion; ///< of a map, if it was measured
-  double seconds_measure = 0;                       ///< the distortion
+  double seconds_measure = 0;                       ///< the distortion, or what the command is for
   double seconds_write = 0;
   double seconds_total = 0;
   std::optional<Refusal> refusal; ///< its log is too long for the JSON file

@@ -129,7 +129,7 @@ Outcome perform(const Step& step, const Work& work, Run& run)
   }
   if(!outcome.refusal || outcome.refusal->code() != unwritable_file)
     outcome.text = run.text;
-  if(is_verbose() && run.has_maps_ && !outcome.text.empty())
+  if(is_verbose() && step.takes.meshes == Takes::EACH && run.has_maps_ && !outcome.text.empty())
     outcome.text += '\n' + verbose_text(run.input.result);
   outcome.line = run.line;
   return outcome;

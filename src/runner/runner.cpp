@@ -409,7 +409,8 @@ int run(int argc, char** argv, const std::vector<Step>& all)
              "Example: spherical-parameterization map bunny.ply -o sphere.off --stretch-ply stretch.ply");
   app.require_subcommand(1);
   app.add_flag_callback("-q,--quiet", be_quiet, "Print nothing but errors");
-  app.add_flag_callback("-v,--verbose", be_verbose, "Print what was tried, with its outcome and time, and the memory");
+  app.add_flag_callback("-v,--verbose", be_verbose,
+                        "Print what was tried for the map of IN, with its outcome and time, and the memory");
   app.fallthrough(); // behind the command, too
   for(const Step& step : all) {
     CLI::App* const command = app.add_subcommand(step.name, step.summary);

@@ -103,7 +103,7 @@ void segment(const Segment_options& own, Labelled_shape& shape, Run& run)
   run.read();
   const Stopwatch whole;
   Labels segments = segments_of(own, run.options, input);
-  run.figures.seconds_measure = whole.seconds() - input.result.seconds.total;
+  run.figures.seconds_measure = whole.seconds() - input.seconds_map;
   std::optional<SP::Registration_result> likeness;
   if(!own.like.empty()) {
     std::call_once(shape.is_made, [&] { make(own, run.options, shape); });

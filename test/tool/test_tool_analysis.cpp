@@ -590,6 +590,8 @@ TEST_CASE("segment: flipped tips are no harm, but a sphere that is mirrored is r
     return run_tool({"segment", input, "--sphere", write_off(scratch / "sphere.off", of), "-o", scratch / "out.ply"});
   };
   CHECK(segment(sphere).exit_code == 0);
+  CHECK(run_tool({"segment", input, "-o", scratch / "out.ply", "-v"}).out.find("tried balanced for") !=
+        std::string::npos);
   Soup flipped = sphere;
   std::swap(flipped.points[soup.faces[0][0]], flipped.points[soup.faces[0][1]]);
   CHECK(segment(flipped).exit_code == 0);

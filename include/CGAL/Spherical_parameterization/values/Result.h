@@ -70,7 +70,7 @@ struct Result {
 
   /// \name Work
   /// @{
-  std::optional<Termination> termination; ///< why the method ended; empty if the input was refused
+  std::optional<Termination> termination; ///< why the method ended; empty if there is no map, unless it was interrupted
   std::size_t start_iterations = 0;       ///< iterations for the start map, on all coarse levels together
   std::size_t iterations = 0;             ///< iterations of the method: descent steps, or saddle-point problems solved
   std::size_t sweeps = 0;                 ///< Jacobi or Gauss-Seidel sweeps (saddle-point method; else 0)
@@ -89,7 +89,7 @@ struct Result {
     Error_code error = Error_code::OK;      ///< its verdict
     std::string detail;                     ///< what is wrong, and where; if `OK`: why the map is not usable
     Seconds seconds;                        ///< how long it took; `read` and `weights` are 0
-    std::optional<Termination> termination; ///< why it ended; empty if there is no map
+    std::optional<Termination> termination; ///< why it ended; as in `Result`
   };
   Seconds seconds;               ///< of all attempts together
   std::vector<Attempt> attempts; ///< all methods that were tried, in order: `Automatic` tries up to two

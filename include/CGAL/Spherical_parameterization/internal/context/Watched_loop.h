@@ -13,7 +13,7 @@ namespace CGAL::Spherical_parameterization::internal {
 
 /// A loop that can be ended: `Loop`, slice by slice, and the monitor is asked before each of them. Whatever is written
 /// for a loop so observes callback and time limit. It is run from the thread of the monitor; inside of its loops the
-/// bare one is used.
+/// bare one is used, and `check()`, which any thread may call.
 template <class Loop>
 class Watched_loop {
 public:
@@ -26,6 +26,13 @@ public:
   void advance(double fraction) const
   {
     if(!monitor_.advance(fraction))
+      throw Input_error(Error_code::INTERRUPTED, monitor_.reason());
+  }
+
+  /// Throws Error if the work has to end.
+  void check() const
+  {
+    if(!monitor_.may_go_on())
       throw Input_error(Error_code::INTERRUPTED, monitor_.reason());
   }
 

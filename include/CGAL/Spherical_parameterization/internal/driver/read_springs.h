@@ -142,10 +142,12 @@ Springs read_springs(const TriangleMesh& mesh, const Surface& surface, const Ver
 {
   typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
   Corner_table table;
-  if constexpr(Has_idx<face_descriptor>::value) { // faster than to match them; with a hash table of faces it is not
-    const std::vector<face_descriptor> all(faces(mesh).begin(), faces(mesh).end());
-    table = {surface.face, read_twins(mesh, all, loop.bare())};
-  } else
+  if constexpr(Has_idx<face_descriptor>::value) // faster than to match them; with a hash table of faces it is not
+    if(surface.is_simplicial) {
+      const std::vector<face_descriptor> all(faces(mesh).begin(), faces(mesh).end());
+      table = {surface.face, read_twins(mesh, all, loop.bare())}; // from here on the callback may change the mesh
+    }
+  if(table.face.empty())
     table = surface.copy_of_corner_table(loop);
   Springs springs;
   springs.graph = conformal_graph(loop, std::move(table), surface.point, springs.lengths.emplace());
@@ -159,7 +161,8 @@ Springs read_springs(const TriangleMesh& mesh, const Surface& surface, const Ver
   return std::visit([&](const auto& chosen) { return read_springs(mesh, surface, vertex, chosen, loop); }, weights);
 }
 
-/// Whether the weights follow from the surface alone, so that the mesh is not looked at for them.
+/// Whether the weights follow from the surface alone: the mesh is looked at for its opposite halfedges at most, before
+/// the loop asks the callback.
 template <class EdgeWeightMap>
 bool is_of_surface(const EdgeWeightMap&)
 {

@@ -87,7 +87,7 @@ public:
     parent_[b] = a;
     constexpr int mergers_at_once = 1024;
     if(--count_ % mergers_at_once == 0)
-      loop_.advance(0);
+      loop_.check();
     area_[a] += area_[b];
     for(const Border& border : borders_[b]) {
       const int c = border.region;

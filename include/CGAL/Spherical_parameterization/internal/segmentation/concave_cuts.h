@@ -51,7 +51,7 @@ CGAL_SP_INLINE Weighted_graph dual_diffusion(const Host_loop& loop, const Segmen
 CGAL_SP_INLINE Host_array<vec3> smoothed_normals(const Watched_loop<Host_loop>& loop, const Segmentation_mesh& mesh,
                                                  double radius)
 {
-  loop.advance(0);
+  loop.check();
   const Host_backend<Host_loop> backend(loop.bare());
   const auto dual = std::make_shared<Weighted_graph>(dual_diffusion(loop.bare(), mesh, radius * radius / 4));
   Multigrid<Host_backend<Host_loop>> multigrid(backend, dual);

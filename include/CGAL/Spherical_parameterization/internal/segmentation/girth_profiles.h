@@ -255,7 +255,7 @@ CGAL_SP_INLINE std::vector<int> girth_labels(const Watched_loop<Host_loop>& loop
   std::vector<int> label(mesh.face.size(), 0);
   int count = 0;
   for(const Girth_cut& cut : cuts) {
-    loop.advance(0);
+    loop.check();
     const std::vector<double> rho = log_radius(mesh, cut.centre);
     ++count;
     for(int f = 0; f < mesh.number_of_faces(); ++f)

@@ -70,10 +70,6 @@ private:
 template <class TriangleMesh>
 using Vertex_numbering = Numbering<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>;
 
-/// Of faces(mesh)
-template <class TriangleMesh>
-using Face_numbering = Numbering<typename boost::graph_traits<TriangleMesh>::face_descriptor>;
-
 /// Whether a mesh has been checked when it was made, and knows a breadth-first order of its vertices: the one in which
 /// a walk round each vertex from its halfedge on meets its neighbours.
 template <class TriangleMesh, class = void>

@@ -150,8 +150,6 @@ void certify_as_stored(const std::string& output, Mesh_format format, Mapped_mes
 
 void take_as_stored(Mesh_format format, Mapped_mesh& input)
 {
-  if(!stores_floats(format))
-    return;
   for(Point& p : input.sphere)
     p = on_unit_sphere(as_stored(format, Surface::SPHERE, p));
   SP::Result& r = input.result;

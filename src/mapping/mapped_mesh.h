@@ -57,8 +57,8 @@ void map_input(const Mapping_options& options, Mapped_mesh& input, Map_quality q
 /// result is that of the file then. Throws a `Refusal` that names `output` if rounding flips faces.
 void certify_as_stored(const std::string& output, Mesh_format format, Mapped_mesh& input, const Sphere& sphere);
 
-/// The sphere becomes that of such a file, which may hold floats. The figures of the result that are not computed anew
-/// are no numbers then.
+/// The sphere becomes that of a file of `format`, which holds floats. The figures of the result that are not computed
+/// anew are no numbers then.
 void take_as_stored(Mesh_format format, Mapped_mesh& input);
 
 /// Named parameters of a function that works with the map: signals end it, and so does --max-time, less the time that

@@ -73,8 +73,11 @@ void map(Run& run)
   run.map();
   const Mesh_format format = run.mesh_format().format;
   certify_as_stored(run.file(), format, input, input.sphere);
-  run.write("--output", input.mesh(), input.sphere, Surface::SPHERE);
-  take_as_stored(format, input); // what follows is about the file
+  Sphere exact; // where the file has floats
+  if(stores_floats(format)) {
+    exact = input.sphere;
+    take_as_stored(format, input);
+  }
 
   const Stopwatch measuring;
   if(run.has("--report"))
@@ -90,6 +93,7 @@ void map(Run& run)
   }
   if(run.has("--report") || !stretch.empty())
     run.figures.seconds_measure = measuring.seconds();
+  run.write("--output", input.mesh(), exact.empty() ? input.sphere : exact, Surface::SPHERE);
   if(std::ostream* const file = run.out("--stretch-ply"))
     write_stretch_ply(*file, run.ascii, input.mesh(), stretch);
   run.commit();

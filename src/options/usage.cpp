@@ -85,6 +85,12 @@ void require_extension(const std::string& option, const std::string& file, const
 
 void check_files(const std::vector<File_option>& inputs, const std::vector<File_option>& outputs)
 {
+  std::string reader; // of the standard input
+  for(const auto& [option, file] : inputs)
+    if(file == standard_stream) {
+      require(reader.empty(), option, "reads the standard input, as " + reader + " does");
+      reader = option;
+    }
   std::vector<File_option> files = inputs;
   for(const auto& [option, file] : outputs) {
     if(file.empty())

@@ -207,6 +207,9 @@ Line::Files Line::inputs(const Request& request) const
 {
   Files files = input_files(request.options);
   files.front().first = step_.takes.meshes == Takes::PAIR ? "A" : "IN";
+  for(File_option& file : files)
+    if(step_.takes.sphere == Takes::ARGUMENT && file.first == "--sphere")
+      file.first = "SPHERE";
   files.emplace_back("B", request.other);
   for(const std::string& sphere : request.spheres)
     files.emplace_back("--sphere", sphere);

@@ -10,11 +10,15 @@
 
 #include <CGAL/Spherical_parameterization/rigid_path.h>
 
+#include <filesystem>
 #include <memory>
 #include <set>
+#include <system_error>
 
 namespace tool {
 namespace {
+
+namespace fs = std::filesystem;
 
 struct Morph_options {
   std::string format = "ply";
@@ -48,12 +52,30 @@ void check_folder(const Morph_options& options, const std::string& folder)
             "'" + file + "' belongs to another run; remove it, or name another folder");
 }
 
+/// A folder that is removed again if nothing gets into it.
+class New_folder {
+public:
+  explicit New_folder(const std::string& name) : name_(fs::exists(name) ? "" : name)
+  {
+    Atomic_file::create_folder(name);
+  }
+  New_folder(const New_folder&) = delete;
+  ~New_folder()
+  {
+    std::error_code none; // fails where it is not empty
+    fs::remove(name_, none);
+  }
+
+private:
+  std::string name_;
+};
+
 void morph(const Morph_options& own, const Registration_options& options, Run& run)
 {
   Registered_pair pair;
   read_pair(options, pair);
   Page::check_size(options.input, pair.a.mesh().number_of_vertices());
-  Atomic_file::create_folder(run.file());
+  const New_folder folder(run.file());
   register_pair(options, pair);
 
   const Mesh& mesh = pair.a.mesh();

@@ -457,6 +457,8 @@ TEST_CASE("morph: no mesh has to go for a step, and no step of another run stays
   const Process_result run = morph(scratch / "a.off", "1");
   CHECK(run.exit_code == 2);
   CHECK(run.err.find("step_2.off' belongs to another run") != std::string::npos);
+  CHECK(run_tool({"morph", scratch / "a.off", b, "-o", scratch / "new", "--max-time", "1e-9"}).exit_code == 1);
+  CHECK_FALSE(fs::exists(scratch / "new")); // nothing got into it
 }
 
 TEST_CASE("segment: one label per face, and colours for them", "[tool]")

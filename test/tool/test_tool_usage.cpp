@@ -52,6 +52,12 @@ TEST_CASE("usage: unexpected arguments come in the order in which they were type
   check_usage({"view", "a.off", "b.off", "-o", "c.html"}, {"--output", "is a folder"});
 }
 
+TEST_CASE("usage: one input can be the standard input", "[tool][usage]")
+{
+  check_usage({"certify", "-", "-"}, {"SPHERE", "reads the standard input, as IN does"});
+  check_usage({"register", "-", "-", "-o", "c.off"}, {"B", "reads the standard input, as A does"});
+}
+
 TEST_CASE("usage: what is missing is wrong usage", "[tool][usage]")
 {
   check_usage({"map", "-o", "b.off"}, {"IN"});

@@ -27,10 +27,10 @@ std::vector<std::string> meshes_in(const std::string& folder)
   std::error_code error;
   fs::recursive_directory_iterator it(folder, error), end;
   for(; !error && it != end; it.increment(error)) {
-    std::error_code none;                                                 // of a link to nowhere: no regular file
     const bool is_hidden = it->path().filename().string().front() == '.'; // as what macOS leaves beside a file
     if(is_hidden)
       it.disable_recursion_pending();
+    std::error_code none; // of a link to nowhere: no regular file
     if(!is_hidden && it->is_regular_file(none) && is_mesh_file(it->path().string()))
       files.push_back(it->path().string());
   }

@@ -532,7 +532,7 @@ TEST_CASE("formats: text has the fewest digits from which the same number is rea
   std::vector<tool::Point> points = mesh.mesh.points();
   points[0] = {0.1, 1e-300, -0.30000000000000004};
   points[1] = {1e22, 5e-324, 123456789};
-  for(const tool::Output_format format :
+  for(const tool::Output_format& format :
       {tool::Output_format{tool::Mesh_format::OFF}, {tool::Mesh_format::OBJ}, {tool::Mesh_format::PLY, true}}) {
     std::ostringstream out;
     tool::write_mesh(out, format, mesh.mesh, points, tool::Surface::SHAPE);

@@ -36,10 +36,10 @@ void keep_standard_output_for_data()
 
 void be_quiet()
 {
-  static Null_buffer nothing;
+  static Null_buffer* const nothing = new Null_buffer; // never freed: std::cout is flushed when all else has gone
   standard_buffer();
   quiet = true;
-  std::cout.rdbuf(&nothing);
+  std::cout.rdbuf(nothing);
 }
 
 bool is_quiet() { return quiet; }

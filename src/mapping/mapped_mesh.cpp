@@ -24,12 +24,11 @@ std::string remedy(const Mapping_options& options, Error_code code, std::optiona
   const bool has_fall_back = options.method != "automatic" && options.method != "isometric" && !options.falls_back;
   switch(code) {
   case Error_code::NOT_CONVERGED: {
-    const bool has_stalled = termination == SP::Termination::STALLED;
+    const std::string more = termination == SP::Termination::STALLED ? "" : "allow more --iterations";
     const std::string other = options.method == "isometric" ? ""
-                              : has_fall_back               ? "--method automatic"
-                                                            : "other --weights";
-    return std::string(has_stalled ? "" : "allow more --iterations") + (has_stalled || other.empty() ? "" : ", or ") +
-           (other.empty() ? "" : "try " + other);
+                              : has_fall_back               ? "try --method automatic"
+                                                            : "try other --weights";
+    return more + (more.empty() || other.empty() ? "" : ", or ") + other;
   }
   case Error_code::NOT_BIJECTIVE: return has_fall_back && options.sphere.empty() ? "try --method automatic" : "";
   case Error_code::INTERRUPTED: return "allow more --max-time";

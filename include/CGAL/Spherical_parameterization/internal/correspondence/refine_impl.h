@@ -101,9 +101,11 @@ CGAL_SP_CORE std::vector<Host_array<double>> shape_features(const Host_loop& loo
   const Host_array<double>& area = flow.area();
   const Host_array<double> sphere_area = vertex_areas(loop, surface.face, surface.image);
   Host_array<vec3> normals(n, make_vec3(0, 0, 0));
-  for(const std::array<int, 3>& f : surface.face)
+  for(const std::array<int, 3>& f : surface.face) {
+    const vec3 up = normal(surface.point, f);
     for(int i : f)
-      normals[i] = add(normals[i], normal(surface.point, f));
+      normals[i] = add(normals[i], up);
+  }
   // The stretch, and the mean curvature by the Laplacian (M. Meyer, M. Desbrun, P. Schroeder, A. Barr, "Discrete
   // differential-geometry operators for triangulated 2-manifolds", 2003)
   std::vector<Host_array<double>> field(2, Host_array<double>(n, 0.));

@@ -11,8 +11,8 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from .arrays import Doubles, Integers, OneLine, Sphere, check, chosen, directions, doubles, index_triples
-from .arrays import integers, numbers, one_of, unit_vectors, vectors, wrong_type
+from .arrays import Doubles, Integers, OneLine, Sphere, check, chosen, doubles, index_triples, integers
+from .arrays import numbers, one_of, sphere_vectors, unit_vectors, vectors, wrong_type
 from .errors import ErrorCode
 from .maps import parameterize
 from .methods import SEGMENTATIONS, Balanced, MajorityVote, Segmentation
@@ -450,7 +450,7 @@ class Locator:
 
     def __init__(self, triangles: npt.ArrayLike, sphere: Sphere, *, policy: str = "parallel") -> None:
         check(Locator.__init__, locals())
-        sphere, triangles = directions("sphere", sphere), index_triples(triangles)
+        sphere, triangles = sphere_vectors("sphere", sphere), index_triples(triangles)
         self._number_of_vertices, self._triangles, self._policy = len(sphere), triangles, policy
         self._sphere = sphere
         self._locator = _core.Locator(triangles, sphere, policy)
@@ -458,13 +458,13 @@ class Locator:
     def __repr__(self) -> str:
         return f"<Locator: {self._number_of_vertices} vertices, {len(self._triangles)} faces>"
 
-    def locate(self, directions: npt.ArrayLike) -> tuple[npt.NDArray[np.int32], Doubles]:
+    def locate(self, directions: Sphere) -> tuple[npt.NDArray[np.int32], Doubles]:
         """The faces whose images contain the directions.
 
         Parameters
         ----------
         directions : array_like (k, 3) of float
-            Vectors of any length except 0.
+            Vectors of any length except 0, or a `Result`.
 
         Returns
         -------
@@ -472,7 +472,7 @@ class Locator:
         weights : ndarray (k, 3) of float64
             Barycentric coordinates in the faces.
         """
-        return self._locator.locate(vectors("directions", directions), self._policy)
+        return self._locator.locate(sphere_vectors("directions", directions), self._policy)
 
     def interpolate(self, values: npt.ArrayLike, faces: npt.ArrayLike, weights: npt.ArrayLike) -> Doubles:
         """Interpolates values of vertices at points in faces.
@@ -495,7 +495,7 @@ class Locator:
         result = self._locator.interpolate(table, places, vectors("weights", weights, len(places)))
         return result.reshape((len(places), *given.shape[1:]))
 
-    def transfer(self, values: npt.ArrayLike, directions: npt.ArrayLike, *, nearest: bool = False) -> Any:
+    def transfer(self, values: npt.ArrayLike, directions: Sphere, *, nearest: bool = False) -> Any:
         """Interpolates values of vertices at directions, such as those of another map: `locate()` and `interpolate()`.
 
         Parameters
@@ -503,6 +503,7 @@ class Locator:
         values : array_like (n,) or (n, d)
             Numbers; with `nearest`, values of any type.
         directions : array_like (k, 3) of float
+            Vectors of any length except 0, or a `Result`.
         nearest : bool
             Takes the value of the corner with the largest weight instead of interpolating: for labels.
 
@@ -518,19 +519,19 @@ class Locator:
         of_vertices = _rows("values", values, self._number_of_vertices)
         return of_vertices[self._triangles[faces, weights.argmax(axis=1)]]
 
-    def linear_resampling(self, directions: npt.ArrayLike) -> Resampling:
+    def linear_resampling(self, directions: Sphere) -> Resampling:
         """Barycentric weights at directions, such as the vertices of a template's sphere.
 
         Parameters
         ----------
         directions : array_like (k, 3) of float
-            Vectors of any length except 0.
+            Vectors of any length except 0, or a `Result`.
 
         Returns
         -------
         Resampling
         """
-        weights = self._locator.linear_resampling(vectors("directions", directions), self._policy)
+        weights = self._locator.linear_resampling(sphere_vectors("directions", directions), self._policy)
         return Resampling(weights, self._number_of_vertices)
 
     def area_preserving_resampling(
@@ -581,7 +582,7 @@ class Locator:
         ndarray (k, ...)
         """
         of_faces = _rows("values", values, len(self._triangles))
-        a, b, c = directions("sphere", sphere)[index_triples(triangles)].swapaxes(0, 1)
+        a, b, c = sphere_vectors("sphere", sphere)[index_triples(triangles)].swapaxes(0, 1)
         return of_faces[self.locate(a + (b + c))[0]]
 
     def transfer_segment_labels(

@@ -120,14 +120,14 @@ def vectors(name: str, values: object, rows: int | None = None) -> Doubles:
     return array
 
 
-def directions(name: str, values: Sphere, rows: int | None = None) -> Doubles:
+def sphere_vectors(name: str, values: Sphere, rows: int | None = None) -> Doubles:
     """A map, as it is."""
     return vectors(name, getattr(values, "sphere", values), rows)
 
 
 def unit_vectors(name: str, values: Sphere, rows: int | None = None) -> Doubles:
     """A map on a sphere of any radius as one on the unit sphere; unit vectors, also those of float32, stay as they are."""
-    array = directions(name, values, rows)
+    array = sphere_vectors(name, values, rows)
     with np.errstate(all="ignore"):
         is_other = ~(abs(np.linalg.norm(array, axis=1) - 1) < 1e-6)
         if is_other.any():

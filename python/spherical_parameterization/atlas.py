@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from . import _core
 from .arrays import Doubles, Integers, OneLine, check, index_triples, one_of, vectors
-from .errors import MeshError
+from .errors import ErrorCode, MeshError
 from .maps import parameterize
 from .methods import Isometric
 from .statistics import ShapeStatistics
@@ -98,7 +98,10 @@ def atlas(
             mapped[i] = points, triangles, result.sphere
         else:
             refused[i] = str(result)
-    if template is None and mapped:
+    if template is None:
+        if not mapped:
+            reasons = [f"mesh {i}: {reason}" for i, reason in refused.items()]
+            raise MeshError(ErrorCode.EMPTY_MESH, "; ".join(["no mesh has a map", *reasons]))
         template = min(mapped)
     if template not in mapped:
         raise ValueError(f"template: mesh {template} has no map: {refused.get(template or 0, 'there is no such mesh')}")

@@ -45,7 +45,7 @@ def read_data(path: Path, number_of_vertices: int) -> list[VertexColumn]:
     path : str or path
         A FreeSurfer file (curv as lh.thickness, .annot or .label), a GIFTI file (.func.gii, .shape.gii or .label.gii), a
         .csv file whose first line has the names of the columns, or a PLY or VTK file of a surface with data. Columns of
-        words in .csv files and columns of 32-bit integers in PLY and VTK files are labels.
+        words in .csv files, columns of `int` in PLY files and of 32-bit or 64-bit integers in VTK files are labels.
     number_of_vertices : int
 
     Returns

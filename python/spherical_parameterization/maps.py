@@ -13,8 +13,8 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from .arrays import Doubles, Integers, Sphere, check, chosen, directions, doubles, edge_numbers, index_triples
-from .arrays import integers, numbers, one_of, vectors, wrong_type
+from .arrays import Doubles, Integers, Sphere, check, chosen, doubles, edge_numbers, index_triples
+from .arrays import integers, numbers, one_of, sphere_vectors, vectors, wrong_type
 from .errors import ErrorCode, MapWarning, MeshError
 from .methods import METHODS, Automatic, ClampedWeights, Method
 
@@ -277,10 +277,10 @@ def parameterize(
     iterations : int
         Maximum number of iterations. Default: that of the method.
     maximum_running_time : float
-        Seconds after which the best map so far is returned.
+        Seconds after which the call ends with the best map so far and `error` INTERRUPTED.
     progress : callable, or bar of tqdm
         Called with the fraction of the work done, up to 20 times a second. If it returns False, the call ends with the
-        best map so far.
+        best map so far and `error` INTERRUPTED.
     verbose : bool
         Logs every iteration to stderr.
     warn : bool
@@ -294,8 +294,9 @@ def parameterize(
     Raises
     ------
     MeshError
-        If there is no map, because something is wrong with the mesh, the weights, densities or fixed vertices. `code` and `detail`
-        say what, where, and what to do.
+        If there is no map, because something is wrong with the mesh, the weights, densities or fixed vertices, or because
+        limit or `progress` ended the call before there was one (INTERRUPTED). `code` and `detail` say what, where, and
+        what to do.
     DeviceError
         If the OpenCL device does not exist, or has failed.
     ValueError, TypeError
@@ -331,7 +332,7 @@ def parameterize(
     """
     check(parameterize, locals())
     points, triangles = vectors("points", points), index_triples(triangles)
-    sphere = np.zeros_like(points) if start is None else directions("start", start, len(points)).copy()
+    sphere = np.zeros_like(points) if start is None else sphere_vectors("start", start, len(points)).copy()
     is_fixed = None if fixed is None else _fixed(fixed, sphere)
     if isinstance(policy, str):
         one_of("policy", policy, "sequential", "parallel", "opencl")
@@ -394,4 +395,4 @@ def certify(triangles: npt.ArrayLike, sphere: Sphere, *, policy: str = "parallel
     False
     """
     check(certify, locals())
-    return Certificate(*_core.certify(index_triples(triangles), directions("sphere", sphere), policy))
+    return Certificate(*_core.certify(index_triples(triangles), sphere_vectors("sphere", sphere), policy))

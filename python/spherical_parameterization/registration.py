@@ -10,8 +10,8 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from .arrays import Doubles, OneLine, Sphere, check, directions, doubles, index_triples, integers, numbers, one_of
-from .arrays import vectors
+from .arrays import Doubles, OneLine, Sphere, check, doubles, index_triples, integers, numbers, one_of
+from .arrays import sphere_vectors, vectors
 from .errors import MapWarning
 from .maps import callback_of
 
@@ -148,10 +148,10 @@ def register_maps(
     was_ctrl_c, registered, is_complete, start, margin, difference, trust, rotation, *figures = _core.register_maps(
         a,
         index_triples(triangles),
-        directions("sphere", sphere, len(a)),
+        sphere_vectors("sphere", sphere, len(a)),
         b,
         index_triples(other_triangles, "other_triangles"),
-        directions("other_sphere", other_sphere, len(b)),
+        sphere_vectors("other_sphere", other_sphere, len(b)),
         motion,
         curvature_weight,
         stretch_weight,
@@ -234,7 +234,7 @@ def moebius_centred(sphere: Sphere, triangles: npt.ArrayLike, masses: npt.ArrayL
         If half of the masses or more are at one point: then there is no such transformation, and the centroid is as near
         to the centre as the warning says.
     """
-    images = directions("sphere", sphere)
+    images = sphere_vectors("sphere", sphere)
     centred, distance = _core.moebius_centred(images, index_triples(triangles), numbers("masses", masses, len(images)))
     if distance > 1e-6:
         text = f"the masses cannot be centred: half of them or more are at one point; the centroid is {distance:.3g} off"

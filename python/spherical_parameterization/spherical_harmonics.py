@@ -12,7 +12,8 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from .arrays import Doubles, OneLine, Sphere, check, directions, doubles, index_triples, one_of, vectors, wrong_type
+from .arrays import Doubles, OneLine, Sphere, check, doubles, index_triples, one_of, sphere_vectors, vectors
+from .arrays import wrong_type
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -84,13 +85,13 @@ class Harmonics(OneLine):
     def _with(self, table: Doubles) -> Harmonics:
         return Harmonics(table.reshape((len(table), *self.coefficients.shape[1:])))
 
-    def at(self, directions: npt.ArrayLike, *, policy: str = "parallel") -> Doubles:
+    def at(self, directions: Sphere, *, policy: str = "parallel") -> Doubles:
         """The values of the functions.
 
         Parameters
         ----------
         directions : array_like (k, 3) of float
-            Vectors of any length except 0. For a sphere, the result is the reconstruction of the shape.
+            Vectors of any length except 0, or a `Result`. For a map, the result is the reconstruction of the shape.
         policy : {"parallel", "sequential"}
 
         Returns
@@ -98,7 +99,7 @@ class Harmonics(OneLine):
         ndarray (k,) or (k, d) of float64
         """
         check(Harmonics.at, locals())
-        values = _core.harmonic_values(self._table, vectors("directions", directions), policy)
+        values = _core.harmonic_values(self._table, sphere_vectors("directions", directions), policy)
         return values.reshape((len(values), *self.coefficients.shape[1:]))
 
     def on_grid(self, rows: int, columns: int, *, policy: str = "parallel") -> Doubles:
@@ -256,8 +257,17 @@ class Harmonics(OneLine):
         Parameters
         ----------
         file : path
+            It is complete, or does not exist.
+
+        Raises
+        ------
+        ValueError
+            For another extension, or if the file is for three functions and there is another number.
         """
-        Path(file).write_text(_core.harmonics_to_text(self._table, _format_of(file)))
+        extension = _format_of(file)
+        if extension == "coef" and self._table.shape[1] != 3:
+            raise ValueError(f"a .coef file has the coefficients of three functions, not of {self._table.shape[1]}")
+        _core.write_text(os.fspath(file), _core.harmonics_to_text(self._table, extension))
 
 
 def _of(other: object) -> Harmonics:
@@ -345,7 +355,7 @@ def harmonics(
     check(harmonics, locals())
     one_of("fit", fit, "least-squares", "integrals")
     one_of("weights", weights, "sphere-area", "surface-area", "equal")
-    images = directions("sphere", sphere)
+    images = sphere_vectors("sphere", sphere)
     data = doubles("values", values)
     if data.ndim not in (1, 2) or len(data) != len(images):
         raise ValueError(f"values: shape ({len(images)},) or ({len(images)}, d) is needed, not {data.shape}")

@@ -215,7 +215,7 @@ class ModelQuality(OneLine):
     """The quality of a set of shapes as a statistical model, for each number of modes, from 0 on."""
 
     compactness: Doubles  #: (k,): the variance of this number of modes; for all modes the total variance
-    generalization: Doubles  #: (k - 1,) or fewer: `left_out_errors()`
+    generalization: Doubles  #: `left_out_errors()`: for as many modes as the other shapes have
     specificity: Doubles  #: (k,): mean distance of a random shape of the model from the nearest shape of the set
     specificity_error: Doubles  #: (k,): the standard error of that mean
 

@@ -10,8 +10,9 @@ from dataclasses import asdict, dataclass
 
 import numpy.typing as npt
 
+from . import _core
 from .analysis import distortion, face_distortion, segment
-from .arrays import OneLine, Sphere, check, directions, index_triples, vectors
+from .arrays import OneLine, Sphere, check, index_triples, sphere_vectors, vectors
 from .errors import ErrorCode, MeshError
 from .files import Path
 from .maps import certify, parameterize
@@ -25,9 +26,8 @@ class Page(OneLine):
     html: str
 
     def save(self, path: Path) -> None:
-        """Writes the page to a file."""
-        with open(os.fspath(path), "w", encoding="utf-8") as file:
-            file.write(self.html)
+        """Writes the page to a file, which is complete, or does not exist."""
+        _core.write_text(os.fspath(path), self.html)
 
     def __repr__(self) -> str:
         return f"<Page: {len(self.html)} characters of HTML>"
@@ -78,7 +78,7 @@ def view(
         sphere = result = parameterize(points, triangles, policy=policy)
         if not result:
             raise MeshError(result.error, result.detail)
-    images = directions("sphere", sphere, len(points))
+    images = sphere_vectors("sphere", sphere, len(points))
     certificate = certify(triangles, images, policy=policy)
     if not certificate:
         text = f"{certificate.flipped_faces} flipped faces, the degree is {certificate.degree}"

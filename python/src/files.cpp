@@ -102,6 +102,13 @@ void write_mesh(const std::string& file, const Doubles& points, const py::array&
   });
 }
 
+void write_text(const std::string& file, const std::string& text)
+{
+  tool::Atomic_files files;
+  files.open(file) << text;
+  files.commit();
+}
+
 typedef std::tuple<std::int64_t, std::int64_t, std::string> Version; ///< bytes, changed, hash
 
 Version version(const std::string& file)
@@ -141,6 +148,7 @@ struct Store {
 void add_files(py::module_& module)
 {
   module.def("read_mesh", read_mesh);
+  module.def("write_text", write_text);
   module.def("write_mesh", write_mesh);
   module.def("read_data", read_data);
   module.def("write_data", write_data);

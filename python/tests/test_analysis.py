@@ -122,6 +122,11 @@ def test_locate(mapped: tuple[np.ndarray, ...]) -> None:
     alone = sp.Locator(triangles, sphere, policy="sequential")
     assert all((a == b).all() for a, b in zip(alone.locate(directions), (faces, weights)))
     assert np.allclose(locator.transfer(points, sphere), points)
+    result = sp.parameterize(points, triangles)  # a map as directions
+    assert (locator.transfer(points, result) == locator.transfer(points, result.sphere)).all()
+    assert (locator.linear_resampling(result).means(points) == locator.transfer(points, result)).all()
+    shape = sp.harmonics(triangles, sphere, points, 3)
+    assert (shape.at(result) == shape.at(result.sphere)).all()
     labels = np.arange(len(triangles)).astype(str)
     assert (locator.transfer_faces(labels, triangles, sphere) == labels).all()
     with pytest.raises(ValueError, match="rows"):

@@ -101,6 +101,11 @@ def test_files(tmp_path: Path, extension: str) -> None:
         sp.read_harmonics(file)
     with pytest.raises(ValueError, match="extension"):
         given.save(tmp_path / "a.txt")
+    with pytest.raises(ValueError, match="three functions, not of 2"):
+        random_harmonics(7, 9, 2).save(tmp_path / "b.coef")
+    with pytest.raises(OSError):
+        given.save("/dev/full/a.csv")
+    assert list(tmp_path.iterdir()) == [file]
 
 
 def test_conventions() -> None:

@@ -153,8 +153,11 @@ def test_atlas_of_a_family():
     assert result.shapes.shape == (3, len(result.sphere), 3)
     with pytest.raises(ValueError, match="has no map"):
         sp.atlas([open_mesh, *family], template=0)
-    with pytest.raises(ValueError, match="two or more"):
+    with pytest.raises(sp.MeshError, match="two or more"):
         sp.atlas(family[:1])
+    for none in ([], [open_mesh]):
+        with pytest.raises(sp.MeshError, match="no mesh has a map" + "; mesh 0: .*closed" * len(none)):
+            sp.atlas(none)
 
 
 def test_the_tool_makes_the_same_atlas(tool):

@@ -4,7 +4,7 @@
 #include "commands/commands.h"
 #include "tables/table.h"
 
-#include "collections/batch.h"
+#include "collections/compute_in_parallel.h"
 #include "collections/database.h"
 #include "input/files.h"
 #include "mapping/mapped_mesh.h"
@@ -173,7 +173,7 @@ void compute_missing(const std::vector<Row>& jobs, const Options& options, tool:
   std::copy_if(jobs.begin(), jobs.end(), std::back_inserter(missing),
                [&](const Row& job) { return !row_of(job, done); });
   std::size_t count = jobs.size() - missing.size();
-  tool::run_batch(missing.size(), options.jobs, [&](std::size_t i) -> tool::Store {
+  tool::compute_in_parallel(missing.size(), options.jobs, [&](std::size_t i) -> tool::Store {
     const std::optional<Row> row = computed(missing[i], options);
     if(!row)
       return nullptr;

@@ -3,7 +3,7 @@
 
 #include "collections/mesh_collection.h"
 
-#include "collections/batch.h"
+#include "collections/compute_in_parallel.h"
 #include "collections/results.h"
 #include "input/files.h"
 #include "options/usage.h"
@@ -220,7 +220,7 @@ int run_collection(const Collection& collection)
       bar.show(static_cast<double>(done) / static_cast<double>(items.size()));
     };
     print();
-    run_batch(missing.size(), collection.threads, [&](std::size_t k) -> Store {
+    compute_in_parallel(missing.size(), collection.threads, [&](std::size_t k) -> Store {
       const std::size_t i = missing[k];
       const Job job = collection.job(items[i]);
       const std::string settings = settings_of(collection, job);

@@ -3,7 +3,7 @@
 
 #include "collections/signatures.h"
 
-#include "collections/batch.h"
+#include "collections/compute_in_parallel.h"
 #include "input/mesh.h"
 #include "mapping/prepared_mesh.h"
 #include "mapping/spherical_map.h"
@@ -143,7 +143,7 @@ Batch_summary update_index(const std::vector<std::string>& meshes, const std::st
   std::size_t finished = summary.resumed;
   {
     Progress_bar bar("signatures");
-    run_batch(missing.size(), threads, [&](std::size_t i) -> Store {
+    compute_in_parallel(missing.size(), threads, [&](std::size_t i) -> Store {
       const std::optional<Signature_row> row = sign_mesh(missing[i], mends);
       if(!row)
         return nullptr;

@@ -41,7 +41,7 @@ void write_obj(std::ostream& out, const Mesh& mesh, const std::vector<Point>& po
 }
 
 /// A diverging scale of even lightness (K. Moreland, "Diverging color maps for scientific visualization", 2009),
-/// `t` from -1 (blue) over 0 (white) to 1 (red).
+/// `t` from -1 (blue) over 0 (light grey) to 1 (red).
 Colour diverging(double t)
 {
   constexpr std::array<Colour, 5> scale = {
@@ -59,7 +59,7 @@ Colour diverging(double t)
 void write_coloured_ply(std::ostream& out, bool ascii, const Mesh& mesh, const std::vector<Point>& points,
                         const std::string& name, const std::vector<double>& values)
 {
-  // The scale ends at quantiles, or a few vertices at the tips of limbs would leave everything else white. Either side
+  // The scale ends at quantiles, or a few vertices at the tips of limbs would leave everything else grey. Either side
   // has its own, since limbs can shrink by many orders of magnitude while nothing grows by more than a few.
   constexpr double least = std::numeric_limits<double>::min();
   std::vector<double> sorted = values;
@@ -69,7 +69,7 @@ void write_coloured_ply(std::ostream& out, bool ascii, const Mesh& mesh, const s
   comment << "colours by " << name << ": ";
   if(low < -least)
     comment << "blue at " << low << ", ";
-  comment << "white at 0, red at " << high;
+  comment << "grey at 0, red at " << high;
   std::vector<Colour> colours;
   for(const double x : values)
     colours.push_back(diverging(x / (x < 0 ? -low : high)));

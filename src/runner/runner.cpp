@@ -191,7 +191,7 @@ void Line::check(const Request& request) const
     if(file.empty() || output.kind == Output::FOLDER)
       continue;
     const bool is_named = output.kind != Output::MESH || output.option() != "--output" || request.format.empty();
-    const bool is_known = file == standard_stream && output.extensions.size() == 1;
+    const bool is_known = file == standard_stream && (output.extensions.size() == 1 || output.kind == Output::MESH);
     if(!output.extensions.empty() && is_named && !is_known)
       require_extension(output.option(), file, output.extensions);
     if(output.kind == Output::MESH)
@@ -308,8 +308,10 @@ int Line::run_one()
     std::string& output = request_.outputs["--output"];
     require(output.empty() || first.kind != Output::FOLDER, "--output",
             "is a folder for several meshes; for one mesh, end its name with a slash");
-    if(output.empty() && first.when == Output::ALWAYS)
+    if(output.empty() && first.when == Output::ALWAYS) {
+      require(request_.options.input != standard_stream, "--output", "is required: the standard input has no name");
       output = fs::path(request_.options.input).filename().replace_extension(first.extensions.front()).string();
+    }
   } else if(!step_.gives.empty() && step_.gives.front().kind == Output::FOLDER)
     check_folder();
   check(request_);

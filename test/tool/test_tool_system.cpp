@@ -3,7 +3,7 @@
 
 #include "helpers/tool.h"
 
-#include "collections/batch.h"
+#include "collections/compute_in_parallel.h"
 #include "output/atomic_file.h"
 #include "runner/page.h"
 #include "system/refusal.h"
@@ -91,7 +91,7 @@ TEST_CASE("system: a batch goes on without the threads for which there is no mem
     bool has_memory = true;
     allocations_left = allocations;
     try {
-      tool::run_batch(20, 8, compute);
+      tool::compute_in_parallel(20, 8, compute);
     } catch(const std::bad_alloc&) {
       has_memory = false;
     }

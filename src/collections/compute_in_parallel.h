@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_BATCH_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_BATCH_H
+#ifndef SPHERICAL_PARAMETERIZATION_TOOL_COMPUTE_IN_PARALLEL_H
+#define SPHERICAL_PARAMETERIZATION_TOOL_COMPUTE_IN_PARALLEL_H
 
 #include <cstddef>
 #include <functional>
@@ -17,8 +17,8 @@ typedef std::function<void()> Store;
 ///
 /// Begins no more of them after SIGINT or SIGTERM, if they are watched for, and after an exception, the first of which
 /// it throws when all threads have ended.
-void run_batch(std::size_t count, int threads, const std::function<Store(std::size_t)>& compute);
+void compute_in_parallel(std::size_t count, int threads, const std::function<Store(std::size_t)>& compute);
 
 } // namespace tool
 
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_BATCH_H
+#endif // SPHERICAL_PARAMETERIZATION_TOOL_COMPUTE_IN_PARALLEL_H

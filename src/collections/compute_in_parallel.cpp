@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "collections/batch.h"
+#include "collections/compute_in_parallel.h"
 
 #include "system/interruption.h"
 
@@ -16,7 +16,7 @@
 
 namespace tool {
 
-void run_batch(std::size_t count, int threads, const std::function<Store(std::size_t)>& compute)
+void compute_in_parallel(std::size_t count, int threads, const std::function<Store(std::size_t)>& compute)
 {
   std::atomic<std::size_t> begun{0};
   std::atomic<bool> has_failed{false};

@@ -33,7 +33,8 @@ rooms='
 6|core|balanced|Balanced: start map and descent
 7|core|saddle_point|Saddle_point: the published method
 6|core|isometric|Isometric: decimation, insertion, relaxation
-8|core|driver|read_problem, solve, write_solution; Automatic
+7|core|automatic|Automatic: several methods in turn
+8|core|driver|read_problem, solve, write_solution
 5|beside|distortion|stretch and angles per face
 5|beside|locate|kd-tree, barycentric coordinates
 5|beside|signature|conformal factor, intrinsic Laplacian

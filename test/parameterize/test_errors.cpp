@@ -116,6 +116,11 @@ TEST_CASE("zero-area faces are refused only where the weights need an area", "[e
   settings.weights = Weights::MEAN_VALUE;
   CHECK(solve_any(collinear_face(), settings).error == Error_code::DEGENERATE_FACE);
   CHECK(solve_any(coincident_points(), settings).error == Error_code::DEGENERATE_FACE);
+
+  Soup flat = collinear_face(); // a normal that is not 0, and an angle of 180 degrees to rounding
+  auto& middle = flat.points[flat.faces[0][0]];
+  middle = middle + 1e-12 * (CGAL::ORIGIN - middle);
+  CHECK(solve_any(flat, settings).error == Error_code::DEGENERATE_FACE);
 }
 
 TEST_CASE("two triangles back to back do not pass for a valid map", "[errors]")

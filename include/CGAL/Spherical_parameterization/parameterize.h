@@ -93,7 +93,7 @@ Result run(const ExecutionPolicy& policy, const Method& method, const NamedParam
 /// The result is certified: if `Result::error` is `OK`, every face is positively oriented as seen from outside by an
 /// exact predicate on the coordinates written to `sphere_map`, and the map covers the sphere once. It is then a
 /// bijection. Otherwise the error says what is wrong. `sphere_map` is written whenever there is a map (`NOT_CONVERGED`,
-/// `INTERRUPTED` and `NOT_BIJECTIVE`: the best one found).
+/// `INTERRUPTED` and `NOT_BIJECTIVE`: the best one found, if there is one).
 ///
 /// `Result::termination` says why the method ended. It is `CONVERGED` if and only if the residual of the stored map is
 /// within the accuracy. The residual of a valid map may be larger: if vertices were moved to repair faces
@@ -177,7 +177,7 @@ Result run(const ExecutionPolicy& policy, const Method& method, const NamedParam
 ///
 /// Exceptions of the property maps and the callback are passed on.
 ///
-/// Complexity: linear in memory, about 500 bytes per vertex; `Balanced` takes as long as a few hundred applications
+/// Complexity: linear in memory, about 400 bytes per vertex; `Balanced` takes as long as a few hundred applications
 /// of the Laplacian for any number of vertices.
 template <class ExecutionPolicy, class TriangleMesh, class Method, class VertexSphereMap,
           class CGAL_NP_TEMPLATE_PARAMETERS, internal::If_method_for<TriangleMesh, Method> = 0>

@@ -6,6 +6,7 @@
 
 #include <CGAL/Spherical_parameterization/values/Error.h>
 
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <ostream>
@@ -38,7 +39,7 @@ inline const char* get_termination_name(Termination termination)
 struct Result {
   Error_code error = Error_code::OK; ///< `OK` if and only if the map is certified
   std::string detail;                ///< what is wrong, where, and what to do; empty if `OK`
-  std::string remedy;                ///< another method to try: the end of `detail` after "; "; else empty
+  std::string remedy; ///< what may help, such as another method: the end of `detail` after "; "; else empty
 
   std::size_t number_of_vertices = 0; ///< of the mesh
   std::size_t number_of_faces = 0;    ///< of the mesh
@@ -131,8 +132,10 @@ inline std::ostream& operator<<(std::ostream& out, const Result& r)
     out << ", but " << get_shortcoming(r);
   if(r.degree != 0 || r.residual != 0) {
     out << " (" << r.number_of_vertices << " vertices, ";
-    out << r.flipped_faces << " flipped faces, degree " << r.degree << ", residual " << r.residual << ", "
-        << r.start_iterations << " + " << r.iterations << " iterations, " << r.seconds.total << " s)";
+    out << r.flipped_faces << " flipped faces, degree " << r.degree << ", ";
+    if(!std::isnan(r.residual))
+      out << "residual " << r.residual << ", ";
+    out << r.start_iterations << " + " << r.iterations << " iterations, " << r.seconds.total << " s)";
   }
   return out;
 }

@@ -80,12 +80,12 @@ struct Saddle_point {
 /// Maps of low symmetric Dirichlet energy, coarse to fine, bijective by construction.
 ///
 /// The mesh is decimated to a tetrahedron, which is mapped to a regular one. The vertices are inserted again, round by
-/// round, each into the kernel of its star, and the distortion is relaxed after every round, or, above 20,000 vertices,
-/// each time the mesh has grown by three. A vertex is moved only to positions where all of its faces are positively
-/// oriented by an exact predicate. The energy is the symmetric Dirichlet energy s^2 + t^2 + 1/s^2 + 1/t^2 of the
-/// principal stretches s, t, integrated over the source (with `area_exponent` 1). E. Praun and H. Hoppe, "Spherical
-/// parametrization and remeshing", SIGGRAPH 2003; X. Hu, X.-M. Fu, L. Liu, "Advanced hierarchical spherical
-/// parameterizations", TVCG 2018. See \ref isometric_method.
+/// round, each into the kernel of its star, and the distortion is relaxed each time the mesh has grown by a third, or,
+/// above 500 vertices, has doubled, or, above 20,000, is five times as large. A vertex is moved only to positions where
+/// all of its faces are positively oriented by an exact predicate. The energy is the symmetric Dirichlet energy s^2 +
+/// t^2 + 1/s^2 + 1/t^2 of the principal stretches s, t, integrated over the source (with `area_exponent` 1). E. Praun
+/// and H. Hoppe, "Spherical parametrization and remeshing", SIGGRAPH 2003; X. Hu, X.-M. Fu, L. Liu, "Advanced
+/// hierarchical spherical parameterizations", TVCG 2018. See \ref isometric_method.
 ///
 /// Guarantee: the map is bijective in doubles, if there is one. If doubles have no position for a vertex, the result is
 /// `NOT_BIJECTIVE` and there is no map. The energy need not be minimal. Faces of area 0 are treated as small faces of
@@ -149,7 +149,7 @@ struct Isometric {
 /// If no map is valid and usable, the best one is returned: a valid map, else one of degree 1 with the fewest flipped
 /// faces. `Result::attempts` lists all methods that were tried, each with its verdict and its seconds. `Result::method`
 /// is the method of the returned map, and `Result::fallback_reason` says why an earlier one was rejected. If weights do
-/// not exist because of a face of area 0, only the second method is tried.
+/// not exist because of a face of (almost) no area, only the second method is tried.
 ///
 /// Named parameters: `accuracy` and `number_of_iterations` as for `Balanced`; the second attempt has the defaults of
 /// `Isometric`.

@@ -69,6 +69,7 @@ Host_loop host_loop(const ExecutionPolicy&)
 }
 
 /// Calls `f(backend, name)` with the backend on which `policy` maps a mesh of n vertices, and what to call it.
+/// That of OpenCL is in OpenCL_device.h.
 template <class ExecutionPolicy, class Loop>
 struct Choice_of_backend {
   template <class F>

@@ -23,18 +23,10 @@ public:
   Monitor& monitor() const { return monitor_; }
 
   /// How far the stage of the work has come. Throws Error if it has to end.
-  void advance(double fraction) const
-  {
-    if(!monitor_.advance(fraction))
-      throw Input_error(Error_code::INTERRUPTED, monitor_.reason());
-  }
+  void advance(double fraction) const { go_on_if(monitor_.advance(fraction)); }
 
   /// Throws Error if the work has to end.
-  void check() const
-  {
-    if(!monitor_.may_go_on())
-      throw Input_error(Error_code::INTERRUPTED, monitor_.reason());
-  }
+  void check() const { go_on_if(monitor_.may_go_on()); }
 
   /// From here on fractions are within this part of the work.
   void begin_stage(double begin, double end) const
@@ -64,6 +56,12 @@ public:
   }
 
 private:
+  void go_on_if(bool may_go_on) const
+  {
+    if(!may_go_on)
+      throw Input_error(Error_code::INTERRUPTED, monitor_.reason());
+  }
+
   Loop loop_;
   Monitor& monitor_;
 };

@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DRIVER_READ_SPRINGS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DRIVER_READ_SPRINGS_H
 
+#include <CGAL/Spherical_parameterization/internal/algebra/point_coordinates.h>
 #include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
 #include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
@@ -66,16 +67,18 @@ template <class TriangleMesh>
                                typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h, double w, int i,
                                int j)
 {
-  const auto is_degenerate = [&](auto side) { // the face on its left
+  const auto is_flat = [&](auto side) { // the face on its left: to rounding, its apex is on the line of the edge
     const auto apex = std::find(vertex.begin(), vertex.end(), target(next(side, mesh), mesh)) - vertex.begin();
-    const vec3 n = normal(surface.point, {i, j, static_cast<int>(apex)});
-    return inner(n, n) == 0;
+    const auto side_to = [&](int v) { return scaled_to_unit_box(sub(surface.point[v], surface.point[apex])); };
+    const vec3 a = side_to(i), b = side_to(j), n = outer(a, b);
+    return inner(n, n) <= 4 * std::numeric_limits<double>::epsilon() * inner(a, a) * inner(b, b);
   };
   const std::string edge_name = "edge " + std::to_string(surface.position[j]) + "-" +
                                 std::to_string(surface.position[i]) + " has weight " + to_string(w);
-  if(is_degenerate(h) || is_degenerate(opposite(h, mesh)))
-    throw Input_error(Error_code::DEGENERATE_FACE, edge_name + " because a face at it has no area; use conformal or "
-                                                               "barycentric weights, or repair the mesh");
+  if(is_flat(h) || is_flat(opposite(h, mesh)))
+    throw Input_error(Error_code::DEGENERATE_FACE, edge_name +
+                                                     " because a face at it has almost no area; use conformal or "
+                                                     "barycentric weights, or repair the mesh");
   throw Input_error(Error_code::BAD_WEIGHT, edge_name + "; weights must be positive and finite");
 }
 

@@ -4,151 +4,14 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DRIVER_SOLVE_IMPL_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DRIVER_SOLVE_IMPL_H
 
-#include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
 #include <CGAL/Spherical_parameterization/internal/backend/Host_backend.h>
 #include <CGAL/Spherical_parameterization/internal/driver/solve.h>
-#include <CGAL/Spherical_parameterization/internal/loops/for_each_face.h>
+#include <CGAL/Spherical_parameterization/internal/problem/attempt.h>
 
-#include <boost/pending/disjoint_sets.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
 #include <string>
 #include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
-
-/// Runs a method, and says how it went: an Error becomes a solution without a map. All seconds are accounted for.
-template <class Backend, class Method>
-Solution attempt(const Backend& backend, const Method_solver<Method>& solver, const Problem& problem,
-                 const Effort& effort, Monitor& monitor)
-{
-  const Stopwatch watch;
-  Solution solution;
-  try {
-    monitor.advance_or_throw();
-    solution = solver.solve(backend, problem, effort, monitor);
-  } catch(const Input_error& error) {
-    solution.error = error.code();
-    solution.detail = error.detail();
-    if(monitor.is_interrupted())
-      solution.termination = monitor.termination();
-    solution.seconds.solve = watch.seconds();
-  }
-  if(solution.has_map() && solution.attempts.empty())
-    pass_verdict(problem, monitor, solution);
-  if(solution.method.empty())
-    solution.method = solver.name();
-  solution.seconds.total = watch.seconds();
-  if(solution.attempts.empty())
-    solution.attempts.push_back(
-      {solution.method, solution.error, solution.detail, solution.seconds, solution.termination});
-  return solution;
-}
-
-/// What was wrong with the attempts before the chosen one; with that itself, if it is valid and of no use.
-inline std::string fallback_reason(const Problem& problem, const std::vector<Result::Attempt>& attempts,
-                                   std::size_t chosen)
-{
-  std::string reason = problem.missing_weights;
-  for(std::size_t k = 0; k <= chosen && k < attempts.size(); ++k)
-    if(k < chosen || (attempts[k].error == Error_code::OK && !attempts[k].detail.empty()))
-      reason += (reason.empty() ? "" : "; ") + attempts[k].method + ": " + attempts[k].detail;
-  return reason;
-}
-
-/// The share of the surface that is limbs of which a valid map leaves next to nothing: it shrinks their lengths more
-/// than so many times, against their mean. The spikes of noise, of a few faces each, are no limbs of a fine mesh.
-inline double shrunk_share(const Host_loop& loop, const Problem& problem, const Host_array<vec3>& position,
-                           double times)
-{
-  constexpr double least_limb = 1e-4; // of the faces
-  const auto area = [&](int f) { return problem.area_of_face(f); };
-  const double whole = sum_by_parts(loop, problem.number_of_faces(), area);
-  const double least = 4 * pi / whole / times / times; // area on the sphere, per area of the surface
-  const std::vector<int> shrunk = faces_where(
-    loop, problem.face,
-    [&](int f, const std::array<vec3, 3>& x) { return spherical_area(x[0], x[1], x[2]) < least * area(f); }, position);
-
-  // Faces with a common corner are of the same limb.
-  std::vector<int> corners;
-  for(int f : shrunk)
-    corners.insert(corners.end(), problem.face[f].begin(), problem.face[f].end());
-  std::sort(corners.begin(), corners.end());
-  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-  const auto place = [&](int v) { return std::lower_bound(corners.begin(), corners.end(), v) - corners.begin(); };
-  boost::disjoint_sets_with_storage<> limbs(corners.size());
-  for(int f : shrunk)
-    for(int k : {1, 2})
-      limbs.union_set(place(problem.face[f][0]), place(problem.face[f][k]));
-  std::vector<int> faces_of_limb(corners.size(), 0);
-  const auto limb = [&](int f) { return limbs.find_set(place(problem.face[f][0])); };
-  for(int f : shrunk)
-    ++faces_of_limb[limb(f)];
-  double of_limbs = 0;
-  for(int f : shrunk)
-    if(faces_of_limb[limb(f)] >= least_limb * problem.number_of_faces())
-      of_limbs += area(f);
-  return of_limbs / whole;
-}
-
-template <class Backend>
-Solution Method_solver<Automatic>::solve(const Backend& backend, const Problem& problem, const Effort& effort,
-                                         Monitor& monitor) const
-{
-  constexpr double negligible_share = 1e-3; // of the surface
-  Solution best;
-  bool is_best_extreme = false;
-  std::size_t chosen = 0;
-  std::vector<Result::Attempt> attempts;
-  Result::Seconds seconds;
-  // What is not covered once is worst; then flipped faces count.
-  const auto badness = [](const Solution& s) {
-    return std::make_pair(s.certificate.degree != 1, s.certificate.flipped_faces);
-  };
-  const auto try_method = [&](const auto& solver, const Effort& its_effort, double begin, double end) {
-    monitor.begin_stage(begin, end);
-    Solution solution = attempt(backend, solver, problem, its_effort, monitor);
-    attempts.insert(attempts.end(), solution.attempts.begin(), solution.attempts.end());
-    seconds.start_map += solution.seconds.start_map;
-    seconds.solve += solution.seconds.solve;
-    seconds.certify += solution.seconds.certify;
-    const bool is_valid = solution.error == Error_code::OK;
-    const Stopwatch watch;
-    const double shrunk =
-      is_valid ? shrunk_share(backend.host_loop(), problem, solution.position, method_.largest_shrinkage) : 0;
-    seconds.certify += watch.seconds();
-    const bool is_extreme = shrunk > negligible_share;
-    if(is_extreme)
-      attempts.back().detail = "valid, but lengths shrink more than " + to_string(method_.largest_shrinkage) +
-                               " times on " + to_string(100 * shrunk) + " % of the surface";
-    const bool is_better = solution.has_map() && !is_best_extreme && badness(solution) < badness(best);
-    // Which landmarks contradict the mesh is of more use than a map that is not valid.
-    const bool is_refusal = solution.error == Error_code::BAD_CONSTRAINTS && best.error != Error_code::OK;
-    if((is_valid && !is_extreme) || !best.has_map() || is_better || is_refusal) {
-      best = std::move(solution);
-      is_best_extreme = is_extreme;
-      chosen = attempts.size() - 1;
-    }
-    return (is_valid && !is_extreme) || monitor.is_interrupted();
-  };
-  const bool has_springs = problem.missing_weights.empty();
-  if(!has_springs || !try_method(Method_solver<Balanced>(Balanced{method_.spring_exponent}), effort, 0, 0.5))
-    try_method(Method_solver<Isometric>(Isometric{method_.area_exponent}), Effort(), has_springs ? 0.5 : 0, 1);
-  if(best.error != Error_code::OK && best.error != Error_code::INTERRUPTED && monitor.is_interrupted()) {
-    best.error = Error_code::INTERRUPTED;
-    best.detail =
-      best.has_map() ? monitor.reason() + "; the best map so far: " + best.detail : monitor.reason_without_map();
-    best.remedy.clear();
-  }
-  best.attempts = std::move(attempts);
-  best.seconds = seconds;
-  best.fallback_reason = fallback_reason(problem, best.attempts, chosen);
-  return best;
-}
 
 template <class Host_loop, class ExecutionPolicy, class Method>
 Solution solve(const ExecutionPolicy& policy, const Method& method, const Problem& problem, const Effort& effort,
@@ -157,7 +20,7 @@ Solution solve(const ExecutionPolicy& policy, const Method& method, const Proble
   constexpr bool has_others = !std::is_same_v<Method, Automatic> && !std::is_same_v<Method, Isometric>;
   const Stopwatch watch;
   Solution solution;
-  Choice_of_backend<ExecutionPolicy, Host_loop>::call(
+  Choice_of_backend<ExecutionPolicy, Host_loop>::call( // once; with OpenCL, small meshes go to a core of the host
     policy, problem.size(), [&](const auto& backend, const std::string& device) {
       const double set_up = watch.seconds(); // kernels of a device are compiled when it is used first
       solution = attempt(backend, Method_solver<Method>(method), problem, effort, monitor);

@@ -60,8 +60,8 @@ CGAL_SP_CORE void pass_verdict(const Problem& problem, const Monitor& monitor, S
   solution.termination = termination_of(monitor, solution);
   const bool is_done = report.has_converged || *solution.termination == Termination::CONVERGED;
   const auto after = [&](const std::string& what) {
-    return what + " after " + counted(report.iterations, "iteration", "iterations") + ", at residual " +
-           to_string(report.residual) + "; ";
+    const std::string where = std::isnan(report.residual) ? "" : ", at residual " + to_string(report.residual);
+    return what + " after " + counted(report.iterations, "iteration", "iterations") + where + "; ";
   };
   const std::string state = counted(certificate.flipped_faces, "face is", "faces are") + " flipped, the degree is " +
                             std::to_string(certificate.degree) + ", the smallest spherical area is " +

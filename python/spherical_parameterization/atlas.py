@@ -88,23 +88,26 @@ def atlas(
     arrays = [(vectors("points", points), index_triples(triangles)) for points, triangles in meshes]
     mapped: dict[int, tuple[Doubles, Integers, Doubles]] = {}
     refused: dict[int, str] = {}
+    first_code: ErrorCode | str = ErrorCode.EMPTY_MESH
     for i, (points, triangles) in enumerate(arrays):
         try:
             result = parameterize(points, triangles, Isometric(), policy=policy, warn=False)
         except MeshError as error:
-            refused[i] = str(error)
-            continue
-        if result.is_valid:
-            mapped[i] = points, triangles, result.sphere
+            refused[i], code = str(error), error.code
         else:
-            refused[i] = str(result)
+            if result.is_valid:
+                mapped[i] = points, triangles, result.sphere
+                continue
+            refused[i], code = str(result), result.error
+        if len(refused) == 1:
+            first_code = code
     if template is None:
         if not mapped:
             reasons = [f"mesh {i}: {reason}" for i, reason in refused.items()]
-            raise MeshError(ErrorCode.EMPTY_MESH, "; ".join(["no mesh has a map", *reasons]))
+            raise MeshError(first_code, "; ".join(["no mesh has a map", *reasons]))
         template = min(mapped)
     if template not in mapped:
-        raise ValueError(f"template: mesh {template} has no map: {refused.get(template or 0, 'there is no such mesh')}")
+        raise ValueError(f"template: mesh {template} has no map: {refused.get(template, 'there is no such mesh')}")
     numbers = list(mapped)
     placement, most = _PLACEMENTS.index(align), 2**31 - 1 if modes is None else modes
     where = level if faces == "icosphere" else -1

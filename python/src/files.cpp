@@ -104,8 +104,9 @@ void write_mesh(const std::string& file, const Doubles& points, const py::array&
 
 void write_text(const std::string& file, const std::string& text)
 {
+  const py::gil_scoped_release no_lock;
   tool::Atomic_files files;
-  files.open(file) << text;
+  files.open(file == tool::standard_stream ? "./" + file : file) << text; // which is a name here
   files.commit();
 }
 

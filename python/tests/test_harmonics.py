@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import os
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import numpy as np
@@ -106,6 +108,14 @@ def test_files(tmp_path: Path, extension: str) -> None:
     with pytest.raises(OSError):
         given.save("/dev/full/a.csv")
     assert list(tmp_path.iterdir()) == [file]
+    pipe = tmp_path / f"pipe.{extension}"
+    os.mkfifo(pipe)
+    with ThreadPoolExecutor(1) as pool:
+        text = pool.submit(pipe.read_text)
+        given.save(pipe)
+        given.save(file)
+        assert text.result() == file.read_text()
+    assert pipe.is_fifo()
 
 
 def test_conventions() -> None:

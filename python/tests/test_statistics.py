@@ -155,9 +155,10 @@ def test_atlas_of_a_family():
         sp.atlas([open_mesh, *family], template=0)
     with pytest.raises(sp.MeshError, match="two or more"):
         sp.atlas(family[:1])
-    for none in ([], [open_mesh]):
-        with pytest.raises(sp.MeshError, match="no mesh has a map" + "; mesh 0: .*closed" * len(none)):
+    for none, code in (([], "EMPTY_MESH"), ([open_mesh], "BOUNDARY")):
+        with pytest.raises(sp.MeshError, match="no mesh has a map" + "; mesh 0: .*closed" * len(none)) as caught:
             sp.atlas(none)
+        assert caught.value.code == code
 
 
 def test_the_tool_makes_the_same_atlas(tool):

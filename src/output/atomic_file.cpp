@@ -127,6 +127,14 @@ void Atomic_file::rename()
     return;
   }
   std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(file_, error);
+  if(std::filesystem::is_fifo(status) || std::filesystem::is_character_file(status)) { // nothing to replace
+    const std::ifstream complete(temporary_, std::ios::binary);
+    std::ofstream special(file_, std::ios::binary);
+    if(!(special << complete.rdbuf() << std::flush))
+      refuse("could not be written completely");
+    return;
+  }
   std::filesystem::rename(temporary_, file_, error);
   if(error)
     refuse("cannot be written (" + error.message() + ")");

@@ -37,7 +37,7 @@ void check_float_range(const std::string& file, const std::vector<Point>& points
 Point as_stored(Mesh_format format, Surface surface, Point point);
 
 /// Writes the mesh (not the sphere) as a PLY file with `stretch`, the log area stretch of every vertex, and coloured by
-/// it: white where areas keep their share, red where the map shrinks them, blue where it enlarges them.
+/// it: light grey where areas keep their share, red where the map shrinks them, blue where it enlarges them.
 void write_stretch_ply(std::ostream& out, bool ascii, const Mesh& mesh, const std::vector<double>& stretch);
 
 /// Writes the mean of shapes as a PLY file with `standard_deviation`, the root of the variance of every vertex, and

@@ -203,6 +203,12 @@ TEST_CASE("automatic: weights that are wrong are refused all the same", "[automa
   settings.weight_of_edge[3] = -1;
   Sphere sphere;
   CHECK(solve(icosphere(2), sphere, settings).error == Error_code::BAD_WEIGHT);
+
+  Soup short_edge = icosphere(2); // whose faces are thin, and not flat
+  const auto& f = short_edge.faces[0];
+  short_edge.points[f[0]] = short_edge.points[f[1]] + 1e-9 * (short_edge.points[f[0]] - short_edge.points[f[1]]);
+  settings.weight_of_edge = {{GENERATE(0u, 1u, 2u), -1}}; // of that face
+  CHECK(solve(short_edge, sphere, settings).error == Error_code::BAD_WEIGHT);
 }
 
 TEST_CASE("automatic: fixed vertices are kept where only the isometric method can", "[automatic][each_policy]")

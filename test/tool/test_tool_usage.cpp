@@ -54,6 +54,8 @@ TEST_CASE("usage: unexpected arguments come in the order in which they were type
 
 TEST_CASE("usage: one input can be the standard input", "[tool][usage]")
 {
+  check_usage({"view", "-"}, {"--output", "the standard input has no name"});
+  check_usage({"texture", "a.off", "-o", "-"}, {"--format", "is required for the standard output"});
   check_usage({"certify", "-", "-"}, {"SPHERE", "reads the standard input, as IN does"});
   check_usage({"register", "-", "-", "-o", "c.off"}, {"B", "reads the standard input, as A does"});
 }

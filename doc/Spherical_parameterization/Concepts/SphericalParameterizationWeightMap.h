@@ -5,7 +5,7 @@
 /// \cgalRefines{`boost::ReadablePropertyMap`}
 ///
 /// Weights are symmetric: they belong to edges, not to halfedges. All must be positive and finite; otherwise the result
-/// is `BAD_WEIGHT`. Their unit is arbitrary. Large ratios between weights cost iterations and accuracy.
+/// is `BAD_WEIGHT`, or `DEGENERATE_FACE` at a face of (almost) no area. Their unit is arbitrary. Large ratios between weights cost iterations and accuracy.
 ///
 /// The map is read once for every edge, while the mesh is read, by several threads at the same time unless the policy
 /// is `CGAL::Sequential_tag`.

@@ -95,9 +95,8 @@ private:
 };
 
 /// Mean value coordinates, symmetrized: each end of the edge e has the coordinate (tan a/2 + tan b/2) / |e|, with a and
-/// b its angles next to the edge. The coordinates of both ends are averaged. Not defined at faces of area 0. M.
-/// Floater, "Mean value coordinates", CAGD 20 (2003).
-/// \cgalModels{SphericalParameterizationWeightMap}
+/// b its angles next to the edge. The coordinates of both ends are averaged. Not defined at faces of (almost) no area.
+/// M. Floater, "Mean value coordinates", CAGD 20 (2003). \cgalModels{SphericalParameterizationWeightMap}
 template <class TriangleMesh, class VertexPointMap>
 class Mean_value_weight_map {
   typedef boost::graph_traits<TriangleMesh> Graph_traits;

@@ -23,13 +23,13 @@
   CODE(WRONG_GENUS, "the mesh is not of genus 0") /**< handles: not a topological sphere */ \
   CODE(NON_FINITE_COORDINATE, "a point has a coordinate that is not finite") /**< NaN or infinity in a point */ \
   CODE(DEGENERATE_FACE, "a degenerate face where an area is needed") \
-    /**< a face without area, or an edge without length, where one is needed */ \
+    /**< a face (almost) without area, or an edge without length, where one is needed */ \
   CODE(BAD_WEIGHT, "an edge weight is not positive and finite") /**< an edge weight that is not positive and finite */ \
   CODE(BAD_CONSTRAINTS, "the fixed vertices do not determine a map") \
     /**< fixed vertices: one or two, at equal positions, a zero vector; or the mesh is too coarse */ \
   CODE(NOT_CONVERGED, "the solver did not reach the accuracy") /**< the residual did not reach the accuracy */ \
   CODE(INTERRUPTED, "the computation was interrupted") \
-    /**< stopped by the callback or the time limit; the best map so far is stored */ \
+    /**< stopped by the callback or the time limit; the best map so far is stored, if there is one */ \
   CODE(NOT_BIJECTIVE, "the map found is not bijective") \
     /**< converged, but faces are flipped or the degree is not 1 */ \
   CODE(BAD_INDEX, "a triangle names a point that does not exist") \

@@ -110,7 +110,7 @@ Solution Method_solver<Automatic>::solve(const Backend& backend, const Problem& 
     }
     return (is_valid && !is_extreme) || monitor.is_interrupted();
   };
-  const bool has_springs = problem.graph != nullptr; // with densities there are none, nor where a face has no area
+  const bool has_springs = problem.graph != nullptr; // none with densities, nor where a face has no area for a weight
   if(!has_springs || !try_method(Method_solver<Balanced>(Balanced{method_.spring_exponent}), effort, 0, 0.5))
     try_method(Method_solver<Isometric>(Isometric{method_.area_exponent}), Effort(), // what was given is for springs
                has_springs ? 0.5 : 0, 1);

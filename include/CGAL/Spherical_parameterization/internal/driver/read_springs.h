@@ -67,11 +67,15 @@ template <class TriangleMesh>
                                typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h, double w, int i,
                                int j)
 {
-  const auto is_flat = [&](auto side) { // the face on its left: to rounding, its apex is on the line of the edge
+  const auto is_flat = [&](auto side) { // the face on its left: no area, or to rounding an angle of 180 degrees there
     const auto apex = std::find(vertex.begin(), vertex.end(), target(next(side, mesh), mesh)) - vertex.begin();
-    const auto side_to = [&](int v) { return scaled_to_unit_box(sub(surface.point[v], surface.point[apex])); };
-    const vec3 a = side_to(i), b = side_to(j), n = outer(a, b);
-    return inner(n, n) <= 4 * std::numeric_limits<double>::epsilon() * inner(a, a) * inner(b, b);
+    const auto is_straight = [&](int corner, int other) {
+      const auto to = [&](auto v) { return scaled_to_unit_box(sub(surface.point[v], surface.point[corner])); };
+      const vec3 a = to(other), b = to(apex), n = outer(a, b);
+      const double rounding = inner(a, b) < 0 ? 4 * std::numeric_limits<double>::epsilon() : 0;
+      return inner(n, n) <= rounding * inner(a, a) * inner(b, b);
+    };
+    return is_straight(i, j) || is_straight(j, i);
   };
   const std::string edge_name = "edge " + std::to_string(surface.position[j]) + "-" +
                                 std::to_string(surface.position[i]) + " has weight " + to_string(w);

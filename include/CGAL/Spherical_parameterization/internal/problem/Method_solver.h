@@ -17,7 +17,7 @@ namespace CGAL::Spherical_parameterization::internal {
 /// What a method does with edge weights.
 enum class Weights {
   NEEDED,       ///< there is no map without them
-  IF_AVAILABLE, ///< it can do without them where a face has no area
+  IF_AVAILABLE, ///< it can do without them: with densities, and where a face has no area
   UNUSED
 };
 

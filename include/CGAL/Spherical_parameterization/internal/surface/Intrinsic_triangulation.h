@@ -161,7 +161,8 @@ private:
           again.push_back(e);
         }
     };
-    for(int h = take_next(); h >= 0;)
+    int h = take_next();
+    while(h >= 0)
       loop.for_each(1, [&](int) { // a watched one asks before
         for(int k = 0; k < looks_at_once && h >= 0; ++k, h = take_next())
           look_at(h);

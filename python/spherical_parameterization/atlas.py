@@ -88,23 +88,23 @@ def atlas(
     arrays = [(vectors("points", points), index_triples(triangles)) for points, triangles in meshes]
     mapped: dict[int, tuple[Doubles, Integers, Doubles]] = {}
     refused: dict[int, str] = {}
-    first_code: ErrorCode | str = ErrorCode.EMPTY_MESH
+    codes: list[ErrorCode | str] = []
     for i, (points, triangles) in enumerate(arrays):
         try:
             result = parameterize(points, triangles, Isometric(), policy=policy, warn=False)
         except MeshError as error:
-            refused[i], code = str(error), error.code
+            refused[i] = str(error)
+            codes.append(error.code)
+            continue
+        if result.is_valid:
+            mapped[i] = points, triangles, result.sphere
         else:
-            if result.is_valid:
-                mapped[i] = points, triangles, result.sphere
-                continue
-            refused[i], code = str(result), result.error
-        if len(refused) == 1:
-            first_code = code
+            refused[i] = str(result)
+            codes.append(result.error)
     if template is None:
         if not mapped:
             reasons = [f"mesh {i}: {reason}" for i, reason in refused.items()]
-            raise MeshError(first_code, "; ".join(["no mesh has a map", *reasons]))
+            raise MeshError(codes[0] if codes else ErrorCode.EMPTY_MESH, "; ".join(["no mesh has a map", *reasons]))
         template = min(mapped)
     if template not in mapped:
         raise ValueError(f"template: mesh {template} has no map: {refused.get(template, 'there is no such mesh')}")

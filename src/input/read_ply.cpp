@@ -4,8 +4,9 @@
 #include "input/binary.h"
 #include "input/mesh_readers.h"
 #include "input/text_lines.h"
-#include "system/loops.h"
 #include "system/refusal.h"
+
+#include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 
 #include <algorithm>
 #include <atomic>
@@ -297,12 +298,10 @@ private:
   template <class Read>
   static bool for_all_rows(std::size_t count, Read read)
   {
-    constexpr std::size_t rows = 8192; // at once
     std::atomic<bool> are_good{true};
-    for_each_index(true, count / rows + 1, [&](std::size_t part) {
-      for(std::size_t row = part * rows; row < std::min(count, (part + 1) * rows) && are_good; ++row)
-        if(!read(row))
-          are_good = false;
+    SP::internal::for_each_index(SP::internal::Host_loop(true), static_cast<int>(count), [&](int row) {
+      if(are_good && !read(static_cast<std::size_t>(row)))
+        are_good = false;
     });
     return are_good;
   }

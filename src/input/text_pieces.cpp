@@ -3,8 +3,9 @@
 
 #include "input/text_pieces.h"
 
-#include "system/loops.h"
 #include "system/refusal.h"
+
+#include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -25,7 +26,7 @@ std::vector<std::string_view> pieces_of(std::string_view text)
 std::vector<std::size_t> numbers_of_lines(const std::vector<std::string_view>& pieces)
 {
   std::vector<std::size_t> numbers(pieces.size());
-  for_each_index(true, pieces.size(), [&](std::size_t i) {
+  SP::internal::Host_loop(true).for_each(static_cast<int>(pieces.size()), [&](int i) {
     const std::string_view piece = pieces[i];
     numbers[i] = static_cast<std::size_t>(std::count(piece.begin(), piece.end(), '\n')) +
                  (!piece.empty() && piece.back() != '\n' ? 1 : 0);
@@ -36,7 +37,7 @@ std::vector<std::size_t> numbers_of_lines(const std::vector<std::string_view>& p
 std::optional<Soup> read_pieces(std::size_t number, const std::function<std::optional<Soup>(std::size_t)>& read)
 {
   std::vector<std::optional<Soup>> pieces(number);
-  for_each_index(true, number, [&](std::size_t i) {
+  SP::internal::Host_loop(true).for_each(static_cast<int>(number), [&](int i) {
     try {
       pieces[i] = read(i);
     } catch(const Refusal&) { // whoever reads the whole text will throw it
@@ -62,7 +63,7 @@ std::optional<Soup> read_pieces(std::size_t number, const std::function<std::opt
   }
   soup.points.resize(points);
   soup.triangles.resize(triangles);
-  for_each_index(true, number, [&](std::size_t i) {
+  SP::internal::Host_loop(true).for_each(static_cast<int>(number), [&](int i) {
     std::copy(pieces[i]->points.begin(), pieces[i]->points.end(), soup.points.data() + first_point[i]);
     std::copy(pieces[i]->triangles.begin(), pieces[i]->triangles.end(), soup.triangles.data() + first_triangle[i]);
     pieces[i].reset();

@@ -9,7 +9,7 @@
 #include "watch.h"
 
 #include "input/mesh.h"
-#include "preparation/report.h"
+#include "preparation/prepare.h"
 #include "runner/page.h"
 
 #include <nlohmann/json.hpp>

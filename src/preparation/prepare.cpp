@@ -6,9 +6,44 @@
 #include "system/interruption.h"
 #include "system/refusal.h"
 
+#include <nlohmann/json.hpp>
+
 #include <functional>
 
 namespace tool {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const Defect& defect)
+{
+  return {{"count", defect.count}, {"first", defect.count > 0 ? Json(defect.first) : Json(nullptr)}};
+}
+
+Json to_json(const std::vector<Loop>& loops)
+{
+  Json json = Json::array();
+  for(const Loop& loop : loops)
+    json.push_back({{"edges", loop.edges},
+                    {"length", loop.length},
+                    {"vertex", loop.vertex >= 0 ? Json(loop.vertex) : Json(nullptr)}});
+  return json;
+}
+
+Json to_json(const std::vector<Piece>& pieces)
+{
+  Json json = Json::array();
+  for(const Piece& piece : pieces)
+    json.push_back({{"faces", piece.size.faces},
+                    {"area", piece.size.area},
+                    {"holes", piece.size.holes},
+                    {"handles", piece.size.genus()},
+                    {"vertex", piece.vertex >= 0 ? Json(piece.vertex) : Json(nullptr)},
+                    {"kept", piece.is_kept}});
+  return json;
+}
+
+} // namespace
 
 Preparation prepare(const std::string& file, const Soup& soup, const Preparation_settings& settings)
 {
@@ -19,5 +54,37 @@ Preparation prepare(const std::string& file, const Soup& soup, const Preparation
     throw Refusal(error.code(), file, "has " + error.detail(), "");
   }
 }
+
+Json to_json(const Preparation& preparation)
+{
+  const Gluing_defects& d = preparation.defects;
+  Json json = {{"done", sentences(preparation)},
+               {"non_finite_vertices", to_json(d.non_finite_vertices)},
+               {"isolated_vertices", to_json(d.isolated_vertices)},
+               {"faces_with_repeated_corners", to_json(d.repeated_corners)},
+               {"repeated_faces", to_json(d.repeated_faces)},
+               {"merged_vertices", to_json(d.merged_vertices)},
+               {"non_manifold_edges", to_json(d.non_manifold_edges)},
+               {"crowded_edges", to_json(d.crowded_edges)},
+               {"copies_of_non_manifold_vertices", to_json(d.non_manifold_vertices)},
+               {"slits", to_json(d.slits)},
+               {"reversed_faces", to_json(d.reversed_faces)},
+               {"cut_edges", to_json(d.cut_edges)},
+               {"components", to_json(preparation.pieces)},
+               {"holes", to_json(preparation.holes)},
+               {"holes_filled", preparation.is_filled},
+               {"handle_loops", to_json(preparation.handles)},
+               {"handles_cut_at_once", preparation.handles_cut_at_once},
+               {"degenerate_faces", to_json(preparation.degenerate_faces)},
+               {"degenerate_faces_removed", !preparation.has_degenerate_faces},
+               {"split_edges", preparation.split_edges},
+               {"turned_outwards", preparation.is_turned_outwards},
+               {"wrap", nullptr}};
+  if(preparation.wrap)
+    json["wrap"] = {{"alpha", *preparation.wrap->alpha}, {"offset", *preparation.wrap->offset}};
+  return json;
+}
+
+Json to_json(const Bounds& bounds) { return {bounds.low, bounds.high}; }
 
 } // namespace tool

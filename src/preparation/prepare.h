@@ -9,6 +9,8 @@
 #include <CGAL/Spherical_parameterization/preparation/prepare.h>
 #include <CGAL/Spherical_parameterization/preparation/surface_distance.h>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <string>
 
 namespace tool {
@@ -18,6 +20,10 @@ using namespace CGAL::Spherical_parameterization::preparation;
 /// Mends a mesh; `file` is what it was read from. Throws a `Refusal` if it has no face that can be used, and at an
 /// interruption.
 Preparation prepare(const std::string& file, const Soup& soup, const Preparation_settings& settings);
+
+/// What was wrong with a mesh, and what was done, for the reports of the tool and of Python.
+nlohmann::ordered_json to_json(const Preparation& preparation);
+nlohmann::ordered_json to_json(const Bounds& bounds);
 
 } // namespace tool
 

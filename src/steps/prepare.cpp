@@ -7,7 +7,6 @@
 #include "input/files.h"
 #include "input/mesh_readers.h"
 #include "preparation/prepare.h"
-#include "preparation/report.h"
 #include "system/interruption.h"
 #include "system/standard_output.h"
 

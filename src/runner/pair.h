@@ -14,9 +14,8 @@ namespace tool {
 /// What a step takes that registers two meshes.
 inline Takes pair_of_meshes()
 {
-  Takes takes = {Takes::PAIR, "isometric", "conformal", Takes::NO_SPHERE, Prepare::ALL};
-  takes.prepared = "output meshes have the faces of A as 'prepare' writes it";
-  return takes;
+  return {Takes::PAIR,      "isometric",  "conformal",
+          Takes::NO_SPHERE, Prepare::ALL, "output meshes have the faces of A as 'prepare' writes it"};
 }
 
 /// The work of a step on two meshes, which begins with `read_pair()` and `register_pair()`.

@@ -320,12 +320,10 @@ Work atlas_work()
 
 Step atlas_step()
 {
-  Takes takes = {Takes::TOGETHER, "isometric", "conformal", Takes::NO_SPHERE, Prepare::ALL};
-  takes.prepared = "the template, too";
   return {
     "atlas",
     "Mean shape and principal components of many meshes",
-    takes,
+    {Takes::TOGETHER, "isometric", "conformal", Takes::NO_SPHERE, Prepare::ALL, "the template, too"},
     {{"-o,--output",
       "Output folder: mean.ply; variance.ply, coloured; modes/, the mean plus and minus two standard deviations of "
       "each mode; scores.csv; quality.csv, compactness, generalization and specificity by the number of modes; "

@@ -174,12 +174,11 @@ Work harmonics_work()
 
 Step harmonics_step()
 {
-  Takes takes = {Takes::EACH, "isometric", "conformal", Takes::OPTION, Prepare::ALL};
-  takes.prepared = "the coefficients are those of the repaired mesh, whose vertices and faces --reconstruct writes";
   return {
     "harmonics",
     "Describe a shape by spherical harmonics (SPHARM)",
-    takes,
+    {Takes::EACH, "isometric", "conformal", Takes::OPTION, Prepare::ALL,
+     "the coefficients are those of the repaired mesh, whose vertices and faces --reconstruct writes"},
     {{"-o,--output",
       "Output file of the coefficients: .csv, .json, or .coef, the format of SPHARM-PDM",
       {".csv", ".json", ".coef"},

@@ -188,11 +188,10 @@ Work resample_work()
 
 Step resample_step()
 {
-  Takes takes = {Takes::EACH, "isometric", "conformal", Takes::OPTION, Prepare::ALL}; // which loses no limb
-  takes.prepared = "the repaired mesh is sampled";
   return {"resample",
           "Sample a shape at the vertices of an icosphere or another sphere",
-          takes,
+          {Takes::EACH, "isometric", "conformal", Takes::OPTION, Prepare::ALL, // which loses no limb
+           "the repaired mesh is sampled"},
           {{"-o,--output", "Output file of the new mesh", {}, Output::MESH, Output::REQUIRED},
            {"--output-sphere", "Write that sphere, too, which is the map of the new mesh", {}, Output::MESH}},
           resample_work,

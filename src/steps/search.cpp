@@ -297,14 +297,10 @@ Work search_work()
 
 Step search_step()
 {
-  Takes takes;
-  takes.meshes = Takes::ONE;
-  takes.prepare = Prepare::ALL;
-  takes.prepared = "as 'signature --prepare' does";
   return {
     "search",
     "Find the meshes with the most similar shapes, in any pose",
-    takes,
+    {Takes::ONE, nullptr, "", Takes::NO_SPHERE, Prepare::ALL, "as 'signature --prepare' does"},
     {},
     search_work,
     "search bunny.ply --index index.db -k 5",

@@ -57,14 +57,10 @@ Work signature_work()
 
 Step signature_step()
 {
-  Takes takes;
-  takes.meshes = Takes::TOGETHER;
-  takes.prepare = Prepare::ALL;
-  takes.prepared = "the signature is that of the repaired mesh";
   return {
     "signature",
     "Compute a shape descriptor of each mesh, for the command 'search'",
-    takes,
+    {Takes::TOGETHER, nullptr, "", Takes::NO_SPHERE, Prepare::ALL, "the signature is that of the repaired mesh"},
     {{"-o,--output",
       "Output file of the index, an SQLite database with a row for each mesh. If its extension is .csv, the rows are "
       "written to it as a table, and the index is the file .db next to it",

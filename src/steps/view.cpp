@@ -57,11 +57,9 @@ void view(Run& run)
 
 Step view_step()
 {
-  Takes takes = {Takes::EACH, "automatic", "conformal", Takes::OPTION, Prepare::ALL};
-  takes.prepared = "the page shows the repaired mesh";
   return {"view",
           "Write a web page that shows a mesh and its sphere, as one HTML file",
-          takes,
+          {Takes::EACH, "automatic", "conformal", Takes::OPTION, Prepare::ALL, "the page shows the repaired mesh"},
           {{"-o,--output",
             "Output file: .html [IN with that extension, in this folder]",
             {".html"},

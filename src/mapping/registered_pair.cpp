@@ -175,12 +175,10 @@ Registration_options to_register(const Mapping_options& options, const std::stri
 
 void add_registration_options(Options& all, Registration_options& options)
 {
-  all
-    .add(
-      "--landmarks", options.landmarks,
-      "Text file of corresponding vertices: a line 'vertex-of-A vertex-of-B' for each pair, numbered from 0. They are "
-      "moved onto each other where this flips no face; three or more pairs also determine the rotation of the sphere")
-    .is("FILE");
+  all.add(
+    "--landmarks", options.landmarks,
+    "Text file of corresponding vertices: a line 'vertex-of-A vertex-of-B' for each pair, numbered from 0. They are "
+    "moved onto each other where this flips no face; three or more pairs also determine the rotation of the sphere");
   all
     .add("--motion", options.motion,
          "How the map of A may be moved: rotation, moebius (for conformal maps), or deformation")
@@ -196,7 +194,6 @@ void add_registration_options(Options& all, Registration_options& options)
       "Two files, as for --data, with values at the vertices of A and of B that should be equal at corresponding "
       "points, such as sulcal depth. Columns are compared in order; their units do not matter. Vertices that --prepare "
       "adds get the means of their neighbours")
-    .is("FILE")
     .times(2);
   all
     .add("--feature-weight", options.feature_weights,

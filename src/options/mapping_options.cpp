@@ -98,13 +98,11 @@ void add_mapping_options(Options& all, Mapping_options& o, bool are_for_one)
     .of({"centroid", "harmonic"})
     .only_with("--method", {"saddle-point"});
   if(are_for_one) {
-    all
-      .add(
-        "--fixed", o.fixed,
-        "Text file of fixed vertices: three or more lines 'index x y z', indices from 0, positions on the sphere. "
-        "isometric and automatic keep them at any positions, balanced and saddle-point only if they fit the harmonic "
-        "map")
-      .is("FILE");
+    all.add(
+      "--fixed", o.fixed,
+      "Text file of fixed vertices: three or more lines 'index x y z', indices from 0, positions on the sphere. "
+      "isometric and automatic keep them at any positions, balanced and saddle-point only if they fit the harmonic "
+      "map");
     all
       .add(
         "--landmark-weight", o.landmark_weight,
@@ -118,7 +116,6 @@ void add_mapping_options(Options& all, Mapping_options& o, bool are_for_one)
       "--density", o.density,
       "Isometric, automatic: text file with a positive number for every vertex or every face; areas on the sphere are "
       "to be proportional to these numbers times the areas of IN")
-    .is("FILE")
     .only_with("--method", {"isometric", "automatic"});
 
   all.begin_group("Where to run");

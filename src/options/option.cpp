@@ -52,7 +52,7 @@ std::string Option::kind_of_value() const
   return std::visit(
     [](auto* target) -> std::string {
       using T = typename Content<std::decay_t<decltype(*target)>>::type;
-      return std::is_same_v<T, bool> ? "" : std::is_integral_v<T> ? "N" : std::is_same_v<T, double> ? "X" : "TEXT";
+      return std::is_same_v<T, bool> ? "" : std::is_integral_v<T> ? "N" : std::is_same_v<T, double> ? "X" : "FILE";
     },
     value);
 }

@@ -27,7 +27,7 @@ struct Option {
   Value value;
   std::string description;
   std::string group;                    ///< heading in the help
-  std::string kind = {};                ///< of the value, for the help: "FILE", "FOLDER", ...
+  std::string kind = {};                ///< of the value, for the help; texts without one are a "FILE"
   std::vector<std::string> words = {};  ///< of which the value has to be one, if there are any
   std::string interval = {};            ///< that a number has to be in, as in "[0,1)"
   std::string other = {};               ///< option that decides whether this one is of use:

@@ -88,7 +88,6 @@ Line::Line(const Step& step, CLI::App& command) : step_(step), command_(command)
              (step_.takes.meshes == Takes::PAIR ? "A" : "IN; of several IN the same for all") +
              ": FreeSurfer's curv, .annot and .label, GIFTI, .csv. They are written to outputs that hold them (.ply, "
              ".vtk, .vtp), as are those that the mesh has itself")
-      .is("FILE")
       .times(0);
   const Output* const first = step_.gives.empty() ? nullptr : &step_.gives.front();
   if(first != nullptr && first->kind == Output::MESH) {
@@ -121,7 +120,6 @@ Line::Line(const Step& step, CLI::App& command) : step_(step), command_(command)
         "--sphere", request_.spheres,
         "Spheres of A and B that 'map' has written, to use instead of new maps. Cannot be combined with options that "
         "say how to map, except --max-time, which also limits the registration")
-      .is("FILE")
       .times(2);
     all_.add("--spheres", request_.spheres, "").times(2).group.clear(); // its name before
   }
@@ -147,12 +145,11 @@ void Line::add_inputs()
 {
   if(step_.takes.meshes == Takes::PAIR) {
     const std::string format = std::string("closed triangle mesh of genus 0: ") + mesh_extensions;
-    all_.add("A", request_.options.input, "The mesh that is registered to B, a " + format).is("FILE").required();
-    all_.add("B", request_.other, "The other mesh, of the same kind").is("FILE").required();
+    all_.add("A", request_.options.input, "The mesh that is registered to B, a " + format).required();
+    all_.add("B", request_.other, "The other mesh, of the same kind").required();
   }
   if(step_.takes.meshes == Takes::ONE)
     all_.add("QUERY", request_.options.input, std::string("Closed triangle mesh of genus 0: ") + mesh_extensions)
-      .is("FILE")
       .required();
   if(!is_about_each() && step_.takes.meshes != Takes::TOGETHER)
     return;
@@ -163,7 +160,7 @@ void Line::add_inputs()
            : std::string("Closed triangle meshes of genus 0 (") + mesh_extensions + "), or folders of them")
     .is("FILE|FOLDER")
     .times(0);
-  all_.add("--list", request_.meshes.list, "Text file with one more IN per line").is("FILE");
+  all_.add("--list", request_.meshes.list, "Text file with one more IN per line");
   all_.add("-j,--jobs", request_.meshes.jobs, "Number of meshes to work on at the same time [all cores]")
     .in("[1,4096]");
 }

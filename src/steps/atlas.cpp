@@ -285,10 +285,8 @@ Work atlas_work()
   const auto own = std::make_shared<Atlas_options>();
   Work work = {[own](Run& run) { Atlas(*own, run).run(); }};
   Options& options = work.options;
-  options
-    .add("--template", own->template_mesh,
-         "The mesh to which all are registered first: one of IN or another one [the first of IN that has a map]")
-    .is("FILE");
+  options.add("--template", own->template_mesh,
+              "The mesh to which all are registered first: one of IN or another one [the first of IN that has a map]");
   options
     .add("--rounds", own->rounds,
          "Number of rounds of registration; from the second round on, the template is the mean of the round before")

@@ -257,7 +257,6 @@ Work search_work()
     .add("--index", own->index,
          "Index that the command 'signature' has written; for a table .csv, the file .db "
          "next to it is read")
-    .is("FILE")
     .required();
   work.options.add("-k,--number", own->number, "Number of meshes to list").in("[1,2147483647]");
   work.options.add(
@@ -269,17 +268,14 @@ Work search_work()
          "Compare QUERY with so many of the nearest meshes by registration, and order these by the distance times the "
          "difference of corresponding points")
     .in("[1,2147483647]");
-  work.options
-    .add("--changes", own->changes,
-         "With --rerank: write QUERY with a property 'change_1', 'change_2', ... of its faces for each mesh that was "
-         "compared, in the order of the lines: how many times lengths change on the way to that mesh (.ply)")
-    .is("FILE");
-  work.options
-    .add(
-      "--picture", own->picture,
-      "Write QUERY and the meshes that are listed side by side, each scaled to the same area, with a property 'place' "
-      "of the faces: 0 for QUERY, 1 for the first line, ... (.ply)")
-    .is("FILE");
+  work.options.add(
+    "--changes", own->changes,
+    "With --rerank: write QUERY with a property 'change_1', 'change_2', ... of its faces for each mesh that was "
+    "compared, in the order of the lines: how many times lengths change on the way to that mesh (.ply)");
+  work.options.add(
+    "--picture", own->picture,
+    "Write QUERY and the meshes that are listed side by side, each scaled to the same area, with a property 'place' "
+    "of the faces: 0 for QUERY, 1 for the first line, ... (.ply)");
   work.check = [own](const Request&) {
     require(own->changes.empty() || own->rerank > 0, "--changes", "requires --rerank");
     for(const auto& [option, file] : {std::pair("--changes", own->changes), std::pair("--picture", own->picture)})

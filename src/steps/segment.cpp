@@ -149,15 +149,13 @@ Work segment_work()
   const auto shape = std::make_shared<Labelled_shape>();
   Work work = {[own, shape](Run& run) { segment(*own, *shape, run); }};
   work.options.add("--segments", own->number, "Largest number of segments [as many as the shape has]").in("[1,inf)");
-  work.options
-    .add("--like", own->like,
-         "A mesh: every segment gets the label and the colour of the segment of this mesh that corresponds to it, by "
-         "registration. The line of a mesh and the report say how far to trust the labels: sure, unsure or unlike")
-    .is("FILE");
+  work.options.add(
+    "--like", own->like,
+    "A mesh: every segment gets the label and the colour of the segment of this mesh that corresponds to it, by "
+    "registration. The line of a mesh and the report say how far to trust the labels: sure, unsure or unlike");
   work.options
     .add("--like-labels", own->like_labels,
          "A label for each face of that mesh, a whole number, one per line [its segments]")
-    .is("FILE")
     .only_with("--like");
   work.reads = [own](const Request&) {
     return Work::Files{{"--like", own->like}, {"--like-labels", own->like_labels}};

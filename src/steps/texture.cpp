@@ -142,8 +142,8 @@ Work texture_work()
   work.options.add("--north", own->north, "North pole on the sphere [that of the least distorted texture]")
     .is("X Y Z")
     .times(3);
-  work.options.add("--image", own->image, "Image of the material, instead of a checker; PNG or JPEG for .glb and .gltf")
-    .is("FILE");
+  work.options.add("--image", own->image,
+                   "Image of the material, instead of a checker; PNG or JPEG for .glb and .gltf");
   work.check = [own](const Request& request) {
     require(!own->north || *own->north != std::array<double, 3>{0, 0, 0}, "--north", "must not be the zero vector");
     require(request.file() != standard_stream || !is_obj(request), "--output",

@@ -33,24 +33,347 @@ bool is_folder(const std::string& file)
 /// The command line of a step, and what it stands for.
 class Line {
 public:
-  Line(const Step& step, CLI::App& command);
-  int execute();
+  Line(const Step& step, CLI::App& command) : step_(step), command_(command), work_(step.work())
+  {
+    if(step_.takes.meshes != Takes::NONE)
+      step_.gives.push_back(
+        {"--report", "Write results, times, memory and settings, or the error, as JSON", {}, Output::FILE});
+    const auto may_be_ply = [](const Output& output) {
+      const auto& all = output.extensions;
+      return output.kind == Output::MESH ? all.empty() || all.front() == ".ply"
+                                         : std::count(all.begin(), all.end(), ".ply") > 0;
+    };
+    const bool has_ply = std::any_of(step_.gives.begin(), step_.gives.end(), may_be_ply);
+    carries_data_ = step_.takes.meshes == Takes::PAIR || (is_about_each() && has_ply);
+    if(carries_data_)
+      step_.gives.push_back(
+        {"--data-output", std::string("Write the columns of --data, and those that the mesh has, at the vertices of "
+                                      "the output: ") +
+                            data_names});
+    add_inputs();
+    for(const Output& output : step_.gives)
+      add_output(output);
+    if(carries_data_)
+      all_
+        .add("--data", request_.options.data,
+             std::string("Values and labels at the vertices of ") +
+               (step_.takes.meshes == Takes::PAIR ? "A" : "IN; of several IN the same for all") +
+               ": FreeSurfer's curv, .annot and .label, GIFTI, .csv. They are written to outputs that hold them (.ply, "
+               ".vtk, .vtp), as are those that the mesh has itself")
+        .times(0);
+    const Output* const first = step_.gives.empty() ? nullptr : &step_.gives.front();
+    if(first != nullptr && first->kind == Output::MESH) {
+      std::vector<std::string> words;
+      for(const auto& [word, format] : output_formats())
+        if(first->extensions.empty() ||
+           std::count(first->extensions.begin(), first->extensions.end(), extension_of_format(word)) > 0)
+          words.push_back(word);
+      all_
+        .add("--format", request_.format,
+             "Format of the output [by its name; in a folder: " +
+               (first->extensions.empty() ? "ply" : first->extensions.front().substr(1)) + ']')
+        .of(words);
+    }
+    if(has_ply)
+      all_.add("--ascii", request_.ascii, "Write PLY, VTK and VTP files as text instead of binary");
+    if(step_.takes.prepare == Prepare::ALL)
+      all_.add("--prepare", prepares_,
+               std::string("Repair the mesh first as the command 'prepare' does: holes, handles, components, ...; ") +
+                 step_.takes.prepared);
+    if(step_.takes.prepare == Prepare::HARMLESS)
+      all_.add("--prepare", prepares_,
+               "Repair IN first as far as its shape does not change: merge vertices at the same position, orient "
+               "faces, remove "
+               "repeated faces and isolated vertices. The sphere is then that of the repaired mesh ('prepare --steps "
+               "merge,orient' writes it)");
+    if(step_.takes.meshes == Takes::PAIR) {
+      all_
+        .add(
+          "--sphere", request_.spheres,
+          "Spheres of A and B that 'map' has written, to use instead of new maps. Cannot be combined with options that "
+          "say how to map, except --max-time, which also limits the registration")
+        .times(2);
+      all_.add("--spheres", request_.spheres, "").times(2).group.clear(); // its name before
+    }
+    if(step_.takes.sphere == Takes::OPTION)
+      all_
+        .add("--sphere", request_.options.sphere,
+             "Sphere of IN that 'map' has written, to use instead of a new map; for several IN the folder of their "
+             "spheres. Cannot be combined with options that say how to map")
+        .is("FILE|FOLDER");
+    if(step_.takes.method != nullptr) {
+      request_.options.method = step_.takes.method;
+      request_.options.weights = step_.takes.weights;
+      add_mapping_options(all_, request_.options, is_about_each());
+    }
+    add_options(command_, work_.options);
+    add_options(command_, all_);
+    command_.footer((step.notes.empty() ? "" : wrapped(step.notes) + '\n') +
+                    (step.example.empty() ? "" : "Example: spherical-parameterization " + step.example + '\n') +
+                    "Exit code: 0 done, 1 refused or not done (stderr says why), 2 wrong usage, 130 interrupted.");
+  }
+
+  int execute()
+  {
+    for(const CLI::Option* option : command_.get_options())
+      if(option->count() > 0)
+        request_.given[option->get_name()] = joined(option->results(), ",");
+    const auto check_use = [this](const Options& options) {
+      for(const Option& option : options)
+        require(!request_.has(option.name()) || options.is_of_use(option), option.name(),
+                "requires " + option.other + (option.values.empty() ? "" : ' ' + joined(option.values, " or ")));
+    };
+    check_use(all_);
+    check_use(work_.options);
+    if(!request_.spheres.empty() || request_.has("--sphere"))
+      for(const Option& option : all_) {
+        const bool is_allowed = option.group == general_options || option.group.empty() ||
+                                option.name() == "--policy" ||
+                                (option.name() == "--max-time" && !request_.spheres.empty());
+        require(!request_.has(option.name()) || is_allowed, "--sphere", "excludes " + option.name());
+      }
+    request_.options.prepare = prepares_ ? step_.takes.prepare : Prepare::NO;
+    request_.options.can_prepare_all = step_.takes.prepare == Prepare::ALL;
+    if(step_.takes.method != nullptr)
+      check_mapping_options(request_.options);
+
+    if((is_about_each() || step_.takes.meshes == Takes::TOGETHER) && request_.meshes.inputs.empty() &&
+       request_.meshes.list.empty())
+      throw CLI::RequiredError("IN or --list");
+    if(step_.takes.sphere == Takes::ARGUMENT) {
+      std::vector<std::string>& inputs = request_.meshes.inputs;
+      require(inputs.size() + (request_.meshes.list.empty() ? 0 : 1) >= 2, "SPHERE", "is required, behind MESH");
+      request_.options.sphere = inputs.back();
+      inputs.pop_back();
+    }
+    const bool is_each_of_many = is_about_each() && are_many();
+    if((is_each_of_many || step_.takes.meshes == Takes::TOGETHER) && request_.meshes.number_of_jobs() > 1 &&
+       !request_.has("--policy"))
+      request_.options.policy = "sequential"; // the other cores have meshes of their own
+    return is_each_of_many ? run_many() : run_one();
+  }
 
 private:
-  typedef std::vector<File_option> Files;
+  using Files = Work::Files;
 
   bool is_about_each() const { return step_.takes.meshes == Takes::EACH; }
-  void add_inputs();
-  void add_output(const Output& output);
-  void check(const Request& request) const;
-  Files inputs(const Request& request) const;
-  Files outputs(const Request& request) const;
-  bool looks_like_file(const std::string& output) const;
-  void check_folder();
-  bool are_many() const;
-  int run_one();
-  int run_many();
-  Request of_item(const Item& item, const std::map<std::string, std::string>& spheres) const;
+
+  void add_inputs()
+  {
+    if(step_.takes.meshes == Takes::PAIR) {
+      const std::string format = std::string("closed triangle mesh of genus 0: ") + mesh_extensions;
+      all_.add("A", request_.options.input, "The mesh that is registered to B, a " + format).required();
+      all_.add("B", request_.other, "The other mesh, of the same kind").required();
+    }
+    if(step_.takes.meshes == Takes::ONE)
+      all_.add("QUERY", request_.options.input, std::string("Closed triangle mesh of genus 0: ") + mesh_extensions)
+        .required();
+    if(!is_about_each() && step_.takes.meshes != Takes::TOGETHER)
+      return;
+    all_
+      .add("IN", request_.meshes.inputs,
+           step_.takes.what != nullptr
+             ? step_.takes.what
+             : std::string("Closed triangle meshes of genus 0 (") + mesh_extensions + "), or folders of them")
+      .is("FILE|FOLDER")
+      .times(0);
+    all_.add("--list", request_.meshes.list, "Text file with one more IN per line");
+    all_.add("-j,--jobs", request_.meshes.jobs, "Number of meshes to work on at the same time [all cores]")
+      .in("[1,4096]");
+  }
+
+  void add_output(const Output& output)
+  {
+    std::string text = output.description;
+    if(output.kind == Output::MESH && output.option() == "--output") {
+      text += output.extensions.empty() ? std::string(": ") + mesh_names : "";
+      text += ", also followed by .gz, .xz, .zst or .bz2; - is the standard output";
+    }
+    if(output.option() == "--output" && is_about_each() && output.kind != Output::FOLDER)
+      text += "; for several IN a folder";
+    Option& option = all_.add(output.names, request_.outputs[output.option()], text);
+    option.is(output.kind == Output::FOLDER ? "FOLDER" : "FILE");
+    if(output.when == Output::REQUIRED)
+      option.required();
+  }
+
+  /// Throws what is wrong usage, but for names of files that meet.
+  void check(const Request& request) const
+  {
+    for(const Output& output : step_.gives) {
+      const std::string& file = request.file(output.option());
+      if(file.empty() || output.kind == Output::FOLDER)
+        continue;
+      const bool is_named = output.kind != Output::MESH || output.option() != "--output" || request.format.empty();
+      const bool is_known = file == standard_stream && (output.extensions.size() == 1 || output.kind == Output::MESH);
+      if(!output.extensions.empty() && is_named && !is_known)
+        require_extension(output.option(), file, output.extensions);
+      if(output.kind == Output::MESH)
+        request.mesh_format(output.option());
+      if(output.option() == "--data-output")
+        require(data_format_of_name(file).has_value(), "--data-output", "'" + file + "' must be called " + data_names);
+    }
+    if(work_.check)
+      work_.check(request);
+  }
+
+  Files inputs(const Request& request) const
+  {
+    Files files = input_files(request.options);
+    files.front().first = step_.takes.meshes == Takes::PAIR ? "A" : "IN";
+    for(File_option& file : files)
+      if(step_.takes.sphere == Takes::ARGUMENT && file.first == "--sphere")
+        file.first = "SPHERE";
+    files.emplace_back("B", request.other);
+    for(const std::string& sphere : request.spheres)
+      files.emplace_back("--sphere", sphere);
+    if(work_.reads)
+      for(const File_option& file : work_.reads(request))
+        files.push_back(file);
+    return files;
+  }
+
+  Files outputs(const Request& request) const
+  {
+    Files files;
+    for(const Output& output : step_.gives)
+      if(const std::string& file = request.file(output.option()); output.kind != Output::FOLDER && !file.empty())
+        files.emplace_back(output.option(), file);
+    if(work_.writes)
+      for(const File_option& file : work_.writes(request))
+        files.push_back(file);
+    return files;
+  }
+
+  /// Whether it is named like a file that the step writes: a folder of such a name would be an accident.
+  bool looks_like_file(const std::string& output) const
+  {
+    const auto& extensions = step_.gives.front().extensions;
+    return is_mesh_file(output) || std::count(extensions.begin(), extensions.end(), lower_case_extension(output)) > 0;
+  }
+
+  /// Throws what is wrong usage of a folder of outputs, which is then without a slash at the end.
+  void check_folder()
+  {
+    std::string& folder = request_.outputs["--output"];
+    std::error_code none;
+    require(is_folder(folder) || !fs::exists(folder, none), "--output",
+            "'" + folder + "' is a file; the output of several meshes is a folder");
+    require(is_folder(folder) || !looks_like_file(folder), "--output",
+            "'" + folder + "' has the extension of a file; the output of several meshes is a folder");
+    while(folder.size() > 1 && folder.back() == '/')
+      folder.pop_back();
+  }
+
+  /// Whether there are several meshes, or one whose output goes to a folder.
+  bool are_many() const
+  {
+    const auto& [inputs, list, jobs] = request_.meshes;
+    const std::string& output = request_.file();
+    return inputs.size() != 1 || !list.empty() || is_folder(inputs.front()) ||
+           (!output.empty() && (output.back() == '/' || (step_.gives.front().kind != Output::FOLDER &&
+                                                         is_folder(output) && !looks_like_file(output))));
+  }
+
+  int run_one()
+  {
+    if(is_about_each()) {
+      request_.options.input = request_.meshes.inputs.front();
+      const Output& first = step_.gives.front();
+      std::string& output = request_.outputs["--output"];
+      require(output.empty() || first.kind != Output::FOLDER, "--output",
+              "is a folder for several meshes; for one mesh, end its name with a slash");
+      if(output.empty() && first.when == Output::ALWAYS) {
+        require(request_.options.input != standard_stream, "--output", "is required: the standard input has no name");
+        output = fs::path(request_.options.input).filename().replace_extension(first.extensions.front()).string();
+      }
+    } else if(!step_.gives.empty() && step_.gives.front().kind == Output::FOLDER)
+      check_folder();
+    check(request_);
+    Files read = inputs(request_);
+    if(step_.takes.meshes == Takes::TOGETHER) {
+      read.emplace_back("--list", request_.meshes.list);
+      for(const std::string& mesh : request_.meshes.meshes())
+        read.emplace_back("the mesh " + mesh, mesh);
+    }
+    check_files(read, outputs(request_));
+    Run run(request_);
+    const Outcome outcome = perform(step_, work_, run);
+    if(!outcome.text.empty())
+      std::cout << outcome.text << std::endl;
+    return outcome.refusal ? exit_code_of(outcome.refusal) : run.exit_code;
+  }
+
+  /// What is asked for one of many meshes: --output is a folder, and further outputs get the names that the options say
+  /// behind the names of the meshes.
+  Request of_item(const Item& item, const std::map<std::string, std::string>& spheres) const
+  {
+    Request one = request_;
+    one.options.input = item.mesh;
+    one.is_one_of_many = true;
+    const Output& first = step_.gives.front();
+    if(!request_.file().empty()) {
+      const std::string name = request_.file() + '/' + item.name;
+      for(auto& [option, file] : one.outputs)
+        if(option != "--output" && !file.empty())
+          file = name + '.' + file;
+      one.outputs["--output"] = first.kind == Output::FOLDER ? ""
+                                : !request_.format.empty()   ? name + extension_of_format(request_.format)
+                                : first.extensions.empty()   ? name + ".ply"
+                                                             : name + first.extensions.front();
+    }
+    if(const auto sphere = spheres.find(item.name); sphere != spheres.end())
+      one.options.sphere = sphere->second;
+    else if(is_folder(request_.options.sphere))
+      one.options.sphere = request_.options.sphere + '/' + item.name + ".ply"; // which is missing
+    return one;
+  }
+
+  int run_many()
+  {
+    check_folder();
+    const std::string folder = request_.file();
+    require(!folder.empty() || step_.gives.front().when != Output::ALWAYS, "--output", "is required: a folder");
+    for(const auto& [option, file] : request_.outputs)
+      if(option != "--output") {
+        require(file.empty() || !folder.empty(), "--output",
+                "is required: a folder for the files '" + file + "' of several meshes");
+        require(file.find('/') == std::string::npos, "--output",
+                "is a folder: '" + file + "' is added to the names of the meshes, and may not have a '/'");
+      }
+    const int threads = request_.meshes.number_of_jobs();
+    const auto& [in, list, jobs] = request_.meshes;
+    const bool is_one = in.size() == 1 && list.empty() && !is_folder(in.front()) && !is_folder(request_.options.sphere);
+    const auto spheres = spheres_in(is_one ? "" : request_.options.sphere);
+    const auto names = [](const Files& all) {
+      std::vector<std::string> files;
+      for(const auto& [option, file] : all)
+        if(!file.empty())
+          files.push_back(file);
+      return files;
+    };
+    const Collection collection = {
+      folder, step_.name + request_.settings(),
+      items_of(request_.meshes,
+               {{"--output", folder},
+                {step_.takes.sphere == Takes::ARGUMENT ? "SPHERE" : "--sphere", request_.options.sphere}}),
+      [&](const Item& item) {
+        const Request one = of_item(item, spheres);
+        std::vector<std::string> read = names(inputs(one));
+        read.erase(read.begin());
+        return Job{read, names(outputs(one)), [this, one] {
+                     Run run(one);
+                     return perform(step_, work_, run);
+                   }};
+      },
+      threads};
+    const Request first = of_item(collection.items.front(), spheres);
+    check(first);
+    for(const auto& [option, file] : inputs(first))
+      if(!file.empty() && file != first.options.input && file != first.options.sphere)
+        check_readable(file); // one for all meshes: without it none is done
+    return run_collection(collection);
+  }
 
   Step step_; ///< with --report
   CLI::App& command_;
@@ -60,342 +383,6 @@ private:
   bool prepares_ = false;
   bool carries_data_ = false;
 };
-
-Line::Line(const Step& step, CLI::App& command) : step_(step), command_(command), work_(step.work())
-{
-  if(step_.takes.meshes != Takes::NONE)
-    step_.gives.push_back(
-      {"--report", "Write results, times, memory and settings, or the error, as JSON", {}, Output::FILE});
-  const auto may_be_ply = [](const Output& output) {
-    const auto& all = output.extensions;
-    return output.kind == Output::MESH ? all.empty() || all.front() == ".ply"
-                                       : std::count(all.begin(), all.end(), ".ply") > 0;
-  };
-  const bool has_ply = std::any_of(step_.gives.begin(), step_.gives.end(), may_be_ply);
-  carries_data_ = step_.takes.meshes == Takes::PAIR || (is_about_each() && has_ply);
-  if(carries_data_)
-    step_.gives.push_back(
-      {"--data-output", std::string("Write the columns of --data, and those that the mesh has, at the vertices of "
-                                    "the output: ") +
-                          data_names});
-  add_inputs();
-  for(const Output& output : step_.gives)
-    add_output(output);
-  if(carries_data_)
-    all_
-      .add("--data", request_.options.data,
-           std::string("Values and labels at the vertices of ") +
-             (step_.takes.meshes == Takes::PAIR ? "A" : "IN; of several IN the same for all") +
-             ": FreeSurfer's curv, .annot and .label, GIFTI, .csv. They are written to outputs that hold them (.ply, "
-             ".vtk, .vtp), as are those that the mesh has itself")
-      .times(0);
-  const Output* const first = step_.gives.empty() ? nullptr : &step_.gives.front();
-  if(first != nullptr && first->kind == Output::MESH) {
-    std::vector<std::string> words;
-    for(const auto& [word, format] : output_formats())
-      if(first->extensions.empty() ||
-         std::count(first->extensions.begin(), first->extensions.end(), extension_of_format(word)) > 0)
-        words.push_back(word);
-    all_
-      .add("--format", request_.format,
-           "Format of the output [by its name; in a folder: " +
-             (first->extensions.empty() ? "ply" : first->extensions.front().substr(1)) + ']')
-      .of(words);
-  }
-  if(has_ply)
-    all_.add("--ascii", request_.ascii, "Write PLY, VTK and VTP files as text instead of binary");
-  if(step_.takes.prepare == Prepare::ALL)
-    all_.add("--prepare", prepares_,
-             std::string("Repair the mesh first as the command 'prepare' does: holes, handles, components, ...; ") +
-               step_.takes.prepared);
-  if(step_.takes.prepare == Prepare::HARMLESS)
-    all_.add(
-      "--prepare", prepares_,
-      "Repair IN first as far as its shape does not change: merge vertices at the same position, orient faces, remove "
-      "repeated faces and isolated vertices. The sphere is then that of the repaired mesh ('prepare --steps "
-      "merge,orient' writes it)");
-  if(step_.takes.meshes == Takes::PAIR) {
-    all_
-      .add(
-        "--sphere", request_.spheres,
-        "Spheres of A and B that 'map' has written, to use instead of new maps. Cannot be combined with options that "
-        "say how to map, except --max-time, which also limits the registration")
-      .times(2);
-    all_.add("--spheres", request_.spheres, "").times(2).group.clear(); // its name before
-  }
-  if(step_.takes.sphere == Takes::OPTION)
-    all_
-      .add("--sphere", request_.options.sphere,
-           "Sphere of IN that 'map' has written, to use instead of a new map; for several IN the folder of their "
-           "spheres. Cannot be combined with options that say how to map")
-      .is("FILE|FOLDER");
-  if(step_.takes.method != nullptr) {
-    request_.options.method = step_.takes.method;
-    request_.options.weights = step_.takes.weights;
-    add_mapping_options(all_, request_.options, is_about_each());
-  }
-  add_options(command_, work_.options);
-  add_options(command_, all_);
-  command_.footer((step.notes.empty() ? "" : wrapped(step.notes) + '\n') +
-                  (step.example.empty() ? "" : "Example: spherical-parameterization " + step.example + '\n') +
-                  "Exit code: 0 done, 1 refused or not done (stderr says why), 2 wrong usage, 130 interrupted.");
-}
-
-void Line::add_inputs()
-{
-  if(step_.takes.meshes == Takes::PAIR) {
-    const std::string format = std::string("closed triangle mesh of genus 0: ") + mesh_extensions;
-    all_.add("A", request_.options.input, "The mesh that is registered to B, a " + format).required();
-    all_.add("B", request_.other, "The other mesh, of the same kind").required();
-  }
-  if(step_.takes.meshes == Takes::ONE)
-    all_.add("QUERY", request_.options.input, std::string("Closed triangle mesh of genus 0: ") + mesh_extensions)
-      .required();
-  if(!is_about_each() && step_.takes.meshes != Takes::TOGETHER)
-    return;
-  all_
-    .add("IN", request_.meshes.inputs,
-         step_.takes.what != nullptr
-           ? step_.takes.what
-           : std::string("Closed triangle meshes of genus 0 (") + mesh_extensions + "), or folders of them")
-    .is("FILE|FOLDER")
-    .times(0);
-  all_.add("--list", request_.meshes.list, "Text file with one more IN per line");
-  all_.add("-j,--jobs", request_.meshes.jobs, "Number of meshes to work on at the same time [all cores]")
-    .in("[1,4096]");
-}
-
-void Line::add_output(const Output& output)
-{
-  std::string text = output.description;
-  if(output.kind == Output::MESH && output.option() == "--output") {
-    text += output.extensions.empty() ? std::string(": ") + mesh_names : "";
-    text += ", also followed by .gz, .xz, .zst or .bz2; - is the standard output";
-  }
-  if(output.option() == "--output" && is_about_each() && output.kind != Output::FOLDER)
-    text += "; for several IN a folder";
-  Option& option = all_.add(output.names, request_.outputs[output.option()], text);
-  option.is(output.kind == Output::FOLDER ? "FOLDER" : "FILE");
-  if(output.when == Output::REQUIRED)
-    option.required();
-}
-
-/// Throws what is wrong usage, but for names of files that meet.
-void Line::check(const Request& request) const
-{
-  for(const Output& output : step_.gives) {
-    const std::string& file = request.file(output.option());
-    if(file.empty() || output.kind == Output::FOLDER)
-      continue;
-    const bool is_named = output.kind != Output::MESH || output.option() != "--output" || request.format.empty();
-    const bool is_known = file == standard_stream && (output.extensions.size() == 1 || output.kind == Output::MESH);
-    if(!output.extensions.empty() && is_named && !is_known)
-      require_extension(output.option(), file, output.extensions);
-    if(output.kind == Output::MESH)
-      request.mesh_format(output.option());
-    if(output.option() == "--data-output")
-      require(data_format_of_name(file).has_value(), "--data-output", "'" + file + "' must be called " + data_names);
-  }
-  if(work_.check)
-    work_.check(request);
-}
-
-Line::Files Line::inputs(const Request& request) const
-{
-  Files files = input_files(request.options);
-  files.front().first = step_.takes.meshes == Takes::PAIR ? "A" : "IN";
-  for(File_option& file : files)
-    if(step_.takes.sphere == Takes::ARGUMENT && file.first == "--sphere")
-      file.first = "SPHERE";
-  files.emplace_back("B", request.other);
-  for(const std::string& sphere : request.spheres)
-    files.emplace_back("--sphere", sphere);
-  if(work_.reads)
-    for(const File_option& file : work_.reads(request))
-      files.push_back(file);
-  return files;
-}
-
-Line::Files Line::outputs(const Request& request) const
-{
-  Files files;
-  for(const Output& output : step_.gives)
-    if(const std::string& file = request.file(output.option()); output.kind != Output::FOLDER && !file.empty())
-      files.emplace_back(output.option(), file);
-  if(work_.writes)
-    for(const File_option& file : work_.writes(request))
-      files.push_back(file);
-  return files;
-}
-
-/// Whether it is named like a file that the step writes: a folder of such a name would be an accident.
-bool Line::looks_like_file(const std::string& output) const
-{
-  const auto& extensions = step_.gives.front().extensions;
-  return is_mesh_file(output) || std::count(extensions.begin(), extensions.end(), lower_case_extension(output)) > 0;
-}
-
-/// Throws what is wrong usage of a folder of outputs, which is then without a slash at the end.
-void Line::check_folder()
-{
-  std::string& folder = request_.outputs["--output"];
-  std::error_code none;
-  require(is_folder(folder) || !fs::exists(folder, none), "--output",
-          "'" + folder + "' is a file; the output of several meshes is a folder");
-  require(is_folder(folder) || !looks_like_file(folder), "--output",
-          "'" + folder + "' has the extension of a file; the output of several meshes is a folder");
-  while(folder.size() > 1 && folder.back() == '/')
-    folder.pop_back();
-}
-
-/// Whether there are several meshes, or one whose output goes to a folder.
-bool Line::are_many() const
-{
-  const auto& [inputs, list, jobs] = request_.meshes;
-  const std::string& output = request_.file();
-  return inputs.size() != 1 || !list.empty() || is_folder(inputs.front()) ||
-         (!output.empty() && (output.back() == '/' || (step_.gives.front().kind != Output::FOLDER &&
-                                                       is_folder(output) && !looks_like_file(output))));
-}
-
-int Line::execute()
-{
-  for(const CLI::Option* option : command_.get_options())
-    if(option->count() > 0)
-      request_.given[option->get_name()] = joined(option->results(), ",");
-  const auto check_use = [this](const Options& options) {
-    for(const Option& option : options)
-      require(!request_.has(option.name()) || options.is_of_use(option), option.name(),
-              "requires " + option.other + (option.values.empty() ? "" : ' ' + joined(option.values, " or ")));
-  };
-  check_use(all_);
-  check_use(work_.options);
-  if(!request_.spheres.empty() || request_.has("--sphere"))
-    for(const Option& option : all_) {
-      const bool is_allowed = option.group == general_options || option.group.empty() || option.name() == "--policy" ||
-                              (option.name() == "--max-time" && !request_.spheres.empty());
-      require(!request_.has(option.name()) || is_allowed, "--sphere", "excludes " + option.name());
-    }
-  request_.options.prepare = prepares_ ? step_.takes.prepare : Prepare::NO;
-  request_.options.can_prepare_all = step_.takes.prepare == Prepare::ALL;
-  if(step_.takes.method != nullptr)
-    check_mapping_options(request_.options);
-
-  if((is_about_each() || step_.takes.meshes == Takes::TOGETHER) && request_.meshes.inputs.empty() &&
-     request_.meshes.list.empty())
-    throw CLI::RequiredError("IN or --list");
-  if(step_.takes.sphere == Takes::ARGUMENT) {
-    std::vector<std::string>& inputs = request_.meshes.inputs;
-    require(inputs.size() + (request_.meshes.list.empty() ? 0 : 1) >= 2, "SPHERE", "is required, behind MESH");
-    request_.options.sphere = inputs.back();
-    inputs.pop_back();
-  }
-  const bool is_each_of_many = is_about_each() && are_many();
-  if((is_each_of_many || step_.takes.meshes == Takes::TOGETHER) && request_.meshes.number_of_jobs() > 1 &&
-     !request_.has("--policy"))
-    request_.options.policy = "sequential"; // the other cores have meshes of their own
-  return is_each_of_many ? run_many() : run_one();
-}
-
-int Line::run_one()
-{
-  if(is_about_each()) {
-    request_.options.input = request_.meshes.inputs.front();
-    const Output& first = step_.gives.front();
-    std::string& output = request_.outputs["--output"];
-    require(output.empty() || first.kind != Output::FOLDER, "--output",
-            "is a folder for several meshes; for one mesh, end its name with a slash");
-    if(output.empty() && first.when == Output::ALWAYS) {
-      require(request_.options.input != standard_stream, "--output", "is required: the standard input has no name");
-      output = fs::path(request_.options.input).filename().replace_extension(first.extensions.front()).string();
-    }
-  } else if(!step_.gives.empty() && step_.gives.front().kind == Output::FOLDER)
-    check_folder();
-  check(request_);
-  Files read = inputs(request_);
-  if(step_.takes.meshes == Takes::TOGETHER) {
-    read.emplace_back("--list", request_.meshes.list);
-    for(const std::string& mesh : request_.meshes.meshes())
-      read.emplace_back("the mesh " + mesh, mesh);
-  }
-  check_files(read, outputs(request_));
-  Run run(request_);
-  const Outcome outcome = perform(step_, work_, run);
-  if(!outcome.text.empty())
-    std::cout << outcome.text << std::endl;
-  return outcome.refusal ? exit_code_of(outcome.refusal) : run.exit_code;
-}
-
-/// What is asked for one of many meshes: --output is a folder, and further outputs get the names that the options say
-/// behind the names of the meshes.
-Request Line::of_item(const Item& item, const std::map<std::string, std::string>& spheres) const
-{
-  Request one = request_;
-  one.options.input = item.mesh;
-  one.is_one_of_many = true;
-  const Output& first = step_.gives.front();
-  if(!request_.file().empty()) {
-    const std::string name = request_.file() + '/' + item.name;
-    for(auto& [option, file] : one.outputs)
-      if(option != "--output" && !file.empty())
-        file = name + '.' + file;
-    one.outputs["--output"] = first.kind == Output::FOLDER ? ""
-                              : !request_.format.empty()   ? name + extension_of_format(request_.format)
-                              : first.extensions.empty()   ? name + ".ply"
-                                                           : name + first.extensions.front();
-  }
-  if(const auto sphere = spheres.find(item.name); sphere != spheres.end())
-    one.options.sphere = sphere->second;
-  else if(is_folder(request_.options.sphere))
-    one.options.sphere = request_.options.sphere + '/' + item.name + ".ply"; // which is missing
-  return one;
-}
-
-int Line::run_many()
-{
-  check_folder();
-  const std::string folder = request_.file();
-  require(!folder.empty() || step_.gives.front().when != Output::ALWAYS, "--output", "is required: a folder");
-  for(const auto& [option, file] : request_.outputs)
-    if(option != "--output") {
-      require(file.empty() || !folder.empty(), "--output",
-              "is required: a folder for the files '" + file + "' of several meshes");
-      require(file.find('/') == std::string::npos, "--output",
-              "is a folder: '" + file + "' is added to the names of the meshes, and may not have a '/'");
-    }
-  const int threads = request_.meshes.number_of_jobs();
-  const auto& [in, list, jobs] = request_.meshes;
-  const bool is_one = in.size() == 1 && list.empty() && !is_folder(in.front()) && !is_folder(request_.options.sphere);
-  const auto spheres = spheres_in(is_one ? "" : request_.options.sphere);
-  const auto names = [](const Files& all) {
-    std::vector<std::string> files;
-    for(const auto& [option, file] : all)
-      if(!file.empty())
-        files.push_back(file);
-    return files;
-  };
-  const Collection collection = {
-    folder, step_.name + request_.settings(),
-    items_of(
-      request_.meshes,
-      {{"--output", folder}, {step_.takes.sphere == Takes::ARGUMENT ? "SPHERE" : "--sphere", request_.options.sphere}}),
-    [&](const Item& item) {
-      const Request one = of_item(item, spheres);
-      std::vector<std::string> read = names(inputs(one));
-      read.erase(read.begin());
-      return Job{read, names(outputs(one)), [this, one] {
-                   Run run(one);
-                   return perform(step_, work_, run);
-                 }};
-    },
-    threads};
-  const Request first = of_item(collection.items.front(), spheres);
-  check(first);
-  for(const auto& [option, file] : inputs(first))
-    if(!file.empty() && file != first.options.input && file != first.options.sphere)
-      check_readable(file); // one for all meshes: without it none is done
-  return run_collection(collection);
-}
 
 } // namespace
 

@@ -45,8 +45,8 @@ Database::Database(const std::string& file, const Format& format, Access access)
     check(sqlite3_exec(database, create.c_str(), nullptr, nullptr, nullptr));
   }
   if(number("PRAGMA application_id") != format.id)
-    throw Refusal(unreadable_file, file, std::string("is not ") + format.name + " of this version of the program",
-                  "choose another name, or remove it");
+    refuse_file(file, std::string("is not ") + format.name + " of this version of the program",
+                "choose another name, or remove it");
   if(writes) { // commits that need not wait for the disk: a power cut may lose the last ones, nothing else does
     run("PRAGMA journal_mode=WAL");
     run("PRAGMA synchronous=NORMAL");
@@ -113,7 +113,7 @@ std::string_view Database::Rows::bytes(int column) const
 
 void Database::refuse_damaged(const std::string& what) const
 {
-  throw Refusal(unreadable_file, file_, "is damaged (" + what + ")", "remove it, and write it again");
+  refuse_file(file_, "is damaged (" + what + ")", "remove it, and write it again");
 }
 
 void Database::check(int code) const
@@ -123,7 +123,7 @@ void Database::check(int code) const
   case SQLITE_OK:
   case SQLITE_DONE: return;
   case SQLITE_NOMEM: throw std::bad_alloc();
-  case SQLITE_NOTADB: throw Refusal(unreadable_file, file_, "is no database", "choose another one");
+  case SQLITE_NOTADB: refuse_file(file_, "is no database", "choose another one");
   case SQLITE_CORRUPT:
   case SQLITE_ERROR: refuse_damaged(what); // as when a table is not there
   case SQLITE_BUSY:

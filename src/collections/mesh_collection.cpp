@@ -123,8 +123,8 @@ std::vector<std::string> Collection_options::meshes() const
 {
   std::vector<std::string> files = list_meshes(inputs, list);
   if(files.empty())
-    throw Refusal(unreadable_file, inputs.empty() ? list : inputs.front(), "has no mesh file",
-                  std::string("meshes are read from ") + mesh_extensions + " files");
+    refuse_file(inputs.empty() ? list : inputs.front(), "has no mesh file",
+                std::string("meshes are read from ") + mesh_extensions + " files");
   return files;
 }
 
@@ -156,8 +156,7 @@ std::vector<Item> items_of(const Collection_options& options, const std::vector<
       files.emplace_back(mesh, there);
   }
   if(files.empty())
-    throw Refusal(unreadable_file, root.string(), "has no meshes except outputs of an earlier run",
-                  "name other meshes");
+    refuse_file(root.string(), "has no meshes except outputs of an earlier run", "name other meshes");
   return named(files, root);
 }
 
@@ -167,8 +166,7 @@ std::map<std::string, std::string> spheres_in(const std::string& folder)
   if(folder.empty())
     return by_name;
   if(std::error_code none; !fs::is_directory(folder, none))
-    throw Refusal(unreadable_file, folder, "is not a folder, but there are several meshes",
-                  "name the folder of their spheres");
+    refuse_file(folder, "is not a folder, but there are several meshes", "name the folder of their spheres");
   std::vector<std::pair<std::string, fs::path>> files;
   for(const std::string& mesh : list_meshes({folder}, ""))
     files.emplace_back(mesh, mesh);

@@ -97,8 +97,7 @@ bool unfold(const std::string&, std::string_view bytes, Compression compression,
 template <class Take>
 bool unfold(const std::string& file, std::string_view, Compression, const Take&)
 {
-  throw Refusal(unreadable_file, file, "is compressed in a way that is not read here: only .gz is",
-                "decompress it first");
+  refuse_file(file, "is compressed in a way that is not read here: only .gz is", "decompress it first");
 }
 #endif
 
@@ -168,14 +167,14 @@ std::string decompressed(const std::string& file, const std::string& bytes, Comp
   const auto take = [&](std::string_view part) {
     result.append(part);
     if(result.size() > largest_ratio * bytes.size())
-      throw Refusal(unreadable_file, file,
-                    "decompresses to more than " + std::to_string(largest_ratio) + " times its size, as no mesh does",
-                    "decompress it yourself if you trust it");
+      refuse_file(file,
+                  "decompresses to more than " + std::to_string(largest_ratio) + " times its size, as no mesh does",
+                  "decompress it yourself if you trust it");
   };
   const bool is_sound =
     compression == Compression::GZIP ? unfold_gzip(bytes, take) : unfold(file, bytes, compression, take);
   if(!is_sound || result.empty())
-    throw Refusal(unreadable_file, file, "is compressed, and damaged or cut short", "compress or download it again");
+    refuse_file(file, "is compressed, and damaged or cut short", "compress or download it again");
   return result;
 }
 

@@ -35,7 +35,7 @@ std::vector<std::string> meshes_in(const std::string& folder)
       files.push_back(it->path().string());
   }
   if(error)
-    throw Refusal(unreadable_file, folder, "cannot be read (" + error.message() + ")", "check its permissions");
+    refuse_file(folder, "cannot be read (" + error.message() + ")", "check its permissions");
   std::sort(files.begin(), files.end());
   return files;
 }
@@ -48,21 +48,18 @@ void check_readable(const std::string& file)
     return;
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
-  const auto refuse = [&file](const std::string& wrong, const std::string& remedy) {
-    throw Refusal(unreadable_file, file, wrong, remedy);
-  };
   if(status.type() == fs::file_type::none)
-    refuse("cannot be read (" + error.message() + ")", "check its permissions and those of its folder");
+    refuse_file(file, "cannot be read (" + error.message() + ")", "check its permissions and those of its folder");
   if(status.type() == fs::file_type::not_found)
-    refuse("does not exist", "check the name");
+    refuse_file(file, "does not exist", "check the name");
   if(status.type() == fs::file_type::directory)
-    refuse("is a directory", "name a file in it");
+    refuse_file(file, "is a directory", "name a file in it");
   if(status.type() != fs::file_type::regular)
-    refuse("is not a regular file", "save the data to a file first, or pipe it into '-'");
+    refuse_file(file, "is not a regular file", "save the data to a file first, or pipe it into '-'");
   if(fs::file_size(file) == 0)
-    refuse("is empty", "export it again");
+    refuse_file(file, "is empty", "export it again");
   if(!std::ifstream(file))
-    refuse("cannot be opened", "check that it may be read");
+    refuse_file(file, "cannot be opened", "check that it may be read");
 }
 
 std::string read_file(const std::string& file)
@@ -71,13 +68,13 @@ std::string read_file(const std::string& file)
   if(file == standard_stream) {
     std::string bytes(std::istreambuf_iterator<char>(std::cin), {});
     if(bytes.empty())
-      throw Refusal(unreadable_file, file, "is empty", "pipe a mesh into it");
+      refuse_file(file, "is empty", "pipe a mesh into it");
     return bytes;
   }
   std::string bytes(fs::file_size(file), '\0');
   std::ifstream in(file, std::ios::binary);
   if(!in.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
-    throw Refusal(unreadable_file, file, "could not be read completely", "check the disk");
+    refuse_file(file, "could not be read completely", "check the disk");
   return bytes;
 }
 
@@ -139,7 +136,7 @@ std::vector<std::string> named_inputs(const std::vector<std::string>& inputs, co
     return names;
   std::ifstream in(list);
   if(!in)
-    throw Refusal(unreadable_file, list, "cannot be read", "check the name");
+    refuse_file(list, "cannot be read", "check the name");
   for(std::string line; std::getline(in, line);) {
     if(!line.empty() && line.back() == '\r')
       line.pop_back();
@@ -157,7 +154,7 @@ std::vector<std::string> list_meshes(const std::vector<std::string>& inputs, con
     std::error_code none;
     for(const std::string& file : fs::is_directory(name, none) ? meshes_in(name) : std::vector<std::string>{name}) {
       if(file.find_first_of("\n\r") != std::string::npos)
-        throw Refusal(unreadable_file, file, "has a line break in its name", "rename it");
+        refuse_file(file, "has a line break in its name", "rename it");
       if(known.insert(file).second)
         files.push_back(file);
     }

@@ -20,8 +20,7 @@ std::size_t end_of_comment(const std::string& file, const std::string& bytes)
   for(int line = 0; line < 2; ++line) {
     end = bytes.find('\n', end);
     if(end == std::string::npos)
-      throw Refusal(unreadable_file, file, "cut short: the two lines of comment of a FreeSurfer surface have no end",
-                    "export it again");
+      refuse_file(file, "cut short: the two lines of comment of a FreeSurfer surface have no end", "export it again");
     ++end;
   }
   return end;
@@ -32,29 +31,27 @@ std::size_t end_of_comment(const std::string& file, const std::string& bytes)
 /// The format of triangles, of B. Fischl and others: https://surfer.nmr.mgh.harvard.edu/fswiki/FileFormats
 Soup read_freesurfer(const std::string& file, const std::string& bytes)
 {
-  const auto refuse = [&file](const std::string& wrong, const std::string& remedy) {
-    throw Refusal(unreadable_file, file, wrong, remedy);
-  };
   if(bytes.compare(0, magic_size, "\xff\xff\xfe") != 0)
-    refuse("does not begin as a FreeSurfer surface of triangles", "convert it with mris_convert");
+    refuse_file(file, "does not begin as a FreeSurfer surface of triangles", "convert it with mris_convert");
   const std::size_t counts = end_of_comment(file, bytes);
   if(bytes.size() < counts + 8)
-    refuse("cut short: the numbers of vertices and triangles are missing", "export it again");
+    refuse_file(file, "cut short: the numbers of vertices and triangles are missing", "export it again");
   const auto vertices = number_at<std::int32_t>(&bytes[counts], Byte_order::BIG);
   const auto triangles = number_at<std::int32_t>(&bytes[counts + 4], Byte_order::BIG);
   const std::size_t begin = counts + 8;
   const std::string promise =
     "the header announces " + std::to_string(vertices) + " vertices and " + std::to_string(triangles) + " triangles";
   if(vertices < 0 || triangles < 0)
-    refuse(promise, "the file is damaged; export it again");
+    refuse_file(file, promise);
   if(std::size_t(vertices) > largest_count || std::size_t(triangles) > largest_count)
-    refuse(promise + ", more than this program can index", "simplify the mesh");
+    refuse_file(file, promise + ", more than this program can index", "simplify the mesh");
   const std::size_t row = 12; // bytes of a point, and of a triangle
   const std::size_t end = begin + row * (std::size_t(vertices) + std::size_t(triangles));
   if(bytes.size() < end)
-    refuse("cut short: " + promise + " in " + std::to_string(end) + " bytes, the file has " +
-             std::to_string(bytes.size()),
-           "export it again");
+    refuse_file(file,
+                "cut short: " + promise + " in " + std::to_string(end) + " bytes, the file has " +
+                  std::to_string(bytes.size()),
+                "export it again");
   if(triangles == 0)
     refuse_point_cloud(file, static_cast<std::size_t>(vertices));
 

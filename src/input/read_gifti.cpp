@@ -93,9 +93,9 @@ private:
     return metadata;
   }
 
-  [[noreturn]] void refuse(const std::string& wrong, const std::string& remedy) const
+  [[noreturn]] void refuse(const std::string& wrong, const std::string& remedy = damaged) const
   {
-    throw Refusal(unreadable_file, file_, wrong, remedy);
+    refuse_file(file_, wrong, remedy);
   }
 
   /// How many rows of three a set has.
@@ -103,7 +103,7 @@ private:
   {
     if(attribute(file_, array, "Dimensionality").value() != std::string_view("2") ||
        count_of(file_, array, "Dim1") != 3)
-      refuse("points or triangles are not an array of rows of three", damaged_);
+      refuse("points or triangles are not an array of rows of three");
     return count_of(file_, array, "Dim0");
   }
 
@@ -121,7 +121,7 @@ private:
     if(encoding == "ExternalFileBinary")
       refuse("has its numbers in another file", "convert it to one file, as with gifti_tool -encoding B64GZ");
     if(encoding != "ASCII" && encoding != "Base64Binary" && encoding != "GZipBase64Binary")
-      refuse("a DataArray has the encoding " + in_quotes(encoding), damaged_);
+      refuse("a DataArray has the encoding " + in_quotes(encoding));
     const std::size_t count = columns * rows;
     // in text a digit and a space; Base64 has three bytes in four letters, and zlib unfolds to 1032 times at most
     const bool fits = encoding == "ASCII"          ? 2 * count <= text.size() + 1
@@ -129,8 +129,7 @@ private:
                                                    : count * type->size <= 1032 * text.size();
     if(!fits)
       refuse("cut short: a DataArray announces " + std::to_string(rows) + " rows, more than its " +
-               std::to_string(text.size()) + " letters can hold",
-             damaged_);
+             std::to_string(text.size()) + " letters can hold");
 
     const bool is_column_major =
       attribute(file_, array, "ArrayIndexingOrder").value() == std::string_view("ColumnMajorOrder");
@@ -143,23 +142,22 @@ private:
         const std::string_view token = next_token(rest);
         double value = 0;
         if(to_number(token, value) == Number::NONE)
-          refuse("number " + std::to_string(i) + " of a DataArray is " + in_quotes(token), damaged_);
+          refuse("number " + std::to_string(i) + " of a DataArray is " + in_quotes(token));
         put(i, value);
       }
       return;
     }
     std::optional<std::string> bytes = from_base64(text);
     if(!bytes)
-      refuse("a DataArray is no Base64 text", damaged_);
+      refuse("a DataArray is no Base64 text");
     if(encoding == "GZipBase64Binary") {
       bytes = from_zlib(*bytes, count * type->size);
       if(!bytes)
-        refuse("a DataArray cannot be decompressed to the size that it announces", damaged_);
+        refuse("a DataArray cannot be decompressed to the size that it announces");
     }
     if(bytes->size() != count * type->size)
       refuse("a DataArray announces " + std::to_string(count * type->size) + " bytes and has " +
-               std::to_string(bytes->size()),
-             damaged_);
+             std::to_string(bytes->size()));
     const Byte_order order =
       array.attribute("Endian").value() == std::string_view("BigEndian") ? Byte_order::BIG : Byte_order::LITTLE;
     for(std::size_t i = 0; i < count; ++i)
@@ -234,7 +232,6 @@ private:
     return table;
   }
 
-  const std::string damaged_ = "the file is damaged; export it again";
   std::string file_;
   pugi::xml_document document_;
   pugi::xml_node root_;

@@ -83,7 +83,7 @@ private:
   {
     json_ = Json::parse(text.begin(), text.end(), nullptr, false);
     if(!json_.is_object())
-      refuse("its description is no JSON", damaged_);
+      refuse("its description is no JSON");
     for(const Json& extension : list(json_, "extensionsRequired"))
       if(extension == "KHR_draco_mesh_compression" || extension == "EXT_meshopt_compression" ||
          extension == "KHR_mesh_quantization")
@@ -115,7 +115,7 @@ private:
       open.pop_back();
       const Json& node = element("nodes", number_of_node);
       if(!visited_.insert(number_of_node).second)
-        refuse("node " + std::to_string(number_of_node) + " has two parents", damaged_);
+        refuse("node " + std::to_string(number_of_node) + " has two parents");
       Matrix matrix = transformation(node);
       for(int column = 0; column < 4; ++column)
         matrix.col(column) = product(outer, matrix.col(column));
@@ -143,7 +143,7 @@ private:
     const Json& mesh = element("meshes", number_of_mesh);
     const Json* primitives = find(mesh, "primitives");
     if(!primitives || !primitives->is_array())
-      refuse("mesh " + std::to_string(number_of_mesh) + " has no primitives", damaged_);
+      refuse("mesh " + std::to_string(number_of_mesh) + " has no primitives");
     std::map<std::size_t, std::vector<int>> vertices; // by accessor: primitives often share one
     for(const Json& primitive : *primitives) {
       constexpr std::size_t triangles = 4, fan = 6;
@@ -152,7 +152,7 @@ private:
         continue;
       const Json* attributes = find(primitive, "attributes");
       if(!attributes || !find(*attributes, "POSITION"))
-        refuse("mesh " + std::to_string(number_of_mesh) + " has triangles without positions", damaged_);
+        refuse("mesh " + std::to_string(number_of_mesh) + " has triangles without positions");
       const std::size_t accessor = number(*attributes, "POSITION", 0);
       const auto place = vertices.try_emplace(accessor);
       if(place.second)
@@ -196,8 +196,7 @@ private:
                                    : view.size == 2 ? number_at<std::uint16_t>(at)
                                                     : number_at<std::uint32_t>(at);
         if(corner >= vertices.size())
-          refuse("a triangle has the vertex " + std::to_string(corner) + " of " + std::to_string(vertices.size()),
-                 damaged_);
+          refuse("a triangle has the vertex " + std::to_string(corner) + " of " + std::to_string(vertices.size()));
         corners.push_back(vertices[corner]);
       }
     }
@@ -224,7 +223,7 @@ private:
     const Json& accessor = element("accessors", number_of_accessor);
     const Json* kind = find(accessor, "type");
     if(!kind || *kind != type)
-      refuse("accessor " + std::to_string(number_of_accessor) + " is no " + type, damaged_);
+      refuse("accessor " + std::to_string(number_of_accessor) + " is no " + type);
     if(find(accessor, "sparse") || !find(accessor, "bufferView"))
       refuse("accessor " + std::to_string(number_of_accessor) + " is sparse", "export it without sparse accessors");
     View result;
@@ -236,7 +235,7 @@ private:
                   : result.component == 5125 ? 4
                                              : 0;
     if(result.size == 0)
-      refuse("accessor " + std::to_string(number_of_accessor) + " has indices of a wrong type", damaged_);
+      refuse("accessor " + std::to_string(number_of_accessor) + " has indices of a wrong type");
     const Json& view = element("bufferViews", number(accessor, "bufferView", 0));
     const std::string_view buffer = buffer_of(number(view, "buffer", 0));
     const std::size_t offset = number(view, "byteOffset", 0), length = number(view, "byteLength", 0);
@@ -248,8 +247,7 @@ private:
                       (result.count == 0 || begin + result.stride * (result.count - 1) + result.size <= length);
     if(!fits)
       refuse("cut short: accessor " + std::to_string(number_of_accessor) + " announces " +
-               std::to_string(result.count) + " elements, more than its bytes can hold",
-             damaged_);
+             std::to_string(result.count) + " elements, more than its bytes can hold");
     result.bytes = buffer.substr(offset + begin);
     return result;
   }
@@ -261,10 +259,10 @@ private:
     if(!uri) {
       if(number_of_buffer == 0 && binary_)
         return *binary_;
-      refuse("the bytes of its mesh are missing", damaged_);
+      refuse("the bytes of its mesh are missing");
     }
     if(!uri->is_string())
-      refuse("buffer " + std::to_string(number_of_buffer) + " has no name", damaged_);
+      refuse("buffer " + std::to_string(number_of_buffer) + " has no name");
     const auto [place, is_new] = buffers_.try_emplace(number_of_buffer);
     if(is_new)
       place->second = content_of(uri->get<std::string>());
@@ -280,7 +278,7 @@ private:
       if(comma != std::string::npos)
         bytes = from_base64(std::string_view(uri).substr(comma + 8));
       if(!bytes)
-        refuse("a buffer is no Base64 text", damaged_);
+        refuse("a buffer is no Base64 text");
       return std::move(*bytes);
     }
     const std::filesystem::path name = percent_decoded(uri);
@@ -324,8 +322,7 @@ private:
   {
     if(!value.is_number_unsigned() || value.get<std::uint64_t>() >= std::uint64_t(1) << 40)
       refuse(std::string("its description has a ") + (value.is_number() ? "wrong number" : value.type_name()) +
-               " where a number from 0 on is expected",
-             damaged_);
+             " where a number from 0 on is expected");
     return value.get<std::size_t>();
   }
 
@@ -349,7 +346,7 @@ private:
         result[i] = (*values)[i].template get<double>();
     }
     if(!is_good)
-      refuse(std::string("the ") + key + " of a node is wrong", damaged_);
+      refuse(std::string("the ") + key + " of a node is wrong");
     return result;
   }
 
@@ -357,17 +354,16 @@ private:
   {
     const Json& all = list(json_, key);
     if(i >= all.size())
-      refuse("number " + std::to_string(i) + " of its " + key + " is missing", damaged_);
+      refuse("number " + std::to_string(i) + " of its " + key + " is missing");
     return all[i];
   }
   /// @}
 
-  [[noreturn]] void refuse(const std::string& wrong, const std::string& remedy) const
+  [[noreturn]] void refuse(const std::string& wrong, const std::string& remedy = damaged) const
   {
-    throw Refusal(unreadable_file, file_, wrong, remedy);
+    refuse_file(file_, wrong, remedy);
   }
 
-  const std::string damaged_ = "the file is damaged; export it again";
   std::string file_;
   std::size_t size_of_file_ = 0;
   std::size_t used_ = 0; ///< bytes that have become vertices and triangles

@@ -23,10 +23,10 @@ namespace fs = std::filesystem;
 void refuse_unknown(const std::string& file)
 {
   const std::string extension = lower_case_extension(file);
-  throw Refusal(unreadable_file, file,
-                extension.empty() ? "has no extension, and an unknown content"
-                                  : "has the unknown extension '" + extension + "', and an unknown content",
-                std::string("meshes are read from ") + mesh_extensions + " files");
+  refuse_file(file,
+              extension.empty() ? "has no extension, and an unknown content"
+                                : "has the unknown extension '" + extension + "', and an unknown content",
+              std::string("meshes are read from ") + mesh_extensions + " files");
 }
 
 Soup read_format(Mesh_format format, const std::string& file, std::string bytes)
@@ -77,10 +77,8 @@ void refuse_point_cloud(const std::string& file, std::size_t vertices)
 void check_corner(const std::string& file, std::size_t face, int corner, std::size_t number_of_vertices)
 {
   if(corner < 0 || std::size_t(corner) >= number_of_vertices)
-    throw Refusal(unreadable_file, file,
-                  "face " + std::to_string(face) + " has the vertex " + std::to_string(corner) +
-                    ", which is not in the range 0.." + std::to_string(std::int64_t(number_of_vertices) - 1),
-                  "the file is damaged; export it again");
+    refuse_file(file, "face " + std::to_string(face) + " has the vertex " + std::to_string(corner) +
+                        ", which is not in the range 0.." + std::to_string(std::int64_t(number_of_vertices) - 1));
 }
 
 Soup read_soup(const std::string& file, std::string bytes, Coordinates coordinates)

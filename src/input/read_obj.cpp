@@ -90,8 +90,7 @@ private:
     for(std::string_view token = lines_.token(); !token.empty() && token[0] != '#'; token = lines_.token()) {
       const std::optional<std::int64_t> index = to_integer(token.substr(0, token.find('/')));
       if(!index || *index == 0)
-        refuse("the vertex " + in_quotes(token) + ", which is not an index (the first is 1)",
-               "the file is damaged; export it again");
+        refuse("the vertex " + in_quotes(token) + ", which is not an index (the first is 1)", damaged);
       has_relative_index_ = has_relative_index_ || *index < 0;
       const std::int64_t number = *index > 0 ? *index : std::int64_t(soup_.points.size()) + 1 + *index;
       if(number < 1 || number > std::int64_t(largest_count))
@@ -118,10 +117,10 @@ private:
     if(soup_.faces == 0)
       refuse_point_cloud(file_, soup_.points.size());
     if(largest_number_ > soup_.points.size())
-      throw Refusal(unreadable_file, file_,
-                    "face " + std::to_string(face_of_largest_number_) + " has the vertex number " +
-                      std::to_string(largest_number_) + ", but there are only " + vertices,
-                    "the file is damaged or cut short; export it again");
+      refuse_file(file_,
+                  "face " + std::to_string(face_of_largest_number_) + " has the vertex number " +
+                    std::to_string(largest_number_) + ", but there are only " + vertices,
+                  "the file is damaged or cut short; export it again");
   }
 
   std::string file_;

@@ -93,8 +93,8 @@ private:
 
     std::string_view token = lines_.token();
     if(token == "BINARY")
-      throw Refusal(unreadable_file, file_, "is in the 'OFF BINARY' dialect, which is not supported",
-                    "save it as plain text OFF or as PLY");
+      refuse_file(file_, "is in the 'OFF BINARY' dialect, which is not supported",
+                  "save it as plain text OFF or as PLY");
     if(token.empty()) {
       if(!lines_.next())
         lines_.refuse_cut_short("the numbers of vertices and faces are missing");

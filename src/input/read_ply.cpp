@@ -51,10 +51,10 @@ public:
     check_faces();
     for(const Element& element : elements_)
       if(element.count > (rest_.size() + 1) / smallest_size(element))
-        throw Refusal(unreadable_file, file_,
-                      "cut short: the header announces " + std::to_string(element.count) + " elements " +
-                        in_quotes(element.name) + ", more than " + std::to_string(rest_.size()) + " bytes can hold",
-                      damaged_);
+        refuse_file(file_,
+                    "cut short: the header announces " + std::to_string(element.count) + " elements " +
+                      in_quotes(element.name) + ", more than " + std::to_string(rest_.size()) + " bytes can hold",
+                    damaged_);
     soup_.points.reserve(vertices_->count);
     for(Vertex_column& column : soup_.data)
       column.values.reserve(vertices_->count);
@@ -64,8 +64,8 @@ public:
         for(std::size_t row = 0; row < element.count; ++row)
           read_row(element, row);
     if(is_text() ? !next_token(rest_).empty() : rest_.size() >= smallest_size(elements_.back()))
-      throw Refusal(unreadable_file, file_, "has more data than the header announces",
-                    "the counts in the header are wrong; export it again");
+      refuse_file(file_, "has more data than the header announces",
+                  "the counts in the header are wrong; export it again");
     return std::move(soup_);
   }
 
@@ -98,7 +98,7 @@ private:
   void next_line()
   {
     if(rest_.empty())
-      throw Refusal(unreadable_file, file_, "cut short: the header has no 'end_header'", "export it again");
+      refuse_file(file_, "cut short: the header has no 'end_header'", "export it again");
     ++number_;
     line_ = rest_.substr(0, rest_.find('\n'));
     rest_.remove_prefix(std::min(line_.size() + 1, rest_.size()));
@@ -107,7 +107,7 @@ private:
   [[noreturn]] void refuse(const std::string& wrong,
                            const std::string& remedy = "the header is damaged; export it again") const
   {
-    throw Refusal(unreadable_file, file_, "line " + std::to_string(number_) + ": " + wrong, remedy);
+    refuse_file(file_, "line " + std::to_string(number_) + ": " + wrong, remedy);
   }
 
   void read_format()
@@ -196,8 +196,8 @@ private:
     if(!faces_ || faces_->count == 0) {
       for(const Element& element : elements_)
         if(element.name == "tristrips")
-          throw Refusal(unreadable_file, file_, "has " + points + " and its faces as triangle strips ('tristrips')",
-                        "save it with one element 'face' per triangle");
+          refuse_file(file_, "has " + points + " and its faces as triangle strips ('tristrips')",
+                      "save it with one element 'face' per triangle");
       refuse_point_cloud(file_, vertices_->count);
     }
     corners_ = faces_->find("vertex_indices");
@@ -342,7 +342,7 @@ private:
       refuse_cut_short(element, row);
     const bool is_face = &property == corners_;
     const auto refuse_face = [&](const std::string& wrong) {
-      throw Refusal(unreadable_file, file_, "face " + std::to_string(row) + " has " + wrong, damaged_);
+      refuse_file(file_, "face " + std::to_string(row) + " has " + wrong, damaged_);
     };
     if(is_face && length < 3)
       refuse_face("only " + std::to_string(int(length)) + " vertices");
@@ -379,16 +379,14 @@ private:
     if(token.empty())
       refuse_cut_short(element, row);
     const auto refuse = [&](const std::string& wrong, const std::string& remedy) {
-      throw Refusal(unreadable_file, file_,
-                    element.name + " " + std::to_string(row) + " has " + wrong + std::string(type.name), remedy);
+      refuse_file(file_, element.name + " " + std::to_string(row) + " has " + wrong + std::string(type.name), remedy);
     };
     double value = 0;
     const Number number = to_number(token, value);
     if(number == Number::NONE || (type.is_integer && !to_integer(token)))
       refuse(in_quotes(token) + " for a value of type ", damaged_);
     if(type.is_integer && (value < type.smallest || value > type.largest))
-      refuse("the value " + in_quotes(token) + ", which is too large for type ",
-             "the file is damaged; export it again");
+      refuse("the value " + in_quotes(token) + ", which is too large for type ", damaged);
     if(type.is_integer || type.size == 8)
       return value;
     float rounded = 0; // once, and not by way of a double
@@ -398,10 +396,10 @@ private:
 
   [[noreturn]] void refuse_cut_short(const Element& element, std::size_t row) const
   {
-    throw Refusal(unreadable_file, file_,
-                  "cut short: the header announces " + std::to_string(element.count) + " elements " +
-                    in_quotes(element.name) + ", the file ends in number " + std::to_string(row),
-                  damaged_);
+    refuse_file(file_,
+                "cut short: the header announces " + std::to_string(element.count) + " elements " +
+                  in_quotes(element.name) + ", the file ends in number " + std::to_string(row),
+                damaged_);
   }
 
   const std::string damaged_ = "the file is damaged, or the counts in its header are wrong; export it again";

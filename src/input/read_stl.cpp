@@ -86,10 +86,7 @@ private:
 
   std::string triangle() const { return "triangle " + std::to_string(triangles_); }
 
-  [[noreturn]] void refuse(const std::string& wrong) const
-  {
-    lines_.refuse(wrong, "the file is damaged; export it again");
-  }
+  [[noreturn]] void refuse(const std::string& wrong) const { lines_.refuse(wrong, damaged); }
 
   Text_lines lines_;
   bool in_solid_ = false;
@@ -110,21 +107,19 @@ bool is_text(std::string_view bytes)
 
 Soup read_binary_stl(const std::string& file, const std::string& bytes)
 {
-  const auto refuse = [&file](const std::string& wrong, const std::string& remedy) {
-    throw Refusal(unreadable_file, file, wrong, remedy);
-  };
   if(bytes.size() < binary_header_size)
-    refuse("neither begins with 'solid' nor has the 84 bytes of a binary STL header", "check that this is an STL file");
+    refuse_file(file, "neither begins with 'solid' nor has the 84 bytes of a binary STL header",
+                "check that this is an STL file");
   const auto triangles = number_at<std::uint32_t>(&bytes[80]);
   const std::size_t expected = binary_header_size + triangle_size * triangles;
   const std::string announced =
     "the header announces " + std::to_string(triangles) + " triangles in " + std::to_string(expected) + " bytes, ";
   if(bytes.size() < expected)
-    refuse("cut short: " + announced + "the file has " + std::to_string(bytes.size()), "export it again");
+    refuse_file(file, "cut short: " + announced + "the file has " + std::to_string(bytes.size()), "export it again");
   if(bytes.size() >= expected + triangle_size)
-    refuse(announced + "but the file has " + std::to_string(bytes.size()), "the file is damaged; export it again");
+    refuse_file(file, announced + "but the file has " + std::to_string(bytes.size()));
   if(triangles > largest_count)
-    refuse("has more triangles than this program can index", "simplify the mesh");
+    refuse_file(file, "has more triangles than this program can index", "simplify the mesh");
 
   Soup_of_corners soup;
   std::optional<Refusal> non_finite;

@@ -20,8 +20,6 @@
 namespace tool {
 namespace {
 
-const std::string damaged = "the file is damaged; export it again";
-
 /// What both have in common: a mesh, and arrays at its points.
 class Vtk_mesh {
 public:
@@ -30,7 +28,7 @@ public:
 protected:
   [[noreturn]] void refuse(const std::string& wrong, const std::string& remedy = damaged) const
   {
-    throw Refusal(unreadable_file, file_, wrong, remedy);
+    refuse_file(file_, wrong, remedy);
   }
 
   const Number_type& type(std::string_view name) const

@@ -163,8 +163,7 @@ std::array<double, 3> Text_lines::point(const char* what, std::size_t index)
     if(coordinate.empty())
       refuse(name + " has fewer than three coordinates", "the file is damaged or cut short; export it again");
     if(number == Number::NONE)
-      refuse(name + " has the coordinate " + in_quotes(coordinate) + ", which is not a number",
-             "the file is damaged; export it again");
+      refuse(name + " has the coordinate " + in_quotes(coordinate) + ", which is not a number", damaged);
     if(!non_finite_)
       non_finite_.emplace(Error_code::NON_FINITE_COORDINATE, file_,
                           "line " + std::to_string(number_) + ": " + name + " has the coordinate " +
@@ -176,13 +175,12 @@ std::array<double, 3> Text_lines::point(const char* what, std::size_t index)
 
 void Text_lines::refuse(const std::string& wrong, const std::string& remedy) const
 {
-  throw Refusal(unreadable_file, file_, "line " + std::to_string(number_) + ": " + wrong, remedy);
+  refuse_file(file_, "line " + std::to_string(number_) + ": " + wrong, remedy);
 }
 
 void Text_lines::refuse_cut_short(const std::string& wrong) const
 {
-  throw Refusal(unreadable_file, file_, "cut short after line " + std::to_string(number_) + ": " + wrong,
-                "export it again");
+  refuse_file(file_, "cut short after line " + std::to_string(number_) + ": " + wrong, "export it again");
 }
 
 } // namespace tool

@@ -26,7 +26,6 @@ namespace tool {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-const char* const damaged = "the file is damaged; export it again";
 
 /// Takes the numbers and words of FreeSurfer's binary files one after the other.
 class Pieces {
@@ -62,7 +61,7 @@ public:
   }
   bool is_at_end() const { return rest_.empty(); }
 
-  [[noreturn]] void refuse(const std::string& wrong) const { throw Refusal(unreadable_file, file_, wrong, damaged); }
+  [[noreturn]] void refuse(const std::string& wrong) const { refuse_file(file_, wrong); }
 
 private:
   std::string file_;
@@ -138,8 +137,7 @@ Vertex_column read_annot(const std::string& file, std::string_view bytes)
     colours[static_cast<std::size_t>(vertex)] = pieces.number<std::int32_t>();
   }
   if(pieces.is_at_end() || pieces.number<std::int32_t>() != 1)
-    throw Refusal(unreadable_file, file, "has no table of colours, by which its labels are known",
-                  "export it again with its table");
+    refuse_file(file, "has no table of colours, by which its labels are known", "export it again with its table");
   const auto first = pieces.number<std::int32_t>(); // the number of entries, or that of the version
   if(first < 0 && first != -2)
     pieces.refuse("has a table of colours of version " + std::to_string(-std::int64_t(first)) + ", which is unknown");
@@ -193,8 +191,7 @@ Vertex_column read_label(const std::string& file, std::string text, std::size_t 
         lines.refuse(in_quotes(word) + " is not a number", "a line must be 'vertex x y z value'");
   }
   if(read != *count)
-    throw Refusal(unreadable_file, file,
-                  "announces " + std::to_string(*count) + " vertices and has " + std::to_string(read), damaged);
+    refuse_file(file, "announces " + std::to_string(*count) + " vertices and has " + std::to_string(read));
   return column;
 }
 
@@ -214,7 +211,7 @@ std::vector<std::string> next_fields(const std::string& file, std::string_view& 
     else if(text[i] != '\r' || is_quoted)
       fields.back() += text[i];
   if(is_quoted)
-    throw Refusal(unreadable_file, file, "a quotation mark has no end", damaged);
+    refuse_file(file, "a quotation mark has no end");
   text.remove_prefix(std::min(i + 1, text.size()));
   return fields;
 }
@@ -235,8 +232,7 @@ bool is_number(const std::string& word, double& value)
 Vertex_data read_csv(const std::string& file, std::string_view text)
 {
   const auto refuse = [&file](std::size_t row, const std::string& wrong, const std::string& remedy) {
-    throw Refusal(unreadable_file, file,
-                  (row == 0 ? "the first line: " : "vertex " + std::to_string(row - 1) + ": ") + wrong, remedy);
+    refuse_file(file, (row == 0 ? "the first line: " : "vertex " + std::to_string(row - 1) + ": ") + wrong, remedy);
   };
   if(text.substr(0, 3) == "\xef\xbb\xbf") // the mark of UTF-8
     text.remove_prefix(3);
@@ -317,17 +313,17 @@ Vertex_data read_vertex_data(const std::string& file, std::size_t number_of_vert
     bytes = decompressed(file, bytes, compression);
   std::optional<Vertex_data> data = read_data(file, bytes, number_of_vertices);
   if(!data && !format_of_content(bytes, bytes.size()) && !format_of_name(file))
-    throw Refusal(unreadable_file, file, "has an unknown content", data_formats);
+    refuse_file(file, "has an unknown content", data_formats);
   if(!data)
     data = read_soup(file, std::move(bytes), Coordinates::ANY).data;
   if(data->empty())
-    throw Refusal(unreadable_file, file, "has no values at its vertices", data_formats);
+    refuse_file(file, "has no values at its vertices", data_formats);
   for(const Vertex_column& column : *data)
     if(column.values.size() != number_of_vertices)
-      throw Refusal(unreadable_file, file,
-                    "has values for " + std::to_string(column.values.size()) + " vertices, but the mesh has " +
-                      std::to_string(number_of_vertices),
-                    "give the data of this mesh");
+      refuse_file(file,
+                  "has values for " + std::to_string(column.values.size()) + " vertices, but the mesh has " +
+                    std::to_string(number_of_vertices),
+                  "give the data of this mesh");
   return std::move(*data);
 }
 

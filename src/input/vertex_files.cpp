@@ -48,7 +48,7 @@ std::vector<Fixed_vertex> read_fixed_vertices(const std::string& file, std::size
     fixed.push_back({index, {direction[0], direction[1], direction[2]}});
   }
   if(fixed.empty())
-    throw Refusal(unreadable_file, file, "has no fixed vertex", remedy);
+    refuse_file(file, "has no fixed vertex", remedy);
   return fixed;
 }
 
@@ -83,10 +83,10 @@ std::vector<std::size_t> read_labels(const std::string& file, std::size_t number
       labels.push_back(static_cast<std::size_t>(*label));
     }
   if(labels.size() != number_of_faces)
-    throw Refusal(unreadable_file, file,
-                  "has " + std::to_string(labels.size()) + " labels, but the mesh has " +
-                    std::to_string(number_of_faces) + " faces",
-                  "give one label for every face, in their order, as --labels does");
+    refuse_file(file,
+                "has " + std::to_string(labels.size()) + " labels, but the mesh has " +
+                  std::to_string(number_of_faces) + " faces",
+                "give one label for every face, in their order, as --labels does");
   return labels;
 }
 

@@ -11,14 +11,6 @@
 #include <new>
 
 namespace tool {
-namespace {
-
-[[noreturn]] void refuse(const std::string& file, const std::string& wrong)
-{
-  throw Refusal(unreadable_file, file, wrong, "the file is damaged; export it again");
-}
-
-} // namespace
 
 void parse_xml(const std::string& file, std::string_view text, pugi::xml_document& document)
 {
@@ -27,7 +19,7 @@ void parse_xml(const std::string& file, std::string_view text, pugi::xml_documen
     throw std::bad_alloc();
   if(!result) {
     const auto end = text.begin() + std::min(result.offset, static_cast<std::ptrdiff_t>(text.size()));
-    refuse(file, "line " + std::to_string(std::count(text.begin(), end, '\n') + 1) + ": " + result.description());
+    refuse_file(file, "line " + std::to_string(std::count(text.begin(), end, '\n') + 1) + ": " + result.description());
   }
 }
 
@@ -35,7 +27,7 @@ pugi::xml_node child(const std::string& file, pugi::xml_node node, const char* n
 {
   const pugi::xml_node found = node.child(name);
   if(!found)
-    refuse(file, "there is no element '" + std::string(name) + "' in '" + node.name() + "'");
+    refuse_file(file, "there is no element '" + std::string(name) + "' in '" + node.name() + "'");
   return found;
 }
 
@@ -43,7 +35,7 @@ pugi::xml_attribute attribute(const std::string& file, pugi::xml_node node, cons
 {
   const pugi::xml_attribute found = node.attribute(name);
   if(!found)
-    refuse(file, std::string("a ") + node.name() + " has no attribute '" + name + "'");
+    refuse_file(file, std::string("a ") + node.name() + " has no attribute '" + name + "'");
   return found;
 }
 
@@ -52,7 +44,7 @@ std::size_t count_of(const std::string& file, pugi::xml_node node, const char* n
   const std::string_view text = attribute(file, node, name).value();
   const auto value = to_integer(text);
   if(!value || *value < 0 || std::size_t(*value) > largest_count)
-    refuse(file, std::string("a ") + node.name() + " has the " + name + ' ' + in_quotes(text));
+    refuse_file(file, std::string("a ") + node.name() + " has the " + name + ' ' + in_quotes(text));
   return static_cast<std::size_t>(*value);
 }
 

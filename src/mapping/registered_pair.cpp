@@ -89,7 +89,7 @@ Landmarks read_landmarks(const std::string& file, const Registered_pair& pair)
     landmarks.emplace_back(Mesh::Vertex_index(index[0]), Mesh::Vertex_index(index[1]));
   }
   if(landmarks.empty())
-    throw Refusal(unreadable_file, file, "has no landmark", remedy);
+    refuse_file(file, "has no landmark", remedy);
   return landmarks;
 }
 
@@ -129,10 +129,10 @@ Vertex_data read_features(const std::string& file, const Mapped_mesh& input)
   }
   for(const Vertex_column& column : data) {
     if(column.is_label)
-      throw Refusal(unreadable_file, file, "column '" + column.name + "' has labels", "features are numbers");
+      refuse_file(file, "column '" + column.name + "' has labels", "features are numbers");
     if(!std::all_of(column.values.begin(), column.values.end(), [](double x) { return std::isfinite(x); }))
-      throw Refusal(unreadable_file, file, "column '" + column.name + "' has no value at some vertices of the mesh",
-                    "give a value to every vertex");
+      refuse_file(file, "column '" + column.name + "' has no value at some vertices of the mesh",
+                  "give a value to every vertex");
   }
   return data;
 }
@@ -146,10 +146,10 @@ std::vector<SP::Registration_feature> read_features(const Registration_options& 
   const Vertex_data a = read_features(options.features[0], pair.a), b = read_features(options.features[1], pair.b);
   const std::vector<double> weights = feature_weights(options);
   if(a.size() != b.size() || (weights.size() != 1 && weights.size() != a.size()))
-    throw Refusal(unreadable_file, options.features[1],
-                  "has " + std::to_string(b.size()) + " columns, " + options.features[0] + " has " +
-                    std::to_string(a.size()) + ", and there are " + std::to_string(weights.size()) + " weights",
-                  "as many columns are needed, and one weight or as many");
+    refuse_file(options.features[1],
+                "has " + std::to_string(b.size()) + " columns, " + options.features[0] + " has " +
+                  std::to_string(a.size()) + ", and there are " + std::to_string(weights.size()) + " weights",
+                "as many columns are needed, and one weight or as many");
   for(std::size_t k = 0; k < a.size(); ++k)
     result.push_back({a[k].values, b[k].values, weights[weights.size() == 1 ? 0 : k]});
   return result;

@@ -124,7 +124,7 @@ struct Row_of_meshes {
       throw Refusal(Error_code::EMPTY_MESH, file, "has no faces", "");
     if(soup.points.size() + mesh.points.size() > largest_count ||
        soup.triangles.size() + mesh.triangles.size() > largest_count)
-      throw Refusal(unreadable_file, file, "is too large for the picture", "list fewer meshes (-k)");
+      refuse_file(file, "is too large for the picture", "list fewer meshes (-k)");
     Point low = mesh.points[0], high = low;
     for(const Point& p : mesh.points)
       for(int k = 0; k < 3; ++k) {
@@ -191,8 +191,8 @@ void search(const Search_options& options, Run& run)
 {
   const std::string file = index_of(options.index), &query = run.options.input;
   if(std::error_code none; file != options.index && !std::filesystem::exists(file, none))
-    throw Refusal(unreadable_file, options.index, "is not an index, and " + file + " does not exist",
-                  "write it with the command 'signature'");
+    refuse_file(options.index, "is not an index, and " + file + " does not exist",
+                "write it with the command 'signature'");
   const Shape_index index(file, Database::Access::READ); // before the work
   const std::optional<Signature_row> row = sign_mesh(query, run.options.prepare != Prepare::NO);
   if(!row)
@@ -205,7 +205,7 @@ void search(const Search_options& options, Run& run)
       index.nearest(*row->signature, options.by_form ? std::max(number, candidates_by_form) : number))
     hits.push_back({distance, name});
   if(hits.empty())
-    throw Refusal(unreadable_file, file, "has no signature", "the command 'signature' says why");
+    refuse_file(file, "has no signature", "the command 'signature' says why");
   if(options.by_form)
     order_by_form(hits, {*row->signature, row->form}, index);
   const bool has_comparisons = options.rerank > 0;

@@ -87,8 +87,8 @@ std::string image_of(const Own_options& options)
   }
   std::string image = read_file(options.image);
   if(type_of_image(image).empty())
-    throw Refusal(unreadable_file, options.image, "is neither PNG nor JPEG, the formats that glTF files can hold",
-                  "convert it, or write .obj");
+    refuse_file(options.image, "is neither PNG nor JPEG, the formats that glTF files can hold",
+                "convert it, or write .obj");
   return image;
 }
 

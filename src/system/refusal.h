@@ -76,6 +76,16 @@ inline const char* const no_signature = "NO_SIGNATURE";
 inline const char* const bad_degree = "BAD_DEGREE";
 /// @}
 
+/// What to do about a file whose contents make no sense.
+inline const char* const damaged = "the file is damaged; export it again";
+
+/// Throws the `Refusal` of a file that cannot be read.
+[[noreturn]] inline void refuse_file(const std::string& file, const std::string& wrong,
+                                     const std::string& remedy = damaged)
+{
+  throw Refusal(unreadable_file, file, wrong, remedy);
+}
+
 /// Calls `action`, which works on the file `input`. Whatever it throws is returned as a `Refusal`.
 std::optional<Refusal> guarded(const std::string& input, const std::function<void()>& action);
 

@@ -223,7 +223,7 @@ val read_mesh(const std::string& name, const std::string& bytes, bool triangulat
 {
   return answer_of([&](val& answer, const auto&) {
     if(bytes.empty())
-      throw tool::Refusal(tool::unreadable_file, name, "is empty", "export it again");
+      tool::refuse_file(name, "is empty", "export it again");
     const tool::Soup soup = tool::read_soup(name, bytes);
     if(!triangulate)
       tool::check_triangles(name, soup, "triangulate the mesh, or choose to have it triangulated");

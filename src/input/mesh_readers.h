@@ -10,6 +10,7 @@
 #include <boost/core/noinit_adaptor.hpp>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -55,6 +56,14 @@ struct Soup {
     for(std::size_t i = 2; i < corners.size(); ++i)
       triangles.push_back({corners[0], corners[i - 1], corners[i]});
     ++faces;
+  }
+
+  /// Of one of the points, which are there. It is noted if it is no finite number.
+  void set_coordinate(const std::string& file, std::size_t vertex, std::size_t axis, double x)
+  {
+    points[vertex][axis] = x;
+    if(!std::isfinite(x))
+      note_non_finite(file, "vertex " + std::to_string(vertex) + " has the coordinate " + std::to_string(x));
   }
 
   /// Of coordinates that are no finite numbers, the first one is kept.

@@ -5,7 +5,6 @@
 #include "input/mesh_readers.h"
 #include "system/refusal.h"
 
-#include <cmath>
 #include <cstdint>
 
 namespace tool {
@@ -61,12 +60,8 @@ Soup read_freesurfer(const std::string& file, const std::string& bytes)
   soup.faces = soup.triangles.size();
   const char* at = &bytes[begin];
   for(std::size_t v = 0; v < soup.points.size(); ++v)
-    for(double& x : soup.points[v]) {
-      x = number_at<float>(at, Byte_order::BIG);
-      at += 4;
-      if(!std::isfinite(x))
-        soup.note_non_finite(file, "vertex " + std::to_string(v) + " has the coordinate " + std::to_string(x));
-    }
+    for(std::size_t k = 0; k < 3; ++k, at += 4)
+      soup.set_coordinate(file, v, k, number_at<float>(at, Byte_order::BIG));
   for(std::size_t f = 0; f < soup.faces; ++f)
     for(int& corner : soup.triangles[f]) {
       corner = number_at<std::int32_t>(at, Byte_order::BIG);

@@ -167,10 +167,8 @@ private:
   void read_points(pugi::xml_node array)
   {
     soup_.points.resize(number_of_rows(array));
-    read_numbers(array, soup_.points.size(), 3, [&](std::size_t row, std::size_t column, double x) {
-      if(!std::isfinite(x))
-        soup_.note_non_finite(file_, "vertex " + std::to_string(row) + " has the coordinate " + std::to_string(x));
-      soup_.points[row][column] = x;
+    read_numbers(array, soup_.points.size(), 3, [this](std::size_t row, std::size_t column, double x) {
+      soup_.set_coordinate(file_, row, column, x);
     });
   }
 

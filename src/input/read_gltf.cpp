@@ -92,7 +92,6 @@ private:
     if(soup_.triangles.empty())
       throw Refusal(Error_code::EMPTY_MESH, file_, "has no triangles", "check that there is a mesh in it");
     soup_.faces = soup_.triangles.size();
-    soup_.points = welded_.points();
     return std::move(soup_);
   }
 
@@ -371,8 +370,8 @@ private:
   std::optional<std::string_view> binary_;
   std::map<std::size_t, std::string> buffers_;
   std::set<std::size_t> visited_;
-  Welded_points welded_;
   Soup soup_;
+  Welded_points welded_{soup_.points};
 };
 
 } // namespace

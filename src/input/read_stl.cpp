@@ -17,31 +17,8 @@ namespace {
 constexpr std::size_t binary_header_size = 84; // 80 bytes of anything, then the number of triangles
 constexpr std::size_t triangle_size = 50;      // normal, three corners, two bytes of anything
 
-/// The format has no vertices, but the corners of single triangles.
-class Soup_of_corners {
-public:
-  void add_corner(const std::array<double, 3>& p)
-  {
-    corners_.push_back(points_.index_of(p));
-    if(corners_.size() == 3) {
-      soup_.add_face(corners_);
-      corners_.clear();
-    }
-  }
-
-  Soup soup() &&
-  {
-    soup_.points = points_.points();
-    return std::move(soup_);
-  }
-
-private:
-  Soup soup_;
-  std::vector<int> corners_; ///< of the triangle that is not complete yet
-  Welded_points points_;
-};
-
-/// Solids follow on each other; they may have names, and keywords may be in upper case.
+/// The format has no vertices, but the corners of single triangles. Solids follow on each other; they may have names,
+/// and keywords may be in upper case.
 class Text_stl_reader {
 public:
   Text_stl_reader(const std::string& file, std::string text) : lines_(file, std::move(text)) {}
@@ -51,10 +28,9 @@ public:
     while(lines_.next())
       read_line();
     if(in_solid_ || in_facet_)
-      lines_.refuse_cut_short("'endsolid' is missing, there are " + std::to_string(triangles_) + " triangles");
-    Soup soup = std::move(soup_).soup();
-    soup.non_finite = lines_.non_finite();
-    return soup;
+      lines_.refuse_cut_short("'endsolid' is missing, there are " + std::to_string(soup_.faces) + " triangles");
+    soup_.non_finite = lines_.non_finite();
+    return std::move(soup_);
   }
 
 private:
@@ -66,16 +42,15 @@ private:
         refuse(triangle() + " begins before the previous one has ended");
       in_facet_ = true;
     } else if(keyword == "vertex") {
-      if(!in_facet_ || corners_ == 3)
+      if(!in_facet_ || corners_.size() == 3)
         refuse("a vertex outside a triangle");
-      soup_.add_corner(lines_.point("corner", 3 * triangles_ + corners_));
-      ++corners_;
+      corners_.push_back(welded_.index_of(lines_.point("corner", 3 * soup_.faces + corners_.size())));
     } else if(keyword == "endfacet") {
-      if(!in_facet_ || corners_ != 3)
-        refuse(triangle() + " has " + std::to_string(corners_) + " corners");
+      if(!in_facet_ || corners_.size() != 3)
+        refuse(triangle() + " has " + std::to_string(corners_.size()) + " corners");
+      soup_.add_face(corners_);
       in_facet_ = false;
-      corners_ = 0;
-      ++triangles_;
+      corners_.clear();
     } else if(keyword == "solid" || keyword == "endsolid") {
       if(in_facet_)
         refuse(triangle() + " has no end");
@@ -84,16 +59,16 @@ private:
       refuse("begins with " + in_quotes(keyword) + ", which is not a keyword of the STL format");
   }
 
-  std::string triangle() const { return "triangle " + std::to_string(triangles_); }
+  std::string triangle() const { return "triangle " + std::to_string(soup_.faces); }
 
   [[noreturn]] void refuse(const std::string& wrong) const { lines_.refuse(wrong, damaged); }
 
   Text_lines lines_;
   bool in_solid_ = false;
   bool in_facet_ = false;
-  std::size_t triangles_ = 0;
-  std::size_t corners_ = 0; ///< of the triangle
-  Soup_of_corners soup_;
+  std::vector<int> corners_; ///< of the triangle
+  Soup soup_;
+  Welded_points welded_{soup_.points};
 };
 
 /// The headers of binary files may begin with 'solid', too, but either are padded with zeros or end in a count that has
@@ -121,23 +96,22 @@ Soup read_binary_stl(const std::string& file, const std::string& bytes)
   if(triangles > largest_count)
     refuse_file(file, "has more triangles than this program can index", "simplify the mesh");
 
-  Soup_of_corners soup;
-  std::optional<Refusal> non_finite;
+  Soup soup;
+  Welded_points welded(soup.points);
+  std::vector<int> triangle;
   for(std::uint32_t t = 0; t < triangles; ++t) {
     std::array<std::array<float, 3>, 3> corners;
     std::memcpy(&corners, &bytes[binary_header_size + triangle_size * t + 12], sizeof(corners));
     for(const auto& corner : corners) {
       for(const float x : corner)
-        if(!std::isfinite(x) && !non_finite)
-          non_finite.emplace(Error_code::NON_FINITE_COORDINATE, file,
-                             "triangle " + std::to_string(t) + " has the coordinate " + std::to_string(x),
-                             non_finite_remedy);
-      soup.add_corner({corner[0], corner[1], corner[2]});
+        if(!std::isfinite(x))
+          soup.note_non_finite(file, "triangle " + std::to_string(t) + " has the coordinate " + std::to_string(x));
+      triangle.push_back(welded.index_of({corner[0], corner[1], corner[2]}));
     }
+    soup.add_face(triangle);
+    triangle.clear();
   }
-  Soup result = std::move(soup).soup();
-  result.non_finite = non_finite;
-  return result;
+  return soup;
 }
 
 } // namespace

@@ -38,13 +38,6 @@ protected:
     refuse("has numbers of type " + in_quotes(name), "leave that array out");
   }
 
-  void set_coordinate(std::size_t i, double x)
-  {
-    soup_.points[i / 3][i % 3] = x;
-    if(!std::isfinite(x))
-      soup_.note_non_finite(file_, "vertex " + std::to_string(i / 3) + " has the coordinate " + std::to_string(x));
-  }
-
   /// Of cells: whole numbers, each larger than the one before, and the first one than `before`.
   void check_offsets(const std::vector<double>& offsets, double before) const
   {
@@ -214,7 +207,8 @@ private:
     if(!soup_.points.empty() || count > rest_.size())
       refuse("has the points twice, or is cut short: " + std::to_string(count) + " points are announced");
     soup_.points.resize(count);
-    read_numbers(of_coordinates, 3 * count, [this](std::size_t i, double x) { set_coordinate(i, x); });
+    read_numbers(of_coordinates, 3 * count,
+                 [this](std::size_t i, double x) { soup_.set_coordinate(file_, i / 3, i % 3, x); });
   }
 
   /// Up to version 4 each cell as the number of its corners and the corners, from version 5 on all places where cells
@@ -357,7 +351,7 @@ public:
       numbers(child(file_, child(file_, piece, "Points"), "DataArray"), 3 * points);
     soup_.points.resize(points);
     for(std::size_t i = 0; i < coordinates.size(); ++i)
-      set_coordinate(i, coordinates[i]);
+      soup_.set_coordinate(file_, i / 3, i % 3, coordinates[i]);
     if(faces > 0)
       read_faces(child(file_, piece, "Polys"), faces);
     for(const pugi::xml_node array : piece.child("PointData").children("DataArray")) {

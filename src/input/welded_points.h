@@ -12,10 +12,13 @@
 
 namespace tool {
 
-/// Different points, numbered in the order in which they appear first.
+/// Numbers the different points, in the order in which they appear first.
 class Welded_points {
 public:
   using Point = std::array<double, 3>;
+
+  /// \param points  where they go, each once
+  explicit Welded_points(std::vector<Point>& points) : points_(points) {}
 
   int index_of(const Point& p)
   {
@@ -25,10 +28,8 @@ public:
     return place->second;
   }
 
-  const std::vector<Point>& points() const { return points_; }
-
 private:
-  std::vector<Point> points_;
+  std::vector<Point>& points_;
   std::unordered_map<Point, int, boost::hash<Point>> index_;
 };
 

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <utility>
 
 namespace tool {
@@ -253,9 +254,6 @@ private:
 
   void read_attribute(const std::string& keyword)
   {
-    const auto is = [&keyword](std::initializer_list<const char*> words) {
-      return std::any_of(words.begin(), words.end(), [&](const char* word) { return keyword == word; });
-    };
     const std::string name = percent_decoded(next_token(line_));
     if(keyword == "field") {
       const std::size_t arrays = next_count();
@@ -266,8 +264,7 @@ private:
         line_ = is_at_end() ? std::string_view() : next_line();
         const std::string of_array = percent_decoded(next_token(line_));
         const std::size_t components = next_count(), tuples = next_count();
-        const std::string_view of_numbers = next_token(line_);
-        read_array(of_array, type(of_numbers), components, tuples);
+        read_array(of_array, type(next_token(line_)), components, tuples);
       }
     } else if(keyword == "scalars") {
       const Number_type& of_numbers = type(next_token(line_));
@@ -284,14 +281,15 @@ private:
     else if(keyword == "texture_coordinates") {
       const std::size_t components = next_count();
       read_array(name, type(next_token(line_)), components, size_);
-    } else if(is({"vectors", "normals"}))
-      read_array(keyword == "normals" ? keyword : name, type(next_token(line_)), 3, size_);
-    else if(is({"tensors", "tensors6"}))
-      read_array(name, type(next_token(line_)), keyword == "tensors" ? 9 : 6, size_);
-    else if(is({"global_ids", "pedigree_ids", "edge_flags"}))
-      read_array(name, type(next_token(line_)), 1, size_);
-    else
-      refuse("has the unknown keyword " + in_quotes(keyword));
+    } else {
+      static const std::map<std::string_view, std::size_t> components = {
+        {"vectors", 3},    {"normals", 3},      {"tensors", 9},   {"tensors6", 6},
+        {"global_ids", 1}, {"pedigree_ids", 1}, {"edge_flags", 1}};
+      const auto known = components.find(keyword);
+      if(known == components.end())
+        refuse("has the unknown keyword " + in_quotes(keyword));
+      read_array(keyword == "normals" ? keyword : name, type(next_token(line_)), known->second, size_);
+    }
   }
 
   /// Kept if it is at the points.
@@ -330,6 +328,8 @@ public:
     }
     parse_xml(file, text, document_);
     root_ = child(file_, document_, "VTKFile");
+    if(root_.attribute("byte_order").value() == std::string_view("BigEndian"))
+      order_ = Byte_order::BIG;
     is_raw_ = root_.child("AppendedData").attribute("encoding").value() == std::string_view("raw");
   }
 
@@ -413,10 +413,8 @@ private:
       stream.remove_prefix(std::min(stream.find_first_not_of(" \t\r\n"), stream.size()));
     const std::string bytes = bytes_of(stream, is_appended && is_raw_, count * of_numbers.size);
     values.reserve(count);
-    const Byte_order order =
-      root_.attribute("byte_order").value() == std::string_view("BigEndian") ? Byte_order::BIG : Byte_order::LITTLE;
     for(std::size_t i = 0; i < count; ++i)
-      values.push_back(of_numbers.read(&bytes[i * of_numbers.size], order));
+      values.push_back(of_numbers.read(&bytes[i * of_numbers.size], order_));
     return values;
   }
 
@@ -447,10 +445,8 @@ private:
   {
     const std::size_t width = root_.attribute("header_type").value() == std::string_view("UInt64") ? 8 : 4;
     const auto number = [&](const std::string& bytes, std::size_t i) -> std::uint64_t {
-      const Byte_order order =
-        root_.attribute("byte_order").value() == std::string_view("BigEndian") ? Byte_order::BIG : Byte_order::LITTLE;
-      return width == 8 ? number_at<std::uint64_t>(&bytes[8 * i], order)
-                        : number_at<std::uint32_t>(&bytes[4 * i], order);
+      return width == 8 ? number_at<std::uint64_t>(&bytes[8 * i], order_)
+                        : number_at<std::uint32_t>(&bytes[4 * i], order_);
     };
     std::string_view first = stream;
     const std::uint64_t announced = number(take(first, is_raw, width), 0);
@@ -482,6 +478,7 @@ private:
 
   pugi::xml_document document_;
   pugi::xml_node root_;
+  Byte_order order_ = Byte_order::LITTLE;
   std::string_view appended_;
   bool is_raw_ = false;
 };

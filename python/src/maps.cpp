@@ -17,6 +17,7 @@
 #include <boost/property_map/function_property_map.hpp>
 
 #include <chrono>
+#include <functional>
 #include <optional>
 #include <sstream>
 #include <utility>
@@ -26,14 +27,6 @@ using namespace pybind11::literals;
 namespace {
 
 typedef std::chrono::steady_clock Clock;
-
-/// The numbers of an array, by vertex or face. No lambda, which std::optional<function_property_map> of clang++ does
-/// not take: it could not be made by default.
-template <class Descriptor>
-struct Numbers_of {
-  const double* first;
-  double operator()(Descriptor d) const { return first[d.idx()]; }
-};
 
 /// Writes to an array, and knows whether it has.
 struct Sphere_map {
@@ -53,29 +46,15 @@ struct Sphere_map {
   }
 };
 
-/// One number per halfedge of an array (m, 3): column k is the edge from corner k to the next one.
-struct Array_weights {
-  const double* first;
-  friend double get(const Array_weights& map, Mesh::Edge_index e) { return map.first[e.idx()]; }
-};
-
 /// Any of the weights of edges as one map, so that there is one parameterize() per policy and method.
-struct Weight_map {
-  typedef Mesh::Edge_index key_type;
-  typedef double value_type;
-  typedef double reference;
-  typedef boost::readable_property_map_tag category;
+typedef boost::function_property_map<std::function<double(Mesh::Edge_index)>, Mesh::Edge_index, double> Weight_map;
+typedef std::variant<SP::Conformal_weights, Weight_map> Weights;
 
-  std::variant<decltype(SP::clamped_weights(std::declval<const Mesh&>())),
-               decltype(SP::barycentric_weights(std::declval<const Mesh&>())),
-               decltype(SP::mean_value_weights(std::declval<const Mesh&>())), Array_weights>
-    weights;
-
-  friend double get(const Weight_map& map, Mesh::Edge_index e)
-  {
-    return std::visit([e](const auto& chosen) { return get(chosen, e); }, map.weights);
-  }
-};
+template <class Map>
+Weights function_of(const Map& weights)
+{
+  return Weight_map([weights](Mesh::Edge_index e) { return get(weights, e); });
+}
 
 /// The parts of the object `weights` that are needed without the interpreter's lock.
 struct Weight_settings {
@@ -98,16 +77,16 @@ struct Weight_settings {
       throw py::value_error("weights '" + name + "': 'conformal', 'clamped', 'barycentric' or 'mean-value' is needed");
   }
 
-  std::variant<SP::Conformal_weights, Weight_map> weights(const Mesh& mesh) const
+  Weights weights(const Mesh& mesh) const
   {
-    if(array.size() > 0)
-      return Weight_map{Array_weights{array.data()}};
+    if(array.size() > 0) // one number per halfedge of an array (m, 3): column k is the edge from corner k to the next
+      return function_of(Array_map<Mesh::Edge_index, const double>(array.data()));
     if(name == "barycentric")
-      return Weight_map{SP::barycentric_weights(mesh)};
+      return function_of(SP::barycentric_weights(mesh));
     if(name == "mean-value")
-      return Weight_map{SP::mean_value_weights(mesh)};
+      return function_of(SP::mean_value_weights(mesh));
     if(name == "clamped")
-      return Weight_map{SP::clamped_weights(mesh, minimum_angle, maximum_angle)};
+      return function_of(SP::clamped_weights(mesh, minimum_angle, maximum_angle));
     return SP::Conformal_weights();
   }
 };
@@ -185,15 +164,12 @@ py::tuple parameterize(const Doubles& points, const py::array& triangles, const 
   const bool* const is_fixed = fixed.is_none() ? nullptr : fixed.cast<py::array_t<bool>>().data();
   const auto is_constrained = boost::make_function_property_map<Mesh::Vertex_index>(
     [is_fixed](Mesh::Vertex_index v) { return is_fixed && is_fixed[v.idx()]; });
-  const auto densities = [&density](auto descriptor, bool is_given) {
-    typedef decltype(descriptor) Descriptor;
-    const auto map =
-      boost::make_function_property_map<Descriptor>(Numbers_of<Descriptor>{is_given ? density->data() : nullptr});
-    return is_given ? std::optional(map) : std::nullopt;
-  };
-  const bool is_of_vertices = density && density->size() == points.shape(0);
-  const auto of_vertices = densities(Mesh::Vertex_index(), is_of_vertices);
-  const auto of_faces = densities(Mesh::Face_index(), density && !is_of_vertices);
+  std::optional<Array_map<Mesh::Vertex_index, const double>> of_vertices;
+  std::optional<Array_map<Mesh::Face_index, const double>> of_faces;
+  if(density && density->size() == points.shape(0))
+    of_vertices.emplace(density->data());
+  else if(density)
+    of_faces.emplace(density->data());
   bool has_map = false;
   const Sphere_map sphere_map{reinterpret_cast<std::array<double, 3>*>(sphere.mutable_data()), &has_map};
   Watch watch{progress};

@@ -22,13 +22,23 @@ using Point = Mesh::Point;
 /// The place of every vertex on the unit sphere.
 using Sphere = std::vector<Point>;
 
+/// The value at an index. No lambda, which std::optional<function_property_map> of clang++ does not take: it could not
+/// be made by default.
+template <class Values>
+struct Value_at {
+  Values* values;
+  template <class Key>
+  auto& operator()(Key key) const
+  {
+    return (*values)[static_cast<std::size_t>(key.idx())];
+  }
+};
+
 /// A vector of values as a property map. `Key` is the index of vertices, faces or halfedges.
 template <class Key, class Values>
 auto as_map(Values& values)
 {
-  return boost::make_function_property_map<Key>([&values](Key key) -> auto& {
-    return values[static_cast<std::size_t>(key.idx())];
-  });
+  return boost::make_function_property_map<Key>(Value_at<Values>{&values});
 }
 
 /// The places as a property map of the vertices.

@@ -38,14 +38,6 @@ Weights weights_of(const Mesh& mesh, const Mapping_options& options)
   return SP::Conformal_weights();
 }
 
-/// The density of a vertex or face. No lambda, which std::optional<function_property_map> of clang++ does not take: it
-/// could not be made by default.
-template <class Descriptor>
-struct Density_of {
-  const std::vector<double>* density;
-  double operator()(Descriptor d) const { return (*density)[static_cast<std::size_t>(d.idx())]; }
-};
-
 } // namespace
 
 SP::Any_policy make_policy(const Mapping_options& options)
@@ -123,9 +115,7 @@ SP::Result map_to_sphere(const Mesh& mesh, Sphere& sphere, const Mapping_options
   const Weights weights = weights_of(mesh, options);
 
   const auto densities = [&data](auto descriptor, std::size_t number) {
-    using Descriptor = decltype(descriptor);
-    const auto map = boost::make_function_property_map<Descriptor>(Density_of<Descriptor>{&data.density});
-    return data.density.size() == number ? std::optional(map) : std::nullopt;
+    return data.density.size() == number ? std::optional(as_map<decltype(descriptor)>(data.density)) : std::nullopt;
   };
   const auto of_vertices = densities(Mesh::Vertex_index(), n);
   const auto of_faces = densities(Mesh::Face_index(), of_vertices ? 0 : mesh.number_of_faces());

@@ -135,6 +135,15 @@ py::array_t<Number, py::array::c_style> make_array(Sizes... sizes)
   return py::array_t<Number, py::array::c_style>(std::vector<py::ssize_t>{static_cast<py::ssize_t>(sizes)...});
 }
 
+/// Numbers as an array of such sizes, row after row.
+template <class... Sizes>
+Doubles array_of(const std::vector<double>& numbers, Sizes... sizes)
+{
+  Doubles array = make_array<double>(sizes...);
+  std::copy(numbers.begin(), numbers.end(), array.mutable_data());
+  return array;
+}
+
 /// A vector of arrays of d numbers as an array (n, d).
 template <class Number, class Rows_of_numbers>
 py::array_t<Number, py::array::c_style> rows_of(const Rows_of_numbers& rows)

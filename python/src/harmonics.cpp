@@ -81,9 +81,7 @@ Doubles harmonic_values(const Doubles& coefficients, const Doubles& directions, 
   const Rows<double> rows(directions);
   const std::vector<double> values =
     on_watched(policy, [&](const auto& p, const auto& np) { return SP::harmonic_values(p, c, rows, np); });
-  Doubles result = make_array<double>(rows.size(), c.number_of_fields());
-  std::copy(values.begin(), values.end(), result.mutable_data());
-  return result;
+  return array_of(values, rows.size(), c.number_of_fields());
 }
 
 /// (d, rows, columns)
@@ -93,9 +91,7 @@ Doubles harmonic_grid(const Doubles& coefficients, int rows, int columns, const 
   const auto grid = SP::Latitude_longitude_grid::equidistant(rows, columns);
   const std::vector<double> values =
     on_watched(policy, [&](const auto& p, const auto& np) { return SP::harmonic_grid_values(p, c, grid, np); });
-  Doubles result = make_array<double>(c.number_of_fields(), rows, columns);
-  std::copy(values.begin(), values.end(), result.mutable_data());
-  return result;
+  return array_of(values, c.number_of_fields(), rows, columns);
 }
 
 Doubles rotated_harmonics(const Doubles& coefficients, const Doubles& rotation)

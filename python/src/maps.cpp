@@ -8,6 +8,8 @@
 #include "errors.h"
 #include "watch.h"
 
+#include "system/stopwatch.h"
+
 #include <CGAL/Spherical_parameterization/edge_weights.h>
 #include <CGAL/Spherical_parameterization/parameterize.h>
 #include <CGAL/Spherical_parameterization/version.h>
@@ -16,7 +18,6 @@
 
 #include <boost/property_map/function_property_map.hpp>
 
-#include <chrono>
 #include <functional>
 #include <optional>
 #include <sstream>
@@ -25,8 +26,6 @@
 using namespace pybind11::literals;
 
 namespace {
-
-typedef std::chrono::steady_clock Clock;
 
 /// Writes to an array, and knows whether it has.
 struct Sphere_map {
@@ -180,9 +179,9 @@ py::tuple parameterize(const Doubles& points, const py::array& triangles, const 
     return std::visit(
       [&](const auto& chosen_policy, const auto& chosen_method) {
         typedef std::decay_t<decltype(chosen_method)> Method;
-        const Clock::time_point start = Clock::now();
+        const tool::Stopwatch reading;
         const Mesh mesh(chosen_policy, positions, rows);
-        const std::chrono::duration<double> reading = Clock::now() - start;
+        const double seconds_reading = reading.seconds();
         const auto parameters = CGAL::parameters::edge_weight_map(weights.weights(mesh))
                                   .vertex_is_constrained_map(is_constrained)
                                   .accuracy(accuracy.value_or(Method::default_accuracy))
@@ -193,8 +192,8 @@ py::tuple parameterize(const Doubles& points, const py::array& triangles, const 
         SP::Result mapped = SP::parameterize(
           chosen_policy, mesh, chosen_method, sphere_map,
           CGAL::parameters::vertex_density_map(of_vertices, CGAL::parameters::face_density_map(of_faces, parameters)));
-        mapped.seconds.read += reading.count();
-        mapped.seconds.total += reading.count();
+        mapped.seconds.read += seconds_reading;
+        mapped.seconds.total += seconds_reading;
         return mapped;
       },
       policy, method);

@@ -9,19 +9,10 @@
 
 #include <pybind11/stl.h>
 
-#include <algorithm>
 #include <tuple>
 #include <vector>
 
 namespace {
-
-/// Row after row
-Doubles to_array(const std::vector<double>& values, std::size_t columns)
-{
-  Doubles array = make_array<double>(values.size() / columns, columns);
-  std::copy(values.begin(), values.end(), array.mutable_data());
-  return array;
-}
 
 std::tuple<std::vector<double>, Doubles, std::vector<double>>
 laplacian_eigenpairs(const Doubles& points, const py::array& triangles, std::size_t number, const std::string& policy)
@@ -29,7 +20,7 @@ laplacian_eigenpairs(const Doubles& points, const py::array& triangles, std::siz
   const Mesh mesh = make_mesh(points, triangles);
   const SP::Laplacian_eigenpairs pairs =
     on_watched(policy, [&](const auto& p, const auto& np) { return SP::laplacian_eigenpairs(p, mesh, number, np); });
-  return {pairs.value, to_array(pairs.functions, pairs.number_of_vertices), pairs.mass};
+  return {pairs.value, array_of(pairs.functions, pairs.value.size(), pairs.number_of_vertices), pairs.mass};
 }
 
 /// \param functions  a row for each
@@ -45,13 +36,13 @@ Doubles heat_kernel_signature(const std::vector<double>& value, const Doubles& f
                               const std::vector<double>& times)
 {
   const SP::Laplacian_eigenpairs pairs = pairs_of(value, functions);
-  return to_array(SP::heat_kernel_signature(pairs, times), pairs.number_of_vertices);
+  return array_of(SP::heat_kernel_signature(pairs, times), times.size(), pairs.number_of_vertices);
 }
 
 Doubles wave_kernel_signature(const std::vector<double>& value, const Doubles& functions, std::size_t energies)
 {
   const SP::Laplacian_eigenpairs pairs = pairs_of(value, functions);
-  return to_array(SP::wave_kernel_signature(pairs, energies), pairs.number_of_vertices);
+  return array_of(SP::wave_kernel_signature(pairs, energies), energies, pairs.number_of_vertices);
 }
 
 } // namespace

@@ -14,8 +14,6 @@
 #include "system/refusal.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <initializer_list>
 #include <iterator>
 #include <new>
@@ -89,19 +87,17 @@ void write_csv_header(std::ostream& out)
   out << '\n';
 }
 
-/// Numbers have the fewest digits from which the same double is read again.
 void write_csv(std::ostream& out, const Signature_row& row)
 {
-  out << csv_quoted(row.name) << ',' << (row.vertices > 0 ? std::to_string(row.vertices) : "") << ','
-      << csv_quoted(row.status) << ',' << csv_quoted(row.map) << ',' << csv_quoted(row.message);
-  std::array<char, 32> digits;
+  Text_writer write(out);
+  write(csv_quoted(row.name), ',', row.vertices > 0 ? std::to_string(row.vertices) : "", ',', csv_quoted(row.status),
+        ',', csv_quoted(row.map), ',', csv_quoted(row.message));
   for(std::size_t i = 0; i < Shape_signature::size; ++i) {
-    out << ',';
+    write(',');
     if(row.signature)
-      out.write(digits.data(),
-                std::to_chars(digits.begin(), digits.end(), row.signature->values[i]).ptr - digits.begin());
+      write(row.signature->values[i]);
   }
-  out << '\n';
+  write('\n');
 }
 
 } // namespace
@@ -159,7 +155,7 @@ Batch_summary update_index(const std::vector<std::string>& meshes, const std::st
 
   summary.removed = index.keep_only(meshes);
   Atomic_files files;
-  std::ostream* const table = files.open_if_named(output != index_of(output) ? output : "");
+  std::ostream* const table = output != index_of(output) ? &files.open(output) : nullptr;
   if(table)
     write_csv_header(*table);
   for(const std::string& mesh : meshes) {

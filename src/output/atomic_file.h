@@ -59,9 +59,6 @@ public:
   /// One more file. Throws a `Refusal`, as all that follows.
   std::ostream& open(const std::string& file);
 
-  /// Null if there is no name.
-  std::ostream* open_if_named(const std::string& file) { return file.empty() ? nullptr : &open(file); }
-
   /// Closes the files that are open: all of them have been written. For those who write more files than a process may
   /// have open.
   void complete();

@@ -71,11 +71,6 @@ private:
 const char* const data_formats =
   "data are read from curv, .annot, .label, .csv and GIFTI files, and from PLY and VTK files of the surface";
 
-std::array<float, 4> opaque(const std::array<std::uint8_t, 3>& colour)
-{
-  return {colour[0] / 255.F, colour[1] / 255.F, colour[2] / 255.F, 1};
-}
-
 Vertex_column new_column(const std::string& file, std::size_t vertices)
 {
   return {name_of_column(file), std::vector<double>(vertices, none)};
@@ -268,7 +263,7 @@ Vertex_data read_csv(const std::string& file, std::string_view text)
         continue;
       const auto [entry, is_new] = keys.emplace(word, static_cast<int>(keys.size()) + 1);
       if(is_new)
-        column.table.push_back({entry->second, word, opaque(distinct_colour(column.table.size()))});
+        add_label(column, entry->second, word);
       column.values[v] = entry->second;
     }
   }
@@ -353,6 +348,12 @@ void add_column(Vertex_data& data, Vertex_column column)
     name = column.name + '_' + std::to_string(i);
   column.name = name;
   data.push_back(std::move(column));
+}
+
+void add_label(Vertex_column& column, int key, const std::string& name)
+{
+  const auto [red, green, blue] = distinct_colour(column.table.size());
+  column.table.push_back({key, name, {red / 255.F, green / 255.F, blue / 255.F, 1}});
 }
 
 std::array<double, 3> colour_of_hue(double hue)

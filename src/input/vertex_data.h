@@ -37,6 +37,9 @@ bool is_point_or_normal(std::string_view name);
 /// Appends a column; if its name is taken, it gets a number.
 void add_column(Vertex_data& data, Vertex_column column);
 
+/// Appends an entry to its table, of a colour that the others do not have.
+void add_label(Vertex_column& column, int key, const std::string& name);
+
 /// Reads what a file has for the vertices of a mesh, in their order: FreeSurfer's curv (`lh.thickness`), .annot and
 /// .label, GIFTI, .csv with a line of names, and the columns of surfaces that have some. A broken file, or one of
 /// another number of vertices, throws a `Refusal`.

@@ -25,11 +25,8 @@ Vertex_column with_all_keys(Vertex_column column)
   for(const Label& label : column.table)
     keys.insert(label.key);
   for(const double value : column.values)
-    if(!std::isnan(value) && keys.insert(key_of(value)).second) {
-      const auto [red, green, blue] = distinct_colour(column.table.size());
-      column.table.push_back(
-        {key_of(value), std::to_string(key_of(value)), {red / 255.F, green / 255.F, blue / 255.F, 1}});
-    }
+    if(!std::isnan(value) && keys.insert(key_of(value)).second)
+      add_label(column, key_of(value), std::to_string(key_of(value)));
   return column;
 }
 

@@ -119,16 +119,13 @@ std::string name(Mesh_format format)
     std::find_if(std::begin(formats), std::end(formats), [=](const Format& f) { return f.format == format; })->name);
 }
 
-const std::vector<std::pair<std::string, Mesh_format>>& output_formats()
+std::vector<std::pair<std::string, Mesh_format>> output_formats()
 {
-  static const std::vector<std::pair<std::string, Mesh_format>> result = [] {
-    std::vector<std::pair<std::string, Mesh_format>> list;
-    for(const Format& f : formats)
-      if(f.format != Mesh_format::STL)
-        list.emplace_back(f.name, f.format);
-    return list;
-  }();
-  return result;
+  std::vector<std::pair<std::string, Mesh_format>> list;
+  for(const Format& f : formats)
+    if(f.format != Mesh_format::STL)
+      list.emplace_back(f.name, f.format);
+  return list;
 }
 
 std::optional<Mesh_format> format_of_name(const std::string& file)

@@ -24,7 +24,7 @@ std::string name(Mesh_format format);
 std::string extension_of_format(const std::string& name);
 
 /// The formats that are written, by their names, in the order of `Mesh_format`. STL is not: it has no vertices.
-const std::vector<std::pair<std::string, Mesh_format>>& output_formats();
+std::vector<std::pair<std::string, Mesh_format>> output_formats();
 
 /// The format that the name of a file stands for: by its extension, in lower or upper case, before which there may be
 /// one of a compression; or FreeSurfer's, whose surfaces are called "lh.white", "rh.sphere", ...

@@ -5,6 +5,8 @@
 
 #include "system/refusal.h"
 
+#include <boost/algorithm/string/case_conv.hpp>
+
 #include <algorithm>
 #include <cctype>
 #include <charconv>
@@ -45,13 +47,7 @@ Number read_number(std::string_view token, Real& value)
 
 } // namespace
 
-std::string lower_case(std::string_view text)
-{
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return result;
-}
+std::string lower_case(std::string_view text) { return boost::algorithm::to_lower_copy(std::string(text)); }
 
 Number to_number(std::string_view token, double& value) { return read_number(token, value); }
 Number to_number(std::string_view token, float& value) { return read_number(token, value); }

@@ -69,6 +69,21 @@ Json attempts_of(const SP::Result& result)
   return attempts;
 }
 
+/// Accuracy and largest number of iterations of the method that made the map: given, or its defaults.
+std::pair<double, std::size_t> effort_of(const Mapping_options& options, const SP::Result& result)
+{
+  using SP::Isometric;
+  if(options.method == "automatic" && result.method == "isometric") // what was given is for the springs
+    return {Isometric::default_accuracy, Isometric::default_number_of_iterations};
+  return std::visit(
+    [&options](const auto& method) {
+      using Method = std::decay_t<decltype(method)>;
+      return std::pair<double, std::size_t>(options.accuracy.value_or(Method::default_accuracy),
+                                            options.iterations.value_or(Method::default_number_of_iterations));
+    },
+    method_of(options));
+}
+
 /// Every option on how to map by its name on the command line, given or default, as far as weights and method use it.
 Json settings_of(Mapping_options options, const SP::Result& result)
 {
@@ -96,20 +111,6 @@ std::size_t peak_memory_bytes()
 #else
   return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
 #endif
-}
-
-std::pair<double, std::size_t> effort_of(const Mapping_options& options, const SP::Result& result)
-{
-  using SP::Isometric;
-  if(options.method == "automatic" && result.method == "isometric") // what was given is for the springs
-    return {Isometric::default_accuracy, Isometric::default_number_of_iterations};
-  return std::visit(
-    [&options](const auto& method) {
-      using Method = std::decay_t<decltype(method)>;
-      return std::pair<double, std::size_t>(options.accuracy.value_or(Method::default_accuracy),
-                                            options.iterations.value_or(Method::default_number_of_iterations));
-    },
-    method_of(options));
 }
 
 std::string verbose_text(const SP::Result& result)

@@ -27,9 +27,6 @@ struct Report {
   std::optional<Refusal> refusal; ///< its log is too long for the JSON file
 };
 
-/// Accuracy and largest number of iterations of the method that made the map: given, or its defaults.
-std::pair<double, std::size_t> effort_of(const Mapping_options& options, const SP::Result& result);
-
 /// The most memory that the process has had so far.
 std::size_t peak_memory_bytes();
 

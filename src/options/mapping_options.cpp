@@ -17,8 +17,7 @@ std::string defaults(Number balanced, Number saddle_point, Number isometric)
   return text.str();
 }
 
-} // namespace
-
+/// Those of this build.
 const std::vector<std::string>& policy_names()
 {
   static const std::vector<std::string> names = {
@@ -32,6 +31,8 @@ const std::vector<std::string>& policy_names()
   };
   return names;
 }
+
+} // namespace
 
 const std::string& default_policy_name()
 {

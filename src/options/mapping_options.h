@@ -16,9 +16,6 @@
 
 namespace tool {
 
-/// "sequential", "tbb", "opencl": those of this build.
-const std::vector<std::string>& policy_names();
-
 /// The fastest one that every machine can run: results do not depend on it.
 const std::string& default_policy_name();
 

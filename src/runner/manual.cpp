@@ -10,7 +10,6 @@
 #include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
-#include <map>
 #include <sstream>
 
 namespace tool {
@@ -196,26 +195,20 @@ std::string table_of_steps(const std::vector<Step>& all)
 std::string steps_as_json(const std::vector<Step>& all)
 {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  const std::map<Takes::Meshes, const char*> takes = {{Takes::NONE, "nothing"},
-                                                      {Takes::EACH, "each"},
-                                                      {Takes::PAIR, "pair"},
-                                                      {Takes::TOGETHER, "together"},
-                                                      {Takes::ONE, "one"}};
-  const std::map<Output::Kind, const char*> kinds = {
-    {Output::FILE, "file"}, {Output::MESH, "mesh"}, {Output::FOLDER, "folder"}, {Output::DATABASE, "database"}};
-  const std::map<Takes::Sphere, const char*> spheres = {
-    {Takes::NO_SPHERE, "no"}, {Takes::OPTION, "option"}, {Takes::ARGUMENT, "argument"}};
+  // in the order of the enumerators
+  constexpr const char *takes[] = {"nothing", "each", "pair", "together", "one"},
+                       *kinds[] = {"file", "mesh", "folder", "database"}, *spheres[] = {"no", "option", "argument"};
   for(const Step& step : all) {
     nlohmann::ordered_json outputs = nlohmann::ordered_json::array();
     for(const Output& output : step.gives)
       outputs.push_back({{"option", output.option()},
                          {"extension", output.extensions.empty() ? ".off" : output.extensions.front()},
-                         {"kind", kinds.at(output.kind)}});
+                         {"kind", kinds[output.kind]}});
     if(step.takes.meshes != Takes::NONE)
       outputs.push_back({{"option", "--report"}, {"extension", ".json"}, {"kind", "file"}});
     list.push_back({{"name", step.name},
-                    {"takes", takes.at(step.takes.meshes)},
-                    {"sphere", spheres.at(step.takes.sphere)},
+                    {"takes", takes[step.takes.meshes]},
+                    {"sphere", spheres[step.takes.sphere]},
                     {"outputs", outputs}});
   }
   return list.dump(2) + '\n';

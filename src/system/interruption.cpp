@@ -3,8 +3,6 @@
 
 #include "system/interruption.h"
 
-#include "system/refusal.h"
-
 #include <atomic>
 #include <csignal>
 
@@ -32,10 +30,15 @@ void watch_for_interruption()
 
 bool was_interrupted() { return noted_signal != 0; }
 
+Refusal interrupted(const std::string& input)
+{
+  return {Error_code::INTERRUPTED, input, "interrupted", "nothing has been written"};
+}
+
 void stop_if_interrupted(const std::string& input)
 {
   if(was_interrupted())
-    throw Refusal(Error_code::INTERRUPTED, input, "interrupted", "nothing has been written");
+    throw interrupted(input);
 }
 
 void die_if_interrupted()

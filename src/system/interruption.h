@@ -4,6 +4,8 @@
 #ifndef SPHERICAL_PARAMETERIZATION_TOOL_INTERRUPTION_H
 #define SPHERICAL_PARAMETERIZATION_TOOL_INTERRUPTION_H
 
+#include "system/refusal.h"
+
 #include <CGAL/Named_function_parameters.h>
 
 #include <string>
@@ -21,7 +23,10 @@ inline auto stopped_by_signals()
   return CGAL::parameters::callback([](double) { return !was_interrupted(); });
 }
 
-/// Throws a `Refusal` of the file `input` if it was.
+/// What is said of the file `input` then.
+Refusal interrupted(const std::string& input);
+
+/// Throws it if the program was interrupted.
 void stop_if_interrupted(const std::string& input);
 
 /// Ends the process by the signal that was noted, if there was one. To be called last, when everything has been cleaned

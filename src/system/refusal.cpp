@@ -14,14 +14,6 @@
 #include <new>
 
 namespace tool {
-namespace {
-
-Refusal interrupted(const std::string& input)
-{
-  return {Error_code::INTERRUPTED, input, "interrupted", "nothing has been written"};
-}
-
-} // namespace
 
 std::optional<Refusal> guarded(const std::string& input, const std::function<void()>& action)
 {

@@ -35,17 +35,38 @@ public:
   /// \param name      of the row
   /// \param mesh      the file
   /// \param settings  all else on which the result depends
-  std::optional<Row> current(const std::string& name, const std::string& mesh, const std::string& settings);
+  std::optional<Row> current(const std::string& name, const std::string& mesh, const std::string& settings)
+  {
+    if(!is_current(database_, name, mesh))
+      return std::nullopt;
+    auto row = database_.query("SELECT status, message, outputs, value FROM mesh "
+                               "WHERE name = ? AND mesh = ? AND settings = ?",
+                               name, mesh, settings);
+    if(!row.next())
+      return std::nullopt;
+    return Row{row.text(0), row.text(1), row.text(2), row.text(3)};
+  }
 
   /// Whether there is a row, if for another version of the mesh or with other settings.
-  bool has(const std::string& name) const;
+  bool has(const std::string& name) const
+  {
+    return database_.query("SELECT 1 FROM mesh WHERE name = ?", name).next();
+  }
 
   /// The settings of some row, empty if there is none.
-  std::string some_settings() const;
+  std::string some_settings() const
+  {
+    auto row = database_.query("SELECT settings FROM mesh LIMIT 1");
+    return row.next() ? row.text(0) : "";
+  }
 
   /// Writes a row. It is on the disk on return, but within `put_together()`.
   void put(const std::string& name, const std::string& mesh, const File_version& version, const std::string& settings,
-           const Row& row);
+           const Row& row)
+  {
+    database_.run("INSERT OR REPLACE INTO mesh VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?)", name, mesh, version.bytes,
+                  version.changed, version.hash, settings, row.status, row.message, row.outputs, row.value);
+  }
 
   /// Calls f, which puts rows: they are on the disk together on return, and none of them if f throws and this is
   /// destroyed then.

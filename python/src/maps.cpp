@@ -187,7 +187,7 @@ py::tuple parameterize(const Doubles& points, const py::array& triangles, const 
                                   .accuracy(accuracy.value_or(Method::default_accuracy))
                                   .number_of_iterations(iterations.value_or(Method::default_number_of_iterations))
                                   .maximum_running_time(maximum_running_time)
-                                  .callback([&watch](double fraction) { return watch.go_on(fraction); })
+                                  .callback(std::ref(watch))
                                   .verbose(verbose);
         SP::Result mapped = SP::parameterize(
           chosen_policy, mesh, chosen_method, sphere_map,

@@ -16,6 +16,7 @@
 
 #include <pybind11/stl.h>
 
+#include <functional>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -44,9 +45,7 @@ py::tuple prepare(const Doubles& points, const py::array_t<std::int32_t>& triang
   const Rows<std::int32_t> corners(triangles);
   const preparation::Triangle_soup soup(places, corners);
   Watch watch{py::none()};
-  const auto watched = CGAL::parameters::maximum_running_time(maximum_running_time).callback([&watch](double fraction) {
-    return watch.go_on(fraction);
-  });
+  const auto watched = CGAL::parameters::maximum_running_time(maximum_running_time).callback(std::ref(watch));
   preparation::Glued_surface result;
   nlohmann::ordered_json report;
   try {
@@ -56,7 +55,7 @@ py::tuple prepare(const Doubles& points, const py::array_t<std::int32_t>& triang
     const double diagonal = preparation::diagonal(soup);
     constexpr double tolerance = 1e-4; // as a part of the diagonal, as the tool has it
     const auto distance = preparation::hausdorff_distance(soup, done.parts, tolerance * diagonal, [&watch] {
-      if(!watch.go_on(0))
+      if(!watch(0))
         throw SP::Error(SP::Error_code::INTERRUPTED, "by Ctrl-C");
     });
     report = {{"preparation", tool::to_json(done)},

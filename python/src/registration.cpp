@@ -13,6 +13,7 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <functional>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -49,10 +50,7 @@ py::tuple register_maps(const Doubles& points_a, const py::array& triangles_a, c
   Doubles registered = make_array<double>(a.number_of_vertices(), 3);
   const Written_sphere out(registered);
   Watch watch{progress};
-  const auto parameters =
-    CGAL::parameters::maximum_running_time(maximum_running_time).callback([&watch](double fraction) {
-      return watch.go_on(fraction);
-    });
+  const auto parameters = CGAL::parameters::maximum_running_time(maximum_running_time).callback(std::ref(watch));
   const SP::Registration_result r = on(policy, [&](const auto& p) {
     return SP::register_maps(p, SP::mapped_mesh(a, images_a), SP::mapped_mesh(b, images_b), out, method, landmarks,
                              parameters);

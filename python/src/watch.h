@@ -9,6 +9,7 @@
 #include <CGAL/Named_function_parameters.h>
 
 #include <chrono>
+#include <functional>
 
 /// The callback of a call: asks Python now and then whether to go on.
 struct Watch {
@@ -16,7 +17,7 @@ struct Watch {
   bool was_ctrl_c = false;
   std::chrono::steady_clock::time_point last = std::chrono::steady_clock::now();
 
-  bool go_on(double fraction)
+  bool operator()(double fraction)
   {
     constexpr std::chrono::milliseconds interval(50); // the lock may be some way off
     const bool is_last = fraction >= 1;
@@ -45,7 +46,7 @@ auto on_watched(const std::string& policy, F f)
   Watch watch;
   try {
     return on(policy, [&](const auto& p) {
-      return f(p, CGAL::parameters::callback([&watch](double fraction) { return watch.go_on(fraction); }));
+      return f(p, CGAL::parameters::callback(std::ref(watch)));
     });
   } catch(const SP::Error&) {
     if(!watch.was_ctrl_c)

@@ -5,7 +5,6 @@
 
 #include "input/files.h"
 #include "input/text_lines.h"
-#include "mapping/report.h"
 #include "system/interruption.h"
 #include "system/progress_bar.h"
 #include "system/refusal.h"

@@ -4,7 +4,6 @@
 #include "runner/step.h"
 
 #include "collections/signatures.h"
-#include "input/files.h"
 #include "input/mesh_readers.h"
 #include "mapping/registered_pair.h"
 #include "output/ply.h"

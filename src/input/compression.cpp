@@ -160,8 +160,11 @@ std::string without_compression(const std::string& file)
                                                         : std::filesystem::path(file).replace_extension().string();
 }
 
-std::string decompressed(const std::string& file, const std::string& bytes, Compression compression)
+std::string decompressed(const std::string& file, std::string bytes)
 {
+  const Compression compression = compression_of_content(bytes);
+  if(compression == Compression::NONE)
+    return bytes;
   constexpr std::size_t largest_ratio = 1000;
   std::string result;
   const auto take = [&](std::string_view part) {

@@ -28,10 +28,10 @@ Compression compression_of_content(std::string_view bytes);
 /// "mesh.ply" for "mesh.ply.gz".
 std::string without_compression(const std::string& file);
 
-/// The content of compressed bytes. Throws a `Refusal` if they are damaged or cut short, if they unfold to more than a
-/// thousand times their size, as no mesh does, and if this build lacks Boost.Iostreams, without which only gzip is
-/// known.
-std::string decompressed(const std::string& file, const std::string& bytes, Compression compression);
+/// The content of bytes that may be compressed. Throws a `Refusal` if they are damaged or cut short, if they unfold to
+/// more than a thousand times their size, as no mesh does, and if this build lacks Boost.Iostreams, without which only
+/// gzip is known.
+std::string decompressed(const std::string& file, std::string bytes);
 
 /// \name The format of zlib (RFC 1950), as it is inside XML files
 /// @{

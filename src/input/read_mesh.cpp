@@ -83,8 +83,7 @@ void check_corner(const std::string& file, std::size_t face, int corner, std::si
 
 Soup read_soup(const std::string& file, std::string bytes, Coordinates coordinates)
 {
-  if(const Compression compression = compression_of_content(bytes); compression != Compression::NONE)
-    bytes = decompressed(file, bytes, compression);
+  bytes = decompressed(file, std::move(bytes));
   auto format = format_of_content(bytes, bytes.size());
   if(!format)
     format = format_of_name(file);

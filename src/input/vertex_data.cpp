@@ -303,9 +303,7 @@ std::string name_of_column(const std::string& file)
 Vertex_data read_vertex_data(const std::string& file, std::size_t number_of_vertices)
 {
   check_readable(file);
-  std::string bytes = read_file(file);
-  if(const Compression compression = compression_of_content(bytes); compression != Compression::NONE)
-    bytes = decompressed(file, bytes, compression);
+  std::string bytes = decompressed(file, read_file(file));
   std::optional<Vertex_data> data = read_data(file, bytes, number_of_vertices);
   if(!data && !format_of_content(bytes, bytes.size()) && !format_of_name(file))
     refuse_file(file, "has an unknown content", data_formats);

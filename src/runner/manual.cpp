@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#include "runner/manual.h"
+#include "runner/step.h"
 
 #include "input/files.h"
 #include "options/command_line.h"

@@ -7,7 +7,6 @@
 #include "input/mesh_format.h"
 #include "options/command_line.h"
 #include "output/write_vertex_data.h"
-#include "runner/manual.h"
 #include "system/standard_output.h"
 
 #include <CGAL/version.h>

@@ -18,10 +18,15 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <ostream>
 #include <set>
 #include <string>
 #include <vector>
+
+namespace CLI {
+class App;
+}
 
 namespace tool {
 
@@ -172,6 +177,10 @@ struct Step {
 
 /// All of them.
 const std::vector<Step>& steps();
+
+/// What is made from the steps when the program is built, and for the tests, if that is what the command line asks for:
+/// the man page (of `make-man-page FRAME`), the completion in bash, the table of the manual, the list of the steps.
+std::optional<std::string> manual(const CLI::App& app, const std::vector<Step>& all, int argc, char** argv);
 
 /// The program: parses the command line, and runs its step. Returns the exit code: 0, 1 for a failure, 2 for wrong
 /// usage. Throws what is thrown outside of a step.

@@ -3,7 +3,6 @@
 
 #include "runner/step.h"
 
-#include "output/write_json.h"
 #include "output/write_vertex_data.h"
 #include "system/interruption.h"
 #include "system/standard_output.h"
@@ -38,6 +37,11 @@ std::string Request::settings(const std::set<std::string>& left_out) const
     if(others.count(option) == 0 && left_out.count(option) == 0)
       text += ' ' + option + '=' + typed;
   return text;
+}
+
+void write_json(std::ostream& out, const nlohmann::ordered_json& json)
+{
+  out << json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
 }
 
 std::ostream* Run::out(const std::string& option)

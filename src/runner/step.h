@@ -122,6 +122,10 @@ private:
   bool is_committed_ = false;
 };
 
+/// Writes a file for people and programs: indented, with a line end. Bytes of file names that are no UTF-8 are
+/// replaced.
+void write_json(std::ostream& out, const nlohmann::ordered_json& json);
+
 /// Does the work of a request, with its files and its report.
 Outcome perform(const Step& step, const Work& work, Run& run);
 

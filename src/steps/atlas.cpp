@@ -5,7 +5,6 @@
 
 #include "mapping/spherical_map.h"
 #include "output/text_writer.h"
-#include "output/write_json.h"
 #include "system/interruption.h"
 
 #include <CGAL/Spherical_parameterization/shape_atlas.h>

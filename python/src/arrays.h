@@ -9,12 +9,14 @@
 
 #include <CGAL/Spherical_parameterization/Any_policy.h>
 #include <CGAL/Spherical_parameterization/Indexed_triangle_mesh.h>
+#include <CGAL/Spherical_parameterization/values/Harmonic_coefficients.h>
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -169,6 +171,28 @@ struct Column {
     return map.first[map.columns * static_cast<std::size_t>(v.idx())];
   }
 };
+
+/// \name Coefficients of harmonics
+/// Arrays ((L + 1)^2, d): a row for every l and m, a column for every function.
+/// @{
+
+/// Of the array that begins at `first`.
+inline SP::Harmonic_coefficients harmonics_at(const double* first, int rows, int columns)
+{
+  SP::Harmonic_coefficients c(static_cast<int>(std::lround(std::sqrt(rows))) - 1, columns);
+  for(int i = 0; i < rows; ++i)
+    for(int k = 0; k < columns; ++k)
+      c.field_begin(k)[i] = first[i * columns + k];
+  return c;
+}
+
+inline void write_harmonics(const SP::Harmonic_coefficients& c, double* out)
+{
+  for(int i = 0; i < c.size(); ++i)
+    for(int k = 0; k < c.number_of_fields(); ++k)
+      *out++ = c.field_begin(k)[i];
+}
+/// @}
 
 void add_analysis(py::module_& module);
 void add_files(py::module_& module);

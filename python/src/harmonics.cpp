@@ -3,7 +3,6 @@
 //
 // Spherical harmonics.
 
-#include "harmonic_arrays.h"
 #include "watch.h"
 
 #include <CGAL/Spherical_parameterization/harmonic_alignment.h>

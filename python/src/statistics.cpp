@@ -3,7 +3,6 @@
 //
 // Statistics of shapes. A set of n shapes is an array (n, m, 3): of vertices, or of coefficients of harmonics.
 
-#include "harmonic_arrays.h"
 #include "watch.h"
 
 #include <CGAL/Spherical_parameterization/shape_atlas.h>

@@ -107,15 +107,13 @@ Work certify_work()
 
 Step certify_step()
 {
-  Takes takes = {Takes::EACH, nullptr, "", Takes::ARGUMENT, Prepare::HARMLESS};
-  takes.what =
-    "MESH... SPHERE: closed triangle meshes of genus 0, or folders of them; the last argument is the sphere, or the "
-    "folder of the spheres with the same names. A sphere has the same vertices and faces in the same order "
-    "as its mesh; its centre is the origin, its radius may be any";
   return {
     "certify",
     "Certify and measure a spherical map of any program",
-    takes,
+    {Takes::EACH, nullptr, "", Takes::ARGUMENT, Prepare::HARMLESS, "",
+     "MESH... SPHERE: closed triangle meshes of genus 0, or folders of them; the last argument is the sphere, or the "
+     "folder of the spheres with the same names. A sphere has the same vertices and faces in the same order "
+     "as its mesh; its centre is the origin, its radius may be any"},
     {{"-o,--output",
       "Folder for the reports of several MESH, and for the list of finished ones, with which the same command "
       "resumes",

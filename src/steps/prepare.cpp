@@ -310,11 +310,9 @@ Work prepare_work()
 
 Step prepare_step()
 {
-  Takes takes = {Takes::EACH};
-  takes.what = "Meshes with any defects, or folders of them";
   return {"prepare",
           "Repair a mesh so that it is one closed surface, which 'map' accepts",
-          takes,
+          {Takes::EACH, nullptr, "", Takes::NO_SPHERE, Prepare::NO, "", "Meshes with any defects, or folders of them"},
           {{"-o,--output",
             "Output file, in which the remaining vertices and faces of IN keep their order (without --output the "
             "command only "

@@ -144,20 +144,15 @@ py::array segment(const Doubles& points, const py::array& triangles, const Doubl
   return labels;
 }
 
+typedef std::pair<double, double> UV;
+
 /// Row f, column k of an array (m, 3, 2): the corner k of face f, which is the target of the halfedge before it.
-template <class UV> // of two doubles, may be const
-struct Corner_map {
-  typedef Mesh::Halfedge_index key_type;
-  typedef std::remove_const_t<UV> value_type;
-  typedef UV& reference;
-  typedef boost::lvalue_property_map_tag category;
-
-  UV* first;
-
-  UV& operator[](key_type h) const { return first[3 * (h.idx() / 3) + (h.idx() + 1) % 3]; }
-  friend reference get(const Corner_map& map, key_type h) { return map[h]; }
-  friend void put(const Corner_map& map, key_type h, const value_type& uv) { map[h] = uv; }
-};
+template <class May_be_const>
+auto corner_map(May_be_const* first)
+{
+  return boost::make_function_property_map<Mesh::Halfedge_index>(
+    [first](Mesh::Halfedge_index h) -> May_be_const& { return first[3 * (h.idx() / 3) + (h.idx() + 1) % 3]; });
+}
 
 py::tuple texture_coordinates(const Doubles& points, const py::array& triangles, const Doubles& sphere,
                               const std::string& chart, const py::object& axes, int bits, const std::string& policy)
@@ -173,8 +168,7 @@ py::tuple texture_coordinates(const Doubles& points, const py::array& triangles,
   options.bits = bits;
   const Mesh mesh = make_mesh(points, triangles);
   Doubles uv = make_array<double>(mesh.number_of_faces(), 3, 2);
-  typedef std::pair<double, double> UV;
-  const Corner_map<UV> map{reinterpret_cast<UV*>(uv.mutable_data())};
+  const auto map = corner_map(reinterpret_cast<UV*>(uv.mutable_data()));
   const SP::Texture_report r =
     on(policy, [&](const auto& p) { return SP::texture_coordinates(p, mesh, sphere_of(sphere), map, options); });
   return py::make_tuple(uv, r.axes.north, r.axes.meridian, r.seam_faces, r.pole_faces, r.moved_faces,
@@ -184,13 +178,12 @@ py::tuple texture_coordinates(const Doubles& points, const py::array& triangles,
 /// The ends of the edges along which a texture is cut, the smaller number first, sorted.
 py::array texture_seams(const Doubles& points, const py::array& triangles, const Doubles& uv)
 {
-  typedef const std::pair<double, double> UV;
   const Mesh mesh = make_mesh(points, triangles);
   std::vector<std::array<std::int32_t, 2>> seams;
   {
     const py::gil_scoped_release no_lock;
     std::vector<char> is_seam(num_halfedges(mesh)), is_on_seam(num_vertices(mesh)); // edges have numbers of halfedges
-    SP::texture_seams(mesh, Corner_map<UV>{reinterpret_cast<UV*>(uv.data())},
+    SP::texture_seams(mesh, corner_map(reinterpret_cast<const UV*>(uv.data())),
                       Array_map<Mesh::Edge_index, char>(is_seam.data()),
                       Array_map<Mesh::Vertex_index, char>(is_on_seam.data()));
     for(const Mesh::Edge_index e : edges(mesh))
@@ -243,7 +236,7 @@ public:
       const std::array<double, 3>& w = weight[i];
       const SP::Face_location<Mesh> place(Mesh::Face_index(face[i]), {w[2], w[0], w[1]});
       for(std::size_t k = 0; k < columns; ++k)
-        *out++ = SP::interpolate(mesh_, place, Column{in + k, columns});
+        *out++ = SP::interpolate(mesh_, place, column_at(in + k, columns));
     }
     return result;
   }

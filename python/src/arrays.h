@@ -11,6 +11,8 @@
 #include <CGAL/Spherical_parameterization/Indexed_triangle_mesh.h>
 #include <CGAL/Spherical_parameterization/values/Harmonic_coefficients.h>
 
+#include <boost/property_map/function_property_map.hpp>
+
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
@@ -156,21 +158,12 @@ py::array_t<Number, py::array::c_style> rows_of(const Rows_of_numbers& rows)
   return array;
 }
 
-/// A column of an array (n, d), read from its first number on.
-struct Column {
-  typedef Mesh::Vertex_index key_type;
-  typedef double value_type;
-  typedef double reference;
-  typedef boost::readable_property_map_tag category;
-
-  const double* first;
-  std::size_t columns;
-
-  friend double get(const Column& map, key_type v)
-  {
-    return map.first[map.columns * static_cast<std::size_t>(v.idx())];
-  }
-};
+/// A column of an array (n, d), read from its first number on, as a property map.
+inline auto column_at(const double* first, std::size_t columns)
+{
+  return boost::make_function_property_map<Mesh::Vertex_index>(
+    [=](Mesh::Vertex_index v) { return first[columns * static_cast<std::size_t>(v.idx())]; });
+}
 
 /// \name Coefficients of harmonics
 /// Arrays ((L + 1)^2, d): a row for every l and m, a column for every function.

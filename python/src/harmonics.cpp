@@ -41,7 +41,7 @@ SP::Harmonic_analysis analyze(const Policy& policy, const Mesh& mesh, const Sphe
   SP::Harmonic_analysis all;
   all.coefficients = SP::Harmonic_coefficients(degree, static_cast<int>(columns));
   for(std::size_t k = 0; k < columns; ++k) {
-    const auto one = SP::harmonic_analysis(policy, mesh, sphere, Column{values + k, columns}, degree, method, np);
+    const auto one = SP::harmonic_analysis(policy, mesh, sphere, column_at(values + k, columns), degree, method, np);
     std::copy_n(one.coefficients.field_begin(0), one.coefficients.size(),
                 all.coefficients.field_begin(static_cast<int>(k)));
     all.has_converged = all.has_converged && one.has_converged;

@@ -16,8 +16,6 @@
 
 #include <pybind11/stl.h>
 
-#include <boost/property_map/function_property_map.hpp>
-
 #include <functional>
 #include <optional>
 #include <sstream>

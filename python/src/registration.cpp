@@ -68,7 +68,7 @@ std::pair<Doubles, double> moebius_centred(const Doubles& sphere, const py::arra
   const Mesh mesh = make_mesh(sphere, triangles);
   Doubles centred = make_array<double>(mesh.number_of_vertices(), 3);
   const double distance =
-    SP::moebius_centred_map(mesh, sphere_of(sphere), Column{masses.data(), 1}, Written_sphere(centred));
+    SP::moebius_centred_map(mesh, sphere_of(sphere), column_at(masses.data(), 1), Written_sphere(centred));
   return {centred, distance};
 }
 

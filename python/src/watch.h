@@ -45,9 +45,7 @@ auto on_watched(const std::string& policy, F f)
 {
   Watch watch;
   try {
-    return on(policy, [&](const auto& p) {
-      return f(p, CGAL::parameters::callback(std::ref(watch)));
-    });
+    return on(policy, [&](const auto& p) { return f(p, CGAL::parameters::callback(std::ref(watch))); });
   } catch(const SP::Error&) {
     if(!watch.was_ctrl_c)
       throw;

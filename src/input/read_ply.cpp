@@ -63,17 +63,13 @@ public:
       if(!read_plain_vertices(element) && !read_plain_triangles(element))
         for(std::size_t row = 0; row < element.count; ++row)
           read_row(element, row);
-    if(is_text() ? !next_token(rest_).empty() : rest_.size() >= smallest_size(elements_.back()))
+    if(is_text_ ? !next_token(rest_).empty() : rest_.size() >= smallest_size(elements_.back()))
       refuse_file(file_, "has more data than the header announces",
                   "the counts in the header are wrong; export it again");
     return std::move(soup_);
   }
 
 private:
-  enum class Format { ASCII, LITTLE_ENDIAN_BINARY, BIG_ENDIAN_BINARY };
-
-  bool is_text() const { return format_ == Format::ASCII; }
-
   void read_header()
   {
     next_line();
@@ -115,12 +111,10 @@ private:
     const std::string_view line = line_, keyword = next_token(line_), format = next_token(line_);
     if(keyword != "format" || next_token(line_).empty())
       refuse("expected 'format', found " + in_quotes(line));
-    if(format == "binary_little_endian")
-      format_ = Format::LITTLE_ENDIAN_BINARY;
-    else if(format == "binary_big_endian")
-      format_ = Format::BIG_ENDIAN_BINARY;
-    else if(format != "ascii")
+    if(format != "ascii" && format != "binary_little_endian" && format != "binary_big_endian")
       refuse("the format " + in_quotes(format) + " is unknown");
+    is_text_ = format == "ascii";
+    order_ = format == "binary_big_endian" ? Byte_order::BIG : Byte_order::LITTLE;
   }
 
   void read_element()
@@ -212,7 +206,7 @@ private:
   }
 
   /// How many bytes a number of this type takes at least: in text, a digit and a space.
-  std::size_t smallest_size(const Number_type& type) const { return is_text() ? 2 : type.size; }
+  std::size_t smallest_size(const Number_type& type) const { return is_text_ ? 2 : type.size; }
 
   std::size_t smallest_size(const Element& element) const
   {
@@ -228,7 +222,7 @@ private:
   /// nothing has happened.
   bool read_plain_vertices(const Element& element)
   {
-    if(&element != vertices_ || format_ != Format::LITTLE_ENDIAN_BINARY)
+    if(&element != vertices_ || is_text_ || order_ == Byte_order::BIG)
       return false;
     std::size_t size = 0;
     std::map<const Property*, std::size_t> place;
@@ -269,7 +263,7 @@ private:
   /// The same for faces that are triangles and have no other properties, by far the most common ones.
   bool read_plain_triangles(const Element& element)
   {
-    if(&element != faces_ || format_ != Format::LITTLE_ENDIAN_BINARY || element.properties.size() != 1 ||
+    if(&element != faces_ || is_text_ || order_ == Byte_order::BIG || element.properties.size() != 1 ||
        corners_->count_type->size != 1 || corners_->type->size != 4)
       return false;
     constexpr std::size_t size = 1 + 3 * sizeof(std::uint32_t);
@@ -364,13 +358,13 @@ private:
   /// The next number, which is part of `element` number `row`.
   double next(const Number_type& type, const Element& element, std::size_t row)
   {
-    if(is_text())
+    if(is_text_)
       return next_in_text(type, element, row);
     if(rest_.size() < type.size)
       refuse_cut_short(element, row);
     const char* const bytes = rest_.data();
     rest_.remove_prefix(type.size);
-    return type.read(bytes, format_ == Format::BIG_ENDIAN_BINARY ? Byte_order::BIG : Byte_order::LITTLE);
+    return type.read(bytes, order_);
   }
 
   double next_in_text(const Number_type& type, const Element& element, std::size_t row)
@@ -407,7 +401,8 @@ private:
   std::string_view rest_;  ///< of the bytes
   std::string_view line_;  ///< of the header, as far as it has not been read
   std::size_t number_ = 0; ///< of the line
-  Format format_ = Format::ASCII;
+  bool is_text_ = true;
+  Byte_order order_ = Byte_order::LITTLE; ///< of binary files
   std::vector<Element> elements_;
   const Element* vertices_ = nullptr;
   const Element* faces_ = nullptr;

@@ -3,7 +3,6 @@
 //
 // What is done with a map: certificate, distortion, segments, textures, the inverse, shape search.
 
-#include "arrays.h"
 #include "watch.h"
 
 #include <CGAL/Spherical_parameterization/align_maps.h>

@@ -4,7 +4,6 @@
 // The module spherical_parameterization._core: parameterize(), devices, errors. analysis.cpp has what is done with a
 // map.
 
-#include "arrays.h"
 #include "errors.h"
 #include "watch.h"
 

@@ -4,7 +4,6 @@
 // The module spherical_parameterization._preparation. It is under the GPL, as the packages of CGAL that mend meshes and
 // the page that shows them are, and a module by itself, so that the others are not.
 
-#include "arrays.h"
 #include "errors.h"
 #include "watch.h"
 

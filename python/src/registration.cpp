@@ -3,7 +3,6 @@
 //
 // Registration of two maps.
 
-#include "arrays.h"
 #include "watch.h"
 
 #include <CGAL/Spherical_parameterization/moebius_centring.h>

@@ -6,17 +6,14 @@
 #include "collections/compute_in_parallel.h"
 #include "collections/results.h"
 #include "input/files.h"
-#include "options/usage.h"
 #include "output/atomic_file.h"
 #include "system/interruption.h"
 #include "system/progress_bar.h"
 #include "system/standard_output.h"
-#include "system/refusal.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
-#include <optional>
 #include <system_error>
 #include <thread>
 #include <unordered_map>

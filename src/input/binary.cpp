@@ -5,7 +5,6 @@
 
 #include "input/text_lines.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <limits>
 

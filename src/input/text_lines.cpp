@@ -3,8 +3,6 @@
 
 #include "input/text_lines.h"
 
-#include "system/refusal.h"
-
 #include <boost/algorithm/string/case_conv.hpp>
 
 #include <algorithm>

@@ -3,16 +3,13 @@
 
 #include "mapping/mapped_mesh.h"
 
-#include "mapping/spherical_map.h"
 #include "output/write_mesh.h"
-#include "system/interruption.h"
 #include "system/progress_bar.h"
 #include "system/refusal.h"
 #include "system/stopwatch.h"
 
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 
-#include <string>
 #include <tuple>
 
 namespace tool {

@@ -3,14 +3,12 @@
 
 #include "mapping/prepared_mesh.h"
 
-#include "preparation/prepare.h"
 #include "preparation/points.h"
 #include "system/refusal.h"
 
 #include <CGAL/tags.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 

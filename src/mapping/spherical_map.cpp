@@ -6,7 +6,6 @@
 #include <CGAL/Spherical_parameterization/edge_weights.h>
 #include <CGAL/Spherical_parameterization/parameterize.h>
 
-#include <limits>
 #include <map>
 #include <mutex>
 #include <optional>

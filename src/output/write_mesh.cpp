@@ -14,7 +14,6 @@
 #include <cstdint>
 #include <limits>
 #include <sstream>
-#include <string>
 
 namespace tool {
 namespace {

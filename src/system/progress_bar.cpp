@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <atomic>
 #include <iostream>
-#include <string>
 
 #include <sys/ioctl.h>
 #include <unistd.h>

@@ -154,6 +154,28 @@ std::vector<SP::Registration_feature> read_features(const Registration_options& 
   return result;
 }
 
+/// What people see of changes of lengths.
+const char* verdict(const SP::Length_changes& changes)
+{
+  return changes.share_of_large < 0.02 ? "no part of A is lost"
+         : changes.share_of_large < 0.1
+           ? "small parts of A are squeezed or stretched on B, as if B had no such part"
+           : "large parts of A are squeezed or stretched on B; --landmarks can say which points correspond";
+}
+
+/// How far to trust the correspondence; empty if nothing is known.
+const char* trust_text(const SP::Registration_result& result)
+{
+  switch(result.trust()) {
+  case SP::Registration_result::Trust::SURE: return "\ncorrespondence: sure";
+  case SP::Registration_result::Trust::UNSURE:
+    return "\ncorrespondence: not sure, other candidates are nearly as good; check it, or give --landmarks";
+  case SP::Registration_result::Trust::UNLIKE: return "\ncorrespondence: the shapes are unlike; check it";
+  case SP::Registration_result::Trust::UNKNOWN: break;
+  }
+  return "";
+}
+
 } // namespace
 
 Registration_options to_register(const Mapping_options& options, const std::string& other)
@@ -294,32 +316,6 @@ std::string preparation_text(const Registration_options& options, const Register
 {
   return preparation_text(options.input, pair.a.prepared) + preparation_text(options.other, pair.b.prepared);
 }
-
-namespace {
-
-/// What people see of changes of lengths.
-const char* verdict(const SP::Length_changes& changes)
-{
-  return changes.share_of_large < 0.02 ? "no part of A is lost"
-         : changes.share_of_large < 0.1
-           ? "small parts of A are squeezed or stretched on B, as if B had no such part"
-           : "large parts of A are squeezed or stretched on B; --landmarks can say which points correspond";
-}
-
-/// How far to trust the correspondence; empty if nothing is known.
-const char* trust_text(const SP::Registration_result& result)
-{
-  switch(result.trust()) {
-  case SP::Registration_result::Trust::SURE: return "\ncorrespondence: sure";
-  case SP::Registration_result::Trust::UNSURE:
-    return "\ncorrespondence: not sure, other candidates are nearly as good; check it, or give --landmarks";
-  case SP::Registration_result::Trust::UNLIKE: return "\ncorrespondence: the shapes are unlike; check it";
-  case SP::Registration_result::Trust::UNKNOWN: break;
-  }
-  return "";
-}
-
-} // namespace
 
 std::string registration_text(const Registration_options& options, const Registered_pair& pair)
 {

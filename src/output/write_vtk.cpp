@@ -7,6 +7,7 @@
 #include "output/write_mesh.h"
 #include "output/write_vertex_data.h"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cstdint>
@@ -57,10 +58,7 @@ void write_vtk(std::ostream& out, bool is_text, const Mesh& mesh, const std::vec
   const std::size_t faces = mesh.number_of_faces();
   out << "# vtk DataFile Version 4.2\nspherical-parameterization\n"
       << (is_text ? "ASCII" : "BINARY") << "\nDATASET POLYDATA\nPOINTS " << points.size() << " double\n";
-  write([&](auto row) {
-    for(const Point& p : points)
-      row(p);
-  });
+  write([&](auto row) { std::for_each(points.begin(), points.end(), row); });
   out << "POLYGONS " << faces << ' ' << 4 * faces << '\n';
   write([&](auto row) {
     for(std::size_t f = 0; f < faces; ++f) {
@@ -109,10 +107,8 @@ void write_vtp(std::ostream& out, bool is_text, const Mesh& mesh, const std::vec
     write(column.is_label ? "Int32" : "Float64", " Name=\"" + xml_escaped(column.name) + '"',
           [&](auto row) { for_each_value(column, row); });
   out << "</PointData>\n<Points>\n";
-  write("Float64", " Name=\"Points\" NumberOfComponents=\"3\"", [&](auto row) {
-    for(const Point& p : points)
-      row(p);
-  });
+  write("Float64", " Name=\"Points\" NumberOfComponents=\"3\"",
+        [&](auto row) { std::for_each(points.begin(), points.end(), row); });
   out << "</Points>\n<Polys>\n";
   write("Int32", " Name=\"connectivity\"", [&](auto row) {
     for(std::size_t f = 0; f < faces; ++f)

@@ -75,17 +75,6 @@ std::vector<Item> named(const std::vector<std::pair<std::string, fs::path>>& fil
   return items;
 }
 
-std::string line_of(const Item& item, const Results::Row& row)
-{
-  return row.status == "OK" ? item.mesh + ": " + row.message : row.message;
-}
-
-/// Whether the reason is not the mesh, but what all meshes have in common: then there is no use in going on.
-bool concerns_all(const Refusal& refusal)
-{
-  return refusal.code() == unwritable_file || refusal.code() == opencl_error;
-}
-
 /// Program, settings, and versions of the files besides the mesh: another result is to be expected if any of them
 /// differs.
 std::string settings_of(const Collection& collection, const Job& job)
@@ -210,7 +199,8 @@ int run_collection(const Collection& collection)
     const auto print = [&] { // in the order of the items, whatever the threads do
       bar.hide();
       for(; printed < items.size() && rows[printed]; ++printed)
-        std::cout << line_of(items[printed], *rows[printed]) << '\n';
+        std::cout << (rows[printed]->status == "OK" ? items[printed].mesh + ": " : "") << rows[printed]->message
+                  << '\n';
       flush_standard_output();
       bar.show(static_cast<double>(done) / static_cast<double>(items.size()));
     };
@@ -234,7 +224,8 @@ int run_collection(const Collection& collection)
         outcome = job.run();
       if(outcome.refusal && was_interrupted())
         return nullptr;
-      if(outcome.refusal && concerns_all(*outcome.refusal))
+      // not for the mesh, but for what all meshes have in common: there is no use in going on
+      if(outcome.refusal && (outcome.refusal->code() == unwritable_file || outcome.refusal->code() == opencl_error))
         throw Refusal(*outcome.refusal);
       const std::string outputs = versions_of(job.outputs);
       const Results::Row row = outcome.refusal

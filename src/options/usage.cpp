@@ -42,13 +42,6 @@ bool is_same_file(const std::string& a, const std::string& b)
   return fs::equivalent(a, b, error) || fs::weakly_canonical(a, error) == fs::weakly_canonical(b, error);
 }
 
-bool can_be_replaced(const std::string& file)
-{
-  std::error_code error;
-  const fs::file_status status = fs::status(file, error);
-  return status.type() == fs::file_type::not_found || status.type() == fs::file_type::regular;
-}
-
 } // namespace
 
 std::string joined(const std::vector<std::string>& words, const std::string& between)
@@ -100,7 +93,10 @@ void check_files(const std::vector<File_option>& inputs, const std::vector<File_
         require(other_file != standard_stream || other_option == option, option, "is the same file as " + other_option);
       continue;
     }
-    require(can_be_replaced(file), option, "'" + file + "' exists and is not a regular file");
+    std::error_code none;
+    const fs::file_type type = fs::status(file, none).type();
+    require(type == fs::file_type::not_found || type == fs::file_type::regular, option,
+            "'" + file + "' exists and is not a regular file");
     for(const auto& [other_option, other_file] : files)
       require(other_file.empty() || !is_same_file(file, other_file), option, "is the same file as " + other_option);
     files.emplace_back(option, file);

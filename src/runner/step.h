@@ -78,7 +78,7 @@ public:
     data = input.file->data;
     annotations = input.file->annotations;
   }
-  void map(Map_quality quality = Map_quality::CERTIFIED) { map_input(options, input, quality); }
+  void map() { map_input(options, input); }
   const Mesh& mesh() const { return input.mesh(); }
 
   /// The file of this option; null if it was not asked for.

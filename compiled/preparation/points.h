@@ -26,6 +26,11 @@ inline double norm(const Vector& a) { return std::hypot(a[0], a[1], a[2]); }
 
 inline bool is_finite(const Vector& p) { return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); }
 
+inline bool has_finite_corners(const Triangle_soup& soup, const Triangle_soup::Triangle& t)
+{
+  return std::all_of(t.begin(), t.end(), [&soup](int v) { return is_finite(soup.points[place(v)]); });
+}
+
 /// Of finite points.
 template <class Points>
 double largest_coordinate(const Points& points)

@@ -58,6 +58,12 @@ int longest_edge(const Triangle_3& t)
   return longest;
 }
 
+double square_of_longest_edge(const Triangle_3& t)
+{
+  const int k = longest_edge(t);
+  return CGAL::squared_distance(t[k], t[k + 1]);
+}
+
 std::array<Triangle_3, 2> halves(const Triangle_3& t)
 {
   const int k = longest_edge(t);
@@ -158,37 +164,31 @@ private:
   {
     constexpr double long_ones = 4;                    // times the median
     constexpr std::size_t most = 8, most_new = 300000; // pieces, times the triangles; and those added
-    std::vector<std::pair<double, std::size_t>> queue; // square of the longest edge, and the piece
-    const auto entry = [this](std::size_t i) {
-      const Triangle_3& t = pieces_[i];
-      const int k = longest_edge(t);
-      return std::make_pair(CGAL::squared_distance(t[k], t[k + 1]), i);
+    if(pieces_.empty())
+      return;
+    std::vector<double> squares;
+    for(const Triangle_3& t : pieces_)
+      squares.push_back(square_of_longest_edge(t));
+    const auto median = squares.begin() + static_cast<std::ptrdiff_t>(squares.size() / 2);
+    std::nth_element(squares.begin(), median, squares.end());
+    const double limit = long_ones * long_ones * *median;
+    const std::size_t most_pieces = std::min(most * pieces_.size(), pieces_.size() + most_new);
+    std::priority_queue<std::pair<double, std::size_t>> queue; // square of the longest edge, and the piece
+    const auto add_if_long = [&](std::size_t i) {
+      if(const double square = square_of_longest_edge(pieces_[i]); square > limit)
+        queue.emplace(square, i);
     };
     for(std::size_t i = 0; i < pieces_.size(); ++i)
-      queue.push_back(entry(i));
-    if(queue.empty())
-      return;
-    const auto median = queue.begin() + static_cast<std::ptrdiff_t>(queue.size() / 2);
-    std::nth_element(queue.begin(), median, queue.end());
-    const double limit = long_ones * long_ones * median->first;
-    const std::size_t most_pieces = std::min(most * pieces_.size(), pieces_.size() + most_new);
-    queue.erase(
-      std::remove_if(queue.begin(), queue.end(), [limit](const auto& piece) { return !(piece.first > limit); }),
-      queue.end());
-    std::make_heap(queue.begin(), queue.end());
+      add_if_long(i);
     while(!queue.empty() && pieces_.size() < most_pieces) {
-      std::pop_heap(queue.begin(), queue.end());
-      const std::size_t i = queue.back().second;
-      queue.pop_back();
+      const std::size_t i = queue.top().second;
+      queue.pop();
       const auto [first, second] = halves(pieces_[i]);
       pieces_[i] = first;
       pieces_.push_back(second);
       number_.push_back(std::size_t(number_[i]));
-      for(const std::size_t half : {i, pieces_.size() - 1})
-        if(const auto piece = entry(half); piece.first > limit) {
-          queue.push_back(piece);
-          std::push_heap(queue.begin(), queue.end());
-        }
+      add_if_long(i);
+      add_if_long(pieces_.size() - 1);
     }
   }
 
@@ -197,11 +197,6 @@ private:
   std::vector<std::size_t> number_; ///< by piece: of the triangle
   CGAL::AABB_tree<Traits> tree_;
 };
-
-bool has_finite_corners(const Triangle_soup& soup, const std::array<int, 3>& corners)
-{
-  return std::all_of(corners.begin(), corners.end(), [&soup](int v) { return is_finite(soup.points[place(v)]); });
-}
 
 bool is_same(const Triangle_3& s, const Triangle_3& t)
 {
@@ -287,14 +282,6 @@ Bounds farthest(const Triangle_list& triangles, const Triangle_tree& tree, doubl
   }
   result.high = std::max(result.high, result.low);
   return result;
-}
-
-CGAL::Bbox_3 box_of(const Triangle_list& triangles)
-{
-  CGAL::Bbox_3 box;
-  for(const auto& t : triangles)
-    box += t.bbox();
-  return box;
 }
 
 constexpr std::size_t most_looks_at_overlaps = 10'000; // where so many faces overlap, any of them is the nearest
@@ -413,7 +400,8 @@ Sampling_loss sampling_loss(const Mesh& mesh, const Mesh& sampled, const std::ve
   const Triangle_list shape = triangles_of(mesh, mesh.points(), unit), samples = triangles_of(sampled, points, unit);
 
   Sampling_loss loss;
-  const CGAL::Bbox_3 before = box_of(shape), after = box_of(samples);
+  const CGAL::Bbox_3 before = CGAL::bbox_3(shape.begin(), shape.end()),
+                     after = CGAL::bbox_3(samples.begin(), samples.end());
   double diagonal = 0;
   for(int k = 0; k < 3; ++k) {
     const double side = before.max(k) - before.min(k);

@@ -29,23 +29,20 @@ using Triangle = std::array<int, 3>;
 
 bool has_repeated_corner(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
 
-Triangle sorted(Triangle t)
-{
-  std::sort(t.begin(), t.end());
-  return t;
-}
-
 /// Faces that are left, with their numbers in the file.
 struct Faces {
   std::vector<Triangle> triangles;
   std::vector<int> number;
 
-  template <class Is_kept>
-  void keep(const Is_kept& is_kept)
+  /// Leaves out a face if defect_of(its place here) is one, and notes it there.
+  template <class Defect_of>
+  void remove(const Defect_of& defect_of)
   {
     std::size_t count = 0;
     for(std::size_t f = 0; f < triangles.size(); ++f)
-      if(is_kept(f)) {
+      if(Defect* const defect = defect_of(f))
+        defect->add(number[f]);
+      else {
         triangles[count] = Triangle(triangles[f]);
         number[count++] = number[f];
       }
@@ -54,96 +51,65 @@ struct Faces {
   }
 };
 
-/// The faces but the first of those with equal `keys` are marked.
-std::vector<bool> repeated(const std::vector<Triangle>& keys)
+/// The triangles but the first of those with equal corners are marked.
+std::vector<bool> repeated(const std::vector<Triangle>& triangles)
 {
-  std::vector<std::size_t> order(keys.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  std::vector<Triangle> key(keys.size());
-  std::transform(keys.begin(), keys.end(), key.begin(), sorted);
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return key[a] < key[b]; });
-  std::vector<bool> result(keys.size(), false);
-  for(std::size_t i = 1; i < order.size(); ++i)
-    result[order[i]] = key[order[i]] == key[order[i - 1]];
+  std::vector<std::pair<Triangle, std::size_t>> keys; // sorted corners, and the triangle
+  keys.reserve(triangles.size());
+  for(Triangle corners : triangles) {
+    std::sort(corners.begin(), corners.end());
+    keys.emplace_back(corners, keys.size());
+  }
+  std::sort(keys.begin(), keys.end());
+  std::vector<bool> result(triangles.size(), false);
+  for(std::size_t i = 1; i < keys.size(); ++i)
+    result[keys[i].second] = keys[i].first == keys[i - 1].first;
   return result;
 }
 
-/// Groups of sides with the same ends. `key` tells which vertices are the same.
-template <class Key, class Visit>
-void for_each_edge(const std::vector<Triangle>& triangles, const std::vector<int>& sides, const Key& key,
-                   const Visit& visit)
-{
-  std::vector<std::tuple<int, int, int>> edges;
-  edges.reserve(sides.size());
-  for(const int side : sides) {
-    const int a = key(triangles[place(side / 3)][place(side % 3)]);
-    const int b = key(triangles[place(side / 3)][place((side + 1) % 3)]);
-    edges.emplace_back(std::min(a, b), std::max(a, b), side);
-  }
-  std::sort(edges.begin(), edges.end());
-  std::vector<int> group;
-  for(std::size_t i = 0; i < edges.size(); ++i) {
-    group.push_back(std::get<2>(edges[i]));
-    const bool is_last = i + 1 == edges.size() || std::get<0>(edges[i]) != std::get<0>(edges[i + 1]) ||
-                         std::get<1>(edges[i]) != std::get<1>(edges[i + 1]);
-    if(is_last) {
-      visit(group);
-      group.clear();
-    }
-  }
-}
-
 /// For every vertex the one that stands for its place: itself, or for those marked, the first of them at a place.
-class Places {
-public:
-  Places(const Points& points, const std::vector<bool>& is_marked, double distance)
-    : points_(points), distance_(distance), representative_(points.size())
-  {
-    std::iota(representative_.begin(), representative_.end(), 0);
-    for(std::size_t v = 0; v < points.size(); ++v)
-      if(is_marked[v])
-        representative_[v] = find_or_add(static_cast<int>(v));
-  }
-
-  int operator()(int v) const { return representative_[place(v)]; }
-
-private:
-  using Cell = std::array<double, 3>; ///< the point itself, or the number of its cell
-
-  int find_or_add(int v)
-  {
-    const Point& p = points_[place(v)];
-    if(!(distance_ > 0)) {
+std::vector<int> places(const Points& points, const std::vector<bool>& is_marked, double distance)
+{
+  std::unordered_map<Point, std::vector<int>, boost::hash<Point>> cells; // by the point, or by the number of its cell
+  const auto find_or_add = [&](int v) {
+    const Point& p = points[place(v)];
+    if(!(distance > 0)) {
       const Point key = {p[0] + 0., p[1] + 0., p[2] + 0.}; // -0 is 0
-      return cells_.emplace(key, std::vector<int>{v}).first->second.front();
+      return cells.emplace(key, std::vector<int>{v}).first->second.front();
     }
-    const Cell cell = {std::floor(p[0] / distance_), std::floor(p[1] / distance_), std::floor(p[2] / distance_)};
+    const Point cell = {std::floor(p[0] / distance), std::floor(p[1] / distance), std::floor(p[2] / distance)};
     for(int i = 0; i < 27; ++i) {
       const int x = i % 3 - 1, y = i / 3 % 3 - 1, z = i / 9 - 1;
-      const auto found = cells_.find({cell[0] + x, cell[1] + y, cell[2] + z});
-      if(found == cells_.end())
+      const auto found = cells.find({cell[0] + x, cell[1] + y, cell[2] + z});
+      if(found == cells.end())
         continue;
       for(const int other : found->second)
-        if(norm(minus(p, points_[place(other)])) <= distance_)
+        if(norm(minus(p, points[place(other)])) <= distance)
           return other;
     }
-    cells_[cell].push_back(v);
+    cells[cell].push_back(v);
     return v;
-  }
-
-  const Points& points_;
-  double distance_;
-  std::vector<int> representative_;
-  std::unordered_map<Cell, std::vector<int>, boost::hash<Cell>> cells_;
-};
+  };
+  std::vector<int> result(points.size());
+  std::iota(result.begin(), result.end(), 0);
+  for(int& v : result)
+    if(is_marked[place(v)])
+      v = find_or_add(v);
+  return result;
+}
 
 /// The gluing while it is made: sides may still run in the same direction.
 class Gluing {
 public:
-  Gluing(const Points& points, Faces faces) : points_(&points), faces_(std::move(faces))
+  Gluing(const Points& points, Faces faces)
+    : points_(&points), faces_(std::move(faces)), twin_(3 * faces_.triangles.size(), Glued_surface::none),
+      key_(points.size())
   {
-    twin_.assign(3 * faces_.triangles.size(), Glued_surface::none);
+    std::iota(key_.begin(), key_.end(), 0);
   }
+
+  /// Vertices of the same key are the same from now on.
+  void identify(std::vector<int> key) { key_ = std::move(key); }
 
   const Faces& faces() const { return faces_; }
   std::vector<int>& twin() { return twin_; }
@@ -165,6 +131,34 @@ public:
   }
 
   int corner(int side, int step = 0) const { return faces_.triangles[place(side / 3)][place((side + step) % 3)]; }
+  int key(int side, int step = 0) const { return key_[place(corner(side, step))]; }
+
+  /// Groups of open sides with the same ends.
+  template <class Visit>
+  void for_each_open_edge(const Visit& visit) const
+  {
+    std::vector<std::pair<std::pair<int, int>, int>> edges; // ends, and a side
+    for(const int side : open_sides())
+      edges.emplace_back(std::minmax(key(side), key(side, 1)), side);
+    std::sort(edges.begin(), edges.end());
+    std::vector<int> group;
+    for(std::size_t i = 0; i < edges.size(); ++i) {
+      group.push_back(edges[i].second);
+      if(i + 1 == edges.size() || edges[i].first != edges[i + 1].first) {
+        visit(group);
+        group.clear();
+      }
+    }
+  }
+
+  /// Glues sides where two, and no more, have an edge in common.
+  void glue_pairs()
+  {
+    for_each_open_edge([&](const std::vector<int>& sides) {
+      if(sides.size() == 2)
+        glue(sides[0], sides[1]);
+    });
+  }
 
   /// The number of its first side.
   int add_face(const Triangle& corners)
@@ -180,15 +174,9 @@ public:
   static constexpr std::size_t most_compared = 200;
 
   /// Glues sides that meet at an edge in pairs, the flattest first.
-  template <class Key>
-  void glue_flattest(std::vector<int> sides, const Key& key)
+  void glue_flattest(const std::vector<int>& sides)
   {
-    struct Pair {
-      double cost;
-      int side, other;
-    };
-    const int a = std::min(key(corner(sides[0])), key(corner(sides[0], 1)));
-    const int b = std::max(key(corner(sides[0])), key(corner(sides[0], 1)));
+    const int a = std::min(key(sides[0]), key(sides[0], 1)), b = std::max(key(sides[0]), key(sides[0], 1));
     const Point edge = minus((*points_)[place(b)], (*points_)[place(a)]);
     const double squared_length = dot(edge, edge);
     const auto from_edge = [&](int side) { // to the third corner, at a right angle
@@ -198,33 +186,31 @@ public:
         w[k] -= t * edge[k];
       return w;
     };
-    const auto runs_forward = [&](int side) { return key(corner(side)) == a; };
-    std::vector<Pair> pairs;
+    const auto runs_forward = [&](int side) { return key(side) == a; };
+    std::vector<std::tuple<double, int, int>> pairs; // cost, and the sides
     for(std::size_t i = 0; i < sides.size(); ++i)
       for(std::size_t j = i + 1; j < std::min(sides.size(), i + most_compared); ++j) {
         const Point u = from_edge(sides[i]), w = from_edge(sides[j]);
         const double angle = std::atan2(norm(cross(u, w)), dot(u, w));
         const Point normal = runs_forward(sides[i]) ? cross(edge, u) : cross(u, edge);
         const bool is_opposite = runs_forward(sides[i]) != runs_forward(sides[j]), is_convex = dot(w, normal) < 0;
-        pairs.push_back({(is_opposite ? 0. : 10.) - angle - (is_convex ? 1e-3 : 0.), sides[i], sides[j]});
+        pairs.emplace_back((is_opposite ? 0. : 10.) - angle - (is_convex ? 1e-3 : 0.), sides[i], sides[j]);
       }
-    std::sort(pairs.begin(), pairs.end(), [](const Pair& x, const Pair& y) {
-      return std::tie(x.cost, x.side, x.other) < std::tie(y.cost, y.side, y.other);
-    });
-    for(const Pair& pair : pairs)
-      if(twin_[place(pair.side)] == Glued_surface::none && twin_[place(pair.other)] == Glued_surface::none)
-        glue(pair.side, pair.other);
+    std::sort(pairs.begin(), pairs.end());
+    for(const auto& [cost, side, other] : pairs)
+      if(twin_[place(side)] == Glued_surface::none && twin_[place(other)] == Glued_surface::none)
+        glue(side, other);
   }
 
 private:
   const Points* points_;
   Faces faces_;
   std::vector<int> twin_;
+  std::vector<int> key_; ///< by vertex: that which stands for its place
 };
 
 /// Whether each face has to be turned round. Gluings that contradict each other are undone.
-template <class Key>
-std::vector<bool> orient(Gluing& gluing, const Key& key, Gluing_defects& defects)
+std::vector<bool> orient(Gluing& gluing, Gluing_defects& defects)
 {
   const std::size_t n = gluing.faces().triangles.size();
   std::vector<int>& twin = gluing.twin();
@@ -243,7 +229,7 @@ std::vector<bool> orient(Gluing& gluing, const Key& key, Gluing_defects& defects
         const int other = twin[place(side)];
         if(other == Glued_surface::none)
           continue;
-        const bool same_direction = key(gluing.corner(side)) == key(gluing.corner(other));
+        const bool same_direction = gluing.key(side) == gluing.key(other);
         const std::size_t g = place(other / 3);
         if(!is_reached[g]) {
           is_reached[g] = true;
@@ -281,46 +267,28 @@ Faces usable_faces(const Triangle_soup& soup, Gluing_defects& defects)
       defects.isolated_vertices.add(static_cast<int>(v));
     else if(!is_finite(soup.points[v]))
       defects.non_finite_vertices.add(static_cast<int>(v));
-  if(defects.non_finite_vertices.count > 0)
-    faces.keep([&](std::size_t f) {
-      return std::all_of(faces.triangles[f].begin(), faces.triangles[f].end(),
-                         [&](int v) { return is_finite(soup.points[place(v)]); });
-    });
 
-  for(std::size_t f = 0; f < faces.triangles.size(); ++f)
-    if(has_repeated_corner(faces.triangles[f]))
-      defects.repeated_corners.add(faces.number[f]);
-  faces.keep([&](std::size_t f) { return !has_repeated_corner(faces.triangles[f]); });
-
-  const std::vector<bool> is_repeated = repeated(faces.triangles);
-  for(std::size_t f = 0; f < faces.triangles.size(); ++f)
-    if(is_repeated[f])
-      defects.repeated_faces.add(faces.number[f]);
-  faces.keep([&](std::size_t f) { return !is_repeated[f]; });
-  return faces;
-}
-
-/// Glues sides where two, and no more, have an edge in common.
-void glue_pairs(Gluing& gluing)
-{
-  const auto itself = [](int v) { return v; };
-  for_each_edge(gluing.faces().triangles, gluing.open_sides(), itself, [&](const std::vector<int>& sides) {
-    if(sides.size() == 2)
-      gluing.glue(sides[0], sides[1]);
+  Defect of_their_vertices; // noted already
+  faces.remove([&](std::size_t f) -> Defect* {
+    const Triangle& t = faces.triangles[f];
+    if(!has_finite_corners(soup, t))
+      return &of_their_vertices;
+    return has_repeated_corner(t) ? &defects.repeated_corners : nullptr;
   });
+  const std::vector<bool> is_repeated = repeated(faces.triangles);
+  faces.remove([&](std::size_t f) { return is_repeated[f] ? &defects.repeated_faces : nullptr; });
+  return faces;
 }
 
 /// Closes slits between an open side and others that run along it, from vertex to vertex on it, from its one end to the
 /// other: with triangles on that line.
-template <class Key>
 class Slits {
 public:
-  Slits(const Points& points, const Key& key, double distance, Gluing& gluing)
-    : points_(points), key_(key), distance_(distance), gluing_(gluing)
+  Slits(const Points& points, double distance, Gluing& gluing) : points_(points), distance_(distance), gluing_(gluing)
   {
     for(const int side : gluing.open_sides()) {
-      steps_[key(gluing.corner(side))].push_back({side, 0});
-      steps_[key(gluing.corner(side, 1))].push_back({side, 1});
+      steps_[gluing.key(side)].push_back({side, 0});
+      steps_[gluing.key(side, 1)].push_back({side, 1});
       looks_left_ += 200; // at steps; where these are used up, hardly any way arrives
     }
   }
@@ -360,8 +328,8 @@ private:
   {
     constexpr std::size_t most = 200;   // at a vertex; so many are no shape
     constexpr double rounding = 2.4e-7; // a few units of the last place of a float
-    const int end = key_(gluing_.corner(side, 1));
-    int at = key_(gluing_.corner(side));
+    const int end = gluing_.key(side, 1);
+    int at = gluing_.key(side);
     const Point &a = points_[place(at)], edge = minus(points_[place(end)], a);
     const double squared_length = dot(edge, edge);
     const double tolerance =
@@ -380,7 +348,7 @@ private:
         const Step& step = found->second[i];
         if(!is_open(step.side) || step.side / 3 == side / 3)
           continue;
-        const int other = key_(gluing_.corner(step.side, 1 - step.from));
+        const int other = gluing_.key(step.side, 1 - step.from);
         const Point from_a = minus(points_[place(other)], a);
         const double u = other == end ? 1 : dot(from_a, edge) / squared_length;
         const Point off = {from_a[0] - u * edge[0], from_a[1] - u * edge[1], from_a[2] - u * edge[2]};
@@ -393,96 +361,91 @@ private:
         return {};
       steps.push_back(best);
       t = nearest;
-      at = key_(gluing_.corner(best.side, 1 - best.from));
+      at = gluing_.key(best.side, 1 - best.from);
     }
     return steps;
   }
 
   const Points& points_;
-  const Key& key_;
   double distance_;
   Gluing& gluing_;
   std::unordered_map<int, std::vector<Step>> steps_; ///< by the vertex where they begin
   std::size_t looks_left_ = 10'000;
 };
 
-std::vector<bool> vertices_of_open_sides(const Gluing& gluing, std::size_t number_of_vertices)
-{
-  std::vector<bool> is_open(number_of_vertices, false);
-  for(const int side : gluing.open_sides())
-    is_open[place(gluing.corner(side))] = is_open[place(gluing.corner(side, 1))] = true;
-  return is_open;
-}
-
 } // namespace
+
+void turn_round(Glued_surface& surface, const std::vector<bool>& is_turned)
+{
+  // side k of a face that is turned round becomes side 2 - k
+  const auto turned = [&is_turned](int side) {
+    return side == Glued_surface::none || !is_turned[place(side / 3)] ? side : side - side % 3 + 2 - side % 3;
+  };
+  const std::vector<int> before = surface.twin;
+  for(int side = 0; side < surface.number_of_sides(); ++side)
+    surface.twin[place(turned(side))] = turned(before[place(side)]);
+  for(std::size_t f = 0; f < surface.faces.size(); ++f)
+    if(is_turned[f])
+      std::swap(surface.faces[f][1], surface.faces[f][2]);
+}
 
 Glued_surface glue(const Triangle_soup& soup, std::optional<double> merge_distance, Gluing_defects& defects)
 {
   Gluing gluing(soup.points, usable_faces(soup, defects));
-  glue_pairs(gluing);
+  gluing.glue_pairs();
 
   // what is open may be continued by other vertices at the same place
-  const std::vector<bool> is_open =
-    merge_distance ? vertices_of_open_sides(gluing, soup.points.size()) : std::vector<bool>(soup.points.size(), false);
-  const Places key(soup.points, is_open, merge_distance.value_or(0));
-  for(std::size_t v = 0; v < soup.points.size(); ++v)
-    if(is_open[v] && key(static_cast<int>(v)) != static_cast<int>(v))
-      defects.merged_vertices.add(static_cast<int>(v));
+  std::vector<bool> is_open(soup.points.size(), false);
+  if(merge_distance)
+    for(const int side : gluing.open_sides())
+      is_open[place(gluing.corner(side))] = is_open[place(gluing.corner(side, 1))] = true;
+  std::vector<int> key = places(soup.points, is_open, merge_distance.value_or(0));
+  for(int v = 0; v < static_cast<int>(key.size()); ++v)
+    if(key[place(v)] != v)
+      defects.merged_vertices.add(v);
   if(defects.merged_vertices.count > 0) {
     Faces faces = gluing.faces();
     std::vector<Triangle> keys;
-    for(const Triangle& t : faces.triangles)
-      keys.push_back({key(t[0]), key(t[1]), key(t[2])});
+    for(const auto& [a, b, c] : faces.triangles)
+      keys.push_back({key[place(a)], key[place(b)], key[place(c)]});
     const std::vector<bool> is_repeated = repeated(keys);
-    // two sheets that meet at their rims only are no repeated faces
-    const auto is_left_out = [&](std::size_t f) {
-      const Triangle& t = faces.triangles[f];
-      return has_repeated_corner(keys[f]) ||
-             (is_repeated[f] &&
-              (gluing.twin()[3 * f] == Glued_surface::none || gluing.twin()[3 * f + 1] == Glued_surface::none ||
-               gluing.twin()[3 * f + 2] == Glued_surface::none) &&
-              is_open[place(t[0])] && is_open[place(t[1])] && is_open[place(t[2])]);
-    };
-    std::vector<bool> kept(faces.triangles.size(), true);
-    for(std::size_t f = 0; f < faces.triangles.size(); ++f)
-      if(is_left_out(f)) {
-        (has_repeated_corner(keys[f]) ? defects.repeated_corners : defects.repeated_faces).add(faces.number[f]);
-        kept[f] = false;
-      }
-    faces.keep([&kept](std::size_t f) { return kept[f]; });
+    faces.remove([&](std::size_t f) -> Defect* {
+      const auto& [a, b, c] = faces.triangles[f];
+      if(has_repeated_corner(keys[f]))
+        return &defects.repeated_corners;
+      // two sheets that meet at their rims only are no repeated faces
+      const auto first_side = gluing.twin().begin() + static_cast<std::ptrdiff_t>(3 * f);
+      const bool has_open_side = std::find(first_side, first_side + 3, Glued_surface::none) != first_side + 3;
+      return is_repeated[f] && has_open_side && is_open[place(a)] && is_open[place(b)] && is_open[place(c)]
+               ? &defects.repeated_faces
+               : nullptr;
+    });
     gluing = Gluing(soup.points, std::move(faces));
-    glue_pairs(gluing);
+    gluing.glue_pairs();
   }
-  for_each_edge(gluing.faces().triangles, gluing.open_sides(), key, [&](const std::vector<int>& sides) {
+  gluing.identify(std::move(key));
+  gluing.for_each_open_edge([&](const std::vector<int>& sides) {
     if(sides.size() == 2)
       gluing.glue(sides[0], sides[1]);
     else if(sides.size() > 2) {
       defects.non_manifold_edges.add(gluing.corner(sides[0]));
       if(sides.size() > Gluing::most_compared)
         defects.crowded_edges.add(gluing.corner(sides[0]));
-      gluing.glue_flattest(sides, key);
+      gluing.glue_flattest(sides);
     }
   });
   if(merge_distance)
-    Slits<Places>(soup.points, key, *merge_distance, gluing).close(defects.slits);
-  const std::vector<bool> is_reversed = orient(gluing, key, defects);
+    Slits(soup.points, *merge_distance, gluing).close(defects.slits);
+  const std::vector<bool> is_reversed = orient(gluing, defects);
 
-  // side k of a face that is turned round becomes side 2 - k
-  const auto turned = [&is_reversed](int side) {
-    return side == Glued_surface::none || !is_reversed[place(side / 3)] ? side : side - side % 3 + 2 - side % 3;
-  };
   Glued_surface surface;
   surface.points.assign(soup.points.begin(), soup.points.end());
   surface.old_vertex.resize(soup.points.size());
   std::iota(surface.old_vertex.begin(), surface.old_vertex.end(), 0);
   surface.faces = gluing.faces().triangles;
   surface.old_face = gluing.faces().number;
-  surface.twin.resize(gluing.twin().size());
-  for(int side = 0; side < surface.number_of_sides(); ++side)
-    surface.twin[place(turned(side))] = turned(gluing.twin()[place(side)]);
-  for(std::size_t f = 0; f < surface.faces.size(); ++f)
-    if(is_reversed[f])
-      std::swap(surface.faces[f][1], surface.faces[f][2]);
+  surface.twin = gluing.twin();
+  turn_round(surface, is_reversed);
   derive_vertices(surface);
 
   std::vector<bool> is_there(soup.points.size(), false);

@@ -7,6 +7,7 @@
 #include <CGAL/Spherical_parameterization/preparation/prepare.h>
 
 #include <optional>
+#include <vector>
 
 namespace CGAL::Spherical_parameterization::preparation {
 
@@ -20,6 +21,9 @@ namespace CGAL::Spherical_parameterization::preparation {
 ///
 /// Vertices and faces keep their order. A mesh without defects is not changed. Complexity: O(n log n).
 Glued_surface glue(const Triangle_soup& soup, std::optional<double> merge_distance, Gluing_defects& defects);
+
+/// Turns the marked faces round, with the sides where they are glued.
+void turn_round(Glued_surface& surface, const std::vector<bool>& is_turned);
 
 } // namespace CGAL::Spherical_parameterization::preparation
 

@@ -7,9 +7,12 @@
 #include "preparation/mend.h"
 #include "preparation/points.h"
 
+#include <boost/algorithm/string/join.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <sstream>
 #include <utility>
 
@@ -38,17 +41,6 @@ void fill_holes(Glued_surface& surface, Preparation& preparation, const std::fun
   derive_vertices(surface);
 }
 
-void turn_round(Glued_surface& surface)
-{
-  const auto turned = [](int side) { return side == Glued_surface::none ? side : side - side % 3 + 2 - side % 3; };
-  std::vector<int> twin(surface.twin.size());
-  for(int side = 0; side < surface.number_of_sides(); ++side)
-    twin[place(turned(side))] = turned(surface.twin_of(side));
-  surface.twin = std::move(twin);
-  for(auto& face : surface.faces)
-    std::swap(face[1], face[2]);
-}
-
 Glued_surface wrapped(const Triangle_soup& soup, Preparation& preparation)
 {
   const double size = diagonal(soup);
@@ -70,8 +62,7 @@ std::vector<Piece> pieces_of(const Glued_surface& surface, std::vector<int>& pie
   std::vector<int> component_of;
   const std::vector<Component> found = components(surface, component_of);
   std::vector<std::size_t> order(found.size()), rank(found.size());
-  for(std::size_t i = 0; i < order.size(); ++i)
-    order[i] = i;
+  std::iota(order.begin(), order.end(), std::size_t(0));
   std::stable_sort(order.begin(), order.end(),
                    [&found](std::size_t a, std::size_t b) { return found[a].area > found[b].area; });
   double area = 0;
@@ -175,15 +166,6 @@ void remove_degenerate_faces(Glued_surface& surface, Preparation& preparation)
     preparation.has_degenerate_faces = true;
 }
 
-/// "removed 2 isolated vertices (first: vertex 17), removed 1 repeated face (face 3)"
-std::string joined(const std::vector<std::string>& sentences)
-{
-  std::string text;
-  for(const std::string& sentence : sentences)
-    text += (text.empty() ? "" : ", ") + sentence;
-  return text;
-}
-
 Preparation prepare_in_unit(const Triangle_soup& soup, const Preparation_settings& settings,
                             const std::function<void()>& go_on)
 {
@@ -192,9 +174,9 @@ Preparation prepare_in_unit(const Triangle_soup& soup, const Preparation_setting
   Glued_surface surface = glue(soup, settings.merge_distance, result.defects);
   if(surface.faces.empty())
     throw internal::Input_error(Error_code::EMPTY_MESH,
-                                "no face that can be used" + (soup.triangles.empty()
-                                                                ? "; reconstruct a surface from its points first"
-                                                                : ": " + joined(sentences(result))));
+                                "no face that can be used" +
+                                  (soup.triangles.empty() ? "; reconstruct a surface from its points first"
+                                                          : ": " + boost::algorithm::join(sentences(result), ", ")));
   go_on();
 
   if(settings.wrap) {
@@ -235,7 +217,7 @@ Preparation prepare_in_unit(const Triangle_soup& soup, const Preparation_setting
     std::vector<int> unused;
     const std::vector<Component> left = components(part, unused);
     if(left.size() == 1 && left[0].holes == 0 && left[0].volume < 0) {
-      turn_round(part);
+      turn_round(part, std::vector<bool>(part.faces.size(), true));
       result.is_turned_outwards = true;
     }
   }

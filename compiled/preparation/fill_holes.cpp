@@ -6,13 +6,17 @@
 #include "preparation/points.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/polygon_mesh_to_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/iterator.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <exception>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <queue>
@@ -44,26 +48,18 @@ std::vector<int> cut_corners(const std::vector<Kernel::Point_3>& polygon, std::s
     previous.push_back((i + m - 1) % m);
     next.push_back((i + 1) % m);
   }
-  struct Corner {
-    double side; ///< the third one, squared
-    int vertex, previous, next;
-    bool operator<(const Corner& other) const
-    {
-      return std::tie(side, vertex) > std::tie(other.side, other.vertex); // the shortest is on top of the queue
-    }
-  };
-  std::priority_queue<Corner> queue;
+  using Corner = std::tuple<double, int, int, int>; // third side, squared; vertex, previous, next
+  std::priority_queue<Corner, std::vector<Corner>, std::greater<>> queue;
   const auto add = [&](int i) {
     const int p = previous[place(i)], n = next[place(i)];
-    queue.push({CGAL::squared_distance(polygon[place(p)], polygon[place(n)]), i, p, n});
+    queue.emplace(CGAL::squared_distance(polygon[place(p)], polygon[place(n)]), i, p, n);
   };
   for(int i = 0; i < m; ++i)
     add(i);
   std::vector<bool> is_cut(polygon.size(), false);
   for(std::size_t left = polygon.size(); left > most;) {
-    const Corner corner = queue.top();
+    const auto [side, i, p, n] = queue.top();
     queue.pop();
-    const auto [side, i, p, n] = corner;
     if(is_cut[place(i)] || previous[place(i)] != p || next[place(i)] != n) // a neighbour was cut off since
       continue;
     triangles.push_back({p, i, n});
@@ -134,45 +130,38 @@ Disk cone(const std::vector<Kernel::Point_3>& polygon)
 Disk refined(const std::vector<Kernel::Point_3>& polygon, const std::vector<Kernel::Point_3>& outer,
              const std::vector<Triangle>& triangles)
 {
-  Disk disk = {{}, triangles};
   Patch_mesh mesh;
   for(const Kernel::Point_3& p : polygon)
     mesh.add_vertex(p);
   const auto vertex = [](int i) { return Patch_mesh::Vertex_index(static_cast<Patch_mesh::size_type>(i)); };
-  std::vector<Patch_mesh::Face_index> inner;
+  std::vector<Patch_mesh::Face_index> inner, around;
   for(const Triangle& t : triangles)
     inner.push_back(mesh.add_face(vertex(t[0]), vertex(t[1]), vertex(t[2])));
   for(std::size_t i = 0; i < polygon.size(); ++i) {
     const auto a = vertex(static_cast<int>(i)), b = vertex(static_cast<int>((i + 1) % polygon.size()));
-    mesh.add_face(b, a, mesh.add_vertex(outer[i]));
+    around.push_back(mesh.add_face(b, a, mesh.add_vertex(outer[i])));
   }
-  std::vector<Patch_mesh::Face_index> new_faces;
-  std::vector<Patch_mesh::Vertex_index> new_vertices;
   try {
-    PMP::refine(mesh, inner, std::back_inserter(new_faces), std::back_inserter(new_vertices));
+    PMP::refine(mesh, inner, CGAL::Emptyset_iterator(), CGAL::Emptyset_iterator());
   } catch(const std::exception&) { // as above: then it is left coarse
-    return disk;
+    return {{}, triangles};
   }
-  std::map<Patch_mesh::Vertex_index, int> number;
-  for(const auto v : new_vertices) {
-    number[v] = static_cast<int>(polygon.size() + disk.new_points.size());
-    const Kernel::Point_3& p = mesh.point(v);
-    disk.new_points.push_back({p.x(), p.y(), p.z()});
-  }
-  inner.insert(inner.end(), new_faces.begin(), new_faces.end());
-  std::sort(inner.begin(), inner.end());
-  inner.erase(std::unique(inner.begin(), inner.end()), inner.end());
-  disk.triangles.clear();
-  for(const auto f : inner) {
-    Triangle corners;
-    int k = 0;
-    for(const auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh)) {
-      const auto found = number.find(v);
-      corners[place(k++)] = found == number.end() ? static_cast<int>(v.idx()) : found->second;
-    }
-    disk.triangles.push_back(corners);
-  }
+  for(const auto f : around) // the disk is left
+    CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
+  Disk disk;
+  PMP::polygon_mesh_to_polygon_soup(mesh, disk.new_points, disk.triangles);
+  disk.new_points.erase(disk.new_points.begin(), disk.new_points.begin() + static_cast<std::ptrdiff_t>(polygon.size()));
   return disk;
+}
+
+/// The sides of triangles by their ends. They are numbered as if no two had the same ends.
+std::map<std::pair<int, int>, int> sides_of(const std::vector<Triangle>& triangles)
+{
+  std::map<std::pair<int, int>, int> sides;
+  for(const Triangle& t : triangles)
+    for(std::size_t k = 0; k < 3; ++k)
+      sides.try_emplace({t[k], t[(k + 1) % 3]}, static_cast<int>(sides.size()));
+  return sides;
 }
 
 /// \pre boundary[m - 1 - i] is the side that runs from vertex i + 1 of the polygon to vertex i
@@ -184,32 +173,23 @@ void add_disk(Glued_surface& surface, const std::vector<int>& boundary, const Di
     vertices.push_back(surface.target(boundary[place(m - 1 - i)]));
   for(const Glued_surface::Point& p : disk.new_points)
     vertices.push_back(surface.add_vertex(p));
-  std::map<std::pair<int, int>, int> open; // sides of the disk by their ends
-  for(const Triangle& t : disk.triangles) {
-    const int face = surface.add_face({vertices[place(t[0])], vertices[place(t[1])], vertices[place(t[2])]});
-    for(int k = 0; k < 3; ++k) {
-      const std::pair<int, int> ends(t[place(k)], t[place((k + 1) % 3)]);
-      const auto other = open.find({ends.second, ends.first});
-      if(other == open.end())
-        open[ends] = 3 * face + k;
-      else {
-        surface.glue(3 * face + k, other->second);
-        open.erase(other);
-      }
-    }
+  const int first_side = surface.number_of_sides();
+  for(const Triangle& t : disk.triangles)
+    surface.add_face({vertices[place(t[0])], vertices[place(t[1])], vertices[place(t[2])]});
+  const auto sides = sides_of(disk.triangles);
+  for(const auto& [ends, side] : sides) {
+    const auto twin = sides.find({ends.second, ends.first});
+    surface.glue(first_side + side,
+                 twin == sides.end() ? boundary[place(m - 1 - ends.first)] : first_side + twin->second);
   }
-  for(const auto& [ends, side] : open)
-    surface.glue(side, boundary[place(m - 1 - ends.first)]);
 }
 
 /// Whether the triangles are a disk over a polygon of m edges: what add_disk() takes for granted.
 bool is_disk(const Disk& disk, int m)
 {
-  std::map<std::pair<int, int>, int> sides;
-  for(const Triangle& t : disk.triangles)
-    for(int k = 0; k < 3; ++k)
-      if(++sides[{t[place(k)], t[place((k + 1) % 3)]}] > 1)
-        return false;
+  const auto sides = sides_of(disk.triangles);
+  if(sides.size() != 3 * disk.triangles.size())
+    return false;
   int at_boundary = 0;
   for(const auto& entry : sides) {
     const auto [a, b] = entry.first;

@@ -148,6 +148,11 @@ public:
   double distance(int v) const { return distance_[place(v)]; }
   int arrival(int v) const { return arrival_[place(v)]; }
 
+  bool is_in_tree(int side) const
+  {
+    return arrival(surface_->target(side)) == side || arrival(surface_->origin(side)) == surface_->twin_of(side);
+  }
+
   /// The sides of the path to a vertex.
   std::vector<int> path(int v) const
   {
@@ -163,13 +168,11 @@ public:
   std::vector<int> loop(int side) const
   {
     const std::vector<int> there = path(surface_->origin(side)), back = path(surface_->target(side));
-    std::size_t common = 0;
-    while(common < there.size() && common < back.size() && there[common] == back[common])
-      ++common;
-    std::vector<int> result(there.begin() + static_cast<std::ptrdiff_t>(common), there.end());
+    const auto [first_there, last_back] = std::mismatch(there.begin(), there.end(), back.begin(), back.end());
+    std::vector<int> result(first_there, there.end());
     result.push_back(side);
-    for(std::size_t i = back.size(); i > common; --i)
-      result.push_back(surface_->twin_of(back[i - 1]));
+    for(auto step = back.end(); step != last_back;)
+      result.push_back(surface_->twin_of(*--step));
     return result;
   }
 
@@ -189,17 +192,13 @@ private:
 /// root. Edges that close long loops are crossed first, so that those that are left close short ones.
 std::vector<int> dual_tree(const Closed_surface& surface, const Search& paths)
 {
-  const auto is_in_tree = [&](int side) {
-    return paths.arrival(surface->target(side)) == side ||
-           paths.arrival(surface->origin(side)) == surface->twin_of(side);
-  };
   std::vector<int> to_root(surface->faces.size(), Glued_surface::none);
   std::vector<bool> is_reached(surface->faces.size(), false);
   std::priority_queue<std::pair<double, int>> queue; // length of the loop, and the side
   const auto reach = [&](int face) {
     is_reached[place(face)] = true;
     for(int side = 3 * face; side < 3 * face + 3; ++side)
-      if(!is_reached[place(surface->twin_of(side) / 3)] && !is_in_tree(side))
+      if(!is_reached[place(surface->twin_of(side) / 3)] && !paths.is_in_tree(side))
         queue.emplace(
           paths.distance(surface->origin(side)) + surface.length(side) + paths.distance(surface->target(side)), side);
   };
@@ -221,10 +220,8 @@ std::vector<int> remaining_edges(const Glued_surface& surface, const Search& pat
   std::vector<int> edges;
   for(int side = 0; side < surface.number_of_sides(); ++side) {
     const int twin = surface.twin_of(side);
-    if(twin > side || paths.arrival(surface.target(side)) == side || paths.arrival(surface.target(twin)) == twin ||
-       to_root[place(side / 3)] == side || to_root[place(twin / 3)] == twin)
-      continue;
-    edges.push_back(side);
+    if(twin < side && !paths.is_in_tree(side) && to_root[place(side / 3)] != side && to_root[place(twin / 3)] != twin)
+      edges.push_back(side);
   }
   return edges;
 }

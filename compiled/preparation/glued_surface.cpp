@@ -7,34 +7,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <tuple>
+#include <utility>
 
 namespace CGAL::Spherical_parameterization::preparation {
 namespace {
-
-/// The corners that are one vertex: the smallest of them stands for all.
-class Corner_classes {
-public:
-  explicit Corner_classes(int corners) : parent_(place(corners)) { std::iota(parent_.begin(), parent_.end(), 0); }
-
-  int find(int c)
-  {
-    while(parent_[place(c)] != c)
-      c = parent_[place(c)] = parent_[place(parent_[place(c)])];
-    return c;
-  }
-
-  void unite(int a, int b)
-  {
-    a = find(a);
-    b = find(b);
-    parent_[place(std::max(a, b))] = std::min(a, b);
-  }
-
-private:
-  std::vector<int> parent_;
-};
 
 /// Cuts the face of a side in two, from the middle of the side to the opposite corner. The side keeps its first half,
 /// the second is returned. \pre the side is glued to nothing
@@ -72,17 +48,12 @@ void split_edge(Glued_surface& surface, int side)
 
 } // namespace
 
-double Glued_surface::length(int side) const
-{
-  const Point d = minus(point(target(side)), point(origin(side)));
-  return std::hypot(d[0], d[1], d[2]);
-}
+double Glued_surface::length(int side) const { return norm(minus(point(target(side)), point(origin(side)))); }
 
 double Glued_surface::area(int face) const
 {
   const auto& [a, b, c] = faces[place(face)];
-  const Point n = cross(minus(point(b), point(a)), minus(point(c), point(a)));
-  return std::hypot(n[0], n[1], n[2]) / 2;
+  return norm(cross(minus(point(b), point(a)), minus(point(c), point(a)))) / 2;
 }
 
 void Glued_surface::glue(int side, int other)
@@ -130,20 +101,28 @@ Glued_surface joined(const std::vector<Glued_surface>& parts)
 
 void derive_vertices(Glued_surface& surface)
 {
-  Corner_classes classes(surface.number_of_sides());
-  for(int side = 0; side < surface.number_of_sides(); ++side)
-    if(surface.twin_of(side) != Glued_surface::none) // the corner at its end is that where its twin begins
-      classes.unite(Glued_surface::next(side), surface.twin_of(side));
+  // corners that are one vertex: the smallest of them stands for all
+  std::vector<int> first_of(surface.twin.size(), Glued_surface::none);
+  for(int first = 0; first < surface.number_of_sides(); ++first) {
+    int corner = first;
+    for(; corner != Glued_surface::none && first_of[place(corner)] == Glued_surface::none;
+        corner = surface.twin_of(Glued_surface::previous(corner)))
+      first_of[place(corner)] = first;
+    if(corner == Glued_surface::none) // at a boundary: others are beyond the side that begins at the first
+      for(int twin = surface.twin_of(first); twin != Glued_surface::none;
+          twin = surface.twin_of(Glued_surface::next(twin)))
+        first_of[place(Glued_surface::next(twin))] = first;
+  }
 
   // every class takes the first of its vertices; the first class that does so keeps it, others get copies
   std::vector<int> vertex_of_class(surface.twin.size(), Glued_surface::none);
   for(int c = 0; c < surface.number_of_sides(); ++c) {
-    int& vertex = vertex_of_class[place(classes.find(c))];
+    int& vertex = vertex_of_class[place(first_of[place(c)])];
     vertex = vertex == Glued_surface::none ? surface.origin(c) : std::min(vertex, surface.origin(c));
   }
   std::vector<bool> is_taken(surface.points.size(), false);
   for(int c = 0; c < surface.number_of_sides(); ++c) {
-    if(classes.find(c) != c)
+    if(first_of[place(c)] != c)
       continue;
     const int vertex = vertex_of_class[place(c)];
     if(is_taken[place(vertex)]) {
@@ -165,7 +144,7 @@ void derive_vertices(Glued_surface& surface)
   surface.points.resize(place(count));
   surface.old_vertex.resize(place(count));
   for(int c = 0; c < surface.number_of_sides(); ++c)
-    surface.faces[place(c / 3)][place(c % 3)] = number[place(vertex_of_class[place(classes.find(c))])];
+    surface.faces[place(c / 3)][place(c % 3)] = number[place(vertex_of_class[place(first_of[place(c)])])];
 }
 
 std::vector<std::vector<int>> boundary_cycles(const Glued_surface& surface)
@@ -210,7 +189,7 @@ std::vector<Component> components(const Glued_surface& surface, std::vector<int>
       const auto& [a, b, c] = surface.faces[place(f)];
       const Glued_surface::Point n = cross(minus(surface.point(a), centre), minus(surface.point(b), centre));
       const Glued_surface::Point p = minus(surface.point(c), centre);
-      component.volume += (n[0] * p[0] + n[1] * p[1] + n[2] * p[2]) / 6;
+      component.volume += dot(n, p) / 6;
       for(int side = 3 * f; side < 3 * f + 3; ++side) {
         const int twin = surface.twin_of(side);
         if(twin == Glued_surface::none || twin > side)
@@ -240,17 +219,15 @@ std::size_t split_parallel_edges(Glued_surface& surface)
 {
   std::size_t split = 0;
   for(;;) {
-    std::vector<std::tuple<int, int, int>> edges; // end vertices, and a side
+    std::vector<std::pair<std::pair<int, int>, int>> edges; // end vertices, and a side
     for(int side = 0; side < surface.number_of_sides(); ++side)
       if(surface.twin_of(side) < side)
-        edges.emplace_back(std::min(surface.origin(side), surface.target(side)),
-                           std::max(surface.origin(side), surface.target(side)), side);
+        edges.emplace_back(std::minmax(surface.origin(side), surface.target(side)), side);
     std::sort(edges.begin(), edges.end());
     std::vector<int> to_split;
     for(std::size_t i = 0; i < edges.size(); ++i) {
-      const auto& [a, b, side] = edges[i];
-      const bool is_parallel = i > 0 && std::get<0>(edges[i - 1]) == a && std::get<1>(edges[i - 1]) == b;
-      if(a == b || is_parallel)
+      const auto& [ends, side] = edges[i];
+      if(ends.first == ends.second || (i > 0 && edges[i - 1].first == ends))
         to_split.push_back(side);
     }
     // two triangles back to back are no surface that can be told from its vertices

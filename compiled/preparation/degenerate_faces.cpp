@@ -62,20 +62,18 @@ Glued_surface from_cgal(const Cgal_mesh& mesh, const Glued_surface& before, cons
   std::vector<int> side_of(mesh.num_halfedges() + 2 * mesh.number_of_removed_edges(), Glued_surface::none);
   for(const Face f : mesh.faces()) {
     const int old = face_before[f];
-    Halfedge first = mesh.halfedge(f); // where the face began
+    Halfedge h = mesh.prev(mesh.halfedge(f)); // where the face begins
     std::array<int, 3> corners, corners_before;
-    for(int turn = 0; turn < 3; ++turn, first = mesh.next(first)) {
-      Halfedge h = first;
+    bool is_as_before = false;
+    for(int turn = 0; turn < 3 && !is_as_before; ++turn) {
+      h = mesh.next(h);
       for(std::size_t k = 0; k < 3; ++k, h = mesh.next(h)) {
         corners[k] = number[mesh.source(h).idx()];
         corners_before[k] = vertex_before[mesh.source(h)];
       }
-      if(old != Glued_surface::none && corners_before == before.faces[place(old)])
-        break;
+      is_as_before = old != Glued_surface::none && corners_before == before.faces[place(old)];
     }
-    const bool is_as_before = old != Glued_surface::none && corners_before == before.faces[place(old)];
     const int face = surface.add_face(corners, is_as_before ? before.old_face[place(old)] : Glued_surface::none);
-    Halfedge h = first;
     for(int k = 0; k < 3; ++k, h = mesh.next(h)) {
       side_of[h.idx()] = 3 * face + k;
       if(const int other = side_of[mesh.opposite(h).idx()]; other != Glued_surface::none)

@@ -7,15 +7,13 @@
 #include <CGAL/Spherical_parameterization/internal/texture/texture_layout.h>
 #include <CGAL/Spherical_parameterization/values/segmentation_methods.h>
 
-#define CGAL_SP_SEGMENTS(METHOD)                                                                                       \
-  template std::vector<int> segments_of(const Watched_loop<Host_loop>&, Mapped_surface, std::vector<double>,           \
-                                        const METHOD&);
-
 namespace CGAL::Spherical_parameterization::internal {
 
-CGAL_SP_SEGMENTS(Majority_vote)
-CGAL_SP_SEGMENTS(Girth_profiles)
-CGAL_SP_SEGMENTS(Region_growing)
+typedef Watched_loop<Host_loop> Loop;
+
+template std::vector<int> segments_of(const Loop&, Mapped_surface, std::vector<double>, const Majority_vote&);
+template std::vector<int> segments_of(const Loop&, Mapped_surface, std::vector<double>, const Girth_profiles&);
+template std::vector<int> segments_of(const Loop&, Mapped_surface, std::vector<double>, const Region_growing&);
 template Signature_values signature_values(const Host_loop&, const Mapped_surface&);
 template Texture_layout texture_layout(const Host_loop&, const Valid_map&, const Texture_options&);
 

@@ -658,14 +658,9 @@ class Locator:
         """
         if not isinstance(other, Locator):
             raise wrong_type("other", "a Locator", other)
-        return np.array(
-            self._locator.align(
-                vectors("points", points, self._number_of_vertices),
-                other._locator,
-                vectors("other_points", other_points, other._number_of_vertices),
-                self._policy,
-            )
-        )
+        here = vectors("points", points, self._number_of_vertices)
+        there = vectors("other_points", other_points, other._number_of_vertices)
+        return np.array(self._locator.align(here, other._locator, there, self._policy))
 
 
 def shape_signature(
@@ -693,10 +688,7 @@ def shape_signature(
     if sphere is None:
         result = parameterize(points, triangles, Balanced(), weights="clamped", policy=policy, warn=False)
         if result.error is ErrorCode.NOT_CONVERGED:
-            other = parameterize(
-                points, triangles, Balanced(), weights="barycentric", policy=policy, warn=False
-            )
-            result = other if other else result
+            result = parameterize(points, triangles, Balanced(), weights="barycentric", policy=policy, warn=False) or result
         sphere = result.sphere
     return _core.shape_signature(*_mesh(points, triangles, sphere), policy)
 

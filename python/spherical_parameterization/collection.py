@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import dataclasses
 import errno
 import functools
@@ -84,8 +85,7 @@ def signature_file(path: str) -> list[float]:
     -------
     list of float
     """
-    signature: list[float] = shape_signature(*read_mesh(path), policy="sequential").tolist()
-    return signature
+    return shape_signature(*read_mesh(path), policy="sequential").tolist()
 
 
 def _plain(value: Any) -> Any:
@@ -297,8 +297,7 @@ class _Cluster:
             raise result
         self._forget(batch)
         self._copy_what_stalls()
-        rows, seconds = result
-        return rows, seconds
+        return result
 
     def _copy_what_stalls(self) -> None:
         now = time.monotonic()
@@ -452,9 +451,6 @@ def read(store: str | os.PathLike[str]) -> Iterator[Row]:
 
 
 def _select(store: str | os.PathLike[str], query: str) -> Iterator[Any]:
-    connection = sqlite3.connect(store)
-    connection.text_factory = os.fsdecode
-    try:
+    with contextlib.closing(sqlite3.connect(store)) as connection:
+        connection.text_factory = os.fsdecode
         yield from connection.execute(query)
-    finally:
-        connection.close()

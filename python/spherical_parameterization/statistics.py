@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from .arrays import Doubles, OneLine, check, doubles, index_triples, numbers, wrong_type
+from .arrays import Doubles, OneLine, check, doubles, index_triples, numbers
 from .spherical_harmonics import Harmonics
 
 Shapes = Union[npt.ArrayLike, Sequence[Harmonics]]
@@ -94,8 +94,7 @@ def _weights(weights: npt.ArrayLike | None, shapes: Doubles, are_harmonics: bool
     given = numbers("weights", weights, shapes.shape[1])
     if not (np.isfinite(given).all() and given.min() >= 0 and given.sum() > 0):
         raise ValueError("weights: finite numbers that are not negative are needed, not all of them 0")
-    result: list[float] = given.tolist()
-    return result
+    return given.tolist()
 
 
 def _groups(groups: int | None, shapes: Doubles) -> int:

@@ -6,9 +6,9 @@
 
 import statistics
 import sys
-import threading
 import time
 import tracemalloc
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 
@@ -35,16 +35,13 @@ print(f"memory of numpy and Python in a call: {peak} bytes, the sphere is {resul
 def seconds(threads: int) -> float:
     """Of as many threads, each of which maps the mesh three times."""
 
-    def work() -> None:
+    def work(_: int) -> None:
         for _ in range(3):
             sp.parameterize(points, triangles, sp.Balanced(), policy="sequential")
 
-    all_threads = [threading.Thread(target=work) for _ in range(threads)]
     start = time.perf_counter()
-    for thread in all_threads:
-        thread.start()
-    for thread in all_threads:
-        thread.join()
+    with ThreadPoolExecutor(threads) as pool:
+        list(pool.map(work, range(threads)))
     return time.perf_counter() - start
 
 

@@ -11,7 +11,6 @@ import os
 import random
 import resource
 import signal
-import sqlite3
 import sys
 import tempfile
 import threading
@@ -42,14 +41,6 @@ def map_number(number: int) -> dict[str, object]:
     return {"verdict": result.error, "residual": result.residual, "sphere": result.sphere.sum()}
 
 
-def rows(store: str) -> list[tuple[str, ...]]:
-    connection = sqlite3.connect(store)
-    try:
-        return connection.execute("SELECT key, error, message, value FROM results ORDER BY key").fetchall()
-    finally:
-        connection.close()
-
-
 busy: list[float] = []  # seconds of the batches that have arrived
 
 
@@ -72,8 +63,7 @@ def processor() -> float:
     return sum(usage.ru_utime + usage.ru_stime for usage in usages)
 
 
-def on_cluster(meshes: int, workers: int, batch_seconds: float, store: str, is_harmed: bool) -> int:
-    """Returns how many workers were killed."""
+def on_cluster(meshes: int, workers: int, batch_seconds: float, store: str, is_harmed: bool) -> None:
     is_done = threading.Event()
     killed = 0
     with LocalCluster(n_workers=workers, threads_per_worker=1, dashboard_address=None) as cluster:
@@ -96,7 +86,6 @@ def on_cluster(meshes: int, workers: int, batch_seconds: float, store: str, is_h
             is_done.set()
             share = sum(busy) / workers / seconds
             print(f"  map(): {seconds:.1f} s, {share:.1%} of it in batches; rows: {counts}; killed: {killed}", flush=True)
-    return killed
 
 
 def main() -> None:
@@ -110,6 +99,7 @@ def main() -> None:
     sp.collection.map(range(meshes), map_number, store=serial)
     loop, loop_processor = time.perf_counter() - start, processor() - before
     print(f"one process: {meshes} meshes, {loop:.1f} s, {loop_processor:.1f} s of processor", flush=True)
+    expected = list(sp.collection.read(serial))
     for name in ("cluster", "cluster with deaths"):
         store = os.path.join(folder, f"{name}.sqlite")
         before, start = processor(), time.perf_counter()
@@ -117,7 +107,7 @@ def main() -> None:
         wall, used = time.perf_counter() - start, processor() - before
         print(
             f"{name}: {workers} workers, {wall:.1f} s, {used:.1f} s of processor; the loop's {loop_processor / used:.1%} of "
-            f"that, {loop / workers / wall:.1%} of the wall clock; the same rows: {rows(store) == rows(serial)}",
+            f"that, {loop / workers / wall:.1%} of the wall clock; the same rows: {list(sp.collection.read(store)) == expected}",
             flush=True,
         )
 

@@ -25,18 +25,21 @@ SHAPES = {"shapes": [POINTS, POINTS + 1]}
 FEATURES = {"features": POINTS, "other_features": POINTS, "feature_weight": [1, 2, 3]}
 OTHER = {"other_points": POINTS, "other_triangles": TRIANGLES, "other_sphere": SPHERE}
 
+OF_A_MAP = (
+    sp.distortion, sp.face_distortion, sp.vertex_log_area_stretch, sp.segment, sp.texture_coordinates, sp.shape_signature,
+    sp.stretch_histogram,
+)
+OPTIONS = (
+    sp.Automatic, sp.Balanced, sp.Isometric, sp.SaddlePoint, sp.ClampedWeights, sp.MajorityVote, sp.RegionGrowing,
+)
+
 #: Every public function with arguments that are right.
 CALLS: list[tuple[Callable[..., object], dict[str, object]]] = [
     (sp.parameterize, {"points": POINTS, "triangles": TRIANGLES}),
     (sp.certify, {"triangles": TRIANGLES, "sphere": SPHERE}),
     (sp.edges, {"triangles": TRIANGLES}),
-    (sp.distortion, MESH),
-    (sp.face_distortion, MESH),
     (sp.length_changes, {"points": POINTS, "triangles": TRIANGLES, "other_points": SPHERE}),
-    (sp.vertex_log_area_stretch, MESH),
     (sp.mean_over_faces, {"triangles": TRIANGLES, "values": np.ones(len(TRIANGLES))}),
-    (sp.segment, MESH),
-    (sp.texture_coordinates, MESH),
     (sp.texture_seams, {"triangles": TRIANGLES, "uv": np.zeros((len(TRIANGLES), 3, 2))}),
     (sp.icosphere, {"level": 1}),
     (sp.Locator, {"triangles": TRIANGLES, "sphere": SPHERE}),
@@ -50,11 +53,9 @@ CALLS: list[tuple[Callable[..., object], dict[str, object]]] = [
     (RESAMPLING.nearest, {"labels": POINTS}),
     (LOCATOR.resample, {"points": POINTS, "level": 1}),
     (LOCATOR.align, {"points": POINTS, "other": LOCATOR, "other_points": POINTS}),
-    (sp.shape_signature, MESH),
     (sp.shape_form, {"points": POINTS, "triangles": TRIANGLES}),
     (sp.relevance, {"signatures": np.zeros((3, 96)), "forms": np.zeros((3, 112))}),
     (sp.search, {"signature": np.zeros(96), "index": np.zeros((3, 96))}),
-    (sp.stretch_histogram, MESH),
     (sp.harmonics, {"triangles": TRIANGLES, "sphere": SPHERE, "values": POINTS, "degree": 3, "points": POINTS}),
     (sp.Harmonics, {"coefficients": np.ones((4, 3))}),
     (SHAPE.at, {"directions": SPHERE}),
@@ -70,13 +71,8 @@ CALLS: list[tuple[Callable[..., object], dict[str, object]]] = [
     (sp.mean_vertex_areas, {**SHAPES, "triangles": TRIANGLES}),
     (sp.register_maps, {**MESH, **OTHER, **FEATURES, "motion": "rotation"}),
     (sp.moebius_centred, {"sphere": SPHERE, "triangles": TRIANGLES, "masses": np.ones(len(SPHERE))}),
-    (sp.Automatic, {}),
-    (sp.Balanced, {}),
-    (sp.Isometric, {}),
-    (sp.SaddlePoint, {}),
-    (sp.ClampedWeights, {}),
-    (sp.MajorityVote, {}),
-    (sp.RegionGrowing, {}),
+    *((function, MESH) for function in OF_A_MAP),
+    *((options, {}) for options in OPTIONS),
 ]
 
 
@@ -114,13 +110,26 @@ def test_every_argument_of_every_function(function: Any, given: dict[str, object
         ({"fixed": ([0.5], [[1, 0, 0]])}, TypeError, "fixed: vertices: .* not float64"),
         ({"policy": 3}, TypeError, "policy: .* not int"),
         ({"points": POINTS + 1j}, TypeError, "points: an array of real numbers is needed, not complex128"),
+        ({"points": POINTS[:, :2]}, ValueError, r"points: shape \(n, 3\) is needed, not \(162, 2\)"),
+        ({"triangles": np.zeros((4, 3))}, TypeError, "triangles: integers are needed, not float64"),
+        ({"triangles": np.zeros(3, dtype=int)}, ValueError, r"triangles: shape \(m, 3\) is needed, not \(3,\)"),
         ({"weights": None}, TypeError, "weights"),
+        ({"weights": sp.ClampedWeights(0, 85)}, ValueError, ""),
+        ({"accuracy": -1.0}, ValueError, ""),
+        ({"accuracy": float("nan")}, ValueError, ""),
+        ({"method": sp.Balanced(1)}, ValueError, ""),
+        ({"method": sp.SaddlePoint(relaxation=7)}, ValueError, ""),
+        ({"maximum_running_time": float("nan")}, ValueError, "maximum_running_time: 0 to inf is needed, not nan"),
+        ({"progress": lambda fraction: 1 / 0}, ZeroDivisionError, "division by zero"),
     ],
 )
-def test_of_parameterize(arguments: dict[str, Any], error: type[Exception], message: str) -> None:
+def test_of_parameterize(
+    arguments: dict[str, Any], error: type[Exception], message: str, capfd: pytest.CaptureFixture[str]
+) -> None:
     with pytest.raises(error, match=message) as caught:
         sp.parameterize(**{"points": POINTS, "triangles": TRIANGLES, **arguments})
     assert type(caught.value) is error
+    assert capfd.readouterr() == ("", "")
 
 
 def test_of_others() -> None:
@@ -135,9 +144,6 @@ def test_of_others() -> None:
         sp.Balanced("3")  # type: ignore[arg-type]
     with pytest.raises(ValueError, match="coefficients: all have to be finite"):
         sp.Harmonics(np.full((9, 1), np.nan))
-    for item in (3, "no such folder"):
-        with pytest.raises(TypeError, match="files_or_bag"):
-            sp.collection.map(item, len)
 
 
 def test_methods_by_word_by_class_and_by_subclass() -> None:

@@ -60,7 +60,7 @@ def test_wheels(tmp_path: Path, tool: Tool) -> None:
         return run(commands / name, *arguments, cwd=tmp_path, PATH=str(commands))
 
     run_there("pip", "install", "--no-index", core)
-    sphere = tool.run("map", *bumpy(5))
+    sphere = tool("map", *bumpy(5))
     libraries = [Path(name) for name in run_there("python3", "-c", MAPPED).split()]
     assert np.array_equal(np.load(tmp_path / "sphere.npy"), sp.read_mesh(sphere)[0])
     ours = [file for file in libraries if re.match("lib(tbb|OpenCL|boost_iostreams)", file.name)]

@@ -4,24 +4,16 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import Tool, bumpy
+from conftest import Tool, bumpy, refused, torus
 
 import spherical_parameterization as sp
 
 
 pytest.importorskip("spherical_parameterization._preparation")
-
-
-def torus(n: int = 16, m: int = 8) -> tuple[np.ndarray, np.ndarray]:
-    i, j = np.divmod(np.arange(n * m), m)
-    u, v = 2 * np.pi * i / n, 2 * np.pi * j / m
-    points = np.column_stack([(2 + np.cos(v)) * np.cos(u), (2 + np.cos(v)) * np.sin(u), np.sin(v)])
-    a, b = i * m + j, (i + 1) % n * m + j
-    c, d = (i + 1) % n * m + (j + 1) % m, i * m + (j + 1) % m
-    return points, np.concatenate([np.column_stack([a, b, c]), np.column_stack([a, c, d])])
 
 
 def test_a_good_mesh_is_not_changed() -> None:
@@ -66,11 +58,11 @@ def test_a_point_that_is_not_finite_is_left_out() -> None:
     assert sp.parameterize(prepared.points, prepared.triangles).is_valid
 
 
-def test_the_tool_does_the_same(tool: Tool) -> None:
+def test_the_tool_does_the_same(tool: Tool, tmp_path: Path) -> None:
     points, triangles = bumpy(3)
     points, triangles = np.concatenate([points, torus()[0]]), np.concatenate([triangles[5:], torus()[1] + len(points)])
-    report = tool.folder / "report.json"
-    expected = sp.read_mesh(tool.run("prepare", points, triangles, "--report", str(report), out="out.ply"))
+    report = tmp_path / "report.json"
+    expected = sp.read_mesh(tool("prepare", points, triangles, "--report", str(report), out="out.ply"))
     prepared = sp.prepare(points, triangles)
     assert np.array_equal(prepared.points, expected[0]) and np.array_equal(prepared.triangles, expected[1])
     said = json.loads(report.read_text())
@@ -79,14 +71,12 @@ def test_the_tool_does_the_same(tool: Tool) -> None:
 
 def test_errors() -> None:
     points, triangles = bumpy(2)
-    with pytest.raises(sp.MeshError) as error:
+    with refused("EMPTY_MESH"):
         sp.prepare(points, triangles[:0])
-    assert error.value.code == "EMPTY_MESH"
     with pytest.raises(sp.MeshError):
         sp.prepare(points * [1, np.nan, 1], triangles)
     for wrong in ({"merge_distance": -1.0}, {"wrap": (1.0, 0.0)}, {"maximum_running_time": -1.0}):
         with pytest.raises(ValueError):
             sp.prepare(points, triangles, **wrong)  # type: ignore[arg-type]
-    with pytest.raises(sp.MeshError) as late:
+    with refused("INTERRUPTED"):
         sp.prepare(*torus(), maximum_running_time=0.0)
-    assert late.value.code == "INTERRUPTED"

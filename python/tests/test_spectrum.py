@@ -7,18 +7,15 @@ import numpy as np
 import pytest
 
 import spherical_parameterization as sp
-from conftest import bumpy
+from conftest import bumpy, cotangents, double_areas
 
 
-def cotangents(points: np.ndarray, triangles: np.ndarray) -> np.ndarray:
-    """The Laplacian of the mesh itself, dense."""
+def laplacian(points: np.ndarray, triangles: np.ndarray) -> np.ndarray:
+    """Of the mesh itself, dense."""
     matrix = np.zeros((len(points), len(points)))
-    for k in range(3):
-        i, j, apex = (triangles[:, (k + s) % 3] for s in range(3))
-        a, b = points[i] - points[apex], points[j] - points[apex]
-        weight = (a * b).sum(1) / np.linalg.norm(np.cross(a, b), axis=1) / 2
-        np.add.at(matrix, (i, j), -weight)
-        np.add.at(matrix, (j, i), -weight)
+    i, j = np.roll(triangles, -1, axis=1), np.roll(triangles, 1, axis=1)  # the ends of the edge across each corner
+    for ends in ((i, j), (j, i)):
+        np.add.at(matrix, ends, -cotangents(points, triangles) / 2)
     return matrix - np.diag(matrix.sum(1))
 
 
@@ -27,11 +24,9 @@ def test_pairs_are_those_of_scipy() -> None:
     points, triangles = bumpy(3, 5)
     points = 7 * points
     pairs = sp.laplacian_eigenpairs(points, triangles, 40)
-    corners = points[triangles]
-    area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
-    masses = np.bincount(triangles.ravel(), np.repeat(area, 3), len(points)) / 3
+    masses = np.bincount(triangles.ravel(), np.repeat(double_areas(points, triangles), 3), len(points)) / 6
     assert np.allclose(pairs.masses, masses)
-    expected, functions = linalg.eigh(cotangents(points, triangles), np.diag(masses), subset_by_index=(0, 39))
+    expected, functions = linalg.eigh(laplacian(points, triangles), np.diag(masses), subset_by_index=(0, 39))
     assert np.allclose(pairs.values, expected, atol=1e-9)  # all edges of this mesh are Delaunay
     assert np.allclose(pairs.functions.T @ (masses[:, None] * pairs.functions), np.eye(40), atol=1e-9)
     times = [0.5, 5.0]

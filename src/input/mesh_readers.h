@@ -58,6 +58,17 @@ struct Soup {
     ++faces;
   }
 
+  /// A strip of triangles, each of which has two corners of the one before. Every second one is listed in reverse.
+  /// Those with a corner twice only lead to the next one, and are left out.
+  void add_strip(const std::vector<int>& corners)
+  {
+    for(std::size_t i = 2; i < corners.size(); ++i) {
+      const int a = corners[i - 2 + i % 2], b = corners[i - 1 - i % 2], c = corners[i];
+      if(a != b && b != c && c != a)
+        add_face({a, b, c});
+    }
+  }
+
   /// Of one of the points, which are there. It is noted if it is no finite number.
   void set_coordinate(const std::string& file, std::size_t vertex, std::size_t axis, double x)
   {

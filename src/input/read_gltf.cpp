@@ -84,6 +84,8 @@ private:
     json_ = Json::parse(text.begin(), text.end(), nullptr, false);
     if(!json_.is_object())
       refuse("its description is no JSON");
+    if(json_.contains("meshes") && json_["meshes"].is_object()) // named, not numbered
+      refuse("is of version 1 of the format", "save it as glTF 2.0");
     for(const Json& extension : list(json_, "extensionsRequired"))
       if(extension == "KHR_draco_mesh_compression" || extension == "EXT_meshopt_compression" ||
          extension == "KHR_mesh_quantization")

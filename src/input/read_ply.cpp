@@ -30,7 +30,8 @@ struct Element {
   std::vector<Property> properties;
 
   bool is_vertex() const { return name == "vertex" || name == "vertices"; }
-  bool is_face() const { return name == "face" || name == "faces"; }
+  bool are_strips() const { return name == "tristrips"; }
+  bool is_face() const { return name == "face" || name == "faces" || are_strips(); }
 
   const Property* find(std::string_view property) const
   {
@@ -66,6 +67,8 @@ public:
     if(is_text_ ? !next_token(rest_).empty() : rest_.size() >= smallest_size(elements_.back()))
       refuse_file(file_, "has more data than the header announces",
                   "the counts in the header are wrong; export it again");
+    if(soup_.triangles.empty()) // all triangles of strips have a corner twice
+      refuse_point_cloud(file_, soup_.points.size());
     return std::move(soup_);
   }
 
@@ -167,7 +170,7 @@ private:
       if(element.is_vertex() && std::exchange(vertices_, &element))
         refuse("the element 'vertex' occurs twice");
       if(element.is_face() && std::exchange(faces_, &element))
-        refuse("the element 'face' occurs twice");
+        refuse("the element " + in_quotes(element.name) + " is the second one of faces");
     }
     if(!vertices_)
       refuse("there is no element 'vertex'");
@@ -186,14 +189,8 @@ private:
 
   void check_faces()
   {
-    const std::string points = std::to_string(vertices_->count) + " vertices";
-    if(!faces_ || faces_->count == 0) {
-      for(const Element& element : elements_)
-        if(element.name == "tristrips")
-          refuse_file(file_, "has " + points + " and its faces as triangle strips ('tristrips')",
-                      "save it with one element 'face' per triangle");
+    if(!faces_ || faces_->count == 0)
       refuse_point_cloud(file_, vertices_->count);
-    }
     corners_ = faces_->find("vertex_indices");
     if(!corners_)
       corners_ = faces_->find("vertex_index");
@@ -334,9 +331,9 @@ private:
     const double length = next(*property.count_type, element, row);
     if(!(length >= 0) || length * double(smallest_size(*property.type)) > double(rest_.size() + 1))
       refuse_cut_short(element, row);
-    const bool is_face = &property == corners_;
+    const bool is_face = &property == corners_, is_strip = is_face && element.are_strips();
     const auto refuse_face = [&](const std::string& wrong) {
-      refuse_file(file_, "face " + std::to_string(row) + " has " + wrong, damaged_);
+      refuse_file(file_, (is_strip ? "strip " : "face ") + std::to_string(row) + " has " + wrong, damaged_);
     };
     if(is_face && length < 3)
       refuse_face("only " + std::to_string(int(length)) + " vertices");
@@ -345,13 +342,20 @@ private:
       const double value = next(*property.type, element, row);
       if(!is_face)
         continue;
+      if(is_strip && value == -1) { // another one begins
+        soup_.add_strip(face_);
+        face_.clear();
+        continue;
+      }
       const std::size_t vertices = vertices_->count;
       if(!(value >= 0 && value < double(vertices)))
         refuse_face("the vertex " + std::to_string(std::int64_t(value)) + ", which is not in the range 0.." +
                     std::to_string(std::int64_t(vertices) - 1));
       face_.push_back(static_cast<int>(value));
     }
-    if(is_face)
+    if(is_strip)
+      soup_.add_strip(face_);
+    else if(is_face)
       soup_.add_face(face_);
   }
 

@@ -55,7 +55,9 @@ protected:
     check_corner(file_, soup_.faces, corners_.back(), soup_.points.size());
     if(!is_last)
       return;
-    if(corners_.size() >= 3)
+    if(corners_.size() >= 3 && are_strips_)
+      soup_.add_strip(corners_);
+    else if(corners_.size() >= 3)
       soup_.add_face(corners_);
     else if(!has_lines_)
       refuse("face " + std::to_string(soup_.faces) + " has only " + std::to_string(corners_.size()) + " vertices");
@@ -89,7 +91,8 @@ protected:
 
   std::string file_;
   Soup soup_;
-  bool has_lines_ = false; ///< and points among its faces, which are left out
+  bool has_lines_ = false;  ///< and points among its faces, which are left out
+  bool are_strips_ = false; ///< the faces that are read
 
 private:
   std::vector<int> corners_; ///< of the next face
@@ -107,6 +110,7 @@ public:
     for(int i = 0; i < 5; ++i)
       version_ = next_token(line);
     next_line(); // a title
+    is_at_end(); // skips empty lines, which VTK does not mind
     const std::string format = lower_case(next_line());
     if(format != "ascii" && format != "binary")
       refuse("line 3 is " + in_quotes(format) + ", and neither ASCII nor BINARY");
@@ -151,8 +155,9 @@ private:
       read_kind(lower_case(next_token(line_)));
     else if(keyword == "points")
       read_points();
-    else if(keyword == "polygons" || keyword == "cells") {
+    else if(keyword == "polygons" || keyword == "cells" || keyword == "triangle_strips") {
       has_lines_ = keyword == "cells";
+      are_strips_ = keyword == "triangle_strips";
       read_cells(true);
     } else if(keyword == "vertices" || keyword == "lines")
       read_cells(false);
@@ -161,8 +166,6 @@ private:
         if(kind != 1 && kind != 3 && kind != 5 && kind != 7 && kind != 9) // vertex, line, triangle, polygon, quadrangle
           refuse("has cells that are no faces", "save the triangles of its surface");
       });
-    else if(keyword == "triangle_strips")
-      refuse("has its faces as triangle strips", "save triangles, as vtkTriangleFilter makes them");
     else if(keyword == "point_data" || keyword == "cell_data") {
       is_at_points_ = keyword == "point_data";
       size_ = next_count();
@@ -343,17 +346,18 @@ public:
     const pugi::xml_node piece = child(file_, child(file_, root_, "PolyData"), "Piece");
     if(piece.next_sibling("Piece"))
       refuse("has several pieces", "save it as one");
-    if(piece.attribute("NumberOfStrips").as_llong() > 0)
-      refuse("has its faces as triangle strips", "save triangles, as vtkTriangleFilter makes them");
     const std::size_t points = count_of(file_, piece, "NumberOfPoints");
-    const std::size_t faces = count_of(file_, piece, "NumberOfPolys");
     const std::vector<double> coordinates =
       numbers(child(file_, child(file_, piece, "Points"), "DataArray"), 3 * points);
     soup_.points.resize(points);
     for(std::size_t i = 0; i < coordinates.size(); ++i)
       soup_.set_coordinate(file_, i / 3, i % 3, coordinates[i]);
-    if(faces > 0)
-      read_faces(child(file_, piece, "Polys"), faces);
+    for(const char* kind : {"Polys", "Strips"}) {
+      are_strips_ = kind == std::string_view("Strips");
+      const std::string announced = std::string("NumberOf") + kind;
+      if(const std::size_t faces = piece.attribute(announced.c_str()) ? count_of(file_, piece, announced.c_str()) : 0)
+        read_faces(child(file_, piece, kind), faces);
+    }
     for(const pugi::xml_node array : piece.child("PointData").children("DataArray")) {
       const std::size_t components = array.attribute("NumberOfComponents").as_uint(1);
       if(components > largest_count / std::max<std::size_t>(points, 1))

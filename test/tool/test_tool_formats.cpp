@@ -436,6 +436,53 @@ TEST_CASE("formats: glTF is read in the space of its scene", "[tool][formats]")
   }
 }
 
+TEST_CASE("formats: triangle strips are the triangles that they stand for", "[tool][formats]")
+{
+  Scratch scratch;
+  // an antiprism: the triangles around it, and both ends
+  const std::vector<std::array<int, 3>> expected = {{0, 3, 1}, {1, 3, 4}, {1, 4, 2}, {2, 4, 5},
+                                                    {2, 5, 0}, {0, 5, 3}, {0, 1, 2}, {3, 5, 4}};
+  const std::string points = "2 0 1\n-1 2 1\n-1 -2 1\n1 2 -1\n-2 0 -1\n1 -2 -1\n";
+  const auto ply = [&](const std::string& size, const std::string& corners) {
+    return "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\nproperty float z\n"
+           "element tristrips 1\nproperty list int int vertex_indices\nend_header\n" +
+           points + size + ' ' + corners + '\n';
+  };
+  const std::string vtp =
+    "<VTKFile type='PolyData'><PolyData><Piece NumberOfPoints='6' NumberOfPolys='1' NumberOfStrips='2'><Points>"
+    "<DataArray type='Float32' format='ascii'>" +
+    points +
+    "</DataArray></Points>"
+    "<Polys><DataArray type='Int32' Name='connectivity' format='ascii'>3 5 4</DataArray>"
+    "<DataArray type='Int32' Name='offsets' format='ascii'>3</DataArray></Polys>"
+    "<Strips><DataArray type='Int32' Name='connectivity' format='ascii'>0 3 1 4 2 5 0 3 0 1 2</DataArray>"
+    "<DataArray type='Int32' Name='offsets' format='ascii'>8 11</DataArray></Strips></Piece></PolyData></VTKFile>";
+  const std::vector<std::pair<std::string, std::string>> files = {
+    {"separated.ply", ply("16", "0 3 1 4 2 5 0 3 -1 0 1 2 -1 3 5 4")},
+    {"joined.ply", ply("19", "0 3 1 4 2 5 0 3 3 0 0 1 2 2 3 3 3 5 4")}, // by triangles with a corner twice
+    {"in.vtk", "# vtk DataFile Version 3.0\nbelow is an empty line\n\nASCII\nDATASET POLYDATA\nPOINTS 6 float\n" +
+                 points + "TRIANGLE_STRIPS 3 17\n8 0 3 1 4 2 5 0 3\n3 0 1 2\n3 3 5 4\n"},
+    {"in.vtp", vtp}};
+  for(const auto& [name, content] : files) {
+    CAPTURE(name);
+    write_text(scratch / name, content);
+    std::vector<std::array<int, 3>> triangles;
+    for(std::array<int, 3> t : tool::read_triangles(scratch / name).triangles) {
+      std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+      triangles.push_back(t);
+    }
+    CHECK(std::is_permutation(triangles.begin(), triangles.end(), expected.begin(), expected.end()));
+  }
+  for(const auto& [corners, word] : {std::pair("3 0 1 6", "strip 0 has the vertex 6"),
+                                     {"3 0 1 -2", "strip 0 has the vertex -2"},
+                                     {"2 0 1", "only 2 vertices"},
+                                     {"3 0 0 1", "no faces"}}) {
+    write_text(scratch / "broken.ply", ply("", corners));
+    CAPTURE(corners);
+    check_refused(scratch, scratch / "broken.ply", word);
+  }
+}
+
 TEST_CASE("formats: broken files are refused before they cost memory", "[tool][formats]")
 {
   Scratch scratch;

@@ -342,7 +342,7 @@ private:
       double area = 0;
       for(const Star_face& f : faces)
         area += f.twice_area / 2;
-      is_in_region[i] = star_energy(distortion, faces, position_[i]) > bound * area;
+      is_in_region[i] = Star_trial(distortion, faces, position_[i]).energy > bound * area;
     });
     std::vector<int> region;
     for(int i = 0; i < size(); ++i)

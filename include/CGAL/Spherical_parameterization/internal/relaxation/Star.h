@@ -84,18 +84,6 @@ struct Star_face {
 /// The faces round a vertex.
 typedef boost::container::small_vector<Star_face, 12> Star;
 
-/// The distortion of the star with centre x, integrated over the source; infinite unless all faces are positive.
-CGAL_SP_INLINE double star_energy(const Distortion& distortion, const Star& star, vec3 x)
-{
-  double energy = 0;
-  for(const Star_face& f : star) {
-    energy += f.energy(distortion, x);
-    if(energy == std::numeric_limits<double>::infinity())
-      break;
-  }
-  return energy;
-}
-
 /// Whether all faces of the star with centre x are positively oriented, exactly.
 CGAL_SP_INLINE bool is_valid_centre(const Star& star, vec3 x)
 {
@@ -104,22 +92,22 @@ CGAL_SP_INLINE bool is_valid_centre(const Star& star, vec3 x)
 
 /// What a star would be with its centre at x.
 struct Star_trial {
-  double energy;        ///< star_energy()
-  bool is_surely_valid; ///< whether rounding cannot have made any face positive
+  double energy = 0;           ///< the distortion, integrated over the source; infinite unless all faces are positive
+  bool is_surely_valid = true; ///< whether rounding cannot have made any face positive
 
-  Star_trial(const Distortion& distortion, const Star& star, vec3 x) : energy(0), is_surely_valid(true)
+  Star_trial(const Distortion& distortion, const Star& star, vec3 x)
   {
     for(const Star_face& f : star) {
-      const vec3 a = sub(f.j, x), b = sub(f.k, x), c = sub(f.k, f.j);
-      const double determinant = inner(x, outer(a, b)), aa = inner(a, a), bb = inner(b, b);
+      const double determinant = f.determinant(x);
       if(!(determinant > 0)) {
         energy = std::numeric_limits<double>::infinity();
         return;
       }
-      energy +=
-        (f.cot_x * inner(c, c) + f.cot_j * bb + f.cot_k * aa) / 2 * distortion.value(determinant / f.twice_area);
+      energy += f.dirichlet(x) * distortion.value(determinant / f.twice_area);
       // The error is at most 1e-15 sqrt(3) |a| |b|, see `Determinant`.
-      is_surely_valid = is_surely_valid && determinant > 1e-100 && determinant * determinant > 4e-30 * aa * bb;
+      const vec3 a = sub(f.j, x), b = sub(f.k, x);
+      is_surely_valid =
+        is_surely_valid && determinant > 1e-100 && determinant * determinant > 4e-30 * inner(a, a) * inner(b, b);
     }
   }
 };

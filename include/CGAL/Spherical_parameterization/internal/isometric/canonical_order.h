@@ -37,44 +37,34 @@ vec3 mean_in_any_order(int n, F f)
   return {double(x) * unit, double(y) * unit, double(z) * unit};
 }
 
-/// Tells the vertices of a mesh apart by where they are, seen from the others: a similarity changes nothing. The
+/// What tells the vertices of a mesh apart by where they are, seen from the others: a similarity changes nothing. The
 /// farthest vertex from the mean of all has the highest rank. Of two that mirror each other, one is on the positive
-/// side of the mirror: two moments of the vertices lie in it, and their product is its normal.
-class Vertex_ranks {
-public:
-  explicit Vertex_ranks(const Host_array<vec3>& points) : point_(points)
-  {
-    const int n = static_cast<int>(points.size());
-    mean_ = mean_in_any_order(n, [&](int v) { return points[v]; });
-    const auto moment = [&](auto weight) {
-      return mean_in_any_order(n, [&](int v) {
-        const vec3 d = sub(points[v], mean_);
-        return scale(weight(inner(d, d)), d);
-      });
-    };
-    const vec3 a = moment([](double r2) { return r2; }), b = moment([](double r2) { return r2 * r2; });
-    const vec3 normal = outer(a, b);
-    const double length2 = inner(normal, normal);
-    if(length2 > least_sine * least_sine * inner(a, a) * inner(b, b))
-      mirror_ = scale(preference / std::sqrt(length2), normal);
-  }
-
-  /// Ties are decided by the coordinates.
-  auto operator()(int v) const
-  {
-    const vec3 p = point_[v], d = sub(p, mean_);
+/// side of the mirror: two moments of the vertices lie in it, and their product is its normal. Returns the function
+/// that gives the rank of a vertex.
+CGAL_SP_INLINE auto vertex_ranks(const Host_array<vec3>& points)
+{
+  constexpr double preference = 0.1;
+  constexpr double least_sine = 1e-4; // of the angle between the moments, for the mirror to be known
+  const int n = static_cast<int>(points.size());
+  const vec3 mean = mean_in_any_order(n, [&](int v) { return points[v]; });
+  const auto moment = [&](auto weight) {
+    return mean_in_any_order(n, [&](int v) {
+      const vec3 d = sub(points[v], mean);
+      return scale(weight(inner(d, d)), d);
+    });
+  };
+  const vec3 a = moment([](double r2) { return r2; }), b = moment([](double r2) { return r2 * r2; });
+  const vec3 normal = outer(a, b);
+  const double length2 = inner(normal, normal);
+  vec3 mirror = {0, 0, 0}; // its normal, as long as one side is preferred
+  if(length2 > least_sine * least_sine * inner(a, a) * inner(b, b))
+    mirror = scale(preference / std::sqrt(length2), normal);
+  return [&points, mean, mirror](int v) { // ties are decided by the coordinates
+    const vec3 p = points[v], d = sub(p, mean);
     const double r2 = inner(d, d);
-    return std::make_tuple(r2 + std::sqrt(r2) * inner(mirror_, d), p.x, p.y, p.z);
-  }
-
-private:
-  static constexpr double preference = 0.1;
-  static constexpr double least_sine = 1e-4; ///< of the angle between the moments, for the mirror to be known
-
-  const Host_array<vec3>& point_;
-  vec3 mean_;
-  vec3 mirror_ = {0, 0, 0}; ///< its normal, as long as one side is preferred
-};
+    return std::make_tuple(r2 + std::sqrt(r2) * inner(mirror, d), p.x, p.y, p.z);
+  };
+}
 
 /// The vertices of a closed connected mesh, in an order that its shape decides, and not how it is numbered. See
 /// in_canonical_order().
@@ -99,7 +89,7 @@ void walk_round(const Corner_table& mesh, int first, F f)
 /// one point.
 CGAL_SP_INLINE Canonical_order canonical_order(const Corner_table& mesh, const Host_array<vec3>& points)
 {
-  const Vertex_ranks rank(points);
+  const auto rank = vertex_ranks(points);
   const int n = static_cast<int>(points.size());
   int farthest = 0;
   for(int v = 1; v < n; ++v)
@@ -155,7 +145,6 @@ CGAL_SP_INLINE Problem in_canonical_order(const Host_loop& loop, const Problem& 
   Problem result;
   result.number_of_vertices = n;
   result.as_stored = problem.as_stored;
-  result.rounding = problem.rounding;
   const auto take = [&](const auto& from, auto& to) {
     if(from.empty())
       return;

@@ -36,31 +36,16 @@ enum vertex_density_t { vertex_density };
 namespace parameters {
 // These are no members of CGAL's named parameters. They begin a chain, or are put before one:
 // face_density_map(densities, edge_weight_map(weights))
-template <class FaceDensityMap>
-Named_function_parameters<FaceDensityMap, internal_np::face_density_t> face_density_map(const FaceDensityMap& density)
+template <class FaceDensityMap, class... Others>
+auto face_density_map(const FaceDensityMap& density, const Others&... others)
 {
-  return Named_function_parameters<FaceDensityMap, internal_np::face_density_t>(density);
+  return Named_function_parameters<FaceDensityMap, internal_np::face_density_t, Others...>(density, others...);
 }
 
-template <class FaceDensityMap, class NamedParameters>
-Named_function_parameters<FaceDensityMap, internal_np::face_density_t, NamedParameters>
-face_density_map(const FaceDensityMap& density, const NamedParameters& others)
+template <class VertexDensityMap, class... Others>
+auto vertex_density_map(const VertexDensityMap& density, const Others&... others)
 {
-  return {density, others};
-}
-
-template <class VertexDensityMap>
-Named_function_parameters<VertexDensityMap, internal_np::vertex_density_t>
-vertex_density_map(const VertexDensityMap& density)
-{
-  return Named_function_parameters<VertexDensityMap, internal_np::vertex_density_t>(density);
-}
-
-template <class VertexDensityMap, class NamedParameters>
-Named_function_parameters<VertexDensityMap, internal_np::vertex_density_t, NamedParameters>
-vertex_density_map(const VertexDensityMap& density, const NamedParameters& others)
-{
-  return {density, others};
+  return Named_function_parameters<VertexDensityMap, internal_np::vertex_density_t, Others...>(density, others...);
 }
 } // namespace parameters
 

@@ -24,42 +24,29 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-/// Where directions lie in the map of B: a walk from face to face, from where they were last.
-class Face_walk {
-public:
-  explicit Face_walk(const Registered_surface& b) : b_(b) {}
-
-  /// \param f  a face near q, and on return the one that contains it
-  void walk(vec3 q, int& f) const { f = face_at(b_, b_.image, q, f); }
-
-  /// Weights of the corners of f for which their mean has the direction q, and by the columns of `slope` their
-  /// derivatives: weight k changes by inner(slope[k], dq).
-  void weights(vec3 q, int f, std::array<double, 3>& weight, std::array<vec3, 3>& slope) const
-  {
-    const auto [i, j, k] = b_.face[f];
-    const std::array<vec3, 3> v = {b_.image[i], b_.image[j], b_.image[k]};
-    double sum = 0;
-    for(int c = 0; c < 3; ++c) {
-      const vec3 m = v[(c + 1) % 3], n = v[(c + 2) % 3];
-      weight[c] = (std::max)(0., determinant(m, n, q));
-      slope[c] = outer(m, sub(n, m));
-      sum += weight[c];
-    }
-    const vec3 all = add(slope[0], add(slope[1], slope[2]));
-    if(!(sum > 0)) { // a face that rounding has eaten: any of its corners is as good as another
-      weight = {1, 0, 0};
-      slope = {};
-      return;
-    }
-    for(int c = 0; c < 3; ++c) {
-      weight[c] /= sum;
-      slope[c] = scale(1 / sum, add_scaled(slope[c], -weight[c], all));
-    }
+/// Weights of the corners v of a face for which their mean has the direction q, and by the columns of `slope` their
+/// derivatives: weight k changes by inner(slope[k], dq).
+CGAL_SP_INLINE void weights_of_direction(const std::array<vec3, 3>& v, vec3 q, std::array<double, 3>& weight,
+                                         std::array<vec3, 3>& slope)
+{
+  double sum = 0;
+  for(int c = 0; c < 3; ++c) {
+    const vec3 m = v[(c + 1) % 3], n = v[(c + 2) % 3];
+    weight[c] = (std::max)(0., determinant(m, n, q));
+    slope[c] = outer(m, sub(n, m));
+    sum += weight[c];
   }
-
-private:
-  const Registered_surface& b_;
-};
+  const vec3 all = add(slope[0], add(slope[1], slope[2]));
+  if(!(sum > 0)) { // a face that rounding has eaten: any of its corners is as good as another
+    weight = {1, 0, 0};
+    slope = {};
+    return;
+  }
+  for(int c = 0; c < 3; ++c) {
+    weight[c] /= sum;
+    slope[c] = scale(1 / sum, add_scaled(slope[c], -weight[c], all));
+  }
+}
 
 /// The energy of the map x of the vertices of A, and its gradient.
 template <class...>
@@ -70,7 +57,7 @@ public:
                       const Refinement& settings, const Host_array<vec3>& x)
     : loop_(loop), a_(a), b_(b), features_(features), landmarks_(landmarks),
       landmark_stiffness_(landmarks.empty() ? 0 : settings.landmark_weight / double(landmarks.size())),
-      isometry_weight_(settings.isometry_weight), walk_(b), metric_(a.face.size()), corner_offset_(a.point.size() + 1),
+      isometry_weight_(settings.isometry_weight), metric_(a.face.size()), corner_offset_(a.point.size() + 1),
       corner_(3 * a.face.size()), surface_part_(vertex_areas(loop, a.face, a.point)), force_(3 * a.face.size()),
       face_of_(a.point.size(), -1)
   {
@@ -285,6 +272,9 @@ private:
     return sum;
   }
 
+  /// \param f  a face of B near q, and on return the one that contains it
+  void walk(vec3 q, int& f) const { f = face_at(b_, b_.image, q, f); }
+
   /// The first time: every vertex from where a neighbour is.
   void find_faces(const Host_array<vec3>& x)
   {
@@ -292,7 +282,7 @@ private:
     face_of_[0] = 0;
     for(std::size_t next = 0; next < queue.size(); ++next) {
       const int i = queue[next];
-      walk_.walk(x[i], face_of_[i]);
+      walk(x[i], face_of_[i]);
       for(int k = corner_offset_[i]; k < corner_offset_[i + 1]; ++k)
         if(const int j = a_.target(corner_[k]); face_of_[j] < 0) {
           face_of_[j] = face_of_[i];
@@ -308,8 +298,9 @@ private:
     slope_.resize(n);
     place_.resize(n);
     for_each_index(loop_, n, [&](int i) {
-      walk_.walk(x[i], face_of_[i]);
-      walk_.weights(x[i], face_of_[i], weight_[i], slope_[i]);
+      walk(x[i], face_of_[i]);
+      const auto [u, v, w] = b_.face[face_of_[i]];
+      weights_of_direction({b_.image[u], b_.image[v], b_.image[w]}, x[i], weight_[i], slope_[i]);
       place_[i] = mean_of_corners(b_.face[face_of_[i]], weight_[i], b_.point);
     });
   }
@@ -321,7 +312,6 @@ private:
   const std::vector<Registration_landmark>& landmarks_;
   static constexpr double surface_area = 4 * pi; ///< of A and of B
   double landmark_stiffness_, isometry_weight_;
-  Face_walk walk_;
   Host_array<Face_metric> metric_;         ///< of the map that A came with
   Host_array<int> corner_offset_, corner_; ///< of every vertex
   Host_array<double> spring_;              ///< of landmarks, by vertex

@@ -32,17 +32,10 @@ CGAL_SP_INLINE double square_size(const Shape_set<double>& shapes, int shape)
 /// The rotation of a shape to where it is closest to `mean`.
 CGAL_SP_INLINE Matrix_3 rotation_to(const Host_array<vec3>& mean, const Shape_set<double>& shapes, int shape)
 {
-  Matrix_3 sum = {};
-  for(int j = 0; j < shapes.entries(); ++j) {
-    const vec3 m = mean[static_cast<std::size_t>(j)];
-    for(int a = 0; a < 3; ++a) {
-      const double x = shapes.weight(j) * shapes(shape, j, a);
-      sum[a][0] += x * m.x;
-      sum[a][1] += x * m.y;
-      sum[a][2] += x * m.z;
-    }
-  }
-  return rotation_of_products(sum);
+  Host_array<vec3> weighted;
+  for(int j = 0; j < shapes.entries(); ++j)
+    weighted.push_back(scale(shapes.weight(j), shapes.get(shape, j)));
+  return best_rotation(weighted, mean);
 }
 
 CGAL_SP_INLINE Matrix_3 transposed(const Matrix_3& r)

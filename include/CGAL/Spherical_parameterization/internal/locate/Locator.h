@@ -11,13 +11,13 @@
 #include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Corner_table.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Mapped_surface.h>
+#include <CGAL/Spherical_parameterization/internal/surface/breadth_first.h>
 #include <CGAL/Spherical_parameterization/values/Error.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -88,17 +88,11 @@ private:
   /// Faces are sorted by their first vertex, so that walks stay in a small part of the memory.
   void sort_faces(const Host_loop& loop, const Corner_table& unsorted)
   {
-    std::vector<int> next(point_.size() + 1, 0); // by first vertex, the place of its next face
-    for(const std::array<int, 3>& corner : unsorted.face)
-      ++next[corner[0] + 1];
-    std::partial_sum(next.begin(), next.end(), next.begin());
     const auto m = static_cast<int>(unsorted.face.size());
-    Host_array<int> place(m);
-    number_of_face_.resize(m);
-    for(int f = 0; f < m; ++f) {
-      place[f] = next[unsorted.face[f][0]]++;
-      number_of_face_[place[f]] = f;
-    }
+    std::vector<int> begin; // of no use
+    number_of_face_ =
+      sorted_by_key(m, static_cast<int>(point_.size()), begin, [&](int f) { return unsorted.face[f][0]; });
+    const Host_array<int> place = inverse_permutation(loop, number_of_face_);
     table_.face.resize(m);
     table_.twin.resize(unsorted.twin.size());
     for_each_index(loop, m, [&](int f) {
@@ -138,7 +132,7 @@ private:
   Host_array<vec3> point_;     ///< in the order of the tree, and so are the numbers of vertices here
   std::vector<int> some_face_; ///< of every vertex
   Corner_table table_;
-  std::vector<int> number_of_face_; ///< in the mesh
+  Host_array<int> number_of_face_; ///< in the mesh
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -27,17 +26,8 @@ namespace CGAL::Spherical_parameterization::internal {
 inline void list_members(int count, Aggregates& aggregates)
 {
   const Host_array<int>& of = aggregates.of_vertex;
-  Host_array<int>& offset = aggregates.offset;
-  offset.assign(count + 1, 0);
-  for(int c : of)
-    if(c >= 0)
-      ++offset[c + 1];
-  std::partial_sum(offset.begin(), offset.end(), offset.begin());
-  Host_array<int> end(offset.begin(), offset.end() - 1);
-  aggregates.member.resize(offset.back());
-  for(std::size_t i = 0; i < of.size(); ++i)
-    if(of[i] >= 0)
-      aggregates.member[end[of[i]]++] = static_cast<int>(i);
+  aggregates.member =
+    sorted_by_key(static_cast<int>(of.size()), count, aggregates.offset, [&](int i) { return of[i]; });
 }
 
 /// Greedy aggregation. Two vertices are strongly connected if w_ij > threshold sqrt(a_ii a_jj).

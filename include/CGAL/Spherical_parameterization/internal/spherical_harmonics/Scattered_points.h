@@ -32,15 +32,9 @@ public:
     Host_array<Place> place(direction.size());
     for_each_index<1024>(loop, n_, [&](int i) { place[i] = place_of(grid.n, i, direction[i]); });
     const int bands = (grid.n / 2 + 1) / Kernel::width + 1;
-    band_begin_.assign(static_cast<std::size_t>(bands) + 1, 0);
-    for(const Place& p : place)
-      ++band_begin_[band(p) + 1];
-    for(int b = 0; b < bands; ++b)
-      band_begin_[b + 1] += band_begin_[b];
-    std::vector<int> next(band_begin_.begin(), band_begin_.end() - 1);
-    for(const Place& p : place)
-      place_[next[band(p)]++] = p;
+    const auto order = sorted_by_key(n_, bands, band_begin_, [&](int i) { return band(place[i]); });
     for_each_index<1024>(loop, n_, [&](int i) {
+      place_[i] = place[order[i]];
       const auto [row, column] = position(grid.n, direction[place_[i].point]);
       for(int j = 0; j < Kernel::width; ++j) {
         weight_[i].row[j] = Kernel::value(row - (place_[i].row + j));

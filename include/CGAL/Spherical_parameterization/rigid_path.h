@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_RIGID_PATH_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_RIGID_PATH_H
 
+#include <CGAL/Spherical_parameterization/internal/algebra/dense_matrices.h>
 #include <CGAL/Spherical_parameterization/internal/api/precondition.h>
 
 #include <Eigen/Geometry>
@@ -27,22 +28,25 @@ namespace CGAL::Spherical_parameterization {
 template <class Points>
 auto rigid_path(const Points& start, const Points& end)
 {
-  using Matrix = Eigen::Matrix<double, 3, Eigen::Dynamic>;
+  typedef typename internal::Dense<Points>::Matrix_3 Matrix_3;
+  typedef typename internal::Dense<Points>::Vector_3 Vector;
+  typedef Eigen::Matrix<typename Vector::Scalar, 3, Eigen::Dynamic> Matrix;
+  typedef Eigen::AngleAxis<typename Vector::Scalar> Turn;
   CGAL_SP_PRECONDITION(start.size() > 0 && start.size() == end.size(), "both ends of a path have the same points");
   const auto by_columns = [](const Points& points) -> Matrix {
     return Eigen::Map<const Matrix>(points.begin()->data(), 3, static_cast<Eigen::Index>(points.size()));
   };
   Matrix from = by_columns(start), to = by_columns(end);
-  const Eigen::Vector3d from_centre = from.rowwise().mean(), to_centre = to.rowwise().mean();
+  const Vector from_centre = from.rowwise().mean(), to_centre = to.rowwise().mean();
   from.colwise() -= from_centre;
   to.colwise() -= to_centre;
-  const Eigen::AngleAxisd turn(Eigen::Matrix3d(Eigen::umeyama(from, to, false).template topLeftCorner<3, 3>()));
+  const Turn turn(Matrix_3(Eigen::umeyama(from, to, false).template topLeftCorner<3, 3>()));
   to = turn.inverse().toRotationMatrix() * to; // turned back
   typedef std::vector<std::array<double, 3>> Places;
   return [=, first = Places(start.begin(), start.end()), last = Places(end.begin(), end.end())](double t) {
     if(t <= 0 || t >= 1)
       return t <= 0 ? first : last;
-    const Eigen::Matrix3d part = Eigen::AngleAxisd(t * turn.angle(), turn.axis()).toRotationMatrix();
+    const Matrix_3 part = Turn(t * turn.angle(), turn.axis()).toRotationMatrix();
     const Matrix all = (part * ((1 - t) * from + t * to)).colwise() + ((1 - t) * from_centre + t * to_centre);
     Places points;
     for(Eigen::Index v = 0; v < all.cols(); ++v)

@@ -16,6 +16,8 @@ template <class>
 struct Dense {
   typedef Eigen::MatrixXd Matrix;
   typedef Eigen::VectorXd Vector;
+  typedef Eigen::Matrix3d Matrix_3;
+  typedef Eigen::Vector3d Vector_3;
 };
 
 /// The same, of floats.

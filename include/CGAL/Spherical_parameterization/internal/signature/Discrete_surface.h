@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SIGNATURE_DISCRETE_SURFACE_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SIGNATURE_DISCRETE_SURFACE_H
 
+#include <CGAL/Spherical_parameterization/internal/algebra/dense_matrices.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
 #include <CGAL/Spherical_parameterization/values/Error.h>
 #include <CGAL/Spherical_parameterization/internal/backend/Host_backend.h>
@@ -26,10 +27,10 @@ namespace CGAL::Spherical_parameterization::internal {
 /// A closed surface scaled to area 4 pi, with the operators on its piecewise linear functions. The Laplacian is the
 /// cotangent one, not clamped; the triangulation being Delaunay, no weight is negative. A template, so that it is
 /// compiled only where it is used.
-template <class...>
+template <class Any = void>
 class Discrete_surface_of {
 public:
-  typedef Eigen::VectorXd Vector;
+  typedef typename Dense<Any>::Vector Vector;
   typedef Eigen::SparseMatrix<double> Matrix;
 
   explicit Discrete_surface_of(Intrinsic_triangulation triangulation)
@@ -94,16 +95,16 @@ private:
 typedef Discrete_surface_of<> Discrete_surface;
 
 /// Solves (L + shift M) x = b on a surface, set up once for several right-hand sides.
-template <class Loop>
+template <class Loop, class Surface = Discrete_surface>
 class Surface_solver {
   typedef Host_backend<Loop> Backend;
-  typedef Discrete_surface::Vector Vector;
-  typedef Discrete_surface::Matrix Matrix;
+  typedef typename Surface::Vector Vector;
+  typedef typename Surface::Matrix Matrix;
 
 public:
   /// \param shift  if 0, the right-hand sides have to sum to zero, and solutions are defined up to a constant
   /// The surface has to outlive this. Throws Error if the system is singular.
-  Surface_solver(const Loop& loop, const Discrete_surface& surface, double shift = 0)
+  Surface_solver(const Loop& loop, const Surface& surface, double shift = 0)
     : surface_(surface), shift_(shift), backend_(loop)
   {
     if(surface.size() > largest_factorized)
@@ -150,7 +151,7 @@ private:
     const Matrix& laplacian = surface_.laplacian();
     const auto graph = std::make_shared<Weighted_graph>();
     for(int i = 0; i < surface_.size(); ++i) {
-      for(Matrix::InnerIterator entry(laplacian, i); entry; ++entry)
+      for(typename Matrix::InnerIterator entry(laplacian, i); entry; ++entry)
         if(entry.row() != i && entry.value() < 0) { // what is positive is rounding
           graph->target.push_back(static_cast<int>(entry.row()));
           graph->weight.push_back(-entry.value());
@@ -179,7 +180,7 @@ private:
     return x;
   }
 
-  const Discrete_surface& surface_;
+  const Surface& surface_;
   double shift_;
   Backend backend_;
   std::unique_ptr<Multigrid<Backend>> multigrid_;
@@ -187,11 +188,10 @@ private:
 };
 
 /// One implicit step of the heat equation, of time t: (M + t L)^-1 M x.
-template <class Loop>
-Discrete_surface::Vector smoothed(const Loop& loop, const Discrete_surface& surface, const Discrete_surface::Vector& x,
-                                  double t)
+template <class Loop, class Surface>
+typename Surface::Vector smoothed(const Loop& loop, const Surface& surface, const typename Surface::Vector& x, double t)
 {
-  return Surface_solver<Loop>(loop, surface, 1 / t)(surface.mass().cwiseProduct(x) / t);
+  return Surface_solver<Loop, Surface>(loop, surface, 1 / t)(surface.mass().cwiseProduct(x) / t);
 }
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -29,10 +29,11 @@ namespace CGAL::Spherical_parameterization::internal {
 ///
 /// On a coarse mesh linear functions do not follow u along a limb. So the faces may be cut into four, again and again;
 /// the surface stays what it is.
+template <class Surface = Discrete_surface>
 struct Conformal_factor {
   Triangle_surface fine; ///< the surface, refined; vertices keep their numbers, the pieces of a face stand together
-  Discrete_surface surface;
-  Discrete_surface::Vector u; ///< by vertex, those of the map first; the integral of e^u is 4 pi
+  Surface surface;
+  typename Surface::Vector u; ///< by vertex, those of the map first; the integral of e^u is 4 pi
 
   /// The mesh is refined until it has `fewest_vertices`.
   /// Throws Error where the surface has no area, or the map none.
@@ -40,12 +41,12 @@ struct Conformal_factor {
   Conformal_factor(const Loop& loop, const Mapped_surface& map, int fewest_vertices = 0)
     : fine(refined(checked(map, loop), fewest_vertices)), surface(Intrinsic_triangulation(fine, fine.point))
   {
-    const Discrete_surface::Vector b = spherical_areas(map);
+    const typename Surface::Vector b = spherical_areas(map);
     const double total = b.sum();
     if(!(total > 0) || !std::isfinite(total))
       throw Input_error(Error_code::NOT_BIJECTIVE, "the sphere map has no area");
-    Surface_solver<Loop> solve(loop, surface);
-    Discrete_surface::Vector curvature = b * (4 * pi / total);
+    Surface_solver<Loop, Surface> solve(loop, surface);
+    typename Surface::Vector curvature = b * (4 * pi / total);
     for(int step = 0; step <= corrections; ++step) {
       u = 2 * solve(curvature - surface.defect());
       const double largest = u.maxCoeff();
@@ -78,10 +79,10 @@ private:
   }
 
   /// A third of the areas round every vertex, without sign. All pieces of a face have the same share of its image.
-  CGAL_SP_INLINE Discrete_surface::Vector spherical_areas(const Mapped_surface& map) const
+  typename Surface::Vector spherical_areas(const Mapped_surface& map) const
   {
     const std::size_t pieces = fine.face.size() / map.face.size();
-    Discrete_surface::Vector area = Discrete_surface::Vector::Zero(surface.size());
+    typename Surface::Vector area = Surface::Vector::Zero(surface.size());
     for(std::size_t f = 0; f < fine.face.size(); ++f) {
       const auto& [i, j, k] = map.face[f / pieces];
       const double third = std::abs(spherical_area(map.image[i], map.image[j], map.image[k])) / (3. * pieces);

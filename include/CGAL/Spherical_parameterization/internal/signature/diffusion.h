@@ -4,8 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SIGNATURE_DIFFUSION_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SIGNATURE_DIFFUSION_H
 
-#include <Eigen/Cholesky>
-#include <Eigen/Core>
+#include <CGAL/Spherical_parameterization/internal/algebra/dense_matrices.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,16 +22,18 @@ constexpr double weight_of_forms = 2.6 / 1.5;
 template <class Distance>
 std::vector<double> diffused_similarity(std::size_t n, Distance distance)
 {
+  typedef typename Dense<Distance>::Matrix Matrix;
+  typedef typename Dense<Distance>::Vector Vector;
   constexpr std::size_t neighbours = 5;
   constexpr double persistence = 0.95; // what a step of the diffusion leaves of the start is the rest
   const auto size = static_cast<Eigen::Index>(n);
-  Eigen::MatrixXd between(size, size);
+  Matrix between(size, size);
   for(Eigen::Index i = 0; i < size; ++i)
     for(Eigen::Index j = 0; j <= i; ++j)
       between(i, j) = between(j, i) = i == j ? 0 : distance(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
   // neighbours, and how far the last one is
   std::vector<std::vector<Eigen::Index>> near(n);
-  Eigen::VectorXd reach(size);
+  Vector reach(size);
   for(Eigen::Index i = 0; i < size; ++i) {
     std::vector<Eigen::Index> others;
     for(Eigen::Index j = 0; j < size; ++j)
@@ -44,18 +45,16 @@ std::vector<double> diffused_similarity(std::size_t n, Distance distance)
     reach[i] = others.empty() ? 0 : between(i, others.back());
     near[static_cast<std::size_t>(i)] = std::move(others);
   }
-  Eigen::MatrixXd weight = Eigen::MatrixXd::Zero(size, size);
+  Matrix weight = Matrix::Zero(size, size);
   for(Eigen::Index i = 0; i < size; ++i)
     for(const Eigen::Index j : near[static_cast<std::size_t>(i)]) {
       const double square = between(i, j) * between(i, j);
       weight(i, j) = weight(j, i) = square > 0 ? std::exp(-square / (reach[i] * reach[j])) : 1; // 0: copies
     }
-  const Eigen::VectorXd root =
-    weight.rowwise().sum().unaryExpr([](double sum) { return sum > 0 ? 1 / std::sqrt(sum) : 0; });
-  const Eigen::MatrixXd inverse =
-    (Eigen::MatrixXd::Identity(size, size) - persistence * (root.asDiagonal() * weight * root.asDiagonal()))
-      .llt() // positive definite: the eigenvalues of what is subtracted are at most `persistence`
-      .solve(Eigen::MatrixXd::Identity(size, size));
+  const Vector root = weight.rowwise().sum().unaryExpr([](double sum) { return sum > 0 ? 1 / std::sqrt(sum) : 0; });
+  const Matrix inverse = (Matrix::Identity(size, size) - persistence * (root.asDiagonal() * weight * root.asDiagonal()))
+                           .llt() // positive definite: the eigenvalues of what is subtracted are at most `persistence`
+                           .solve(Matrix::Identity(size, size));
   std::vector<double> similarity(n);
   for(Eigen::Index i = 0; i < size; ++i)
     similarity[static_cast<std::size_t>(i)] = i == 0 ? 1 : inverse(0, i) / std::sqrt(inverse(0, 0) * inverse(i, i));

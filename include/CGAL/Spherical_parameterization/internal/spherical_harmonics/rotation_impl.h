@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPHERICAL_HARMONICS_ROTATION_IMPL_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPHERICAL_HARMONICS_ROTATION_IMPL_H
 
+#include <CGAL/Spherical_parameterization/internal/algebra/dense_matrices.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/rotations.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/Complex_harmonics.h>
@@ -12,8 +13,6 @@
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/ellipsoid.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/fourier.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/rotation.h>
-
-#include <Eigen/Dense>
 
 #include <algorithm>
 #include <array>
@@ -41,8 +40,11 @@ Harmonic_coefficients rotated_harmonics(const Loop& loop, const Harmonic_coeffic
 }
 
 /// The correlation of f and of g turned by R, for all R.
-template <class...>
+template <class Any = void>
 class Rotation_search {
+  typedef typename Dense<Any>::Matrix_3 Eigen_matrix;
+  typedef typename Dense<Any>::Vector_3 Eigen_vector;
+
 public:
   template <class Loop>
   Rotation_search(const Loop& loop, const Harmonic_coefficients& f, const Harmonic_coefficients& g)
@@ -160,8 +162,8 @@ private:
   vec3 newton_step(const Complex_harmonics& g) const
   {
     constexpr double longest = 0.2, finite = 1e100; // radians
-    Eigen::Vector3d gradient;
-    Eigen::Matrix3d hessian;
+    Eigen_vector gradient;
+    Eigen_matrix hessian;
     std::vector<Complex_harmonics> g_derivative;
     for(int axis = 0; axis < 3; ++axis)
       g_derivative.push_back(derivative(g, axis));
@@ -170,10 +172,10 @@ private:
       for(int j = 0; j < 3; ++j)
         hessian(i, j) = -(inner(f_derivative_[i], g_derivative[j]) + inner(f_derivative_[j], g_derivative[i])) / 2;
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(hessian);
-    Eigen::Vector3d step = Eigen::Vector3d::Zero();
+    const Eigen::SelfAdjointEigenSolver<Eigen_matrix> eigen(hessian);
+    Eigen_vector step = Eigen_vector::Zero();
     for(int i = 0; i < 3; ++i) {
-      const Eigen::Vector3d axis = eigen.eigenvectors().col(i);
+      const Eigen_vector axis = eigen.eigenvectors().col(i);
       if(const double curvature = std::abs(eigen.eigenvalues()[i]); curvature > 0)
         step += std::clamp(axis.dot(gradient) / curvature, -finite, finite) * axis;
     }

@@ -23,12 +23,12 @@ struct Latitude {
 /// What functions on the sphere are on circles of latitude, as Fourier series in the longitude: for every order m
 /// (first index), function (times two: the series of cos(m phi), then of sin(m phi)) and row (last index) a number.
 struct Latitude_series {
-  int orders = 0, columns = 0, rows = 0; ///< columns: twice the number of functions
+  int columns = 0, rows = 0; ///< columns: twice the number of functions
   Host_array<double> value;
 
-  Latitude_series(int orders_, int fields, int rows_)
-    : orders(orders_), columns(2 * fields), rows(rows_),
-      value(static_cast<std::size_t>(orders_) * static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows_))
+  Latitude_series(int orders, int fields, int rows_)
+    : columns(2 * fields), rows(rows_),
+      value(static_cast<std::size_t>(orders) * static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows_))
   {}
   double* column(int m, int k) { return value.data() + (static_cast<std::size_t>(m) * columns + k) * rows; }
   const double* column(int m, int k) const { return value.data() + (static_cast<std::size_t>(m) * columns + k) * rows; }
@@ -70,7 +70,6 @@ public:
   }
 
   int degree() const { return degree_; }
-  int rows() const { return rows_; }
 
   /// Sums on the rows.
   template <class Loop>

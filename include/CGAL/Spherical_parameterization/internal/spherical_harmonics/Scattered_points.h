@@ -43,8 +43,6 @@ public:
     });
   }
 
-  int size() const { return n_; }
-
   /// The values at the points, field after field.
   template <class Loop>
   void interpolate(const Loop& loop, const Angular_grid& grid, double* values) const

@@ -66,8 +66,7 @@ inline double ratio_of_singular_values(double squared_sum, double product)
 class Face_measures {
 public:
   /// The map has to outlive this.
-  template <class Loop>
-  Face_measures(const Mapped_surface& map, const Loop& loop)
+  CGAL_SP_INLINE Face_measures(const Mapped_surface& map, const Host_loop& loop)
     : map_(map), source_area_(map.face_area(loop)), area_(map.face.size()),
       total_source_(std::accumulate(source_area_.begin(), source_area_.end(), 0.))
   {
@@ -107,8 +106,8 @@ public:
     double log_area_stretch, angle_distortion, dilatation, flat_symmetric_dirichlet, spherical_symmetric_dirichlet;
   };
   /// Calls visit(face, values) for all faces, in any order: faster than the functions above one by one.
-  template <class Loop, class Visit>
-  void for_each_face(const Loop& loop, Visit visit) const
+  template <class Visit>
+  void for_each_face(const Host_loop& loop, Visit visit) const
   {
     map_.for_each_face(loop, [&](int f, const auto& p, const auto& v) {
       const double squared_sum = internal::squared_singular_values(p, source_area(f), v);
@@ -119,8 +118,7 @@ public:
   }
 
   /// The values of a measure, one of the functions above, by face.
-  template <class Loop>
-  Host_array<double> values(const Loop& loop, double (Face_measures::*measure)(int) const) const
+  CGAL_SP_INLINE Host_array<double> values(const Host_loop& loop, double (Face_measures::*measure)(int) const) const
   {
     Host_array<double> result(map_.face.size());
     for_each_index(loop, number_of_faces(), [&](int f) { result[f] = (this->*measure)(f); });

@@ -19,8 +19,7 @@ namespace CGAL::Spherical_parameterization::internal {
 
 /// Of every face: max(sigma_1, 1 / sigma_2) of the affine map to its image, which need not be on a sphere, after both
 /// surfaces have been scaled to the same area; 1 if the face has no area.
-template <class Loop>
-Host_array<double> length_changes(const Loop& loop, const Mapped_surface& map)
+CGAL_SP_INLINE Host_array<double> length_changes(const Host_loop& loop, const Mapped_surface& map)
 {
   const Host_array<double>& area = map.face_area(loop);
   const auto image_area = [&](int f) { return flat_area(map.of_image(f)); };
@@ -41,9 +40,8 @@ Host_array<double> length_changes(const Loop& loop, const Mapped_surface& map)
 }
 
 /// How they are spread over the surface.
-template <class Loop>
-Length_changes summarize_length_changes(const Loop& loop, const Host_array<double>& area,
-                                        const Host_array<double>& change)
+CGAL_SP_INLINE Length_changes summarize_length_changes(const Host_loop& loop, const Host_array<double>& area,
+                                                       const Host_array<double>& change)
 {
   Length_changes result;
   result.factor = distribution(loop, change, area);

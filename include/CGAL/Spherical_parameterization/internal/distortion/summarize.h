@@ -26,8 +26,8 @@ namespace CGAL::Spherical_parameterization::internal {
 /// Values of a sample cut all others into buckets, of which those are sorted where a quantile lies: W. D. Frazer,
 /// A. C. McKellar, "Samplesort: a sampling approach to minimal storage tree sorting", Journal of the ACM 17 (1970).
 /// O(n) time, and O(n log n) where the sample is not like the others.
-template <class Loop>
-Distribution distribution(const Loop& loop, const Host_array<double>& value, const Host_array<double>& weight)
+CGAL_SP_INLINE Distribution distribution(const Host_loop& loop, const Host_array<double>& value,
+                                         const Host_array<double>& weight)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   constexpr int buckets = 128, most_samples = 32 * buckets; // the first one is a power of 2
@@ -132,8 +132,7 @@ Distribution distribution(const Loop& loop, const Host_array<double>& value, con
   return d;
 }
 
-template <class Loop>
-Distortion_summary summarize(const Loop& loop, const Mapped_surface& map)
+CGAL_SP_INLINE Distortion_summary summarize(const Host_loop& loop, const Mapped_surface& map)
 {
   const Face_measures measures(map, loop);
   const int n = measures.number_of_faces();

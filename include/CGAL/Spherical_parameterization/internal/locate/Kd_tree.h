@@ -6,6 +6,7 @@
 
 #include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -20,8 +21,7 @@ namespace CGAL::Spherical_parameterization::internal {
 class Kd_tree {
 public:
   /// \param points  at least one
-  template <class Loop>
-  Kd_tree(const Loop& loop, const Host_array<vec3>& points) : order_(points.size())
+  Kd_tree(const Host_loop& loop, const Host_array<vec3>& points) : order_(points.size())
   {
     std::iota(order_.begin(), order_.end(), 0);
     std::size_t nodes = 0;

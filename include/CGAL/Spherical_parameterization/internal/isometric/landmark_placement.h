@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -57,16 +59,16 @@ CGAL_SP_INLINE void pin_placed(const Landmarks& landmarks, Map_level<>& level)
 template <class...>
 class Landmark_placement {
 public:
+  /// \param advance  is called before every step; false ends the work
   Landmark_placement(const Host_loop& loop, const Distortion& distortion, Map_level<>& level, Landmarks& landmarks,
-                     Landmark_budget& budget)
+                     Landmark_budget& budget, std::function<bool()> advance)
     : loop_(loop), full_distortion_(distortion), distortion_(distortion), level_(level), landmarks_(landmarks),
-      budget_(budget)
+      budget_(budget), advance_(std::move(advance))
   {}
 
   /// Returns whether all landmarks are placed. Those that are placed though others are not stay so only if the map is
-  /// not much distorted thereby. `advance()` is called before every step; false ends the work.
-  template <class Advance>
-  bool run(Advance advance)
+  /// not much distorted thereby.
+  bool run()
   {
     struct Stage {
       bool is_straight;
@@ -81,11 +83,11 @@ public:
       const Landmarks landmarks = landmarks_;
       const double energy = level_.energy(full_distortion_);
       distortion_ = full_distortion_.with_share_of_area(stage.share_of_area_exponent);
-      const bool are_placed = follow_paths(advance);
+      const bool are_placed = follow_paths();
       distortion_ = full_distortion_;
       if(are_placed)
         return true;
-      if(!relax(advance, energy)) {
+      if(!relax(energy)) {
         level_.position() = position;
         landmarks_ = landmarks;
         pin_placed(landmarks_, level_);
@@ -120,14 +122,13 @@ private:
 
   /// After some landmarks got stuck: relaxes the map without springs. Returns whether the energy comes down to not much
   /// more than what it was before.
-  template <class Advance>
-  bool relax(Advance advance, double energy)
+  bool relax(double energy)
   {
     constexpr int maximum_steps = 10;
     constexpr double least_gain = 0.01, tolerable = 1.5;
     pin_placed(landmarks_, level_);
     Newton_relaxation<> newton(loop_, distortion_, level_);
-    for(int s = 0; s < maximum_steps && advance(); ++s) {
+    for(int s = 0; s < maximum_steps && advance_(); ++s) {
       const double gain = step(newton);
       level_.relax(distortion_);
       if(gain < least_gain && newton.promised_gain() < least_gain)
@@ -136,8 +137,7 @@ private:
     return level_.energy(distortion_) <= tolerable * energy;
   }
 
-  template <class Advance>
-  bool follow_paths(Advance advance)
+  bool follow_paths()
   {
     constexpr double softest = 1, first = 10, stiffest = 1e12, factor = 4;
     constexpr double short_step = 0.1, least_progress = 0.05;
@@ -149,12 +149,12 @@ private:
     const double whole_way = way_to_go();
     double before = whole_way, milestone = whole_way;
     Newton_relaxation<> newton(loop_, distortion_, level_);
-    for(int s = 0, since = 0; s < maximum_steps && !put_in_place(stiffness) && !budget_.is_spent() && advance(); ++s) {
+    for(int s = 0, since = 0; s < maximum_steps && !put_in_place(stiffness) && !budget_.is_spent() && advance_(); ++s) {
       step(newton);
       const double length = newton.step_length();
       relax_locally();
       if(!is_straight_)
-        relax_round_landmarks(newton, advance);
+        relax_round_landmarks(newton);
       const double now = way_to_go();
       if(length < short_step)
         stiffness = (std::max)(stiffness / factor, softest);
@@ -173,14 +173,13 @@ private:
   }
 
   /// Relaxes the map while the landmarks stay where they are.
-  template <class Advance>
-  void relax_round_landmarks(Newton_relaxation<>& newton, Advance advance)
+  void relax_round_landmarks(Newton_relaxation<>& newton)
   {
     constexpr int maximum_steps = 5;
     constexpr double sufficient = 0.02; // gain that is left
     for(const Landmark& l : landmarks_)
       level_.pin(level_.index(l.vertex));
-    for(int s = 0; s < maximum_steps && advance(); ++s) {
+    for(int s = 0; s < maximum_steps && advance_(); ++s) {
       step(newton);
       relax_locally();
       if(newton.promised_gain() < sufficient)
@@ -260,6 +259,7 @@ private:
   Map_level<>& level_;
   Landmarks& landmarks_;
   Landmark_budget& budget_;
+  std::function<bool()> advance_;
   std::vector<Path> path_;           ///< of every landmark
   std::vector<std::size_t> reached_; ///< the point of its path where a landmark is
   bool is_straight_ = true;          ///< the paths are but their ends

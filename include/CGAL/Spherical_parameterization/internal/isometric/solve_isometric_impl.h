@@ -321,9 +321,8 @@ private:
     if(!is_last_level && level_.size() < growth * last_placement_)
       return;
     last_placement_ = level_.size();
-    if(Landmark_placement<>(loop_, distortion_, level_, landmarks_, *attempt_.budget).run([&] {
-         return monitor_.advance(progress());
-       }))
+    const auto advance = [&] { return monitor_.advance(progress()); };
+    if(Landmark_placement<>(loop_, distortion_, level_, landmarks_, *attempt_.budget, advance).run())
       return;
     monitor_.advance_or_throw();
     if(is_last_level || attempt_.budget->is_spent() ||

@@ -256,7 +256,7 @@ private:
                                   " of " + std::to_string(point_.size()) + "; points are numbered from 0 on");
   }
 
-  void check(const internal::Host_loop& loop)
+  CGAL_SP_INLINE void check(const internal::Host_loop& loop)
   {
     internal::Checked_soup soup =
       internal::check_soup(loop, table_, static_cast<int>(point_.size()), [&] { return number_of_different_points(); });

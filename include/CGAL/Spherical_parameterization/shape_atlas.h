@@ -40,7 +40,7 @@ struct Atlas_mesh {
 
 /// \param level  of the icosphere
 /// \return an icosphere with its own vertices as directions
-inline Atlas_mesh icosphere_of_atlas(int level)
+CGAL_SP_INLINE Atlas_mesh icosphere_of_atlas(int level)
 {
   std::vector<std::array<double, 3>> directions;
   std::vector<std::array<int, 3>> triangles;

@@ -26,8 +26,8 @@ struct Coarse_map : Mapped_surface {
   /// \param whole  a valid map
   /// \param kept   vertices that are among those of this one
   /// \param most   so many vertices, about, if there are more
-  Coarse_map(const Host_loop& loop, const Corner_table& whole, const Host_array<vec3>& points,
-             const Host_array<vec3>& images, const std::vector<int>& kept, int most, Monitor& monitor)
+  CGAL_SP_INLINE Coarse_map(const Host_loop& loop, const Corner_table& whole, const Host_array<vec3>& points,
+                            const Host_array<vec3>& images, const std::vector<int>& kept, int most, Monitor& monitor)
   {
     const int n = static_cast<int>(points.size());
     std::vector<int> number(n, 0);
@@ -36,7 +36,7 @@ struct Coarse_map : Mapped_surface {
       std::vector<char> is_kept(n, 0);
       for(int v : kept)
         is_kept[v] = 1;
-      Decimation decimation(loop, points, mesh, std::move(is_kept), most, &images);
+      Decimation<> decimation(loop, points, mesh, std::move(is_kept), most, &images);
       while(mesh.number_of_vertices() > most && !decimation.round().empty())
         monitor.advance_or_throw();
     }

@@ -33,6 +33,7 @@
 namespace CGAL::Spherical_parameterization::internal {
 
 /// One of the two surfaces, with its fields in harmonics, and the features that were computed last.
+template <class...>
 class Registered_side {
 public:
   static constexpr int degree = 31; ///< of what is correlated
@@ -109,8 +110,8 @@ private:
 template <class...>
 class Registrar {
 public:
-  Registrar(const Watched_loop<Host_loop>& loop, Monitor& monitor, const Registered_side& a, const Registered_side& b,
-            const std::vector<std::pair<int, int>>& landmarks, const Registration& settings,
+  Registrar(const Watched_loop<Host_loop>& loop, Monitor& monitor, const Registered_side<>& a,
+            const Registered_side<>& b, const std::vector<std::pair<int, int>>& landmarks, const Registration& settings,
             Registration_result& result)
     : loop_(loop), monitor_(monitor), a_(a), b_(b), landmark_vertices_(landmarks), settings_(settings), result_(result),
       start_(a.surface.image)
@@ -397,7 +398,7 @@ private:
 
   const Watched_loop<Host_loop>& loop_;
   Monitor& monitor_;
-  Registered_side a_, b_;
+  Registered_side<> a_, b_;
   const std::vector<std::pair<int, int>>& landmark_vertices_;
   const Registration& settings_;
   Registration_result& result_;

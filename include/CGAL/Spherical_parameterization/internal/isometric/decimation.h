@@ -72,6 +72,7 @@ private:
 ///
 /// Vertices can be kept until only so many are left; no collapse makes them adjacent. With a map of the mesh to the
 /// sphere, that is the end, and the map stays a bijection: no collapse is taken that would flip a face of it.
+template <class...>
 class Decimation {
 public:
   /// Of the mesh as it is: vertices may have been removed before.

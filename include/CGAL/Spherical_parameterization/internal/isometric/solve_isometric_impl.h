@@ -131,7 +131,7 @@ private:
 
   void decimate()
   {
-    Decimation decimation(loop_, problem_.point, mesh_, problem_.is_fixed, attempt_.size, attempt_.free_map);
+    Decimation<> decimation(loop_, problem_.point, mesh_, problem_.is_fixed, attempt_.size, attempt_.free_map);
     while(take_round(decimation)) {
       if(decimation.keeps_vertices())
         rounds_with_landmarks_ = rounds_.size();
@@ -142,7 +142,7 @@ private:
   }
 
   /// Returns whether there was one.
-  bool take_round(Decimation& decimation)
+  bool take_round(Decimation<>& decimation)
   {
     std::vector<int> round = decimation.round();
     if(round.empty())
@@ -167,7 +167,7 @@ private:
     const std::vector<Level_size> level_sizes =
       std::exchange(level_sizes_, sizes_of_levels(mesh_.number_of_vertices(), exponent_));
     std::vector<std::vector<int>> rounds = std::exchange(rounds_, {});
-    Decimation decimation(loop_, problem_.point, mesh_, {}, 0);
+    Decimation<> decimation(loop_, problem_.point, mesh_, {}, 0);
     while(take_round(decimation)) {
     }
     embed_tetrahedron();

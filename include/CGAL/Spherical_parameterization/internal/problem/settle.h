@@ -69,8 +69,8 @@ inline double residual_of_rounding(const Problem& problem)
 /// positions.
 /// \param is_harmonic  whether the springs have the exponent 2. If not, they trade angles for areas, and none but
 ///                     flipped faces are bad
-inline Mending mend_conformal(const Host_loop& loop, const Problem& problem, bool is_harmonic, double resolution,
-                              Monitor& monitor, Host_array<vec3>&& v, Solution& solution)
+CGAL_SP_INLINE Mending mend_conformal(const Host_loop& loop, const Problem& problem, bool is_harmonic,
+                                      double resolution, Monitor& monitor, Host_array<vec3>&& v, Solution& solution)
 {
   constexpr double tolerated = 2; // MIPS: stretches in the ratio 3.7
   if(!problem.is_intrinsic() || solution.certificate.degree != 1)

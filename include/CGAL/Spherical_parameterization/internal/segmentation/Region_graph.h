@@ -52,8 +52,8 @@ public:
   };
 
   /// `region` numbers the regions of the faces from 0 without gaps. `loop` is asked now and then whether to go on.
-  Region_graph(const Watched_loop<Host_loop>& loop, const Segmentation_mesh& mesh, std::vector<int> region,
-               const Side_costs& costs)
+  CGAL_SP_INLINE Region_graph(const Watched_loop<Host_loop>& loop, const Segmentation_mesh& mesh,
+                              std::vector<int> region, const Side_costs& costs)
     : loop_(loop), region_(std::move(region)), count_(1 + *std::max_element(region_.begin(), region_.end())),
       parent_(count_), area_(count_, 0), perimeter_(count_, 0), borders_(count_)
   {
@@ -136,7 +136,7 @@ private:
     borders_[a].pop_back();
   }
 
-  static void sum_up(std::vector<Border>& row)
+  CGAL_SP_INLINE static void sum_up(std::vector<Border>& row)
   {
     std::stable_sort(row.begin(), row.end(), [](const Border& a, const Border& b) { return a.region < b.region; });
     std::size_t kept = 0;

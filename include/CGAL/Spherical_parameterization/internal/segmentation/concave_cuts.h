@@ -82,7 +82,7 @@ class Creases {
 public:
   static constexpr int scales = 4;
 
-  Creases(const Watched_loop<Host_loop>& loop, const Segmentation_mesh& mesh) : mesh_(mesh)
+  CGAL_SP_INLINE Creases(const Watched_loop<Host_loop>& loop, const Segmentation_mesh& mesh) : mesh_(mesh)
   {
     for(int scale = 0; scale < scales + wider; ++scale)
       normals_.push_back(smoothed_normals(loop, mesh, radius(scale)));

@@ -23,6 +23,7 @@ struct Voter {
 
 /// How much of every region has which label, for every voter; for two regions this gives the share of votes for
 /// keeping a pair of points together, one from each, drawn by area.
+template <class...>
 class Ballots {
 public:
   Ballots(const Segmentation_mesh& mesh, const std::vector<int>& region, int count, const std::vector<Voter>& voters)
@@ -82,7 +83,7 @@ CGAL_SP_INLINE std::vector<int> majority_segments(const Watched_loop<Host_loop>&
   }
   const std::vector<int> region = connected_components(mesh, label);
   Region_graph regions(loop, mesh, region, side_lengths(mesh));
-  Ballots ballots(mesh, region, regions.capacity(), voters);
+  Ballots<> ballots(mesh, region, regions.capacity(), voters);
   const auto votes_against = [&](int a, const Region_graph::Border& border) {
     return 1 - ballots.votes_for_union(a, border.region);
   };

@@ -98,11 +98,7 @@ public:
       mesh.for_each_corner(vertex_[i], [&](int c) {
         const int j = index_[mesh.target(c)], k = index_[mesh.apex(c)];
         const int number = i < (std::min)(j, k) ? 0 : k < j ? 1 : 2;
-        Corner& corner = corner_[at++];
-        corner.j = j;
-        corner.k = k;
-        corner.face = c; // of the whole mesh, at first
-        corner.number = number;
+        corner_[at++] = {j, k, c, number, {}}; // the face is a corner of the whole mesh, at first
         faces += number == 0;
       });
       first_face_[i + 1] = faces;

@@ -11,6 +11,7 @@
 #include <boost/container/small_vector.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -77,8 +78,8 @@ private:
   /// The blocks of a face, in orthonormal tangents, and what its gradients are made of
   struct Face_blocks {
     Face_gradient gradient;
-    float diagonal[3][3]; ///< ss, st, tt
-    float side[3][4];     ///< of the corners m and m + 1
+    std::array<std::array<float, 3>, 3> diagonal; ///< ss, st, tt
+    std::array<std::array<float, 4>, 3> side;     ///< of the corners m and m + 1
   };
 
   /// The blocks of the faces first, then the rows that they add up to.
@@ -105,13 +106,8 @@ private:
     for(int m = 0; m < 3; ++m) {
       const int n = m < 2 ? m + 1 : 0;
       const Block d = hessian.block(m, frame[m], m, frame[m]), s = hessian.block(m, frame[m], n, frame[n]);
-      result.diagonal[m][0] = float(d.ss);
-      result.diagonal[m][1] = float(d.st);
-      result.diagonal[m][2] = float(d.tt);
-      result.side[m][0] = float(s.ss);
-      result.side[m][1] = float(s.st);
-      result.side[m][2] = float(s.ts);
-      result.side[m][3] = float(s.tt);
+      result.diagonal[m] = {float(d.ss), float(d.st), float(d.tt)};
+      result.side[m] = {float(s.ss), float(s.st), float(s.ts), float(s.tt)};
     }
     return result;
   }
@@ -131,8 +127,8 @@ private:
       const Face_blocks& of_face = blocks[corner.face];
       gradient = add(gradient, of_face.gradient.at(x, level_.star_face(corner)));
       const int m = corner.number;
-      const float *const d = of_face.diagonal[m], *const to_j = of_face.side[m],
-                         *const from_k = of_face.side[m > 0 ? m - 1 : 2];
+      const auto& d = of_face.diagonal[m];
+      const auto &to_j = of_face.side[m], &from_k = of_face.side[m > 0 ? m - 1 : 2];
       Block &at_j = block[c - begin], &at_k = block[c + 1 == end ? 0 : c + 1 - begin];
       diagonal = sum(diagonal, {d[0], d[1], d[1], d[2]});
       at_j = sum(at_j, {to_j[0], to_j[1], to_j[2], to_j[3]});

@@ -71,9 +71,6 @@ private:
   Weighted_graph laplacian_;
 };
 
-/// 2 tanh(x / 2): what is far out does not outweigh all else.
-inline double bounded(double x) { return 2 * std::tanh(x / 2); }
-
 /// To mean 0 and variance 1 over the surface; what is constant but for rounding becomes 0.
 inline void standardize(const Host_array<double>& area, Host_array<double>& field)
 {
@@ -133,7 +130,7 @@ CGAL_SP_CORE std::vector<Host_array<double>> shape_features(const Host_loop& loo
     if(k > 0)
       standardize(area, field[k]);
     for(double& x : field[k])
-      x = bounded(x);
+      x = 2 * std::tanh(x / 2); // bounded: what is far out does not outweigh all else
   }
   return field;
 }

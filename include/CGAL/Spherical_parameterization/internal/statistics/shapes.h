@@ -35,9 +35,6 @@ double* first_coordinate(Shape& shape)
 inline std::size_t number_of_coordinates(const Shape_points& shape) { return 3 * shape.size(); }
 inline std::size_t number_of_coordinates(const Harmonic_coefficients& shape) { return shape.values().size(); }
 
-inline int entries_of(const Shape_points& shape) { return static_cast<int>(shape.size()); }
-inline int entries_of(const Harmonic_coefficients& shape) { return shape.size(); }
-
 /// All zero, for as many entries.
 inline Shape_points zero_shape(const Shape_points& like) { return Shape_points(like.size(), {0, 0, 0}); }
 inline Harmonic_coefficients zero_shape(const Harmonic_coefficients& like)
@@ -93,7 +90,7 @@ Shape_set<Number> shape_set(Shapes& shapes, const std::vector<double>& weights)
   std::vector<Number*> first;
   for(auto& shape : shapes)
     first.push_back(first_coordinate(shape));
-  const int entries = entries_of(shapes[0]);
+  const int entries = static_cast<int>(shapes[0].size());
   return {std::move(first), entries, are_points ? 3 : 1, are_points ? 1 : entries, weights};
 }
 

@@ -112,8 +112,7 @@ bool solve_until_valid(const Backend& backend, const Problem& problem, Start sta
 
 /// Springs of exponent p > 2, with the factors of E_p = 1/p sum w l^2 (|v_i - v_j| / l)^p that do not depend on v as
 /// weights. Lengths are relative to a source of area 4 pi.
-template <class Loop>
-Weighted_graph stiffening_springs(const Loop& loop, const Problem& problem, double exponent)
+CGAL_SP_INLINE Weighted_graph stiffening_springs(const Host_loop& loop, const Problem& problem, double exponent)
 {
   const Host_array<double>& of_vertices = problem.vertex_area(loop);
   const double area = std::accumulate(of_vertices.begin(), of_vertices.end(), 0.);

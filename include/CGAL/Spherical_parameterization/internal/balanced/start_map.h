@@ -231,8 +231,7 @@ Host_array<vec3> start_positions(const Backend& backend, const Problem& problem,
 }
 
 /// The graph of a problem, in which the vertices that are fixed do not move.
-template <class Loop>
-Shared_graph with_fixed_vertices(const Loop& loop, const Problem& problem)
+CGAL_SP_INLINE Shared_graph with_fixed_vertices(const Host_loop& loop, const Problem& problem)
 {
   if(!problem.has_fixed())
     return problem.graph;

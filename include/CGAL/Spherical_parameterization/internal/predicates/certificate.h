@@ -87,8 +87,8 @@ struct Certificate {
 
 /// Examines a map given by unit vectors: without flipped faces and with degree 1 it is a bijection, since it then is a
 /// covering of the sphere, and the sphere is simply connected.
-template <class Loop>
-Certificate certify(const Loop& loop, const Host_array<std::array<int, 3>>& faces, const Host_array<vec3>& v)
+CGAL_SP_INLINE Certificate certify(const Host_loop& loop, const Host_array<std::array<int, 3>>& faces,
+                                   const Host_array<vec3>& v)
 {
   struct Part : Certificate { // edges squared
     double coverings = 0;     // in the first direction

@@ -25,8 +25,7 @@
 namespace CGAL::Spherical_parameterization::internal {
 
 /// Fills in pair 0, which is known: constants; and makes room for the others.
-template <class Loop>
-Laplacian_eigenpairs first_pair(const Loop& loop, const Host_array<double>& mass, int number)
+CGAL_SP_INLINE Laplacian_eigenpairs first_pair(const Host_loop& loop, const Host_array<double>& mass, int number)
 {
   Laplacian_eigenpairs spectrum;
   const int n = static_cast<int>(mass.size());

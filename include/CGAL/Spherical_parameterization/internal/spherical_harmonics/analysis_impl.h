@@ -27,8 +27,7 @@
 namespace CGAL::Spherical_parameterization::internal {
 
 /// Throws Error for what cannot be analyzed.
-template <class Loop>
-Valid_map checked(const Loop& loop, Mapped_surface map, const Sampled_fields& fields)
+CGAL_SP_INLINE Valid_map checked(const Watched_loop<Host_loop>& loop, Mapped_surface map, const Sampled_fields& fields)
 {
   check_directions(map.image);
   for(std::size_t i = 0; i < fields.value.size(); ++i)
@@ -39,8 +38,8 @@ Valid_map checked(const Loop& loop, Mapped_surface map, const Sampled_fields& fi
 }
 
 /// What each vertex counts in least squares: none of the numbers is negative, and they are finite.
-template <class Loop>
-Host_array<double> vertex_weights(const Loop& loop, const Valid_map& map, Vertex_weights weights)
+CGAL_SP_INLINE Host_array<double> vertex_weights(const Watched_loop<Host_loop>& loop, const Valid_map& map,
+                                                 Vertex_weights weights)
 {
   if(weights == Vertex_weights::EQUAL)
     return Host_array<double>(map.image.size(), 1.);

@@ -68,8 +68,7 @@ CGAL_SP_INLINE double texture_distortion(const std::vector<Face_sample>& samples
 }
 
 /// The vertex that as the south pole makes the texture of latitude and longitude least distorted.
-template <class Loop>
-vec3 least_harmful_south_pole(const Loop& loop, const Mapped_surface& map)
+CGAL_SP_INLINE vec3 least_harmful_south_pole(const Host_loop& loop, const Mapped_surface& map)
 {
   constexpr int enough = 4000; // samples; every k-th face
   const int n = map.number_of_faces(), stride = (std::max)(1, n / enough);

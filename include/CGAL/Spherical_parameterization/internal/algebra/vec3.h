@@ -42,6 +42,7 @@ CGAL_SP_FUNCTION vec3 outer(vec3 a, vec3 b)
 {
   return make_vec3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
 }
+CGAL_SP_FUNCTION real squared_distance(vec3 a, vec3 b) { return inner(sub(a, b), sub(a, b)); }
 CGAL_SP_FUNCTION real norm(vec3 a) { return sqrt(inner(a, a)); }
 CGAL_SP_FUNCTION vec3 unit(vec3 a) { return scale(1 / sqrt(inner(a, a)), a); }
 /* P_v a, the part of a that is tangent to the sphere at the unit vector v */

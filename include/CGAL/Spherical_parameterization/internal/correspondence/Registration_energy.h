@@ -109,10 +109,8 @@ public:
     double energy = distortion_ + mismatch_;
     if(isometry_weight_ > 0)
       energy += isometry_weight_ * stretching_;
-    for(const Registration_landmark& l : landmarks_) {
-      const vec3 d = sub(x[l.vertex], l.place);
-      energy += landmark_stiffness_ * inner(d, d);
-    }
+    for(const Registration_landmark& l : landmarks_)
+      energy += landmark_stiffness_ * squared_distance(x[l.vertex], l.place);
     return energy;
   }
 

@@ -296,13 +296,11 @@ private:
       if(k >= far)
         sample.push_back(farthest(near));
       const vec3 p = point[sample[k]];
-      for(int i = 0; i < n; ++i) {
-        const vec3 d = sub(point[i], p);
-        if(inner(d, d) < near[i]) {
-          near[i] = inner(d, d);
+      for(int i = 0; i < n; ++i)
+        if(const double square = squared_distance(point[i], p); square < near[i]) {
+          near[i] = square;
           cell[i] = k;
         }
-      }
       if(k + 1 == (std::min)(most_few, number))
         few = cells(k + 1);
       if(k + 1 == (std::min)(most_some, number))

@@ -226,10 +226,8 @@ public:
     double pull = 0;
     if(!anchor_.empty())
       for(int i = 0; i < size(); ++i)
-        if(anchor(i) && !is_pinned(i)) {
-          const vec3 d = sub(position_[i], anchor(i)->place);
-          pull += anchor(i)->stiffness / 2 * inner(d, d);
-        }
+        if(anchor(i) && !is_pinned(i))
+          pull += anchor(i)->stiffness / 2 * squared_distance(position_[i], anchor(i)->place);
     return energy(distortion) + pull / area_;
   }
 

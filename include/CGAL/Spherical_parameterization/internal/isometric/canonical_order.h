@@ -124,7 +124,7 @@ inline void scale_to_unit_size(Host_array<vec3>& points)
     mean = add_scaled(mean, 1 / n, p);
   double square = 0;
   for(const vec3& p : points)
-    square += inner(sub(p, mean), sub(p, mean)) / n;
+    square += squared_distance(p, mean) / n;
   const double factor = square > 0 ? 1 / std::sqrt(square) : 1;
   for(vec3& p : points)
     p = scale(factor, p);

@@ -59,13 +59,11 @@ public:
     }
     int best = static_cast<int>(begin);
     double least = std::numeric_limits<double>::infinity();
-    for(std::size_t i = begin; i < end; ++i) {
-      const vec3 d = sub(sorted[i], q);
-      if(inner(d, d) < least) {
-        least = inner(d, d);
+    for(std::size_t i = begin; i < end; ++i)
+      if(const double square = squared_distance(sorted[i], q); square < least) {
+        least = square;
         best = static_cast<int>(i);
       }
-    }
     return best;
   }
 

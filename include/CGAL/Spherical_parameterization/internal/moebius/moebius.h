@@ -148,7 +148,7 @@ private:
   {
     double sum = 0;
     for(std::size_t k = 0; k < a.size(); ++k)
-      sum += inner(sub(a[k], b[k]), sub(a[k], b[k]));
+      sum += squared_distance(a[k], b[k]);
     return sum;
   }
 

@@ -211,7 +211,7 @@ CGAL_SP_INLINE vec3 kernel_point(const Star& star, vec3 v)
   const Tangents tangents = tangents_at(v);
   double size = 0;
   for(const Star_face& f : star)
-    size = (std::max)(size, inner(sub(f.j, v), sub(f.j, v)));
+    size = (std::max)(size, squared_distance(f.j, v));
   size = (std::min)(1., 2 * std::sqrt(size));
   Polygon kernel = {{-size, -size}, {size, -size}, {size, size}, {-size, size}}, clipped;
   for(const Star_face& f : star) {

@@ -79,8 +79,7 @@ CGAL_SP_INLINE std::vector<double> log_radius(const Segmentation_mesh& mesh, vec
 {
   std::vector<double> rho(mesh.image.size());
   for(std::size_t v = 0; v < rho.size(); ++v) {
-    const vec3 d = sub(mesh.image[v], centre);
-    const double t2 = (std::max)(1e-34, inner(d, d));
+    const double t2 = (std::max)(1e-34, squared_distance(mesh.image[v], centre));
     rho[v] = 0.5 * std::log(t2 / (std::max)(1e-6, 1 - t2 / 4));
   }
   return rho;

@@ -88,8 +88,9 @@ std::vector<Triangle> triangulated(const std::vector<Kernel::Point_3>& polygon, 
     points.push_back(polygon[place(i)]);
   std::vector<CGAL::Triple<int, int, int>> found;
   try {
-    PMP::triangulate_hole_polyline(points, std::back_inserter(found),
-                                   CGAL::parameters::do_not_use_cubic_algorithm(!all_edges));
+    PMP::triangulate_hole_polyline(
+      points, std::back_inserter(found),
+      CGAL::parameters::use_delaunay_triangulation(!all_edges).do_not_use_cubic_algorithm(!all_edges));
   } catch(const std::exception&) { // a precondition of CGAL that a polygon through itself breaks
     found.clear();
   }
@@ -104,9 +105,13 @@ std::vector<Triangle> triangulated(const std::vector<Kernel::Point_3>& polygon, 
 
 std::vector<Triangle> triangulated(const std::vector<Kernel::Point_3>& polygon)
 {
+  // Of equally good triangulations, as symmetric holes have them, CGAL takes the one that it meets first. With the
+  // Delaunay triangulation this depends on addresses in memory.
+  constexpr std::size_t most_of_all_edges = 200; // cubic time: .1 s
   constexpr std::size_t most = 500;              // quadratic memory
-  constexpr std::size_t most_of_all_edges = 200; // cubic time: .4 s
-  std::vector<Triangle> triangles = triangulated(polygon, most, false);
+  std::vector<Triangle> triangles;
+  if(polygon.size() > most_of_all_edges)
+    triangles = triangulated(polygon, most, false);
   if(triangles.empty())
     triangles = triangulated(polygon, most_of_all_edges, true);
   return triangles;

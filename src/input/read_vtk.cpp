@@ -352,11 +352,11 @@ public:
     soup_.points.resize(points);
     for(std::size_t i = 0; i < coordinates.size(); ++i)
       soup_.set_coordinate(file_, i / 3, i % 3, coordinates[i]);
-    for(const char* kind : {"Polys", "Strips"}) {
-      are_strips_ = kind == std::string_view("Strips");
-      const std::string announced = std::string("NumberOf") + kind;
+    for(const char* part : {"Polys", "Strips"}) {
+      are_strips_ = part == std::string_view("Strips");
+      const std::string announced = std::string("NumberOf") + part;
       if(const std::size_t faces = piece.attribute(announced.c_str()) ? count_of(file_, piece, announced.c_str()) : 0)
-        read_faces(child(file_, piece, kind), faces);
+        read_faces(child(file_, piece, part), faces);
     }
     for(const pugi::xml_node array : piece.child("PointData").children("DataArray")) {
       const std::size_t components = array.attribute("NumberOfComponents").as_uint(1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Handles that are cut all at once, of surfaces with too many of them for shortest loops.
+// Handles that are cut all at once, of surfaces with too many of them for shortest loops; holes.
 
 #include "helpers/meshes.h"
 
@@ -9,6 +9,7 @@
 #include <catch2/catch.hpp>
 
 #include <cstddef>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -75,4 +76,47 @@ TEST_CASE("handles that are cut at once leave a sphere", "[tool]")
   check(glued(test::bumpy_sphere(2)), 0);
   check(random_surface(2), 0);
   check(random_surface(3000), 200);
+}
+
+TEST_CASE("a hole is filled in the same way wherever memory is", "[tool]")
+{
+  // three faces of a cube; for their boundary many triangulations are equally good
+  constexpr int n = 6;
+  preparation::Wrapping soup;
+  for(std::size_t axis = 0; axis < 3; ++axis)
+    for(int i = 0; i < n; ++i)
+      for(int j = 0; j < n; ++j) {
+        const auto first = static_cast<int>(soup.points.size());
+        for(const auto& [di, dj] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}}) {
+          preparation::Glued_surface::Point p = {};
+          p[(axis + 1) % 3] = double(i + di) / n;
+          p[(axis + 2) % 3] = double(j + dj) / n;
+          soup.points.push_back(p);
+        }
+        soup.triangles.push_back({first, first + 1, first + 2});
+        soup.triangles.push_back({first, first + 2, first + 3});
+      }
+  preparation::Gluing_defects defects;
+  const preparation::Glued_surface surface = preparation::glue(soup, 0, defects);
+  const auto holes = preparation::boundary_cycles(surface);
+  REQUIRE(holes.size() == 1);
+  REQUIRE(holes[0].size() == 6 * n);
+  std::vector<std::unique_ptr<char[]>> memory;
+  unsigned random = 1;
+  preparation::Glued_surface first;
+  for(int repetition = 0; repetition < 20; ++repetition) {
+    for(int i = 0; i < 20; ++i) {
+      random = random * 1664525u + 1013904223u;
+      memory.push_back(std::make_unique<char[]>(1 + random % 20000));
+      if(random % 5 == 0)
+        memory[(random >> 8) % memory.size()] = std::make_unique<char[]>(1 + (random >> 8) % 3000);
+    }
+    preparation::Glued_surface filled = surface;
+    preparation::fill_hole(filled, holes[0]);
+    CHECK(preparation::boundary_cycles(filled).empty());
+    if(repetition == 0)
+      first = filled;
+    CHECK(filled.faces == first.faces);
+    CHECK(filled.points == first.points);
+  }
 }

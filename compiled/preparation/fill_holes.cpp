@@ -106,11 +106,11 @@ std::vector<Triangle> triangulated(const std::vector<Kernel::Point_3>& polygon, 
 std::vector<Triangle> triangulated(const std::vector<Kernel::Point_3>& polygon)
 {
   // Of equally good triangulations, as symmetric holes have them, CGAL takes the one that it meets first. With the
-  // Delaunay triangulation this depends on addresses in memory.
-  constexpr std::size_t most_of_all_edges = 200; // cubic time: .1 s
-  constexpr std::size_t most = 500;              // quadratic memory
+  // Delaunay triangulation this depends on addresses in memory, so it is for larger holes, which are rarely symmetric.
+  constexpr std::size_t small = 100, most_of_all_edges = 200; // cubic time: .01 and .1 s
+  constexpr std::size_t most = 500;                           // quadratic memory
   std::vector<Triangle> triangles;
-  if(polygon.size() > most_of_all_edges)
+  if(polygon.size() > small)
     triangles = triangulated(polygon, most, false);
   if(triangles.empty())
     triangles = triangulated(polygon, most_of_all_edges, true);
@@ -146,6 +146,8 @@ Disk refined(const std::vector<Kernel::Point_3>& polygon, const std::vector<Kern
     const auto a = vertex(static_cast<int>(i)), b = vertex(static_cast<int>((i + 1) % polygon.size()));
     around.push_back(mesh.add_face(b, a, mesh.add_vertex(outer[i])));
   }
+  if(mesh.number_of_faces() < inner.size() + around.size()) // one did not fit
+    return {{}, triangles};
   try {
     PMP::refine(mesh, inner, CGAL::Emptyset_iterator(), CGAL::Emptyset_iterator());
   } catch(const std::exception&) { // as above: then it is left coarse

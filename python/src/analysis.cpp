@@ -23,6 +23,7 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 using namespace pybind11::literals;
@@ -207,6 +208,8 @@ public:
   py::tuple locate(const Doubles& directions, const std::string& policy) const
   {
     const Rows<double> queries(directions);
+    if(queries.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+      throw py::value_error("directions: at most 2147483647 are located at once");
     auto faces = make_array<std::int32_t>(queries.size());
     auto weights = make_array<double>(queries.size(), 3);
     std::int32_t* const face = faces.mutable_data();

@@ -21,6 +21,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -144,6 +145,8 @@ template <class... Sizes>
 Doubles array_of(const std::vector<double>& numbers, Sizes... sizes)
 {
   Doubles array = make_array<double>(sizes...);
+  if(numbers.size() != static_cast<std::size_t>(array.size()))
+    throw std::logic_error("numbers that do not fit their array");
   std::copy(numbers.begin(), numbers.end(), array.mutable_data());
   return array;
 }

@@ -31,7 +31,7 @@ struct Element {
 
   bool is_vertex() const { return name == "vertex" || name == "vertices"; }
   bool are_strips() const { return name == "tristrips"; }
-  bool is_face() const { return name == "face" || name == "faces" || are_strips(); }
+  bool is_face() const { return name == "face" || name == "faces"; }
 
   const Property* find(std::string_view property) const
   {
@@ -170,7 +170,7 @@ private:
       if(element.is_vertex() && std::exchange(vertices_, &element))
         refuse("the element 'vertex' occurs twice");
       if(element.is_face() && std::exchange(faces_, &element))
-        refuse("the element " + in_quotes(element.name) + " is the second one of faces");
+        refuse("the element 'face' occurs twice");
     }
     if(!vertices_)
       refuse("there is no element 'vertex'");
@@ -189,6 +189,10 @@ private:
 
   void check_faces()
   {
+    if(!faces_ || faces_->count == 0)
+      for(const Element& element : elements_)
+        if(element.are_strips())
+          faces_ = &element;
     if(!faces_ || faces_->count == 0)
       refuse_point_cloud(file_, vertices_->count);
     corners_ = faces_->find("vertex_indices");
@@ -260,8 +264,8 @@ private:
   /// The same for faces that are triangles and have no other properties, by far the most common ones.
   bool read_plain_triangles(const Element& element)
   {
-    if(&element != faces_ || is_text_ || order_ == Byte_order::BIG || element.properties.size() != 1 ||
-       corners_->count_type->size != 1 || corners_->type->size != 4)
+    if(&element != faces_ || element.are_strips() || is_text_ || order_ == Byte_order::BIG ||
+       element.properties.size() != 1 || corners_->count_type->size != 1 || corners_->type->size != 4)
       return false;
     constexpr std::size_t size = 1 + 3 * sizeof(std::uint32_t);
     if(rest_.size() / size < element.count)
@@ -335,7 +339,7 @@ private:
     const auto refuse_face = [&](const std::string& wrong) {
       refuse_file(file_, (is_strip ? "strip " : "face ") + std::to_string(row) + " has " + wrong, damaged_);
     };
-    if(is_face && length < 3)
+    if(is_face && !is_strip && length < 3)
       refuse_face("only " + std::to_string(int(length)) + " vertices");
     face_.clear();
     for(double i = 0; i < length; ++i) {

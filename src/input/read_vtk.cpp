@@ -113,7 +113,7 @@ public:
     is_at_end(); // skips empty lines, which VTK does not mind
     const std::string format = lower_case(next_line());
     if(format != "ascii" && format != "binary")
-      refuse("line 3 is " + in_quotes(format) + ", and neither ASCII nor BINARY");
+      refuse("its format is " + in_quotes(format) + ", and neither ASCII nor BINARY");
     is_text_ = format == "ascii";
     while(!is_at_end()) {
       line_ = next_line();

@@ -10,6 +10,7 @@
 #include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
+#include <iterator>
 #include <sstream>
 
 namespace tool {
@@ -198,6 +199,8 @@ std::string steps_as_json(const std::vector<Step>& all)
   // in the order of the enumerators
   constexpr const char *takes[] = {"nothing", "each", "pair", "together", "one"},
                        *kinds[] = {"file", "mesh", "folder", "database"}, *spheres[] = {"no", "option", "argument"};
+  static_assert(std::size(takes) == Takes::ONE + 1 && std::size(kinds) == Output::DATABASE + 1 &&
+                std::size(spheres) == Takes::ARGUMENT + 1);
   for(const Step& step : all) {
     nlohmann::ordered_json outputs = nlohmann::ordered_json::array();
     for(const Output& output : step.gives)

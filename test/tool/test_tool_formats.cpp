@@ -23,6 +23,7 @@
 #include <functional>
 #include <iostream>
 #include <limits>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -448,6 +449,18 @@ TEST_CASE("formats: triangle strips are the triangles that they stand for", "[to
            "element tristrips 1\nproperty list int int vertex_indices\nend_header\n" +
            points + size + ' ' + corners + '\n';
   };
+  // only triangles as strips, one with a corner twice, in a form that faces are read from at once
+  std::string binary = "ply\nformat binary_little_endian 1.0\nelement vertex 6\nproperty double x\nproperty double y\n"
+                       "property double z\nelement face 0\nproperty list uchar int vertex_indices\n"
+                       "element tristrips 9\nproperty list uchar int vertex_indices\nend_header\n";
+  std::istringstream numbers(points);
+  for(double x; numbers >> x;)
+    tool::append_number(binary, x, tool::Byte_order::LITTLE);
+  for(std::size_t i = 0; i < 9; ++i) {
+    binary += '\3';
+    for(const int corner : i < 8 ? expected[i] : std::array<int, 3>{4, 4, 5})
+      tool::append_number(binary, std::int32_t(corner), tool::Byte_order::LITTLE);
+  }
   const std::string vtp =
     "<VTKFile type='PolyData'><PolyData><Piece NumberOfPoints='6' NumberOfPolys='1' NumberOfStrips='2'><Points>"
     "<DataArray type='Float32' format='ascii'>" +
@@ -460,6 +473,7 @@ TEST_CASE("formats: triangle strips are the triangles that they stand for", "[to
   const std::vector<std::pair<std::string, std::string>> files = {
     {"separated.ply", ply("16", "0 3 1 4 2 5 0 3 -1 0 1 2 -1 3 5 4")},
     {"joined.ply", ply("19", "0 3 1 4 2 5 0 3 3 0 0 1 2 2 3 3 3 5 4")}, // by triangles with a corner twice
+    {"binary.ply", binary},
     {"in.vtk", "# vtk DataFile Version 3.0\nbelow is an empty line\n\nASCII\nDATASET POLYDATA\nPOINTS 6 float\n" +
                  points + "TRIANGLE_STRIPS 3 17\n8 0 3 1 4 2 5 0 3\n3 0 1 2\n3 3 5 4\n"},
     {"in.vtp", vtp}};
@@ -475,7 +489,7 @@ TEST_CASE("formats: triangle strips are the triangles that they stand for", "[to
   }
   for(const auto& [corners, word] : {std::pair("3 0 1 6", "strip 0 has the vertex 6"),
                                      {"3 0 1 -2", "strip 0 has the vertex -2"},
-                                     {"2 0 1", "only 2 vertices"},
+                                     {"2 0 1", "no faces"},
                                      {"3 0 0 1", "no faces"}}) {
     write_text(scratch / "broken.ply", ply("", corners));
     CAPTURE(corners);
@@ -569,6 +583,7 @@ TEST_CASE("formats: broken files are refused before they cost memory", "[tool][f
     check("in.glb", good.substr(0, 15), "cut short");
     check("in.glb", changed(good, std::string("\2\0\0\0", 4), std::string("\1\0\0\0", 4)), "version");
     check("in.glb", changed(good, "POSITION", "POSITIOM"), "without positions");
+    check("in.gltf", R"({"asset": {"version": "1.0"}, "meshes": {"a": {}}})", "version 1");
   }
 }
 

@@ -33,7 +33,7 @@ public:
   /// as many columns, or a few more that suit Fourier transforms.
   /// \param degree  0 to `largest_harmonic_degree`
   /// \return the grid
-  CGAL_SP_INLINE static Latitude_longitude_grid gauss_legendre(int degree)
+  static Latitude_longitude_grid gauss_legendre(int degree)
   {
     static_cast<void>(Harmonic_coefficients(degree, 0));
     return Latitude_longitude_grid(internal::gauss_legendre_rows(degree + 1, 2 * degree + 2));
@@ -44,7 +44,7 @@ public:
   /// \param rows     2 or more
   /// \param columns  1 or more
   /// \return the grid
-  CGAL_SP_INLINE static Latitude_longitude_grid equidistant(int rows, int columns)
+  static Latitude_longitude_grid equidistant(int rows, int columns)
   {
     CGAL_SP_PRECONDITION(rows >= 2 && columns >= 1, "a grid has two rows and one column, or more");
     return Latitude_longitude_grid(internal::equidistant_rows(rows, columns));

@@ -5,6 +5,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPHERICAL_HARMONICS_ANALYSIS_IMPL_H
 
 #include <CGAL/Spherical_parameterization/internal/api/precondition.h>
+#include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/certificate.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/Grid_transform.h>

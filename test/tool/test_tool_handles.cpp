@@ -54,7 +54,7 @@ preparation::Glued_surface random_surface(int faces)
 
 } // namespace
 
-TEST_CASE("handles that are cut at once leave a sphere", "[tool]")
+TEST_CASE("handles that are cut at once leave a sphere", "[tool][preparation]")
 {
   const auto check = [](preparation::Glued_surface surface, int least_genus) {
     std::vector<int> unused;
@@ -79,7 +79,7 @@ TEST_CASE("handles that are cut at once leave a sphere", "[tool]")
   check(random_surface(3000), 200);
 }
 
-TEST_CASE("a hole is filled in the same way wherever memory is", "[tool]")
+TEST_CASE("a hole is filled in the same way wherever memory is", "[tool][preparation]")
 {
   // three faces of a cube: for their boundary, many triangulations are equally good
   constexpr int n = 5;

@@ -64,8 +64,10 @@ struct Soup {
   {
     for(std::size_t i = 2; i < corners.size(); ++i) {
       const int a = corners[i - 2 + i % 2], b = corners[i - 1 - i % 2], c = corners[i];
-      if(a != b && b != c && c != a)
-        add_face({a, b, c});
+      if(a != b && b != c && c != a) {
+        triangles.push_back({a, b, c});
+        ++faces;
+      }
     }
   }
 

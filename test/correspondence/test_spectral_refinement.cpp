@@ -30,9 +30,9 @@ TEST_CASE("by all of its eigenfunctions a body with limbs is mapped to itself ve
   const Host_loop loop;
   Monitor monitor(1e9, {}, false);
   const Mapped_surface map = read_map(mesh, mesh.points(), images, Reading::CHECKED, loop);
-  const Coarse_map of_area_1(loop, map.copy_of_corner_table(loop), map.point, map.image, {}, 1 << 20, monitor);
-  const Spectral_shape<Host_loop> shape(loop, of_area_1, monitor);
   const Watched_loop<Host_loop> watched(loop, monitor);
+  const Coarse_map of_area_1(watched, map.copy_of_corner_table(loop), map.point, map.image, {}, 1 << 20);
+  const Spectral_shape<Host_loop> shape(loop, of_area_1, monitor);
   typedef Spectral_refinement<Host_loop> Refinement;
   const Refinement refinement(watched, shape, shape, {}, false);
   const int n = shape.number_of_functions();

@@ -6,15 +6,19 @@
 #include "helpers/meshes.h"
 #include "helpers/solve.h"
 
+#include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
+
 #include <catch2/catch.hpp>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/task_arena.h>
 #endif
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -291,6 +295,52 @@ TEST_CASE("an isometric map that is interrupted at the end is bijective", "[isom
   CHECK(result.error == Error_code::INTERRUPTED);
   CHECK(count_flipped_faces(soup, sphere) == 0);
   CHECK(degree(soup, sphere) == 1);
+}
+
+TEST_CASE("an isometric map that is interrupted anywhere on the last level is bijective", "[isometric][each_policy]")
+{
+  const Soup soup = spiky_star(6, 1.5);
+  Settings settings = isometric();
+  int left = GENERATE(2, 5, 10, 20);
+  settings.callback = [&](double fraction) { return fraction < 0.6 || --left > 0; };
+  Sphere sphere;
+  const Result result = solve(soup, sphere, settings);
+  CHECK(result.error == Error_code::INTERRUPTED);
+  CHECK(std::isnan(result.residual)); // of a map that nobody has measured
+  CHECK(count_flipped_faces(soup, sphere) == 0);
+  CHECK(degree(soup, sphere) == 1);
+}
+
+TEST_CASE("no part of the isometric method keeps a callback waiting for long", "[isometric]")
+{
+  Settings settings = isometric();
+  const SP::internal::Stopwatch watch;
+  double last = 0, longest = 0;
+  settings.callback = [&](double) {
+    const double now = watch.seconds();
+    longest = (std::max)(longest, now - last);
+    last = now;
+    return true;
+  };
+  solve_or_throw(spiky_star(7, 1.5), settings); // 163,842 vertices
+  CHECK(longest < 0.1 * watch.seconds());
+}
+
+TEST_CASE("the Newton steps of the whole mesh are no more than asked for, at any exponent", "[isometric]")
+{
+  Settings settings = isometric(10);
+  settings.accuracy = 1e-12;
+  const Soup soup = spiky_star(4, 1.5);
+  const auto with_steps = [&](std::size_t most) {
+    settings.number_of_iterations = most;
+    Sphere sphere;
+    return solve(soup, sphere, settings);
+  };
+  CHECK(with_steps(0).iterations == 0);
+  CHECK(with_steps(1).iterations == 4); // the exponents 3, 4.5, 6.75 and 10
+  const Result unlimited = with_steps((std::numeric_limits<std::size_t>::max)());
+  CHECK(unlimited.iterations > 4);
+  CHECK(unlimited.termination == SP::Termination::STALLED); // no step takes so little off
 }
 
 TEST_CASE("the progress of the isometric method never goes back and ends at 1", "[isometric]")

@@ -65,7 +65,8 @@ void check_sphere(const I::Progressive_mesh& mesh)
 TEST_CASE("collapses keep a sphere down to a tetrahedron, and undoing them gives every mesh back", "[progressive]")
 {
   const Plain_mesh source = octasphere(2);
-  const I::Host_loop loop;
+  I::Monitor monitor;
+  const I::Watched_loop loop(I::Host_loop(), monitor);
   I::Progressive_mesh mesh(loop, source.face, int(source.point.size()));
   check_sphere(mesh);
   std::vector<int> collapsed;
@@ -110,7 +111,8 @@ TEST_CASE("collapses keep a sphere down to a tetrahedron, and undoing them gives
 TEST_CASE("rounds of decimation are independent collapses, the same on all threads, and can be undone", "[progressive]")
 {
   const Plain_mesh source = octasphere(4);
-  const I::Host_loop one, all(true);
+  I::Monitor monitor;
+  const I::Watched_loop one(I::Host_loop(), monitor), all(I::Host_loop(true), monitor);
   I::Progressive_mesh mesh(one, source.face, int(source.point.size())), other = mesh;
   const auto whole = faces_of(mesh);
   I::Decimation decimation(one, source.point, mesh, {}, 4), parallel(all, source.point, other, {}, 4);
@@ -137,7 +139,8 @@ TEST_CASE("rounds of decimation are independent collapses, the same on all threa
 TEST_CASE("densities of coarse meshes are means, and undoing collapses gives those of every mesh back", "[progressive]")
 {
   const Plain_mesh source = octasphere(3);
-  const I::Host_loop loop;
+  I::Monitor monitor;
+  const I::Watched_loop loop(I::Host_loop(), monitor);
   const int n = int(source.point.size());
   I::Problem problem;
   problem.face = source.face;
@@ -188,7 +191,8 @@ TEST_CASE("densities of coarse meshes are means, and undoing collapses gives tho
 TEST_CASE("decimation keeps the vertices that it has to, and a map a bijection", "[progressive]")
 {
   const Plain_mesh source = octasphere(4);
-  const I::Host_loop loop;
+  I::Monitor monitor;
+  const I::Watched_loop loop(I::Host_loop(), monitor);
   const int n = int(source.point.size());
   std::vector<char> is_kept(n, 0);
   for(int i = 6; i < n; i += 100)

@@ -60,16 +60,10 @@ public:
   }
 
   /// The same where nobody knows how far the stage has come. Any thread may ask.
-  bool may_go_on()
-  {
-    if(!is_interrupted()) {
-      if(watch_.seconds() >= limit_)
-        state_ = State::TIME;
-      else if(callback_ && !is_silent_ && std::this_thread::get_id() == owner_ && !callback_(fraction_))
-        state_ = State::CALLBACK;
-    }
-    return !is_interrupted();
-  }
+  bool may_go_on() { return ask(0); }
+
+  /// The same for loops, which ask every few microseconds: the callback is called every 5 ms only.
+  bool may_loop_go_on() { return ask(0.005); }
 
   /// The same where there is no map yet that could be handed out. Throws Error if the computation has to end.
   void advance_or_throw(double fraction = 0)
@@ -104,6 +98,22 @@ public:
 private:
   enum class State { RUNNING, TIME, CALLBACK };
 
+  /// \param pause  for so many seconds after the callback was called it is not called again
+  bool ask(double pause)
+  {
+    if(!is_interrupted()) {
+      const double now = watch_.seconds();
+      if(now >= limit_)
+        state_ = State::TIME;
+      else if(callback_ && !is_silent_ && std::this_thread::get_id() == owner_ && now >= last_call_ + pause) {
+        last_call_ = now;
+        if(!callback_(fraction_))
+          state_ = State::CALLBACK;
+      }
+    }
+    return !is_interrupted();
+  }
+
   Stopwatch watch_;
   double limit_;
   std::function<bool(double)> callback_;
@@ -111,6 +121,7 @@ private:
   bool is_silent_ = false;
   double fraction_ = 0;
   double begin_ = 0, end_ = 1; ///< of the stage
+  double last_call_ = 0;       ///< of the callback: when
   std::atomic<State> state_ = State::RUNNING;
   std::thread::id owner_ = std::this_thread::get_id();
 };

@@ -7,13 +7,11 @@
 #include <CGAL/Spherical_parameterization/values/Error.h>
 #include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
 
-#include <algorithm>
-
 namespace CGAL::Spherical_parameterization::internal {
 
-/// A loop that can be ended: `Loop`, slice by slice, and the monitor is asked before each of them. Whatever is written
-/// for a loop so observes callback and time limit. It is run from the thread of the monitor; inside of its loops the
-/// bare one is used, and `check()`, which any thread may call.
+/// A loop that can be ended: `Loop`, and the monitor is asked before each step. Whatever is written for a loop so
+/// observes callback and time limit. It is run from the thread of the monitor; inside of its loops the bare one is
+/// used, and `check()`, which any thread may call.
 template <class Loop>
 class Watched_loop {
 public:
@@ -39,20 +37,10 @@ public:
   template <class F>
   void for_each(int count, F f) const
   {
-    constexpr double shortest = 0.005, longest = 0.02; // seconds of a slice
-    int size = loop_.concurrency();
-    for(int begin = 0; begin < count;) {
-      advance(0);
-      const Stopwatch watch;
-      const int n = (std::min)(size, count - begin);
-      loop_.for_each(n, [&](int i) { f(begin + i); });
-      begin += n;
-      const double seconds = watch.seconds();
-      if(seconds < shortest && size < count)
-        size *= 2;
-      else if(seconds > longest)
-        size = (std::max)(size / 2, loop_.concurrency());
-    }
+    loop_.for_each(count, [&](int i) {
+      go_on_if(monitor_.may_loop_go_on());
+      f(i);
+    });
   }
 
 private:

@@ -143,7 +143,7 @@ private:
 
   Coarse_map coarse(const Registered_surface& surface, const std::vector<int>& kept) const
   {
-    return Coarse_map(loop_.bare(), surface, surface.point, surface.image, kept, most_vertices, monitor_);
+    return Coarse_map(loop_, surface, surface.point, surface.image, kept, most_vertices);
   }
 
   /// Root mean square, of the features where x puts the vertices of a coarse surface, which are those vertices of A.

@@ -26,8 +26,9 @@ struct Coarse_map : Mapped_surface {
   /// \param whole  a valid map
   /// \param kept   vertices that are among those of this one
   /// \param most   so many vertices, about, if there are more
-  CGAL_SP_INLINE Coarse_map(const Host_loop& loop, const Corner_table& whole, const Host_array<vec3>& points,
-                            const Host_array<vec3>& images, const std::vector<int>& kept, int most, Monitor& monitor)
+  CGAL_SP_INLINE Coarse_map(const Watched_loop<Host_loop>& loop, const Corner_table& whole,
+                            const Host_array<vec3>& points, const Host_array<vec3>& images,
+                            const std::vector<int>& kept, int most)
   {
     const int n = static_cast<int>(points.size());
     std::vector<int> number(n, 0);
@@ -38,7 +39,7 @@ struct Coarse_map : Mapped_surface {
         is_kept[v] = 1;
       Decimation<> decimation(loop, points, mesh, std::move(is_kept), most, &images);
       while(mesh.number_of_vertices() > most && !decimation.round().empty())
-        monitor.advance_or_throw();
+        loop.check();
     }
     for(int v = 0; v < n; ++v)
       if(!mesh.is_removed(v)) {

@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_ISOMETRIC_MAP_LEVEL_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_ISOMETRIC_MAP_LEVEL_H
 
+#include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/isometric/Carried_density.h>
@@ -32,7 +33,7 @@ constexpr int least_tasks = 4; ///< for fewer, no other thread is worth waking
 
 /// Runs f(begin) ... f(end-1), in parallel if there are enough.
 template <int Enough = few_steps, class F>
-void for_each_of_level(const Host_loop& loop, int begin, int end, F f)
+void for_each_of_level(const Watched_loop<Host_loop>& loop, int begin, int end, F f)
 {
   if(end - begin < least_tasks * Enough)
     for(int i = begin; i < end; ++i)
@@ -66,7 +67,7 @@ public:
 
   /// Takes the memory for the whole mesh at once: levels grow, and new memory for each would cost more than what they
   /// do.
-  Map_level(const Host_loop& loop, int number_of_vertices)
+  Map_level(const Watched_loop<Host_loop>& loop, int number_of_vertices)
     : loop_(loop), index_(number_of_vertices), corner_of_face_(2 * static_cast<std::size_t>(number_of_vertices) - 4)
   {
     vertex_.reserve(number_of_vertices);
@@ -264,9 +265,10 @@ public:
     }
   }
 
+  /// Also of a map that was interrupted.
   void store(Partial_map& map) const
   {
-    for_each_vertex([&](int i) { map.position[vertex_[i]] = position_[i]; });
+    for_each_index(loop_.bare(), size(), [&](int i) { map.position[vertex_[i]] = position_[i]; });
   }
 
   Star star(int i) const
@@ -277,6 +279,17 @@ public:
       result.emplace_back(position_[corner.j], position_[corner.k], corner.metric, area_scale_);
     }
     return result;
+  }
+
+  /// Scales the source to the area of the polyhedron that the map is, its faces weighted with their distances from the
+  /// centre: what the determinants add up to.
+  void fit_scale()
+  {
+    area_scale_ = 1;
+    const double source = sum_over_faces([](vec3, const Star_face& f) { return f.twice_area; });
+    const double image = sum_over_faces([](vec3 x, const Star_face& f) { return f.determinant(x); });
+    area_scale_ = image / source;
+    area_ = image / 2;
   }
 
 private:
@@ -365,18 +378,7 @@ private:
     });
   }
 
-  /// Scales the source to the area of the polyhedron that the map is, its faces weighted with their distances from the
-  /// centre: what the determinants add up to.
-  void fit_scale()
-  {
-    area_scale_ = 1;
-    const double source = sum_over_faces([](vec3, const Star_face& f) { return f.twice_area; });
-    const double image = sum_over_faces([](vec3 x, const Star_face& f) { return f.determinant(x); });
-    area_scale_ = image / source;
-    area_ = image / 2;
-  }
-
-  const Host_loop& loop_;
+  const Watched_loop<Host_loop>& loop_;
   Host_array<int> vertex_; ///< number of vertex i in the whole mesh
   Host_array<int> index_;  ///< the inverse
   std::vector<int> colour_begin_;

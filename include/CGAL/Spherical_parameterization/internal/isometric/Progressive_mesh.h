@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_ISOMETRIC_PROGRESSIVE_MESH_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_ISOMETRIC_PROGRESSIVE_MESH_H
 
+#include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Corner_table.h>
@@ -27,7 +28,8 @@ namespace CGAL::Spherical_parameterization::internal {
 class Progressive_mesh {
 public:
   /// \pre closed, oriented, without double edges
-  Progressive_mesh(const Host_loop& loop, const Host_array<std::array<int, 3>>& faces, int number_of_vertices)
+  Progressive_mesh(const Watched_loop<Host_loop>& loop, const Host_array<std::array<int, 3>>& faces,
+                   int number_of_vertices)
     : corner_(number_of_vertices), degree_(number_of_vertices), number_of_vertices_(number_of_vertices)
   {
     vertex_.reserve(3 * faces.size());
@@ -131,7 +133,7 @@ public:
   void count_collapses(int count) { number_of_vertices_ -= count; }
 
   /// Undoes collapses. \pre they do not touch each other's faces, and later ones that touch them are undone
-  void undo_collapses(const Host_loop& loop, const std::vector<int>& half_edges)
+  void undo_collapses(const Watched_loop<Host_loop>& loop, const std::vector<int>& half_edges)
   {
     constexpr int steps_of_a_task = 256;
     for_each_index<steps_of_a_task>(loop, static_cast<int>(half_edges.size()),

@@ -6,6 +6,7 @@
 
 #include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/api/compiled.h>
+#include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/problem/Problem.h>
@@ -135,12 +136,15 @@ inline void scale_to_unit_size(Host_array<vec3>& points)
 /// numbered. And the faces of a star lie close together in memory, as the vertices do: where a mesh is larger than the
 /// caches, that is half of the time of the decimation. Springs are left out. Sets the vertices of the problem, in this
 /// order. \pre the mesh is simplicial
-CGAL_SP_INLINE Problem in_canonical_order(const Host_loop& loop, const Problem& problem, Host_array<int>& vertex)
+CGAL_SP_INLINE Problem in_canonical_order(const Watched_loop<Host_loop>& loop, const Problem& problem,
+                                          Host_array<int>& vertex)
 {
   const Corner_table mesh = problem.copy_of_corner_table(loop);
+  loop.check();
   Canonical_order order = canonical_order(mesh, problem.point);
+  loop.check();
   vertex = std::move(order.vertex);
-  const Host_array<int> index = inverse_permutation(loop, vertex);
+  const Host_array<int> index = inverse_permutation(loop.bare(), vertex);
   const int n = problem.size();
   Problem result;
   result.number_of_vertices = n;

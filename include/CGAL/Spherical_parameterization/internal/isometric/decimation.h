@@ -78,8 +78,8 @@ public:
   /// Of the mesh as it is: vertices may have been removed before.
   /// \param is_kept  which vertices are to be kept while there are more than `kept_until`; empty: none
   /// \param map      null, or positions on the sphere for which all faces are positively oriented; then some are kept
-  Decimation(const Host_loop& loop, const Host_array<vec3>& points, Progressive_mesh& mesh, std::vector<char> is_kept,
-             int kept_until, const Host_array<vec3>* map = nullptr)
+  Decimation(const Watched_loop<Host_loop>& loop, const Host_array<vec3>& points, Progressive_mesh& mesh,
+             std::vector<char> is_kept, int kept_until, const Host_array<vec3>* map = nullptr)
     : loop_(loop), point_(points), map_(map), mesh_(mesh), quadric_(points.size()), best_(points.size()),
       role_(points.size(), FREE), remaining_(points.size()), is_outdated_(points.size(), true),
       is_kept_(std::move(is_kept)), kept_until_(kept_until), band_size_(size_of_bands(mesh.capacity()))
@@ -410,7 +410,7 @@ private:
     }
   }
 
-  const Host_loop& loop_;
+  const Watched_loop<Host_loop>& loop_;
   const Host_array<vec3>& point_;
   const Host_array<vec3>* const map_; ///< to be kept a bijection, or null
   Progressive_mesh& mesh_;

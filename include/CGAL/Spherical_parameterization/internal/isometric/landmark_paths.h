@@ -65,9 +65,10 @@ inline void append_arc(Path& path, vec3 end)
 template <class...>
 class Landmark_paths {
 public:
-  Landmark_paths(const Map_level<>& level, const Landmarks& landmarks, Landmark_budget& budget)
-    : level_(level), landmarks_(landmarks), budget_(budget), owner_(level.size(), nobody), cost_(level.size(), 1.),
-      goal_(landmarks.size(), nobody), route_(landmarks.size())
+  Landmark_paths(const Watched_loop<Host_loop>& loop, const Map_level<>& level, const Landmarks& landmarks,
+                 Landmark_budget& budget)
+    : loop_(loop), level_(level), landmarks_(landmarks), budget_(budget), owner_(level.size(), nobody),
+      cost_(level.size(), 1.), goal_(landmarks.size(), nobody), route_(landmarks.size())
   {}
 
   /// The path of every landmark; just where it is, if it is placed. None at all if the level is too coarse, or too much
@@ -116,6 +117,7 @@ private:
 
   int free_vertex_near(vec3 place) const
   {
+    loop_.check();
     int best = nobody;
     double nearest = std::numeric_limits<double>::infinity();
     for(int i = 0; i < level_.size(); ++i) {
@@ -156,6 +158,7 @@ private:
   /// Lays the path of landmark l, and takes up those that it crosses.
   bool lay(int l)
   {
+    loop_.check();
     route_[l] = cheapest_route(l);
     for(int i : route_[l]) {
       const int other = owner_[i];
@@ -212,6 +215,7 @@ private:
     return route;
   }
 
+  const Watched_loop<Host_loop>& loop_; ///< which is asked whether to go on
   const Map_level<>& level_;
   const Landmarks& landmarks_;
   Landmark_budget& budget_;

@@ -12,8 +12,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -59,11 +57,10 @@ CGAL_SP_INLINE void pin_placed(const Landmarks& landmarks, Map_level<>& level)
 template <class...>
 class Landmark_placement {
 public:
-  /// \param advance  is called before every step; false ends the work
-  Landmark_placement(const Host_loop& loop, const Distortion& distortion, Map_level<>& level, Landmarks& landmarks,
-                     Landmark_budget& budget, std::function<bool()> advance)
+  Landmark_placement(const Watched_loop<Host_loop>& loop, const Distortion& distortion, Map_level<>& level,
+                     Landmarks& landmarks, Landmark_budget& budget)
     : loop_(loop), full_distortion_(distortion), distortion_(distortion), level_(level), landmarks_(landmarks),
-      budget_(budget), advance_(std::move(advance))
+      budget_(budget)
   {}
 
   /// Returns whether all landmarks are placed. Those that are placed though others are not stay so only if the map is
@@ -76,7 +73,7 @@ public:
     };
     for(const Stage stage : {Stage{true, 1}, Stage{true, 0.5}, Stage{false, 0.5}}) {
       is_straight_ = stage.is_straight;
-      path_ = is_straight_ ? straight_paths() : Landmark_paths<>(level_, landmarks_, budget_).find();
+      path_ = is_straight_ ? straight_paths() : Landmark_paths<>(loop_, level_, landmarks_, budget_).find();
       if(path_.empty())
         return false;
       const Host_array<vec3> position = level_.position();
@@ -110,6 +107,7 @@ private:
 
   double step(Newton_relaxation<>& newton)
   {
+    loop_.check();
     budget_.spend(level_.size());
     return newton.step(maximum_iterations, linear_tolerance);
   }
@@ -128,7 +126,7 @@ private:
     constexpr double least_gain = 0.01, tolerable = 1.5;
     pin_placed(landmarks_, level_);
     Newton_relaxation<> newton(loop_, distortion_, level_);
-    for(int s = 0; s < maximum_steps && advance_(); ++s) {
+    for(int s = 0; s < maximum_steps; ++s) {
       const double gain = step(newton);
       level_.relax(distortion_);
       if(gain < least_gain && newton.promised_gain() < least_gain)
@@ -149,7 +147,7 @@ private:
     const double whole_way = way_to_go();
     double before = whole_way, milestone = whole_way;
     Newton_relaxation<> newton(loop_, distortion_, level_);
-    for(int s = 0, since = 0; s < maximum_steps && !put_in_place(stiffness) && !budget_.is_spent() && advance_(); ++s) {
+    for(int s = 0, since = 0; s < maximum_steps && !put_in_place(stiffness) && !budget_.is_spent(); ++s) {
       step(newton);
       const double length = newton.step_length();
       relax_locally();
@@ -179,7 +177,7 @@ private:
     constexpr double sufficient = 0.02; // gain that is left
     for(const Landmark& l : landmarks_)
       level_.pin(level_.index(l.vertex));
-    for(int s = 0; s < maximum_steps && advance_(); ++s) {
+    for(int s = 0; s < maximum_steps; ++s) {
       step(newton);
       relax_locally();
       if(newton.promised_gain() < sufficient)
@@ -253,13 +251,12 @@ private:
     return are_placed;
   }
 
-  const Host_loop& loop_;
+  const Watched_loop<Host_loop>& loop_;
   const Distortion full_distortion_;
   Distortion distortion_; ///< at the moment
   Map_level<>& level_;
   Landmarks& landmarks_;
   Landmark_budget& budget_;
-  std::function<bool()> advance_;
   std::vector<Path> path_;           ///< of every landmark
   std::vector<std::size_t> reached_; ///< the point of its path where a landmark is
   bool is_straight_ = true;          ///< the paths are but their ends

@@ -32,7 +32,7 @@ namespace CGAL::Spherical_parameterization::internal {
 template <class...>
 class Newton_relaxation {
 public:
-  Newton_relaxation(const Host_loop& loop, const Distortion& distortion, Map_level<>& level)
+  Newton_relaxation(const Watched_loop<Host_loop>& loop, const Distortion& distortion, Map_level<>& level)
     : loop_(loop), distortion_(distortion), level_(level), tangents_(level.size()), factor_(level.size()),
       gradient_(level.size()), middle_(level.size()), entry_(level.offset(level.size()))
   {}
@@ -69,6 +69,27 @@ public:
 
 private:
   static constexpr double half_lift = 0.5; ///< of what makes the Hessians of the faces positive
+
+  /// Positions that are tried: unless they are accepted, and so where the work is interrupted, the old ones come back.
+  class Trial {
+  public:
+    explicit Trial(Host_array<vec3>& position) : position_(position), start_(position) {}
+    ~Trial()
+    {
+      if(!is_accepted_)
+        position_.swap(start_);
+    }
+    Trial(const Trial&) = delete;
+    Trial& operator=(const Trial&) = delete;
+
+    const Host_array<vec3>& start() const { return start_; }
+    void accept() { is_accepted_ = true; }
+
+  private:
+    Host_array<vec3>& position_;
+    Host_array<vec3> start_;
+    bool is_accepted_ = false;
+  };
 
   struct Entry {
     int column;
@@ -303,11 +324,11 @@ private:
     promise(before);
     if(!(slope_ < 0))
       return 0;
-    const Host_array<vec3> start = level_.position();
+    Trial trial(level_.position());
     const auto energy_at = [&](double t) {
       level_.for_each_vertex([&](int i) {
         if(!level_.is_pinned(i))
-          level_.position()[i] = unit(add_scaled(start[i], t, direction[i]));
+          level_.position()[i] = unit(add_scaled(trial.start()[i], t, direction[i]));
       });
       return level_.objective(distortion_);
     };
@@ -316,10 +337,10 @@ private:
       const double after = energy_at(t);
       if(after <= before + armijo * t * slope_ && level_.is_bijective()) {
         step_length_ = t;
+        trial.accept();
         return (before - longer_step(t, before, after, energy_at)) / before;
       }
     }
-    level_.position() = start;
     return 0;
   }
 
@@ -333,15 +354,15 @@ private:
     const double factor = longest * 2 * quadratic > -linear ? -linear / (2 * quadratic) : longest;
     if(factor < worthwhile)
       return after;
-    const Host_array<vec3> position = level_.position();
+    Trial trial(level_.position());
     const double further = energy_at(factor * t);
-    if(further < after && level_.is_bijective())
-      return further;
-    level_.position() = position;
-    return after;
+    if(!(further < after && level_.is_bijective()))
+      return after;
+    trial.accept();
+    return further;
   }
 
-  const Host_loop& loop_;
+  const Watched_loop<Host_loop>& loop_;
   const Distortion& distortion_;
   Map_level<>& level_;
   Host_array<Tangents> tangents_; ///< in which the diagonal blocks are the identity

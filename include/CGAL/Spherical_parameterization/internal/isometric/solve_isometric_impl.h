@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_ISOMETRIC_SOLVE_ISOMETRIC_IMPL_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_ISOMETRIC_SOLVE_ISOMETRIC_IMPL_H
 
+#include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/text/text.h>
 #include <CGAL/Spherical_parameterization/internal/isometric/Carried_density.h>
@@ -54,14 +55,13 @@ public:
     const Host_array<vec3>* free_map = nullptr; ///< without landmarks, to begin with instead of a tetrahedron
   };
 
-  Coarse_to_fine_map(const Host_loop& loop, const Isometric& method, const Problem& problem, const Effort& effort,
-                     Monitor& monitor, const Attempt& attempt)
+  Coarse_to_fine_map(const Watched_loop<Host_loop>& loop, const Isometric& method, const Problem& problem,
+                     const Effort& effort, const Attempt& attempt)
     : loop_(loop), attempt_(attempt), method_(method),
       last_exponent_(method.area_exponent.value_or(problem.density.empty() ? Isometric::default_area_exponent
                                                                            : Isometric::area_exponent_of_densities)),
       exponent_((std::min)(last_exponent_, largest_coarse_exponent)), distortion_(exponent_), problem_(problem),
-      effort_(effort), monitor_(monitor), source_area_(area_of_source()), density_(problem),
-      mesh_(loop, problem.face, problem.size()),
+      effort_(effort), source_area_(area_of_source()), density_(problem), mesh_(loop, problem.face, problem.size()),
       level_(loop, problem.size()), map_{Host_array<vec3>(problem.size(), vec3{0, 0, 0}),
                                          std::vector<int>(problem.size(), -1)},
       level_sizes_(sizes_of_levels(problem.size(), exponent_))
@@ -90,7 +90,7 @@ public:
           relax_level();
         if(!has_second_start_ && mesh_.number_of_vertices() >= size_of_second_start && !are_landmarks_present_)
           start_again();
-        monitor_.advance_or_throw(progress());
+        loop_.advance(progress());
       }
     }
     finish(report);
@@ -137,7 +137,7 @@ private:
         rounds_with_landmarks_ = rounds_.size();
       const double done =
         std::log(double(problem_.size()) / mesh_.number_of_vertices()) / std::log(problem_.size() / 4.);
-      monitor_.advance_or_throw(share_of_decimation * done);
+      loop_.advance(share_of_decimation * done);
     }
   }
 
@@ -227,7 +227,7 @@ private:
         return;
       round = std::move(failed);
       make_room();
-      monitor_.advance_or_throw(progress());
+      loop_.advance(progress());
     }
     throw Input_error(Error_code::NOT_BIJECTIVE, "no position in double precision was found for " +
                                                    counted(round.size(), "vertex", "vertices") + "; repair the mesh");
@@ -309,22 +309,26 @@ private:
 
   bool are_landmarks_soft() const { return std::isfinite(method_.landmark_weight); }
 
+  /// Whether all are where they have to be.
+  bool are_landmarks_placed() const
+  {
+    const auto is_placed = [](const Landmark& l) { return l.is_placed; };
+    return are_landmarks_soft() || std::all_of(landmarks_.begin(), landmarks_.end(), is_placed);
+  }
+
   /// Moves the landmarks to their places as far as the level allows it. Tried only so often, since a little finer mesh
   /// bends little more. Throws the Error after the last level, or where another attempt promises more.
   void place_landmarks(bool is_last_level)
   {
     constexpr double growth = 1.5;
     constexpr int levels_of_attempt = 4; // up to so many times the size on which the landmarks are brought in
-    const auto is_placed = [](const Landmark& l) { return l.is_placed; };
-    if(are_landmarks_soft() || !are_landmarks_present_ || std::all_of(landmarks_.begin(), landmarks_.end(), is_placed))
+    if(!are_landmarks_present_ || are_landmarks_placed())
       return;
     if(!is_last_level && level_.size() < growth * last_placement_)
       return;
     last_placement_ = level_.size();
-    const auto advance = [&] { return monitor_.advance(progress()); };
-    if(Landmark_placement<>(loop_, distortion_, level_, landmarks_, *attempt_.budget, advance).run())
+    if(Landmark_placement<>(loop_, distortion_, level_, landmarks_, *attempt_.budget).run())
       return;
-    monitor_.advance_or_throw();
     if(is_last_level || attempt_.budget->is_spent() ||
        (!attempt_.is_last && level_.size() > levels_of_attempt * attempt_.size))
       refuse_landmarks();
@@ -415,7 +419,7 @@ private:
     if(!is_level_coarse()) {
       Solver_report report;
       descend(number_of_steps(), report);
-      monitor_.advance_or_throw();
+      loop_.check();
     }
     level_.store(map_);
   }
@@ -433,28 +437,46 @@ private:
       level_.energy(distortion) < distortion_of_limbs ? least_gain_without_limbs : least_gain_with_limbs;
     for(int s = 0; s < steps && newton.step(maximum_iterations, linear_tolerance) > least_gain; ++s) {
       level_.relax(distortion);
-      monitor_.advance_or_throw(progress());
+      loop_.advance(progress());
     }
   }
 
   /// The whole mesh, with its own shape. Exponents that are too stiff for an arbitrary start are approached from below.
+  /// If that is interrupted, the map is handed over as it is: it is a bijection at every moment.
   void finish(Solver_report& report)
+  {
+    are_landmarks_present_ = true;
+    bool is_level_assigned = false;
+    try {
+      assign_level(final_bounds);
+      is_level_assigned = true;
+      relax_whole_mesh(report);
+      measure(report);
+    } catch(const Input_error&) {
+      if(!loop_.monitor().is_interrupted() || !are_landmarks_placed())
+        throw;
+      report.energy = report.residual = std::numeric_limits<double>::quiet_NaN(); // there is no time to know
+    }
+    if(is_level_assigned)
+      level_.store(map_);
+  }
+
+  void relax_whole_mesh(Solver_report& report)
   {
     constexpr std::size_t steps_per_exponent = 6;
     constexpr double growth_of_exponent = 1.5;
-    are_landmarks_present_ = true;
-    assign_level(final_bounds);
-    for(int s = 0; s < sweeps_of_levels && monitor_.advance(progress()); ++s)
+    for(int s = 0; s < sweeps_of_levels; ++s) {
+      loop_.advance(progress());
       level_.relax(distortion_);
+    }
     place_landmarks(true);
     descend(number_of_steps(), report);
     while(exponent_ < last_exponent_) {
       exponent_ = (std::min)(last_exponent_, growth_of_exponent * exponent_);
       distortion_ = Distortion(exponent_);
-      descend(steps_per_exponent, report);
+      descend(exponent_ < last_exponent_ ? (std::min)(steps_per_exponent, number_of_steps()) : number_of_steps(),
+              report);
     }
-    level_.store(map_);
-    measure(report);
   }
 
   /// Energy and residual of the map as it will be stored. Who asks for no more than the defaults gets what these reach.
@@ -463,10 +485,8 @@ private:
     if(problem_.as_stored)
       for(vec3& x : level_.position())
         x = problem_.as_stored(x);
+    level_.fit_scale();
     report.energy = level_.energy(distortion_);
-    report.residual = std::numeric_limits<double>::quiet_NaN();
-    if(monitor_.is_interrupted()) // there is no time to know
-      return;
     const double accuracy = effort_.accuracy.value_or(Isometric::default_accuracy);
     const bool are_defaults = accuracy >= Isometric::default_accuracy &&
                               effort_.number_of_iterations.value_or(Isometric::default_number_of_iterations) >=
@@ -490,21 +510,30 @@ private:
   void descend(std::size_t maximum_steps, Solver_report& report)
   {
     constexpr double share_left = 0.25;
+    constexpr double work_left = 0.8; // of the last level after a step, as nobody knows how many there will be
     constexpr double small_size = 2000, least_part = 0.05; // steps are cheap on small meshes
     const bool is_to_converge = is_minimum_near();
     const double asked = effort_.accuracy.value_or(Isometric::default_accuracy);
     const double accuracy = is_to_converge
                               ? (std::min)(asked, converged_share * (std::max)(asked, Isometric::default_accuracy))
                               : asked * std::clamp(level_.size() / small_size, least_part, 1.);
+    constexpr double rounding = 1e-15;
+    constexpr int patience = 5;
+    int steps_in_vain = 0;
     Newton_relaxation<> newton(loop_, distortion_, level_);
-    for(std::size_t s = 0; s < maximum_steps && monitor_.advance(progress()); ++s) {
-      if(is_to_converge)
-        newton.step_near_minimum(maximum_linear_iterations, fine_linear_tolerance);
-      else
-        newton.step(maximum_linear_iterations, linear_tolerance);
+    for(std::size_t s = 0; s < maximum_steps; ++s) {
+      loop_.advance(progress());
+      if(rounds_.empty())
+        work_of_last_level_ *= work_left;
+      const double gain = is_to_converge ? newton.step_near_minimum(maximum_linear_iterations, fine_linear_tolerance)
+                                         : newton.step(maximum_linear_iterations, linear_tolerance);
       report.residual = newton.promised_gain();
       ++report.iterations;
       level_.relax(distortion_);
+      steps_in_vain = gain > rounding ? 0 : steps_in_vain + 1;
+      report.has_stalled = steps_in_vain == patience;
+      if(report.has_stalled)
+        return;
       const bool is_quartered = !is_to_converge && !is_level_coarse() && newton.step_length() >= 1;
       if((is_quartered ? share_left : 1) * report.residual < accuracy)
         return;
@@ -517,8 +546,8 @@ private:
   {
     constexpr double full_size = 100000, least_share = 0.25;
     const auto steps = effort_.number_of_iterations.value_or(Isometric::default_number_of_iterations);
-    return static_cast<std::size_t>(
-      std::ceil(double(steps) * std::clamp(full_size / double(level_.size()), least_share, 1.)));
+    const double share = (std::max)(full_size / double(level_.size()), least_share);
+    return share < 1 ? static_cast<std::size_t>(std::ceil(double(steps) * share)) : steps; // however many
   }
 
   /// How far the work has come, in [0,1].
@@ -526,12 +555,13 @@ private:
   {
     constexpr double share_of_last_level = 0.4;
     const double done = double(mesh_.number_of_vertices()) / problem_.size();
-    return share_of_decimation + (1 - share_of_decimation - share_of_last_level) * done;
+    return share_of_decimation + (1 - share_of_decimation - share_of_last_level) * done +
+           share_of_last_level * (1 - work_of_last_level_);
   }
 
   static constexpr double share_of_decimation = 0.15;
 
-  const Host_loop& loop_;
+  const Watched_loop<Host_loop>& loop_;
   Attempt attempt_;
   Isometric method_;
   double last_exponent_; ///< of the area
@@ -539,7 +569,6 @@ private:
   Distortion distortion_;
   const Problem& problem_;
   Effort effort_;
-  Monitor& monitor_;
   double source_area_;
   Carried_density density_;
   Progressive_mesh mesh_;
@@ -547,6 +576,7 @@ private:
   Partial_map map_;
   std::vector<std::vector<int>> rounds_; ///< the collapsed half-edges of every round
   std::vector<Level_size> level_sizes_;  ///< of which levels are relaxed, those to come
+  double work_of_last_level_ = 1;        ///< that is left, for the progress
   double mean_distortion_ = 0;           ///< of the level that was relaxed last; 0: there was none
   bool has_second_start_ = false;
   double last_placement_ = 0; ///< size of the level
@@ -586,9 +616,8 @@ CGAL_SP_INLINE void check_fixed_faces(const Problem& problem)
 /// Runs `Coarse_to_fine_map`. Where landmarks get stuck, they do so by how the coarse mesh happens to be, or since the
 /// map of it is far from the map of the whole mesh, which they may have been taken from. Then again, from the map
 /// without landmarks, on coarse meshes that grow up to the whole mesh.
-CGAL_SP_INLINE Host_array<vec3> coarse_to_fine_map(const Host_loop& loop, const Isometric& method,
-                                                   const Problem& problem, const Effort& effort, Monitor& monitor,
-                                                   Solver_report& report)
+CGAL_SP_INLINE Host_array<vec3> coarse_to_fine_map(const Watched_loop<Host_loop>& loop, const Isometric& method,
+                                                   const Problem& problem, const Effort& effort, Solver_report& report)
 {
   typedef Coarse_to_fine_map<>::Attempt Attempt;
   constexpr int least_size = 500, vertices_per_landmark = 8, growth = 3;
@@ -597,7 +626,7 @@ CGAL_SP_INLINE Host_array<vec3> coarse_to_fine_map(const Host_loop& loop, const 
   Landmark_budget budget(problem.size());
   const auto run = [&](const Problem& of, const Attempt& attempt) {
     report = Solver_report();
-    return Coarse_to_fine_map<>(loop, method, of, effort, monitor, attempt).run(report);
+    return Coarse_to_fine_map<>(loop, method, of, effort, attempt).run(report);
   };
   const auto is_next_worth_while = [&](const Input_error& error) {
     return !budget.is_spent() &&
@@ -645,14 +674,15 @@ CGAL_SP_INLINE double density_deviation(const Host_loop& loop, const Problem& pr
 CGAL_SP_CORE Solution solve_isometric(const Host_loop& loop, const Isometric& method, const Problem& problem,
                                       const Effort& effort, Monitor& monitor)
 {
+  const Stopwatch watch;
   check_simplicial(problem);
   if(std::isinf(method.landmark_weight))
     check_fixed_faces(problem);
-  const Stopwatch watch;
   Solution solution;
   Host_array<int> vertex;
-  const Problem canonical = in_canonical_order(loop, problem, vertex);
-  const Host_array<vec3> position = coarse_to_fine_map(loop, method, canonical, effort, monitor, solution.report);
+  const Watched_loop watched(loop, monitor);
+  const Problem canonical = in_canonical_order(watched, problem, vertex);
+  const Host_array<vec3> position = coarse_to_fine_map(watched, method, canonical, effort, solution.report);
   solution.position.resize(problem.size());
   for_each_index(loop, problem.size(), [&](int i) { solution.position[vertex[i]] = position[i]; });
   solution.accuracy = effort.accuracy.value_or(Isometric::default_accuracy);

@@ -25,7 +25,7 @@ Solution attempt(const Backend& backend, const Method_solver<Method>& solver, co
     solution = solver.solve(backend, problem, effort, monitor);
   } catch(const Input_error& error) {
     solution.error = error.code();
-    solution.detail = error.detail();
+    solution.detail = error.code() == Error_code::INTERRUPTED ? monitor.reason_without_map() : error.detail();
     if(monitor.is_interrupted())
       solution.termination = monitor.termination();
     solution.seconds.solve = watch.seconds();

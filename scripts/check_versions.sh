@@ -46,7 +46,7 @@ esac
 # cgal_of RELEASE: unpacks libcgal-dev of that release of Debian, from where this machine gets its packages, with lists
 # of apt of its own; prints the folder of its CGALConfig.cmake
 cgal_of() {
-  local release=$1 folder=$build/cgal-$1 codename mirror options deb
+  local release=$1 folder=$build/cgal-$1 codename mirror options
   if [ ! -d "$folder/usr" ]; then
     # shellcheck source=/dev/null
     codename=$(. /etc/os-release && echo "$VERSION_CODENAME")
@@ -59,12 +59,12 @@ cgal_of() {
       -o Dir::Etc::preferences=/dev/null -o Dir::Etc::preferencesparts=/dev/null -o APT::Default-Release=
       -o Dir::State::lists="$folder/apt/lists" -o Dir::Cache="$folder/apt"
       -o APT::Sandbox::User=root -o Acquire::Languages=none)
-    apt-get "${options[@]}" update >&2
-    (cd "$folder/apt" && apt-get "${options[@]}" download libcgal-dev) >&2
-    deb=$(echo "$folder"/apt/libcgal-dev_*.deb)
-    dpkg-deb -x "$deb" "$folder"
+    # `set -e` does not hold here: bash ignores it below an `if` or an `||`
+    apt-get "${options[@]}" update >&2 &&
+      (cd "$folder/apt" && apt-get "${options[@]}" download libcgal-dev) >&2 &&
+      dpkg-deb -x "$folder"/apt/libcgal-dev_*.deb "$folder/new" && mv "$folder/new/usr" "$folder" || return 1
   fi
-  dirname -- "$(find "$folder/usr" -name CGALConfig.cmake -print -quit)"
+  find "$folder/usr" -name CGALConfig.cmake -printf '%h\n' -quit | grep . # or fails
 }
 
 # tests_of TARGETS: the regular expression of their names

@@ -110,6 +110,15 @@ def test_deb(tmp_path: Path) -> None:
     assert run(sys.executable, "-c", PREPARED, PYTHONPATH=str(folder)).split() == ["642"]
 
 
+def test_version() -> None:
+    """The copies of the version, of which include/CGAL/Spherical_parameterization/version.h has the first."""
+    major, minor, patch = map(int, sp.__version__.split("."))
+    header = (SOURCE / "include/CGAL/Spherical_parameterization/version.h").read_text()
+    assert f"VERSION_NR {10000 * major + 100 * minor + patch}\n" in header
+    assert f"\nversion: {sp.__version__}\n" in (SOURCE / "CITATION.cff").read_text()
+    assert json.loads((SOURCE / "packaging/vcpkg/vcpkg.json").read_text())["version"] == sp.__version__
+
+
 def test_recipes(tmp_path: Path) -> None:
     """What can be checked without the programs that the recipes are for: see packaging/README.md."""
     jinja2, yaml = pytest.importorskip("jinja2"), pytest.importorskip("yaml")
@@ -122,9 +131,11 @@ def test_recipes(tmp_path: Path) -> None:
         "stdlib": "stdlib_{}".format,
         "pin_subpackage": lambda name, exact: name,
     }
-    conda = yaml.safe_load(jinja2.Template((recipes / "conda/meta.yaml").read_text()).render(PYTHON="python", **functions))
+    recipe = (recipes / "conda/meta.yaml").read_text()
+    assert not re.search(r"^[^#\n]*\[[^][\n]+\]$", recipe, flags=re.M)  # a list to YAML, a selector to conda-build
+    conda = yaml.safe_load(jinja2.Template(recipe).render(PYTHON="python", **functions))
     assert conda["package"]["version"] == sp.__version__ and len(conda["outputs"]) == 2
-    assert json.loads((recipes / "vcpkg/vcpkg.json").read_text())["version"] == sp.__version__
+    assert all(isinstance(name, str) for output in conda["outputs"] for names in output["requirements"].values() for name in names)
     conan = recipes / "conan/conanfile.py"
     compile(conan.read_text(), conan, "exec")
     assert "wheels" in yaml.safe_load((SOURCE / ".github/workflows/wheels.yml").read_text())["jobs"]

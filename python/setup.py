@@ -34,10 +34,12 @@ class CMakeBuild(build_ext):
         if module == "preparation":
             tool = "spherical-parameterization"
             built[tool] = (folder / "src" / tool, target.parent.parent / "spherical_parameterization_preparation" / tool)
-        configure = ["cmake", "-S", root, "-B", folder, "-DCGAL_SP_WITH_PYTHON=ON"]
+        # -U: the folder may have been another Python's
+        configure = ["cmake", "-S", root, "-B", folder, "-U", "*Python3*", "-U", "PYTHON*", "-U", "pybind11*"]
+        configure += [f"-DPython3_EXECUTABLE={sys.executable}", "-DCGAL_SP_WITH_PYTHON=ON"]
         if not (folder / "CMakeCache.txt").exists():
             off = ("BUILD_TESTING", "WITH_EXAMPLES", "WITH_INSTALL", *(["WITH_TOOL"] if len(built) == 1 else []))
-            configure += [f"-DPython3_EXECUTABLE={sys.executable}", *(f"-DCGAL_SP_{option}=OFF" for option in off)]
+            configure += [f"-DCGAL_SP_{option}=OFF" for option in off]
         try:
             import pybind11
 

@@ -19,7 +19,8 @@ build() { cmake --build "$1" --parallel "$(nproc)" "${@:2}"; }
 step ".deb files"
 build=$root/build-packages
 options=(-DCMAKE_BUILD_TYPE=Release -DCGAL_SP_BUILD_TESTING=OFF -DCGAL_SP_WITH_EXAMPLES=OFF)
-cmake -S "$root" -B "$build" "${options[@]}" -DCGAL_SP_WITH_PYTHON=ON
+# -U: with the wheels of an earlier run, the folder is that of their last Python
+cmake -S "$root" -B "$build" "${options[@]}" -U '*Python3*' -U 'PYTHON*' -U 'pybind11*' -DCGAL_SP_WITH_PYTHON=ON
 build "$build"
 (cd "$build" && cpack -G DEB && mv ./*.deb "$out")
 
@@ -40,7 +41,6 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 for python in $(pythons); do
   step "wheels for $python"
-  cmake -B "$build" -U '*Python3*' -U 'PYTHON*' -U 'pybind11*' -D Python3_EXECUTABLE="$python"
   for project in python python/preparation; do
     SPHERICAL_PARAMETERIZATION_BUILD=$build "$python" -m pip wheel --quiet --no-build-isolation --no-index --no-deps \
       --wheel-dir "$scratch" "$root/$project"

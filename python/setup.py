@@ -68,6 +68,8 @@ class SourceDistribution(sdist):
                 shutil.copy(root / name, place)
 
 
+for name in ("LICENSE", "LICENSE.GPL"):  # from the project's folder setuptools puts them into wheels
+    shutil.copy(root / name, ".")
 version = re.search(r'VERSION "(.*)"', version_file.read_text()).group(1)
 setup(
     version=version,

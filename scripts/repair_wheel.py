@@ -92,8 +92,6 @@ def main(wheel: Path, folder: Path) -> None:
         architecture = ARCHITECTURES[machine.group(1)]
         licences = info / "licenses"
         licences.mkdir(exist_ok=True)
-        for name in ("LICENSE", "LICENSE.GPL"):
-            shutil.copy(Path(__file__).parent.parent / name, licences)
         bundle(tree, tree / f"{info.name.partition('-')[0]}.libs", licences, architecture)
         lines = (info / "WHEEL").read_text()
         (info / "WHEEL").write_text(re.sub(r"linux_\w+$", platform_tag(tree, architecture), lines, flags=re.M))

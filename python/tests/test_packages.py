@@ -11,6 +11,7 @@ import subprocess
 import sys
 import tarfile
 import tempfile
+import zipfile
 from pathlib import Path
 
 import numpy as np
@@ -49,6 +50,8 @@ def test_wheels(tmp_path: Path, tool: Tool) -> None:
         options = ["--no-build-isolation", "--no-index", "--no-deps", "--wheel-dir", tmp_path / "built"]
         run(sys.executable, "-m", "pip", "wheel", *options, SOURCE / project)
     for wheel in (tmp_path / "built").iterdir():
+        with zipfile.ZipFile(wheel) as archive:
+            assert {"LICENSE", "LICENSE.GPL"} <= {Path(name).name for name in archive.namelist()}
         run(sys.executable, SOURCE / "scripts/repair_wheel.py", wheel, tmp_path / "wheels")
     core, preparation = sorted((tmp_path / "wheels").iterdir())
     assert all("-manylinux_2_" in wheel.name and wheel.stat().st_size < 8e6 for wheel in (core, preparation))

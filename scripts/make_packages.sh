@@ -3,7 +3,7 @@
 # Usage: make_packages.sh OUT
 # Installs what it needs, builds in build-packages/ and build-static/, and makes in OUT what can be installed without a compiler:
 # for pip, wheels for every version of Python here that has its headers, setuptools and wheel, and the source distributions; .deb
-# files; the tool as one file; the npm package. scripts/test_packages.sh tests them.
+# files; the tool as one file, with the licences of all that is in it; the npm package. scripts/test_packages.sh tests them.
 # A wheel is for one version of Python each: pybind11 does not know Python's stable interface.
 set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
@@ -64,7 +64,12 @@ build "$build/tbb" --target install
 cmake -S "$root" -B "$build" "${options[@]}" -DCMAKE_PROJECT_INCLUDE=cmake/static.cmake -DCMAKE_PREFIX_PATH="$build/installed" \
   -DCGAL_SP_WITH_PYTHON=OFF -DCGAL_SP_WITH_INSTALL=OFF
 build "$build" --target spherical-parameterization
-strip -o "$out/spherical-parameterization-linux-$(uname -m)" "$build/src/spherical-parameterization"
+tool=$out/spherical-parameterization-linux-$(uname -m)
+strip -o "$tool" "$build/src/spherical-parameterization"
+# the licences of all that is in it
+cat "$root"/LICENSE{,.GPL} "$build/onetbb/LICENSE.txt" /usr/share/common-licenses/LGPL-2.1 \
+  /usr/share/doc/{lib{boost,bz2,cgal,cli11,eigen3,gmp,lzma,mpfr,png,pugixml,sqlite3,xxhash,zstd}-dev,libc6,libstdc++6,nlohmann-json3-dev,zlib1g-dev}/copyright \
+  >"$tool-licences.txt"
 
 step "the npm package"
 "$root/web/install_dependencies.sh"

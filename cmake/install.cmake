@@ -74,8 +74,8 @@ if(CGAL_SP_WITH_PYTHON)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-spherical-parameterization)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
-  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
-    "python3 (>= ${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}), python3-numpy")
+  math(EXPR next "${Python3_VERSION_MINOR} + 1") # the module is for one version
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${next}), python3-numpy")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-meshio, python3-nibabel, python3-distributed")
 endif()
 include(CPack)

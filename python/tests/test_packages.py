@@ -107,6 +107,10 @@ def test_deb(tmp_path: Path) -> None:
     run("dpkg-deb", "--extract", package, tmp_path / "root")
     depends = run("dpkg-deb", "--field", package, "Depends")
     assert "python3-numpy" in depends and "libtbb" in depends and "libcgal-dev" not in depends
+    version, following = (f"3.{sys.version_info.minor + later}" for later in (0, 1))
+    assert f"python3 (>= {version}), python3 (<< {following})" in depends
+    texts = (tmp_path / "root/usr/share/doc/python3-spherical-parameterization").iterdir()
+    assert {file.name for file in texts} >= {"LICENSE", "LICENSE.GPL"}
     folder = tmp_path / "root/usr/lib/python3/dist-packages"
     where, is_valid = run(sys.executable, "-c", PROGRAM, PYTHONPATH=str(folder)).split()
     assert where.startswith(str(folder)) and is_valid == "True"

@@ -69,7 +69,7 @@ generator=()
 ! command -v ninja >/dev/null || generator=(-G Ninja)
 launcher=()
 ! command -v ccache >/dev/null || launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
-[ -f "$build/CMakeCache.txt" ] || cmake -S "$tree" -B "$build" "${generator[@]}" "${launcher[@]}" \
+cmake -S "$tree" -B "$build" "${generator[@]}" "${launcher[@]}" \
   -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE='-O1 -DNDEBUG' -DCGAL_SP_BUILD_TESTING=ON \
   -DCGAL_SP_WITH_EXAMPLES=OFF -DCGAL_SP_WITH_INSTALL=OFF "${options[@]}" >"$build/configure.log"
 

@@ -12,7 +12,7 @@ if ! command -v oclgrind >/dev/null; then
   echo "check_opencl_memory.sh: oclgrind is missing; install the Debian package oclgrind" >&2
   exit 1
 fi
-[ -f "$build/CMakeCache.txt" ] || cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release
+cmake -S "$root" -B "$build" -DCGAL_SP_WITH_OPENCL=ON
 cmake --build "$build" --target test_backends --parallel "${JOBS:-$(nproc)}"
 
 scratch=$(mktemp -d)
@@ -21,7 +21,8 @@ trap 'rm -rf -- "$scratch"' EXIT
 # Reports go to the standard error: Oclgrind 21.10 leaves the file of its option --log empty.
 LARGEST_GRAPH=2100 \
   oclgrind --data-races --check-api \
-  "$build/test/test_backends" '[verbs]' </dev/null 2>"$scratch/log" | tee "$scratch/out"
+  "$build/test/test_backends" '[verbs]' </dev/null 2>"$scratch/log" | tee "$scratch/out" ||
+  { cat "$scratch/log" >&2; exit 1; }
 if grep -q SKIPPED "$scratch/out"; then
   echo "check_opencl_memory.sh: nothing was checked" >&2
   exit 1

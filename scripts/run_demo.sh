@@ -9,7 +9,7 @@ root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 demo=$root/demo
 
 "$root/scripts/install_dependencies.sh"
-cmake -S "$root" -B "$root/build" -DCMAKE_BUILD_TYPE=Release
+cmake -S "$root" -B "$root/build" -DCMAKE_BUILD_TYPE=Release -DCGAL_SP_WITH_TBB=ON -DCGAL_SP_WITH_OPENCL=ON
 cmake --build "$root/build" --parallel "$(nproc)" --target spherical-parameterization
 tool=$root/build/src/spherical-parameterization
 

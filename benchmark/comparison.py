@@ -72,16 +72,19 @@ def cpu_seconds():
     return usage.ru_utime + usage.ru_stime
 
 
-def run(command):
-    """Exit status, and CPU seconds; what it says is in its report."""
+def run(report, *command):
+    """The report, which it writes for refused meshes, too, and CPU seconds."""
+    report.unlink(missing_ok=True)
     before = cpu_seconds()
-    status = subprocess.run(command, capture_output=True, check=False, stdin=subprocess.DEVNULL).returncode
-    return status, cpu_seconds() - before
+    done = subprocess.run([*command, "--report", report], capture_output=True, text=True, check=False, stdin=subprocess.DEVNULL)
+    seconds = cpu_seconds() - before
+    if not report.exists():
+        sys.exit(f"comparison.py: {' '.join(map(str, command))}: no report, exit status {done.returncode}\n{done.stderr}")
+    return json.loads(report.read_text()), seconds
 
 
 def judge(tool, mesh, sphere, report_file):
-    run([tool, "certify", mesh, sphere, "--report", report_file])
-    report = json.loads(report_file.read_text())
+    report, _ = run(report_file, tool, "certify", mesh, sphere)
     row = {"flipped_faces": report["flipped_faces"], "degree": report["degree"], "error": report["error_code"]}
     if not report["distortion"]:
         return row
@@ -127,12 +130,10 @@ def main():
         for _ in range(arguments.repetitions):
             for name, options in OURS.items():
                 sphere = arguments.output / f"{mesh.stem}.{name}.off"
-                reports[name] = sphere.with_suffix(".json")
-                _, time = run([arguments.tool, "map", mesh, "-o", sphere, "--report", reports[name],
-                               "--policy", "sequential", *options])
+                reports[name], time = run(sphere.with_suffix(".json"), arguments.tool, "map", mesh, "-o", sphere,
+                                          "--policy", "sequential", *options)
                 seconds[name].append(time)
-        for name in OURS:
-            report = json.loads(reports[name].read_text())
+        for name, report in reports.items():
             row = {"mesh": mesh.stem, "vertices": report["vertices"], "program": name, "method_used": report["method_used"],
                    "seconds": min(seconds[name]), "error": report["error_code"], "flipped_faces": 0}
             if report["error_code"] == "OK":

@@ -77,6 +77,12 @@ def table(rows):
     return "\n".join(lines).replace("0.", ".") + "\n"
 
 
+def segment(tool, *arguments):
+    status = subprocess.run([tool, "segment", *arguments], check=False, stdin=subprocess.DEVNULL).returncode
+    if status not in (0, 1):  # 1: some were refused
+        sys.exit(f"princeton.py: {tool} has ended with status {status}")
+
+
 def carry(tool, options, meshes, humans, output):
     """Rows of the models to which labels were carried."""
     output.mkdir(exist_ok=True)
@@ -86,10 +92,10 @@ def carry(tool, options, meshes, humans, output):
             if mesh == other:
                 continue
             files = {name: output / f"{mesh.stem}.{name}" for name in ("ply", "labels.txt", "json", "like.txt")}
+            files["labels.txt"].unlink(missing_ok=True)
             files["like.txt"].write_text("\n".join(humans[other.stem][0]))
-            subprocess.run([tool, "segment", mesh, "-o", files["ply"], "--labels", files["labels.txt"], "--report", files["json"],
-                            "--like", other, "--like-labels", files["like.txt"], "--prepare", *options],
-                           check=False, stdin=subprocess.DEVNULL)
+            segment(tool, mesh, "-o", files["ply"], "--labels", files["labels.txt"], "--report", files["json"],
+                    "--like", other, "--like-labels", files["like.txt"], "--prepare", *options)
             labels = labels_in(files["labels.txt"])
             if labels:
                 row = row_of(mesh, labels, humans[mesh.stem])
@@ -117,8 +123,7 @@ def write_rows(file, rows):
 
 def main(data, output, tool="build/src/spherical-parameterization", *options):
     data, output = pathlib.Path(data), pathlib.Path(output)
-    subprocess.run([tool, "segment", data / "off", "-o", output / "segments", "--labels", "labels.txt", "--prepare", *options],
-                   check=False, stdin=subprocess.DEVNULL)
+    segment(tool, data / "off", "-o", output / "segments", "--labels", "labels.txt", "--prepare", *options)
     meshes = sorted((data / "off").glob("*.off"), key=lambda file: int(file.stem))
     humans = {mesh.stem: [labels_in(file) for file in sorted((data / "seg/Benchmark" / mesh.stem).glob("*.seg"))]
               for mesh in meshes}

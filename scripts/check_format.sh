@@ -21,4 +21,4 @@ case ${1:-} in
   ;;
 esac
 cd "$root"
-git ls-files -z '*.h' '*.cpp' '*.cl' ':!doc' | xargs -0 "$format" "${options[@]}" --style=file
+git ls-files -z '*.h' '*.cpp' '*.cl' ':!doc/*/Concepts/*' | xargs -0 "$format" "${options[@]}" --style=file

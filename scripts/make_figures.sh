@@ -17,10 +17,10 @@ if [ -z "${TOOL:-}" ]; then
   cmake -S "$root" -B "$root/build" -DCMAKE_BUILD_TYPE=Release
   cmake --build "$root/build" --parallel "$(nproc)" \
     --target spherical-parameterization example_morph figure_sdf_segments
-  TOOL=$root/build/src/spherical-parameterization
-  MORPH=$root/build/examples/example_morph
-  SDF_SEGMENTS=$root/build/doc/figure_sdf_segments
 fi
+TOOL=${TOOL:-$root/build/src/spherical-parameterization}
+MORPH=${MORPH:-$root/build/examples/example_morph}
+SDF_SEGMENTS=${SDF_SEGMENTS:-$root/build/doc/figure_sdf_segments}
 
 meshes=/usr/share/doc/libcgal-dev/data.tar.gz
 [ -e "$meshes" ] || meshes=/usr/share/doc/libcgal-demo/data.tar.gz

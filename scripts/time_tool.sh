@@ -7,7 +7,8 @@
 # table of before and after, give two builds of the tool:
 #   scripts/time_tool.sh 5 "--policy tbb" old/src/spherical-parameterization,build/src/spherical-parameterization a.ply a.off
 set -euo pipefail
-repetitions=${1:?usage: time_tool.sh REPETITIONS OPTIONS TOOL[,TOOL...] MESH...}
+: "${4:?usage: time_tool.sh REPETITIONS OPTIONS TOOL[,TOOL...] MESH...}"
+repetitions=$1
 read -ra options <<<"$2"
 IFS=, read -ra tools <<<"$3"
 meshes=("${@:4}")
@@ -19,7 +20,8 @@ echo "|---|---|---|---|---|---|---|---|---|---|"
 for mesh in "${meshes[@]}"; do
   for ((i = 0; i < repetitions; ++i)); do
     for tool in "${!tools[@]}"; do
-      /usr/bin/time -f 'kB %M' "${tools[tool]}" map "$mesh" -o "$folder/out.${mesh##*.}" "${options[@]}" >"$folder/log" 2>&1 </dev/null
+      /usr/bin/time -f 'kB %M' "${tools[tool]}" map "$mesh" -o "$folder/out.${mesh##*.}" "${options[@]}" >"$folder/log" 2>&1 </dev/null ||
+        { cat "$folder/log" >&2; exit 1; }
       # "... 1664002 vertices, ..." and "5.3 s: read 1.0, weights 0.8, start map 0.6, solve 1.6, certify 0.6, write 0.1"
       awk '/ vertices, /  { for(k = 2; k <= NF; ++k) if($k == "vertices,") vertices = $(k - 1) }
            / s: read /    { total = $1; for(k = 2; k < NF; ++k) { value = $(k + 1); sub(",", "", value); seconds[$k] = value } }

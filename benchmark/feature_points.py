@@ -97,4 +97,6 @@ def main(output, tool, benchmark, step=1, first=0):
 
 
 if __name__ == "__main__":
+    if len(sys.argv) < 4:
+        sys.exit(__doc__)
     main(*sys.argv[1:])

@@ -116,7 +116,7 @@ def measure(tool, pair, folder):
     graph = graph_of(points, triangles)
     errors, rows = {}, []
     for motion in MOTIONS:
-        run("register", a, registered, "--spheres", folder / "a_sphere.ply", folder / "b_sphere.ply", "--motion", motion,
+        run("register", a, registered, "--sphere", folder / "a_sphere.ply", folder / "b_sphere.ply", "--motion", motion,
             "-o", folder / "carried.ply", "--report", folder / "report.json")
         report = json.loads((folder / "report.json").read_text())
         error = errors_of(read_ply(folder / "carried.ply")[0][of_a], of_b, points, triangles, graph)

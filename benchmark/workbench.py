@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Compares resampling with wb_command (Debian: connectome-workbench), and prints a table for doc/inverse_map.md.
 
-Usage: workbench.py SURFACE.gii SPHERE.gii: those of fsaverage5. Needs nibabel and SciPy.
+    PYTHONPATH=build/python benchmark/workbench.py SURFACE.gii SPHERE.gii
+
+The files are those of fsaverage5. Needs nibabel and SciPy.
 """
 
 from __future__ import annotations
@@ -18,7 +20,8 @@ from scipy.spatial import cKDTree
 
 import spherical_parameterization as sp
 
-FOLDER = Path(tempfile.mkdtemp())
+SCRATCH = tempfile.TemporaryDirectory()  # is removed at the end
+FOLDER = Path(SCRATCH.name)
 
 
 def write_surface(name: str, points: np.ndarray, triangles: np.ndarray, kind: str) -> Path:
@@ -159,4 +162,6 @@ def main() -> None:
 
 
 if __name__ == "__main__":
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
     main()

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # make_figures.sh [FIGURE...]
-# Makes the figures of the manual and the README, doc/images/, with the package's own tool from CGAL's meshes: all, or
-# those named (strip method stretch density segmentation texture morph search harmonics scaling page).
+# Makes figures of the manual and the README, doc/images/, with the package's own tool from CGAL's meshes: those named, or
+# all of strip method stretch density segmentation texture morph search harmonics scaling page.
 # The errors by degree of the harmonics are also drawn for the meshes in HARMONICS_MODELS, in place of CGAL's bear.
 # It installs what it needs, and builds in build/; TOOL=..., MORPH=... and SDF_SEGMENTS=... take programs built elsewhere.
 set -euo pipefail

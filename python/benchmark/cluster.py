@@ -92,8 +92,8 @@ def main() -> None:
     meshes = int(sys.argv[1]) if len(sys.argv) > 1 else 10000
     workers = int(sys.argv[2]) if len(sys.argv) > 2 else os.cpu_count() or 1
     batch_seconds = float(sys.argv[3]) if len(sys.argv) > 3 else 0.5
-    folder = tempfile.mkdtemp()
-    serial = os.path.join(folder, "serial.sqlite")
+    scratch = tempfile.TemporaryDirectory()  # is removed at the end
+    serial = os.path.join(scratch.name, "serial.sqlite")
 
     before, start = processor(), time.perf_counter()
     sp.collection.map(range(meshes), map_number, store=serial)
@@ -101,7 +101,7 @@ def main() -> None:
     print(f"one process: {meshes} meshes, {loop:.1f} s, {loop_processor:.1f} s of processor", flush=True)
     expected = list(sp.collection.read(serial))
     for name in ("cluster", "cluster with deaths"):
-        store = os.path.join(folder, f"{name}.sqlite")
+        store = os.path.join(scratch.name, f"{name}.sqlite")
         before, start = processor(), time.perf_counter()
         on_cluster(meshes, workers, batch_seconds, store, name != "cluster")
         wall, used = time.perf_counter() - start, processor() - before

@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -315,15 +316,16 @@ TEST_CASE("no part of the isometric method keeps a callback waiting for long", "
 {
   Settings settings = isometric();
   const SP::internal::Stopwatch watch;
-  double last = 0, longest = 0;
+  std::optional<double> last; // nothing, while the mesh is read: the callback may change it
+  double longest = 0;
   settings.callback = [&](double) {
     const double now = watch.seconds();
-    longest = (std::max)(longest, now - last);
+    longest = (std::max)(longest, now - last.value_or(now));
     last = now;
     return true;
   };
   solve_or_throw(spiky_star(7, 1.5), settings); // 163,842 vertices
-  CHECK(longest < 0.1 * watch.seconds());
+  CHECK(longest < 0.05 * watch.seconds());
 }
 
 TEST_CASE("the Newton steps of the whole mesh are no more than asked for, at any exponent", "[isometric]")
@@ -338,9 +340,10 @@ TEST_CASE("the Newton steps of the whole mesh are no more than asked for, at any
   };
   CHECK(with_steps(0).iterations == 0);
   CHECK(with_steps(1).iterations == 4); // the exponents 3, 4.5, 6.75 and 10
-  const Result unlimited = with_steps((std::numeric_limits<std::size_t>::max)());
-  CHECK(unlimited.iterations > 4);
-  CHECK(unlimited.termination == SP::Termination::STALLED); // no step takes so little off
+  const std::size_t unlimited = (std::numeric_limits<std::size_t>::max)();
+  CHECK(with_steps(unlimited).termination == SP::Termination::CONVERGED);
+  settings.accuracy = 1e-30; // below what rounding leaves
+  CHECK(with_steps(unlimited).termination == SP::Termination::STALLED);
 }
 
 TEST_CASE("the progress of the isometric method never goes back and ends at 1", "[isometric]")

@@ -281,17 +281,6 @@ public:
     return result;
   }
 
-  /// Scales the source to the area of the polyhedron that the map is, its faces weighted with their distances from the
-  /// centre: what the determinants add up to.
-  void fit_scale()
-  {
-    area_scale_ = 1;
-    const double source = sum_over_faces([](vec3, const Star_face& f) { return f.twice_area; });
-    const double image = sum_over_faces([](vec3 x, const Star_face& f) { return f.determinant(x); });
-    area_scale_ = image / source;
-    area_ = image / 2;
-  }
-
 private:
   /// Counting sort, every part of the vertices for itself.
   void sort_by_colour(const Progressive_mesh& mesh, const Partial_map& map)
@@ -376,6 +365,17 @@ private:
           sum += f(position_[i], star_face(corner_[c]));
       return sum;
     });
+  }
+
+  /// Scales the source to the area of the polyhedron that the map is, its faces weighted with their distances from the
+  /// centre: what the determinants add up to.
+  void fit_scale()
+  {
+    area_scale_ = 1;
+    const double source = sum_over_faces([](vec3, const Star_face& f) { return f.twice_area; });
+    const double image = sum_over_faces([](vec3 x, const Star_face& f) { return f.determinant(x); });
+    area_scale_ = image / source;
+    area_ = image / 2;
   }
 
   const Watched_loop<Host_loop>& loop_;

@@ -485,7 +485,6 @@ private:
     if(problem_.as_stored)
       for(vec3& x : level_.position())
         x = problem_.as_stored(x);
-    level_.fit_scale();
     report.energy = level_.energy(distortion_);
     const double accuracy = effort_.accuracy.value_or(Isometric::default_accuracy);
     const bool are_defaults = accuracy >= Isometric::default_accuracy &&

@@ -39,13 +39,13 @@ export function refined(corners: Uint32Array, sphere: Float32Array): Refined {
     if (most <= longest * longest) {
       result.push(a, b, c);
       faceOf.push(face);
-    } else if (most === bc) cut(face, b, c, a);
-    else if (most === ca) cut(face, c, a, b);
-    else {
+    } else if (most === ab) {
+      // first: of edges of the same length another one would turn the corners for ever
       const m = middle(a, b);
       cut(face, a, m, c);
       cut(face, m, b, c);
-    }
+    } else if (most === bc) cut(face, b, c, a);
+    else cut(face, c, a, b);
   };
   for (let f = 0; f < corners.length / 3; ++f) cut(f, corners[3 * f]!, corners[3 * f + 1]!, corners[3 * f + 2]!);
   return { corners: Uint32Array.from(result), faceOf: Uint32Array.from(faceOf), halves: Uint32Array.from(halves) };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 //
-// The door through which JavaScript comes in, behind web/src/index.ts, which checks the kinds of arguments and says
+// The door through which JavaScript comes in, behind web/core/index.ts, which checks the kinds of arguments and says
 // what they mean. Arrays have three numbers per point or triangle; what is returned has the names of the tool's report.
 
 #include "input/mesh.h"

@@ -21,7 +21,7 @@ const stage = new Stage();
 /// The file that is shown, and that other settings map again.
 let file: { name: string; bytes: Uint8Array } | null = null;
 let version = "";
-let running: { name: string; settings: Settings } | null = null;
+let running: { name: string; settings: Settings; mesh?: Mesh } | null = null; // the mesh, once it is read
 let segmenting = false;
 /// While it maps, the worker hears nothing. It asks for this address now and then, and goes on as long as it is there.
 let permit = "";
@@ -136,11 +136,11 @@ function hear(message: Message): void {
   }
   if (segmenting) return stop(); // it failed
   if (!running) return;
-  const { name, settings } = running;
+  const { name, settings, mesh } = running;
   switch (message.kind) {
     case "mesh":
       showMesh(message.mesh);
-      meshOfFile = message.mesh;
+      running.mesh = message.mesh;
       progress(0, "Mapping");
       break;
     case "progress":
@@ -154,21 +154,18 @@ function hear(message: Message): void {
       break;
     case "answer":
       finish(stateOf[message.answer.error_code] ?? "refused");
-      answer(settings, message.answer);
-      meshOfFile = null;
+      answer(settings, mesh, message.answer);
   }
 }
 
 const stateOf: Record<string, string> = { OK: "certified", INTERRUPTED: "cancelled" };
-
-let meshOfFile: Mesh | null = null;
 
 function refuse(report: Report): void {
   stage.say({ points: new Float64Array(), triangles: new Int32Array(), report });
   byId("downloads").hidden = true;
 }
 
-function answer(settings: Settings, given: Answer): void {
+function answer(settings: Settings, mesh: Mesh | undefined, given: Answer): void {
   const { sphere, face_stretch, face_angle_distortion, ...rest } = given;
   const report: Report = {
     version,
@@ -177,14 +174,14 @@ function answer(settings: Settings, given: Answer): void {
     method: settings.method,
     settings: { ...settings, policy: "sequential", device: "WebAssembly" },
   };
-  if (!meshOfFile) {
+  if (!mesh) {
     // not even a mesh
     stage.clear();
     refuse(report);
     return;
   }
   const model: Model = {
-    ...meshOfFile,
+    ...mesh,
     sphere,
     stretch: face_stretch,
     angle: face_angle_distortion,

@@ -297,6 +297,14 @@ test("a cancelled run leaves the best map so far, and the page goes on", async (
   await state("late.off", "certified");
 });
 
+test("a file that is opened while another one is mapped is refused without the mesh of that", async () => {
+  await begin("before.off", "balanced", "60");
+  await page.setInputFiles("#file", write(folder, "words.off", "these are words\n"));
+  await state("words.off", "refused");
+  assert.equal(await page.evaluate(() => window.page.stage.model), null);
+  assert.equal(await page.locator("#marked").count(), 0);
+});
+
 test("narrow and dark, by touch", async () => {
   const wide = page;
   page = await open(url(), { viewport: { width: 390, height: 844 }, colorScheme: "dark", hasTouch: true, isMobile: true });

@@ -15,6 +15,7 @@ import type { Answer, Job, Message, Settings } from "./worker";
 
 const byId = <T extends HTMLElement = HTMLElement>(id: string) => document.getElementById(id) as T;
 
+const script = URL.createObjectURL(new Blob([workerText], { type: "text/javascript" })); // one, large, for all workers
 let worker = start(); // first: it reads WebAssembly while the views are made
 const stage = new Stage();
 
@@ -28,8 +29,7 @@ let permit = "";
 let patience: ReturnType<typeof setTimeout> | undefined;
 
 function start(): Worker {
-  const url = URL.createObjectURL(new Blob([workerText], { type: "text/javascript" }));
-  const result = new Worker(url, { name: document.baseURI }); // where it finds the core for all cores
+  const result = new Worker(script, { name: document.baseURI }); // where it finds the core for all cores
   // what an ended worker has said before may still come
   const hearIt = (message: Message) => result === worker && hear(message);
   result.onmessage = ({ data }: MessageEvent<Message>) => hearIt(data);

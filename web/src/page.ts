@@ -21,6 +21,7 @@ const stage = new Stage();
 
 /// The file that is shown, and that other settings map again.
 let file: { name: string; bytes: Uint8Array } | null = null;
+let choices = 0; // of files and examples: the last one counts
 let version = "";
 let running: { name: string; settings: Settings; mesh?: Mesh } | null = null; // the mesh, once it is read
 let segmenting = false;
@@ -56,8 +57,16 @@ function map(): void {
   byId("file-name").textContent = file.name;
   progress(0, "Reading");
   permit = URL.createObjectURL(new Blob([""], { type: "text/javascript" }));
-  const job: Job = { name: file.name, bytes: file.bytes, settings: running.settings, permit };
-  worker.postMessage(job);
+  ask({ name: file.name, bytes: file.bytes, settings: running.settings, permit });
+}
+
+/// The worker gets a copy, for which there may not be enough memory.
+function ask(job: Job): void {
+  try {
+    worker.postMessage(job);
+  } catch (error) {
+    hear({ kind: "failed", why: (error as Error).message });
+  }
 }
 
 /// Segments take longer than the map: only when they are to be seen.
@@ -68,8 +77,7 @@ stage.onColouring = (colouring) => {
   document.body.classList.add("running");
   document.body.dataset.state = "running";
   progress(0, "Segmenting");
-  const job: Job = { mesh: { points: model.points, triangles: model.triangles }, sphere: model.sphere as Float64Array };
-  worker.postMessage(job);
+  ask({ mesh: { points: model.points, triangles: model.triangles }, sphere: model.sphere as Float64Array });
 };
 
 /// Asks for the best map so far. Who does not answer is stopped, and who cannot be asked: in a page from a disk, browsers
@@ -111,7 +119,18 @@ function open(name: string, bytes: Uint8Array): void {
   map();
 }
 
+/// What was there before is gone, so that nobody takes it for this.
+function refuseFile(name: string, why: string): void {
+  if (running || segmenting) stop();
+  file = null;
+  stage.clear();
+  byId("file-name").textContent = name;
+  document.body.dataset.state = "refused";
+  refuse({ input: name, error: `${name}: ${why}`, error_code: "UNREADABLE_FILE" });
+}
+
 function openExample(example: Example): void {
+  ++choices;
   const mesh = example.mesh();
   open(example.file, new TextEncoder().encode(off(mesh)));
   showMesh(mesh); // the first picture does not wait for the worker
@@ -202,13 +221,20 @@ for (const example of examples) {
   byId("examples").append(button);
 }
 
-async function openFile(chosen: File | undefined): Promise<void> {
-  if (chosen) open(chosen.name, new Uint8Array(await chosen.arrayBuffer()));
+async function openFile(files?: FileList | null): Promise<void> {
+  const chosen = files?.[0];
+  if (!chosen) return;
+  const choice = ++choices;
+  if (files.length > 1) return refuseFile(`${files.length} files`, "drop one at a time");
+  const bytes = await chosen.arrayBuffer().catch(() => null);
+  if (choice !== choices) return; // something else was chosen meanwhile
+  if (bytes) open(chosen.name, new Uint8Array(bytes));
+  else refuseFile(chosen.name, "cannot be read: it is a folder, or too large for the browser, or no longer there; choose another file");
 }
 
 const input = byId<HTMLInputElement>("file");
 input.addEventListener("change", () => {
-  void openFile(input.files?.[0]);
+  void openFile(input.files);
   input.value = "";
 });
 byId("choose").addEventListener("click", () => input.click());
@@ -223,7 +249,7 @@ document.addEventListener("dragleave", (event) => {
 document.addEventListener("drop", (event) => {
   event.preventDefault();
   document.body.classList.remove("dropping");
-  void openFile(event.dataTransfer?.files[0]);
+  void openFile(event.dataTransfer?.files);
 });
 
 function dependentControls(): void {

@@ -5,7 +5,7 @@
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { readFileSync, statSync } from "node:fs";
+import { readFileSync, rmSync, statSync } from "node:fs";
 import { basename, join } from "node:path";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
@@ -209,17 +209,23 @@ test("refuses a mesh with a hole, and what is no mesh", async () => {
   assert.equal(await page.getAttribute("#certificate", "data-code"), "UNREADABLE_FILE");
 });
 
+/// Drops files into the page; `meanwhile` is called when they are in the hand.
+async function dropAll(files, meanwhile = () => {}) {
+  await page.setInputFiles("#carrier", files);
+  meanwhile();
+  await page.evaluate(() => {
+    const dataTransfer = new DataTransfer();
+    for (const file of document.getElementById("carrier").files) dataTransfer.items.add(file);
+    document.dispatchEvent(new DragEvent("drop", { dataTransfer, cancelable: true }));
+  });
+}
+
 /// A file that is dropped into the page: the verdict and the words of the tool, and its coordinates.
 async function drop(file) {
   const name = basename(file);
   const isRead = page.waitForFunction((n) => document.getElementById("file-name").textContent === n, name, { timeout: 300_000 });
   await page.evaluate(() => (document.getElementById("file-name").textContent = ""));
-  await page.setInputFiles("#carrier", file);
-  await page.evaluate(() => {
-    const dataTransfer = new DataTransfer();
-    dataTransfer.items.add(document.getElementById("carrier").files[0]);
-    document.dispatchEvent(new DragEvent("drop", { dataTransfer, cancelable: true }));
-  });
+  await dropAll(file);
   await isRead;
   await page.waitForFunction(() => ["certified", "refused"].includes(document.body.dataset.state), null, { timeout: 600_000 });
   const expected = native(file, folder);
@@ -236,11 +242,56 @@ async function drop(file) {
 
 test("dropped files have the verdict of the tool", async () => {
   await page.selectOption("#method", "automatic");
-  await page.evaluate(() => document.body.insertAdjacentHTML("beforeend", '<input id="carrier" type="file" hidden>'));
+  await page.evaluate(() => document.body.insertAdjacentHTML("beforeend", '<input id="carrier" type="file" multiple hidden>'));
   await drop(write(folder, "dropped.off", off(examples[2].mesh())));
   await drop(write(folder, "holed.off", off(torus(40, 20))));
 });
 for (const file of own) test(`unseen: ${basename(file)}`, () => drop(file));
+
+test("what cannot be opened is refused in a sentence, and nothing else is shown", async () => {
+  const refused = async (name, words) => {
+    await state(name, "refused");
+    assert.match(await text("#certificate"), words);
+    assert.ok(await page.isHidden("#downloads"));
+    assert.equal(await page.evaluate(() => window.page.stage.model), null);
+  };
+  const [one, two] = ["one.off", "two.off"].map((name) => write(folder, name, off(small())));
+  await dropAll([one, two]);
+  await refused("2 files", /^Refused\s+2 files: drop one at a time/);
+  await page.click('[data-example="bar.off"]');
+  await state("bar.off", "certified");
+  await dropAll(two, () => rmSync(two));
+  await refused("two.off", /^Refused\s+two\.off: cannot be read/);
+});
+
+test("the file that was chosen last is opened, also if another one takes longer to read", async () => {
+  await page.evaluate(() => {
+    const { arrayBuffer } = Blob.prototype;
+    Blob.prototype.arrayBuffer = async function () {
+      if (this.name === "one.off") await new Promise((done) => (window.goOn = done));
+      return arrayBuffer.call(this);
+    };
+  });
+  await dropAll(write(folder, "one.off", off(small())));
+  await page.click('[data-example="bar.off"]');
+  await page.evaluate(() => window.goOn());
+  await state("bar.off", "certified");
+});
+
+test("a file for which there is no memory", async () => {
+  await page.evaluate(() => {
+    const { postMessage } = Worker.prototype;
+    Worker.prototype.postMessage = () => {
+      Worker.prototype.postMessage = postMessage;
+      throw new DOMException("out of memory", "DataCloneError");
+    };
+  });
+  await page.click('[data-example="bar.off"]');
+  await state("bar.off", "failed");
+  assert.match(await text("#certificate"), /^Refused\s+bar\.off: out of memory; use the command-line tool/);
+  await page.click('[data-example="bar.off"]');
+  await state("bar.off", "certified");
+});
 
 /// Begins a run of many seconds on the asteroid (with exponent 60), and waits until it is under way.
 async function begin(name, method, spring) {

@@ -22,7 +22,7 @@ const stage = new Stage();
 /// The file that is shown, and that other settings map again.
 let file: { name: string; bytes: Uint8Array } | null = null;
 let choices = 0; // of files and examples: the last one counts
-let version = "";
+let core = { version: "", policy: "" };
 let running: { name: string; settings: Settings; mesh?: Mesh } | null = null; // the mesh, once it is read
 let segmenting = false;
 /// While it maps, the worker hears nothing. It asks for this address now and then, and goes on as long as it is there.
@@ -144,7 +144,7 @@ function showMesh(mesh: Mesh): void {
 
 function hear(message: Message): void {
   if (message.kind === "ready") {
-    version = message.version;
+    core = message;
     document.body.dataset.core = "ready";
     return;
   }
@@ -187,11 +187,11 @@ function refuse(report: Report): void {
 function answer(settings: Settings, mesh: Mesh | undefined, given: Answer): void {
   const { sphere, face_stretch, face_angle_distortion, ...rest } = given;
   const report: Report = {
-    version,
+    version: core.version,
     ...rest,
     weights: settings.weights,
     method: settings.method,
-    settings: { ...settings, policy: "sequential", device: "WebAssembly" },
+    settings: { ...settings, policy: core.policy, device: "WebAssembly" },
   };
   if (!mesh) {
     // not even a mesh

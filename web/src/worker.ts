@@ -28,7 +28,7 @@ export interface Mapped {
 export type Answer = Report & Partial<Pick<Measures, "face_stretch" | "face_angle_distortion">> & Pick<Result, "sphere">;
 
 export type Message =
-  | { kind: "ready"; version: string }
+  | { kind: "ready"; version: string; policy: string }
   | { kind: "mesh"; mesh: Mesh }
   | { kind: "progress"; fraction: number }
   | { kind: "answer"; answer: Answer }
@@ -38,18 +38,22 @@ export type Message =
 const post = (message: Message, transfer: Transferable[] = []) =>
   (self as unknown as { postMessage(m: Message, t: Transferable[]): void }).postMessage(message, transfer);
 
+let policy = "sequential"; // in the words of the tool
+
 /// Where a server permits that threads share memory, the core beside the page that uses all of the machine's.
-function allCores(): Promise<SphericalParameterization> {
+async function allCores(): Promise<SphericalParameterization> {
   const scope = self as unknown as { name: string; importScripts(url: string): void; createCore: (options: object) => Promise<unknown> };
   const address = (name: string) => new URL(name, scope.name).href;
   scope.importScripts(address("threads.js"));
   const place = { mainScriptUrlOrBlob: address("threads.js"), locateFile: () => address("threads.worker.js") };
-  return start(() => scope.createCore(place));
+  const result = await start(() => scope.createCore(place));
+  policy = "parallel";
+  return result;
 }
 
-const core = self.crossOriginIsolated ? allCores() : load();
+const core = self.crossOriginIsolated ? allCores().catch(load) : load(); // the files of all cores may not be there
 core.then(
-  ({ version }) => post({ kind: "ready", version }),
+  ({ version }) => post({ kind: "ready", version, policy }),
   (error: unknown) => post({ kind: "failed", why: String(error) }),
 );
 

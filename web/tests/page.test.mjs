@@ -6,6 +6,7 @@
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { readFileSync, rmSync, statSync } from "node:fs";
+import { createServer } from "node:http";
 import { basename, join } from "node:path";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
@@ -414,15 +415,35 @@ test("uses all cores where the server permits it, and has the same bits where it
     page = await open(`http://127.0.0.1:${other.address().port}/`);
     await page.click(`[data-example="${example.file}"]`);
     await state(example.file, "certified");
-    const sphere = await page.evaluate(() => Array.from(window.page.stage.model.sphere));
+    const { sphere, policy } = await page.evaluate(() => {
+      const { sphere, report } = window.page.stage.model;
+      return { sphere: Array.from(sphere), policy: report.settings.policy };
+    });
     await page.context().close();
     other.close();
     page = wide;
-    return { sphere, allCores: asked.has("/threads.js") };
+    return { sphere, policy, allCores: asked.has("/threads.js") };
   };
   const [all, one] = [await ask(), await ask({})];
   assert.deepEqual([all.allCores, one.allCores], [true, false]);
+  assert.deepEqual([all.policy, one.policy], ["parallel", "sequential"]);
   assert.equal(different(all.sphere, one.sphere), 0);
+});
+
+test("uses one core where the server permits threads, but the file for them is missing", async () => {
+  const other = createServer((request, response) =>
+    request.url === "/" ? server.emit("request", request, response) : response.writeHead(404).end(),
+  );
+  await new Promise((done) => other.listen(0, "127.0.0.1", done));
+  const wide = page;
+  page = await (await browser.newContext()).newPage(); // that a file is missing is a complaint
+  await page.goto(`http://127.0.0.1:${other.address().port}/`);
+  assert.ok(await page.evaluate(() => crossOriginIsolated));
+  await page.click('[data-example="bar.off"]');
+  await state("bar.off", "certified");
+  await page.context().close();
+  other.close();
+  page = wide;
 });
 
 test("works from a file, too, and the file of `view`", async () => {

@@ -38,6 +38,9 @@ export type Message =
 const post = (message: Message, transfer: Transferable[] = []) =>
   (self as unknown as { postMessage(m: Message, t: Transferable[]): void }).postMessage(message, transfer);
 
+/// What C++ throws, for want of memory mostly, is no Error of JavaScript and has no words.
+const wordsOf = (error: unknown) => (error instanceof Error ? error.message : "there is not enough memory, or an internal error");
+
 let policy = "sequential"; // in the words of the tool
 
 /// Where a server permits that threads share memory, the core beside the page that uses all of the machine's.
@@ -54,7 +57,7 @@ async function allCores(): Promise<SphericalParameterization> {
 const core = self.crossOriginIsolated ? allCores().catch(load) : load(); // the files of all cores may not be there
 core.then(
   ({ version }) => post({ kind: "ready", version, policy }),
-  (error: unknown) => post({ kind: "failed", why: String(error) }),
+  (error: unknown) => post({ kind: "failed", why: wordsOf(error) }),
 );
 
 /// Whether an address is there: that of an empty script. A worker that computes hears no messages, but it can load.
@@ -114,6 +117,6 @@ self.onmessage = async ({ data: job }: MessageEvent<Job>) => {
           ? { kind: "answer", answer: { input: job.name, error: error.message, error_code: error.code } }
           : { kind: "segments", segments: undefined },
       );
-    else post({ kind: "failed", why: error instanceof Error ? error.message : String(error) });
+    else post({ kind: "failed", why: wordsOf(error) });
   }
 };

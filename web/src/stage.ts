@@ -22,6 +22,10 @@ export class Stage {
 
   constructor() {
     this.viewer = new Viewer(byId<HTMLCanvasElement>("canvas"));
+    if (!this.viewer.canDraw) {
+      const why = "Nothing can be drawn: the browser has no WebGL 2. Switch on its graphics acceleration, or use another one.";
+      byId("empty").replaceWith(element("div", { class: "notice", id: "no-webgl" }, element("p", {}, why)));
+    }
     this.viewer.onMorph = (morph) => {
       this.slider.value = String(Math.round(1000 * morph));
       this.slider.setAttribute("aria-valuetext", `${Math.round(100 * morph)} % ${this.ends[1]}`);

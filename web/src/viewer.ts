@@ -162,7 +162,7 @@ export class Viewer {
   /// Seconds that the last frames took, for tests.
   readonly frames: number[] = [];
 
-  private readonly renderer: WebGLRenderer;
+  private readonly renderer: WebGLRenderer | null; // null: the browser has no WebGL 2
   private readonly isSoftware: boolean;
   private readonly camera = new PerspectiveCamera(28, 1, 0.1, 60);
   private readonly scene = new Scene();
@@ -208,9 +208,7 @@ export class Viewer {
 
   constructor(readonly canvas: HTMLCanvasElement) {
     this.isSoftware = /swiftshader|llvmpipe|software/i.test(nameOfRenderer());
-    this.renderer = new WebGLRenderer({ canvas, antialias: !this.isSoftware });
-    this.renderer.setPixelRatio(this.sharp());
-    this.renderer.autoClear = false;
+    this.renderer = rendererOf(canvas, !this.isSoftware);
     const material = (vertexShader: string, fragmentShader: string, more = {}) =>
       new ShaderMaterial({ vertexShader, fragmentShader, glslVersion: GLSL3, side: DoubleSide, ...more });
     this.surface = material(surfaceVertex, surfaceFragment, { uniforms: this.uniforms });
@@ -237,6 +235,10 @@ export class Viewer {
   }
 
   // --- what is shown
+
+  get canDraw(): boolean {
+    return this.renderer !== null;
+  }
 
   /// The mesh alone, or with its sphere, or with other shapes of it.
   show(model: Model): void {
@@ -539,6 +541,9 @@ export class Viewer {
   private draw(ratio: number, corners = this.ordered?.atRest): void {
     const { clientWidth: w, clientHeight: h } = this.canvas;
     if (w === 0 || h === 0) return;
+    const views = this.views();
+    this.onViews(views);
+    if (!this.renderer) return;
     if (corners) this.shape?.geometry.setIndex(corners);
     this.isSharp = ratio === this.sharp();
     this.ringSize.value = 22 * ratio;
@@ -548,24 +553,22 @@ export class Viewer {
     this.renderer.setScissorTest(false);
     this.renderer.setClearColor(0, 0);
     this.renderer.clear();
-    const views = this.views();
-    this.onViews(views);
     this.renderer.setScissorTest(true);
-    views.forEach((view, i) => {
-      if (i === 1 && !this.hasSphere) return;
+    for (const [i, view] of views.entries()) {
+      if (i === 1 && !this.hasSphere) break;
       this.aim(view, i === 1);
       const y = h - view.y - view.height;
       this.renderer.setViewport(view.x, y, view.width, view.height);
       this.renderer.setScissor(view.x, y, view.width, view.height);
       this.renderer.render(this.scene, this.camera);
-    });
+    }
   }
 
   // --- which face is under the pointer
 
   /// The face at a point of the canvas, in CSS pixels.
   pick(x: number, y: number): Hover | null {
-    if (!this.shape) return null;
+    if (!this.shape || !this.renderer) return null;
     const i = this.views().findIndex((v) => x >= v.x && x < v.x + v.width && y >= v.y && y < v.y + v.height);
     const view = this.views()[i];
     if (!view || (i === 1 && !this.hasSphere)) return null;
@@ -787,6 +790,16 @@ export class Viewer {
       this.mark(hover?.face ?? null);
       this.onHover(hover);
     });
+  }
+}
+
+function rendererOf(canvas: HTMLCanvasElement, antialias: boolean): WebGLRenderer | null {
+  try {
+    const renderer = new WebGLRenderer({ canvas, antialias });
+    renderer.autoClear = false;
+    return renderer;
+  } catch {
+    return null;
   }
 }
 

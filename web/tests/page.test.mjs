@@ -468,6 +468,26 @@ test("works from a file, too, and the file of `view`", async () => {
   page = wide;
 });
 
+test("maps without WebGL, and says that it cannot draw; the file of `view`, too", async () => {
+  const blind = await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox", "--disable-3d-apis"] });
+  const wide = page;
+  page = await blind.newPage();
+  await page.goto(url());
+  await page.click('[data-example="bar.off"]');
+  await state("bar.off", "certified");
+  assert.match(await text("#no-webgl"), /no WebGL 2/);
+  await page.hover("#canvas");
+  await page.click("#play");
+  assert.ok(await page.isVisible("#downloads"));
+  await shot("no_webgl");
+  await page.goto(pathToFileURL(join(folder, "bar.html")).href);
+  await state("bar.off", "shown");
+  assert.match(await text("#no-webgl"), /no WebGL 2/);
+  assert.match(await text("#certificate"), /^Certified/);
+  await blind.close();
+  page = wide;
+});
+
 test("the file of `morph`", async () => {
   const [a, b] = ["a.off", "b.off"].map((name) => join(folder, name));
   const mesh = small();

@@ -9,7 +9,7 @@ import { colouredPly, json, off, save, texturedGlb } from "./downloads";
 import { examples, type Example } from "./examples";
 import type { Mesh, Model, Report } from "./model";
 import { element } from "./panel";
-import { Stage } from "./stage";
+import { isForPage, isHelpOpen, Stage } from "./stage";
 import { nameOfTrouble, troublesOf } from "./topology";
 import type { Answer, Job, Message, Settings } from "./worker";
 
@@ -267,9 +267,8 @@ dependentControls();
 
 byId("cancel").addEventListener("click", cancel);
 document.addEventListener("keydown", (event) => {
-  if (event.key === "Escape") cancel();
-  if (event.key === "o" && (event.target as HTMLElement).tagName !== "INPUT" && !event.ctrlKey && !event.metaKey)
-    input.click();
+  if (event.key === "Escape" && !isHelpOpen()) cancel();
+  if (event.key === "o" && isForPage(event)) input.click();
 });
 
 const base = () => (file?.name ?? "mesh").replace(/\.[^.]*$/, "");

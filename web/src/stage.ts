@@ -11,6 +11,12 @@ import { Viewer } from "./viewer";
 
 const byId = <T extends HTMLElement = HTMLElement>(id: string) => document.getElementById(id) as T;
 
+export const isHelpOpen = () => byId<HTMLDialogElement>("help").open;
+
+/// Whether a letter or digit is a key of the page: not for a control that takes it, nor for the browser.
+export const isForPage = (event: KeyboardEvent) =>
+  !(event.ctrlKey || event.metaKey || event.altKey || isHelpOpen() || document.activeElement?.matches("select, input[type=number]"));
+
 export class Stage {
   readonly viewer: Viewer;
   onColouring: (colouring: Colouring) => void = () => {};
@@ -128,10 +134,7 @@ export class Stage {
   }
 
   private key(event: KeyboardEvent): void {
-    const target = event.target as HTMLElement;
-    if (event.ctrlKey || event.metaKey || event.altKey || /^(INPUT|SELECT|TEXTAREA|BUTTON)$/.test(target.tagName)) {
-      if (!(target as HTMLInputElement).type?.match(/^(radio|range)$/) || !/^[1-5mt?]$/.test(event.key)) return;
-    }
+    if (!isForPage(event)) return;
     const number = Number(event.key);
     if (number >= 1 && number <= colourings.length) this.choose(colourings[number - 1]!);
     else if (event.key === "m") this.viewer.play();

@@ -139,6 +139,21 @@ test("keys turn, zoom and colour", async () => {
   assert.ok(await page.isVisible("#help"));
   await shot("help");
   await page.keyboard.press("Escape");
+  assert.ok(await page.isHidden("#help"));
+});
+
+test("o opens a file, unless a control takes the letter", async () => {
+  let opened = 0;
+  page.on("filechooser", () => ++opened);
+  for (const [where, times] of [["#canvas", 1], ["#colour-checker", 2], ["#theme", 3], ["#method", 3], ["#spring-exponent", 3]]) {
+    await page.selectOption("#method", "automatic"); // which has all controls
+    await page.focus(where);
+    await page.keyboard.press("o");
+    await page.evaluate(() => new Promise((done) => setTimeout(done, 100)));
+    assert.equal(opened, times, where);
+  }
+  page.removeAllListeners("filechooser");
+  await state("bar.off", "certified");
 });
 
 test("segments come when they are asked for", async () => {
@@ -332,6 +347,9 @@ test("a long run shows progress, and can be cancelled", async () => {
 
 test("a cancelled run leaves the best map so far, and the page goes on", async () => {
   await begin("late.off", "balanced", "60");
+  await page.keyboard.press("?");
+  await page.keyboard.press("Escape"); // the help only
+  assert.ok(await page.isHidden("#help"));
   await page.waitForFunction(() => document.getElementById("bar").value > 0.1, null, { timeout: 120_000 });
   await page.click("#cancel");
   await state("late.off", "cancelled");

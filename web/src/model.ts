@@ -49,6 +49,7 @@ export interface Model extends Mesh {
   stretch?: Coordinates; // of faces: logarithm of the area stretch
   angle?: Coordinates; // of faces: angle distortion in radians
   segments?: Int32Array; // of faces
+  unsegmented?: string; // why it has none
   report: Report;
 }
 

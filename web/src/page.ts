@@ -72,7 +72,7 @@ function ask(job: Job): void {
 /// Segments take longer than the map: only when they are to be seen.
 stage.onColouring = (colouring) => {
   const { model } = stage;
-  if (colouring !== "segments" || !model?.sphere || model.segments || running || segmenting) return;
+  if (colouring !== "segments" || !model?.sphere || model.segments || model.unsegmented || running || segmenting) return;
   segmenting = true;
   document.body.classList.add("running");
   document.body.dataset.state = "running";
@@ -142,18 +142,22 @@ function showMesh(mesh: Mesh): void {
   if (!isShown) stage.show({ ...mesh, report: { input: file!.name, error: null, error_code: "OK" } });
 }
 
+function showSegments(segments?: Int32Array, unsegmented?: string): void {
+  finish(stage.model?.report.error === null ? "certified" : "refused");
+  if (stage.model) stage.show({ ...stage.model, segments, unsegmented });
+}
+
 function hear(message: Message): void {
   if (message.kind === "ready") {
     core = message;
     document.body.dataset.core = "ready";
     return;
   }
-  if (message.kind === "segments") {
-    finish(stage.model?.report.error === null ? "certified" : "refused");
-    if (stage.model) stage.show({ ...stage.model, segments: message.segments });
-    return;
+  if (message.kind === "segments") return showSegments(message.segments, message.why);
+  if (segmenting && message.kind === "failed") {
+    stop();
+    return showSegments(undefined, `${message.why}; use the command-line tool`);
   }
-  if (segmenting) return stop(); // it failed
   if (!running) return;
   const { name, settings, mesh } = running;
   switch (message.kind) {

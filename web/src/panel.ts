@@ -122,6 +122,7 @@ export function legendPanel(model: Model, colouring: Colouring): HTMLElement {
     const number = model.segments.reduce((a, b) => Math.max(a, b), 0) + 1;
     panel.append(element("p", {}, `${number} ${number === 1 ? "segment" : "segments"}.`));
   }
+  if (colouring === "segments" && model.unsegmented) panel.append(element("p", {}, `There are none: ${model.unsegmented}.`));
   const legend = values && legendOf(colouring, values);
   if (!values || !legend) return panel;
   panel.append(histogram(model, values, legend));

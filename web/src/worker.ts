@@ -32,7 +32,7 @@ export type Message =
   | { kind: "mesh"; mesh: Mesh }
   | { kind: "progress"; fraction: number }
   | { kind: "answer"; answer: Answer }
-  | { kind: "segments"; segments: Int32Array | undefined } // undefined: there are none
+  | { kind: "segments"; segments?: Int32Array; why?: string } // why there are none
   | { kind: "failed"; why: string };
 
 const post = (message: Message, transfer: Transferable[] = []) =>
@@ -115,7 +115,7 @@ self.onmessage = async ({ data: job }: MessageEvent<Job>) => {
       post(
         "bytes" in job
           ? { kind: "answer", answer: { input: job.name, error: error.message, error_code: error.code } }
-          : { kind: "segments", segments: undefined },
+          : { kind: "segments", why: error.message },
       );
     else post({ kind: "failed", why: wordsOf(error) });
   }

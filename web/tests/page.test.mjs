@@ -167,6 +167,20 @@ test("segments come when they are asked for", async () => {
   await page.click("label[for=colour-stretch]");
 });
 
+test("why there are no segments is said", async () => {
+  await page.evaluate(() => {
+    const { stage } = window.page;
+    const { segments, sphere, ...rest } = stage.model;
+    stage.model = { ...rest, sphere: sphere.map((x, i) => (i < 3 ? 0 : x)), report: { ...rest.report, error: "not a map" } };
+  });
+  await page.click("label[for=colour-segments]");
+  await page.waitForFunction(() => document.body.dataset.state === "refused");
+  assert.match(await text("#legend"), /There are none: .*vertex 0 of the sphere has no direction\./);
+  await page.click("label[for=colour-stretch]");
+  await page.click('[data-example="bar.off"]');
+  await state("bar.off", "certified");
+});
+
 test("downloads can be read again", async () => {
   const download = async (id) => {
     const [file] = await Promise.all([page.waitForEvent("download"), page.click(id)]);

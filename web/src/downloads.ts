@@ -6,21 +6,28 @@
 import { coloursOf, isDark, type Colouring } from "./colours";
 import { meanOverFaces, normalsOf, type Mesh, type Model, type Report } from "./model";
 
-const pointsOf = (coordinates: ArrayLike<number>) =>
-  Array.from({ length: coordinates.length / 3 }, (_, v) =>
-    [0, 1, 2].map((k) => String(coordinates[3 * v + k])).join(" "),
-  );
-const facesOf = ({ triangles }: Mesh) =>
-  Array.from({ length: triangles.length / 3 }, (_, f) => "3 " + triangles.slice(3 * f, 3 * f + 3).join(" "));
+const rowOf = (rows: ArrayLike<number>, i: number) => `${rows[3 * i]} ${rows[3 * i + 1]} ${rows[3 * i + 2]}`;
 
-/// Vertices and faces in their order. Numbers are the shortest that read as the same doubles.
-export function off(mesh: Mesh): string {
-  const sizes = `${mesh.points.length / 3} ${mesh.triangles.length / 3} 0`;
-  return ["OFF", sizes, ...pointsOf(mesh.points), ...facesOf(mesh)].join("\n") + "\n";
+/// Lines in pieces of thousands: a string has half a gigabyte at most, and a string for every line takes more memory than all.
+function lines(count: number, line: (i: number) => string): string[] {
+  const size = 2 ** 16;
+  const piece = (first: number) =>
+    Array.from({ length: Math.min(size, count - first) }, (_, i) => line(first + i) + "\n").join("");
+  return Array.from({ length: Math.ceil(count / size) }, (_, k) => piece(k * size));
 }
 
+/// Vertices and faces in their order. Numbers are the shortest that read as the same doubles.
+export function offInPieces({ points, triangles }: Mesh): string[] {
+  const [n, m] = [points.length / 3, triangles.length / 3];
+  return [`OFF\n${n} ${m} 0\n`, ...lines(n, (v) => rowOf(points, v)), ...lines(m, (f) => `3 ${rowOf(triangles, f)}`)];
+}
+
+/// The same of a mesh that is not large.
+export const off = (mesh: Mesh) => offInPieces(mesh).join("");
+
 /// The mesh with the colours that are shown, and the values behind them.
-export function colouredPly(model: Model, colouring: Colouring): string {
+export function colouredPly(model: Model, colouring: Colouring): string[] {
+  const [n, m] = [model.points.length / 3, model.triangles.length / 3];
   const { ofVertex } = coloursOf(model, colouring);
   const ofSegments = colouring === "segments" && model.segments;
   const stretch = model.stretch && meanOverFaces(model, model.stretch);
@@ -29,20 +36,22 @@ export function colouredPly(model: Model, colouring: Colouring): string {
   if (!ofSegments) properties.push(...colour);
   if (stretch) properties.push("double log_area_stretch");
   const rgb = (v: number, f: number) => " " + ofVertex(v, f).map(Math.round).join(" ");
-  const lines = [
+  const head = [
     "ply",
     "format ascii 1.0",
     `comment colours: ${colouring}`,
-    `element vertex ${model.points.length / 3}`,
+    `element vertex ${n}`,
     ...properties.map((p) => "property " + p),
-    `element face ${model.triangles.length / 3}`,
+    `element face ${m}`,
     "property list uchar int vertex_indices",
     ...(ofSegments ? [...colour, "int segment"].map((p) => "property " + p) : []),
     "end_header",
-    ...pointsOf(model.points).map((p, v) => p + (ofSegments ? "" : rgb(v, 0)) + (stretch ? ` ${stretch[v]}` : "")),
-    ...facesOf(model).map((f, i) => f + (ofSegments ? `${rgb(0, i)} ${ofSegments[i]}` : "")),
   ];
-  return lines.join("\n") + "\n";
+  return [
+    head.join("\n") + "\n",
+    ...lines(n, (v) => rowOf(model.points, v) + (ofSegments ? "" : rgb(v, 0)) + (stretch ? ` ${stretch[v]}` : "")),
+    ...lines(m, (f) => `3 ${rowOf(model.triangles, f)}` + (ofSegments ? `${rgb(0, f)} ${ofSegments[f]}` : "")),
+  ];
 }
 
 /// The report, with the names that the tool uses.
@@ -165,8 +174,8 @@ export async function texturedGlb(model: Model): Promise<Uint8Array> {
 }
 
 /// Lets the browser save a file.
-export function save(name: string, content: string | Uint8Array, type: string): void {
-  const url = URL.createObjectURL(new Blob([content as BlobPart], { type }));
+export function save(name: string, pieces: (string | Uint8Array)[], type: string): void {
+  const url = URL.createObjectURL(new Blob(pieces as BlobPart[], { type }));
   Object.assign(document.createElement("a"), { href: url, download: name }).click();
   setTimeout(() => URL.revokeObjectURL(url), 60_000);
 }

@@ -5,7 +5,7 @@
 
 import workerText from "worker-text";
 
-import { colouredPly, json, off, save, texturedGlb } from "./downloads";
+import { colouredPly, json, off, offInPieces, save, texturedGlb } from "./downloads";
 import { examples, type Example } from "./examples";
 import type { Mesh, Model, Report } from "./model";
 import { element } from "./panel";
@@ -55,6 +55,7 @@ function map(): void {
   document.body.classList.add("running");
   document.body.dataset.state = "running";
   byId("file-name").textContent = file.name;
+  byId("unsaved").textContent = "";
   progress(0, "Reading");
   permit = URL.createObjectURL(new Blob([""], { type: "text/javascript" }));
   ask({ name: file.name, bytes: file.bytes, settings: running.settings, permit });
@@ -277,13 +278,20 @@ document.addEventListener("keydown", (event) => {
 
 const base = () => (file?.name ?? "mesh").replace(/\.[^.]*$/, "");
 const actions: Record<string, (model: Model) => Promise<void> | void> = {
-  "save-sphere": (m) => save(`${base()}_sphere.off`, off({ points: m.sphere!, triangles: m.triangles }), "text/plain"),
+  "save-sphere": (m) => save(`${base()}_sphere.off`, offInPieces({ points: m.sphere!, triangles: m.triangles }), "text/plain"),
   "save-ply": (m) => save(`${base()}_${stage.colouring}.ply`, colouredPly(m, stage.colouring), "text/plain"),
-  "save-glb": async (m) => save(`${base()}.glb`, await texturedGlb(m), "model/gltf-binary"),
-  "save-json": (m) => save(`${base()}.json`, json(m.report), "application/json"),
+  "save-glb": async (m) => save(`${base()}.glb`, [await texturedGlb(m)], "model/gltf-binary"),
+  "save-json": (m) => save(`${base()}.json`, [json(m.report)], "application/json"),
 };
 for (const [id, action] of Object.entries(actions))
-  byId(id).addEventListener("click", () => void (stage.model && action(stage.model)));
+  byId(id).addEventListener("click", async () => {
+    byId("unsaved").textContent = "";
+    try {
+      if (stage.model) await action(stage.model);
+    } catch (error) {
+      byId("unsaved").textContent = `Not saved: ${(error as Error).message}; use the command-line tool.`;
+    }
+  });
 
 openExample(examples[0]!); // something to look at
 

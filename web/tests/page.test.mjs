@@ -215,6 +215,20 @@ test("downloads can be read again", async () => {
     assert.ok(glb.readUInt32LE(28 + glb.readUInt32LE(12) + indices.byteOffset + 4 * i) < gltf.accessors[0].count);
 });
 
+test("a download for which there is no memory", async () => {
+  await page.evaluate(() => {
+    window.createObjectURL = URL.createObjectURL;
+    URL.createObjectURL = () => {
+      throw new RangeError("Invalid string length");
+    };
+  });
+  await page.click("#save-glb");
+  await page.waitForFunction(() => document.getElementById("unsaved").textContent !== "");
+  assert.equal(await text("#unsaved"), "Not saved: Invalid string length; use the command-line tool.");
+  await shot("unsaved");
+  await page.evaluate(() => (URL.createObjectURL = window.createObjectURL));
+});
+
 test("refuses a torus, and marks its handle", async () => {
   const file = write(folder, "torus.off", off(torus(60, 30)));
   await page.setInputFiles("#file", file);

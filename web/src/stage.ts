@@ -29,8 +29,8 @@ export class Stage {
   constructor() {
     this.viewer = new Viewer(byId<HTMLCanvasElement>("canvas"));
     if (!this.viewer.canDraw) {
-      const why = "Nothing can be drawn: the browser has no WebGL 2. Switch on its graphics acceleration, or use another one.";
-      byId("empty").replaceWith(element("div", { class: "notice", id: "no-webgl" }, element("p", {}, why)));
+      const why = ["Nothing can be drawn: this browser has no WebGL 2.", element("br"), "Switch on its graphics acceleration, or use another one."];
+      byId("empty").replaceWith(element("div", { class: "notice", id: "no-webgl" }, element("p", {}, ...why)));
     }
     this.viewer.onMorph = (morph) => {
       this.slider.value = String(Math.round(1000 * morph));

@@ -85,6 +85,20 @@ function compile(folder, ...options) {
 
 const compiled = provide("core", () => readFileSync(join(core, "core.js"), "utf8"), "js");
 
+const of = (...path) => readFileSync(join(here, ...path), "utf8");
+
+/// Of the libraries that are compiled into the core.
+function licences() {
+  const ofDebian = (name) => [name, readFileSync(`/usr/share/doc/${name}/copyright`, "utf8")];
+  return [
+    ...["libcgal-dev", "libboost-dev", "nlohmann-json3-dev", "libfast-float-dev", "emscripten"].map(ofDebian),
+    ["pugixml", of("libraries/pugixml/LICENSE.md")],
+    ["zlib", of("libraries/zlib/LICENSE")],
+  ]
+    .map(([name, text]) => `==== ${name} ====\n\n${text}`)
+    .join("\n");
+}
+
 /// What `npm pack` takes: JavaScript with the core inside, types, documents, tests.
 async function npmPackage() {
   const folder = join(here, "dist", "package");
@@ -95,29 +109,24 @@ async function npmPackage() {
   const tsc = ["--declaration", "--stripInternal", "--emitDeclarationOnly", "--noEmit", "false", "--outDir", folder, "--target", "es2022"];
   const sources = ["core/index.ts", "src/modules.d.ts"].map((name) => join(here, name));
   execFileSync(join(here, "node_modules", ".bin", "tsc"), [...tsc, ...sources], { stdio: "inherit" });
-  const of = (...path) => readFileSync(join(here, ...path), "utf8");
   const version = /VERSION "(.*)"/.exec(of("../include/CGAL/Spherical_parameterization/version.h"))[1];
   const manifest = { ...JSON.parse(of("core", "package.json")), version };
   writeFileSync(join(folder, "package.json"), JSON.stringify(manifest, null, 2) + "\n");
   cpSync(join(here, "core", "README.md"), join(folder, "README.md"));
   cpSync(join(here, "core", "test"), join(folder, "test"), { recursive: true });
   for (const name of ["LICENSE", "LICENSE.GPL"]) cpSync(join(here, "..", name), join(folder, name));
-  const ofDebian = (name) => [name, readFileSync(`/usr/share/doc/${name}/copyright`, "utf8")];
-  const licences = [
-    ...["libcgal-dev", "libboost-dev", "nlohmann-json3-dev", "libfast-float-dev", "emscripten"].map(ofDebian),
-    ["pugixml", of("libraries/pugixml/LICENSE.md")],
-    ["zlib", of("libraries/zlib/LICENSE")],
-  ];
-  writeFileSync(join(folder, "LICENSES.txt"), licences.map(([name, text]) => `==== ${name} ====\n\n${text}`).join("\n"));
+  writeFileSync(join(folder, "LICENSES.txt"), licences());
 }
 
 async function page() {
   const worker = await script("src/worker.ts", [compiled]);
   const js = await script("src/page.ts", [provide("worker-text", () => worker, "text")]);
-  writeFileSync(join(here, "dist", "index.html"), await html(js, ""));
-  const head = "// SPDX-License-Identifier: LGPL-3.0-or-later AND Apache-2.0\n// Part of CGAL Spherical Parameterization. Contains oneTBB.\n";
-  for (const suffix of [".js", ".worker.js"])
-    writeFileSync(join(here, "dist", `threads${suffix}`), head + readFileSync(join(threads, `core${suffix}`), "utf8"));
+  const inComment = licences().replaceAll("-->", "-- >").replaceAll("*/", "* /");
+  writeFileSync(join(here, "dist", "index.html"), `${await html(js, "")}<!-- The core of the page contains:\n\n${inComment}-->\n`);
+  const head = "// SPDX-License-Identifier: LGPL-3.0-or-later AND Apache-2.0\n// Part of CGAL Spherical Parameterization. ";
+  const contents = `Contains:\n/*\n${inComment}\n==== oneTBB ====\n\n${of("libraries/onetbb/LICENSE.txt")}*/\n`;
+  writeFileSync(join(here, "dist", "threads.js"), head + contents + of("build/threads/core.js"));
+  writeFileSync(join(here, "dist", "threads.worker.js"), `${head}Licences: see threads.js.\n${of("build/threads/core.worker.js")}`);
 }
 
 await viewer();

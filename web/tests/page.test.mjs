@@ -67,6 +67,15 @@ test("the download is small", () => {
   assert.ok(gzipSync(readFileSync(join(web, "dist", "index.html"))).length < 2_000_000);
 });
 
+test("what is served has the licences of what is in it", () => {
+  const names = readFileSync(join(web, "dist", "package", "LICENSES.txt"), "utf8").match(/^==== .* ====$/gm);
+  assert.ok(names.length > 5);
+  for (const [file, more] of [["index.html", "three.js authors"], ["threads.js", "Apache License"]]) {
+    const text = readFileSync(join(web, "dist", file), "utf8");
+    for (const name of [...names, more]) assert.ok(text.includes(name), `${file}: ${name}`);
+  }
+});
+
 for (const example of examples)
   test(`maps the example ${example.name}, as the tool does`, async () => {
     await page.selectOption("#method", "balanced");

@@ -28,10 +28,17 @@ export function serve(port, headers = isolated) {
     response.writeHead(found ? 200 : 404, found?.headers);
     response.end(found?.body);
   });
-  return new Promise((done) => server.listen(port, "127.0.0.1", () => done(server)));
+  return new Promise((done, fail) => server.on("error", fail).listen(port, "127.0.0.1", () => done(server)));
 }
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
-  const server = await serve(Number(process.argv[2] ?? 8080));
-  console.log(`http://localhost:${server.address().port}/`);
+  const remedies = { ENOENT: "build it by: node web/build.mjs", EADDRINUSE: "choose another port: node web/serve.mjs PORT" };
+  try {
+    const server = await serve(Number(process.argv[2] ?? 8080));
+    console.log(`http://localhost:${server.address().port}/`);
+  } catch (error) {
+    if (!(error.code in remedies)) throw error;
+    console.error(`serve.mjs: ${error.message}; ${remedies[error.code]}`);
+    process.exitCode = 1;
+  }
 }

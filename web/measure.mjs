@@ -6,7 +6,7 @@
 // Medians of five. With ONE_CORE=1 the page is served so that it cannot use more.
 
 import { spawnSync } from "node:child_process";
-import { mkdtempSync, readFileSync } from "node:fs";
+import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { basename, join } from "node:path";
 import { gzipSync } from "node:zlib";
@@ -18,6 +18,7 @@ import { web } from "./tests/helpers.mjs";
 
 const meshes = process.argv.slice(2);
 const folder = mkdtempSync(join(tmpdir(), "measure-"));
+process.on("exit", () => rmSync(folder, { recursive: true }));
 const median = (numbers) => numbers.sort((a, b) => a - b)[Math.floor(numbers.length / 2)];
 const five = async (one) => {
   const results = [];

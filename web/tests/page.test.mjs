@@ -306,7 +306,7 @@ test("what cannot be opened is refused in a sentence, and nothing else is shown"
     await state(name, "refused");
     assert.match(await text("#certificate"), words);
     assert.ok(await page.isHidden("#downloads"));
-    assert.equal(await page.evaluate(() => window.page.stage.model), null);
+    assert.ok(await page.evaluate(() => window.page.stage.model === null));
   };
   const [one, two] = ["one.off", "two.off"].map((name) => write(folder, name, off(small())));
   await dropAll([one, two]);
@@ -408,7 +408,7 @@ test("a file that is opened while another one is mapped is refused without the m
   await begin("before.off", "balanced", "60");
   await page.setInputFiles("#file", write(folder, "words.off", "these are words\n"));
   await state("words.off", "refused");
-  assert.equal(await page.evaluate(() => window.page.stage.model), null);
+  assert.ok(await page.evaluate(() => window.page.stage.model === null));
   assert.equal(await page.locator("#marked").count(), 0);
 });
 

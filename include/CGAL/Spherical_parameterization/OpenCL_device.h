@@ -209,15 +209,15 @@ struct Is_policy<OpenCL_device> : std::true_type {};
 template <class Loop>
 struct Choice_of_backend<OpenCL_device, Loop> {
   template <class F>
-  static void call(const OpenCL_device& device, int n, F f)
+  static auto call(const OpenCL_device& device, int n, F f)
   {
     const std::size_t smallest = device.smallest_mesh();
     if(static_cast<std::size_t>(n) >= smallest) {
       const OpenCL_backend<Loop> backend(device);
-      f(backend, backend.device_name());
+      return f(backend, backend.device_name());
     } else {
       const Host_backend<Loop> backend{CGAL::Sequential_tag()};
-      f(backend, backend.device_name() + " (the mesh has fewer than " + std::to_string(smallest) + " vertices)");
+      return f(backend, backend.device_name() + " (the mesh has fewer than " + std::to_string(smallest) + " vertices)");
     }
   }
 };

@@ -39,7 +39,7 @@ inline const char* get_termination_name(Termination termination)
 struct Result {
   Error_code error = Error_code::OK; ///< `OK` if and only if the map is certified
   std::string detail;                ///< what is wrong, where, and what to do; empty if `OK`
-  std::string remedy; ///< what may help, such as another method: the end of `detail` after "; "; else empty
+  std::string remedy; ///< what may help a map that is not valid, such as another method: how `detail` ends; else empty
 
   std::size_t number_of_vertices = 0; ///< of the mesh
   std::size_t number_of_faces = 0;    ///< of the mesh
@@ -53,7 +53,8 @@ struct Result {
   int degree = 0;                 ///< how often the map covers the sphere; 1 for a valid map
   double residual = 0;            ///< L2 norm over the free vertices (not divided by their number) of the residual of
                                   ///< the equation that the method solves, relative to the weight sum of a vertex;
-                                  ///< `Isometric`: relative gain of energy that one more step predicts
+                                  ///< `Isometric`: relative gain of energy that one more step predicts; NaN for a
+                                  ///< map that was interrupted, as is its energy then
   double energy = 0;              ///< spring energy of the map, 1/p * sum over edges; `Isometric`: mean distortion;
                                   ///< infinite if it exceeds the range of doubles
   double density_deviation = 0;   ///< with densities: standard deviation of log(area on the sphere / target area) over

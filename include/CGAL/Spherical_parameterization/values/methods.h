@@ -104,12 +104,13 @@ struct Saddle_point {
 /// `Result::density_deviation` says how close the areas are; see \ref densities.
 ///
 /// Named parameters: `number_of_iterations` bounds the Newton steps for the whole mesh (above 100,000 vertices in
-/// proportion fewer, but at least a quarter). `accuracy` is a relative gain of energy: the steps end when the predicted
-/// gain of a step is below it. (Above 20,000 vertices the prediction for the next step is used: a quarter of that of a
-/// full step. Below 2,000 vertices, where steps are cheap, the bound is lower in proportion, down to a twentieth.) The
-/// residual is the predicted gain of one more step, for the defaults one with at most 20 linear iterations. If the
-/// steps are used up, the map is `OK` with `Termination::ITERATIONS`, unless the accuracy is smaller or the iterations
-/// are fewer than the defaults: then it is `NOT_CONVERGED`.
+/// proportion fewer, but at least a quarter); an area exponent above 3 is reached from there by factors of up to 1.5,
+/// and each on the way has as many steps, but at most 6. `accuracy` is a relative gain of energy: the steps end when
+/// the predicted gain of a step is below it. (Above 20,000 vertices the prediction for the next step is used: a quarter
+/// of that of a full step. Below 2,000 vertices, where steps are cheap, the bound is lower in proportion, down to a
+/// twentieth.) The residual is the predicted gain of one more step, for the defaults one with at most 20 linear
+/// iterations. If the steps are used up, the map is `OK` with `Termination::ITERATIONS`, unless the accuracy is smaller
+/// or the iterations are fewer than the defaults: then it is `NOT_CONVERGED`.
 ///
 /// \cgalModels{SphericalParameterizationMethod}
 struct Isometric {

@@ -68,15 +68,16 @@ Host_loop host_loop(const ExecutionPolicy&)
   return loop_of<ExecutionPolicy>();
 }
 
-/// Calls `f(backend, name)` with the backend on which `policy` maps a mesh of n vertices, and what to call it.
-/// That of OpenCL is in OpenCL_device.h.
+/// Calls `f(backend, name)` once, with the backend on which `policy` maps a mesh of n vertices, and what to call it,
+/// and returns what f does. A backend of the host is made for nothing. That of OpenCL, in OpenCL_device.h, may throw an
+/// `OpenCL_error`, and leaves small meshes to one core of the host.
 template <class ExecutionPolicy, class Loop>
 struct Choice_of_backend {
   template <class F>
-  static void call(const ExecutionPolicy& policy, int /* n */, F f)
+  static auto call(const ExecutionPolicy& policy, int /* n */, F f)
   {
     const typename Backend_for<ExecutionPolicy, Loop>::type backend(policy);
-    f(backend, backend.device_name());
+    return f(backend, backend.device_name());
   }
 };
 

@@ -24,8 +24,9 @@
 namespace CGAL::Spherical_parameterization::internal {
 
 /// Runs a method on the backend of the policy. What is wrong with input or map is error and detail of the solution,
-/// which may have no map; other exceptions go through.
-template <class Host_loop, class ExecutionPolicy, class Method>
+/// which may have no map. Exceptions of the caller's callback go through, as do `OpenCL_error` and `std::bad_alloc`.
+/// \pre `Method_solver<Method>(method)` has been made before: it checks the options of the method
+template <class Loop, class ExecutionPolicy, class Method>
 Solution solve(const ExecutionPolicy& policy, const Method& method, const Problem& problem, const Effort& effort,
                Monitor& monitor);
 

@@ -13,26 +13,25 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-template <class Host_loop, class ExecutionPolicy, class Method>
+template <class Loop, class ExecutionPolicy, class Method>
 Solution solve(const ExecutionPolicy& policy, const Method& method, const Problem& problem, const Effort& effort,
                Monitor& monitor)
 {
   constexpr bool has_others = !std::is_same_v<Method, Automatic> && !std::is_same_v<Method, Isometric>;
   const Stopwatch watch;
-  Solution solution;
-  Choice_of_backend<ExecutionPolicy, Host_loop>::call( // once; with OpenCL, small meshes go to a core of the host
-    policy, problem.size(), [&](const auto& backend, const std::string& device) {
-      const double set_up = watch.seconds(); // kernels of a device are compiled when it is used first
-      solution = attempt(backend, Method_solver<Method>(method), problem, effort, monitor);
-      if(!solution.remedy.empty()) { // only at the end of `detail`: the attempts do not repeat it
-        const std::string others = has_others ? "the automatic or the isometric method, or " : "";
-        solution.remedy = "use " + others + solution.remedy;
-        solution.detail += "; " + solution.remedy;
-      }
-      solution.device = device;
-      solution.seconds.start_map += set_up;
-    });
-  return solution;
+  const auto run = [&](const auto& backend, const std::string& device) {
+    const double set_up = watch.seconds(); // kernels of a device are compiled when it is used first
+    Solution solution = attempt(backend, Method_solver<Method>(method), problem, effort, monitor);
+    if(!solution.remedy.empty()) { // for a map that is not valid; the attempts do not repeat it
+      const std::string others = has_others ? "the automatic or the isometric method, or " : "";
+      solution.remedy = "use " + others + solution.remedy;
+      solution.detail += "; " + solution.remedy;
+    }
+    solution.device = device;
+    solution.seconds.start_map += set_up;
+    return solution;
+  };
+  return Choice_of_backend<ExecutionPolicy, Loop>::call(policy, problem.size(), run);
 }
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -93,9 +93,12 @@ CGAL_SP_INLINE Canonical_order canonical_order(const Corner_table& mesh, const H
   const auto rank = vertex_ranks(points);
   const int n = static_cast<int>(points.size());
   int farthest = 0;
+  auto highest = rank(farthest);
   for(int v = 1; v < n; ++v)
-    if(rank(v) > rank(farthest))
+    if(const auto its = rank(v); its > highest) {
+      highest = its;
       farthest = v;
+    }
   int first = -1;
   for(int h = 0; h < mesh.number_of_halfedges(); ++h)
     if(mesh.origin(h) == farthest && (first < 0 || rank(mesh.target(h)) > rank(mesh.target(first))))

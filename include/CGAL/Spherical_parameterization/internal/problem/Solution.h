@@ -44,8 +44,9 @@ struct Solution {
   std::string device;      ///< what it ran on
   Error_code error = Error_code::OK;
   std::string detail;
-  std::string remedy;          ///< what may help; pass_verdict() leaves out other methods, which solve() adds; or empty
-  std::string fallback_reason; ///< see `Result::fallback_reason`
+  std::string
+    remedy; ///< what may help a map that is not valid, by pass_verdict(); solve() adds other methods; or empty
+  std::string fallback_reason;           ///< see `Result::fallback_reason`
   std::vector<Result::Attempt> attempts; ///< the methods that were tried, in turn
 
   bool has_map() const { return !position.empty(); }

@@ -12,8 +12,8 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-/// Runs a method, and says how it went: an `Input_error` becomes a solution without a map; what the caller's callback
-/// or property maps throw goes through. All seconds are accounted for.
+/// Runs a method, and says how it went: an `Input_error`, also that of an interruption, becomes a solution without a
+/// map; what the caller's callback throws goes through. All seconds are accounted for.
 template <class Backend, class Method>
 Solution attempt(const Backend& backend, const Method_solver<Method>& solver, const Problem& problem,
                  const Effort& effort, Monitor& monitor)

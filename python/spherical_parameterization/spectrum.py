@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
 import numpy.typing as npt
 
 from . import _core
@@ -28,7 +29,7 @@ class Eigenpairs(OneLine):
         Parameters
         ----------
         times : array_like (t,) of float
-            In units of length**2, not negative.
+            In units of length**2, finite and not negative.
 
         Returns
         -------
@@ -36,8 +37,8 @@ class Eigenpairs(OneLine):
             In units of 1 / length**2. Missing pairs have an influence for times below about 4 / values[-1].
         """
         t = doubles("times", times)
-        if t.ndim != 1 or not (t >= 0).all():
-            raise ValueError("times: a list of numbers that are not negative is needed")
+        if t.ndim != 1 or not ((t >= 0) & (t < np.inf)).all():
+            raise ValueError("times: a list of finite numbers that are not negative is needed")
         return _core.heat_kernel_signature(self.values, self.functions.T, t).T
 
     def wave_kernel_signature(self, energies: int = 100) -> Doubles:

@@ -297,16 +297,24 @@ TEST_CASE("nothing is trusted that was not asked", "[registration]")
 
 TEST_CASE("ways along edges and diagonals are hardly longer than geodesics", "[registration]")
 {
-  const Mapped ball(icosphere(4), icosphere(4).points);
+  // also where half of the vertices are in a patch that is smaller than the mean way
+  const double size = GENERATE(1., 1e-3);
+  const Mapped ball(icosphere(5), icosphere(5).points);
   const auto map = SP::internal::read_map(ball.mesh, ball.mesh.points(), ball.map(), SP::internal::Reading::CHECKED,
                                           SP::internal::host_loop(CGAL::Sequential_tag()));
-  const SP::internal::Geodesic_graph graph(map.copy_of_corner_table(SP::internal::Host_loop()), map.image);
+  auto points = map.image;
+  for(auto& p : points)
+    if(p.z > 0)
+      p = {size * p.x, size * p.y, size * p.z};
+  const SP::internal::Geodesic_graph graph(map.copy_of_corner_table(SP::internal::Host_loop()), points);
   const std::vector<double> distance = graph.distances(0);
   for(std::size_t i = 0; i < distance.size(); ++i) {
     const auto p = map.image[0], q = map.image[i];
     const double arc = 2 * std::asin(SP::internal::norm(SP::internal::sub(p, q)) / 2);
-    CHECK(distance[i] >= 0.995 * arc); // the faces lie below the sphere
-    CHECK(distance[i] <= 1.08 * arc);
+    if(size == 1) {
+      CHECK(distance[i] >= 0.995 * arc); // the faces lie below the sphere
+      CHECK(distance[i] <= 1.08 * arc);
+    }
     double least = std::numeric_limits<double>::infinity(); // by way of a neighbour
     graph.for_each_way(static_cast<int>(i),
                        [&](int j, double length) { least = std::min(least, distance[j] + length); });

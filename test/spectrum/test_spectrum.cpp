@@ -4,6 +4,7 @@
 #include "helpers/arrays.h"
 
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
+#include <CGAL/Spherical_parameterization/internal/spectrum/kernel_signatures.h>
 #include <CGAL/Spherical_parameterization/internal/spectrum/laplacian_spectrum.h>
 #include <CGAL/Spherical_parameterization/Indexed_triangle_mesh.h>
 #include <CGAL/Spherical_parameterization/laplacian_eigenpairs.h>
@@ -158,7 +159,7 @@ TEST_CASE("the sphere has the eigenvalues l (l + 1), each 2 l + 1 times", "[spec
 
 TEST_CASE("eigenpairs of a mesh are in its units, and signatures follow from them", "[spectrum]")
 {
-  const double size = GENERATE(1., 1e-3, 250.);
+  const double size = GENERATE(1., 1e-3, 250., 1e7);
   Plain_mesh ball = octasphere(4);
   std::vector<std::array<double, 3>> points;
   for(const vec3& p : ball.point)
@@ -187,9 +188,31 @@ TEST_CASE("eigenpairs of a mesh are in its units, and signatures follow from the
     CHECK(heat[pairs.number_of_vertices + i] == Approx(1 / area));
     CHECK(wave[i] * area == Approx(1).epsilon(0.1));
   }
+  for(double value : SP::wave_kernel_signature(pairs, 4000)) // most are far from all eigenvalues
+    CHECK(std::isfinite(value));
   CHECK_THROWS_AS(SP::laplacian_eigenpairs(mesh, 0), CGAL::Precondition_exception);
   CHECK_THROWS_AS(SP::laplacian_eigenpairs(mesh, pairs.number_of_vertices + 1), CGAL::Precondition_exception);
   CHECK_THROWS_AS(SP::wave_kernel_signature(pairs, 1), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(SP::heat_kernel_signature(pairs, {std::numeric_limits<double>::infinity()}),
+                  CGAL::Precondition_exception);
+}
+
+TEST_CASE("the energies of the wave kernel signature ascend within the spectrum, however few", "[spectrum]")
+{
+  std::vector<double> value = {0};
+  for(int k = 1; k < 40; ++k)
+    value.push_back(k);
+  for(std::size_t number : {2, 10, 20, 40, 100}) {
+    const auto filters = I::wave_kernel_filters(value, number);
+    double before = -1;
+    for(const std::vector<double>& filter : filters) {
+      double at = 0; // the mean of the logarithm
+      for(std::size_t k = 1; k < value.size(); ++k)
+        at += filter[k] * std::log(value[k]);
+      CHECK(at > before);
+      before = at;
+    }
+  }
 }
 
 TEST_CASE("what has no spectrum is refused, and callback and time limit end it", "[spectrum]")

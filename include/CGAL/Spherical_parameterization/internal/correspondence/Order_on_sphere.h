@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -32,7 +33,8 @@ public:
     for(const vec3& p : image)
       key.push_back(spread(p.x) | spread(p.y) << 1 | spread(p.z) << 2);
     std::iota(old_.begin(), old_.end(), 0);
-    std::stable_sort(old_.begin(), old_.end(), [&](int i, int j) { return key[i] < key[j]; });
+    const auto place = [&](int i) { return std::tuple(key[i], image[i].x, image[i].y, image[i].z); };
+    std::stable_sort(old_.begin(), old_.end(), [&](int i, int j) { return place(i) < place(j); });
     new_ = inverse_permutation(loop, old_);
   }
 

@@ -51,8 +51,10 @@ public:
     : loop_(loop), a_(a), b_(b), are_guides_(are_guides),
       most_functions_((std::min)(a.number_of_functions(), b.number_of_functions()))
   {
-    for(const auto& [v, w] : landmarks)
+    for(const auto& [v, w] : landmarks) {
+      loop_.check();
       landmarks_.push_back({v, w, b.graph.distances(w)});
+    }
   }
 
   static bool is_better(const Candidate& x, const Candidate& y) { return x.score < y.score; }

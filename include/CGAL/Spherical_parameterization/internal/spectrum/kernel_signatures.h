@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -18,20 +19,29 @@ namespace CGAL::Spherical_parameterization::internal {
 /// \param value  the eigenvalues, two or more
 inline std::vector<std::vector<double>> wave_kernel_filters(const std::vector<double>& value, std::size_t number)
 {
-  constexpr double least = 1e-9;
+  constexpr double widest = 0.125; // of the whole, lest few energies are all in the middle
+  constexpr double largest_exponent = 700;
+  const double least = 1e-9 * value.back();
   std::vector<double> energy;
   for(std::size_t k = 1; k < value.size(); ++k)
     energy.push_back(std::log((std::max)(value[k], least)));
-  const double width = energy.back() - energy.front(), sigma = 7 * width / static_cast<double>(number);
+  const double width = energy.back() - energy.front();
+  const double sigma = width * (std::min)(widest, 7 / static_cast<double>(number));
   const double low = energy.front() + 2 * sigma, high = energy.back() - 2 * sigma;
   std::vector<std::vector<double>> filters(number);
   for(std::size_t e = 0; e < number; ++e) {
     const double at = low + (high - low) * static_cast<double>(e) / static_cast<double>(number - 1);
-    double sum = 0;
+    const auto exponent = [&](double of_function) {
+      const double d = sigma > 0 ? (at - of_function) / sigma : 0;
+      return d * d / 2;
+    };
+    double least_exponent = std::numeric_limits<double>::infinity(), sum = 0;
+    for(double of_function : energy)
+      least_exponent = (std::min)(least_exponent, exponent(of_function));
+    const double shift = least_exponent < largest_exponent ? 0 : least_exponent; // far from all: the nearest counts
     filters[e].push_back(0);
     for(double of_function : energy) {
-      const double d = sigma > 0 ? (at - of_function) / sigma : 0;
-      filters[e].push_back(std::exp(-d * d / 2));
+      filters[e].push_back(std::exp(shift - exponent(of_function)));
       sum += filters[e].back();
     }
     for(double& weight : filters[e])

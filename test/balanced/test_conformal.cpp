@@ -165,6 +165,25 @@ TEST_CASE("conformal weights: faces that come out flipped are mended, and the ve
   CHECK(solve(icosphere(2), sphere, with(Weights::CONFORMAL)).moved_vertices == 0);
 }
 
+TEST_CASE("conformal weights: a map whose mending is interrupted is interrupted, and not wrong", "[conformal]")
+{
+  const Soup soup = twisted(icosphere(5), 6);
+  Settings settings = with(Weights::CONFORMAL);
+  std::size_t calls = 0;
+  Sphere sphere;
+  settings.callback = [&](double) { return ++calls > 0; };
+  REQUIRE(solve(soup, sphere, settings));
+  std::size_t last = calls;
+  settings.callback = [&](double) { return ++calls < last; };
+  for(; last > 0; last -= last / 20 + 1) {
+    calls = 0;
+    const Result result = solve(soup, sphere, settings);
+    CAPTURE(result, last);
+    CHECK(result.error == Error_code::INTERRUPTED);
+    CHECK(result.termination == SP::Termination::CALLBACK);
+  }
+}
+
 TEST_CASE("conformal weights: the residual is that of the map that is handed over", "[conformal][each_policy]")
 {
   namespace I = SP::internal;

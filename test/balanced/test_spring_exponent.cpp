@@ -114,3 +114,11 @@ TEST_CASE("maps of any exponent are the same bit by bit for any number of thread
   }
 }
 #endif
+
+TEST_CASE("an exponent whose springs are no doubles is named", "[exponent]")
+{
+  Sphere sphere;
+  const Result result = solve(bumpy_sphere(3), sphere, with_exponent(900));
+  CHECK(result.error == Error_code::BAD_WEIGHT);
+  CHECK(result.detail.find("exponent 900 ") < std::string::npos);
+}

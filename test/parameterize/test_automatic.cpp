@@ -170,6 +170,20 @@ TEST_CASE("automatic: an extreme map is better than none", "[automatic]")
     CHECK(result.method == "isometric");
 }
 
+TEST_CASE("automatic: what is right but extreme is better than what has not converged", "[automatic]")
+{
+  Settings settings;
+  settings.method = SP::Automatic{2, 1, 1.01};
+  settings.number_of_iterations = 1;
+  Sphere sphere;
+  const Soup soup = spiky_star(4, 1.5);
+  const Result result = solve(soup, sphere, settings);
+  CAPTURE(result);
+  CHECK(result.error == Error_code::OK);
+  CHECK(result.method == "isometric");
+  CHECK(count_flipped_faces(soup, sphere) == 0);
+}
+
 TEST_CASE("automatic: tubes of any length, spirals, combs, trees and needles have valid maps", "[automatic]")
 {
   Sphere sphere;

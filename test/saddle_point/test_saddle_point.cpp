@@ -84,6 +84,18 @@ TEST_CASE("without fixed vertices a stalled residual is not called converged", "
   check_certificate(result, soup, sphere, settings);
 }
 
+TEST_CASE("the published method can be stopped between two checks of the residual", "[saddle_point]")
+{
+  SP::Saddle_point method;
+  method.check_interval = 1000000000; // which would take hours
+  Settings settings;
+  settings.method = method;
+  int calls = 0;
+  settings.callback = [&](double) { return ++calls < 20; };
+  Sphere sphere;
+  CHECK(solve(spiky_star(3, 1.5), sphere, settings).error == Error_code::INTERRUPTED);
+}
+
 TEST_CASE("the start of the published method can be given", "[saddle_point]")
 {
   const Soup soup = bumpy_sphere(2);

@@ -19,6 +19,7 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -80,9 +81,9 @@ Solution Method_solver<Automatic>::solve(const Backend& backend, const Problem& 
   std::size_t chosen = 0;
   std::vector<Result::Attempt> attempts;
   Result::Seconds seconds;
-  // What is not covered once is worst; then flipped faces count.
+  // What is not what was asked for is worst, then what is not covered once; then flipped faces count.
   const auto badness = [](const Solution& s) {
-    return std::make_pair(s.certificate.degree != 1, s.certificate.flipped_faces);
+    return std::tuple(s.error != Error_code::OK, s.certificate.degree != 1, s.certificate.flipped_faces);
   };
   const auto try_method = [&](const auto& solver, const Effort& its_effort, double begin, double end) {
     monitor.begin_stage(begin, end);

@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BALANCED_SOLVE_BALANCED_IMPL_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BALANCED_SOLVE_BALANCED_IMPL_H
 
+#include <CGAL/Spherical_parameterization/internal/text/text.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/balanced/solve_balanced.h>
@@ -123,9 +124,12 @@ CGAL_SP_INLINE Weighted_graph stiffening_springs(const Host_loop& loop, const Pr
   for(int i = 0; i < springs.size(); ++i)
     for(int k = springs.offset[i]; k < springs.offset[i + 1]; ++k) {
       const double length = lengths[k] / unit_length;
-      springs.weight[k] *= length > 0 && std::isfinite(length) ? power(length, 2 - exponent) : length;
-      if(!(springs.weight[k] > 0 && std::isfinite(springs.weight[k])))
+      if(!(length > 0 && std::isfinite(length)))
         throw Input_error(Error_code::DEGENERATE_FACE, "an edge has no length, which spring exponents above 2 need");
+      springs.weight[k] *= power(length, 2 - exponent);
+      if(!(springs.weight[k] > 0 && std::isfinite(springs.weight[k])))
+        throw Input_error(Error_code::BAD_WEIGHT, "springs of the exponent " + to_string(exponent) +
+                                                    " exceed the range of doubles; choose a smaller one");
     }
   return springs;
 }

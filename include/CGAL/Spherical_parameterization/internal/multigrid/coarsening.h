@@ -213,7 +213,8 @@ inline Weighted_graph galerkin_product(const Host_loop& loop, const Weighted_gra
 /// Drops the edges of a coarse graph with |w_ij| < threshold min(a_ii, a_jj), which matter to neither end, and of which
 /// Galerkin products have many, where a detour over a third vertex is stronger in both of its edges. So no part of the
 /// graph gets lost that hangs on weak edges only: of the edges that leave it the strongest one stays. The row sums
-/// stay, and with them the kernel.
+/// stay, and with them the kernel. The edges of vertices of very many neighbours stay, too: to look for detours would
+/// take the square of their number.
 ///
 /// Where weights are negative the Jacobi steps get shorter: they are scaled by the mean of a_ii and the sum of |w_ij|,
 /// so that no eigenvalue of the scaled matrix is above 2 (S. Gershgorin; compare the l1-Jacobi smoother of A. Baker, R.
@@ -221,13 +222,15 @@ inline Weighted_graph galerkin_product(const Host_loop& loop, const Weighted_gra
 inline void drop_weak_edges(const Host_loop& loop, double threshold, Weighted_graph& a)
 {
   constexpr double detour = 10; // times stronger than the edge
+  constexpr int longest_row = 256;
   Host_array<double> inverse(a.size());
   Sparse_matrix rows = build_rows(loop, a.size(), [&](int begin, int end, Sparse_matrix& out) {
     Host_array<double> weight_to(a.size(), 0.); // from the vertex of the row
+    const auto is_long = [&](int i) { return a.offset[i + 1] - a.offset[i] > longest_row; };
     for(int i = begin; i < end; ++i) {
       for(int k = a.offset[i]; k < a.offset[i + 1]; ++k)
         weight_to[a.target[k]] = a.weight[k];
-      // Both ends of an edge come to the same decision: they see the same numbers.
+      // Both ends of an edge come to the same decision: they see the same numbers, but for rounding.
       const auto has_detour = [&](int j, double w) {
         for(int k = a.offset[j]; k < a.offset[j + 1]; ++k)
           if((std::min)(weight_to[a.target[k]], a.weight[k]) > detour * w)
@@ -238,8 +241,8 @@ inline void drop_weak_edges(const Host_loop& loop, double threshold, Weighted_gr
       for(int k = a.offset[i]; k < a.offset[i + 1]; ++k) {
         const int j = a.target[k];
         const double w = a.weight[k];
-        if(std::abs(w) * (std::max)(a.inverse_diagonal[i], a.inverse_diagonal[j]) < threshold &&
-           has_detour(j, std::abs(w)))
+        if(std::abs(w) * (std::max)(a.inverse_diagonal[i], a.inverse_diagonal[j]) < threshold && !is_long(i) &&
+           !is_long(j) && has_detour(j, std::abs(w)))
           continue;
         diagonal += w;
         magnitude += std::abs(w);

@@ -45,10 +45,11 @@ CGAL_SP_INLINE Reason_for_flips reason_for_flips(const Problem& problem, const C
 CGAL_SP_INLINE Termination termination_of(const Monitor& monitor, const Solution& solution)
 {
   const Solver_report& report = solution.report;
-  if(report.residual <= solution.accuracy)
-    return Termination::CONVERGED;
-  if(monitor.is_interrupted())
+  const bool has_converged = report.residual <= solution.accuracy;
+  if(monitor.is_interrupted() && !(has_converged && solution.certificate.is_valid())) // faces were still being mended
     return monitor.termination();
+  if(has_converged)
+    return Termination::CONVERGED;
   const bool was_moved = std::count(solution.is_moved.begin(), solution.is_moved.end(), 1) > 0;
   return report.has_stalled || was_moved ? Termination::STALLED : Termination::ITERATIONS;
 }
@@ -66,7 +67,7 @@ CGAL_SP_CORE void pass_verdict(const Problem& problem, const Monitor& monitor, S
   const std::string state = counted(certificate.flipped_faces, "face is", "faces are") + " flipped, the degree is " +
                             std::to_string(certificate.degree) + ", the smallest spherical area is " +
                             to_string(certificate.smallest_area);
-  if(monitor.is_interrupted() && !is_done) {
+  if(monitor.is_interrupted() && !(is_done && certificate.is_valid())) {
     solution.error = Error_code::INTERRUPTED;
     solution.detail = after(monitor.reason()) + state;
   } else if(!is_done) {

@@ -201,9 +201,10 @@ CGAL_SP_CORE Mending mend(const Host_loop& loop, const Host_array<std::array<int
     return Mending::FAILED;
 
   const auto is_flipped = [&](int f) { return !is_positively_oriented(v[face[f][0]], v[face[f][1]], v[face[f][2]]); };
+  constexpr double infinity = std::numeric_limits<double>::infinity();
   const auto is_bad = [&](int f, const std::array<vec3, 3>& x, const std::array<vec3, 3>& p) {
     const Star_face s(x[1], x[2], face_metric(p[0], p[1], p[2], bounds_of_mending), 1);
-    return !(s.dirichlet(x[0]) <= bound * s.determinant(x[0])) || is_flipped(f);
+    return (bound < infinity && !(s.dirichlet(x[0]) <= bound * s.determinant(x[0]))) || is_flipped(f);
   };
   std::vector<int> bad = faces_where(loop, face, is_bad, v, point);
   const auto flipped = std::count_if(bad.begin(), bad.end(), is_flipped);

@@ -65,18 +65,17 @@ Solver_report descend_by_saddle_points(const Backend& backend, const Shared_grap
   double share = 0;
 
   // Sweeps until the residual of the saddle-point problem has fallen by the factor `accuracy`, or far below what the
-  // outer iteration aims at. Tested every check_interval sweeps.
+  // outer iteration aims at. Tested every check_interval sweeps, which may be many.
   const auto solve_saddle_point = [&] {
     double residual = std::sqrt(backend.saddle_point_residual2(matrix, v, u));
     const double goal = (std::max)(accuracy * residual, far_below * accuracy);
     while(residual > goal && monitor.advance(share)) {
-      for(std::size_t k = 0; k < method.check_interval; ++k)
+      for(std::size_t k = 0; k < method.check_interval && monitor.may_loop_go_on(); ++k, ++report.sweeps)
         if(is_jacobi) {
           backend.jacobi_sweep(matrix, method.relaxation, v, u, w);
           std::swap(u, w);
         } else
           backend.gauss_seidel_sweep(matrix, colours, method.relaxation, v, u);
-      report.sweeps += method.check_interval;
       const double next = std::sqrt(backend.saddle_point_residual2(matrix, v, u));
       if(!(next < residual)) // rounding has the last word
         return;

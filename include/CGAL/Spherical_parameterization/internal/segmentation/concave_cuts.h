@@ -7,14 +7,17 @@
 #include <CGAL/Spherical_parameterization/internal/api/compiled.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
 #include <CGAL/Spherical_parameterization/internal/backend/Host_backend.h>
+#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/multigrid/Multigrid.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/Region_graph.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/Segmentation_mesh.h>
+#include <CGAL/Spherical_parameterization/internal/surface/breadth_first.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <memory>
 #include <numeric>
 #include <utility>
@@ -22,21 +25,40 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-/// The faces as vertices of a graph, two neighbours joined with weight (length of the edge) / (distance of the
-/// centroids) times `diffusion`, and the areas as excess: M + diffusion * L of the dual mesh.
-CGAL_SP_INLINE Weighted_graph dual_diffusion(const Host_loop& loop, const Segmentation_mesh& mesh, double diffusion)
+/// An order of the faces in which neighbours are close together, as the multigrid needs it: that of the mesh, unless it
+/// is almost as good as random. Then the faces are sorted by their first vertices, which are numbered breadth-first.
+CGAL_SP_INLINE Host_array<int> local_order(const Segmentation_mesh& mesh)
+{
+  constexpr int far_away = 16384; // the multigrid cuts between blocks of so many
+  const auto is_far = [&](int h) { return std::abs(mesh.twin[h] / 3 - h / 3) > far_away; };
+  int far_sides = 0;
+  for(int h = 0; h < mesh.number_of_halfedges(); ++h)
+    far_sides += is_far(h);
+  const bool is_local = far_sides <= 3 * (mesh.number_of_halfedges() / 4);
+  std::vector<int> begin; // of no use
+  return sorted_by_key(mesh.number_of_faces(), mesh.number_of_vertices(), begin, [&](int f) {
+    return is_local ? 0 : *std::min_element(mesh.face[f].begin(), mesh.face[f].end());
+  });
+}
+
+/// The faces as vertices of a graph, numbered in this `order`, two neighbours joined with weight (length of the edge) /
+/// (distance of the centroids) times `diffusion`, and the areas as excess: M + diffusion * L of the dual mesh.
+CGAL_SP_INLINE Weighted_graph dual_diffusion(const Host_loop& loop, const Segmentation_mesh& mesh,
+                                             const Host_array<int>& order, double diffusion)
 {
   // A needle must not tie its neighbours together more than a good triangle would, by orders of magnitude.
   constexpr double largest_weight = 100;
   const int n = mesh.number_of_faces();
+  const Host_array<int> number = inverse_permutation(loop, order);
   Weighted_graph dual;
-  for(int f = 0; f < n; ++f) {
-    std::array<int, 3> order = {0, 1, 2};
-    std::sort(order.begin(), order.end(), [&](int a, int b) { return mesh.across(f, a) < mesh.across(f, b); });
-    for(int k : order) {
+  for(int f : order) {
+    std::array<int, 3> sides = {0, 1, 2};
+    std::sort(sides.begin(), sides.end(),
+              [&](int a, int b) { return number[mesh.across(f, a)] < number[mesh.across(f, b)]; });
+    for(int k : sides) {
       const int g = mesh.across(f, k);
       const double length = mesh.side_length(f, k), distance = norm(sub(mesh.centroid(g), mesh.centroid(f)));
-      dual.target.push_back(g);
+      dual.target.push_back(number[g]);
       dual.weight.push_back(diffusion * (length < largest_weight * distance ? length / distance : largest_weight));
     }
     dual.offset.push_back(static_cast<int>(dual.target.size()));
@@ -52,17 +74,20 @@ CGAL_SP_INLINE Host_array<vec3> smoothed_normals(const Watched_loop<Host_loop>& 
                                                  double radius)
 {
   loop.check();
+  const int n = mesh.number_of_faces();
   const Host_backend<Host_loop> backend(loop.bare());
-  const auto dual = std::make_shared<Weighted_graph>(dual_diffusion(loop.bare(), mesh, radius * radius / 4));
+  const Host_array<int> order = local_order(mesh);
+  const auto dual = std::make_shared<Weighted_graph>(dual_diffusion(loop.bare(), mesh, order, radius * radius / 4));
   Multigrid<Host_backend<Host_loop>> multigrid(backend, dual);
-  Host_array<vec3> mass_times_normal(mesh.number_of_faces());
-  for(int f = 0; f < mesh.number_of_faces(); ++f)
-    mass_times_normal[f] = scale(0.5, normal(mesh.point, mesh.face[f]));
-  Host_array<vec3> normal = backend.vectors(mesh.number_of_faces());
+  Host_array<vec3> mass_times_normal(n);
+  for(int i = 0; i < n; ++i)
+    mass_times_normal[i] = scale(0.5, normal(mesh.point, mesh.face[order[i]]));
+  Host_array<vec3> smooth = backend.vectors(n);
   constexpr double accuracy = 1e-3; // of the normals, that is 1e-3 radians
-  conjugate_gradients(backend, multigrid, 0, mass_times_normal, accuracy, loop.monitor(), 0, normal);
-  for(vec3& n : normal)
-    n = inner(n, n) > 0 ? unit(n) : make_vec3(0, 0, 0);
+  conjugate_gradients(backend, multigrid, 0, mass_times_normal, accuracy, loop.monitor(), 0, smooth);
+  Host_array<vec3> normal(n);
+  for(int i = 0; i < n; ++i)
+    normal[order[i]] = inner(smooth[i], smooth[i]) > 0 ? unit(smooth[i]) : make_vec3(0, 0, 0);
   return normal;
 }
 

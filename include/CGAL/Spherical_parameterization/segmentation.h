@@ -73,7 +73,8 @@ Segmentation_result segment(const Host_loop& loop, const TriangleMesh& mesh, Ver
     }
   } catch(const Input_error& error) {
     result.error = error.code();
-    result.detail = error.detail();
+    // The multigrid of the creases would say that there is no map yet.
+    result.detail = error.code() == Error_code::INTERRUPTED ? monitor.reason() : error.detail();
   }
   return result;
 }

@@ -78,7 +78,7 @@ CGAL_SP_INLINE Host_array<vec3> smoothed_normals(const Watched_loop<Host_loop>& 
   const Host_backend<Host_loop> backend(loop.bare());
   const Host_array<int> order = local_order(mesh);
   const auto dual = std::make_shared<Weighted_graph>(dual_diffusion(loop.bare(), mesh, order, radius * radius / 4));
-  Multigrid<Host_backend<Host_loop>> multigrid(backend, dual);
+  Multigrid<Host_backend<Host_loop>> multigrid(backend, dual, &loop.monitor());
   Host_array<vec3> mass_times_normal(n);
   for(int i = 0; i < n; ++i)
     mass_times_normal[i] = scale(0.5, normal(mesh.point, mesh.face[order[i]]));

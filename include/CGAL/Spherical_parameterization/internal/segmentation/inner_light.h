@@ -32,7 +32,9 @@ std::vector<Flight> flights_inside(const Loop& loop, const Segmentation_mesh& me
   const std::vector<int> faces = faces_at_even_areas(mesh.face_area, 1, count);
   std::vector<Flight> flights(count);
   const Ray_tree tree(mesh.point, mesh.face);
-  for_each_index(loop, count, [&](int i) {
+  // Where faces are needles, a ray takes long: only small parts end soon after the time limit.
+  constexpr int rays_at_once = 64;
+  for_each_index<rays_at_once>(loop, count, [&](int i) {
     const int f = faces[i];
     flights[i] = {f, -1};
     int k = 0; // the longest side: as far as sides differ, directions do not depend on which corner is the first one

@@ -85,11 +85,14 @@ public:
     if(borders_[a].size() < borders_[b].size())
       std::swap(a, b);
     parent_[b] = a;
-    constexpr int mergers_at_once = 1024;
-    if(--count_ % mergers_at_once == 0)
-      loop_.check();
+    --count_;
     area_[a] += area_[b];
     for(const Border& border : borders_[b]) {
+      work_ += borders_[a].size();
+      if(constexpr std::size_t work_at_once = 1 << 14; work_ >= work_at_once) {
+        work_ = 0;
+        loop_.check();
+      }
       const int c = border.region;
       if(c == a)
         perimeter_[a] += perimeter_[b] - 2 * border.cost;
@@ -151,6 +154,7 @@ private:
   const Watched_loop<Host_loop>& loop_;
   std::vector<int> region_; // of the faces, before all merging
   int count_;
+  std::size_t work_ = 0; // since `loop_` was asked: borders that were looked at
   std::vector<int> parent_;
   std::vector<double> area_, perimeter_;
   std::vector<std::vector<Border>> borders_;
@@ -243,7 +247,8 @@ CGAL_SP_INLINE std::vector<int> selected_segments(const Watched_loop<Host_loop>&
   absorb_small_regions(regions, limits.minimum_area,
                        [](int, const Region_graph::Border& border) { return -border.cost; });
   const auto significance = [&](int a, const Region_graph::Border& border) {
-    return (std::min)(regions.area(a), regions.area(border.region)) / (border.cost * border.cost);
+    const double area = (std::min)(regions.area(a), regions.area(border.region));
+    return area > 0 ? area / (border.cost * border.cost) : -1; // without area and length it would be no number
   };
   if(limits.number_of_segments > 0)
     merge_in_order(regions, significance,

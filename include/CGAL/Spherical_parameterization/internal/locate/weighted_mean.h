@@ -24,7 +24,8 @@ template <class Number>
 Number weighted_mean_of_numbers(const std::array<double, 3>& w, Number x0, Number x1, Number x2)
 {
   const auto [least, largest] = std::minmax({x0, x1, x2});
-  return std::clamp<Number>(w[0] * x0 + w[1] * x1 + w[2] * x2, least, largest);
+  const auto term = [](double weight, Number x) { return weight == 0 ? 0 : weight * x; };
+  return std::clamp<Number>(term(w[0], x0) + term(w[1], x1) + term(w[2], x2), least, largest);
 }
 
 template <class Value>
@@ -32,15 +33,18 @@ struct Is_array_of_three : std::false_type {};
 template <class Number>
 struct Is_array_of_three<std::array<Number, 3>> : std::true_type {};
 
-/// w_0 x_0 + w_1 x_1 + w_2 x_2 of numbers, vectors of any library, or points (which CGAL does not add up).
+/// w_0 x_0 + w_1 x_1 + w_2 x_2 of numbers, vectors of any library, or points (which CGAL does not add up). A corner
+/// without weight does not count, even if its value is not finite.
 template <class Value>
 Value weighted_mean(const std::array<double, 3>& w, const Value& x0, const Value& x1, const Value& x2)
 {
   if constexpr(std::is_arithmetic<Value>::value)
     return static_cast<Value>(weighted_mean_of_numbers<std::common_type_t<double, Value>>(w, x0, x1, x2));
-  else if constexpr(Is_linear<Value>::value)
-    return static_cast<Value>(w[0] * x0 + w[1] * x1 + w[2] * x2);
-  else {
+  else if constexpr(Is_linear<Value>::value) {
+    const Value& some = w[0] != 0 ? x0 : w[1] != 0 ? x1 : x2; // 0 times this is 0
+    const auto counted = [&](double weight, const Value& x) -> const Value& { return weight == 0 ? some : x; };
+    return static_cast<Value>(w[0] * counted(w[0], x0) + w[1] * counted(w[1], x1) + w[2] * counted(w[2], x2));
+  } else {
     const vec3 a = coordinates(x0), b = coordinates(x1), c = coordinates(x2);
     const vec3 p = {weighted_mean_of_numbers(w, a.x, b.x, c.x), weighted_mean_of_numbers(w, a.y, b.y, c.y),
                     weighted_mean_of_numbers(w, a.z, b.z, c.z)};

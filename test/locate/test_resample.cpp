@@ -90,6 +90,25 @@ TEST_CASE("values of all kinds are interpolated", "[transfer]")
     CHECK(number.at(v) == value(coarse.point(v)));
 }
 
+TEST_CASE("a value that is no number stays where it is", "[transfer]")
+{
+  const Mesh mesh = make_mesh(icosphere(3));
+  const Locator locator(mesh, mesh.points());
+  const Vertex bad(5);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  std::map<Vertex, double> number;
+  std::map<Vertex, Eigen::Vector2d> pair;
+  SP::transfer_vertex_property(locator, of_vertex<double>([&](Vertex v) { return v == bad ? nan : 1; }), mesh,
+                               mesh.points(), Writable_map<Vertex, double>{&number});
+  SP::transfer_vertex_property(
+    locator, of_vertex<Eigen::Vector2d>([&](Vertex v) { return Eigen::Vector2d(v == bad ? nan : 1, 2); }), mesh,
+    mesh.points(), Writable_map<Vertex, Eigen::Vector2d>{&pair});
+  for(Vertex v : vertices(mesh)) {
+    CHECK(std::isnan(number.at(v)) == (v == bad));
+    CHECK(std::isnan(pair.at(v)[0]) == (v == bad));
+  }
+}
+
 TEST_CASE("what is constant stays so, at the ends of the range, too", "[transfer]")
 {
   const Mesh coarse = make_mesh(icosphere(1)), fine = make_mesh(icosphere(4));
@@ -276,6 +295,33 @@ TEST_CASE("resampling that preserves areas passes no vertex over", "[resample]")
   CHECK(flat.weight == SP::linear_resampling(from, images).weight);
   CHECK_THROWS_AS(SP::area_preserving_resampling(from, fine_round.points(), coarse_areas, to, images, coarse_areas),
                   CGAL::Precondition_exception);
+
+  // a vertex without area gives nothing
+  std::vector<double> areas = fine_areas, values(areas.size(), 1);
+  areas[7] = 0;
+  values[7] = std::numeric_limits<double>::quiet_NaN();
+  const auto without = SP::area_preserving_resampling(from, fine_round.points(), areas, to, images, coarse_areas);
+  check_rows(without);
+  CHECK(without.means(values) == std::vector<double>(without.size(), 1));
+}
+
+TEST_CASE("majorities of long rows, and values that are missing", "[resample]")
+{
+  SP::Resampling_weights weights; // one row
+  for(int v = 0; v < 1000000; ++v) {
+    weights.vertex.push_back(v);
+    weights.weight.push_back(1e-6);
+  }
+  weights.begin.push_back(weights.vertex.size());
+  std::vector<int> labels(weights.vertex.size());
+  for(std::size_t v = 0; v < labels.size(); ++v)
+    labels[v] = v % 7 == 0 ? 1 : v % 7 < 4 ? 2 : 3; // 3/7 each of the last two, and 2 has what is left over
+  CHECK(weights.majorities(labels) == std::vector<int>{2});
+
+  labels.pop_back();
+  CHECK_THROWS_AS(weights.majorities(labels), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(weights.nearest(labels), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(weights.means(std::vector<double>(3)), CGAL::Precondition_exception);
 }
 
 TEST_CASE("to its own sphere a mesh keeps its values, in both ways", "[resample]")

@@ -36,9 +36,10 @@ struct Resampling_weights {
 
   /// \param values  of the vertices of the other mesh
   /// \return their weighted means, each between the smallest and the largest value of its row: constants stay constant
+  /// \pre there is a value for every vertex of the other mesh
   std::vector<double> means(const std::vector<double>& values) const
   {
-    return by_row<double>([&](std::size_t first, std::size_t last) {
+    return by_row<double>(values.size(), [&](std::size_t first, std::size_t last) {
       double sum = 0, least = values[vertex[first]], largest = least;
       for(std::size_t k = first; k < last; ++k) {
         const double value = values[vertex[k]];
@@ -52,18 +53,23 @@ struct Resampling_weights {
 
   /// \param labels  of the vertices of the other mesh
   /// \return the labels with the largest sums of weights; if several are equal, the first
+  /// \pre as for `means()`
   template <class Label>
   std::vector<Label> majorities(const std::vector<Label>& labels) const
   {
-    return by_row<Label>([&](std::size_t first, std::size_t last) {
+    std::vector<std::pair<std::size_t, double>> sums; // where each label of a row is first, and its weights so far
+    return by_row<Label>(labels.size(), [&](std::size_t first, std::size_t last) {
+      sums.clear();
       std::size_t best = first;
       double largest = 0;
       for(std::size_t k = first; k < last; ++k) {
-        double sum = 0;
-        for(std::size_t j = first; j <= k; ++j)
-          sum += labels[vertex[j]] == labels[vertex[k]] ? weight[j] : 0;
-        if(sum > largest + rounding) {
-          largest = sum;
+        auto of_label = std::find_if(sums.begin(), sums.end(),
+                                     [&](const auto& sum) { return labels[vertex[sum.first]] == labels[vertex[k]]; });
+        if(of_label == sums.end())
+          of_label = sums.insert(sums.end(), {k, 0.});
+        of_label->second += weight[k];
+        if(of_label->second > largest + rounding) {
+          largest = of_label->second;
           best = k;
         }
       }
@@ -73,10 +79,11 @@ struct Resampling_weights {
 
   /// \param labels  of the vertices of the other mesh
   /// \return the labels of the vertices with the largest weights; if several are equal, the first
+  /// \pre as for `means()`
   template <class Label>
   std::vector<Label> nearest(const std::vector<Label>& labels) const
   {
-    return by_row<Label>([&](std::size_t first, std::size_t last) {
+    return by_row<Label>(labels.size(), [&](std::size_t first, std::size_t last) {
       std::size_t best = first;
       for(std::size_t k = first; k < last; ++k)
         best = weight[k] > weight[best] + rounding ? k : best;
@@ -87,9 +94,13 @@ struct Resampling_weights {
 private:
   static constexpr double rounding = 1e-12; ///< of weights
 
+  /// \param count  of the values
   template <class Value, class F>
-  std::vector<Value> by_row(F f) const
+  std::vector<Value> by_row(std::size_t count, F f) const
   {
+    CGAL_SP_PRECONDITION(
+      std::all_of(vertex.begin(), vertex.end(), [&](int v) { return v >= 0 && static_cast<std::size_t>(v) < count; }),
+      "there is a value for every vertex of the other mesh");
     std::vector<Value> result;
     result.reserve(size());
     for(std::size_t i = 0; i < size(); ++i)
@@ -219,6 +230,8 @@ Resampling_weights area_preserving_resampling(const ExecutionPolicy& policy, con
       of_row += w *= sum[v] > 0 ? from_areas[v] / sum[v] : 0;
     for(auto& [v, w] : rows[i])
       w /= of_row;
+    rows[i].erase(std::remove_if(rows[i].begin(), rows[i].end(), [](const auto& entry) { return entry.second == 0; }),
+                  rows[i].end()); // of vertices without area
     if(!(of_row > 0 && std::isfinite(of_row)))
       rows[i] = linear[i];
   }

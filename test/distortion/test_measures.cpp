@@ -210,6 +210,18 @@ TEST_CASE("quantiles count faces by their area", "[measures]")
   CHECK(d.mean == Approx((5050 + 100000) / 200.));
 }
 
+TEST_CASE("where a value is infinite, so are mean and deviation", "[measures]")
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  SP::internal::Host_array<double> values, weights;
+  values.insert(values.end(), {1, 2, infinity});
+  weights.insert(weights.end(), {1, 1, 1});
+  const SP::Distribution d = SP::internal::distribution(SP::internal::Host_loop(), values, weights);
+  CHECK(d.mean == infinity);
+  CHECK(d.deviation == infinity);
+  CHECK(d.median == 2);
+}
+
 TEST_CASE("quantiles of many values are those of the sorted ones", "[measures]")
 {
   const int n = GENERATE(1, 2, 100, 5000, 100000);

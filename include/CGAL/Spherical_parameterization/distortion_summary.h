@@ -22,7 +22,8 @@ namespace CGAL::Spherical_parameterization {
 /// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param sphere_map  readable, key vertex_descriptor, value unit vectors
 /// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
-/// \return the distribution of each measure over the source area
+/// \return the distribution of each measure over the source area; where a value is infinite, as at an image without
+///         area, its mean and deviation are, too
 ///
 /// Complexity: O(n) in practice, O(n log n) at worst.
 template <class ExecutionPolicy, class TriangleMesh, class VertexSphereMap, class CGAL_NP_TEMPLATE_PARAMETERS,

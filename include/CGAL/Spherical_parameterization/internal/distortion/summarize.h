@@ -92,7 +92,7 @@ CGAL_SP_INLINE Distribution distribution(const Host_loop& loop, const Host_array
     for(int k = 0; k < buckets; ++k)
       of_buckets.weight[k] += part.weight[k];
   }
-  d.deviation = std::sqrt(of_buckets.squares / all.weight);
+  d.deviation = std::isinf(d.mean) ? infinity : std::sqrt(of_buckets.squares / all.weight);
 
   typedef std::vector<std::pair<double, double>> Sorted; // values and their weights
   const auto contents = [&](int bucket) {

@@ -14,6 +14,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -249,6 +250,12 @@ TEST_CASE("stretch histogram: counts what log_area_stretch() says", "[signature]
   }
   const Mesh point = make_mesh(one_point(2));
   CHECK_THROWS_AS(SP::stretch_histogram(point, mesh.points(), options), SP::Error);
+  const auto check_refused = [&](const Stretch_histogram& wrong) {
+    CHECK_THROWS_AS(SP::stretch_histogram(mesh, mesh.points(), wrong), CGAL::Precondition_exception);
+  };
+  options.low = -std::numeric_limits<double>::infinity();
+  check_refused(options);
+  options.low = 2;
   options.bins = 1;
-  CHECK_THROWS_AS(SP::stretch_histogram(mesh, mesh.points(), options), CGAL::Precondition_exception);
+  check_refused(options);
 }

@@ -11,6 +11,7 @@
 #include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
 #include <CGAL/Spherical_parameterization/values/Stretch_histogram.h>
 
+#include <cmath>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization {
@@ -28,7 +29,7 @@ namespace CGAL::Spherical_parameterization {
 /// \param options     which histogram
 /// \param np          optional named parameters: `vertex_point_map`, by default the mesh's own
 /// \return one share for each bin
-/// \pre options.bins >= 2, options.low < options.high, options.number_of_samples >= 1
+/// \pre options.bins >= 2, options.low < options.high, both are finite, options.number_of_samples >= 1
 /// \throws Error  `DEGENERATE_FACE` for a mesh of area 0, and the errors of `vertex_log_area_stretch()`
 ///
 /// Complexity: linear in the size of the mesh and the number of samples.
@@ -39,7 +40,8 @@ std::vector<double> stretch_histogram(const ExecutionPolicy& policy, const Trian
                                       const CGAL_NP_CLASS& np = parameters::default_values())
 {
   CGAL_SP_PRECONDITION(options.bins >= 2, "a histogram has two bins or more");
-  CGAL_SP_PRECONDITION(options.low < options.high, "the first bin of a histogram begins below the end of the last one");
+  CGAL_SP_PRECONDITION(options.low < options.high && std::isfinite(options.high - options.low),
+                       "the first bin of a histogram begins below the end of the last one, and both are finite");
   CGAL_SP_PRECONDITION(options.number_of_samples >= 1, "a histogram has one sample or more");
   const auto loop = internal::host_loop(policy);
   const internal::Mapped_surface map =

@@ -32,7 +32,7 @@ struct Place_between_bins {
 /// A weighted histogram of equal bins over [low, high]; what lies outside counts in the first or the last bin.
 class Histogram {
 public:
-  /// \pre bins >= 2, low < high
+  /// \pre bins >= 2, low < high, and both are finite
   Histogram(std::size_t bins, double low, double high) : low_(low), width_((high - low) / bins), bins_(bins, 0.) {}
 
   void add(double value, double weight)

@@ -133,4 +133,9 @@ TEST_CASE("relevance: few shapes, and copies", "[signature][form]")
     for(const double x : SP::relevance_of_shapes(shapes_at(places)))
       CHECK((x >= 0 && x <= 1));
   }
+  std::vector<double> places(10, 0.); // copies do not cut themselves off from others
+  places.insert(places.end(), {0.1, 5});
+  const std::vector<double> relevance = SP::relevance_of_shapes(shapes_at(places));
+  CHECK(relevance[10] > relevance[11]);
+  CHECK(relevance[11] > 0);
 }

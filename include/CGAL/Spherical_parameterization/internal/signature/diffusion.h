@@ -31,7 +31,7 @@ std::vector<double> diffused_similarity(std::size_t n, Distance distance)
   for(Eigen::Index i = 0; i < size; ++i)
     for(Eigen::Index j = 0; j <= i; ++j)
       between(i, j) = between(j, i) = i == j ? 0 : distance(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
-  // neighbours, and how far the last one is
+  // neighbours, and how far the last one is; copies come in addition, or many of them would cut themselves off
   std::vector<std::vector<Eigen::Index>> near(n);
   Vector reach(size);
   for(Eigen::Index i = 0; i < size; ++i) {
@@ -41,7 +41,9 @@ std::vector<double> diffused_similarity(std::size_t n, Distance distance)
         others.push_back(j);
     std::stable_sort(others.begin(), others.end(),
                      [&](Eigen::Index a, Eigen::Index b) { return between(i, a) < between(i, b); });
-    others.resize((std::min)(others.size(), neighbours));
+    const auto is_copy = [&](Eigen::Index j) { return between(i, j) == 0; };
+    const auto copies = static_cast<std::size_t>(std::count_if(others.begin(), others.end(), is_copy));
+    others.resize((std::min)(others.size(), copies + neighbours));
     reach[i] = others.empty() ? 0 : between(i, others.back());
     near[static_cast<std::size_t>(i)] = std::move(others);
   }

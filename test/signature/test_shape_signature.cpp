@@ -283,7 +283,7 @@ TEST_CASE("signature: meshes and maps that have none are refused", "[signature]"
 
   const Soup soup = icosphere(1);
   check_refused(make_mesh(soup), Sphere(soup.points.size(), Point(1, 0, 0)), "map");
-  check_refused(make_mesh(soup), Sphere(soup.points.size(), Point(NAN, 0, 0)), "map");
+  check_refused(make_mesh(soup), Sphere(soup.points.size(), Point(NAN, 0, 0)), "not finite");
 }
 
 TEST_CASE("signature: any FaceGraph has one", "[signature]")

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <string>
 
 namespace CGAL::Spherical_parameterization::internal {
 
@@ -43,6 +44,10 @@ struct Conformal_factor {
   {
     const typename Surface::Vector b = spherical_areas(map);
     const double total = b.sum();
+    for(std::size_t i = 0; i < map.image.size(); ++i)
+      if(!is_finite(map.image[i]))
+        throw Input_error(Error_code::NON_FINITE_COORDINATE,
+                          "the image of vertex " + std::to_string(map.position[i]) + " on the sphere");
     if(!(total > 0) || !std::isfinite(total))
       throw Input_error(Error_code::NOT_BIJECTIVE, "the sphere map has no area");
     Surface_solver<Loop, Surface> solve(loop, surface);

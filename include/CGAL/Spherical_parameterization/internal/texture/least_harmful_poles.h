@@ -35,8 +35,10 @@ CGAL_SP_INLINE std::vector<vec3> pole_candidates(const Host_array<vec3>& directi
   std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return stretch[i] > stretch[j]; });
   std::vector<vec3> candidates;
   for(std::size_t i : order) {
+    if(candidates.size() == most)
+      break;
     const auto is_far = [&](vec3 c) { return squared_distance(c, directions[i]) > 0.01; };
-    if(candidates.size() < most && std::all_of(candidates.begin(), candidates.end(), is_far))
+    if(std::all_of(candidates.begin(), candidates.end(), is_far))
       candidates.push_back(directions[i]);
   }
   return candidates;

@@ -95,7 +95,7 @@ struct Latitude_longitude_chart {
     face.uv[next].x = longitude[middle] + shortest_turn(longitude[middle], longitude[next]);
     face.uv[previous].x = longitude[middle] - shortest_turn(longitude[previous], longitude[middle]);
     into_range(face.uv);
-    face.is_at_seam = (std::max)({face.uv[0].x, face.uv[1].x, face.uv[2].x}) >= 1;
+    face.is_at_seam = (std::max)({face.uv[0].x, face.uv[1].x, face.uv[2].x}) > 1;
 
     const vec3 centre = unit(add(p[0], add(p[1], p[2])));
     const vec3 c = frame(centre);

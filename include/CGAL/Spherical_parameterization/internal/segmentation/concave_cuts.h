@@ -25,8 +25,9 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-/// An order of the faces in which neighbours are close together, as the multigrid needs it: that of the mesh, unless it
-/// is almost as good as random. Then the faces are sorted by their first vertices, which are numbered breadth-first.
+/// An order of the faces in which neighbours are close together, as the multigrid needs it: that of the mesh, unless a
+/// quarter of the neighbours are far from each other in it. Then the faces are sorted by their first vertices, which
+/// are numbered breadth-first.
 CGAL_SP_INLINE Host_array<int> local_order(const Segmentation_mesh& mesh)
 {
   constexpr int far_away = 16384; // the multigrid cuts between blocks of so many
@@ -34,7 +35,7 @@ CGAL_SP_INLINE Host_array<int> local_order(const Segmentation_mesh& mesh)
   int far_sides = 0;
   for(int h = 0; h < mesh.number_of_halfedges(); ++h)
     far_sides += is_far(h);
-  const bool is_local = far_sides <= 3 * (mesh.number_of_halfedges() / 4);
+  const bool is_local = far_sides <= mesh.number_of_halfedges() / 4;
   std::vector<int> begin; // of no use
   return sorted_by_key(mesh.number_of_faces(), mesh.number_of_vertices(), begin, [&](int f) {
     return is_local ? 0 : *std::min_element(mesh.face[f].begin(), mesh.face[f].end());

@@ -182,6 +182,23 @@ std::string decompressed(const std::string& file, std::string bytes)
 }
 
 #ifdef SPHERICAL_PARAMETERIZATION_WITH_COMPRESSION
+namespace {
+
+/// Takes all that it gets: what is left when a disk is full would come again and again. The stream remembers the
+/// failure.
+struct Sink : io::sink {
+  std::ostream* out;
+
+  explicit Sink(std::ostream& stream) : out(&stream) {}
+  std::streamsize write(const char* bytes, std::streamsize size)
+  {
+    out->write(bytes, size);
+    return size;
+  }
+};
+
+} // namespace
+
 std::unique_ptr<std::ostream> compressing_stream(std::ostream& out, Compression compression, const std::string&)
 {
   auto stream = std::make_unique<io::filtering_ostream>();
@@ -192,7 +209,7 @@ std::unique_ptr<std::ostream> compressing_stream(std::ostream& out, Compression 
   case Compression::ZSTD: stream->push(io::zstd_compressor()); break;
   case Compression::BZIP2: stream->push(io::bzip2_compressor()); break;
   }
-  stream->push(out);
+  stream->push(Sink(out));
   return stream;
 }
 #else

@@ -155,6 +155,21 @@ TEST_CASE("faults: a disk that is full leaves nothing half-written", "[tool][fau
   }
 }
 
+TEST_CASE("faults: a disk that is full ends a compressed output, too", "[tool][faults]")
+{
+  Scratch scratch;
+  const std::string input = prepare(scratch);
+  const auto before = files_in(scratch.folder());
+  Process_options options;
+  options.largest_file = 8192; // the output has more, however well it is compressed
+  for(const char* name : {"out.off.gz", "out.off.xz", "out.off.zst", "out.off.bz2"}) {
+    CAPTURE(name);
+    const Process_result run = run_tool({"map", input, "-o", scratch / name}, options);
+    check_failed(run, scratch, before);
+    CHECK(run.err.find("could not be written completely") != std::string::npos);
+  }
+}
+
 TEST_CASE("faults: every command that writes is tried", "[tool][faults]")
 {
   Scratch scratch;

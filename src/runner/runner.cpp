@@ -256,6 +256,7 @@ private:
   {
     std::string& folder = request_.outputs["--output"];
     std::error_code none;
+    require(folder != standard_stream, "--output", "is the standard output; name a folder");
     require(is_folder(folder) || !fs::exists(folder, none), "--output",
             "'" + folder + "' is a file; the output of several meshes is a folder");
     require(is_folder(folder) || !looks_like_file(folder), "--output",
@@ -337,6 +338,8 @@ private:
       if(option != "--output") {
         require(file.empty() || !folder.empty(), "--output",
                 "is required: a folder for the files '" + file + "' of several meshes");
+        require(file != standard_stream, option,
+                "is the standard output, which is for one mesh; name the end of a file");
         require(file.find('/') == std::string::npos, "--output",
                 "is a folder: '" + file + "' is added to the names of the meshes, and may not have a '/'");
       }

@@ -369,6 +369,9 @@ private:
                    }};
       },
       threads};
+    for(const Item& item : collection.items) // which has no time by which a later run knows it again
+      require(folder.empty() || item.mesh != standard_stream, "IN",
+              "the standard input is one mesh; name a file as --output");
     const Request first = of_item(collection.items.front(), spheres);
     check(first);
     for(const auto& [option, file] : inputs(first))

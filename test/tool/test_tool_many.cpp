@@ -484,6 +484,8 @@ TEST_CASE("many: wrong usage is said before any work", "[tool][many]")
         "would overwrite the mesh");
   check({"map", "--list", scratch / "file", "-o"}, "--output");
   check({"map", "-o", out}, "IN or --list");
+  check({"map", "-", folder, "-o", out}, "IN: the standard input is one mesh");
+  check({"map", "-", "-o", out + "/"}, "IN: the standard input is one mesh");
   check({"map", folder, "-o", "-"}, "--output: is the standard output");
   check({"map", folder, "-o", out, "--report", "-"}, "--report: is the standard output");
   check({"segment", folder, "-o", out, "--sphere", folder}, "is the folder of the meshes");

@@ -375,8 +375,10 @@ private:
     const Request first = of_item(collection.items.front(), spheres);
     check(first);
     for(const auto& [option, file] : inputs(first))
-      if(!file.empty() && file != first.options.input && file != first.options.sphere)
+      if(!file.empty() && file != first.options.input && file != first.options.sphere) {
+        require(file != standard_stream, option, "is read for each mesh, as the standard input cannot be; name a file");
         check_readable(file); // one for all meshes: without it none is done
+      }
     return run_collection(collection);
   }
 

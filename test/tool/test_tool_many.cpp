@@ -486,6 +486,8 @@ TEST_CASE("many: wrong usage is said before any work", "[tool][many]")
   check({"map", "-o", out}, "IN or --list");
   check({"map", "-", folder, "-o", out}, "IN: the standard input is one mesh");
   check({"map", "-", "-o", out + "/"}, "IN: the standard input is one mesh");
+  for(const char* option : {"--fixed", "--density", "--data"})
+    check({"map", folder, "-o", out, option, "-"}, std::string(option) + ": is read for each mesh");
   check({"map", folder, "-o", "-"}, "--output: is the standard output");
   check({"map", folder, "-o", out, "--report", "-"}, "--report: is the standard output");
   check({"segment", folder, "-o", out, "--sphere", folder}, "is the folder of the meshes");

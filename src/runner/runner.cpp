@@ -369,6 +369,8 @@ private:
                    }};
       },
       threads};
+    request_.meshes = {}; // is copied for every mesh, as what was typed is
+    request_.given.erase("IN");
     for(const Item& item : collection.items) // which has no time by which a later run knows it again
       require(folder.empty() || item.mesh != standard_stream, "IN",
               "the standard input is one mesh; name a file as --output");

@@ -73,7 +73,7 @@ Json attempts_of(const SP::Result& result)
 std::pair<double, std::size_t> effort_of(const Mapping_options& options, const SP::Result& result)
 {
   using SP::Isometric;
-  if(options.method == "automatic" && result.method == "isometric") // what was given is for the springs
+  if(options.method != "isometric" && result.method == "isometric") // what was given is for the springs
     return {Isometric::default_accuracy, Isometric::default_number_of_iterations};
   return std::visit(
     [&options](const auto& method) {

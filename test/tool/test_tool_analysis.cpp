@@ -500,6 +500,18 @@ TEST_CASE("segment: one label per face, and colours for them", "[tool]")
   CHECK(text_of(scratch / "two.txt").find('1') == std::string::npos);
 }
 
+TEST_CASE("segment: where it takes another method, the settings in the report are of that one", "[tool]")
+{
+  Scratch scratch;
+  REQUIRE(run_tool({"segment", write_off(scratch / "in.off", cube()), "-o", scratch / "out.ply", "--iterations", "3",
+                    "--report", scratch / "report.json"})
+            .exit_code == 0);
+  const nlohmann::json report = nlohmann::json::parse(text_of(scratch / "report.json"));
+  CHECK(report["method_used"] == "isometric");
+  CHECK(report["settings"]["accuracy"] == SP::Isometric::default_accuracy);
+  CHECK(report["settings"]["iterations"] == SP::Isometric::default_number_of_iterations);
+}
+
 TEST_CASE("segment --like: segments get the labels of the corresponding ones of another mesh", "[tool]")
 {
   Scratch scratch;

@@ -439,6 +439,7 @@ Work atlas_work()
     .of({"none", "centre", "rigid", "similarity"});
   options.add("--modes", own->modes, "Largest number of principal components to write").in("[0,1000000]");
   options.add("--ascii", own->ascii, "Write PLY files as text instead of little-endian binary");
+  work.reads = [own](const Request&) { return Work::Files{{"--template", own->template_mesh}}; };
   work.writes = [own](const Request& request) {
     Work::Files files;
     for(const char* name : {"/mean.ply", "/variance.ply", "/scores.csv", "/quality.csv", "/report.json", "/meshes.db"})

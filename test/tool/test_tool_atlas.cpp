@@ -175,6 +175,19 @@ TEST_CASE("atlas --prepare: a mesh with a hole, and a template with one, are men
   CHECK(run_tool(command).out.find("3 done by an earlier run") != std::string::npos);
 }
 
+TEST_CASE("atlas: the template is not overwritten", "[tool]")
+{
+  Scratch scratch;
+  fs::create_directory(scratch / "atlas");
+  const std::string mean = write_off(scratch / "atlas/mean.ply", icosphere(1)), old = text_of(mean),
+                    in = write_off(scratch / "in.off", icosphere(1));
+  const Process_result run = run_tool({"atlas", in, "-o", scratch / "atlas", "--template", mean});
+  CAPTURE(run.err);
+  CHECK(run.exit_code == 2);
+  CHECK(run.err.find("--output: is the same file as --template") != std::string::npos);
+  CHECK(text_of(mean) == old);
+}
+
 TEST_CASE("atlas: where there is nothing to compare, nothing is written", "[tool]")
 {
   Scratch scratch;

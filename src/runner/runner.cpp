@@ -293,8 +293,9 @@ private:
     Files read = inputs(request_);
     if(step_.takes.meshes == Takes::TOGETHER) {
       read.emplace_back("--list", request_.meshes.list);
-      for(const std::string& mesh : request_.meshes.meshes())
-        read.emplace_back("the mesh " + mesh, mesh);
+      const bool has_folder = step_.gives.front().kind == Output::FOLDER; // whose meshes are outputs
+      for(const Item& item : items_of(request_.meshes, {{"--output", has_folder ? request_.file() : ""}}))
+        read.emplace_back("the mesh " + item.mesh, item.mesh);
     }
     check_files(read, outputs(request_));
     Run run(request_);

@@ -188,6 +188,26 @@ TEST_CASE("atlas: the template is not overwritten", "[tool]")
   CHECK(text_of(mean) == old);
 }
 
+TEST_CASE("atlas: in the folder of the meshes, as often as one likes, but not that folder itself", "[tool]")
+{
+  Scratch scratch;
+  const std::string folder = scratch / "meshes";
+  fs::create_directory(folder);
+  write_off(folder + "/1.off", ellipsoid(1, 1, 2, 2));
+  write_off(folder + "/2.off", ellipsoid(1, 1.5, 2, 2));
+  const std::vector<std::string> command = {"atlas", folder, "-o", folder + "/atlas", "--level", "2"};
+  CHECK(run_tool(command).exit_code == 0);
+  const Process_result again = run_tool(command);
+  CAPTURE(again.out, again.err);
+  CHECK(again.exit_code == 0);
+  CHECK(again.out.find("2 meshes, 0 refused, 2 done by an earlier run") != std::string::npos);
+
+  const Process_result same = run_tool({"atlas", folder, "-o", folder});
+  CAPTURE(same.err);
+  CHECK(same.exit_code == 2);
+  CHECK(same.err.find("is the folder of the meshes") != std::string::npos);
+}
+
 TEST_CASE("atlas: where there is nothing to compare, nothing is written", "[tool]")
 {
   Scratch scratch;

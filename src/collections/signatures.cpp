@@ -124,6 +124,8 @@ std::optional<Signature_row> sign_mesh(const std::string& file, bool mends)
   } catch(const std::exception& exception) {
     fail({no_signature, file, exception.what(), ""});
   }
+  if(row.refusal && was_interrupted()) // which is all that was wrong
+    return std::nullopt;
   return row;
 }
 

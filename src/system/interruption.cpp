@@ -25,7 +25,8 @@ void watch_for_interruption()
 {
   if(!was_interrupted())
     for(const int signal : {SIGINT, SIGTERM})
-      std::signal(signal, note_interruption);
+      if(std::signal(signal, note_interruption) == SIG_IGN) // by a shell, of what runs in the background
+        std::signal(signal, SIG_IGN);
 }
 
 bool was_interrupted() { return noted_signal != 0; }

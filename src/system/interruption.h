@@ -13,6 +13,7 @@
 namespace tool {
 
 /// From now on the first SIGINT or SIGTERM is only noted, so that work can end in good order. A second one kills.
+/// One that is ignored stays so.
 void watch_for_interruption();
 
 bool was_interrupted();

@@ -202,6 +202,22 @@ TEST_CASE("many: a run that was stopped goes on where it was", "[tool][many]")
   CHECK(files_in(out) == files_in(scratch / "whole"));
 }
 
+TEST_CASE("many: SIGINT stays ignored where a shell has said so", "[tool][many]")
+{
+  Scratch scratch;
+  const std::string folder = make_folder(scratch, 4), out = scratch / "out";
+  Process_options options;
+  options.meanwhile = [&](int pid) {
+    wait_for_rows(out, 1);
+    kill(pid, SIGINT);
+  };
+  const Process_result run = run_process(
+    {"/bin/sh", "-c", "trap '' INT; exec \"$@\"", "sh", TOOL, "map", folder, "-o", out, "-j", "1"}, options);
+  CAPTURE(run.out, run.err);
+  CHECK(run.exit_code == 1); // two are refused
+  CHECK(lines_of(run.out).size() == 15);
+}
+
 TEST_CASE("many: what has changed is done again, and nothing else", "[tool][many]")
 {
   Scratch scratch;

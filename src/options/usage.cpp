@@ -12,7 +12,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <system_error>
+#include <unordered_map>
+
+#include <sys/stat.h>
 
 namespace tool {
 namespace {
@@ -36,11 +40,27 @@ std::size_t edit_distance(const std::string& a, const std::string& b)
 
 namespace fs = std::filesystem;
 
-bool is_same_file(const std::string& a, const std::string& b)
-{
-  std::error_code error; // of files that do not exist: then their names decide
-  return fs::equivalent(a, b, error) || fs::weakly_canonical(a, error) == fs::weakly_canonical(b, error);
-}
+/// Files by what they are, and by their places for those that do not exist.
+class Named_files {
+public:
+  /// The option that has named the file before; empty if there is none.
+  std::string add(const File_option& named)
+  {
+    const auto& [option, file] = named;
+    std::error_code error;
+    const fs::path place = fs::weakly_canonical(file, error);
+    const auto [same_place, is_new_place] = by_place_.emplace(error ? file : place.string(), option);
+    struct stat status;
+    if(stat(file.c_str(), &status) == 0)
+      if(const auto [same, is_new] = by_node_.emplace(std::pair(status.st_dev, status.st_ino), option); !is_new)
+        return same->second;
+    return is_new_place ? "" : same_place->second;
+  }
+
+private:
+  std::unordered_map<std::string, std::string> by_place_;
+  std::map<std::pair<dev_t, ino_t>, std::string> by_node_;
+};
 
 } // namespace
 
@@ -84,7 +104,9 @@ void check_files(const std::vector<File_option>& inputs, const std::vector<File_
       require(reader.empty(), option, "reads the standard input, as " + reader + " does");
       reader = option;
     }
-  std::vector<File_option> files = inputs;
+  Named_files files;
+  for(const File_option& input : inputs)
+    files.add(input);
   for(const auto& [option, file] : outputs) {
     if(file.empty())
       continue;
@@ -97,9 +119,8 @@ void check_files(const std::vector<File_option>& inputs, const std::vector<File_
     const fs::file_type type = fs::status(file, none).type();
     require(type == fs::file_type::not_found || type == fs::file_type::regular, option,
             "'" + file + "' exists and is not a regular file");
-    for(const auto& [other_option, other_file] : files)
-      require(other_file.empty() || !is_same_file(file, other_file), option, "is the same file as " + other_option);
-    files.emplace_back(option, file);
+    const std::string other = files.add({option, file});
+    require(other.empty(), option, "is the same file as " + other);
   }
 }
 

@@ -28,18 +28,41 @@ inline std::string csv_quoted(const std::string& text)
   return result + '"';
 }
 
-/// Text or the value of an attribute in XML, in which there are no control characters.
+/// Number of bytes of the first character of a text in UTF-8 (RFC 3629); 0 if it is none that XML may have.
+inline std::size_t size_of_character(std::string_view text)
+{
+  const auto byte = [text](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0; };
+  const int a = byte(0), b = byte(1);
+  const std::size_t size = a < 0x80 ? 1 : a < 0xc2 ? 0 : a < 0xe0 ? 2 : a < 0xf0 ? 3 : a < 0xf5 ? 4 : 0;
+  for(std::size_t i = 1; i < size; ++i)
+    if((byte(i) & 0xc0) != 0x80)
+      return 0;
+  const bool is_overlong = (a == 0xe0 && b < 0xa0) || (a == 0xf0 && b < 0x90), is_too_large = a == 0xf4 && b > 0x8f,
+             is_surrogate = a == 0xed && b > 0x9f, is_none = a == 0xef && b == 0xbf && byte(2) > 0xbd;
+  return is_overlong || is_too_large || is_surrogate || is_none ? 0 : size;
+}
+
+/// Text or the value of an attribute in XML, in which there are no control characters, and no bytes that are no UTF-8.
 inline std::string xml_escaped(const std::string& text)
 {
   std::string result;
-  for(const char c : text)
-    switch(c) {
-    case '&': result += "&amp;"; break;
-    case '<': result += "&lt;"; break;
-    case '>': result += "&gt;"; break;
-    case '"': result += "&quot;"; break;
-    default: result += static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\t' ? ' ' : c;
-    }
+  for(std::size_t i = 0; i < text.size();) {
+    const std::size_t size = size_of_character(std::string_view(text).substr(i));
+    const char c = text[i];
+    if(size == 0)
+      result += "\xef\xbf\xbd"; // U+FFFD, the sign for that
+    else if(size > 1)
+      result += text.substr(i, size);
+    else
+      switch(c) {
+      case '&': result += "&amp;"; break;
+      case '<': result += "&lt;"; break;
+      case '>': result += "&gt;"; break;
+      case '"': result += "&quot;"; break;
+      default: result += c >= 0 && c < ' ' && c != '\n' && c != '\t' ? ' ' : c;
+      }
+    i += size == 0 ? 1 : size;
+  }
   return result;
 }
 

@@ -564,6 +564,32 @@ TEST_CASE("data: what a format cannot hold is refused, not written", "[tool][dat
   check("two.csv", "two.shape.gii", 0, "");
 }
 
+TEST_CASE("data: bytes of names that are no UTF-8 are replaced in XML", "[tool][data]")
+{
+  Scratch scratch;
+  const std::string input = write_off(scratch / "in.off", icosphere(0));
+  const std::vector<std::pair<std::string, std::string>> names = {{"H\xc3\xb6he", "H\xc3\xb6he"},
+                                                                  {"H\xf6he", "H\xef\xbf\xbdhe"},
+                                                                  {"\xf0\x9f\x99\x82", "\xf0\x9f\x99\x82"},
+                                                                  {"x\xe2\x82", "x\xef\xbf\xbd\xef\xbf\xbd"},
+                                                                  {"\xc0\xaf", "\xef\xbf\xbd\xef\xbf\xbd"}};
+  for(const auto& [name, written] : names) {
+    std::string text = name + '\n';
+    for(int v = 0; v < 12; ++v)
+      text += "0.5\n";
+    write_text(scratch / "in.csv", text);
+    for(const char* output : {"out.vtp", "out.func.gii"}) {
+      CAPTURE(name, output);
+      const Process_result run = run_tool({"map", input, "-o", scratch / "out.vtp", "--data", scratch / "in.csv",
+                                           "--data-output", scratch / "out.func.gii"});
+      CAPTURE(run.err);
+      REQUIRE(run.exit_code == 0);
+      CHECK(contains(text_of(scratch / output), written));
+      CHECK((name == written || !contains(text_of(scratch / output), name)));
+    }
+  }
+}
+
 TEST_CASE("data: every command carries it", "[tool][data]")
 {
   Scratch scratch;

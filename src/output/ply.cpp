@@ -94,6 +94,13 @@ std::vector<Ply_column> ply_columns(const Vertex_data& data)
 {
   Columns columns;
   std::set<std::string> names;
+  const auto exceeds_one = [](const Vertex_column& column) {
+    return std::any_of(column.values.begin(), column.values.end(), [](double x) { return x > 1; });
+  };
+  const auto is_of_colour = [](const std::string& name) { return name == "red" || name == "green" || name == "blue"; };
+  const bool are_bytes = std::any_of(data.begin(), data.end(), [&](const Vertex_column& column) {
+    return is_of_colour(column.name) && exceeds_one(column);
+  });
   for(const Vertex_column& column : data) {
     std::string name = column.name;
     for(char& c : name)
@@ -101,9 +108,7 @@ std::vector<Ply_column> ply_columns(const Vertex_data& data)
     while(is_point_or_normal(name) || !names.insert(name).second)
       name += '_';
     const std::vector<double>& values = column.values;
-    const bool is_colour = (name == "red" || name == "green" || name == "blue" || name == "alpha") &&
-                           std::any_of(values.begin(), values.end(), [](double x) { return x > 1; });
-    if(is_colour)
+    if(is_of_colour(name) ? are_bytes : name == "alpha" && exceeds_one(column))
       columns.push_back({Ply_column::Type::UCHAR, name,
                          [&values](std::size_t v) { return std::fmin(255, std::fmax(0, std::round(values[v]))); }});
     else if(column.is_label)

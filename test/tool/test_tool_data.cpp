@@ -590,6 +590,18 @@ TEST_CASE("data: bytes of names that are no UTF-8 are replaced in XML", "[tool][
   }
 }
 
+TEST_CASE("data: a colour has one type, also where parts of it are nowhere more than 1", "[tool][data]")
+{
+  Scratch scratch;
+  const std::string input = write_off(scratch / "in.off", icosphere(0));
+  std::string text = "red,green,blue\n";
+  for(int v = 0; v < 12; ++v)
+    text += "0,255,1\n";
+  write_text(scratch / "in.csv", text);
+  REQUIRE(run_tool({"map", input, "-o", scratch / "out.ply", "--data", scratch / "in.csv"}).exit_code == 0);
+  CHECK(contains(text_of(scratch / "out.ply"), "property uchar red\nproperty uchar green\nproperty uchar blue\n"));
+}
+
 TEST_CASE("data: every command carries it", "[tool][data]")
 {
   Scratch scratch;

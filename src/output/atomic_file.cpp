@@ -26,9 +26,14 @@ const std::string before_number = ".part";
 /// In the same folder, since renaming must not copy.
 std::string beginning_of_temporary(const std::string& file)
 {
-  const std::string name =
-    file == standard_stream ? (std::filesystem::temp_directory_path() / "spherical-parameterization").string() : file;
-  return name + before_number;
+  if(file != standard_stream)
+    return file + before_number;
+  std::error_code error;
+  const std::filesystem::path folder = std::filesystem::temp_directory_path(error);
+  if(error)
+    throw Refusal(unwritable_file, "standard output",
+                  "there is no folder for temporary files (" + error.message() + ")", "set TMPDIR to one");
+  return (folder / "spherical-parameterization").string() + before_number;
 }
 
 } // namespace

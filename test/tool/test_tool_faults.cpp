@@ -170,6 +170,16 @@ TEST_CASE("faults: a disk that is full ends a compressed output, too", "[tool][f
   }
 }
 
+TEST_CASE("faults: no folder for temporary files", "[tool][faults]")
+{
+  Scratch scratch;
+  const std::string input = prepare(scratch, 1);
+  const Process_result run =
+    run_process({"/usr/bin/env", "TMPDIR=" + scratch / "none", TOOL, "map", input, "-o", "-", "--format", "off"});
+  check_failed(run, scratch, files_in(scratch.folder()));
+  CHECK(run.err.find("set TMPDIR") != std::string::npos);
+}
+
 TEST_CASE("faults: every command that writes is tried", "[tool][faults]")
 {
   Scratch scratch;

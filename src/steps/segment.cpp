@@ -29,7 +29,8 @@ struct Segment_options {
 /// That shape, for all meshes: the first one makes it.
 struct Labelled_shape {
   std::once_flag is_made;
-  Mapped_mesh mesh; ///< with a map for registration
+  std::optional<Refusal> refusal; ///< it is tried once
+  Mapped_mesh mesh;               ///< with a map for registration
   Labels labels;
 };
 
@@ -52,7 +53,9 @@ Labels segments_of(const Segment_options& own, const Mapping_options& options, M
 void make(const Segment_options& own, Mapping_options options, Labelled_shape& shape)
 {
   options.input = own.like;
-  options.sphere.clear();
+  options.sphere.clear(); // as all that is for the vertices of IN
+  options.fixed.clear();
+  options.density.clear();
   options.data.clear();
   read_input(options, shape.mesh);
   const auto& prepared = shape.mesh.prepared;
@@ -106,7 +109,9 @@ void segment(const Segment_options& own, Labelled_shape& shape, Run& run)
   run.figures.seconds_measure = whole.seconds() - input.seconds_map;
   std::optional<SP::Registration_result> likeness;
   if(!own.like.empty()) {
-    std::call_once(shape.is_made, [&] { make(own, run.options, shape); });
+    std::call_once(shape.is_made, [&] { shape.refusal = guarded(own.like, [&] { make(own, run.options, shape); }); });
+    if(shape.refusal)
+      throw Refusal(*shape.refusal);
     likeness = label_like(own, shape, run, segments);
   }
 

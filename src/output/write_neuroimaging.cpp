@@ -206,7 +206,7 @@ void write_gifti_data(std::ostream& out, const std::string& file, const Vertex_d
   for(const Vertex_column& column : data)
     for(const Label& label : column.table)
       if(const auto [known, is_new] = table.emplace(label.key, label); !is_new && known->second.name != label.name)
-        throw Refusal(unwritable_file, file,
+        throw Refusal(unwritable_data, file,
                       "the format has one table, and the key " + std::to_string(label.key) + " stands for " +
                         in_quotes(known->second.name) + " and for " + in_quotes(label.name),
                       "write these columns one by one, or as .csv");
@@ -269,7 +269,7 @@ void write_annot(std::ostream& out, const std::string& file, const Vertex_column
       const std::int32_t colour = rgb[0] | rgb[1] << 8 | rgb[2] << 16;
       const auto [known, is_new] = names.emplace(colour, label.name);
       if(!is_new || label.key < 0)
-        throw Refusal(unwritable_file, file,
+        throw Refusal(unwritable_data, file,
                       is_new ? "the label " + in_quotes(label.name) + " has the key " + std::to_string(label.key) +
                                  ", and the format has none below 0"
                              : "the labels " + in_quotes(known->second) + " and " + in_quotes(label.name) +

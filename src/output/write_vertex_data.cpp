@@ -98,11 +98,11 @@ void write_vertex_data(std::ostream& out, const std::string& file, const Vertex_
       held.push_back(column.is_label ? with_all_keys(column) : column);
   const std::string what = are_labels ? "labels" : "numbers";
   if(held.empty())
-    throw Refusal(unwritable_file, file, "there are no columns of " + what + " to write",
+    throw Refusal(unwritable_data, file, "there are no columns of " + what + " to write",
                   "give a file that has some: --data");
   const bool holds_one = format == Data_format::ANNOT || format == Data_format::LABEL || format == Data_format::CURV;
   if(holds_one && held.size() > 1)
-    throw Refusal(unwritable_file, file,
+    throw Refusal(unwritable_data, file,
                   "the format holds one column, and there are " + std::to_string(held.size()) + " of " + what,
                   std::string("write ") + (are_labels ? ".label.gii" : ".func.gii") + " or .csv");
   switch(format) {

@@ -602,6 +602,25 @@ TEST_CASE("data: a colour has one type, also where parts of it are nowhere more 
   CHECK(contains(text_of(scratch / "out.ply"), "property uchar red\nproperty uchar green\nproperty uchar blue\n"));
 }
 
+TEST_CASE("data: of many meshes, one without columns is refused, and the others are done", "[tool][data]")
+{
+  Scratch scratch;
+  const std::string folder = scratch / "in";
+  std::filesystem::create_directory(folder);
+  write_off(scratch / "a.off", icosphere(1));
+  write_data(scratch / "in.csv", columns(42));
+  for(const char* name : {"/a.ply", "/c.ply"})
+    REQUIRE(run_tool({"map", scratch / "a.off", "-o", folder + name, "--data", scratch / "in.csv"}).exit_code == 0);
+  write_off(folder + "/b.off", icosphere(1));
+  const Process_result run = run_tool({"map", folder, "-o", scratch / "out", "--data-output", "x.func.gii", "-j", "1"});
+  CAPTURE(run.out, run.err);
+  CHECK(run.exit_code == 1);
+  CHECK(contains(run.out, "b.x.func.gii: there are no columns of numbers to write"));
+  CHECK(contains(run.out, "3 meshes, 1 refused"));
+  CHECK(std::filesystem::exists(scratch / "out/c.x.func.gii"));
+  CHECK_FALSE(std::filesystem::exists(scratch / "out/b.ply"));
+}
+
 TEST_CASE("data: every command carries it", "[tool][data]")
 {
   Scratch scratch;

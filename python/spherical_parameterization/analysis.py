@@ -14,7 +14,7 @@ from . import _core
 from .arrays import Doubles, Integers, OneLine, Sphere, check, chosen, doubles, index_triples, integers
 from .arrays import numbers, one_of, sphere_vectors, unit_vectors, vectors, wrong_type
 from .errors import ErrorCode
-from .maps import parameterize
+from .maps import map_to_go_on
 from .methods import SEGMENTATIONS, Balanced, MajorityVote, Segmentation
 
 
@@ -686,9 +686,9 @@ def shape_signature(
     """
     check(shape_signature, locals())
     if sphere is None:
-        result = parameterize(points, triangles, Balanced(), weights="clamped", policy=policy, warn=False)
+        result = map_to_go_on(points, triangles, Balanced(), weights="clamped", policy=policy, warn=False)
         if result.error is ErrorCode.NOT_CONVERGED:
-            result = parameterize(points, triangles, Balanced(), weights="barycentric", policy=policy, warn=False) or result
+            result = map_to_go_on(points, triangles, Balanced(), weights="barycentric", policy=policy, warn=False) or result
         sphere = result.sphere
     return _core.shape_signature(*_mesh(points, triangles, sphere), policy)
 

@@ -12,7 +12,7 @@ import numpy.typing as npt
 from . import _core
 from .arrays import Doubles, Integers, OneLine, check, index_triples, one_of, vectors
 from .errors import ErrorCode, MeshError
-from .maps import parameterize
+from .maps import map_to_go_on
 from .methods import Isometric
 from .statistics import ShapeStatistics
 
@@ -91,7 +91,7 @@ def atlas(
     codes: list[ErrorCode | str] = []
     for i, (points, triangles) in enumerate(arrays):
         try:
-            result = parameterize(points, triangles, Isometric(), policy=policy, warn=False)
+            result = map_to_go_on(points, triangles, Isometric(), policy=policy, warn=False)
         except MeshError as error:
             refused[i] = str(error)
             codes.append(error.code)

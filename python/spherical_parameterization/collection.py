@@ -29,7 +29,7 @@ from .analysis import distortion, shape_signature
 from .arrays import check, wrong_type
 from .errors import MeshError
 from .files import read_mesh
-from .maps import parameterize
+from .maps import map_to_go_on
 
 
 class Row(NamedTuple):
@@ -58,7 +58,7 @@ def map_file(path: str, **settings: Any) -> dict[str, Any]:
     """
     points, triangles = read_mesh(path)
     chosen: dict[str, Any] = {"policy": "sequential", "warn": False, **settings}
-    result = parameterize(points, triangles, **chosen)
+    result = map_to_go_on(points, triangles, **chosen)
     summary = distortion(points, triangles, result.sphere, policy="sequential")
     return {
         "vertices": result.number_of_vertices,

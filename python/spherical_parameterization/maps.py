@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import functools
+import inspect
 import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -330,6 +331,24 @@ def parameterize(
     ...     print(error.code)
     BOUNDARY
     """
+    return _mapped(**locals())[0]
+
+
+def map_to_go_on(*arguments: Any, **settings: Any) -> Result:
+    """`parameterize()` for functions that go on with the map: Ctrl-C ends them, too, with a KeyboardInterrupt."""
+    bound = inspect.signature(parameterize).bind(*arguments, **settings)
+    bound.apply_defaults()
+    result, was_ctrl_c = _mapped(**bound.arguments)
+    if was_ctrl_c:
+        raise KeyboardInterrupt
+    return result
+
+
+def _mapped(
+    points: Any, triangles: Any, method: Any, *, weights: Any, policy: Any, fixed: Any, density: Any, start: Any, accuracy: Any,
+    iterations: Any, maximum_running_time: Any, progress: Any, verbose: Any, warn: Any,
+) -> tuple[Result, bool]:
+    """The result of `parameterize()`, and whether Ctrl-C has ended the call."""
     check(parameterize, locals())
     points, triangles = vectors("points", points), index_triples(triangles)
     sphere = np.zeros_like(points) if start is None else sphere_vectors("start", start, len(points)).copy()
@@ -362,8 +381,8 @@ def parameterize(
     fields["seconds"] = Seconds(*fields["seconds"])
     result = Result(sphere=sphere, error=error, attempts=attempts, **fields)
     if warn and not result:
-        warnings.warn(result.text, MapWarning, stacklevel=2)
-    return result
+        warnings.warn(result.text, MapWarning, stacklevel=3)
+    return result, was_ctrl_c
 
 
 def certify(triangles: npt.ArrayLike, sphere: Sphere, *, policy: str = "parallel") -> Certificate:

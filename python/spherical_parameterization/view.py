@@ -15,7 +15,7 @@ from .analysis import distortion, face_distortion, segment
 from .arrays import OneLine, Sphere, check, index_triples, sphere_vectors, vectors
 from .errors import ErrorCode, MeshError
 from .files import Path
-from .maps import certify, parameterize
+from .maps import certify, map_to_go_on
 from .prepare import gpl_module
 
 
@@ -75,7 +75,7 @@ def view(
     points, triangles = vectors("points", points), index_triples(triangles)
     result = None
     if sphere is None:
-        sphere = result = parameterize(points, triangles, policy=policy)
+        sphere = result = map_to_go_on(points, triangles, policy=policy)
         if not result:
             raise MeshError(result.error, result.detail)
     images = sphere_vectors("sphere", sphere, len(points))

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import importlib.util
 import os
 import pickle
 import signal
@@ -10,6 +11,7 @@ import threading
 import time
 import tracemalloc
 from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -249,6 +251,25 @@ def test_ctrl_c_without_a_map() -> None:
 
     with pytest.raises(KeyboardInterrupt):
         sp.parameterize(*bumpy(6), sp.Isometric(), progress=progress, policy="sequential")
+
+
+def test_ctrl_c_ends_what_would_go_on_with_the_map(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    points, triangles = bumpy(4)
+    sp.write_mesh(tmp_path / "a.off", points, triangles)
+
+    def progress(fraction: float) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(sp.maps, "callback_of", lambda given: progress)
+    with pytest.raises(KeyboardInterrupt):
+        sp.collection.map_file(str(tmp_path / "a.off"), policy="parallel")
+    with pytest.raises(KeyboardInterrupt):
+        sp.shape_signature(points, triangles)
+    with pytest.raises(KeyboardInterrupt):
+        sp.atlas([(points, triangles)] * 2)
+    if importlib.util.find_spec("spherical_parameterization._preparation"):
+        with pytest.raises(KeyboardInterrupt):
+            sp.view(points, triangles)
 
 
 def test_other_threads_go_on() -> None:

@@ -129,20 +129,38 @@ def _plainly(value: Any) -> Any:
     return value if isinstance(value, (str, bytes, int, float, complex)) else type(value).__qualname__
 
 
-def _computation(function: Any) -> Any:
-    """What a function does: its code, defaults, and the plain values and functions that it uses from outside."""
+def _names(code: types.CodeType) -> list[str]:
+    """What a function looks up by name, also in comprehensions and in functions inside it."""
+    inner = [name for constant in code.co_consts if isinstance(constant, types.CodeType) for name in _names(constant)]
+    return [*code.co_names, *inner]
+
+
+def _attributes(thing: Any) -> Any:
+    return [(name, _plainly(value)) for name, value in getattr(thing, "__dict__", {}).items()]
+
+
+def _computation(function: Any, seen: set[Any] | None = None) -> Any:
+    """What a function does: its code, defaults, and the plain values and functions that it uses from outside, and so on."""
     if isinstance(function, functools.partial):
         return _computation(function.func)
     if not inspect.isroutine(function):  # an object that can be called
-        return _computation(type(function).__call__), [(k, _plainly(v)) for k, v in getattr(function, "__dict__", {}).items()]
-    function = inspect.unwrap(getattr(function, "__func__", function))
+        return _computation(type(function).__call__), _attributes(function)
+    if isinstance(function, types.MethodType):
+        return _computation(function.__func__), _attributes(function.__self__)
+    function = inspect.unwrap(function)
     if not isinstance(function, types.FunctionType):
         return _plainly(function)
+    seen = set() if seen is None else seen
+    seen.add(function)
     code, cells = function.__code__, function.__closure__ or ()
-    outside = {name: function.__globals__.get(name) for name in code.co_names}
+    outside = {name: function.__globals__.get(name) for name in _names(code)}
     outside.update(zip(code.co_freevars, (cell.cell_contents for cell in cells)))
     defaults = [*(function.__defaults__ or ()), *(function.__kwdefaults__ or {}).values()]
-    return _plainly(code), _plainly(tuple(defaults)), [(name, _plainly(value)) for name, value in outside.items()]
+    return _plainly(code), _plainly(tuple(defaults)), [
+        # functions call each other
+        (name, _computation(value, seen) if isinstance(value, types.FunctionType) and value not in seen else _plainly(value))
+        for name, value in outside.items()
+    ]
 
 
 @functools.lru_cache(maxsize=None)
@@ -190,7 +208,8 @@ class _Store:
         self._store = _core.Store(os.fsencode(path))
         self._name = _name(function)
         self._computation = _digest(_computation(function), _package())
-        other = self._store.some_settings().partition("\n")[0]
+        settings = self._store.some_settings()
+        other = settings.rpartition("\n")[0] or settings  # arrays in the name have lines, too
         if other not in ("", self._name):
             self.close()
             raise ValueError(f"{os.fspath(path)} has results of {other}, not of {self._name}: name another file")

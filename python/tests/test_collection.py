@@ -181,6 +181,42 @@ def test_another_function_is_computed_again(tmp_path: Path) -> None:
     assert [row.value for row in sp.collection.read(tmp_path / "b")] == [3]
 
 
+class Power:
+    def __init__(self, power: int) -> None:
+        self.power = power
+
+    def of(self, item: str) -> int:
+        return int(item) ** self.power
+
+
+def test_what_is_used_indirectly_is_computed_again(tmp_path: Path) -> None:
+    def value(function: Any) -> Any:
+        sp.collection.map(["3"], function, store=tmp_path / "a")
+        return next(sp.collection.read(tmp_path / "a")).value
+
+    namespace: dict[str, Any] = {"__name__": "module"}
+    exec("def f(item): return [int(item) ** POWER for _ in '1']\ndef g(item): return f(item)", namespace)
+    for name in ("f", "g"):  # in a comprehension, and in a function that is called
+        for power in (2, 4):
+            namespace["POWER"] = power
+            assert value(namespace[name]) == [3**power]
+        (tmp_path / "a").unlink()
+    for power in (2, 3):
+        assert value(Power(power).of) == 3**power
+
+
+def test_arrays_are_settings(tmp_path: Path) -> None:
+    function = functools.partial(sum_of_rows, table=np.eye(3))
+    for _ in range(2):
+        assert sp.collection.map(["a"], function, store=tmp_path / "a") == {"OK": 1}
+    with pytest.raises(ValueError, match="name another file"):
+        sp.collection.map(["a"], functools.partial(sum_of_rows, table=np.ones((3, 3))), store=tmp_path / "a")
+
+
+def sum_of_rows(item: str, table: np.ndarray) -> float:
+    return float(table.sum())
+
+
 def sum_of(item: tuple[str, int]) -> int:
     return len(item[0]) + item[1]
 

@@ -17,7 +17,7 @@ from . import _core
 from .arrays import Doubles, Integers, Sphere, check, chosen, doubles, edge_numbers, index_triples
 from .arrays import integers, numbers, one_of, sphere_vectors, vectors, wrong_type
 from .errors import ErrorCode, MapWarning, MeshError
-from .methods import METHODS, Automatic, ClampedWeights, Method
+from .methods import METHODS, Automatic, ClampedWeights, Method, SaddlePoint
 
 Fixed = Union[Mapping[int, Sequence[float]], tuple[npt.ArrayLike, npt.ArrayLike]]
 
@@ -221,9 +221,17 @@ def opencl_devices() -> list[dict[str, Any]]:
 
 
 def callback_of(progress: object) -> object:
-    """A callable; a bar of tqdm is told by how much the fraction has grown."""
-    if progress is None or callable(progress):
-        return progress
+    """A callable; False of numpy is False. A bar of tqdm is told by how much the fraction has grown."""
+    if progress is None:
+        return None
+    if callable(progress):
+        function = progress
+
+        def goes_on(fraction: float) -> bool:
+            answer = function(fraction)
+            return not isinstance(answer, (bool, np.bool_)) or bool(answer)
+
+        return goes_on
     bar: Any = progress
     if not (hasattr(bar, "total") and hasattr(bar, "update") and hasattr(bar, "n")):
         raise wrong_type("progress", "a function, or a bar of tqdm,", bar)
@@ -272,7 +280,7 @@ def parameterize(
         A positive number for every point or every triangle: areas on the sphere are to be proportional to these numbers times the
         areas in the mesh. For `Isometric` and `Automatic`; `Result.density_deviation` says how close they are.
     start : array_like (n, 3) of float
-        The start map, for `SaddlePoint(start="given")`.
+        The start map, for `SaddlePoint(start="given")` and no other method.
     accuracy : float
         The residual to reach. Default: that of the method.
     iterations : int
@@ -351,6 +359,9 @@ def _mapped(
     """The result of `parameterize()`, and whether Ctrl-C has ended the call."""
     check(parameterize, locals())
     points, triangles = vectors("points", points), index_triples(triangles)
+    method = chosen("method", method, METHODS)
+    if start is not None and not (isinstance(method, SaddlePoint) and method.start == "given"):
+        raise ValueError("start: only SaddlePoint(start='given') starts from a map")
     sphere = np.zeros_like(points) if start is None else sphere_vectors("start", start, len(points)).copy()
     is_fixed = None if fixed is None else _fixed(fixed, sphere)
     if isinstance(policy, str):
@@ -360,7 +371,7 @@ def _mapped(
     fields, has_map, was_ctrl_c = _core.parameterize(
         points,
         triangles,
-        chosen("method", method, METHODS),
+        method,
         _weights(weights, triangles),
         opencl_device() if policy == "opencl" else policy,
         is_fixed,

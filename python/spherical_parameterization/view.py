@@ -75,7 +75,7 @@ def view(
     points, triangles = vectors("points", points), index_triples(triangles)
     result = None
     if sphere is None:
-        sphere = result = map_to_go_on(points, triangles, policy=policy)
+        sphere = result = map_to_go_on(points, triangles, policy=policy, warn=False)
         if not result:
             raise MeshError(result.error, result.detail)
     images = sphere_vectors("sphere", sphere, len(points))

@@ -230,6 +230,11 @@ def test_progress_stops() -> None:
     assert result.error == "INTERRUPTED" and result.degree == 1 and len(calls) == 3 and result.termination == "callback"
 
 
+def test_false_of_numpy_ends_a_call() -> None:
+    result = sp.parameterize(*bumpy(5), **endless(), progress=lambda fraction: np.False_, warn=False)
+    assert result.termination == "callback"
+
+
 def test_time_limit() -> None:
     start = time.monotonic()
     with pytest.warns(sp.MapWarning, match="the time limit was reached"):

@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from .arrays import Doubles, Integers, OneLine, Sphere, check, chosen, doubles, index_triples, integers
+from .arrays import Doubles, Integers, OneLine, Sphere, check, check_indices, chosen, doubles, index_triples, integers
 from .arrays import numbers, one_of, sphere_vectors, unit_vectors, vectors, wrong_type
 from .errors import ErrorCode
 from .maps import map_to_go_on
@@ -157,6 +157,8 @@ def length_changes(
     points, other_points = vectors("points", points), vectors("other_points", other_points)
     if len(other_points) != len(points):
         raise ValueError(f"other_points: as many as points are needed, not {len(other_points)} for {len(points)}")
+    if not np.isfinite(other_points).all():
+        raise ValueError("other_points: all have to be finite")
     of_faces, factor, share = _core.length_changes(points, index_triples(triangles), other_points, policy)
     return LengthChanges(of_faces, Distribution(*factor), share)
 
@@ -395,7 +397,7 @@ class Resampling:
         -------
         ndarray (k,)
         """
-        kinds, number = np.unique(_rows("labels", labels, self._size), return_inverse=True)
+        kinds, number = np.unique(_column("labels", labels, self._size), return_inverse=True)
         return kinds[self._weights.majorities(number)]
 
     def nearest(self, labels: npt.ArrayLike) -> Any:
@@ -420,6 +422,13 @@ def _rows(name: str, values: object, size: int) -> npt.NDArray[Any]:
         raise ValueError(f"{name}: {error}") from None
     if array.shape[:1] != (size,):
         raise ValueError(f"{name}: {size} rows are needed, not {array.shape}")
+    return array
+
+
+def _column(name: str, values: object, size: int) -> npt.NDArray[Any]:
+    array = _rows(name, values, size)
+    if array.ndim != 1:
+        raise ValueError(f"{name}: shape ({size},) is needed, not {array.shape}")
     return array
 
 
@@ -450,7 +459,7 @@ class Locator:
 
     def __init__(self, triangles: npt.ArrayLike, sphere: Sphere, *, policy: str = "parallel") -> None:
         check(Locator.__init__, locals())
-        sphere, triangles = sphere_vectors("sphere", sphere), index_triples(triangles)
+        sphere, triangles = sphere_vectors("sphere", sphere).copy(), index_triples(triangles).copy()  # callers may change them
         self._number_of_vertices, self._triangles, self._policy = len(sphere), triangles, policy
         self._sphere = sphere
         self._locator = _core.Locator(triangles, sphere, policy)
@@ -489,10 +498,10 @@ class Locator:
         """
         given = _rows("values", doubles("values", values), self._number_of_vertices)
         table = np.ascontiguousarray(given.reshape(len(given), -1))
-        places = np.ascontiguousarray(integers("faces", faces), dtype=np.int32)
+        places = integers("faces", faces)
         if places.size and not 0 <= places.min() <= places.max() < len(self._triangles):
             raise IndexError(f"faces are numbers from 0 to {len(self._triangles) - 1}")
-        result = self._locator.interpolate(table, places, vectors("weights", weights, len(places)))
+        result = self._locator.interpolate(table, np.ascontiguousarray(places, dtype=np.int32), vectors("weights", weights, len(places)))
         return result.reshape((len(places), *given.shape[1:]))
 
     def transfer(self, values: npt.ArrayLike, directions: Sphere, *, nearest: bool = False) -> Any:
@@ -582,7 +591,9 @@ class Locator:
         ndarray (k, ...)
         """
         of_faces = _rows("values", values, len(self._triangles))
-        a, b, c = sphere_vectors("sphere", sphere)[index_triples(triangles)].swapaxes(0, 1)
+        images, corners = sphere_vectors("sphere", sphere), index_triples(triangles)
+        check_indices(corners, len(images))
+        a, b, c = images[corners].swapaxes(0, 1)
         return of_faces[self.locate(a + (b + c))[0]]
 
     def transfer_segment_labels(
@@ -611,9 +622,10 @@ class Locator:
         -------
         ndarray (k,)
         """
-        names, numbered = np.unique(_rows("labels", labels, len(self._triangles)), return_inverse=True)
+        names, numbered = np.unique(_column("labels", labels, len(self._triangles)), return_inverse=True)
         points, triangles, sphere = _mesh(points, triangles, sphere)
-        of_faces = _rows("segments", integers("segments", segments), len(triangles))
+        given = _column("segments", integers("segments", segments), len(triangles))
+        of_faces = np.unique(given, return_inverse=True)[1]  # any integers as those of int32
         found = self._locator.transfer_segment_labels(
             numbered.astype(np.int32), points, triangles, sphere, of_faces.astype(np.int32), self._policy
         )
@@ -734,6 +746,8 @@ def relevance(signatures: npt.ArrayLike, forms: npt.ArrayLike) -> Doubles:
     for name, array, width in zip(("signatures", "forms"), rows, (96, 112)):
         if array.ndim != 2 or array.shape[0] == 0 or array.shape[1] != width:
             raise ValueError(f"{name}: shape (s, {width}) is needed, s 1 or more, not {array.shape}")
+        if not np.isfinite(array).all():
+            raise ValueError(f"{name}: all have to be finite")
     if len(rows[0]) != len(rows[1]):
         raise ValueError(f"forms: {len(rows[0])} rows are needed, as many as signatures, not {len(rows[1])}")
     return np.array(_core.relevance(*rows))
@@ -802,6 +816,9 @@ def stretch_histogram(
     check(stretch_histogram, locals())
     one_of("sampling", sampling, "exact-areas", "uniform", "random", "vertices")
     one_of("scale", scale, "logarithmic", "linear")
+    for name, value in (("low", low), ("high", high)):
+        if not np.isfinite(value):
+            raise ValueError(f"{name}: a finite number is needed, not {value}")
     shares = _core.stretch_histogram(
         *_mesh(points, triangles, sphere), sampling, scale, bins, low, high, number_of_samples, seed, policy
     )

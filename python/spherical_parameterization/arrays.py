@@ -170,6 +170,12 @@ def index_triples(triangles: npt.ArrayLike, name: str = "triangles") -> Integers
     return np.ascontiguousarray(array, dtype=array.dtype if is_native else np.int64)
 
 
+def check_indices(triangles: Integers, number_of_points: int) -> None:
+    """Whether the points of the triangles are there."""
+    if triangles.size and not 0 <= triangles.min() <= triangles.max() < number_of_points:
+        raise MeshError(ErrorCode.BAD_INDEX, "a triangle names a point that is not there; points are numbered from 0 on")
+
+
 def edge_numbers(triangles: Integers) -> tuple[Integers, Integers]:
     """The edges (k, 2), and for every corner of a face the number of the edge to its next corner (m, 3)."""
     ends = np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=-1).reshape(-1, 2).astype(np.int64)

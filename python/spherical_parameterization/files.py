@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from .arrays import Doubles, Integers, check, index_triples, numbers, vectors
+from .arrays import Doubles, Integers, check, check_indices, index_triples, numbers, vectors
 from .errors import ErrorCode, MeshError
 
 Path = Union[str, "os.PathLike[str]"]
@@ -195,7 +195,6 @@ def write_mesh(
     """
     check(write_mesh, locals())
     points, triangles = vectors("points", points), index_triples(triangles)
-    if triangles.size and not 0 <= triangles.min() <= triangles.max() < len(points):
-        raise MeshError(ErrorCode.BAD_INDEX, "points are numbered from 0 on")
+    check_indices(triangles, len(points))
     annotated = b"" if like is None else os.fsencode(like)
     _core.write_mesh(os.fsencode(path), points, triangles, sphere, ascii, annotated, _for_core(data, len(points)))

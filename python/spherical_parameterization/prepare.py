@@ -11,8 +11,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from .arrays import Doubles, Integers, OneLine, check, index_triples, one_of, vectors
-from .errors import ErrorCode, MeshError
+from .arrays import Doubles, Integers, OneLine, check, check_indices, index_triples, one_of, vectors
 
 
 def gpl_module() -> Any:
@@ -83,12 +82,13 @@ def prepare(
     one_of("components", components, "largest", "all")
     if not 0 <= merge_distance < np.inf:
         raise ValueError(f"merge_distance: a number from 0 on is needed, not {merge_distance}")
+    if harmless and (wrap is not False or merge_distance > 0):
+        raise ValueError("harmless: wrap and merge_distance change the shape")
     sizes = None if wrap is False else (None, None) if wrap is True else tuple(wrap)
     if sizes and (len(sizes) != 2 or not all(x is None or 0 < x < np.inf for x in sizes)):
         raise ValueError(f"wrap: True, or two positive numbers, are needed, not {wrap}")
     points, triangles = vectors("points", points), index_triples(triangles)
-    if triangles.size and (triangles.min() < 0 or triangles.max() >= len(points)):
-        raise MeshError(ErrorCode.BAD_INDEX, "a triangle names a point that is not there; points are numbered from 0 on")
+    check_indices(triangles, len(points))
     was_ctrl_c, mended, faces, vertex_map, face_map, report = module.prepare(
         points, triangles.astype(np.int32), merge_distance, not harmless and components == "largest",
         fill_holes and not harmless, cut_handles and not harmless, sizes, maximum_running_time,

@@ -162,7 +162,10 @@ class Harmonics(OneLine):
         -------
         Harmonics
         """
-        return self._with(_core.rotated_harmonics(self._table, vectors("rotation", rotation, 3)))
+        matrix = vectors("rotation", rotation, 3)
+        if not (np.allclose(matrix @ matrix.T, np.eye(3), rtol=0, atol=1e-6) and np.linalg.det(matrix) > 0):
+            raise ValueError("rotation: an orthogonal matrix of determinant 1 is needed")
+        return self._with(_core.rotated_harmonics(self._table, matrix))
 
     def best_rotation(self, other: Harmonics, *, policy: str = "parallel") -> Doubles:
         """The rotation R for which the correlation of these functions with `other.rotated(R)` is the largest of all.

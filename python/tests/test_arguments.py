@@ -120,6 +120,8 @@ def test_every_argument_of_every_function(function: Any, given: dict[str, object
         ({"method": sp.Balanced(1)}, ValueError, "the spring exponent"),
         ({"method": sp.SaddlePoint(relaxation=7)}, ValueError, "the relaxation"),
         ({"maximum_running_time": float("nan")}, ValueError, "maximum_running_time: 0 to inf is needed, not nan"),
+        ({"start": SPHERE}, ValueError, r"start: only SaddlePoint\(start='given'\)"),
+        ({"start": SPHERE, "method": sp.SaddlePoint()}, ValueError, "start: only"),
         ({"progress": lambda fraction: 1 / 0}, ZeroDivisionError, "division by zero"),
     ],
 )
@@ -144,6 +146,45 @@ def test_of_others() -> None:
         sp.Balanced("3")  # type: ignore[arg-type]
     with pytest.raises(ValueError, match="coefficients: all have to be finite"):
         sp.Harmonics(np.full((9, 1), np.nan))
+
+
+def test_values_that_make_no_sense() -> None:
+    columns = np.ones((len(SPHERE), 2))
+    of_faces = np.zeros(len(TRIANGLES), dtype=int)
+    with pytest.raises(ValueError, match=r"labels: shape \(162,\) is needed, not \(162, 2\)"):
+        RESAMPLING.majorities(columns)
+    for labels, segments in ((np.ones((320, 2)), of_faces), (of_faces, np.ones((320, 2), dtype=int))):
+        with pytest.raises(ValueError, match=r": shape \(320,\) is needed"):
+            LOCATOR.transfer_segment_labels(labels, POINTS, TRIANGLES, SPHERE, segments)
+    for shift in (-1, 1):
+        with pytest.raises(sp.MeshError, match="numbered from 0"):
+            LOCATOR.transfer_faces(of_faces, TRIANGLES + shift, SPHERE)
+    with pytest.raises(IndexError):
+        LOCATOR.interpolate(POINTS, [2**32], [[1, 0, 0]])
+    for wrong in (np.diag([1, 1, -1]), 2 * np.eye(3), np.zeros((3, 3)), np.full((3, 3), np.nan)):
+        with pytest.raises(ValueError, match="rotation: an orthogonal matrix"):
+            SHAPE.rotated(wrong)
+    with pytest.raises(ValueError, match="other_points: all have to be finite"):
+        sp.length_changes(POINTS, TRIANGLES, POINTS * np.nan)
+    with pytest.raises(ValueError, match="signatures: all have to be finite"):
+        sp.relevance(np.full((3, 96), np.nan), np.zeros((3, 112)))
+    for name, value in (("low", -np.inf), ("high", np.inf)):
+        with pytest.raises(ValueError, match=f"{name}: a finite number"):
+            sp.stretch_histogram(**MESH, **{name: value})  # type: ignore[arg-type]
+
+
+def test_segments_are_any_integers() -> None:
+    labels = np.where(POINTS[TRIANGLES].mean(axis=1)[:, 0] < 0, "left", "right")
+    segments = np.where(labels == "left", 0, 2**32)
+    assert (LOCATOR.transfer_segment_labels(labels, POINTS, TRIANGLES, SPHERE, segments) == labels).all()
+
+
+def test_a_locator_has_its_own_arrays() -> None:
+    sphere, triangles = SPHERE.copy(), TRIANGLES.copy()
+    locator = sp.Locator(triangles, sphere)
+    expected = locator.transfer(AREAS.cumsum(), SPHERE, nearest=True)
+    sphere[:], triangles[:] = 0, 0
+    assert (locator.transfer(AREAS.cumsum(), SPHERE, nearest=True) == expected).all()
 
 
 def test_methods_by_word_by_class_and_by_subclass() -> None:

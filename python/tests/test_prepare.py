@@ -80,5 +80,8 @@ def test_errors() -> None:
     for wrong in ({"merge_distance": -1.0}, {"wrap": (1.0, 0.0)}, {"maximum_running_time": -1.0}):
         with pytest.raises(ValueError):
             sp.prepare(points, triangles, **wrong)  # type: ignore[arg-type]
+    for wrong in ({"merge_distance": 0.1}, {"wrap": True}):
+        with pytest.raises(ValueError, match="harmless: "):
+            sp.prepare(points, triangles, harmless=True, **wrong)  # type: ignore[arg-type]
     with refused("INTERRUPTED"):
         sp.prepare(*torus(), maximum_running_time=0.0)

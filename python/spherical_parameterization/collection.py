@@ -97,6 +97,12 @@ def _plain(value: Any) -> Any:
     raise TypeError(f"a function for a collection returns what JSON can hold, and arrays; not {type(value).__name__}")
 
 
+def _json(value: Any) -> str:
+    """Numbers that are not finite are null, since JSON has none."""
+    text = json.dumps(value, default=_plain, sort_keys=True)
+    return json.dumps(json.loads(text, parse_constant=lambda name: None)) if "NaN" in text or "Infinity" in text else text
+
+
 def _key(item: Any) -> str:
     return str(item[0] if isinstance(item, tuple) else item)
 
@@ -192,7 +198,7 @@ def _run(function: Callable[[Any], Any], items: list[Any]) -> tuple[list[_Line],
         error, message, value = "OK", "", ""
         version = _version(item)  # before the file is read: if it is changed meanwhile, the next call computes it again
         try:
-            value = json.dumps(function(item), default=_plain, sort_keys=True)
+            value = _json(function(item))
         except MeshError as wrong:
             error, message = str(wrong.code), str(wrong)
         except (Exception, SystemExit) as wrong:  # some readers exit
@@ -224,7 +230,7 @@ class _Store:
 
     def save(self, rows: list[_Line]) -> None:
         self._store.put(
-            [(*self._key_of(item), version, error, os.fsencode(message), value) for item, version, error, message, value in rows]
+            [(*self._key_of(item), version, error, message.encode(errors="backslashreplace"), value) for item, version, error, message, value in rows]
         )
 
     def close(self) -> None:
@@ -237,7 +243,7 @@ def _items(files_or_bag: Any, client: Any) -> Iterator[Any]:
         folder = os.fsdecode(files_or_bag)
         if not os.path.isdir(folder):
             raise TypeError(f"files_or_bag: {folder!r} is no folder; names have to be in a list")
-        return iter(_core.meshes_in(os.fsencode(folder)))
+        return iter([os.fsdecode(name) for name in _core.meshes_in(os.fsencode(folder))])
     if hasattr(files_or_bag, "to_delayed"):
         parts = (part.compute() if client is None else client.compute(part).result() for part in files_or_bag.to_delayed())
         return itertools.chain.from_iterable(parts)
@@ -366,7 +372,7 @@ def map(
         The items. Their names must differ; for tuples, the first elements. A folder stands for all meshes in it and
         in its subfolders.
     function : callable
-        Takes one item, and returns values that JSON can represent, and arrays. May run twice for an item if workers die, so
+        Takes one item, and returns values that JSON can represent, and arrays; NaN and infinity are stored as null. May run twice for an item if workers die, so
         it should write files atomically (`os.replace`). Examples are `map_file` and `signature_file`.
     client : distributed.Client, optional
         The cluster. Without a client the items are computed in this process, one after the other; the rows are the same.

@@ -270,7 +270,7 @@ class Harmonics(OneLine):
         extension = _format_of(file)
         if extension == "coef" and self._table.shape[1] != 3:
             raise ValueError(f"a .coef file has the coefficients of three functions, not of {self._table.shape[1]}")
-        _core.write_text(os.fspath(file), _core.harmonics_to_text(self._table, extension))
+        _core.write_text(os.fsencode(file), _core.harmonics_to_text(self._table, extension))
 
 
 def _of(other: object) -> Harmonics:

@@ -27,7 +27,7 @@ class Page(OneLine):
 
     def save(self, path: Path) -> None:
         """Writes the page to a file, which is complete, or does not exist."""
-        _core.write_text(os.fspath(path), self.html)
+        _core.write_text(os.fsencode(path), self.html)
 
     def __repr__(self) -> str:
         return f"<Page: {len(self.html)} characters of HTML>"

@@ -30,6 +30,12 @@ void raise(const char* type, Arguments&&... arguments)
   PyErr_SetObject(exception.ptr(), exception(std::forward<Arguments>(arguments)...).ptr());
 }
 
+/// A text that may have the name of a file, which may be no UTF-8.
+inline py::object text_of(const char* what)
+{
+  return py::reinterpret_steal<py::object>(PyUnicode_DecodeFSDefault(what));
+}
+
 inline void translate(std::exception_ptr pointer)
 {
   try {
@@ -39,9 +45,9 @@ inline void translate(std::exception_ptr pointer)
     raise("MeshError", SP::get_error_name(error.code()), error.detail());
   } catch(const tool::Refusal& refusal) { // of a file
     if(refusal.code() == tool::unreadable_file || refusal.code() == tool::unwritable_file)
-      PyErr_SetString(PyExc_OSError, refusal.what());
+      PyErr_SetObject(PyExc_OSError, text_of(refusal.what()).ptr());
     else
-      raise("MeshError", refusal.code(), refusal.what());
+      raise("MeshError", refusal.code(), text_of(refusal.what()));
   } catch(const CGAL::Failure_exception& failure) {
     PyErr_SetString(PyExc_ValueError, failure.message().c_str());
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL

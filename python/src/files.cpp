@@ -161,5 +161,8 @@ void add_files(py::module_& module)
     .def("some_settings", &Store::some_settings)
     .def("put", &Store::put)
     .def("close", &Store::close);
-  module.def("meshes_in", [](const std::string& folder) { return tool::list_meshes({folder}, ""); });
+  module.def("meshes_in", [](const std::string& folder) { // as bytes, since names of files may be no UTF-8
+    const auto names = tool::list_meshes({folder}, "");
+    return std::vector<py::bytes>(names.begin(), names.end());
+  });
 }

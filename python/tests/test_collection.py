@@ -213,6 +213,22 @@ def test_arrays_are_settings(tmp_path: Path) -> None:
         sp.collection.map(["a"], functools.partial(sum_of_rows, table=np.ones((3, 3))), store=tmp_path / "a")
 
 
+def test_numbers_that_json_has_not(tmp_path: Path) -> None:
+    sp.collection.map(["a"], lambda item: {"x": [np.nan, -np.inf, 0.1], "y": "NaN"}, store=tmp_path / "a")
+    assert rows(tmp_path / "a")[0][3] == '{"x": [null, null, 0.1], "y": "NaN"}'
+
+
+def test_texts_that_are_no_utf8(tmp_path: Path) -> None:
+    def fails(item: str) -> None:
+        raise ValueError("\ud800")
+
+    folder = tmp_path / os.fsdecode(b"scans-\xff")
+    folder.mkdir()
+    sp.write_mesh(folder / os.fsdecode(b"\xfe.off"), *bumpy(1))
+    assert sp.collection.map(folder, fails, store=tmp_path / "a") == {"ValueError": 1}
+    assert [row.key for row in sp.collection.read(tmp_path / "a")] == [str(folder / os.fsdecode(b"\xfe.off"))]
+
+
 def sum_of_rows(item: str, table: np.ndarray) -> float:
     return float(table.sum())
 

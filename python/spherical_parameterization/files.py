@@ -98,6 +98,8 @@ def _for_core(columns: Sequence[VertexColumn], size: int | None = None) -> list[
         are_keys = np.isnan(values) | ((values == np.round(values)) & (abs(values) < 2**31))
         if column.labels is not None and not are_keys.all():
             raise ValueError(f"{column.name}: the values of labels are integers, or NaN where there is none")
+        if column.labels is not None and not all(-(2**31) <= key < 2**31 for key in column.labels):
+            raise ValueError(f"{column.name}: the keys of labels are integers of 32 bits")
         table = None if column.labels is None else [(k, n.encode(), rgba) for k, (n, rgba) in column.labels.items()]
         result.append((column.name.encode(), values, table))
     return result
@@ -137,21 +139,25 @@ def read_mesh(path: Path, *, triangulate: bool = False) -> tuple[Doubles, Intege
             pass
         else:
             if os.path.splitext(os.fsdecode(path))[1].lower() in meshio.extension_to_filetypes:
-                return _by_meshio(os.fsdecode(path))
+                return _by_meshio(os.fsdecode(path), triangulate)
     return _core.read_mesh(name, triangulate)
 
 
-def _by_meshio(name: str) -> tuple[Doubles, Integers]:
+def _by_meshio(name: str, triangulate: bool) -> tuple[Doubles, Integers]:
     import meshio
 
     try:
         mesh = meshio.read(name)
-    except (SystemExit, meshio.ReadError) as error:  # some versions of it exit
+    except MemoryError:
+        raise
+    except (SystemExit, Exception) as error:  # what it raises depends on the damage; some versions of it exit
         raise OSError(f"{name}: meshio cannot read it: {error}") from error
-    others = sorted({c.type for c in mesh.cells if c.type not in ("triangle", "vertex", "line")})
+    polygons = ("triangle", "quad", "polygon") if triangulate else ("triangle",)
+    others = sorted({c.type for c in mesh.cells if c.type not in (*polygons, "vertex", "line")})
     if others:
         raise MeshError(ErrorCode.NOT_TRIANGULAR, f"{name} has cells of type {', '.join(others)}; triangulate it")
-    blocks = [c.data for c in mesh.cells if c.type == "triangle"]
+    cells = [np.asarray(c.data) for c in mesh.cells if c.type in polygons]
+    blocks = [cell[:, [0, k, k + 1]] for cell in cells for k in range(1, cell.shape[1] - 1)]
     if not blocks:
         raise MeshError(ErrorCode.EMPTY_MESH, f"{name} has no triangles")
     return np.asarray(mesh.points, dtype=np.float64), np.concatenate(blocks)

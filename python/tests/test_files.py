@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import gzip
+import os
 from pathlib import Path
 
 import numpy as np
@@ -96,6 +97,21 @@ def test_other_formats_by_meshio(tmp_path: Path) -> None:
         assert np.array_equal(found[0], points) and np.array_equal(found[1], triangles)
 
 
+def test_what_meshio_cannot_read(tmp_path: Path) -> None:
+    meshio = pytest.importorskip("meshio")
+    square = np.array([[0.0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])
+    file = tmp_path / "a.vtu"
+    meshio.write_points_cells(file, square, {"quad": np.array([[0, 1, 2, 3]])})
+    with refused("NOT_TRIANGULAR"):
+        sp.read_mesh(file)
+    assert sp.read_mesh(file, triangulate=True)[1].tolist() == [[0, 1, 2], [0, 2, 3]]
+    whole = file.read_bytes()
+    for end in range(20, len(whole) - 10, 20):
+        file.write_bytes(whole[:end])
+        with pytest.raises(OSError, match="a.vtu: meshio cannot read it"):
+            sp.read_mesh(file)
+
+
 def test_data_come_back(tmp_path: Path) -> None:
     points, triangles = bumpy(2)
     rng = np.random.default_rng(1)
@@ -142,4 +158,19 @@ def test_data_that_cannot_be_read_or_written(tmp_path: Path) -> None:
         sp.write_data(tmp_path / "b.csv", [sp.VertexColumn("a", [1, 2.5], {})])
     with pytest.raises(ValueError, match=r"shape \(3,\)"):
         sp.write_data(tmp_path / "b.csv", [column, sp.VertexColumn("b", [1, 2])])
+    with pytest.raises(ValueError, match="keys of labels"):
+        sp.write_data(tmp_path / "b.csv", [sp.VertexColumn("a", [1, 2], {2**31: ("one", (0, 0, 0, 1))})])
     assert not (tmp_path / "b.csv").exists()
+
+
+def test_names_that_are_no_utf8(tmp_path: Path) -> None:
+    file = tmp_path / os.fsdecode(b"\xff.off")
+    file.write_text("nothing")
+    with pytest.raises(OSError, match="\udcff.off: "):
+        sp.read_mesh(file)
+    file.write_text("OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n")
+    with refused("NOT_TRIANGULAR", "\udcff.off: "):
+        sp.read_mesh(file)
+    points, triangles = bumpy(2)
+    sp.harmonics(triangles, sp.icosphere(2)[0], points, 2).save(file.with_suffix(".csv"))
+    assert len(sp.read_harmonics(file.with_suffix(".csv")).coefficients) == 9

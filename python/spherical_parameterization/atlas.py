@@ -85,12 +85,12 @@ def atlas(
     check(atlas, locals())
     one_of("align", align, *_PLACEMENTS)
     one_of("faces", faces, "icosphere", "template")
-    arrays = [(vectors("points", points), index_triples(triangles)) for points, triangles in meshes]
     mapped: dict[int, tuple[Doubles, Integers, Doubles]] = {}
     refused: dict[int, str] = {}
     codes: list[ErrorCode | str] = []
-    for i, (points, triangles) in enumerate(arrays):
+    for i, (points, triangles) in enumerate(meshes):
         try:
+            points, triangles = vectors("points", points), index_triples(triangles)
             result = map_to_go_on(points, triangles, Isometric(), policy=policy, warn=False)
         except MeshError as error:
             refused[i] = str(error)

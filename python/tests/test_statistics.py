@@ -139,9 +139,10 @@ def test_atlas_of_a_family():
     body = points * (1 + np.exp(12 * (points @ limbs.T) - 12) @ [1.5, 1.5, 1.2, 0.8])[:, None]
     open_mesh = (points, triangles[1:])
     family = [(body * [x, 1, 1], triangles) for x in (1, 1.15, 1.3)]
-    result = sp.atlas([open_mesh, *family], level=3, align="centre")
+    quads = points, np.zeros((9, 4), dtype=int)
+    result = sp.atlas([open_mesh, *family, quads], level=3, align="centre")
     assert result.members == [1, 2, 3]
-    assert "closed" in result.refused[0]
+    assert "closed" in result.refused[0] and "4 corners" in result.refused[4]
     assert result.statistics.explained[0] > 0.99
     first = result.statistics.scores[:, 0]
     assert (np.diff(first) > 0).all() or (np.diff(first) < 0).all()

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Sequence
 from dataclasses import dataclass, fields
 from typing import Any
@@ -466,6 +467,9 @@ class Locator:
 
     def __repr__(self) -> str:
         return f"<Locator: {self._number_of_vertices} vertices, {len(self._triangles)} faces>"
+
+    def __reduce__(self) -> Any:  # the core's object is made again
+        return functools.partial(Locator, policy=self._policy), (self._triangles, self._sphere)
 
     def locate(self, directions: Sphere) -> tuple[npt.NDArray[np.int32], Doubles]:
         """The faces whose images contain the directions.

@@ -99,11 +99,16 @@ def doubles(name: str, values: object) -> Doubles:
     """float64 in C order."""
     try:
         array = np.asarray(values)
+    except ValueError as error:  # rows of different lengths
+        raise ValueError(f"{name}: numbers are needed, as many in every row: {error}") from None
+    except TypeError as error:  # of an array that is not in the memory of this process
+        raise TypeError(f"{name}: {error}") from None
+    try:
         if array.dtype.kind in "US":
             raise ValueError("there is text")
         if array.dtype.kind in "fiubO" and values is not None:
-            return np.asarray(array, dtype=np.float64, order="C")
-    except ValueError as error:  # text, rows of different lengths
+            return np.require(array, np.float64, ["C", "ALIGNED"])
+    except ValueError as error:  # text
         raise ValueError(f"{name}: numbers are needed, as many in every row: {error}") from None
     except TypeError:  # objects that are no numbers
         pass
@@ -154,6 +159,8 @@ def integers(name: str, values: object) -> Integers:
         array = np.asarray(values)
     except ValueError as error:
         raise ValueError(f"{name}: integers are needed, as many in every row: {error}") from None
+    except TypeError as error:
+        raise TypeError(f"{name}: {error}") from None
     if array.dtype.kind not in "iu" and (array.size > 0 or array.ndim == 0):
         raise TypeError(f"{name}: integers are needed, not {array.dtype}")
     return array if array.dtype.kind in "iu" else array.astype(np.int64)
@@ -167,7 +174,7 @@ def index_triples(triangles: npt.ArrayLike, name: str = "triangles") -> Integers
     if array.shape[1] != 3:
         raise MeshError(ErrorCode.NOT_TRIANGULAR, f"faces have {array.shape[1]} corners; triangulate the mesh first")
     is_native = array.dtype in (np.dtype(np.int32), np.dtype(np.int64))
-    return np.ascontiguousarray(array, dtype=array.dtype if is_native else np.int64)
+    return np.require(array, array.dtype if is_native else np.int64, ["C", "ALIGNED"])
 
 
 def check_indices(triangles: Integers, number_of_points: int) -> None:

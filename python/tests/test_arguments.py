@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import inspect
+import pickle
 import re
 from collections.abc import Callable
 from pathlib import Path
@@ -171,6 +172,30 @@ def test_values_that_make_no_sense() -> None:
     for name, value in (("low", -np.inf), ("high", np.inf)):
         with pytest.raises(ValueError, match=f"{name}: a finite number"):
             sp.stretch_histogram(**MESH, **{name: value})  # type: ignore[arg-type]
+
+
+def test_arrays_that_are_not_here() -> None:
+    class Elsewhere:
+        def __array__(self, *arguments: object, **settings: object) -> None:
+            raise TypeError("copy it to the host first")
+
+    for name in ("points", "triangles"):
+        with pytest.raises(TypeError, match=f"{name}: copy it to the host first"):
+            sp.parameterize(**{"points": POINTS, "triangles": TRIANGLES, name: Elsewhere()})  # type: ignore[arg-type]
+
+
+def test_arrays_that_are_not_aligned() -> None:
+    from spherical_parameterization.arrays import index_triples, vectors
+
+    for array in (POINTS, TRIANGLES):
+        shifted = np.frombuffer(b"x" + array.tobytes(), array.dtype, offset=1).reshape(array.shape)
+        given = vectors("points", shifted) if array is POINTS else index_triples(shifted)
+        assert given.flags.aligned and (given == array).all()
+
+
+def test_a_locator_can_be_pickled() -> None:
+    again = pickle.loads(pickle.dumps(LOCATOR))
+    assert (again.transfer(POINTS, -SPHERE) == LOCATOR.transfer(POINTS, -SPHERE)).all()
 
 
 def test_segments_are_any_integers() -> None:

@@ -383,8 +383,8 @@ class Resampling:
         ndarray (k,) or (k, d) of float64
         """
         given = _rows("values", doubles("values", values), self._size)
-        columns = [self._weights.means(column) for column in given.reshape(len(given), -1).T]
-        return np.stack(columns, axis=1).reshape(-1, *given.shape[1:])
+        means = self._weights.means(np.ascontiguousarray(given.reshape(len(given), -1)))
+        return means.reshape(len(means), *given.shape[1:])
 
     def majorities(self, labels: npt.ArrayLike) -> Any:
         """The label with the largest sum of weights.

@@ -292,8 +292,32 @@ private:
 /// Begin of each row, vertices and weights.
 py::tuple rows_of_weights(const SP::Resampling_weights& weights)
 {
-  return py::make_tuple(py::array(py::cast(weights.begin)), py::array(py::cast(weights.vertex)),
-                        py::array(py::cast(weights.weight)));
+  const auto copy = [](const auto& numbers, auto array) {
+    std::copy(numbers.begin(), numbers.end(), array.mutable_data());
+    return array;
+  };
+  return py::make_tuple(copy(weights.begin, make_array<std::int64_t>(weights.begin.size())),
+                        copy(weights.vertex, make_array<std::int32_t>(weights.vertex.size())),
+                        copy(weights.weight, make_array<double>(weights.weight.size())));
+}
+
+/// Of values (n, d).
+Doubles weighted_means(const SP::Resampling_weights& weights, const Doubles& values)
+{
+  const auto rows = static_cast<std::size_t>(values.shape(0)), columns = static_cast<std::size_t>(values.shape(1));
+  Doubles result = make_array<double>(weights.size(), columns);
+  const double* const in = values.data();
+  double* const out = result.mutable_data();
+  const py::gil_scoped_release no_lock;
+  std::vector<double> column(rows);
+  for(std::size_t k = 0; k < columns; ++k) {
+    for(std::size_t i = 0; i < rows; ++i)
+      column[i] = in[i * columns + k];
+    const std::vector<double> means = weights.means(column);
+    for(std::size_t i = 0; i < means.size(); ++i)
+      out[i * columns + k] = means[i];
+  }
+  return result;
 }
 
 py::tuple icosphere(int level)
@@ -315,7 +339,11 @@ Doubles shape_signature(const Doubles& points, const py::array& triangles, const
 
 Doubles shape_form(const Doubles& points, const py::array& triangles)
 {
-  const SP::Shape_form form = SP::shape_form(make_mesh(points, triangles));
+  const Mesh mesh = make_mesh(points, triangles);
+  const SP::Shape_form form = [&mesh] {
+    const py::gil_scoped_release no_lock;
+    return SP::shape_form(mesh);
+  }();
   return py::array(py::cast(form.values)).cast<Doubles>();
 }
 
@@ -329,6 +357,7 @@ std::vector<double> relevance(const Doubles& signatures, const Doubles& forms)
     std::transform(forms.data(row, 0), forms.data(row, 0) + SP::Shape_form::size, shapes[i].form.values.begin(),
                    [](double x) { return static_cast<float>(x); });
   }
+  const py::gil_scoped_release no_lock;
   return SP::relevance_of_shapes(shapes);
 }
 
@@ -387,9 +416,9 @@ void add_analysis(py::module_& module)
     .def("align", &Locator::align);
   py::class_<SP::Resampling_weights>(module, "ResamplingWeights")
     .def("rows", rows_of_weights)
-    .def("means", &SP::Resampling_weights::means)
-    .def("majorities", &SP::Resampling_weights::majorities<int>)
-    .def("nearest", &SP::Resampling_weights::nearest<int>);
+    .def("means", weighted_means)
+    .def("majorities", &SP::Resampling_weights::majorities<int>, py::call_guard<py::gil_scoped_release>())
+    .def("nearest", &SP::Resampling_weights::nearest<int>, py::call_guard<py::gil_scoped_release>());
   module.def("icosphere", icosphere);
   module.def("shape_signature", shape_signature);
   module.def("shape_form", shape_form);

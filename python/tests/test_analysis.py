@@ -163,6 +163,8 @@ def test_resampling(mapped: tuple[np.ndarray, ...]) -> None:
     areas = [sp.mean_vertex_areas([p], t) for p, t in ((points, triangles), (linear.means(points), other_triangles))]
     kept = locator.area_preserving_resampling(areas[0], other, areas[1])
     assert len(kept.offsets) == len(images) + 1 and (kept.means(np.full(len(points), 0.1)) == 0.1).all()
+    assert (kept.offsets.dtype, kept.vertices.dtype, kept.weights.dtype) == (np.int64, np.int32, np.float64)
+    assert (kept.means(points)[:, 1] == kept.means(points[:, 1])).all() and kept.means(points[:, :0]).shape == (len(images), 0)
     assert set(kept.vertices) == set(range(len(points)))  # the new mesh is coarser
     matrix = np.zeros((len(images), len(points)))
     for i, (first, last) in enumerate(zip(kept.offsets, kept.offsets[1:])):

@@ -98,7 +98,11 @@ Doubles rotated_harmonics(const Doubles& coefficients, const Doubles& rotation)
   SP::Rotation r;
   for(std::size_t i = 0; i < 9; ++i)
     r[i / 3][i % 3] = rotation.data()[i];
-  return to_array(SP::rotated(of_array(coefficients), r));
+  const SP::Harmonic_coefficients c = of_array(coefficients);
+  return to_array([&] {
+    const py::gil_scoped_release no_lock;
+    return SP::rotated(c, r);
+  }());
 }
 
 SP::Rotation best_rotation(const Doubles& f, const Doubles& g, const std::string& policy)

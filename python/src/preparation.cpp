@@ -10,6 +10,7 @@
 #include "input/mesh.h"
 #include "preparation/prepare.h"
 #include "runner/page.h"
+#include "system/stopwatch.h"
 
 #include <nlohmann/json.hpp>
 
@@ -49,13 +50,16 @@ py::tuple prepare(const Doubles& points, const py::array_t<std::int32_t>& triang
   nlohmann::ordered_json report;
   try {
     const py::gil_scoped_release no_lock;
+    const tool::Stopwatch stopwatch;
     const preparation::Preparation done = preparation::prepare(soup, settings, watched);
     result = preparation::joined(done.parts);
     const double diagonal = preparation::diagonal(soup);
     constexpr double tolerance = 1e-4; // as a part of the diagonal, as the tool has it
-    const auto distance = preparation::hausdorff_distance(soup, done.parts, tolerance * diagonal, [&watch] {
+    const auto distance = preparation::hausdorff_distance(soup, done.parts, tolerance * diagonal, [&] {
       if(!watch(0))
         throw SP::Error(SP::Error_code::INTERRUPTED, "by Ctrl-C");
+      if(stopwatch.seconds() >= maximum_running_time)
+        throw SP::Error(SP::Error_code::INTERRUPTED, "the time limit was reached");
     });
     report = {{"preparation", tool::to_json(done)},
               {"diagonal", diagonal},

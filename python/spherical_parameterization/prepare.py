@@ -25,7 +25,7 @@ def gpl_module() -> Any:
         ) from error
 
 
-@dataclasses.dataclass(frozen=True, repr=False)
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class Prepared(OneLine):
     """A repaired mesh, with the original indices of its points and triangles."""
 
@@ -56,7 +56,7 @@ def prepare(
     points : array (n, 3)
     triangles : array (m, 3) of int
     harmless : bool
-        Makes only repairs that do not change the shape.
+        Makes only repairs that do not change the shape; not with `wrap` or `merge_distance`.
     components : "largest" or "all"
     fill_holes, cut_handles : bool
     merge_distance : float

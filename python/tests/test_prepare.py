@@ -24,7 +24,7 @@ def test_a_good_mesh_is_not_changed() -> None:
     assert np.array_equal(prepared.points, points)
     assert np.array_equal(prepared.triangles, triangles)
     assert np.array_equal(prepared.vertex_map, np.arange(len(points)))
-    assert prepared.report["preparation"]["done"] == []
+    assert prepared.report["preparation"]["done"] == [] and prepared != sp.prepare(points, triangles)
 
 
 @pytest.mark.parametrize("kind", ["hole", "handle", "soup", "two"])

@@ -372,8 +372,8 @@ def map(
         The items. Their names must differ; for tuples, the first elements. A folder stands for all meshes in it and
         in its subfolders.
     function : callable
-        Takes one item, and returns values that JSON can represent, and arrays; NaN and infinity are stored as null. May run twice for an item if workers die, so
-        it should write files atomically (`os.replace`). Examples are `map_file` and `signature_file`.
+        Takes one item, and returns values that JSON can represent, and arrays; NaN and infinity are stored as null. May run twice
+        for an item if workers die, so it should write files atomically (`os.replace`). Examples are `map_file` and `signature_file`.
     client : distributed.Client, optional
         The cluster. Without a client the items are computed in this process, one after the other; the rows are the same.
     store : str or path

@@ -125,7 +125,10 @@ bool Text_lines::next()
 {
   while(end_ < text_.size()) {
     line_ = next_line();
-    line_ = line_.substr(0, line_.find('#'));
+    std::size_t comment = line_.find('#');
+    while(comment != std::string_view::npos && comment >= 2 && line_.substr(comment - 2, 2) == "1.") // 1.#QNAN
+      comment = line_.find('#', comment + 1);
+    line_ = line_.substr(0, comment);
     tokens_ = line_;
     if(!std::all_of(line_.begin(), line_.end(), is_white))
       return true;

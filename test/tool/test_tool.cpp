@@ -334,6 +334,8 @@ TEST_CASE("map: files that are broken are refused", "[tool]")
 
   check_refused(scratch, broken("nan.off", off_text(nan_coordinate())), "finite");
   check_refused(scratch, broken("inf.off", off_text(infinite_coordinate())), "finite");
+  check_refused(scratch, broken("windows.obj", "v 0 0 0\nv 1 0 0\nv 0 1 -1.#QNAN # none\nv 0 0 1\nf 1 2 3\n"),
+                "'-1.#QNAN'");
 }
 
 TEST_CASE("map: a file is read as what it is where its extension says something else", "[tool]")

@@ -48,8 +48,8 @@ constexpr Names number_types[] = {{type_of<std::int8_t>("char"), {"int8"}},
                                   {type_of<std::uint16_t>("ushort"), {"uint16", "unsigned_short"}},
                                   {type_of<std::int32_t>("int"), {"int32"}},
                                   {type_of<std::uint32_t>("uint"), {"uint32", "unsigned_int"}},
-                                  {type_of<std::int64_t>("long"), {"int64", "vtktypeint64", "vtkidtype"}},
-                                  {type_of<std::uint64_t>("ulong"), {"uint64", "unsigned_long"}},
+                                  {type_of<std::int64_t>("long"), {"int64", "vtktypeint64"}},
+                                  {type_of<std::uint64_t>("ulong"), {"uint64", "unsigned_long", "vtktypeuint64"}},
                                   {type_of<float>("float"), {"float32"}},
                                   {type_of<double>("double"), {"float64"}}};
 

@@ -34,7 +34,8 @@ protected:
 
   const Number_type& type(std::string_view name) const
   {
-    if(const Number_type* const found = number_type(name))
+    // VTK writes its indices, of whatever size, with 32 bits
+    if(const Number_type* const found = number_type(lower_case(name) == "vtkidtype" ? "int" : name))
       return *found;
     refuse("has numbers of type " + in_quotes(name), "leave that array out");
   }

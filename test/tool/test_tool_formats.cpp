@@ -496,6 +496,31 @@ TEST_CASE("formats: triangle strips are the triangles that they stand for", "[to
   }
 }
 
+TEST_CASE("formats: arrays of VTK's indices have 32 bits, whatever stands before the faces", "[tool][formats]")
+{
+  Scratch scratch;
+  const std::vector<std::array<int, 3>> faces = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  std::string bytes = "# vtk DataFile Version 3.0\nindices\nBINARY\nDATASET POLYDATA\nPOINTS 4 float\n";
+  for(const float x : {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1})
+    tool::append_number(bytes, x, tool::Byte_order::BIG);
+  bytes += "\nPOLYGONS 4 16\n";
+  for(const auto& face : faces)
+    for(const int i : {3, face[0], face[1], face[2]})
+      tool::append_number(bytes, std::int32_t(i), tool::Byte_order::BIG);
+  bytes += "\nPOINT_DATA 4\nFIELD FieldData 2\nids 1 4 vtkIdType\n";
+  for(const int i : {5, 6, 7, 8})
+    tool::append_number(bytes, std::int32_t(i), tool::Byte_order::BIG);
+  bytes += "\nlong 1 4 vtktypeuint64\n";
+  for(const int i : {9, 10, 11, 12})
+    tool::append_number(bytes, std::uint64_t(i), tool::Byte_order::BIG);
+  write_text(scratch / "in.vtk", bytes + "\n");
+  const tool::Soup soup = tool::read_triangles(scratch / "in.vtk");
+  CHECK(std::equal(soup.triangles.begin(), soup.triangles.end(), faces.begin(), faces.end()));
+  REQUIRE(soup.data.size() == 2);
+  CHECK((soup.data[0].values == std::vector<double>{5, 6, 7, 8}));
+  CHECK((soup.data[1].values == std::vector<double>{9, 10, 11, 12}));
+}
+
 TEST_CASE("formats: broken files are refused before they cost memory", "[tool][formats]")
 {
   Scratch scratch;

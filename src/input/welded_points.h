@@ -22,6 +22,10 @@ public:
 
   int index_of(const Point& p)
   {
+    if(p != p) { // NaN is nowhere, and all points with one would be compared with each other
+      points_.push_back(p);
+      return static_cast<int>(points_.size()) - 1;
+    }
     const auto [place, is_new] = index_.try_emplace(p, static_cast<int>(points_.size()));
     if(is_new)
       points_.push_back(p);

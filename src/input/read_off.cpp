@@ -148,7 +148,8 @@ private:
       if(token.empty())
         refuse("fewer than the " + std::to_string(*size) + " vertices that it announces");
       if(!index || *index < 0 || *index >= std::int64_t(vertices_))
-        refuse("the vertex " + in_quotes(token) + ", which is not in the range 0.." + std::to_string(vertices_ - 1));
+        refuse("the vertex " + in_quotes(token) + ", which is not in the range 0.." +
+               std::to_string(std::int64_t(vertices_) - 1));
       corners_.push_back(static_cast<int>(*index));
     }
     soup_.add_face(corners_);

@@ -327,6 +327,7 @@ TEST_CASE("map: files that are broken are refused", "[tool]")
   check_refused(scratch, broken("index.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n"),
                 "line 6: face 0 has the vertex '3', which is not in the range 0..2");
   check_refused(scratch, broken("negative_index.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n"), "-1");
+  check_refused(scratch, broken("no_vertices.off", "OFF\n0 1 0\n3 0 1 2\n"), "0..-1");
   check_refused(scratch, broken("repeated.off", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 1\n3 0 1 2\n"), "");
   check_refused(scratch, broken("noise.ply", "ply\nformat binary_little_endian 1.0\n\1\2\3\xff"), "");
   check_refused(scratch, broken("text.stl", "solid nothing\nendsolid nothing\n"), "");

@@ -145,6 +145,8 @@ private:
           refuse("number " + std::to_string(i) + " of a DataArray is " + in_quotes(token));
         put(i, value);
       }
+      if(!next_token(rest).empty())
+        refuse("a DataArray has more numbers than the " + std::to_string(count) + " that it announces");
       return;
     }
     std::optional<std::string> bytes = from_base64(text);

@@ -612,6 +612,18 @@ TEST_CASE("formats: broken files are refused before they cost memory", "[tool][f
     check("in.gii", changed(good, "GZipBase64Binary", "ExternalFileBinary"), "another file");
     check("in.gii", changed(good, "GZipBase64Binary", "Base64Binary"), "announces");
     check("in.gii", changed(good, "<Data>", "<Data>####"), "Base64");
+    const auto array = [](const std::string& intent, const std::string& type, const std::string& numbers) {
+      return "<DataArray Intent='NIFTI_INTENT_" + intent + "' DataType='NIFTI_TYPE_" + type +
+             "' ArrayIndexingOrder='RowMajorOrder' Dimensionality='2' Dim0='4' Dim1='3' Encoding='ASCII'><Data>" +
+             numbers + "</Data></DataArray>";
+    };
+    const auto text = [&](const std::string& more) {
+      return "<GIFTI>" + array("POINTSET", "FLOAT32", "0 0 0 1 0 0 0 1 0 0 0 1" + more) +
+             array("TRIANGLE", "INT32", "0 2 1 0 1 3 1 2 3 2 0 3") + "</GIFTI>";
+    };
+    write_text(scratch / "text.gii", text("\n"));
+    CHECK(refusal(scratch / "text.gii") == "not refused");
+    check("in.gii", text(" 7"), "more numbers than");
     check("in.gii", changed(good, "NIFTI_TYPE_FLOAT32", "NIFTI_TYPE_COMPLEX64"), "type");
     check("in.gii",
           "<?xml version=\"1.0\"?>\n<!DOCTYPE GIFTI [<!ENTITY a \"aaaaaaaaaa\"><!ENTITY b \"&a;&a;&a;\">]>\n"

@@ -201,13 +201,14 @@ private:
         corners.push_back(vertices[corner]);
       }
     }
-    const std::size_t step = mode == 4 ? 3 : 1;
-    for(std::size_t i = 0; i + 2 < corners.size(); i += step) {
-      std::array<int, 3> triangle = {corners[mode == 6 ? 0 : i], corners[i + 1], corners[i + 2]};
-      if((mode == 5 && i % 2 == 1) != is_mirrored)
-        std::swap(triangle[1], triangle[2]);
-      soup_.triangles.push_back(triangle);
-    }
+    std::size_t first = soup_.triangles.size();
+    if(mode == 5)
+      soup_.add_strip(corners);
+    else
+      for(std::size_t i = 0; i + 2 < corners.size(); i += mode == 4 ? 3 : 1)
+        soup_.triangles.push_back({corners[mode == 6 ? 0 : i], corners[i + 1], corners[i + 2]});
+    for(; is_mirrored && first < soup_.triangles.size(); ++first)
+      std::swap(soup_.triangles[first][1], soup_.triangles[first][2]);
   }
 
   /// The bytes of an accessor, all of which are there.

@@ -488,6 +488,37 @@ TEST_CASE("formats: triangle strips are the triangles that they stand for", "[to
     }
     CHECK(std::is_permutation(triangles.begin(), triangles.end(), expected.begin(), expected.end()));
   }
+  const auto strip = [&](double scale) {
+    std::string content; // joined by triangles with a corner twice
+    for(const int corner : {0, 3, 1, 4, 2, 5, 0, 3, 3, 0, 0, 1, 2, 2, 3, 3, 3, 5, 4})
+      content += char(corner);
+    content += '\0';
+    std::istringstream all(points);
+    for(float x; all >> x;)
+      tool::append_number(content, x, tool::Byte_order::LITTLE);
+    const nlohmann::json view = {{"buffer", 0}, {"byteLength", 19}};
+    return nlohmann::json(
+             {{"asset", {{"version", "2.0"}}},
+              {"scenes", {{{"nodes", {0}}}}},
+              {"nodes", {{{"mesh", 0}, {"scale", {scale, 1, 1}}}}},
+              {"meshes", {{{"primitives", {{{"attributes", {{"POSITION", 1}}}, {"indices", 0}, {"mode", 5}}}}}}},
+              {"accessors",
+               {{{"bufferView", 0}, {"componentType", 5121}, {"count", 19}, {"type", "SCALAR"}},
+                {{"bufferView", 1}, {"componentType", 5126}, {"count", 6}, {"type", "VEC3"}}}},
+              {"bufferViews", {view, {{"buffer", 0}, {"byteOffset", 20}, {"byteLength", 72}}}},
+              {"buffers", {{{"byteLength", 92}, {"uri", "data:;base64," + tool::to_base64(content)}}}}})
+      .dump();
+  };
+  write_text(scratch / "in.gltf", strip(1));
+  write_text(scratch / "mirrored.gltf", strip(-1));
+  const tool::Mesh gltf = tool::read_mesh(scratch / "in.gltf").mesh;
+  const tool::Mesh mirrored = tool::read_mesh(scratch / "mirrored.gltf").mesh;
+  CHECK(gltf.number_of_faces() == 8);
+  REQUIRE(mirrored.number_of_faces() == 8);
+  for(std::size_t f = 0; f < 8; ++f) {
+    const auto [a, b, c] = gltf.triangle(f);
+    CHECK((mirrored.triangle(f) == std::array<int, 3>{a, c, b}));
+  }
   for(const auto& [corners, word] : {std::pair("3 0 1 6", "strip 0 has the vertex 6"),
                                      {"3 0 1 -2", "strip 0 has the vertex -2"},
                                      {"3 0 0 1", "no faces"}}) {

@@ -65,6 +65,8 @@ bool unfold_gzip(std::string_view bytes, const Take& take)
     if(status != Z_OK && status != Z_STREAM_END) // also where the input ends too early
       return false;
     take(std::string_view(part).substr(0, part.size() - stream.avail_out));
+    for(; status == Z_STREAM_END && stream.avail_in > 0 && *stream.next_in == 0; --stream.avail_in)
+      ++stream.next_in; // zeros fill up blocks of tapes and archives
   } while(status != Z_STREAM_END || stream.avail_in > 0 || !bytes.empty());
   return true;
 }

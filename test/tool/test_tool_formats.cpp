@@ -102,6 +102,18 @@ TEST_CASE("formats: what is written is read back equal", "[tool][formats]")
       }
 }
 
+TEST_CASE("formats: zeros behind compressed bytes are nothing", "[tool][formats]")
+{
+  Scratch scratch;
+  const tool::Input_mesh mesh = input_of(icosphere(1));
+  write(scratch / "in.off.gz", {tool::Mesh_format::OFF}, mesh);
+  const std::string bytes = text_of(scratch / "in.off.gz");
+  write_text(scratch / "padded.off.gz", bytes + std::string(700, '\0'));
+  CHECK((tool::read_mesh(scratch / "padded.off.gz").mesh.points() == mesh.mesh.points()));
+  write_text(scratch / "followed.off.gz", bytes + std::string(700, '\0') + "x");
+  CHECK(contains(refusal(scratch / "followed.off.gz"), "damaged"));
+}
+
 TEST_CASE("formats: neuroimaging files keep what they say beside the surface", "[tool][formats]")
 {
   Scratch scratch;

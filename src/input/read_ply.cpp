@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <sstream>
 #include <utility>
 
 namespace tool {
@@ -352,9 +353,13 @@ private:
         continue;
       }
       const std::size_t vertices = vertices_->count;
-      if(!(value >= 0 && value < double(vertices)))
-        refuse_face("the vertex " + std::to_string(std::int64_t(value)) + ", which is not in the range 0.." +
+      if(!(value >= 0 && value < double(vertices))) {
+        std::ostringstream vertex; // of 20 digits at most, which no integer has to hold
+        vertex.precision(20);
+        vertex << value;
+        refuse_face("the vertex " + vertex.str() + ", which is not in the range 0.." +
                     std::to_string(std::int64_t(vertices) - 1));
+      }
       face_.push_back(static_cast<int>(value));
     }
     if(is_strip)

@@ -330,6 +330,11 @@ TEST_CASE("map: files that are broken are refused", "[tool]")
   check_refused(scratch, broken("no_vertices.off", "OFF\n0 1 0\n3 0 1 2\n"), "0..-1");
   check_refused(scratch, broken("repeated.off", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 1\n3 0 1 2\n"), "");
   check_refused(scratch, broken("noise.ply", "ply\nformat binary_little_endian 1.0\n\1\2\3\xff"), "");
+  check_refused(scratch,
+                broken("index.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                                    "property float z\nelement face 1\nproperty list uchar ulong vertex_indices\n"
+                                    "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 9223372036854775807\n"),
+                "the vertex 9223372036854775808,"); // as a double
   check_refused(scratch, broken("text.stl", "solid nothing\nendsolid nothing\n"), "");
   check_refused(scratch, broken("unknown.xyz", good.substr(4)), "unknown extension");
 

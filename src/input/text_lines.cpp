@@ -9,8 +9,9 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
+#include <locale>
+#include <sstream>
 #include <utility>
 
 namespace tool {
@@ -38,8 +39,14 @@ Number read_number(std::string_view token, Real& value)
     value = std::numeric_limits<Real>::quiet_NaN();
     return spells_non_finite(token) ? Number::NOT_FINITE : Number::NONE;
   }
-  if(error == std::errc::result_out_of_range) // too large or too small, and only this tells
-    value = static_cast<Real>(std::strtod(std::string(digits).c_str(), nullptr));
+  if(error == std::errc::result_out_of_range) { // too large or too small, and only this tells
+    std::istringstream text{std::string(digits)};
+    text.imbue(std::locale::classic()); // in others, which a host may have set, a number ends at its point
+    double rounded = 0;
+    text >> rounded;
+    const bool is_too_large = text.fail() && std::abs(rounded) > 1;
+    value = static_cast<Real>(is_too_large ? std::copysign(std::numeric_limits<double>::infinity(), rounded) : rounded);
+  }
   return std::isfinite(value) ? Number::FINITE : Number::NOT_FINITE;
 }
 

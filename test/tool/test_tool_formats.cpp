@@ -8,6 +8,7 @@
 #include "input/mesh.h"
 #include "input/mesh_format.h"
 #include "input/mesh_readers.h"
+#include "input/text_lines.h"
 #include "input/text_pieces.h"
 #include "output/atomic_file.h"
 #include "output/write_mesh.h"
@@ -19,6 +20,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -100,6 +102,20 @@ TEST_CASE("formats: what is written is read back equal", "[tool][formats]")
         CHECK((tool::stores_floats(format) || copy.points() == mesh.mesh.points()));
         fs::remove(file);
       }
+}
+
+TEST_CASE("formats: numbers beyond the range of doubles are infinite or zero", "[tool][formats]")
+{
+  for(const auto& [text, expected] :
+      {std::pair("1.5e400", 1e999), {"-1.5e400", -1e999}, {"+1.5e-400", 0.}, {"1.5e-320", 1.5e-320}}) {
+    double value = 7;
+    CAPTURE(text);
+    CHECK((tool::to_number(text, value) == tool::Number::FINITE) == std::isfinite(expected));
+    CHECK(value == expected);
+    float rounded = 7;
+    tool::to_number(text, rounded);
+    CHECK(rounded == static_cast<float>(expected));
+  }
 }
 
 TEST_CASE("formats: zeros behind compressed bytes are nothing", "[tool][formats]")

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <exception>
 #include <functional>
@@ -130,10 +131,29 @@ Disk cone(const std::vector<Kernel::Point_3>& polygon)
   return disk;
 }
 
+/// By which factor lengths in a disk are divided to make as many triangles as CGAL does by default, but not many more
+/// than `most`. As there, its triangles have sides like the edges at the polygon.
+double density(const std::vector<Kernel::Point_3>& polygon, const std::vector<Kernel::Point_3>& outer,
+               const std::vector<Triangle>& triangles, double most)
+{
+  const auto length = [](const Kernel::Point_3& p, const Kernel::Point_3& q) {
+    return std::sqrt(CGAL::squared_distance(p, q));
+  };
+  double area = 0, edge = 0;
+  for(const auto& [a, b, c] : triangles)
+    area += std::sqrt(CGAL::squared_area(polygon[place(a)], polygon[place(b)], polygon[place(c)]));
+  for(std::size_t i = 0; i < polygon.size(); ++i) {
+    const Kernel::Point_3 &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+    edge += (2 * length(p, q) + length(p, outer[i]) + length(q, outer[i])) / (4. * static_cast<double>(polygon.size()));
+  }
+  const double expected = area / (std::sqrt(3.) / 4 * edge * edge);
+  return std::sqrt(2.) * (expected > most ? std::sqrt(most / expected) : 1);
+}
+
 /// The disk in CGAL's data structure, with the faces around it, whose edges say how fine the disk should be.
-/// `outer[i]` is the third corner of the face at edge i of the polygon.
+/// `outer[i]` is the third corner of the face at edge i of the polygon. Not many more triangles than `most` are made.
 Disk refined(const std::vector<Kernel::Point_3>& polygon, const std::vector<Kernel::Point_3>& outer,
-             const std::vector<Triangle>& triangles)
+             const std::vector<Triangle>& triangles, double most)
 {
   Patch_mesh mesh;
   for(const Kernel::Point_3& p : polygon)
@@ -149,7 +169,8 @@ Disk refined(const std::vector<Kernel::Point_3>& polygon, const std::vector<Kern
   if(mesh.number_of_faces() < inner.size() + around.size()) // one did not fit
     return {{}, triangles};
   try {
-    PMP::refine(mesh, inner, CGAL::Emptyset_iterator(), CGAL::Emptyset_iterator());
+    PMP::refine(mesh, inner, CGAL::Emptyset_iterator(), CGAL::Emptyset_iterator(),
+                CGAL::parameters::density_control_factor(density(polygon, outer, triangles, most)));
   } catch(const std::exception&) { // as above: then it is left coarse
     return {{}, triangles};
   }
@@ -238,9 +259,11 @@ void fill_hole(Glued_surface& surface, const std::vector<int>& boundary)
   }
   const int m = static_cast<int>(polygon.size());
   const std::vector<Triangle> triangles = triangulated(polygon);
+  // edges of a large hole that are much finer than the rest of the surface would fill it with millions
+  const double most = std::max(20'000, surface.number_of_faces());
   Disk disk;
   if(!triangles.empty())
-    disk = refined(polygon, outer, triangles);
+    disk = refined(polygon, outer, triangles, most);
   if(!is_disk(disk, m))
     disk = {{}, triangles};
   if(!is_disk(disk, m))

@@ -14,13 +14,14 @@ namespace CGAL::Spherical_parameterization::preparation {
 
 /// Closes a hole, given by its boundary, with a disk: the triangulation of least angles and area (P. Liepa, "Filling
 /// holes in meshes", 2003; CGAL's triangulate_hole_polyline), refined until its triangles are as large as those around
-/// it (CGAL's refine). A cone to the centre where there is none. The vertices have to be derived anew afterwards.
+/// it (CGAL's refine), but into about 20,000 at most, or as many as the surface has. A cone to the centre where there
+/// is none. The vertices have to be derived anew afterwards.
 ///
 /// Of holes of more than 500 edges corners are cut off first, the smallest first, until 500 are left; until 200, if the
 /// Delaunay triangulation of the boundary has no filling.
 ///
 /// Complexity: O(m^2) in most cases for a hole of m edges up to 500, and at most O(m^3) up to 200; beyond that
-/// O(m log m) more.
+/// O(m log m) more. The refinement makes O(m^2) triangles where it may.
 void fill_hole(Glued_surface& surface, const std::vector<int>& boundary);
 
 /// Makes a sphere of a closed, connected surface: cuts it along a shortest closed path of edges that does not cut it in

@@ -738,6 +738,25 @@ TEST_CASE("prepare: a hole of many edges", "[tool]")
   check_mapped(scratch);
 }
 
+TEST_CASE("prepare: a hole of fine edges is filled with no more than the mesh has, or 20,000 triangles", "[tool]")
+{
+  Scratch scratch;
+  const int n = 1000;
+  Soup soup; // a cylinder closed at one end
+  soup.points.emplace_back(0, 0, 0);
+  for(const double z : {0., 0.01})
+    for(int i = 0; i < n; ++i)
+      soup.points.emplace_back(std::cos(2 * std::acos(-1.) * i / n), std::sin(2 * std::acos(-1.) * i / n), z);
+  for(int i = 0; i < n; ++i) {
+    const auto a = std::size_t(i + 1), b = std::size_t((i + 1) % n + 1);
+    soup.faces.insert(soup.faces.end(), {{0, b, a}, {a, b, a + n}, {b, b + n, a + n}});
+  }
+  const Prepared prepared(scratch, soup);
+  CHECK(prepared.out.faces.size() > soup.faces.size() + 10000);
+  CHECK(prepared.out.faces.size() < soup.faces.size() + 30000);
+  check_mapped(scratch);
+}
+
 TEST_CASE("prepare: a hole whose corners are on a line", "[tool]")
 {
   Scratch scratch;

@@ -129,8 +129,10 @@ Preparation prepare(const Triangle_soup& soup, const Preparation_settings& setti
 /// Har-Peled, "Optimally cutting a surface into a disk", 2004). The remaining vertices and faces keep their order; a
 /// mesh without defects is not changed.
 ///
-/// Complexity: O(n log n), except for holes (`m^2` for a hole of m edges, up to 500) and handles (in most cases n times
-/// the vertices of the shortest loops). \param soup      points and triangles: `{points, triangles}` of two vectors
+/// Complexity: O(n log n), except for holes (`m^2` for a hole of m edges, up to 500, and for the triangles that fill
+/// it, up to 20,000 or the number of faces) and handles (in most cases n times the vertices of the shortest loops).
+///
+/// \param soup      points and triangles: `{points, triangles}` of two vectors
 /// \param settings  the repairs to make
 /// \param np        optional named parameters: `callback` and `maximum_running_time`, as in `parameterize()`
 /// \return the repaired mesh, and what was done

@@ -187,10 +187,13 @@ public:
       return w;
     };
     const auto runs_forward = [&](int side) { return key(side) == a; };
+    std::vector<Point> arms;
+    for(const int side : sides)
+      arms.push_back(from_edge(side));
     std::vector<std::tuple<double, int, int>> pairs; // cost, and the sides
     for(std::size_t i = 0; i < sides.size(); ++i)
       for(std::size_t j = i + 1; j < std::min(sides.size(), i + most_compared); ++j) {
-        const Point u = from_edge(sides[i]), w = from_edge(sides[j]);
+        const Point &u = arms[i], &w = arms[j];
         const double angle = std::atan2(norm(cross(u, w)), dot(u, w));
         const Point normal = runs_forward(sides[i]) ? cross(edge, u) : cross(u, edge);
         const bool is_opposite = runs_forward(sides[i]) != runs_forward(sides[j]), is_convex = dot(w, normal) < 0;

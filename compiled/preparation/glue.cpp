@@ -70,13 +70,9 @@ std::vector<bool> repeated(const std::vector<Triangle>& triangles)
 /// For every vertex the one that stands for its place: itself, or for those marked, the first of them at a place.
 std::vector<int> places(const Points& points, const std::vector<bool>& is_marked, double distance)
 {
-  std::unordered_map<Point, std::vector<int>, boost::hash<Point>> cells; // by the point, or by the number of its cell
-  const auto find_or_add = [&](int v) {
+  std::unordered_map<Point, std::vector<int>, boost::hash<Point>> cells; // by their numbers
+  const auto near = [&](int v) {
     const Point& p = points[place(v)];
-    if(!(distance > 0)) {
-      const Point key = {p[0] + 0., p[1] + 0., p[2] + 0.}; // -0 is 0
-      return cells.emplace(key, std::vector<int>{v}).first->second.front();
-    }
     const Point cell = {std::floor(p[0] / distance), std::floor(p[1] / distance), std::floor(p[2] / distance)};
     for(int i = 0; i < 27; ++i) {
       const int x = i % 3 - 1, y = i / 3 % 3 - 1, z = i / 9 - 1;
@@ -89,6 +85,14 @@ std::vector<int> places(const Points& points, const std::vector<bool>& is_marked
     }
     cells[cell].push_back(v);
     return v;
+  };
+  std::unordered_map<Point, int, boost::hash<Point>> at_place; // one for all at the same place, whatever is near it
+  const auto find_or_add = [&](int v) {
+    const Point& p = points[place(v)];
+    const auto [found, is_new] = at_place.emplace(Point{p[0] + 0., p[1] + 0., p[2] + 0.}, v); // -0 is 0
+    if(is_new && distance > 0)
+      found->second = near(v);
+    return found->second;
   };
   std::vector<int> result(points.size());
   std::iota(result.begin(), result.end(), 0);

@@ -70,6 +70,12 @@ std::vector<bool> repeated(const std::vector<Triangle>& triangles)
 /// For every vertex the one that stands for its place: itself, or for those marked, the first of them at a place.
 std::vector<int> places(const Points& points, const std::vector<bool>& is_marked, double distance)
 {
+  double largest = 0;
+  for(std::size_t v = 0; v < points.size(); ++v)
+    if(is_marked[v])
+      largest = std::max(largest, largest_coordinate(std::array<Point, 1>{points[v]}));
+  if(!std::isfinite(largest / distance)) // cells have no numbers then
+    distance = 0;
   std::unordered_map<Point, std::vector<int>, boost::hash<Point>> cells; // by their numbers
   const auto near = [&](int v) {
     const Point& p = points[place(v)];

@@ -413,10 +413,10 @@ Glued_surface glue(const Triangle_soup& soup, std::optional<double> merge_distan
     for(const int side : gluing.open_sides())
       is_open[place(gluing.corner(side))] = is_open[place(gluing.corner(side, 1))] = true;
   std::vector<int> key = places(soup.points, is_open, merge_distance.value_or(0));
+  bool is_merged = false;
   for(int v = 0; v < static_cast<int>(key.size()); ++v)
-    if(key[place(v)] != v)
-      defects.merged_vertices.add(v);
-  if(defects.merged_vertices.count > 0) {
+    is_merged = is_merged || key[place(v)] != v;
+  if(is_merged) {
     Faces faces = gluing.faces();
     std::vector<Triangle> keys;
     for(const auto& [a, b, c] : faces.triangles)
@@ -459,7 +459,18 @@ Glued_surface glue(const Triangle_soup& soup, std::optional<double> merge_distan
   surface.old_face = gluing.faces().number;
   surface.twin = gluing.twin();
   turn_round(surface, is_reversed);
+  const std::vector<Triangle> before = surface.faces;
   derive_vertices(surface);
+
+  // those at the same place, but at no common edge, stay what they are
+  std::vector<bool> has_joined(soup.points.size(), false);
+  for(std::size_t f = 0; f < before.size(); ++f)
+    for(std::size_t k = 0; k < 3; ++k)
+      has_joined[place(before[f][k])] =
+        has_joined[place(before[f][k])] || surface.old_vertex[place(surface.faces[f][k])] != before[f][k];
+  for(int v = 0; v < static_cast<int>(has_joined.size()); ++v)
+    if(has_joined[place(v)])
+      defects.merged_vertices.add(v);
 
   std::vector<bool> is_there(soup.points.size(), false);
   for(const int old : surface.old_vertex) {

@@ -252,8 +252,8 @@ double diagonal(const Triangle_soup& soup)
 
 Preparation prepare(const Triangle_soup& soup, const Preparation_settings& settings, const std::function<void()>& go_on)
 {
-  // areas of coordinates beyond these are no numbers
-  constexpr double largest_harmless = 1e100;
+  // fourth powers of coordinates beyond these, as CGAL fills holes with, are no numbers
+  constexpr double largest_harmless = 1e50;
   const double largest = largest_coordinate(soup.points);
   if(largest == 0 || (largest < largest_harmless && largest > 1 / largest_harmless))
     return prepare_in_unit(soup, settings, go_on);

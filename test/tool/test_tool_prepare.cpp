@@ -692,7 +692,7 @@ TEST_CASE("prepare: the size of the numbers makes no difference", "[tool]")
   soup.faces.erase(soup.faces.begin());
   soup = joined(joined(soup, open_sphere(2), Vector(9, 0, 0)), icosphere(1), Vector(0, 9, 0));
   const Prepared as_it_is(scratch, soup);
-  for(const int power : {600, -600}) {
+  for(const int power : {600, 300, -300, -600}) {
     Soup scaled = soup;
     for(Point& p : scaled.points)
       p = Point(std::ldexp(p.x(), power), std::ldexp(p.y(), power), std::ldexp(p.z(), power));

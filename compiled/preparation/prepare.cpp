@@ -218,7 +218,7 @@ Preparation prepare_in_unit(const Triangle_soup& soup, const Preparation_setting
     const std::vector<Component> left = components(part, unused);
     if(left.size() == 1 && left[0].holes == 0 && left[0].volume < 0) {
       turn_round(part, std::vector<bool>(part.faces.size(), true));
-      result.is_turned_outwards = true;
+      ++result.turned_parts;
     }
   }
   std::stable_sort(result.holes.begin(), result.holes.end(),
@@ -347,8 +347,10 @@ std::vector<std::string> sentences(const Preparation& preparation)
       "face", "faces", " without area", "face");
   if(preparation.split_edges > 0)
     lines.push_back("split " + count(preparation.split_edges, "edge") + " that had the same ends as others");
-  if(preparation.is_turned_outwards)
-    lines.emplace_back("turned all faces to the outside");
+  if(preparation.turned_parts > 0)
+    lines.push_back("turned " +
+                    (preparation.parts.size() == 1 ? "all faces" : count(preparation.turned_parts, "component")) +
+                    " to the outside");
   return lines;
 }
 

@@ -78,7 +78,7 @@ Json to_json(const Preparation& preparation)
                {"degenerate_faces", to_json(preparation.degenerate_faces)},
                {"degenerate_faces_removed", !preparation.has_degenerate_faces},
                {"split_edges", preparation.split_edges},
-               {"turned_outwards", preparation.is_turned_outwards},
+               {"turned_outwards", preparation.turned_parts > 0},
                {"wrap", nullptr}};
   if(preparation.wrap)
     json["wrap"] = {{"alpha", *preparation.wrap->alpha}, {"offset", *preparation.wrap->offset}};

@@ -757,6 +757,20 @@ TEST_CASE("prepare: a hole of fine edges is filled with no more than the mesh ha
   check_mapped(scratch);
 }
 
+TEST_CASE("prepare: of several components those that are turned are counted", "[tool]")
+{
+  Scratch scratch;
+  Soup inside_out = icosphere(1);
+  for(auto& face : inside_out.faces)
+    std::swap(face[0], face[1]);
+  const auto done = [&](const Soup& soup) {
+    return Prepared(scratch, soup, {"--steps", "merge,orient,handles"}).report["preparation"]["done"].dump();
+  };
+  CHECK(done(inside_out).find("turned all faces to the outside") != std::string::npos);
+  CHECK(done(joined(icosphere(1), inside_out, Vector(9, 0, 0))).find("turned 1 component to the outside") !=
+        std::string::npos);
+}
+
 TEST_CASE("prepare: a hole whose corners are on a line", "[tool]")
 {
   Scratch scratch;

@@ -111,7 +111,7 @@ struct Preparation {
   bool is_cut = false;            ///< whether the handles were cut
   Defect degenerate_faces;        ///< faces of area 0, if they were to be removed
   bool has_degenerate_faces = false; ///< whether some were not removed, since less than a surface would be left
-  bool is_turned_outwards = false;   ///< whether all faces were reversed
+  std::size_t turned_parts = 0;      ///< number of parts all of whose faces were reversed
   std::size_t split_edges = 0;       ///< number of edges that were split, since others had the same end points
   std::optional<Preparation_settings::Wrap> wrap; ///< the options of the wrap that was made
 };

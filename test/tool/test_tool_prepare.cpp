@@ -5,6 +5,8 @@
 #include "helpers/meshes.h"
 #include "helpers/tool.h"
 
+#include <CGAL/Spherical_parameterization/preparation/prepare.h>
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -886,6 +888,31 @@ TEST_CASE("prepare: what has no surface is refused", "[tool]")
           std::string::npos);
     CHECK_FALSE(fs::exists(scratch / "out.off"));
     CHECK(nlohmann::json::parse(text_of(scratch / "report.json"))["error_code"] != "OK");
+  }
+}
+
+TEST_CASE("prepare(): wrong arguments", "[tool]")
+{
+  namespace preparation = CGAL::Spherical_parameterization::preparation;
+  const std::vector<std::array<double, 3>> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  std::vector<std::array<int, 3>> triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  const auto prepared = [&](const preparation::Preparation_settings& settings = {}) {
+    return preparation::prepare(preparation::Triangle_soup(points, triangles), settings);
+  };
+  CHECK(prepared().parts.size() == 1);
+  for(const double wrong : {-1., std::nan("")}) {
+    preparation::Preparation_settings settings;
+    settings.merge_distance = wrong;
+    CHECK_THROWS_AS(prepared(settings), CGAL::Precondition_exception);
+    settings = {};
+    settings.wrap.emplace().alpha = wrong;
+    CHECK_THROWS_AS(prepared(settings), CGAL::Precondition_exception);
+    settings.wrap.emplace().offset = wrong;
+    CHECK_THROWS_AS(prepared(settings), CGAL::Precondition_exception);
+  }
+  for(const int wrong : {-1, 4}) {
+    triangles[0][0] = wrong;
+    CHECK_THROWS_AS(prepared(), CGAL::Precondition_exception);
   }
 }
 

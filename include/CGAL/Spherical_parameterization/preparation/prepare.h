@@ -4,9 +4,11 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_PREPARATION_PREPARE_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_PREPARATION_PREPARE_H
 
+#include <CGAL/Spherical_parameterization/internal/api/precondition.h>
 #include <CGAL/Spherical_parameterization/internal/context/make_monitor.h>
 #include <CGAL/Spherical_parameterization/preparation/glued_surface.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -135,12 +137,25 @@ Preparation prepare(const Triangle_soup& soup, const Preparation_settings& setti
 /// \param soup      points and triangles: `{points, triangles}` of two vectors
 /// \param settings  the repairs to make
 /// \param np        optional named parameters: `callback` and `maximum_running_time`, as in `parameterize()`
+/// \pre corners are indices of points, `merge_distance` is not negative, and `alpha` and `offset` are positive
 /// \return the repaired mesh, and what was done
 /// \throws Error if there is no valid face (`EMPTY_MESH`), or it was interrupted (`INTERRUPTED`)
 template <class NamedParameters = parameters::Default_named_parameters>
 Preparation prepare(const Triangle_soup& soup, const Preparation_settings& settings = {},
                     const NamedParameters& np = parameters::default_values())
 {
+  const int points = static_cast<int>(soup.points.size());
+  CGAL_SP_PRECONDITION(std::all_of(soup.triangles.begin(), soup.triangles.end(),
+                                   [points](const auto& t) {
+                                     return std::all_of(t.begin(), t.end(),
+                                                        [points](int v) { return v >= 0 && v < points; });
+                                   }),
+                       "corners of triangles are indices of points");
+  CGAL_SP_PRECONDITION(settings.merge_distance.value_or(0) >= 0, "the distance of merging must not be negative");
+  if(settings.wrap) {
+    CGAL_SP_PRECONDITION(settings.wrap->alpha.value_or(1) > 0, "the radius alpha of a wrap is positive");
+    CGAL_SP_PRECONDITION(settings.wrap->offset.value_or(1) > 0, "the offset of a wrap is positive");
+  }
   internal::Monitor monitor = internal::make_monitor(np);
   return prepare(soup, settings, std::function<void()>([&monitor] { monitor.advance_or_throw(); }));
 }

@@ -118,8 +118,21 @@ void write_numbers(std::ostream* out, const std::vector<int>& numbers)
       *out << i << '\n';
 }
 
+/// Whether readers of the format make one vertex of several at the same place, and there are such.
+bool loses_copies(Mesh_format format, const std::vector<Glued_surface>& parts)
+{
+  if(format != Mesh_format::GLB && format != Mesh_format::GLTF)
+    return false;
+  return std::any_of(parts.begin(), parts.end(), [format](const Glued_surface& part) {
+    std::set<Point> places;
+    for(const Point& p : part.points)
+      places.insert(as_stored(format, Surface::SHAPE, p));
+    return places.size() < part.points.size();
+  });
+}
+
 /// "closed, of one component, without handles", or what is left.
-std::string shape_of(const std::vector<Glued_surface>& parts)
+std::string shape_of(const std::vector<Glued_surface>& parts, bool are_copies_lost)
 {
   std::size_t pieces = 0;
   int holes = 0, handles = 0;
@@ -134,6 +147,9 @@ std::string shape_of(const std::vector<Glued_surface>& parts)
   const auto left = [](std::size_t n, const std::string& what) {
     return std::to_string(n) + ' ' + what + (n == 1 ? "" : "s");
   };
+  if(pieces == 1 && holes == 0 && handles == 0 && are_copies_lost)
+    return "a closed surface of genus 0, but of vertices at the same place glTF makes one again: name another "
+           "format for 'map'";
   if(pieces == 1 && holes == 0 && handles == 0)
     return "a closed surface of genus 0, which 'map' accepts";
   return left(pieces, "component") + ", " + left(static_cast<std::size_t>(holes), "hole") + ", " +
@@ -183,7 +199,9 @@ void say(Run& run, const Prepared& prepared)
     vertices += part.points.size();
     faces += part.faces.size();
   }
-  line << vertices << " vertices, " << faces << " faces, " << shape_of(preparation.parts);
+  line << vertices << " vertices, " << faces << " faces, "
+       << shape_of(preparation.parts,
+                   !prepared.files.empty() && loses_copies(run.mesh_format().format, preparation.parts));
 
   text.precision(3);
   text << run.name_of_input() << ": " << soup.points.size() << " vertices, " << soup.faces << " faces\n";

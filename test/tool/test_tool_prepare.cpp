@@ -759,6 +759,19 @@ TEST_CASE("prepare: a hole of fine edges is filled with no more than the mesh ha
   check_mapped(scratch);
 }
 
+TEST_CASE("prepare: glTF cannot hold copies of vertices, and that is said", "[tool]")
+{
+  Scratch scratch;
+  Soup pinched = icosphere(1); // two vertices are one
+  for(auto& face : pinched.faces)
+    std::replace(face.begin(), face.end(), std::size_t(11), std::size_t(0));
+  const std::string in = write_off(scratch / "in.off", pinched);
+  CHECK(run_tool({"prepare", in, "-o", scratch / "out.ply"}).out.find("which 'map' accepts") != std::string::npos);
+  CHECK(run_tool({"prepare", in, "-o", scratch / "out.glb"}).out.find("name another format for 'map'") != std::string::npos);
+  CHECK(run_tool({"map", scratch / "out.ply", "-o", scratch / "sphere.ply"}).exit_code == 0);
+  CHECK(run_tool({"map", scratch / "out.glb", "-o", scratch / "sphere.ply"}).exit_code != 0);
+}
+
 TEST_CASE("prepare: of several components those that are turned are counted", "[tool]")
 {
   Scratch scratch;

@@ -767,9 +767,35 @@ TEST_CASE("prepare: glTF cannot hold copies of vertices, and that is said", "[to
     std::replace(face.begin(), face.end(), std::size_t(11), std::size_t(0));
   const std::string in = write_off(scratch / "in.off", pinched);
   CHECK(run_tool({"prepare", in, "-o", scratch / "out.ply"}).out.find("which 'map' accepts") != std::string::npos);
-  CHECK(run_tool({"prepare", in, "-o", scratch / "out.glb"}).out.find("name another format for 'map'") != std::string::npos);
+  CHECK(run_tool({"prepare", in, "-o", scratch / "out.glb"}).out.find("name another format for 'map'") !=
+        std::string::npos);
   CHECK(run_tool({"map", scratch / "out.ply", "-o", scratch / "sphere.ply"}).exit_code == 0);
   CHECK(run_tool({"map", scratch / "out.glb", "-o", scratch / "sphere.ply"}).exit_code != 0);
+}
+
+TEST_CASE("prepare --merge-distance: what is at the same place becomes one, whatever is near it", "[tool]")
+{
+  Scratch scratch;
+  Soup soup; // two triangles with an edge at the same place, of which a vertex is near one vertex each of two others
+  soup.points = {{1.5, 0, 0}, {1, 0, 0},  {0.2, 0, 0}, {1, 0, 0},   {1, 0, 5},    {1, 0, 5},
+                 {1, 5, 0},   {1, -5, 0}, {100, 0, 0}, {100, 9, 0}, {-100, 0, 0}, {-100, 9, 0}};
+  soup.faces = {{1, 4, 6}, {5, 3, 7}, {0, 8, 9}, {2, 10, 11}};
+  for(const char* distance : {"0", "1"}) {
+    const Prepared prepared(scratch, soup, {"--steps", "merge,orient", "--merge-distance", distance});
+    CAPTURE(distance);
+    CHECK(prepared.report["preparation"]["components"].size() == 3);
+  }
+}
+
+TEST_CASE("prepare: vertices at the same place that stay apart are not counted as merged", "[tool]")
+{
+  Scratch scratch;
+  Soup soup; // two triangles that meet at a point
+  soup.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {-1, 0, 0}, {0, -1, 0}};
+  soup.faces = {{0, 1, 2}, {3, 4, 5}};
+  const Prepared prepared(scratch, soup, {"--steps", "merge,orient"});
+  CHECK(prepared.out.points.size() == 6);
+  CHECK(prepared.report["preparation"]["done"].dump().find("merged") == std::string::npos);
 }
 
 TEST_CASE("prepare: of several components those that are turned are counted", "[tool]")

@@ -44,7 +44,8 @@ inline void translate(std::exception_ptr pointer)
   } catch(const SP::Error& error) {
     raise("MeshError", SP::get_error_name(error.code()), error.detail());
   } catch(const tool::Refusal& refusal) { // of a file
-    if(refusal.code() == tool::unreadable_file || refusal.code() == tool::unwritable_file)
+    if(refusal.code() == tool::unreadable_file || refusal.code() == tool::unwritable_file ||
+       refusal.code() == tool::unwritable_data)
       PyErr_SetObject(PyExc_OSError, text_of(refusal.what()).ptr());
     else
       raise("MeshError", refusal.code(), text_of(refusal.what()));

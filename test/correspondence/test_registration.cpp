@@ -295,29 +295,6 @@ TEST_CASE("nothing is trusted that was not asked", "[registration]")
   CHECK(registered(a, a, method).result.trust() == SP::Registration_result::Trust::UNKNOWN);
 }
 
-TEST_CASE("the order on the sphere depends neither on numbers nor on the radius", "[registration]")
-{
-  namespace I = SP::internal;
-  I::Host_array<I::vec3> image;
-  std::mt19937 generator;
-  std::uniform_real_distribution<double> number(-1, 1);
-  for(int i = 0; i < 2000; ++i) { // every other one within a cell of the curve with the one before
-    const double x = number(generator), y = number(generator), z = number(generator);
-    const I::vec3 p = I::unit({x, y, z});
-    image.push_back(p);
-    image.push_back(I::unit({p.x + 1e-9, p.y, p.z}));
-  }
-  const I::Host_loop loop;
-  const auto ordered = [&](const I::Host_array<I::vec3>& of) { return I::Order_on_sphere(loop, of).ordered(of); };
-  const I::Host_array<I::vec3> first = ordered(image);
-  for(I::vec3& p : image)
-    p = I::scale(128, p);
-  std::reverse(image.begin(), image.end());
-  I::Host_array<I::vec3> other = ordered(image);
-  for(std::size_t i = 0; i < first.size(); ++i)
-    CHECK(I::squared_distance(I::scale(1. / 128, other[i]), first[i]) == 0);
-}
-
 TEST_CASE("ways along edges and diagonals are hardly longer than geodesics", "[registration]")
 {
   // also where half of the vertices are in a patch that is smaller than the mean way

@@ -527,7 +527,7 @@ TEST_CASE("callback and time limit end statistics, and shapes are where they wer
   std::mt19937 random(8);
   Shapes shapes;
   for(int i = 0; i < 6; ++i)
-    shapes.push_back(random_shape(20000, random));
+    shapes.push_back(random_shape(400000, random)); // large enough for loops that ask every 5 ms
   const auto check = [&](const auto& call) {
     int calls = 0;
     const auto count = [&](double fraction) {

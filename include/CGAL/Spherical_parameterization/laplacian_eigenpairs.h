@@ -93,10 +93,11 @@ inline std::vector<double> heat_kernel_signature(const Laplacian_eigenpairs& pai
 /// The wave kernel signature: the probability of finding a quantum particle of some energy at a vertex. M. Aubry,
 /// U. Schlickewei, D. Cremers, "The wave kernel signature: a quantum mechanical approach to shape analysis", ICCV
 /// Workshops 2011. Energies are spaced evenly on a logarithmic scale, between the first eigenvalue above 0 and the last
-/// one, two standard deviations from either. The deviation is that of the paper, 7 parts of the range of which there
-/// are as many as energies, but at most an eighth of the range. \param pairs  pairs of the surface, two or more \param
-/// number_of_energies  number of energies, two or more \return one energy after the other, the values of all vertices:
-/// entry e * number of vertices + i; 1 / length^2
+/// one, two standard deviations from either. The deviation is that of the paper, 7 parts of the range, of which there
+/// are as many as energies, but at most a fifth of the range.
+/// \param pairs  pairs of the surface, two or more
+/// \param number_of_energies  number of energies, two or more
+/// \return one energy after the other, the values of all vertices: entry e * number of vertices + i; 1 / length^2
 inline std::vector<double> wave_kernel_signature(const Laplacian_eigenpairs& pairs,
                                                  std::size_t number_of_energies = 100)
 {

@@ -15,7 +15,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -30,13 +29,10 @@ public:
   {
     std::vector<std::uint64_t> key;
     key.reserve(image.size());
-    for(const vec3& of_any_radius : image) {
-      const vec3 p = unit(of_any_radius);
+    for(const vec3& p : image)
       key.push_back(spread(p.x) | spread(p.y) << 1 | spread(p.z) << 2);
-    }
     std::iota(old_.begin(), old_.end(), 0);
-    const auto place = [&](int i) { return std::tuple(key[i], image[i].x, image[i].y, image[i].z); };
-    std::stable_sort(old_.begin(), old_.end(), [&](int i, int j) { return place(i) < place(j); });
+    std::stable_sort(old_.begin(), old_.end(), [&](int i, int j) { return key[i] < key[j]; });
     new_ = inverse_permutation(loop, old_);
   }
 

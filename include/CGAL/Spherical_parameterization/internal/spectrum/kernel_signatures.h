@@ -19,14 +19,14 @@ namespace CGAL::Spherical_parameterization::internal {
 /// \param value  the eigenvalues, two or more
 inline std::vector<std::vector<double>> wave_kernel_filters(const std::vector<double>& value, std::size_t number)
 {
-  constexpr double widest = 0.125; // of the whole, lest few energies are all in the middle
+  constexpr double widest = 0.2; // of the whole, lest few energies are all in the middle
   constexpr double largest_exponent = 700;
   const double least = 1e-9 * value.back();
   std::vector<double> energy;
   for(std::size_t k = 1; k < value.size(); ++k)
     energy.push_back(std::log((std::max)(value[k], least)));
   const double width = energy.back() - energy.front();
-  const double sigma = width * (std::min)(widest, 7 / static_cast<double>(number));
+  const double sigma = (std::min)(widest * width, 7 * width / static_cast<double>(number));
   const double low = energy.front() + 2 * sigma, high = energy.back() - 2 * sigma;
   std::vector<std::vector<double>> filters(number);
   for(std::size_t e = 0; e < number; ++e) {

@@ -688,9 +688,9 @@ TEST_CASE("callback and time limit end whatever takes long with harmonics", "[ha
 {
   // large enough for loops that ask every 5 ms
   const Mesh mesh = make_mesh(icosphere(6));
-  const Coefficients f = random_coefficients(150, 3, 1), small = random_coefficients(24, 3, 1),
+  const Coefficients f = random_coefficients(150, 3, 1), small = random_coefficients(32, 3, 1),
                      other = SP::rotated(small, some_rotation(2));
-  const Grid grid = Grid::gauss_legendre(400);
+  const Grid grid = Grid::gauss_legendre(600);
   const std::vector<double> values = SP::harmonic_grid_values(f, grid);
   std::map<Vertex, Point> out;
   const Writable_map<Vertex, Point> written{&out};

@@ -301,6 +301,12 @@ py::tuple rows_of_weights(const SP::Resampling_weights& weights)
                         copy(weights.weight, make_array<double>(weights.weight.size())));
 }
 
+SP::Resampling_weights weights_of_rows(const py::tuple& rows)
+{
+  return {rows[0].cast<std::vector<std::size_t>>(), rows[1].cast<std::vector<int>>(),
+          rows[2].cast<std::vector<double>>()};
+}
+
 /// Of values (n, d).
 Doubles weighted_means(const SP::Resampling_weights& weights, const Doubles& values)
 {
@@ -416,6 +422,7 @@ void add_analysis(py::module_& module)
     .def("align", &Locator::align);
   py::class_<SP::Resampling_weights>(module, "ResamplingWeights")
     .def("rows", rows_of_weights)
+    .def(py::pickle(rows_of_weights, weights_of_rows))
     .def("means", weighted_means)
     .def("majorities", &SP::Resampling_weights::majorities<int>, py::call_guard<py::gil_scoped_release>())
     .def("nearest", &SP::Resampling_weights::nearest<int>, py::call_guard<py::gil_scoped_release>());

@@ -198,6 +198,13 @@ def test_a_locator_can_be_pickled() -> None:
     assert (again.transfer(POINTS, -SPHERE) == LOCATOR.transfer(POINTS, -SPHERE)).all()
 
 
+def test_a_resampling_can_be_pickled() -> None:
+    resampling = LOCATOR.linear_resampling(-SPHERE)
+    again = pickle.loads(pickle.dumps(resampling))
+    assert (again.means(POINTS) == resampling.means(POINTS)).all()
+    assert (again.offsets == resampling.offsets).all()
+
+
 def test_segments_are_any_integers() -> None:
     labels = np.where(POINTS[TRIANGLES].mean(axis=1)[:, 0] < 0, "left", "right")
     segments = np.where(labels == "left", 0, 2**32)

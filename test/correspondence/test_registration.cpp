@@ -452,6 +452,22 @@ TEST_CASE("a registration is the same bits whatever the numbers of vertices and 
   CHECK(other.result.margin == r.result.margin);
 }
 
+TEST_CASE("a registration does not depend on the radius of the spheres", "[registration]")
+{
+  const Mapped a(limbs(1.4, 3)), b(in_another_pose(a.soup));
+  const double radius = GENERATE(1 / 128., 100., 128.);
+  const auto enlarge = [&](const Point& p) { return CGAL::ORIGIN + radius * (p - CGAL::ORIGIN); };
+  Mapped large_a = a, large_b = b;
+  large_a.sphere = moved(a.sphere, enlarge);
+  large_b.sphere = moved(b.sphere, enlarge);
+  const Registered r = registered(a, b), large = registered(large_a, large_b);
+  check_certificate(large_a, large);
+  CHECK(large.result.start == r.result.start);
+  CHECK(large.result.margin == Approx(r.result.margin).epsilon(1e-3));
+  CHECK(large.result.distortion == Approx(r.result.distortion).epsilon(1e-6));
+  CHECK(mean_distance(large.sphere, r.sphere) < 1e-6);
+}
+
 TEST_CASE("features without weight, and constant ones, say nothing", "[registration]")
 {
   const Mapped shape = ellipsoid();

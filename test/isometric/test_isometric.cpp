@@ -254,21 +254,6 @@ TEST_CASE("isometric maps do not depend on the policy", "[isometric][each_policy
 #endif
 }
 
-TEST_CASE("meshes that have no straight embedding are refused by the isometric method", "[isometric]")
-{
-  Sphere sphere;
-  Mesh mesh = make_mesh(tetrahedron());
-  CGAL::Euler::flip_edge(*halfedges(mesh).begin(), mesh); // two edges between the other two vertices
-  Settings settings = isometric();
-  settings.weights = Weights::BARYCENTRIC;
-  CHECK(solve(mesh, sphere, settings).error == Error_code::NOT_BIJECTIVE);
-
-  Soup pillow;
-  pillow.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  pillow.faces = {{0, 1, 2}, {0, 2, 1}};
-  CHECK(solve(pillow, sphere, settings).error == Error_code::NOT_BIJECTIVE);
-}
-
 TEST_CASE("the isometric method can be stopped at any time", "[isometric][each_policy]")
 {
   const Soup soup = spiky_star(4, 1.5);

@@ -2,10 +2,12 @@
 // shape_statistics.h
 
 #include "helpers/meshes.h"
+#include "helpers/property_maps.h"
 #include "helpers/solve.h"
 
 #include <CGAL/Spherical_parameterization/harmonic_alignment.h>
 #include <CGAL/Spherical_parameterization/harmonic_grids.h>
+#include <CGAL/Spherical_parameterization/shape_atlas.h>
 #include <CGAL/Spherical_parameterization/shape_statistics.h>
 #include <CGAL/Spherical_parameterization/spherical_harmonics.h>
 
@@ -551,6 +553,37 @@ TEST_CASE("callback and time limit end statistics, and shapes are where they wer
   check([](Shapes& s, const auto& np) { SP::shape_statistics(s, std::vector<double>(), 3, np); }, false);
   check([](Shapes& s, const auto& np) { SP::left_out_errors(s, std::vector<double>(), 0, np); }, true);
   check([](Shapes& s, const auto& np) { SP::vertex_variances(s, np); }, false);
+}
+
+TEST_CASE("an atlas is that of any FaceGraph", "[statistics]")
+{
+  std::vector<Mesh> meshes;
+  std::vector<SP::Indexed_triangle_mesh> indexed;
+  std::vector<Sphere> spheres;
+  Settings settings;
+  settings.method = SP::Isometric();
+  for(double c : {1.6, 1.8, 2.1}) {
+    const Soup soup = ellipsoid(1, 1.3, c, 3);
+    meshes.push_back(make_mesh(soup));
+    indexed.emplace_back(points_of(soup), soup.faces);
+    spheres.push_back(solve_or_throw(soup, settings));
+  }
+  const auto atlas_of = [&](const auto& some) {
+    typedef std::decay_t<decltype(some[0])> Any_mesh;
+    typedef typename boost::graph_traits<Any_mesh>::vertex_descriptor Vertex;
+    typedef Readable_map<Vertex, Point> Sphere_map;
+    std::vector<decltype(SP::mapped_mesh(some[0], Sphere_map()))> maps;
+    for(std::size_t i = 0; i < some.size(); ++i)
+      maps.push_back(SP::mapped_mesh(
+        some[i], Sphere_map{[&spheres, i](const Vertex& v) { return spheres[i][static_cast<std::size_t>(v.idx())]; }}));
+    return SP::shape_atlas(maps, 0, 2, SP::icosphere_of_atlas(2));
+  };
+  const SP::Shape_atlas atlas = atlas_of(meshes), other = atlas_of(indexed);
+  CHECK(atlas.refused.empty());
+  CHECK((atlas.members == std::vector<std::size_t>{0, 1, 2}));
+  CHECK(atlas.statistics.scores.size() == 3);
+  CHECK((atlas.shapes == other.shapes));
+  CHECK((atlas.statistics.modes == other.statistics.modes));
 }
 
 TEST_CASE("coefficients that are not finite are no shapes", "[statistics]")

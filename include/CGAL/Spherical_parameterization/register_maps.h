@@ -80,9 +80,8 @@ auto mapped_mesh(const TriangleMesh& mesh, VertexSphereMap sphere_map,
 /// \param method      how far to go, and the weights
 /// \param landmarks   pairs of corresponding vertices. They are put exactly onto each other, unless the first mesh is
 ///                    too coarse for that; with fewer than three the rotation is found without them.
-/// \param np          optional named parameters: `callback`, `maximum_running_time` and `verbose`, as in
-/// `parameterize()` \return the certificate, and what was reached; `NOT_BIJECTIVE` and the like for maps and meshes
-/// that cannot be
+/// \param np          optional: `callback`, `maximum_running_time` and `verbose`, as in `parameterize()`
+/// \return the certificate, and what was reached; `NOT_BIJECTIVE` and the like for maps and meshes that cannot be
 ///         registered, also where a map has faces so small that it cannot be turned without losing them to rounding;
 ///         `INTERRUPTED` if callback or time limit ended it: what is stored then is a certified map, too
 /// \pre weights are not negative; there is at least one level; scale and accuracy are positive

@@ -9,7 +9,11 @@
 #include <CGAL/Spherical_parameterization/resample.h>
 #include <CGAL/Spherical_parameterization/shape_statistics.h>
 #include <CGAL/Spherical_parameterization/transfer_properties.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/point_coordinates.h>
+#include <CGAL/Spherical_parameterization/internal/backend/execution.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Vertex_numbering.h>
 
+#include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/function_property_map.hpp>
 
 #include <array>
@@ -50,35 +54,55 @@ CGAL_SP_INLINE Atlas_mesh icosphere_of_atlas(int level)
 
 /// \cond SKIP_IN_MANUAL
 namespace internal {
-/// By the vertices of an `Indexed_triangle_mesh`.
-template <class Points>
-auto by_vertex(Points& points)
+template <class Point>
+std::array<double, 3> array_of(const Point& point)
 {
-  return boost::make_function_property_map<Indexed_triangle_mesh::Vertex_index>([&points](
-                                                                                  Indexed_triangle_mesh::Vertex_index v)
-                                                                                  -> auto& {
-    return points[static_cast<std::size_t>(v.idx())];
+  const vec3 p = coordinates(point);
+  return {p.x, p.y, p.z};
+}
+
+/// What is stored by the position of a vertex in vertices(mesh).
+template <class TriangleMesh, class Values>
+auto by_vertex(const Vertex_numbering<TriangleMesh>& number, Values& values)
+{
+  return boost::make_function_property_map<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>([&](auto v)
+                                                                                                            -> auto& {
+    return values[static_cast<std::size_t>(number(v))];
+  });
+}
+
+/// The same of an atlas, which has numbers for vertices.
+template <class Values>
+auto by_vertex(Values& values)
+{
+  typedef Indexed_triangle_mesh::Vertex_index Vertex;
+  return boost::make_function_property_map<Vertex>([&](Vertex v) -> auto& {
+    return values[static_cast<std::size_t>(v.idx())];
   });
 }
 } // namespace internal
 /// \endcond
 
 /// The shape of a mesh at the vertices of an atlas.
-/// \param policy  `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result does not depend on it
+/// \param policy  `CGAL::Sequential_tag`, the default, or `CGAL::Parallel_tag`; the result does not depend on it
 /// \param shape   the mesh, with a map that was registered to the template
 /// \param atlas   the vertices to sample at
 /// \return the points, by vertex of the atlas
 /// \throws Error if the map is not valid
-template <class ExecutionPolicy, class TriangleMesh, class SphereMap, class PointMap>
+template <class ExecutionPolicy, class TriangleMesh, class SphereMap, class PointMap,
+          internal::If_policy<ExecutionPolicy> = 0>
 Shape_points shape_at(const ExecutionPolicy& policy, const Mapped_mesh<TriangleMesh, SphereMap, PointMap>& shape,
                       const Atlas_mesh& atlas)
 {
   Shape_points points(atlas.directions.size());
   const Spherical_locator<TriangleMesh> inverse(policy, shape.mesh, shape.sphere_map);
-  transfer_vertex_property(policy, inverse, shape.points, atlas.mesh, internal::by_vertex(atlas.directions),
+  const auto point = boost::make_function_property_map<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>(
+    [&](auto v) { return internal::array_of(get(shape.points, v)); });
+  transfer_vertex_property(policy, inverse, point, atlas.mesh, internal::by_vertex(atlas.directions),
                            internal::by_vertex(points));
   return points;
 }
+CGAL_SP_ON_ONE_CORE(shape_at)
 
 /// Aligns the shapes of an atlas; vertices are weighted by their areas.
 /// \param policy     as above
@@ -87,7 +111,7 @@ Shape_points shape_at(const ExecutionPolicy& policy, const Mapped_mesh<TriangleM
 /// \param placement  what is removed
 /// \param np         see \ref pd_calls
 /// \return the motions; none if the shapes are not moved
-template <class ExecutionPolicy, class CGAL_NP_TEMPLATE_PARAMETERS>
+template <class ExecutionPolicy, class CGAL_NP_TEMPLATE_PARAMETERS, internal::If_policy<ExecutionPolicy> = 0>
 Procrustes_alignment place_shapes(const ExecutionPolicy& policy, const Atlas_mesh& atlas,
                                   std::vector<Shape_points>& shapes, Atlas_placement placement,
                                   const CGAL_NP_CLASS& np = parameters::default_values())
@@ -99,18 +123,20 @@ Procrustes_alignment place_shapes(const ExecutionPolicy& policy, const Atlas_mes
   method.scale = placement == Atlas_placement::SIMILARITY;
   return align_shapes(policy, shapes, method, mean_vertex_areas(policy, atlas.mesh, shapes, np), np);
 }
+CGAL_SP_ON_ONE_CORE(place_shapes)
 
 /// The template of the next round: the mean of the aligned shapes.
 /// \param policy,atlas,placement,np  as above
 /// \param shapes  the shapes; a copy is moved
 /// \return the points, by vertex of the atlas
-template <class ExecutionPolicy, class CGAL_NP_TEMPLATE_PARAMETERS>
+template <class ExecutionPolicy, class CGAL_NP_TEMPLATE_PARAMETERS, internal::If_policy<ExecutionPolicy> = 0>
 Shape_points mean_shape(const ExecutionPolicy& policy, const Atlas_mesh& atlas, std::vector<Shape_points> shapes,
                         Atlas_placement placement, const CGAL_NP_CLASS& np = parameters::default_values())
 {
   place_shapes(policy, atlas, shapes, placement, np);
   return shape_statistics(policy, shapes, {}, 0, np).mean;
 }
+CGAL_SP_ON_ONE_CORE(mean_shape)
 
 /// Mean and modes of shapes.
 struct Atlas_statistics {
@@ -123,7 +149,7 @@ struct Atlas_statistics {
 /// \param policy,atlas,shapes,placement,np  as for `place_shapes()`
 /// \param modes  at most so many
 /// \return the statistics of the aligned shapes
-template <class ExecutionPolicy, class CGAL_NP_TEMPLATE_PARAMETERS>
+template <class ExecutionPolicy, class CGAL_NP_TEMPLATE_PARAMETERS, internal::If_policy<ExecutionPolicy> = 0>
 Atlas_statistics atlas_statistics(const ExecutionPolicy& policy, const Atlas_mesh& atlas,
                                   std::vector<Shape_points>& shapes, Atlas_placement placement,
                                   int modes = (std::numeric_limits<int>::max)(),
@@ -135,6 +161,7 @@ Atlas_statistics atlas_statistics(const ExecutionPolicy& policy, const Atlas_mes
   result.statistics = shape_statistics(policy, shapes, result.weights, modes, np);
   return result;
 }
+CGAL_SP_ON_ONE_CORE(atlas_statistics)
 
 /// An atlas in memory.
 struct Shape_atlas : Atlas_statistics {
@@ -155,7 +182,8 @@ struct Shape_atlas : Atlas_statistics {
 /// \param np         `callback` and `maximum_running_time` of every step, see \ref pd_calls
 /// \return the atlas
 /// \throws Error `EMPTY_MESH` if there are fewer than two maps that can be registered, `INTERRUPTED`
-template <class ExecutionPolicy, class TriangleMesh, class SphereMap, class PointMap, class CGAL_NP_TEMPLATE_PARAMETERS>
+template <class ExecutionPolicy, class TriangleMesh, class SphereMap, class PointMap, class CGAL_NP_TEMPLATE_PARAMETERS,
+          internal::If_policy<ExecutionPolicy> = 0>
 Shape_atlas
 shape_atlas(const ExecutionPolicy& policy, const std::vector<Mapped_mesh<TriangleMesh, SphereMap, PointMap>>& maps,
             std::size_t first, int rounds, const Atlas_mesh& atlas, Atlas_placement placement = Atlas_placement::RIGID,
@@ -171,11 +199,10 @@ shape_atlas(const ExecutionPolicy& policy, const std::vector<Mapped_mesh<Triangl
     for(std::size_t i = 0; i < maps.size(); ++i) {
       const auto& [mesh, sphere, points] = maps[i];
       std::vector<std::array<double, 3>> moved;
-      for(const auto v : vertices(mesh)) {
-        const auto& p = get(sphere, v);
-        moved.push_back({p[0], p[1], p[2]});
-      }
-      const auto registered = internal::by_vertex(moved);
+      for(const auto v : vertices(mesh))
+        moved.push_back(internal::array_of(get(sphere, v)));
+      const internal::Vertex_numbering<TriangleMesh> number(vertices(mesh));
+      const auto registered = internal::by_vertex<TriangleMesh>(number, moved);
       Registration_result found;
       if(round > 0)
         found = register_maps(policy, maps[i],
@@ -204,6 +231,7 @@ shape_atlas(const ExecutionPolicy& policy, const std::vector<Mapped_mesh<Triangl
   static_cast<Atlas_statistics&>(result) = atlas_statistics(policy, atlas, result.shapes, placement, modes, np);
   return result;
 }
+CGAL_SP_ON_ONE_CORE(shape_atlas)
 
 /// @}
 

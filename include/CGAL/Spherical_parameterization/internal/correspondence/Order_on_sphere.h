@@ -12,9 +12,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -22,17 +24,21 @@ namespace CGAL::Spherical_parameterization::internal {
 
 /// An order of the vertices and faces of a map that does not depend on their numbers, in which neighbours are near each
 /// other in memory: that of the images on G. Morton's curve through the cube round the sphere (1966). A registration of
-/// 80,000 vertices whose numbers have no order, as subdivision leaves them, takes half the time so.
+/// 80,000 vertices whose numbers have no order, as subdivision leaves them, takes half the time so. Nor does it depend
+/// on the radius of the sphere.
 class Order_on_sphere {
 public:
   Order_on_sphere(const Host_loop& loop, const Host_array<vec3>& image) : old_(image.size())
   {
     std::vector<std::uint64_t> key;
     key.reserve(image.size());
-    for(const vec3& p : image)
+    for(const vec3& image_of_vertex : image) {
+      const vec3 p = on_unit_sphere(image_of_vertex);
       key.push_back(spread(p.x) | spread(p.y) << 1 | spread(p.z) << 2);
+    }
+    const auto rank = [&](int i) { return std::make_tuple(key[i], image[i].x, image[i].y, image[i].z); };
     std::iota(old_.begin(), old_.end(), 0);
-    std::stable_sort(old_.begin(), old_.end(), [&](int i, int j) { return key[i] < key[j]; });
+    std::stable_sort(old_.begin(), old_.end(), [&](int i, int j) { return rank(i) < rank(j); });
     new_ = inverse_permutation(loop, old_);
   }
 
@@ -73,6 +79,14 @@ public:
   }
 
 private:
+  /// The direction of p; p itself where rounding alone has moved it: vertices on a plane of symmetry stay on it.
+  static vec3 on_unit_sphere(const vec3& p)
+  {
+    constexpr double rounding = 1e-6; // of floats
+    const double length = norm(p);
+    return std::abs(length - 1) < rounding ? p : scale(1 / length, p);
+  }
+
   /// The bits of a coordinate, with two of others between each and the next.
   static std::uint64_t spread(double x)
   {

@@ -585,16 +585,6 @@ private:
   bool are_landmarks_aligned_ = false;    ///< by the best rotation
 };
 
-/// Throws the Error if there is no map whose edges are geodesic: these are determined by their ends.
-CGAL_SP_INLINE void check_simplicial(const Problem& problem)
-{
-  const std::string wrong = "there is no map with geodesic edges: ";
-  if(problem.size() < 4)
-    throw Input_error(Error_code::NOT_BIJECTIVE, wrong + "the mesh has fewer than four vertices");
-  if(!problem.is_simplicial)
-    throw Input_error(Error_code::NOT_BIJECTIVE, wrong + "two edges of the mesh have the same ends");
-}
-
 /// Throws the Error if a face cannot be positively oriented since all of its corners are fixed.
 CGAL_SP_INLINE void check_fixed_faces(const Problem& problem)
 {
@@ -674,7 +664,6 @@ CGAL_SP_CORE Solution solve_isometric(const Host_loop& loop, const Isometric& me
                                       const Effort& effort, Monitor& monitor)
 {
   const Stopwatch watch;
-  check_simplicial(problem);
   if(std::isinf(method.landmark_weight))
     check_fixed_faces(problem);
   Solution solution;

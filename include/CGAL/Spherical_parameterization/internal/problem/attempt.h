@@ -10,7 +10,19 @@
 #include <CGAL/Spherical_parameterization/internal/problem/Solution.h>
 #include <CGAL/Spherical_parameterization/values/Error.h>
 
+#include <string>
+
 namespace CGAL::Spherical_parameterization::internal {
+
+/// Throws the Error if there is no map whose edges are geodesic: these are determined by their ends.
+inline void check_simplicial(const Problem& problem)
+{
+  const std::string wrong = "there is no map with geodesic edges: ";
+  if(problem.size() < 4)
+    throw Input_error(Error_code::NOT_BIJECTIVE, wrong + "the mesh has fewer than four vertices");
+  if(!problem.is_simplicial)
+    throw Input_error(Error_code::NOT_BIJECTIVE, wrong + "two edges of the mesh have the same ends");
+}
 
 /// Runs a method, and says how it went: an `Input_error`, also that of an interruption, becomes a solution without a
 /// map; what the caller's callback throws goes through. All seconds are accounted for.
@@ -22,6 +34,7 @@ Solution attempt(const Backend& backend, const Method_solver<Method>& solver, co
   Solution solution;
   try {
     monitor.advance_or_throw(); // INTERRUPTED, if the time is up or the callback says so
+    check_simplicial(problem);
     solution = solver.solve(backend, problem, effort, monitor);
   } catch(const Input_error& error) {
     solution.error = error.code();

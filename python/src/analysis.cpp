@@ -422,7 +422,8 @@ void add_analysis(py::module_& module)
     .def("align", &Locator::align);
   py::class_<SP::Resampling_weights>(module, "ResamplingWeights")
     .def("rows", rows_of_weights)
-    .def(py::pickle(rows_of_weights, weights_of_rows))
+    .def(py::pickle([](const SP::Resampling_weights& weights) { return rows_of_weights(weights); },
+                    [](const py::tuple& rows) { return weights_of_rows(rows); }))
     .def("means", weighted_means)
     .def("majorities", &SP::Resampling_weights::majorities<int>, py::call_guard<py::gil_scoped_release>())
     .def("nearest", &SP::Resampling_weights::nearest<int>, py::call_guard<py::gil_scoped_release>());

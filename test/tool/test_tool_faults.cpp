@@ -410,7 +410,7 @@ TEST_CASE("faults: too little memory is said in one line, whenever it is missing
     CAPTURE(arguments);
     int failures = 0;
     bool is_done = false;
-    for(long space = enough; !is_done; space += 8 * mebi) {
+    for(long space = enough; !is_done; space += 16 * mebi) {
       REQUIRE(space < enough + 1024 * mebi);
       Process_options options;
       options.address_space = space;

@@ -160,7 +160,7 @@ Barycentric_weight_map<TriangleMesh> barycentric_weights(const TriangleMesh&)
   return {};
 }
 
-/// Conformal weights, the default of `parameterize()`.
+/// Conformal weights, the default of `parameterize()`, which computes them (internal/surface/conformal_graph.h).
 /// \return the tag `Conformal_weights`
 template <class TriangleMesh>
 Conformal_weights conformal_weights(const TriangleMesh&)

@@ -53,7 +53,7 @@ struct Solution {
 };
 
 /// Decides about a solution, and says why it ended. A map is `OK` if its certificate is valid, and the solver has done
-/// what was asked for.
+/// what was asked for; else `INTERRUPTED`, `NOT_CONVERGED`, or `NOT_BIJECTIVE`, with a remedy.
 CGAL_SP_CORE void pass_verdict(const Problem& problem, const Monitor& monitor, Solution& solution);
 
 /// Everything in a solution but its positions, for the caller.

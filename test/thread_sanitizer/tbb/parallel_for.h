@@ -8,6 +8,8 @@
 
 #include <tbb/blocked_range.h>
 
+#include <array>
+#include <exception>
 #include <thread>
 #include <vector>
 
@@ -17,9 +19,14 @@ template <class Index, class F>
 void parallel_for(const blocked_range<Index>& range, const F& f)
 {
   constexpr int number_of_threads = 4;
+  std::array<std::exception_ptr, number_of_threads> thrown; // a loop that is interrupted is left by an exception
   const auto work = [&](int first) {
-    for(Index i = range.begin() + first; i < range.end(); i += number_of_threads)
-      f(blocked_range<Index>(i, i + 1));
+    try {
+      for(Index i = range.begin() + first; i < range.end(); i += number_of_threads)
+        f(blocked_range<Index>(i, i + 1));
+    } catch(...) {
+      thrown[first] = std::current_exception();
+    }
   };
   std::vector<std::thread> threads;
   for(int k = 1; k < number_of_threads && range.begin() + k < range.end(); ++k)
@@ -27,6 +34,9 @@ void parallel_for(const blocked_range<Index>& range, const F& f)
   work(0);
   for(std::thread& thread : threads)
     thread.join();
+  for(const std::exception_ptr& one : thrown)
+    if(one)
+      std::rethrow_exception(one);
 }
 
 } // namespace tbb

@@ -83,8 +83,7 @@ private:
   static vec3 on_unit_sphere(const vec3& p)
   {
     constexpr double rounding = 1e-6; // of floats
-    const double length = norm(p);
-    return std::abs(length - 1) < rounding ? p : scale(1 / length, p);
+    return std::abs(norm(p) - 1) < rounding ? p : unit(p);
   }
 
   /// The bits of a coordinate, with two of others between each and the next.

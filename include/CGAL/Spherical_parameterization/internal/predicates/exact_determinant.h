@@ -11,12 +11,12 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-/// The sign of det(a, b, c) in integers of any length: no rounding, no overflow, no underflow, no rounding mode.
+/// The sign of det(a, b, c) in exact arithmetic: no rounding, no overflow, no underflow, no rounding mode.
 /// \pre all coordinates are finite
 CGAL_SP_CORE int sign_of_exact_determinant(vec3 a, vec3 b, vec3 c);
 
 /// The determinants det(v_1, v_2, q), det(v_2, v_0, q), det(v_0, v_1, q), each taken as 0 where it is negative, over
-/// the sum of all three. The quotients are rounded once. \pre all coordinates are finite, and the exact sum is not 0
+/// the sum of all three, to a few units in the last place. \pre all coordinates are finite, and the exact sum is not 0
 CGAL_SP_CORE std::array<double, 3> exact_barycentric_coordinates(const std::array<vec3, 3>& v, vec3 q);
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -6,69 +6,36 @@
 
 #include <CGAL/Spherical_parameterization/internal/predicates/exact_determinant.h>
 
-#include <boost/multiprecision/cpp_int.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
+#include <CGAL/MP_Float.h>
+#include <CGAL/Quotient.h>
 
 namespace CGAL::Spherical_parameterization::internal {
 
-/// A vector of doubles as three integers times 2^exponent.
-struct Integer_vector {
-  typedef boost::multiprecision::cpp_int Integer;
-
-  std::array<Integer, 3> coordinate;
-  int exponent;
-
-  explicit Integer_vector(vec3 p)
-  {
-    constexpr int bits = 53;
-    const std::array<double, 3> value = {p.x, p.y, p.z};
-    std::array<int, 3> exponents;
-    for(int k = 0; k < 3; ++k)
-      coordinate[k] = static_cast<std::int64_t>(std::ldexp(std::frexp(value[k], &exponents[k]), bits));
-    exponent = *std::min_element(exponents.begin(), exponents.end()) - bits;
-    for(int k = 0; k < 3; ++k)
-      coordinate[k] <<= exponents[k] - bits - exponent;
-  }
-};
-
-inline Integer_vector::Integer determinant(const Integer_vector& a, const Integer_vector& b, const Integer_vector& c)
+// MP_Float is the exact number that costs least: Boost's integers are seven times as much text to compile.
+inline MP_Float exact_determinant(vec3 a, vec3 b, vec3 c)
 {
-  const auto minor = [&](int i, int j) {
-    return Integer_vector::Integer(b.coordinate[i] * c.coordinate[j] - b.coordinate[j] * c.coordinate[i]);
+  const auto minor = [](double p, double q, double r, double s) {
+    return MP_Float(p) * MP_Float(s) - MP_Float(q) * MP_Float(r);
   };
-  return a.coordinate[0] * minor(1, 2) + a.coordinate[1] * minor(2, 0) + a.coordinate[2] * minor(0, 1);
+  return MP_Float(a.x) * minor(b.y, b.z, c.y, c.z) + MP_Float(a.y) * minor(b.z, b.x, c.z, c.x) +
+         MP_Float(a.z) * minor(b.x, b.y, c.x, c.y);
 }
 
 CGAL_SP_CORE int sign_of_exact_determinant(vec3 a, vec3 b, vec3 c)
 {
-  return determinant(Integer_vector(a), Integer_vector(b), Integer_vector(c)).sign();
+  return exact_determinant(a, b, c).sign();
 }
 
 CGAL_SP_CORE std::array<double, 3> exact_barycentric_coordinates(const std::array<vec3, 3>& v, vec3 q)
 {
-  typedef Integer_vector::Integer Integer;
-  const Integer_vector direction(q);
-  const std::array<Integer_vector, 3> corner = {Integer_vector(v[0]), Integer_vector(v[1]), Integer_vector(v[2])};
-  // The exponent of a determinant is the sum of those of its vectors: that of v_k is missing in the k-th one.
-  const int most = (std::max)({corner[0].exponent, corner[1].exponent, corner[2].exponent});
-  std::array<Integer, 3> exact;
-  Integer total = 0;
-  for(int k = 0; k < 3; ++k) {
-    exact[k] = determinant(corner[(k + 1) % 3], corner[(k + 2) % 3], direction);
-    exact[k] <<= most - corner[k].exponent;
-    total += exact[k];
-  }
+  std::array<MP_Float, 3> exact;
+  for(int k = 0; k < 3; ++k)
+    exact[k] = exact_determinant(v[(k + 1) % 3], v[(k + 2) % 3], q);
+  const MP_Float total = exact[0] + exact[1] + exact[2];
   std::array<double, 3> result = {0, 0, 0};
-  for(int k = 0; k < 3; ++k) {
-    if(exact[k] <= 0 || total <= 0)
-      continue;
-    constexpr int bits = 64; // of the quotient, of which a double keeps 53
-    const int shift = (std::max)(0, bits + static_cast<int>(msb(total)) - static_cast<int>(msb(exact[k])));
-    result[k] = std::ldexp(Integer((exact[k] << shift) / total).convert_to<double>(), -shift);
-  }
+  for(int k = 0; k < 3; ++k)
+    if(exact[k] > 0 && total > 0)
+      result[k] = to_double(Quotient<MP_Float>(exact[k], total));
   return result;
 }
 

@@ -4,6 +4,8 @@
 #include "collections/file_version.h"
 
 #include "collections/database.h"
+#include "input/mesh_readers.h"
+
 #include <boost/algorithm/hex.hpp>
 
 #include <algorithm>
@@ -21,18 +23,20 @@
 namespace tool {
 namespace {
 
-/// XXH128 in hexadecimal digits, as `xxhsum -H2` prints it. It is as quick as memory, and guards against edits, not
-/// against forgers.
-std::string content_hash(const std::string& file)
+/// XXH128 in hexadecimal digits, as `xxhsum -H2` prints it, of the files one behind the other. It is as quick as
+/// memory, and guards against edits, not against forgers.
+std::string content_hash(const std::vector<std::string>& files)
 {
   XXH3_state_t state;
   XXH3_128bits_reset(&state);
   std::array<char, 1 << 16> buffer;
-  std::ifstream in(file, std::ios::binary);
-  while(in.read(buffer.data(), buffer.size()) || in.gcount() > 0)
-    XXH3_128bits_update(&state, buffer.data(), static_cast<std::size_t>(in.gcount()));
-  if(!in.eof())
-    return "";
+  for(const std::string& file : files) {
+    std::ifstream in(file, std::ios::binary);
+    while(in.read(buffer.data(), buffer.size()) || in.gcount() > 0)
+      XXH3_128bits_update(&state, buffer.data(), static_cast<std::size_t>(in.gcount()));
+    if(!in.eof())
+      return "";
+  }
   XXH128_canonical_t bytes;
   XXH128_canonicalFromHash(&bytes, XXH3_128bits_digest(&state));
   std::string text;
@@ -40,33 +44,42 @@ std::string content_hash(const std::string& file)
   return text;
 }
 
+/// The bytes of all files, and the last change of one of them, without the hash.
+File_version version_without_hash(const std::vector<std::string>& files)
+{
+  File_version version = {0, 0, ""};
+  for(const std::string& file : files) {
+    struct stat status = {};
+    if(stat(file.c_str(), &status) != 0 || !S_ISREG(status.st_mode))
+      return {};
+#ifdef __APPLE__
+    const timespec changed = status.st_ctimespec;
+#else
+    const timespec changed = status.st_ctim;
+#endif
+    constexpr std::int64_t nano = 1000000000;
+    version.bytes += status.st_size;
+    version.changed = std::max<std::int64_t>(version.changed, changed.tv_sec * nano + changed.tv_nsec);
+  }
+  return version;
+}
+
 } // namespace
 
-File_version version_of(const std::string& file)
-{
-  struct stat status = {};
-  if(stat(file.c_str(), &status) != 0 || !S_ISREG(status.st_mode))
-    return {};
-#ifdef __APPLE__
-  const timespec changed = status.st_ctimespec;
-#else
-  const timespec changed = status.st_ctim;
-#endif
-  constexpr std::int64_t nano = 1000000000;
-  return {status.st_size, changed.tv_sec * nano + changed.tv_nsec, ""};
-}
+File_version version_of(const std::string& file) { return version_without_hash(files_of_mesh(file)); }
 
 File_version version_with_hash(const std::string& file)
 {
-  File_version version = version_of(file); // a change from here on makes it another one
-  if(version.bytes >= 0)                   // a pipe has no end
-    version.hash = content_hash(file);
+  const std::vector<std::string> files = files_of_mesh(file);
+  File_version version = version_without_hash(files); // a change from here on makes it another one
+  if(version.bytes >= 0)                              // a pipe has no end
+    version.hash = content_hash(files);
   return version;
 }
 
 const std::string& this_program()
 {
-  static const std::string program = SPHERICAL_PARAMETERIZATION_VERSION " " + content_hash("/proc/self/exe");
+  static const std::string program = SPHERICAL_PARAMETERIZATION_VERSION " " + content_hash({"/proc/self/exe"});
   return program;
 }
 
@@ -101,7 +114,7 @@ bool is_current(Database& database, const std::string& name, const std::string& 
     return false;
   if(row.integer(1) == now.changed)
     return true;
-  if(row.text(2) != content_hash(file))
+  if(row.text(2) != content_hash(files_of_mesh(file)))
     return false;
   database.run("UPDATE mesh SET changed = ? WHERE name = ?", now.changed, name);
   return true;

@@ -12,7 +12,7 @@ namespace tool {
 
 class Database;
 
-/// What an edited file differs in.
+/// What an edited file differs in. Those that it names, as a .gltf does, belong to it.
 struct File_version {
   std::int64_t bytes = -1;   ///< -1: it is not there, or no regular file
   std::int64_t changed = -1; ///< when, in nanoseconds; permissions are a change, too

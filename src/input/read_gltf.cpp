@@ -31,6 +31,16 @@ Eigen::Vector4d product(const Matrix& m, const Eigen::Vector4d& v)
   return m.col(0) * v[0] + m.col(1) * v[1] + m.col(2) * v[2] + m.col(3) * v[3];
 }
 
+/// The file that a URI in another one stands for; none if it is not next to that one.
+std::optional<std::string> file_next_to(const std::string& file, const std::string& uri)
+{
+  const std::filesystem::path name = percent_decoded(uri);
+  const bool is_here = name.is_relative() && name.begin() != name.end() && *name.begin() != "..";
+  if(!is_here || uri.find(':') != std::string::npos || file == standard_stream)
+    return std::nullopt;
+  return (std::filesystem::path(file).parent_path() / name).string();
+}
+
 /// The triangles of the scene of a glTF 2.0 file ("glTF 2.0 Specification", Khronos Group, 2021), in the space of the
 /// scene. The format splits vertices where texture coordinates or normals differ; those at the same place become one.
 ///
@@ -283,11 +293,10 @@ private:
         refuse("a buffer is no Base64 text");
       return std::move(*bytes);
     }
-    const std::filesystem::path name = percent_decoded(uri);
-    const bool is_here = name.is_relative() && name.begin() != name.end() && *name.begin() != "..";
-    if(!is_here || uri.find(':') != std::string::npos || file_ == standard_stream)
+    const std::optional<std::string> name = file_next_to(file_, uri);
+    if(!name)
       refuse("has its mesh in " + in_quotes(uri) + ", which is no file next to it", "save it as .glb");
-    std::string bytes = read_file((std::filesystem::path(file_).parent_path() / name).string());
+    std::string bytes = read_file(*name);
     size_of_file_ += bytes.size();
     return bytes;
   }
@@ -381,5 +390,21 @@ private:
 
 Soup read_glb(const std::string& file, const std::string& bytes) { return Gltf_reader(file).read_binary(bytes); }
 Soup read_gltf(const std::string& file, const std::string& text) { return Gltf_reader(file).read_text(text); }
+
+std::vector<std::string> files_of_mesh(const std::string& file)
+{
+  std::vector<std::string> files = {file};
+  if(format_of_name(file) != Mesh_format::GLTF)
+    return files;
+  try {
+    const Json json = Json::parse(read_file(file), nullptr, false);
+    for(const Json& buffer : json.at("buffers"))
+      if(const std::string uri = buffer.value("uri", "data:"); uri.compare(0, 5, "data:") != 0)
+        if(const std::optional<std::string> name = file_next_to(file, uri))
+          files.push_back(*name);
+  } catch(const std::exception&) { // damaged: its reader says what is wrong
+  }
+  return files;
+}
 
 } // namespace tool

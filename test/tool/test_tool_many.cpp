@@ -7,8 +7,10 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <csignal>
+#include <cstdint>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -289,6 +291,40 @@ TEST_CASE("many: what has changed is done again, and nothing else", "[tool][many
                                       (kept > 0 ? ", " + std::to_string(kept) + " done by an earlier run" : ""));
   CHECK((files_in(out) == before) == is_same);
   CHECK(fs::exists(sphere) == (refused == 2));
+}
+
+TEST_CASE("many: a .gltf has changed when the file with its bytes has", "[tool][many]")
+{
+  Scratch scratch;
+  fs::create_directory(scratch / "meshes");
+  const auto write_bytes = [&](float longest) { // an octahedron
+    const std::array<float, 18> points = {longest, 0, 0, 0, 1, 0, 0, 0, 1, -1, 0, 0, 0, -1, 0, 0, 0, -1};
+    const std::array<std::uint8_t, 24> corners = {0, 1, 2, 1, 3, 2, 3, 4, 2, 4, 0, 2,
+                                                  1, 0, 5, 3, 1, 5, 4, 3, 5, 0, 4, 5};
+    write_text(scratch / "meshes/the points.bin",
+               std::string(reinterpret_cast<const char*>(points.data()), sizeof(points)) +
+                 std::string(corners.begin(), corners.end()));
+  };
+  write_text(scratch / "meshes/in.gltf", R"({"asset": {"version": "2.0"},
+    "buffers": [{"uri": "the%20points.bin", "byteLength": 96}],
+    "bufferViews": [{"buffer": 0, "byteLength": 72}, {"buffer": 0, "byteOffset": 72, "byteLength": 24}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 6},
+                  {"bufferView": 1, "componentType": 5121, "type": "SCALAR", "count": 24}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}]})");
+  const auto done_before = [&] {
+    const Process_result run = run_tool({"map", scratch / "meshes", "-o", scratch / "out"});
+    CAPTURE(run.out, run.err);
+    REQUIRE(run.exit_code == 0);
+    return run.out.find("done by an earlier run") != std::string::npos;
+  };
+  write_bytes(2);
+  CHECK_FALSE(done_before());
+  CHECK(done_before());
+  write_bytes(2);
+  CHECK(done_before());
+  write_bytes(3);
+  CHECK_FALSE(done_before());
+  CHECK(done_before());
 }
 
 TEST_CASE("many: results of other options or of another program are not taken over", "[tool][many]")

@@ -21,10 +21,7 @@ inline MP_Float exact_determinant(vec3 a, vec3 b, vec3 c)
          MP_Float(a.z) * minor(b.x, b.y, c.x, c.y);
 }
 
-CGAL_SP_CORE int sign_of_exact_determinant(vec3 a, vec3 b, vec3 c)
-{
-  return exact_determinant(a, b, c).sign();
-}
+CGAL_SP_CORE int sign_of_exact_determinant(vec3 a, vec3 b, vec3 c) { return exact_determinant(a, b, c).sign(); }
 
 CGAL_SP_CORE std::array<double, 3> exact_barycentric_coordinates(const std::array<vec3, 3>& v, vec3 q)
 {

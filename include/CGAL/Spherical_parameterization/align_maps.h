@@ -99,8 +99,7 @@ struct Rotated_map {
 
   friend value_type get(const Rotated_map& map, const key_type& key)
   {
-    const internal::vec3 p = internal::rotated(map.rotation, internal::coordinates(get(map.sphere_map, key)));
-    return {p.x, p.y, p.z};
+    return internal::array_of(internal::rotated(map.rotation, internal::coordinates(get(map.sphere_map, key))));
   }
 };
 

@@ -6,6 +6,7 @@
 
 #include <CGAL/Spherical_parameterization/values/Error.h>
 #include <CGAL/Spherical_parameterization/values/Harmonic_coefficients.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/point_coordinates.h>
 #include <CGAL/Spherical_parameterization/internal/api/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/api/precondition.h>
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
@@ -58,8 +59,7 @@ public:
   /// \return the unit vector
   std::array<double, 3> direction(int row, int column) const
   {
-    const internal::vec3 p = grid_.direction(row, column);
-    return {p.x, p.y, p.z};
+    return internal::array_of(grid_.direction(row, column));
   }
 
   /// \param row  0 to rows() - 1

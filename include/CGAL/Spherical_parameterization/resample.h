@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_RESAMPLE_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_RESAMPLE_H
 
+#include <CGAL/Spherical_parameterization/internal/algebra/point_coordinates.h>
 #include <CGAL/Spherical_parameterization/internal/api/precondition.h>
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
 #include <CGAL/Spherical_parameterization/internal/surface/midpoint_refinement.h>
@@ -60,7 +61,7 @@ inline void make_icosphere_soup(int level, std::vector<std::array<double, 3>>& p
   points.clear();
   points.reserve(icosphere.points.size());
   for(const internal::vec3& p : icosphere.points)
-    points.push_back({p.x, p.y, p.z});
+    points.push_back(internal::array_of(p));
   triangles = std::move(icosphere.triangles);
 }
 

@@ -54,13 +54,6 @@ CGAL_SP_INLINE Atlas_mesh icosphere_of_atlas(int level)
 
 /// \cond SKIP_IN_MANUAL
 namespace internal {
-template <class Point>
-std::array<double, 3> array_of(const Point& point)
-{
-  const vec3 p = coordinates(point);
-  return {p.x, p.y, p.z};
-}
-
 /// What is stored by the position of a vertex in vertices(mesh).
 template <class TriangleMesh, class Values>
 auto by_vertex(const Vertex_numbering<TriangleMesh>& number, Values& values)
@@ -97,7 +90,7 @@ Shape_points shape_at(const ExecutionPolicy& policy, const Mapped_mesh<TriangleM
   Shape_points points(atlas.directions.size());
   const Spherical_locator<TriangleMesh> inverse(policy, shape.mesh, shape.sphere_map);
   const auto point = boost::make_function_property_map<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>(
-    [&](auto v) { return internal::array_of(get(shape.points, v)); });
+    [&](auto v) { return internal::array_of(internal::coordinates(get(shape.points, v))); });
   transfer_vertex_property(policy, inverse, point, atlas.mesh, internal::by_vertex(atlas.directions),
                            internal::by_vertex(points));
   return points;
@@ -200,7 +193,7 @@ shape_atlas(const ExecutionPolicy& policy, const std::vector<Mapped_mesh<Triangl
       const auto& [mesh, sphere, points] = maps[i];
       std::vector<std::array<double, 3>> moved;
       for(const auto v : vertices(mesh))
-        moved.push_back(internal::array_of(get(sphere, v)));
+        moved.push_back(internal::array_of(internal::coordinates(get(sphere, v))));
       const internal::Vertex_numbering<TriangleMesh> number(vertices(mesh));
       const auto registered = internal::by_vertex<TriangleMesh>(number, moved);
       Registration_result found;

@@ -9,6 +9,7 @@
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <type_traits>
 #include <utility>
@@ -35,6 +36,8 @@ vec3 coordinates(const Point& p)
 }
 
 inline vec3 coordinates(const vec3& p) { return p; }
+
+inline std::array<double, 3> array_of(vec3 p) { return {p.x, p.y, p.z}; }
 
 template <class Point>
 auto first_coordinate(const Point& p)

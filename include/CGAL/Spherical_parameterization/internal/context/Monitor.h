@@ -121,7 +121,7 @@ private:
   bool is_silent_ = false;
   double fraction_ = 0;
   double begin_ = 0, end_ = 1; ///< of the stage
-  double last_call_ = 0;       ///< of the callback: when
+  double last_call_ = -1;      ///< of the callback: when; the first one is at once
   std::atomic<State> state_ = State::RUNNING;
   std::thread::id owner_ = std::this_thread::get_id();
 };

@@ -24,13 +24,18 @@ struct Texture_places {
   /// Triangles of any kind will do: there need be no order round a vertex.
   Texture_places(const Mesh& mesh, const std::vector<Uv>& uv) : number(uv.size())
   {
-    std::vector<std::size_t> order(uv.size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
     const auto key = [&](std::size_t h) {
       return std::pair(target(Mesh::Halfedge_index(static_cast<int>(h)), mesh).idx(), uv[h]);
     };
-    std::sort(order.begin(), order.end(),
-              [&key](std::size_t g, std::size_t h) { return std::pair(key(g), g) < std::pair(key(h), h); });
+    std::vector<std::size_t> end(mesh.number_of_vertices() + 1, 0), order(uv.size()); // by vertex, then by place
+    for(std::size_t h = 0; h < uv.size(); ++h)
+      ++end[key(h).first + 1];
+    std::partial_sum(end.begin(), end.end(), end.begin());
+    for(std::size_t h = 0; h < uv.size(); ++h)
+      order[end[key(h).first]++] = h;
+    for(std::size_t begin = 0, v = 0; v < mesh.number_of_vertices(); begin = end[v++])
+      std::sort(order.data() + begin, order.data() + end[v],
+                [&](std::size_t g, std::size_t h) { return std::pair(uv[g], g) < std::pair(uv[h], h); });
     for(std::size_t i = 0; i < order.size(); ++i) {
       if(i == 0 || key(order[i]) != key(order[i - 1])) {
         vertex.push_back(static_cast<int>(key(order[i]).first));

@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <functional>
 #include <numeric>
+#include <optional>
 #include <queue>
 #include <tuple>
 #include <utility>
@@ -175,34 +176,48 @@ inline constexpr auto ignore_merger = [](int /* a */, int /* b */, int /* c */) 
 
 /// Merges pairs of neighbours, those with the smallest `key(a, border)` first, for as long as `goes_on(key)`; calls
 /// `merged(a, b, union)` after each. The key of two regions may only change by merging one of them.
+///
+/// A pair belongs to the region that has changed later, and the queue has the best pair of each region only: the best
+/// of all is that of its owner.
 template <class Key, class Goes_on, class Merged = decltype(ignore_merger)>
 void merge_in_order(Region_graph& regions, Key key, Goes_on goes_on, Merged merged = ignore_merger)
 {
   typedef std::tuple<double, int, int, int, int> Entry; // key, regions, their versions
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-  std::vector<int> version(regions.capacity(), 0);
-  const auto push = [&](int a, const Region_graph::Border& border) {
-    const int b = border.region;
-    queue.emplace(key(a, border), (std::min)(a, b), (std::max)(a, b), version[(std::min)(a, b)],
-                  version[(std::max)(a, b)]);
+  std::vector<int> version(regions.capacity(), 0); // when it was made: the number of the merger
+  const auto push_best_of = [&](int a) {
+    std::optional<Entry> best;
+    for(const Region_graph::Border& border : regions.borders(a)) {
+      const int b = border.region, low = (std::min)(a, b), high = (std::max)(a, b);
+      if(version[a] < version[b] || (version[a] == version[b] && a > b))
+        continue; // that of b
+      const Entry entry(key(a, border), low, high, version[low], version[high]);
+      if(!best || entry < *best)
+        best = entry;
+    }
+    if(best)
+      queue.push(*best);
   };
   for(int a = 0; a < regions.capacity(); ++a)
     if(regions.is_region(a))
-      for(const Region_graph::Border& border : regions.borders(a))
-        if(a < border.region)
-          push(a, border);
-  while(!queue.empty()) {
-    const auto [cost, a, b, version_a, version_b] = queue.top();
+      push_best_of(a);
+  for(int mergers = 0; !queue.empty();) {
+    const auto [cost, low, high, version_low, version_high] = queue.top();
     queue.pop();
-    if(!regions.is_region(a) || !regions.is_region(b) || version[a] != version_a || version[b] != version_b)
+    const auto is_as_it_was = [&](int a, int then) { return regions.is_region(a) && version[a] == then; };
+    const bool is_of_high = version_high > version_low;
+    if(!(is_of_high ? is_as_it_was(high, version_high) : is_as_it_was(low, version_low)))
       continue;
+    if(!(is_of_high ? is_as_it_was(low, version_low) : is_as_it_was(high, version_high))) {
+      push_best_of(is_of_high ? high : low);
+      continue;
+    }
     if(!goes_on(cost))
       break;
-    const int c = regions.merge(a, b);
-    merged(a, b, c);
-    ++version[c];
-    for(const Region_graph::Border& border : regions.borders(c))
-      push(c, border);
+    const int c = regions.merge(low, high);
+    merged(low, high, c);
+    version[c] = ++mergers;
+    push_best_of(c);
   }
 }
 

@@ -5,6 +5,7 @@
 #define SPHERICAL_PARAMETERIZATION_TOOL_TEXT_WRITER_H
 
 #include "input/compression.h"
+#include "system/interruption.h"
 
 #include <array>
 #include <charconv>
@@ -66,7 +67,7 @@ inline std::string xml_escaped(const std::string& text)
   return result;
 }
 
-/// Writes text to a stream in large pieces. Numbers with a fraction have the fewest digits from which the same number
+/// Writes text to a stream in large pieces, before each of which it may be interrupted. Numbers with a fraction have the fewest digits from which the same number
 /// is read.
 class Text_writer {
 public:
@@ -80,8 +81,10 @@ public:
   void operator()(const Parts&... parts)
   {
     (append(parts), ...);
-    if(text_.size() > 1 << 16)
+    if(text_.size() > 1 << 16) {
+      stop_if_interrupted("output");
       flush();
+    }
   }
 
 private:

@@ -7,6 +7,7 @@
 #include <CGAL/Spherical_parameterization/internal/api/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/api/precondition.h>
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
+#include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
 #include <CGAL/Spherical_parameterization/internal/context/make_monitor.h>
 #include <CGAL/Spherical_parameterization/internal/spectrum/kernel_signatures.h>
 #include <CGAL/Spherical_parameterization/internal/spectrum/laplacian_spectrum.h>
@@ -56,9 +57,10 @@ Laplacian_eigenpairs laplacian_eigenpairs(const ExecutionPolicy& policy, const T
   const internal::Surface surface = internal::read_surface(mesh, points, internal::Reading::CHECKED, loop, vertex);
   CGAL_SP_PRECONDITION(number >= 1 && number <= vertex.size(), "there are as many eigenpairs as vertices");
   internal::Spring_lengths lengths;
-  Laplacian_eigenpairs pairs = internal::laplacian_spectrum(
-    loop, internal::conformal_graph(loop, surface.copy_of_corner_table(loop), surface.point, lengths),
-    surface.vertex_area(loop), static_cast<int>(number), monitor);
+  const internal::Weighted_graph laplacian = internal::conformal_graph(
+    internal::Watched_loop(loop, monitor), surface.copy_of_corner_table(loop), surface.point, lengths);
+  Laplacian_eigenpairs pairs =
+    internal::laplacian_spectrum(loop, laplacian, surface.vertex_area(loop), static_cast<int>(number), monitor);
   // of the surface in a box of size 1
   const double unit = 2 * internal::Bounding_box(internal::vectors_at(vertex, points)).half_size();
   for(double& value : pairs.value)

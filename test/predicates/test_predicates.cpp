@@ -7,9 +7,11 @@
 #include <CGAL/Spherical_parameterization/internal/predicates/certificate.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 
+#include <boost/multiprecision/cpp_int.hpp>
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -79,6 +81,46 @@ TEST_CASE("orientation is the sign of the determinant, however small that is", "
     CHECK(I::is_positively_oriented(p, q, r) == (expected > 0));
   }
   CHECK((count[0] > 1000 && count[1] > 1000 && count[2] > 1000));
+}
+
+TEST_CASE("the exact determinant is that of Boost's integers, for doubles of any size", "[predicates]")
+{
+  typedef boost::multiprecision::cpp_int Integer;
+  const auto integer = [](double x) { // x * 2^1074
+    int exponent;
+    const auto mantissa = static_cast<std::int64_t>(std::ldexp(std::frexp(x, &exponent), 53));
+    const int shift = exponent - 53 + 1074;
+    return Integer(shift < 0 ? Integer(mantissa) / (Integer(1) << -shift) : Integer(mantissa) << shift);
+  };
+  const auto expected_sign = [&](vec3 a, vec3 b, vec3 c) {
+    const auto minor = [&](double p, double q, double r, double s) {
+      return Integer(integer(p) * integer(s) - integer(q) * integer(r));
+    };
+    return Integer(integer(a.x) * minor(b.y, b.z, c.y, c.z) + integer(a.y) * minor(b.z, b.x, c.z, c.x) +
+                   integer(a.z) * minor(b.x, b.y, c.x, c.y))
+      .sign();
+  };
+  Random random;
+  const double largest = (std::numeric_limits<double>::max)();
+  std::array<int, 3> count = {0, 0, 0};
+  for(int trial = 0; trial < 2000; ++trial) {
+    const auto number = [&]() -> double {
+      switch(trial % 4) {
+      case 0: return random.number(-1, 1);
+      case 1: return std::ldexp(random.number(-1, 1), static_cast<int>(random.number(-1074, 1024)));
+      case 2: return std::floor(random.number(-4, 4)) * std::numeric_limits<double>::denorm_min();
+      default: return random.number(-1, 1) > 0 ? largest : -largest;
+      }
+    };
+    const vec3 a = {number(), number(), number()}, b = {number(), number(), number()};
+    const vec3 c = trial % 3 == 0 ? I::scale(-0.5, a) : vec3{number(), number(), number()};
+    const int expected = expected_sign(a, b, c);
+    ++count[expected + 1];
+    CAPTURE(trial, expected);
+    CHECK(I::sign_of_exact_determinant(a, b, c) == expected);
+    CHECK(I::sign_of_exact_determinant(b, a, c) == -expected);
+  }
+  CHECK((count[0] > 300 && count[1] > 300 && count[2] > 300));
 }
 
 TEST_CASE("orientation does not underflow", "[predicates]")

@@ -59,3 +59,28 @@ TEST_CASE("normals are smoothed as well and as soon in any order of the faces", 
     largest = std::max(largest, internal::norm(internal::sub(normals[order[i]], normals_of_shuffled[i])));
   CHECK(largest < 2e-3);
 }
+
+TEST_CASE("of all pairs of regions, those with the smallest key are merged first", "[segmentation]")
+{
+  const internal::Segmentation_mesh mesh = segmentation_mesh(bumpy_sphere(3));
+  internal::Monitor monitor;
+  const internal::Watched_loop<internal::Host_loop> loop(one_core, monitor);
+  std::vector<int> faces(mesh.face.size());
+  std::iota(faces.begin(), faces.end(), 0);
+  internal::Region_graph regions(loop, mesh, faces, internal::side_lengths(mesh));
+  // Unlike areas and lengths, these keys rise and fall as regions grow, and many are equal.
+  const auto key = [&](int a, const internal::Region_graph::Border& border) {
+    const double area = regions.area(a) + regions.area(border.region);
+    return std::floor(20 * std::sin(500 * area + 30 * border.cost));
+  };
+  int mergers = 0;
+  internal::merge_in_order(regions, key, [&](double smallest) {
+    for(int a = 0; a < regions.capacity(); ++a)
+      if(regions.is_region(a))
+        for(const internal::Region_graph::Border& border : regions.borders(a))
+          REQUIRE(smallest <= key(a, border));
+    return ++mergers < 400;
+  });
+  CHECK(mergers == 400);
+  CHECK(regions.number_of_regions() == mesh.face.size() - 399);
+}

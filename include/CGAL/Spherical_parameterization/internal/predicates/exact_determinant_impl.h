@@ -6,33 +6,111 @@
 
 #include <CGAL/Spherical_parameterization/internal/predicates/exact_determinant.h>
 
-#include <CGAL/MP_Float.h>
-#include <CGAL/Quotient.h>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// MP_Float is the exact number that costs least: Boost's integers are seven times as much text to compile.
-inline MP_Float exact_determinant(vec3 a, vec3 b, vec3 c)
-{
-  const auto minor = [](double p, double q, double r, double s) {
-    return MP_Float(p) * MP_Float(s) - MP_Float(q) * MP_Float(r);
-  };
-  return MP_Float(a.x) * minor(b.y, b.z, c.y, c.z) + MP_Float(a.y) * minor(b.z, b.x, c.z, c.x) +
-         MP_Float(a.z) * minor(b.x, b.y, c.x, c.y);
-}
+/// A finite double as the sum of digit[i] * 2^(bits * (top - i)); the digits have its sign.
+struct Long_digits {
+  static constexpr int bits = 18;
+  static constexpr int length = 4; ///< the first digit is not 0, and three more have 54 bits
 
-CGAL_SP_CORE int sign_of_exact_determinant(vec3 a, vec3 b, vec3 c) { return exact_determinant(a, b, c).sign(); }
+  int top = 0;
+  std::array<std::int64_t, length> digit = {};
+
+  explicit Long_digits(double x)
+  {
+    int exponent = 0;
+    if(std::frexp(x, &exponent) == 0)
+      return;
+    top = static_cast<int>(std::floor((exponent - 1.) / bits));
+    double rest = std::ldexp(x, -bits * top);
+    for(std::int64_t& d : digit) {
+      d = static_cast<std::int64_t>(rest);
+      rest = (rest - static_cast<double>(d)) * (1 << bits);
+    }
+  }
+};
+
+/// An exact sum of determinants: a fixed point number with room for the products of any three doubles. U. Kulisch,
+/// W. Miranker, "The arithmetic of the digital computer: a new approach", SIAM Review 28, 1986.
+///
+/// Exact numbers of a library would do, too: but those of Boost are a megabyte of headers in every program, and CGAL's
+/// MP_Float takes five times as long.
+class Exact_determinants {
+public:
+  void add(vec3 a, vec3 b, vec3 c)
+  {
+    const std::array<Long_digits, 3> p = digits(a), q = digits(b), r = digits(c);
+    for(int k = 0; k < 3; ++k) {
+      add_product(1, p[k], q[(k + 1) % 3], r[(k + 2) % 3]);
+      add_product(-1, p[k], q[(k + 2) % 3], r[(k + 1) % 3]);
+    }
+  }
+
+  /// The sum is m * 2^e: its sign is that of m, and if that is positive, m has 55 correct bits or all.
+  /// Nothing may be added after that.
+  std::pair<double, int> value()
+  {
+    std::int64_t carry = 0;
+    std::size_t top = 0;
+    for(std::size_t i = 0; i < sum_.size(); ++i) {
+      const std::int64_t entry = sum_[i] + carry;
+      sum_[i] = entry & (base - 1);
+      carry = (entry - sum_[i]) / base;
+      if(sum_[i] != 0)
+        top = i;
+    }
+    double mantissa = carry < 0 ? -1 : 0;
+    for(int i = 0; i < Long_digits::length && carry == 0; ++i)
+      mantissa += std::ldexp(static_cast<double>(top >= std::size_t(i) ? sum_[top - i] : 0), -Long_digits::bits * i);
+    return {mantissa, Long_digits::bits * (static_cast<int>(top) - offset)};
+  }
+
+private:
+  // The exponents of doubles are -1074 ... 1023, those of the first digits -60 ... 56; three last ones are 9 below.
+  static constexpr int lowest = -60, highest = 56, offset = -3 * lowest + 3 * (Long_digits::length - 1);
+  static constexpr std::int64_t base = 1 << Long_digits::bits;
+
+  static std::array<Long_digits, 3> digits(vec3 a) { return {Long_digits(a.x), Long_digits(a.y), Long_digits(a.z)}; }
+
+  /// Products of three digits are below 2^54, and there is room in an entry for 500 of them.
+  void add_product(int sign, const Long_digits& a, const Long_digits& b, const Long_digits& c)
+  {
+    std::int64_t* const first = sum_.data() + offset + a.top + b.top + c.top;
+    for(int i = 0; i < Long_digits::length; ++i)
+      for(int j = 0; j < Long_digits::length; ++j)
+        for(int k = 0; k < Long_digits::length; ++k)
+          first[-(i + j + k)] += sign * a.digit[i] * b.digit[j] * c.digit[k];
+  }
+
+  std::array<std::int64_t, static_cast<std::size_t>(offset + 3 * highest + 4)> sum_ = {};
+};
+
+CGAL_SP_CORE int sign_of_exact_determinant(vec3 a, vec3 b, vec3 c)
+{
+  Exact_determinants sum;
+  sum.add(a, b, c);
+  const double value = sum.value().first;
+  return value > 0 ? 1 : value < 0 ? -1 : 0;
+}
 
 CGAL_SP_CORE std::array<double, 3> exact_barycentric_coordinates(const std::array<vec3, 3>& v, vec3 q)
 {
-  std::array<MP_Float, 3> exact;
+  Exact_determinants all;
   for(int k = 0; k < 3; ++k)
-    exact[k] = exact_determinant(v[(k + 1) % 3], v[(k + 2) % 3], q);
-  const MP_Float total = exact[0] + exact[1] + exact[2];
+    all.add(v[(k + 1) % 3], v[(k + 2) % 3], q);
+  const auto [total, total_exponent] = all.value();
   std::array<double, 3> result = {0, 0, 0};
-  for(int k = 0; k < 3; ++k)
-    if(exact[k] > 0 && total > 0)
-      result[k] = to_double(Quotient<MP_Float>(exact[k], total));
+  for(int k = 0; k < 3; ++k) {
+    Exact_determinants own;
+    own.add(v[(k + 1) % 3], v[(k + 2) % 3], q);
+    const auto [value, exponent] = own.value();
+    if(value > 0 && total > 0)
+      result[k] = std::ldexp(value / total, exponent - total_exponent);
+  }
   return result;
 }
 

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <fstream>
 #include <iomanip>
 #include <iterator>
@@ -31,10 +32,13 @@ std::string content_hash(const std::vector<std::string>& files)
   XXH3_128bits_reset(&state);
   std::array<char, 1 << 16> buffer;
   for(const std::string& file : files) {
+    std::error_code none;
+    if(file != files.front() && !std::filesystem::is_regular_file(file, none))
+      continue; // there may be no use for it
     std::ifstream in(file, std::ios::binary);
     while(in.read(buffer.data(), buffer.size()) || in.gcount() > 0)
       XXH3_128bits_update(&state, buffer.data(), static_cast<std::size_t>(in.gcount()));
-    if(!in.eof())
+    if(!in.eof() && file == files.front())
       return "";
   }
   XXH128_canonical_t bytes;
@@ -44,24 +48,27 @@ std::string content_hash(const std::vector<std::string>& files)
   return text;
 }
 
-/// The bytes of all files, and the last change of one of them, without the hash.
+/// Sums over the files, without the hash. What the first one names need not be there.
 File_version version_without_hash(const std::vector<std::string>& files)
 {
-  File_version version = {0, 0, ""};
+  std::uint64_t bytes = 0, changes = 0;
   for(const std::string& file : files) {
     struct stat status = {};
-    if(stat(file.c_str(), &status) != 0 || !S_ISREG(status.st_mode))
-      return {};
+    if(stat(file.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) {
+      if(file == files.front())
+        return {};
+      continue;
+    }
 #ifdef __APPLE__
     const timespec changed = status.st_ctimespec;
 #else
     const timespec changed = status.st_ctim;
 #endif
-    constexpr std::int64_t nano = 1000000000;
-    version.bytes += status.st_size;
-    version.changed = std::max<std::int64_t>(version.changed, changed.tv_sec * nano + changed.tv_nsec);
+    constexpr std::uint64_t nano = 1000000000;
+    bytes += static_cast<std::uint64_t>(status.st_size);
+    changes += static_cast<std::uint64_t>(changed.tv_sec) * nano + static_cast<std::uint64_t>(changed.tv_nsec);
   }
-  return version;
+  return {static_cast<std::int64_t>(bytes), static_cast<std::int64_t>(changes), ""};
 }
 
 } // namespace
@@ -109,8 +116,10 @@ bool is_current(Database& database, const std::string& name, const std::string& 
   auto row = database.query("SELECT bytes, changed, hash FROM mesh "
                             "WHERE name = ? AND status NOT IN ('OUT_OF_MEMORY', 'INTERRUPTED')",
                             name);
+  if(!row.next())
+    return false;
   const File_version now = version_of(file);
-  if(!row.next() || row.integer(0) != now.bytes)
+  if(now.bytes < 0 || row.integer(0) != now.bytes)
     return false;
   if(row.integer(1) == now.changed)
     return true;

@@ -12,14 +12,14 @@ namespace tool {
 
 class Database;
 
-/// What an edited file differs in. Those that it names, as a .gltf does, belong to it.
+/// What an edited file differs in. Those that it names, as a .gltf does, belong to it: sizes and times are sums.
 struct File_version {
   std::int64_t bytes = -1;   ///< -1: it is not there, or no regular file
   std::int64_t changed = -1; ///< when, in nanoseconds; permissions are a change, too
   std::string hash;          ///< of the contents; empty if they cannot be read
 };
 
-/// Of the file as it is now, without the hash.
+/// Of the file as it is now, without the hash. Of files only a .gltf or .glb is read.
 File_version version_of(const std::string& file);
 
 /// With the hash. The file may change meanwhile: then it has another version afterwards.

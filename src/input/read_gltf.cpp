@@ -2,6 +2,7 @@
 // Part of CGAL Spherical Parameterization.
 
 #include "input/binary.h"
+#include "input/compression.h"
 #include "input/files.h"
 #include "input/mesh_format.h"
 #include "input/mesh_readers.h"
@@ -34,7 +35,7 @@ Eigen::Vector4d product(const Matrix& m, const Eigen::Vector4d& v)
 /// The file that a URI in another one stands for; none if it is not next to that one.
 std::optional<std::string> file_next_to(const std::string& file, const std::string& uri)
 {
-  const std::filesystem::path name = percent_decoded(uri);
+  const std::filesystem::path name = std::filesystem::path(percent_decoded(uri)).lexically_normal();
   const bool is_here = name.is_relative() && name.begin() != name.end() && *name.begin() != "..";
   if(!is_here || uri.find(':') != std::string::npos || file == standard_stream)
     return std::nullopt;
@@ -50,7 +51,31 @@ class Gltf_reader {
 public:
   explicit Gltf_reader(const std::string& file) : file_(file) {}
 
-  Soup read_binary(const std::string& bytes)
+  Soup read_binary(const std::string& bytes) { return read_json(json_of(bytes)); }
+
+  Soup read_text(const std::string& text)
+  {
+    size_of_file_ = text.size();
+    return read_json(text);
+  }
+
+  /// The files next to this one that it names, whether it has use for them or not.
+  std::vector<std::string> named_files(const std::string& bytes)
+  {
+    const std::string_view text = bytes.compare(0, 4, "glTF") == 0 ? json_of(bytes) : std::string_view(bytes);
+    json_ = Json::parse(text.begin(), text.end(), nullptr, false);
+    std::vector<std::string> files;
+    for(const Json& buffer : list(json_, "buffers"))
+      if(const Json* const uri = find(buffer, "uri"); uri && uri->is_string())
+        if(const auto& name = uri->get_ref<const std::string&>(); name.compare(0, 5, "data:") != 0)
+          if(std::optional<std::string> other = file_next_to(file_, name))
+            files.push_back(std::move(*other));
+    return files;
+  }
+
+private:
+  /// The description in a binary file; the bytes behind it are noted.
+  std::string_view json_of(const std::string& bytes)
   {
     constexpr std::size_t header = 12, chunk_header = 8;
     size_of_file_ = bytes.size();
@@ -79,16 +104,9 @@ public:
         binary_ = chunk;
       at += size;
     }
-    return read_json(json);
+    return json;
   }
 
-  Soup read_text(const std::string& text)
-  {
-    size_of_file_ = text.size();
-    return read_json(text);
-  }
-
-private:
   Soup read_json(std::string_view text)
   {
     json_ = Json::parse(text.begin(), text.end(), nullptr, false);
@@ -394,16 +412,13 @@ Soup read_gltf(const std::string& file, const std::string& text) { return Gltf_r
 std::vector<std::string> files_of_mesh(const std::string& file)
 {
   std::vector<std::string> files = {file};
-  if(format_of_name(file) != Mesh_format::GLTF)
-    return files;
-  try {
-    const Json json = Json::parse(read_file(file), nullptr, false);
-    for(const Json& buffer : json.at("buffers"))
-      if(const std::string uri = buffer.value("uri", "data:"); uri.compare(0, 5, "data:") != 0)
-        if(const std::optional<std::string> name = file_next_to(file, uri))
-          files.push_back(*name);
-  } catch(const std::exception&) { // damaged: its reader says what is wrong
-  }
+  const std::optional<Mesh_format> format = format_of_name(file);
+  if(format == Mesh_format::GLTF || format == Mesh_format::GLB)
+    try {
+      const std::vector<std::string> named = Gltf_reader(file).named_files(decompressed(file, read_file(file)));
+      files.insert(files.end(), named.begin(), named.end());
+    } catch(const Refusal&) { // damaged: who reads it will be told
+    }
   return files;
 }
 

@@ -67,8 +67,8 @@ inline std::string xml_escaped(const std::string& text)
   return result;
 }
 
-/// Writes text to a stream in large pieces, before each of which it may be interrupted. Numbers with a fraction have the fewest digits from which the same number
-/// is read.
+/// Writes text to a stream in large pieces, before each of which it may be interrupted. Numbers with a fraction have
+/// the fewest digits from which the same number is read.
 class Text_writer {
 public:
   explicit Text_writer(std::ostream& out) : out_(out) {}

@@ -59,6 +59,15 @@ TEST_CASE("progress never goes back, and stays within its stage", "[context]")
   CHECK(noting.fractions == std::vector<double>{0, 0, 0.4, 0.4, 0.4, 0.4, 0.6, 0.6, 0.6});
 }
 
+TEST_CASE("a loop calls the callback at its beginning, and then every few milliseconds", "[context]")
+{
+  Noting noting;
+  for(int i = 0; i < 10; ++i)
+    CHECK(noting.monitor.may_loop_go_on());
+  CHECK(noting.fractions.size() >= 1);
+  CHECK(noting.fractions.size() < 10);
+}
+
 TEST_CASE("the share of a residual is 0 at the first, 1 at the goal, and logarithmic", "[context]")
 {
   CHECK(I::Monitor::share(1e-2, 1e-2, 1e-8) == Approx(0));

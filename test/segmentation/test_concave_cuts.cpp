@@ -16,6 +16,7 @@
 #include <limits>
 #include <numeric>
 #include <random>
+#include <tuple>
 #include <vector>
 
 using namespace test;
@@ -60,7 +61,7 @@ TEST_CASE("normals are smoothed as well and as soon in any order of the faces", 
   CHECK(largest < 2e-3);
 }
 
-TEST_CASE("of all pairs of regions, those with the smallest key are merged first", "[segmentation]")
+TEST_CASE("of all pairs of regions that with the smallest key is merged, and of equal ones the first", "[segmentation]")
 {
   const internal::Segmentation_mesh mesh = segmentation_mesh(bumpy_sphere(3));
   internal::Monitor monitor;
@@ -73,14 +74,22 @@ TEST_CASE("of all pairs of regions, those with the smallest key are merged first
     const double area = regions.area(a) + regions.area(border.region);
     return std::floor(20 * std::sin(500 * area + 30 * border.cost));
   };
+  typedef std::tuple<double, int, int> Pair;
+  Pair least;
   int mergers = 0;
-  internal::merge_in_order(regions, key, [&](double smallest) {
+  const auto goes_on = [&](double smallest) {
+    least = {std::numeric_limits<double>::infinity(), 0, 0};
     for(int a = 0; a < regions.capacity(); ++a)
       if(regions.is_region(a))
         for(const internal::Region_graph::Border& border : regions.borders(a))
-          REQUIRE(smallest <= key(a, border));
-    return ++mergers < 400;
+          least = std::min(least, Pair(key(a, border), std::min(a, border.region), std::max(a, border.region)));
+    CHECK(smallest == std::get<0>(least));
+    return mergers < 400;
+  };
+  internal::merge_in_order(regions, key, goes_on, [&](int a, int b, int) {
+    CHECK((a == std::get<1>(least) && b == std::get<2>(least)));
+    ++mergers;
   });
   CHECK(mergers == 400);
-  CHECK(regions.number_of_regions() == mesh.face.size() - 399);
+  CHECK(regions.number_of_regions() == mesh.face.size() - 400);
 }

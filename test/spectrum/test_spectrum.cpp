@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 
+#include <boost/property_map/function_property_map.hpp>
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -195,6 +196,29 @@ TEST_CASE("eigenpairs of a mesh are in its units, and signatures follow from the
   CHECK_THROWS_AS(SP::wave_kernel_signature(pairs, 1), CGAL::Precondition_exception);
   CHECK_THROWS_AS(SP::heat_kernel_signature(pairs, {std::numeric_limits<double>::infinity()}),
                   CGAL::Precondition_exception);
+}
+
+TEST_CASE("eigenpairs are of the points that the mesh had when it was read", "[spectrum]")
+{
+  typedef SP::Indexed_triangle_mesh::Vertex_index Vertex;
+  const Plain_mesh ball = octasphere(3);
+  std::vector<std::array<double, 3>> points;
+  for(const vec3& p : ball.point)
+    points.push_back({p.x, p.y, p.z});
+  const SP::Indexed_triangle_mesh mesh(points, ball.face);
+  const auto point_map = boost::make_function_property_map<Vertex>(
+    [&](Vertex v) -> const std::array<double, 3>& { return points[static_cast<std::size_t>(v.idx())]; });
+  int calls = 0;
+  const auto move = [&](double) {
+    for(std::array<double, 3>& p : points)
+      p = {2 * p[0], p[1] + 1, 0.5 * p[2]};
+    return ++calls < 1000;
+  };
+  const SP::Laplacian_eigenpairs expected = SP::laplacian_eigenpairs(mesh, 9);
+  const SP::Laplacian_eigenpairs pairs =
+    SP::laplacian_eigenpairs(mesh, 9, CGAL::parameters::vertex_point_map(point_map).callback(move));
+  CHECK(calls > 1);
+  CHECK(pairs.value == expected.value);
 }
 
 TEST_CASE("the energies of the wave kernel signature ascend within the spectrum, however few", "[spectrum]")

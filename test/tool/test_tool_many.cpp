@@ -306,7 +306,7 @@ TEST_CASE("many: a .gltf has changed when the file with its bytes has", "[tool][
                  std::string(corners.begin(), corners.end()));
   };
   write_text(scratch / "meshes/in.gltf", R"({"asset": {"version": "2.0"},
-    "buffers": [{"uri": "the%20points.bin", "byteLength": 96}],
+    "buffers": [{"uri": "the%20points.bin", "byteLength": 96}, {"uri": 5}, {"uri": "not there.bin"}],
     "bufferViews": [{"buffer": 0, "byteLength": 72}, {"buffer": 0, "byteOffset": 72, "byteLength": 24}],
     "accessors": [{"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 6},
                   {"bufferView": 1, "componentType": 5121, "type": "SCALAR", "count": 24}],

@@ -56,13 +56,13 @@ Laplacian_eigenpairs laplacian_eigenpairs(const ExecutionPolicy& policy, const T
   internal::Vertices<TriangleMesh> vertex;
   const internal::Surface surface = internal::read_surface(mesh, points, internal::Reading::CHECKED, loop, vertex);
   CGAL_SP_PRECONDITION(number >= 1 && number <= vertex.size(), "there are as many eigenpairs as vertices");
+  // of the surface in a box of size 1
+  const double unit = 2 * internal::Bounding_box(internal::vectors_at(vertex, points)).half_size();
   internal::Spring_lengths lengths;
   const internal::Weighted_graph laplacian = internal::conformal_graph(
     internal::Watched_loop(loop, monitor), surface.copy_of_corner_table(loop), surface.point, lengths);
   Laplacian_eigenpairs pairs =
     internal::laplacian_spectrum(loop, laplacian, surface.vertex_area(loop), static_cast<int>(number), monitor);
-  // of the surface in a box of size 1
-  const double unit = 2 * internal::Bounding_box(internal::vectors_at(vertex, points)).half_size();
   for(double& value : pairs.value)
     value = value / unit / unit;
   for(double& value : pairs.functions)

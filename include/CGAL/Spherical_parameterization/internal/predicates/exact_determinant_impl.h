@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 namespace CGAL::Spherical_parameterization::internal {
 
@@ -38,7 +39,7 @@ struct Long_digits {
 /// W. Miranker, "The arithmetic of the digital computer: a new approach", SIAM Review 28, 1986.
 ///
 /// Exact numbers of a library would do, too: but those of Boost are a megabyte of headers in every program, and CGAL's
-/// MP_Float takes five times as long.
+/// MP_Float takes more than twice as long.
 class Exact_determinants {
 public:
   void add(vec3 a, vec3 b, vec3 c)
@@ -50,7 +51,7 @@ public:
     }
   }
 
-  /// The sum is m * 2^e: its sign is that of m, and if that is positive, m has 55 correct bits or all.
+  /// The sum is m * 2^e: its sign is that of m, which if it is positive is right to two units in the last place.
   /// Nothing may be added after that.
   std::pair<double, int> value()
   {
@@ -86,7 +87,8 @@ private:
           first[-(i + j + k)] += sign * a.digit[i] * b.digit[j] * c.digit[k];
   }
 
-  std::array<std::int64_t, static_cast<std::size_t>(offset + 3 * highest + 4)> sum_ = {};
+  static constexpr std::size_t carries = 3; // entries that the sum of the highest ones may run over into
+  std::array<std::int64_t, offset + 3 * highest + 1 + carries> sum_ = {};
 };
 
 CGAL_SP_CORE int sign_of_exact_determinant(vec3 a, vec3 b, vec3 c)

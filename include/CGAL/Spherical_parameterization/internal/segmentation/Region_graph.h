@@ -80,6 +80,16 @@ public:
   double perimeter(int r) const { return perimeter_[r]; }
   const std::vector<Border>& borders(int r) const { return borders_[r]; }
 
+  /// Of so many borders that were looked at. Asks the loop now and then whether to go on.
+  void note_work(std::size_t borders)
+  {
+    work_ += borders;
+    if(constexpr std::size_t work_at_once = 1 << 14; work_ >= work_at_once) {
+      work_ = 0;
+      loop_.check();
+    }
+  }
+
   /// Merges two neighbours. Returns the number of the union, which is one of theirs.
   int merge(int a, int b)
   {
@@ -89,11 +99,7 @@ public:
     --count_;
     area_[a] += area_[b];
     for(const Border& border : borders_[b]) {
-      work_ += borders_[a].size();
-      if(constexpr std::size_t work_at_once = 1 << 14; work_ >= work_at_once) {
-        work_ = 0;
-        loop_.check();
-      }
+      note_work(borders_[a].size());
       const int c = border.region;
       if(c == a)
         perimeter_[a] += perimeter_[b] - 2 * border.cost;
@@ -177,39 +183,41 @@ inline constexpr auto ignore_merger = [](int /* a */, int /* b */, int /* c */) 
 /// Merges pairs of neighbours, those with the smallest `key(a, border)` first, for as long as `goes_on(key)`; calls
 /// `merged(a, b, union)` after each. The key of two regions may only change by merging one of them.
 ///
-/// A pair belongs to the region that has changed later, and the queue has the best pair of each region only: the best
-/// of all is that of its owner.
+/// A pair belongs to the region that has changed later, or to the one with the lower number if neither has. The queue
+/// has the best pair of each region: no pair is better than the best of its owner. Where the other region has changed
+/// since, the owner is looked at again.
 template <class Key, class Goes_on, class Merged = decltype(ignore_merger)>
 void merge_in_order(Region_graph& regions, Key key, Goes_on goes_on, Merged merged = ignore_merger)
 {
-  typedef std::tuple<double, int, int, int, int> Entry; // key, regions, their versions
+  typedef std::tuple<double, int, int, int, int> Entry; // key, regions, the one that it belongs to, and its version
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-  std::vector<int> version(regions.capacity(), 0); // when it was made: the number of the merger
+  std::vector<int> version(regions.capacity(), 0); // the number of the last merger
+  const auto owns = [&](int a, int b) { return version[a] > version[b] || (version[a] == version[b] && a < b); };
   const auto push_best_of = [&](int a) {
     std::optional<Entry> best;
     for(const Region_graph::Border& border : regions.borders(a)) {
-      const int b = border.region, low = (std::min)(a, b), high = (std::max)(a, b);
-      if(version[a] < version[b] || (version[a] == version[b] && a > b))
-        continue; // that of b
-      const Entry entry(key(a, border), low, high, version[low], version[high]);
+      const int b = border.region;
+      if(!owns(a, b))
+        continue;
+      const Entry entry(key(a, border), (std::min)(a, b), (std::max)(a, b), a, version[a]);
       if(!best || entry < *best)
         best = entry;
     }
     if(best)
       queue.push(*best);
+    regions.note_work(regions.borders(a).size());
   };
   for(int a = 0; a < regions.capacity(); ++a)
     if(regions.is_region(a))
       push_best_of(a);
   for(int mergers = 0; !queue.empty();) {
-    const auto [cost, low, high, version_low, version_high] = queue.top();
+    const auto [cost, low, high, owner, version_of_owner] = queue.top();
     queue.pop();
-    const auto is_as_it_was = [&](int a, int then) { return regions.is_region(a) && version[a] == then; };
-    const bool is_of_high = version_high > version_low;
-    if(!(is_of_high ? is_as_it_was(high, version_high) : is_as_it_was(low, version_low)))
+    if(!regions.is_region(owner) || version[owner] != version_of_owner)
       continue;
-    if(!(is_of_high ? is_as_it_was(low, version_low) : is_as_it_was(high, version_high))) {
-      push_best_of(is_of_high ? high : low);
+    const int other = owner == low ? high : low;
+    if(!regions.is_region(other) || !owns(owner, other)) {
+      push_best_of(owner);
       continue;
     }
     if(!goes_on(cost))

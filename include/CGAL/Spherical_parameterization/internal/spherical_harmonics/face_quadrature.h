@@ -31,7 +31,7 @@ CGAL_SP_INLINE std::vector<std::pair<double, double>> gauss_rule(int n)
   std::vector<std::pair<double, double>> rule(n);
   for(int i = 0; i < (n + 1) / 2; ++i) {
     double x = 2 * i + 1 == n ? 0 : std::cos(pi * (i + 0.75) / (n + 0.5)); // near a zero, by F. Tricomi
-    for(int step = 0; step < 5; ++step) { // of Newton's method: two digits, four, eight, all
+    for(int step = 0; step < 4; ++step) {                                  // of Newton's method: 2, 4, 8, 16 digits
       const auto [value, slope] = legendre_polynomial(n, x);
       x -= value / slope;
     }

@@ -32,21 +32,20 @@ namespace internal {
 
 /// The coordinates of the mesh as three functions on the sphere, sampled on a grid.
 template <class TriangleMesh, class PointMap>
-Harmonic_coefficients sampled_harmonics(const Watched_loop<Host_loop>& loop,
-                                        const Spherical_locator<TriangleMesh>& locator, PointMap points, int degree)
+Sampled_fields sampled_points(const Host_loop& loop, const Spherical_locator<TriangleMesh>& locator, PointMap points,
+                              const Latitude_rows& grid)
 {
-  const Latitude_rows grid = grid_to_sample(degree);
   const Host_array<vec3> directions = grid.directions();
   Sampled_fields fields = {3, Host_array<double>(3 * directions.size())};
   std::size_t i = 0;
-  for(const auto& place : locate_all(loop.bare(), locator, directions)) {
+  for(const auto& place : locate_all(loop, locator, directions)) {
     const vec3 p = coordinates(interpolate(locator.mesh(), place, points));
     fields.value[i] = p.x;
     fields.value[directions.size() + i] = p.y;
     fields.value[2 * directions.size() + i] = p.z;
     ++i;
   }
-  return analyze_rows(loop, grid, fields, degree);
+  return fields;
 }
 
 } // namespace internal
@@ -75,8 +74,11 @@ Rotation aligning_rotation(const ExecutionPolicy& policy, const Spherical_locato
   constexpr int degree = 31;
   internal::Monitor monitor = internal::make_monitor(np);
   const internal::Watched_loop loop(internal::host_loop(policy), monitor);
-  const Harmonic_coefficients of_b = internal::sampled_harmonics(loop, b, points_b, degree),
-                              of_a = internal::sampled_harmonics(loop, a, points_a, degree);
+  const internal::Latitude_rows grid = internal::grid_to_sample(degree);
+  const internal::Sampled_fields fields_b = internal::sampled_points(loop.bare(), b, points_b, grid),
+                                 fields_a = internal::sampled_points(loop.bare(), a, points_a, grid);
+  const Harmonic_coefficients of_b = internal::analyze_rows(loop, grid, fields_b, degree),
+                              of_a = internal::analyze_rows(loop, grid, fields_a, degree);
   internal::check_finite(of_b);
   internal::check_finite(of_a);
   return internal::best_correlations(loop, of_b, of_a).front().rotation;

@@ -119,7 +119,7 @@ bool is_current(Database& database, const std::string& name, const std::string& 
   if(!row.next())
     return false;
   const File_version now = version_of(file);
-  if(now.bytes < 0 || row.integer(0) != now.bytes)
+  if(row.integer(0) != now.bytes)
     return false;
   if(row.integer(1) == now.changed)
     return true;

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <fstream>
 #include <iomanip>
 #include <iterator>
@@ -32,13 +31,10 @@ std::string content_hash(const std::vector<std::string>& files)
   XXH3_128bits_reset(&state);
   std::array<char, 1 << 16> buffer;
   for(const std::string& file : files) {
-    std::error_code none;
-    if(file != files.front() && !std::filesystem::is_regular_file(file, none))
-      continue; // there may be no use for it
     std::ifstream in(file, std::ios::binary);
     while(in.read(buffer.data(), buffer.size()) || in.gcount() > 0)
       XXH3_128bits_update(&state, buffer.data(), static_cast<std::size_t>(in.gcount()));
-    if(!in.eof() && file == files.front())
+    if(!in.eof())
       return "";
   }
   XXH128_canonical_t bytes;
@@ -48,17 +44,14 @@ std::string content_hash(const std::vector<std::string>& files)
   return text;
 }
 
-/// Sums over the files, without the hash. What the first one names need not be there.
+/// Sums over the files, without the hash.
 File_version version_without_hash(const std::vector<std::string>& files)
 {
   std::uint64_t bytes = 0, changes = 0;
   for(const std::string& file : files) {
     struct stat status = {};
-    if(stat(file.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) {
-      if(file == files.front())
-        return {};
-      continue;
-    }
+    if(stat(file.c_str(), &status) != 0 || !S_ISREG(status.st_mode))
+      return {};
 #ifdef __APPLE__
     const timespec changed = status.st_ctimespec;
 #else
@@ -118,12 +111,13 @@ bool is_current(Database& database, const std::string& name, const std::string& 
                             name);
   if(!row.next())
     return false;
-  const File_version now = version_of(file);
+  const std::vector<std::string> files = files_of_mesh(file);
+  const File_version now = version_without_hash(files);
   if(row.integer(0) != now.bytes)
     return false;
   if(row.integer(1) == now.changed)
     return true;
-  if(row.text(2) != content_hash(files_of_mesh(file)))
+  if(row.text(2) != content_hash(files))
     return false;
   database.run("UPDATE mesh SET changed = ? WHERE name = ?", now.changed, name);
   return true;

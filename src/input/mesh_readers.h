@@ -103,7 +103,7 @@ Soup read_soup(const std::string& file, std::string bytes, Coordinates coordinat
 /// Reads any triangles, and polygons as triangles, from a mesh file. Throws a `Refusal`.
 Soup read_triangles(const std::string& file, Coordinates coordinates = Coordinates::FINITE);
 
-/// The files that a mesh is in: `file`, and if it is called .gltf or .glb, those that it names, if they are next to it.
+/// The files that a mesh is in: `file`, and if it is called .gltf or .glb, those that it names, if they are there.
 std::vector<std::string> files_of_mesh(const std::string& file);
 
 /// Whether the name of a file, or its first bytes, are those of a mesh. Throws a `Refusal` if it cannot be read.

@@ -16,8 +16,10 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <set>
+#include <system_error>
 #include <utility>
 
 namespace tool {
@@ -59,17 +61,19 @@ public:
     return read_json(text);
   }
 
-  /// The files next to this one that it names, whether it has use for them or not.
+  /// The files next to this one that it names and that can be read, whether it has use for them or not.
   std::vector<std::string> named_files(const std::string& bytes)
   {
     const std::string_view text = bytes.compare(0, 4, "glTF") == 0 ? json_of(bytes) : std::string_view(bytes);
     json_ = Json::parse(text.begin(), text.end(), nullptr, false);
     std::vector<std::string> files;
+    std::error_code none;
     for(const Json& buffer : list(json_, "buffers"))
       if(const Json* const uri = find(buffer, "uri"); uri && uri->is_string())
         if(const auto& name = uri->get_ref<const std::string&>(); name.compare(0, 5, "data:") != 0)
-          if(std::optional<std::string> other = file_next_to(file_, name))
-            files.push_back(std::move(*other));
+          if(const std::optional<std::string> other = file_next_to(file_, name);
+             other && std::filesystem::is_regular_file(*other, none) && std::ifstream(*other))
+            files.push_back(*other);
     return files;
   }
 

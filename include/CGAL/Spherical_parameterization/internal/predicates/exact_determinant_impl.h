@@ -56,18 +56,20 @@ public:
   std::pair<double, int> value()
   {
     std::int64_t carry = 0;
-    std::size_t top = 0;
-    for(std::size_t i = 0; i < sum_.size(); ++i) {
+    int top = 0;
+    for(int i = 0; i < size; ++i) {
       const std::int64_t entry = sum_[i] + carry;
       sum_[i] = entry & (base - 1);
       carry = (entry - sum_[i]) / base;
       if(sum_[i] != 0)
         top = i;
     }
-    double mantissa = carry < 0 ? -1 : 0;
-    for(int i = 0; i < Long_digits::length && carry == 0; ++i)
-      mantissa += std::ldexp(static_cast<double>(top >= std::size_t(i) ? sum_[top - i] : 0), -Long_digits::bits * i);
-    return {mantissa, Long_digits::bits * (static_cast<int>(top) - offset)};
+    if(carry < 0)
+      return {-1, 0}; // the length is of no interest
+    double mantissa = 0;
+    for(int i = 0; i < Long_digits::length && i <= top; ++i)
+      mantissa += std::ldexp(static_cast<double>(sum_[top - i]), -Long_digits::bits * i);
+    return {mantissa, Long_digits::bits * (top - offset)};
   }
 
 private:
@@ -87,8 +89,9 @@ private:
           first[-(i + j + k)] += sign * a.digit[i] * b.digit[j] * c.digit[k];
   }
 
-  static constexpr std::size_t carries = 3; // entries that the sum of the highest ones may run over into
-  std::array<std::int64_t, offset + 3 * highest + 1 + carries> sum_ = {};
+  static constexpr int carries = 3; // entries that the sum of the highest ones may run over into
+  static constexpr int size = offset + 3 * highest + 1 + carries;
+  std::array<std::int64_t, size> sum_ = {};
 };
 
 CGAL_SP_CORE int sign_of_exact_determinant(vec3 a, vec3 b, vec3 c)

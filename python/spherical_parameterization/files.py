@@ -106,7 +106,7 @@ def _for_core(columns: Sequence[VertexColumn], size: int | None = None) -> list[
 
 
 def read_mesh(path: Path, *, triangulate: bool = False) -> tuple[Doubles, Integers]:
-    """Reads points and triangles from a file: OFF, OBJ, PLY, STL, GIFTI, FreeSurfer surfaces, VTK and glTF, also compressed.
+    """Reads points and triangles from a file: OFF, OBJ, PLY, STL, GIFTI, FreeSurfer and MNI surfaces, VTK and glTF, also compressed.
 
     The format is recognized by the contents of the file. In STL and glTF files, points at the same position are merged.
     Files of other formats are read by meshio, if it is installed.
@@ -115,7 +115,7 @@ def read_mesh(path: Path, *, triangulate: bool = False) -> tuple[Doubles, Intege
     ----------
     path : str or path
     triangulate : bool
-        Whether to cut polygons into triangles, which is correct for convex polygons.
+        Whether to cut polygons into triangles, by diagonals inside them.
 
     Returns
     -------
@@ -157,10 +157,12 @@ def _by_meshio(name: str, triangulate: bool) -> tuple[Doubles, Integers]:
     if others:
         raise MeshError(ErrorCode.NOT_TRIANGULAR, f"{name} has cells of type {', '.join(others)}; triangulate it")
     cells = [np.asarray(c.data) for c in mesh.cells if c.type in polygons]
-    blocks = [cell[:, [0, k, k + 1]] for cell in cells for k in range(1, cell.shape[1] - 1)]
-    if not blocks:
+    if not cells:
         raise MeshError(ErrorCode.EMPTY_MESH, f"{name} has no triangles")
-    return np.asarray(mesh.points, dtype=np.float64), np.concatenate(blocks)
+    points = np.ascontiguousarray(mesh.points, dtype=np.float64)
+    if points.ndim != 2 or points.shape[1] != 3:
+        raise MeshError(ErrorCode.EMPTY_MESH, f"{name} is a mesh of the plane; a surface in space is needed")
+    return points, _core.triangles_of(os.fsencode(name), points, cells)
 
 
 def write_mesh(

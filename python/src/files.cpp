@@ -35,6 +35,25 @@ py::tuple read_mesh(const std::string& file, bool triangulate)
   return py::make_tuple(rows_of<double>(soup.points), rows_of<std::int32_t>(soup.triangles));
 }
 
+typedef py::array_t<int, py::array::c_style | py::array::forcecast> Polygons;
+
+/// The triangles of polygons that have been read from `file` by somebody else; each block has those of one size.
+py::array triangles_of(const std::string& file, const Doubles& points, const std::vector<Polygons>& blocks)
+{
+  tool::Soup soup;
+  const Rows<double> rows(points);
+  soup.points.assign(rows.begin(), rows.end());
+  for(const Polygons& block : blocks)
+    for(py::ssize_t i = 0; i < block.shape(0); ++i) {
+      const std::vector<int> corners(block.data(i), block.data(i) + block.shape(1));
+      for(const int corner : corners)
+        tool::check_corner(file, soup.faces, corner, soup.points.size());
+      soup.add_face(corners);
+    }
+  tool::cut_polygons(soup);
+  return rows_of<std::int32_t>(soup.triangles);
+}
+
 /// Name, values, and of labels keys, names and colours. Names are bytes, since those of a file may be no UTF-8.
 typedef std::optional<std::vector<std::tuple<int, py::bytes, std::array<float, 4>>>> Table;
 typedef std::tuple<py::bytes, Doubles, Table> Column;
@@ -87,7 +106,7 @@ void write_mesh(const std::string& file, const Doubles& points, const py::array&
                 const std::string& like, const std::vector<Column>& columns)
 {
   const std::optional<tool::Mesh_format> format = tool::format_of_name(file);
-  if(!format || *format == tool::Mesh_format::STL)
+  if(!format || !tool::is_written(*format))
     throw py::value_error("file: '" + file + "' must be called " + tool::mesh_names);
   const tool::Vertex_data data = data_of(columns);
   with_triangles(triangles, [&](auto faces) {
@@ -149,6 +168,7 @@ struct Store {
 void add_files(py::module_& module)
 {
   module.def("read_mesh", read_mesh);
+  module.def("triangles_of", triangles_of);
   module.def("write_text", write_text);
   module.def("write_mesh", write_mesh);
   module.def("read_data", read_data);

@@ -91,7 +91,7 @@ def test_content_decides_about_the_format(tmp_path: Path) -> None:
 def test_other_formats_by_meshio(tmp_path: Path) -> None:
     meshio = pytest.importorskip("meshio")
     points, triangles = bumpy(2)
-    for name in ("a.vtu", "a.vtk"):  # which is read here
+    for name in ("a.mesh", "a.vtu", "a.vtk"):  # the latter two are read here
         meshio.write_points_cells(tmp_path / name, points, {"triangle": triangles})
         found = sp.read_mesh(tmp_path / name)
         assert np.array_equal(found[0], points) and np.array_equal(found[1], triangles)
@@ -100,7 +100,7 @@ def test_other_formats_by_meshio(tmp_path: Path) -> None:
 def test_what_meshio_cannot_read(tmp_path: Path) -> None:
     meshio = pytest.importorskip("meshio")
     square = np.array([[0.0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])
-    file = tmp_path / "a.vtu"
+    file = tmp_path / "a.mesh"
     meshio.write_points_cells(file, square, {"quad": np.array([[0, 1, 2, 3]])})
     with refused("NOT_TRIANGULAR"):
         sp.read_mesh(file)
@@ -108,8 +108,20 @@ def test_what_meshio_cannot_read(tmp_path: Path) -> None:
     whole = file.read_bytes()
     for end in range(20, len(whole) - 10, 20):
         file.write_bytes(whole[:end])
-        with pytest.raises(OSError, match="a.vtu: meshio cannot read it"):
+        with pytest.raises(OSError, match="a.mesh: meshio cannot read it"):
             sp.read_mesh(file)
+
+
+def test_polygons_of_meshio_are_cut_inside(tmp_path: Path) -> None:
+    meshio = pytest.importorskip("meshio")
+    arrow = np.array([[0.0, 0, 0], [1, 1, 0], [9, 0, 0], [0, 9, 0]])
+    meshio.write_points_cells(tmp_path / "a.mesh", arrow, {"quad": np.array([[0, 1, 2, 3], [3, 2, 1, 0]])})
+    triangles = sp.read_mesh(tmp_path / "a.mesh", triangulate=True)[1]
+    normals = np.cross(arrow[triangles[:, 1]] - arrow[triangles[:, 0]], arrow[triangles[:, 2]] - arrow[triangles[:, 0]])[:, 2]
+    assert np.sign(normals).tolist() == [1, 1, -1, -1]
+    meshio.write_points_cells(tmp_path / "a.mesh", arrow[:, :2], {"triangle": np.array([[0, 1, 2]])})
+    with refused("EMPTY_MESH"):
+        sp.read_mesh(tmp_path / "a.mesh")
 
 
 def test_data_come_back(tmp_path: Path) -> None:

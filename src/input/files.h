@@ -34,7 +34,7 @@ std::string lower_case_extension(const std::string& file);
 bool is_mesh_file(const std::string& file);
 
 /// The formats, for messages.
-inline const char* const mesh_extensions = "OFF, OBJ, PLY, STL, GIFTI, FreeSurfer, VTK and glTF";
+inline const char* const mesh_extensions = "OFF, OBJ, PLY, STL, GIFTI, FreeSurfer, MNI, VTK and glTF";
 
 /// `inputs`, and the lines of the text file `list`, if it is not empty. Throws a `Refusal`.
 std::vector<std::string> named_inputs(const std::vector<std::string>& inputs, const std::string& list);

@@ -18,14 +18,15 @@ namespace {
 struct Format {
   Mesh_format format;
   std::string_view name;
-  std::string_view extension; ///< none: FreeSurfer's files are known by the first part of their names
+  std::string_view
+    extension; ///< none: FreeSurfer's files are known by the first part of their names, MNI's by their content
 };
 
-constexpr Format formats[] = {{Mesh_format::OFF, "off", ".off"},     {Mesh_format::OBJ, "obj", ".obj"},
-                              {Mesh_format::PLY, "ply", ".ply"},     {Mesh_format::STL, "stl", ".stl"},
-                              {Mesh_format::GIFTI, "gifti", ".gii"}, {Mesh_format::FREESURFER, "freesurfer", ""},
-                              {Mesh_format::VTK, "vtk", ".vtk"},     {Mesh_format::VTP, "vtp", ".vtp"},
-                              {Mesh_format::GLB, "glb", ".glb"},     {Mesh_format::GLTF, "gltf", ".gltf"}};
+constexpr Format formats[] = {
+  {Mesh_format::OFF, "off", ".off"}, {Mesh_format::OBJ, "obj", ".obj"},     {Mesh_format::PLY, "ply", ".ply"},
+  {Mesh_format::STL, "stl", ".stl"}, {Mesh_format::GIFTI, "gifti", ".gii"}, {Mesh_format::FREESURFER, "freesurfer", ""},
+  {Mesh_format::VTK, "vtk", ".vtk"}, {Mesh_format::VTP, "vtp", ".vtp"},     {Mesh_format::VTU, "vtu", ".vtu"},
+  {Mesh_format::GLB, "glb", ".glb"}, {Mesh_format::GLTF, "gltf", ".gltf"},  {Mesh_format::MNI, "mni", ""}};
 
 bool begins_with(std::string_view text, std::string_view start) { return text.substr(0, start.size()) == start; }
 
@@ -52,12 +53,15 @@ std::optional<Mesh_format> format_of_magic(std::string_view bytes)
   const std::string_view start = bytes.substr(0, 4096);
   if(begins_with(word, "<") && contains(start, "<GIFTI"))
     return Mesh_format::GIFTI;
-  if(begins_with(word, "<") && contains(start, "<VTKFile") && contains(start, "\"PolyData\""))
-    return Mesh_format::VTP;
+  if(begins_with(word, "<") && contains(start, "<VTKFile"))
+    return contains(start, "\"UnstructuredGrid\"") ? Mesh_format::VTU : Mesh_format::VTP;
   if(begins_with(bytes, "# vtk DataFile"))
     return Mesh_format::VTK;
   if(begins_with(word, "{") && (contains(bytes, "\"asset\"") || contains(bytes, "\"accessors\"")))
     return Mesh_format::GLTF;
+  double number = 0;
+  if(word == "P" && to_number(next_token(rest), number) != Number::NONE)
+    return Mesh_format::MNI;
   return std::nullopt;
 }
 
@@ -119,11 +123,16 @@ std::string name(Mesh_format format)
     std::find_if(std::begin(formats), std::end(formats), [=](const Format& f) { return f.format == format; })->name);
 }
 
+bool is_written(Mesh_format format)
+{
+  return format != Mesh_format::STL && format != Mesh_format::VTU && format != Mesh_format::MNI;
+}
+
 std::vector<std::pair<std::string, Mesh_format>> output_formats()
 {
   std::vector<std::pair<std::string, Mesh_format>> list;
   for(const Format& f : formats)
-    if(f.format != Mesh_format::STL)
+    if(is_written(f.format))
       list.emplace_back(f.name, f.format);
   return list;
 }
@@ -169,7 +178,7 @@ std::string list_of_formats()
   };
   for(const Format& f : formats) {
     append(read, f.name);
-    if(f.format != Mesh_format::STL)
+    if(is_written(f.format))
       append(written, f.name);
   }
   for(const std::string& extension : compression_extensions())

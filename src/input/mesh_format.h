@@ -12,7 +12,7 @@
 
 namespace tool {
 
-enum class Mesh_format { OFF, OBJ, PLY, STL, GIFTI, FREESURFER, VTK, VTP, GLB, GLTF };
+enum class Mesh_format { OFF, OBJ, PLY, STL, GIFTI, FREESURFER, VTK, VTP, VTU, GLB, GLTF, MNI };
 
 /// How standard input and standard output are called on the command line.
 inline const char* const standard_stream = "-";
@@ -23,7 +23,11 @@ std::string name(Mesh_format format);
 /// The extension of its files; empty for FreeSurfer's.
 std::string extension_of_format(const std::string& name);
 
-/// The formats that are written, by their names, in the order of `Mesh_format`. STL is not: it has no vertices.
+/// Not so STL, which has no vertices, nor what is read only for those who have it: unstructured grids and MNI's
+/// polygons.
+bool is_written(Mesh_format format);
+
+/// The formats that are written, by their names, in the order of `Mesh_format`.
 std::vector<std::pair<std::string, Mesh_format>> output_formats();
 
 /// The format that the name of a file stands for: by its extension, in lower or upper case, before which there may be

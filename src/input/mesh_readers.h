@@ -36,23 +36,25 @@ using Triangles = std::vector<std::array<int, 3>, boost::noinit_adaptor<std::all
 
 /// A mesh as a file has it: nothing is known yet about how the faces fit together.
 struct Soup {
+  struct Polygon {
+    std::size_t face; ///< its number, counted from 0
+    std::size_t corners;
+  };
+
   std::vector<std::array<double, 3>> points;
-  Triangles triangles;           ///< polygons are cut into fans, which is right for convex ones
-  std::size_t faces = 0;         ///< in the file
-  std::size_t polygons = 0;      ///< those of more than three vertices
-  std::size_t first_polygon = 0; ///< its number, counted from 0
-  std::size_t size_of_first_polygon = 0;
+  Triangles triangles;               ///< of polygons, too, which `read_soup()` has cut
+  std::size_t faces = 0;             ///< in the file
+  std::vector<Polygon> polygons;     ///< the faces of more than three vertices, in their order
   std::optional<Refusal> non_finite; ///< of the first coordinate that is no finite number, if there is one
   Annotations annotations;
   Vertex_data data; ///< at the vertices
 
+  /// A polygon becomes a fan, until `cut_polygons()` sees its points, which may be behind it in the file.
   /// \pre there are at least three corners
   void add_face(const std::vector<int>& corners)
   {
-    if(corners.size() > 3 && polygons++ == 0) {
-      first_polygon = faces;
-      size_of_first_polygon = corners.size();
-    }
+    if(corners.size() > 3)
+      polygons.push_back({faces, corners.size()});
     for(std::size_t i = 2; i < corners.size(); ++i)
       triangles.push_back({corners[0], corners[i - 1], corners[i]});
     ++faces;
@@ -113,6 +115,9 @@ bool is_format_known(const std::string& file);
 void check_triangles(const std::string& file, const Soup& soup,
                      const std::string& remedy = "triangulate the mesh, or use --triangulate");
 
+/// Cuts polygons that are not convex anew: by the triangles of their fans, some faces would be folded back.
+void cut_polygons(Soup& soup);
+
 /// Throws the `Refusal` of a file with so many vertices and no faces.
 [[noreturn]] void refuse_point_cloud(const std::string& file, std::size_t vertices);
 
@@ -133,10 +138,11 @@ Soup read_ply(const std::string& file, const std::string& bytes);
 Soup read_stl(const std::string& file, std::string bytes); ///< corners at the same place become one vertex
 Soup read_gifti(const std::string& file, const std::string& text);
 Soup read_freesurfer(const std::string& file, const std::string& bytes);
-Soup read_vtk(const std::string& file, const std::string& bytes); ///< PolyData, or triangles as an unstructured grid
-Soup read_vtp(const std::string& file, const std::string& bytes);
-Soup read_glb(const std::string& file, const std::string& bytes); ///< vertices at the same place become one
+Soup read_vtk(const std::string& file, const std::string& bytes);     ///< PolyData, or faces as an unstructured grid
+Soup read_vtk_xml(const std::string& file, const std::string& bytes); ///< the same
+Soup read_glb(const std::string& file, const std::string& bytes);     ///< vertices at the same place become one
 Soup read_gltf(const std::string& file, const std::string& text); ///< the same; other files are looked for next to it
+Soup read_mni(const std::string& file, std::string_view text);
 /// @}
 
 struct Fixed_vertex {

@@ -107,13 +107,24 @@ private:
     return count_of(file_, array, "Dim0");
   }
 
+  /// The programs of before the standard wrote the names that its words have in C.
+  std::string_view encoding_of(pugi::xml_node array) const
+  {
+    const std::string_view encoding = attribute(file_, array, "Encoding").value();
+    return encoding == "GIFTI_ENCODING_ASCII"    ? "ASCII"
+           : encoding == "GIFTI_ENCODING_B64BIN" ? "Base64Binary"
+           : encoding == "GIFTI_ENCODING_B64GZ"  ? "GZipBase64Binary"
+           : encoding == "GIFTI_ENCODING_EXTBIN" ? "ExternalFileBinary"
+                                                 : encoding;
+  }
+
   /// The numbers of a set by row and column, whatever type and encoding they have.
   /// `use(row, column, value)` is called for each.
   template <class Use>
   void read_numbers(pugi::xml_node array, std::size_t rows, std::size_t columns, Use use) const
   {
     const std::string_view type_name = attribute(file_, array, "DataType").value(), prefix = "NIFTI_TYPE_";
-    const std::string_view encoding = attribute(file_, array, "Encoding").value(), text = array.child_value("Data");
+    const std::string_view encoding = encoding_of(array), text = array.child_value("Data");
     const Number_type* const type =
       type_name.substr(0, prefix.size()) == prefix ? number_type(type_name.substr(prefix.size())) : nullptr;
     if(!type)
@@ -160,8 +171,9 @@ private:
     if(bytes->size() != count * type->size)
       refuse("a DataArray announces " + std::to_string(count * type->size) + " bytes and has " +
              std::to_string(bytes->size()));
+    const std::string_view endian = array.attribute("Endian").value();
     const Byte_order order =
-      array.attribute("Endian").value() == std::string_view("BigEndian") ? Byte_order::BIG : Byte_order::LITTLE;
+      endian == "BigEndian" || endian == "GIFTI_ENDIAN_BIG" ? Byte_order::BIG : Byte_order::LITTLE;
     for(std::size_t i = 0; i < count; ++i)
       put(i, type->read(&(*bytes)[i * type->size], order));
   }

@@ -39,9 +39,11 @@ Soup read_format(Mesh_format format, const std::string& file, std::string bytes)
   case Mesh_format::GIFTI: return read_gifti(file, bytes);
   case Mesh_format::FREESURFER: return read_freesurfer(file, bytes);
   case Mesh_format::VTK: return read_vtk(file, bytes);
-  case Mesh_format::VTP: return read_vtp(file, bytes);
+  case Mesh_format::VTP:
+  case Mesh_format::VTU: return read_vtk_xml(file, bytes);
   case Mesh_format::GLB: return read_glb(file, bytes);
   case Mesh_format::GLTF: return read_gltf(file, bytes);
+  case Mesh_format::MNI: return read_mni(file, bytes);
   }
   return {};
 }
@@ -59,12 +61,12 @@ bool is_format_known(const std::string& file)
 
 void check_triangles(const std::string& file, const Soup& soup, const std::string& remedy)
 {
-  if(soup.polygons > 0)
+  if(!soup.polygons.empty())
     throw Refusal(Error_code::NOT_TRIANGULAR, file,
-                  "has " + std::to_string(soup.polygons) +
-                    (soup.polygons == 1 ? " face that is no triangle" : " faces that are no triangles") +
-                    " (first: face " + std::to_string(soup.first_polygon) + " with " +
-                    std::to_string(soup.size_of_first_polygon) + " vertices)",
+                  "has " + std::to_string(soup.polygons.size()) +
+                    (soup.polygons.size() == 1 ? " face that is no triangle" : " faces that are no triangles") +
+                    " (first: face " + std::to_string(soup.polygons[0].face) + " with " +
+                    std::to_string(soup.polygons[0].corners) + " vertices)",
                   remedy);
 }
 
@@ -90,6 +92,7 @@ Soup read_soup(const std::string& file, std::string bytes, Coordinates coordinat
   if(!format)
     refuse_unknown(file);
   Soup soup = read_format(*format, file, std::move(bytes));
+  cut_polygons(soup);
   if(soup.non_finite && coordinates == Coordinates::FINITE)
     throw Refusal(*soup.non_finite);
   return soup;
@@ -109,8 +112,8 @@ Input_mesh read_mesh(const std::string& file, Polygons polygons, const std::stri
   if(polygons == Polygons::REFUSE)
     check_triangles(file, soup);
   try {
-    return {Mesh(CGAL::Parallel_if_available_tag(), std::move(soup.points), std::move(soup.triangles)), soup.polygons,
-            std::move(soup.annotations), std::move(soup.data)};
+    return {Mesh(CGAL::Parallel_if_available_tag(), std::move(soup.points), std::move(soup.triangles)),
+            soup.polygons.size(), std::move(soup.annotations), std::move(soup.data)};
   } catch(const SP::Error& error) {
     const bool has_mesh = error.code() != Error_code::EMPTY_MESH && error.code() != Error_code::TOO_LARGE;
     throw Refusal(error.code(), file, "has " + error.detail(), has_mesh ? how_to_mend : "");

@@ -67,8 +67,9 @@ private:
         read_vertex();
       else if(keyword == "f")
         read_face();
-      else if(std::find(std::begin(other_statements), std::end(other_statements), keyword) ==
-              std::end(other_statements))
+      else if(keyword[0] != '$' && // which begins comments in files of Viewpoint DataLabs
+              std::find(std::begin(other_statements), std::end(other_statements), keyword) ==
+                std::end(other_statements))
         lines_.refuse("begins with " + in_quotes(keyword) + ", which is not a statement of the OBJ format",
                       "the file is damaged or is not an OBJ file; export it again");
     }

@@ -2,7 +2,7 @@
 // Part of CGAL Spherical Parameterization.
 //
 // The files of VTK, as of https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html: the older ones of text
-// or bytes below lines of words (.vtk), and those of XML (.vtp).
+// or bytes below lines of words (.vtk), and those of XML (.vtp, .vtu).
 
 #include "input/binary.h"
 #include "input/compression.h"
@@ -16,10 +16,14 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace tool {
 namespace {
+
+/// The kinds of cells that are read, as numbered in vtkCellType.h.
+enum Kind { VERTEX = 1, POLY_VERTEX, LINE, POLY_LINE, TRIANGLE, TRIANGLE_STRIP, POLYGON, PIXEL, QUAD };
 
 /// What both have in common: a mesh, and arrays at its points.
 class Vtk_mesh {
@@ -48,20 +52,22 @@ protected:
         refuse("has offsets of faces that are not in order");
   }
 
-  /// Appends a corner, and the face with its last one.
-  void add_corner(double vertex, bool is_last)
+  /// Appends a corner, and with its last one the cell, if it is a face; points and lines are left out.
+  void add_corner(double vertex, bool is_last, double kind)
   {
     const bool is_index = vertex >= 0 && vertex < static_cast<double>(largest_count) && vertex == std::floor(vertex);
     corners_.push_back(is_index ? static_cast<int>(vertex) : -1);
     check_corner(file_, soup_.faces, corners_.back(), soup_.points.size());
     if(!is_last)
       return;
-    if(corners_.size() >= 3 && are_strips_)
-      soup_.add_strip(corners_);
-    else if(corners_.size() >= 3)
-      soup_.add_face(corners_);
-    else if(!has_lines_)
-      refuse("face " + std::to_string(soup_.faces) + " has only " + std::to_string(corners_.size()) + " vertices");
+    if(kind == PIXEL && corners_.size() == 4)
+      std::swap(corners_[2], corners_[3]); // row by row, not around
+    if(kind >= TRIANGLE && kind <= QUAD) {
+      if(corners_.size() < 3)
+        refuse("face " + std::to_string(soup_.faces) + " has only " + std::to_string(corners_.size()) + " vertices");
+      kind == TRIANGLE_STRIP ? soup_.add_strip(corners_) : soup_.add_face(corners_);
+    } else if(!(kind >= VERTEX && kind <= POLY_LINE))
+      refuse("has cells that are no faces", "save the triangles of its surface");
     corners_.clear();
   }
 
@@ -92,11 +98,9 @@ protected:
 
   std::string file_;
   Soup soup_;
-  bool has_lines_ = false;  ///< and points among its faces, which are left out
-  bool are_strips_ = false; ///< the faces that are read
 
 private:
-  std::vector<int> corners_; ///< of the next face
+  std::vector<int> corners_; ///< of the next cell
 };
 
 class Vtk_reader : private Vtk_mesh {
@@ -120,6 +124,8 @@ public:
       line_ = next_line();
       read_section(lower_case(next_token(line_)));
     }
+    if(!ends_.empty())
+      refuse("has cells, and not of which types they are");
     return finished();
   }
 
@@ -156,17 +162,19 @@ private:
       read_kind(lower_case(next_token(line_)));
     else if(keyword == "points")
       read_points();
-    else if(keyword == "polygons" || keyword == "cells" || keyword == "triangle_strips") {
-      has_lines_ = keyword == "cells";
-      are_strips_ = keyword == "triangle_strips";
-      read_cells(true);
+    else if(keyword == "polygons" || keyword == "triangle_strips") {
+      const Kind kind = keyword == "polygons" ? POLYGON : TRIANGLE_STRIP;
+      read_cells([&](double x, bool is_last) { add_corner(x, is_last, kind); });
     } else if(keyword == "vertices" || keyword == "lines")
-      read_cells(false);
-    else if(keyword == "cell_types")
-      read_numbers(type("int"), next_count(), [this](std::size_t, double kind) {
-        if(kind != 1 && kind != 3 && kind != 5 && kind != 7 && kind != 9) // vertex, line, triangle, polygon, quadrangle
-          refuse("has cells that are no faces", "save the triangles of its surface");
+      read_cells([](double, bool) {});
+    else if(keyword == "cells")
+      read_cells([this](double x, bool is_last) {
+        cells_.push_back(x);
+        if(is_last)
+          ends_.push_back(cells_.size());
       });
+    else if(keyword == "cell_types")
+      read_types();
     else if(keyword == "point_data" || keyword == "cell_data") {
       is_at_points_ = keyword == "point_data";
       size_ = next_count();
@@ -217,8 +225,9 @@ private:
   }
 
   /// Up to version 4 each cell as the number of its corners and the corners, from version 5 on all places where cells
-  /// begin and all corners.
-  void read_cells(bool are_faces)
+  /// begin and all corners. Calls `use(corner, is_last)`.
+  template <class Use>
+  void read_cells(Use use)
   {
     const std::size_t first = next_count(), second = next_count();
     if(version_.compare(0, 1, "5") < 0) {
@@ -227,8 +236,7 @@ private:
       read_numbers(type("int"), second, [&](std::size_t, double x) {
         if(left > 0) {
           --left;
-          if(are_faces)
-            add_corner(x, left == 0);
+          use(x, left == 0);
         } else if(++cells, x >= 1 && x <= double(second))
           left = std::int64_t(x);
         else
@@ -251,9 +259,43 @@ private:
     read_numbers(type(next_token(line_)), second, [&](std::size_t i, double x) {
       while(begin[cell + 1] <= double(i))
         ++cell;
-      if(are_faces)
-        add_corner(x, begin[cell + 1] == double(i + 1));
+      use(x, begin[cell + 1] == double(i + 1));
     });
+  }
+
+  /// Of the cells of an unstructured grid, which are read before.
+  void read_types()
+  {
+    const std::size_t count = next_count();
+    if(count != ends_.size())
+      refuse("has the types of " + std::to_string(count) + " cells, and " + std::to_string(ends_.size()) + " cells");
+    std::size_t corner = 0;
+    read_numbers(type("int"), count, [&](std::size_t cell, double kind) {
+      for(; corner < ends_[cell]; ++corner)
+        add_corner(cells_[corner], corner + 1 == ends_[cell], kind);
+    });
+    cells_.clear();
+    ends_.clear();
+  }
+
+  /// Leaves out so many texts: a line each, or bytes behind their number, whose first two bits say how long it is.
+  void skip_texts(std::size_t count)
+  {
+    for(; count > 0; --count) {
+      const std::size_t width =
+        rest_.empty() || is_text_ ? 0 : std::size_t(8) >> (static_cast<unsigned char>(rest_[0]) >> 6);
+      if(rest_.size() <= width)
+        refuse("cut short: " + std::to_string(count) + " more texts are announced");
+      if(is_text_) {
+        next_line();
+        continue;
+      }
+      std::uint64_t size = static_cast<unsigned char>(rest_[0]) & 0x3F;
+      for(std::size_t i = 1; i < width; ++i)
+        size = size << 8 | static_cast<unsigned char>(rest_[i]);
+      rest_.remove_prefix(width);
+      rest_.remove_prefix(std::min<std::uint64_t>(size, rest_.size()));
+    }
   }
 
   void read_attribute(const std::string& keyword)
@@ -268,7 +310,11 @@ private:
         line_ = is_at_end() ? std::string_view() : next_line();
         const std::string of_array = percent_decoded(next_token(line_));
         const std::size_t components = next_count(), tuples = next_count();
-        read_array(of_array, type(next_token(line_)), components, tuples);
+        const std::string_view of_values = next_token(line_);
+        if(lower_case(of_values) == "string")
+          skip_texts(components * tuples);
+        else
+          read_array(of_array, type(of_values), components, tuples);
       }
     } else if(keyword == "scalars") {
       const Number_type& of_numbers = type(next_token(line_));
@@ -311,13 +357,15 @@ private:
   std::string_view line_; ///< as far as it has not been read
   std::string version_;
   bool is_text_ = false;
-  bool is_at_points_ = false; ///< where the arrays are that follow
-  std::size_t size_ = 0;      ///< of each
+  bool is_at_points_ = false;     ///< where the arrays are that follow
+  std::size_t size_ = 0;          ///< of each
+  std::vector<double> cells_;     ///< the corners of all cells whose types are not known yet
+  std::vector<std::size_t> ends_; ///< of each among them
 };
 
-class Vtp_reader : private Vtk_mesh {
+class Vtk_xml_reader : private Vtk_mesh {
 public:
-  Vtp_reader(const std::string& file, std::string_view bytes) : Vtk_mesh(file)
+  Vtk_xml_reader(const std::string& file, std::string_view bytes) : Vtk_mesh(file)
   {
     // What is appended may be bytes, which are no XML.
     const std::size_t begin = std::min(bytes.find("<AppendedData"), bytes.size());
@@ -339,12 +387,13 @@ public:
 
   Soup read()
   {
-    const std::string_view kind = root_.attribute("type").value(), compressor = root_.attribute("compressor").value();
-    if(kind != "PolyData")
-      refuse("is a VTK file of the type " + in_quotes(kind), "save its surface as PolyData");
+    const std::string_view dataset = root_.attribute("type").value(),
+                           compressor = root_.attribute("compressor").value();
+    if(dataset != "PolyData" && dataset != "UnstructuredGrid")
+      refuse("is a VTK file of the type " + in_quotes(dataset), "save its surface as PolyData");
     if(!compressor.empty() && compressor != "vtkZLibDataCompressor")
       refuse("is compressed by " + in_quotes(compressor), "save it with the compressor zlib, or with none");
-    const pugi::xml_node piece = child(file_, child(file_, root_, "PolyData"), "Piece");
+    const pugi::xml_node piece = child(file_, child(file_, root_, std::string(dataset).c_str()), "Piece");
     if(piece.next_sibling("Piece"))
       refuse("has several pieces", "save it as one");
     const std::size_t points = count_of(file_, piece, "NumberOfPoints");
@@ -353,16 +402,20 @@ public:
     soup_.points.resize(points);
     for(std::size_t i = 0; i < coordinates.size(); ++i)
       soup_.set_coordinate(file_, i / 3, i % 3, coordinates[i]);
-    for(const char* part : {"Polys", "Strips"}) {
-      are_strips_ = part == std::string_view("Strips");
+    const auto read = [&](const char* part, std::optional<Kind> kind) {
       const std::string announced = std::string("NumberOf") + part;
-      if(const std::size_t faces = piece.attribute(announced.c_str()) ? count_of(file_, piece, announced.c_str()) : 0)
-        read_faces(child(file_, piece, part), faces);
-    }
+      if(const std::size_t cells = piece.attribute(announced.c_str()) ? count_of(file_, piece, announced.c_str()) : 0)
+        read_cells(child(file_, piece, part), cells, kind);
+    };
+    read("Polys", POLYGON);
+    read("Strips", TRIANGLE_STRIP);
+    read("Cells", std::nullopt);
     for(const pugi::xml_node array : piece.child("PointData").children("DataArray")) {
       const std::size_t components = array.attribute("NumberOfComponents").as_uint(1);
       if(components > largest_count / std::max<std::size_t>(points, 1))
         refuse("has an array of " + std::to_string(components) + " components");
+      if(attribute(file_, array, "type").value() == std::string_view("String"))
+        continue;
       add_array(array.attribute("Name").value(), type(attribute(file_, array, "type").value()), components,
                 numbers(array, components * points));
     }
@@ -370,22 +423,24 @@ public:
   }
 
 private:
-  void read_faces(pugi::xml_node polys, std::size_t faces)
+  /// Cells of one kind, or each with its own.
+  void read_cells(pugi::xml_node node, std::size_t cells, std::optional<Kind> kind)
   {
     const auto array = [&](const char* name) {
-      const pugi::xml_node found = polys.find_child_by_attribute("DataArray", "Name", name);
+      const pugi::xml_node found = node.find_child_by_attribute("DataArray", "Name", name);
       if(!found)
-        refuse("has faces without an array '" + std::string(name) + "'");
+        refuse("has cells without an array '" + std::string(name) + "'");
       return found;
     };
-    const std::vector<double> ends = numbers(array("offsets"), faces);
+    const std::vector<double> ends = numbers(array("offsets"), cells);
     check_offsets(ends, 0);
     const std::vector<double> corners = numbers(array("connectivity"), static_cast<std::size_t>(ends.back()));
-    std::size_t face = 0;
+    const std::vector<double> kinds = kind ? std::vector<double>(cells, *kind) : numbers(array("types"), cells);
+    std::size_t cell = 0;
     for(std::size_t i = 0; i < corners.size(); ++i) {
-      while(ends[face] <= double(i))
-        ++face;
-      add_corner(corners[i], ends[face] == double(i + 1));
+      while(ends[cell] <= double(i))
+        ++cell;
+      add_corner(corners[i], ends[cell] == double(i + 1), kinds[cell]);
     }
   }
 
@@ -492,6 +547,6 @@ private:
 
 Soup read_vtk(const std::string& file, const std::string& bytes) { return Vtk_reader(file, bytes).read(); }
 
-Soup read_vtp(const std::string& file, const std::string& bytes) { return Vtp_reader(file, bytes).read(); }
+Soup read_vtk_xml(const std::string& file, const std::string& bytes) { return Vtk_xml_reader(file, bytes).read(); }
 
 } // namespace tool

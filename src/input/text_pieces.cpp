@@ -54,11 +54,8 @@ std::optional<Soup> read_pieces(std::size_t number, const std::function<std::opt
     first_triangle.push_back(triangles);
     points += piece->points.size();
     triangles += piece->triangles.size();
-    if(soup.polygons == 0 && piece->polygons > 0) {
-      soup.first_polygon = soup.faces + piece->first_polygon;
-      soup.size_of_first_polygon = piece->size_of_first_polygon;
-    }
-    soup.polygons += piece->polygons;
+    for(const Soup::Polygon& polygon : piece->polygons)
+      soup.polygons.push_back({soup.faces + polygon.face, polygon.corners});
     soup.faces += piece->faces;
   }
   soup.points.resize(points);

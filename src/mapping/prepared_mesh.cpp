@@ -75,7 +75,7 @@ Input_mesh read_prepared_mesh(const std::string& file, Prepare how, std::optiona
     prepare(file, prepared->soup, how == Prepare::HARMLESS ? Preparation_settings::harmless() : Preparation_settings());
   const Glued_surface& surface = prepared->preparation.parts.front();
   try {
-    return {Mesh(CGAL::Parallel_if_available_tag(), surface.points, surface.faces), prepared->soup.polygons,
+    return {Mesh(CGAL::Parallel_if_available_tag(), surface.points, surface.faces), prepared->soup.polygons.size(),
             prepared->soup.annotations};
   } catch(const SP::Error& error) {
     throw Refusal(error.code(), file,

@@ -94,7 +94,9 @@ void write_mesh(std::ostream& out, const Output_format& format, const Mesh& mesh
   case Mesh_format::VTP: return write_vtp(out, format.ascii, mesh, points, data);
   case Mesh_format::GLB:
   case Mesh_format::GLTF: return write_gltf(out, format.format, mesh, points);
-  case Mesh_format::STL: break; // no option takes it
+  case Mesh_format::STL:
+  case Mesh_format::VTU:
+  case Mesh_format::MNI: break; // no option takes them
   }
 }
 

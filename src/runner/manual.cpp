@@ -162,7 +162,7 @@ _spherical_parameterization()
   compopt -o filenames 2>/dev/null
   while IFS= read -r file; do # of arguments meshes only
     if [ -n "$previous" ] || [ -d "$file" ] ||
-      [[ ' off obj ply stl gii vtk vtp glb gltf gz xz zst bz2 ' = *" $(tr '[:upper:]' '[:lower:]' <<<"${file##*.}") "* ]]; then
+      [[ ' off obj ply stl gii vtk vtp vtu glb gltf gz xz zst bz2 ' = *" $(tr '[:upper:]' '[:lower:]' <<<"${file##*.}") "* ]]; then
       COMPREPLY+=("$file")
     fi
   done < <(compgen -f -- "$current")

@@ -25,7 +25,7 @@ Output_format Request::mesh_format(const std::string& option) const
         return {of_word, ascii, shown(name, "standard output")};
   require(name != standard_stream || option != "--output", "--format", "is required for the standard output");
   const auto of_name = format_of_name(name);
-  require(of_name && *of_name != Mesh_format::STL, option, "'" + name + "' must be called " + mesh_names);
+  require(of_name && is_written(*of_name), option, "'" + name + "' must be called " + mesh_names);
   return {*of_name, ascii, name};
 }
 

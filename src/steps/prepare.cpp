@@ -205,8 +205,8 @@ void say(Run& run, const Prepared& prepared)
 
   text.precision(3);
   text << run.name_of_input() << ": " << soup.points.size() << " vertices, " << soup.faces << " faces\n";
-  if(soup.polygons > 0)
-    text << "triangulated " << soup.polygons << " polygons: faces below are triangles\n";
+  if(!soup.polygons.empty())
+    text << "triangulated " << soup.polygons.size() << " polygons: faces below are triangles\n";
   for(const std::string& sentence : done)
     text << sentence << '\n';
   if(share_of_area_kept(preparation) < 0.5)
@@ -224,8 +224,8 @@ void say(Run& run, const Prepared& prepared)
   run.text = text.str();
 
   line << "; Hausdorff distance to IN " << distance.str();
-  if(soup.polygons > 0)
-    line << "; triangulated " << soup.polygons << " polygons";
+  if(!soup.polygons.empty())
+    line << "; triangulated " << soup.polygons.size() << " polygons";
   for(const std::string& sentence : done)
     line << "; " << sentence;
   run.line = line.str();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The formats of meshes: what is written is read back equal, here and by other programs; what is broken is refused.
 
+#include "helpers/arrays.h"
 #include "helpers/meshes.h"
 #include "helpers/tool.h"
 
@@ -26,6 +27,8 @@
 #include <functional>
 #include <iostream>
 #include <limits>
+#include <map>
+#include <numeric>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -106,8 +109,9 @@ TEST_CASE("formats: what is written is read back equal", "[tool][formats]")
 
 TEST_CASE("formats: numbers beyond the range of doubles are infinite or zero", "[tool][formats]")
 {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
   for(const auto& [text, expected] :
-      {std::pair("1.5e400", 1e999), {"-1.5e400", -1e999}, {"+1.5e-400", 0.}, {"1.5e-320", 1.5e-320}}) {
+      {std::pair("1.5e400", infinity), {"-1.5e400", -infinity}, {"+1.5e-400", 0.}, {"1.5e-320", 1.5e-320}}) {
     double value = 7;
     CAPTURE(text);
     CHECK((tool::to_number(text, value) == tool::Number::FINITE) == std::isfinite(expected));
@@ -228,8 +232,8 @@ TEST_CASE("formats: long texts are read in pieces, with the same result", "[tool
     check_same(read(text + "g of \\\nno faces\n"));
     const std::size_t n = mesh.mesh.number_of_vertices();
     const tool::Soup more = read(text + "f 1 2 3 4\nf -1 -2 -3 -4 -5\n");
-    CHECK(more.polygons == 2);
-    CHECK(more.first_polygon == mesh.mesh.number_of_faces());
+    CHECK(more.polygons.size() == 2);
+    CHECK(more.polygons[0].face == mesh.mesh.number_of_faces());
     CHECK((more.triangles.back() == std::array<int, 3>{int(n) - 1, int(n) - 4, int(n) - 5}));
     CHECK(contains(text_of_refusal(text + "f 1 2 " + std::to_string(n + 1) + "\n"), "there are only"));
   }
@@ -239,9 +243,9 @@ TEST_CASE("formats: long texts are read in pieces, with the same result", "[tool
     const std::size_t begin = end_of_line(6);
     return result.replace(begin, result.find('\n', begin + 1) - begin, four);
   }());
-  CHECK(polygons.polygons == 1);
+  CHECK(polygons.polygons.size() == 1);
   CHECK(polygons.triangles.size() == polygons.faces + 1);
-  CHECK((polygons.triangles[polygons.first_polygon + 1] == std::array<int, 3>{5, 7, 8}));
+  CHECK((polygons.triangles[polygons.polygons[0].face + 1] == std::array<int, 3>{5, 7, 8}));
 }
 
 TEST_CASE("formats: the content decides, whatever the name says", "[tool][formats]")
@@ -505,7 +509,18 @@ TEST_CASE("formats: triangle strips are the triangles that they stand for", "[to
     {"binary.ply", binary},
     {"in.vtk", "# vtk DataFile Version 3.0\nbelow is an empty line\n\nASCII\nDATASET POLYDATA\nPOINTS 6 float\n" +
                  points + "TRIANGLE_STRIPS 3 17\n8 0 3 1 4 2 5 0 3\n3 0 1 2\n3 3 5 4\n"},
-    {"in.vtp", vtp}};
+    {"in.vtp", vtp},
+    {"grid.vtk",
+     "# vtk DataFile Version 3.0\ncells of several kinds\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 6 float\n" + points +
+       "CELLS 5 22\n8 0 3 1 4 2 5 0 3\n2 0 1\n3 0 1 2\n3 3 5 4\n1 5\nCELL_TYPES 5\n6 3 6 7 1\n"},
+    {"in.vtu", "<VTKFile type='UnstructuredGrid'><UnstructuredGrid><Piece NumberOfPoints='6' NumberOfCells='4'><Points>"
+               "<DataArray type='Float32' format='ascii'>" +
+                 points +
+                 "</DataArray></Points><Cells>"
+                 "<DataArray type='Int32' Name='connectivity' format='ascii'>3 5 4 0 0 3 1 4 2 5 0 3 0 1 2</DataArray>"
+                 "<DataArray type='Int32' Name='offsets' format='ascii'>3 4 12 15</DataArray>"
+                 "<DataArray type='UInt8' Name='types' format='ascii'>7 1 6 5</DataArray>"
+                 "</Cells></Piece></UnstructuredGrid></VTKFile>"}};
   for(const auto& [name, content] : files) {
     CAPTURE(name);
     write_text(scratch / name, content);
@@ -579,6 +594,163 @@ TEST_CASE("formats: arrays of VTK's indices have 32 bits, whatever stands before
   REQUIRE(soup.data.size() == 2);
   CHECK((soup.data[0].values == std::vector<double>{5, 6, 7, 8}));
   CHECK((soup.data[1].values == std::vector<double>{9, 10, 11, 12}));
+}
+
+TEST_CASE("formats: dialects of other programs", "[tool][formats]")
+{
+  Scratch scratch;
+  const auto triangles_of = [&](const std::string& name, const std::string& content) {
+    write_text(scratch / name, content);
+    return tool::read_triangles(scratch / name).triangles;
+  };
+  const tool::Input_mesh mesh = input_of(bumpy_sphere(1));
+
+  SECTION("pixels of VTK are listed row by row")
+  {
+    const tool::Triangles pixel =
+      triangles_of("in.vtk", "# vtk DataFile Version 3.0\npixel\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 float\n"
+                             "0 0 0 1 0 0 0 1 0 1 1 0\nCELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n8\n");
+    REQUIRE(pixel.size() == 2);
+    CHECK((pixel[0] == std::array<int, 3>{0, 1, 3}));
+    CHECK((pixel[1] == std::array<int, 3>{0, 3, 2}));
+  }
+  SECTION("polygons of CIVET, with a colour for all, for each polygon, for each point")
+  {
+    const auto mni = [&](int colours, const std::string& ends) {
+      std::string text = "P 0.3 0.3 0.4 10 1 " + std::to_string(mesh.mesh.number_of_vertices()) + '\n';
+      for(int copies = 0; copies < 2; ++copies) // normals have the form of points
+        for(const tool::Point& p : mesh.mesh.points())
+          text += std::to_string(p[0]) + ' ' + std::to_string(p[1]) + ' ' + std::to_string(p[2]) + '\n';
+      const std::size_t faces = mesh.mesh.number_of_faces();
+      text += '\n' + std::to_string(faces) + '\n' + std::to_string(colours) + '\n';
+      for(std::size_t i = 0; i < (colours == 0 ? 1 : colours == 1 ? faces : mesh.mesh.number_of_vertices()); ++i)
+        text += "1 0 0.5 1\n";
+      for(std::size_t f = 1; f < faces; ++f)
+        text += ' ' + std::to_string(3 * f);
+      text += ' ' + ends + '\n';
+      for(std::size_t f = 0; f < faces; ++f)
+        for(const int corner : mesh.mesh.triangle(f))
+          text += ' ' + std::to_string(corner);
+      return text;
+    };
+    const std::string end = std::to_string(3 * mesh.mesh.number_of_faces());
+    for(const int colours : {0, 1, 2}) {
+      write_text(scratch / "in.obj", mni(colours, end));
+      CHECK(have_same_triangles(tool::read_mesh(scratch / "in.obj").mesh, mesh.mesh));
+    }
+    for(const auto& [text, word] : {std::pair(mni(3, end), "0, 1 or 2"),
+                                    {mni(0, end + " x"), "the vertex -1"},
+                                    {mni(0, "1"), "fewer than three corners"},
+                                    {mni(0, "99999"), "the vertex -1"},
+                                    {mni(0, end).substr(0, 800), "cut short"},
+                                    {"P 1 1 1 1 1 999999999 1 1 1"s, "'999999999' points"}}) {
+      write_text(scratch / "broken.obj", text);
+      CAPTURE(word);
+      check_refused(scratch, scratch / "broken.obj", word);
+    }
+    const Process_result run = run_tool({"map", scratch / "in.obj", "-o", scratch / "out.off", "--format", "mni"});
+    CHECK(run.exit_code == 2);
+  }
+  SECTION("GIFTI of before the standard")
+  {
+    write(scratch / "in.gii", {tool::Mesh_format::GIFTI}, mesh);
+    std::string text = text_of(scratch / "in.gii");
+    const auto replace = [&](const std::string& from, const std::string& to) {
+      REQUIRE(contains(text, from));
+      for(std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+        text.replace(at, from.size(), to);
+    };
+    replace("\"GZipBase64Binary\"", "\"GIFTI_ENCODING_B64GZ\"");
+    replace("\"LittleEndian\"", "\"GIFTI_ENDIAN_LITTLE\"");
+    const tool::Triangles triangles = triangles_of("old.gii", text);
+    REQUIRE(triangles.size() == mesh.mesh.number_of_faces());
+    CHECK(triangles[0] == mesh.mesh.triangle(0));
+  }
+  SECTION("OBJ files of Viewpoint DataLabs have comments behind a dollar sign")
+  {
+    CHECK(triangles_of("in.obj", "# cow\n$ contributed\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").size() == 1);
+  }
+}
+
+TEST_CASE("formats: polygons are cut along diagonals that lie in them", "[tool][formats]")
+{
+  Random random(7);
+  const auto area = [](const std::vector<std::array<double, 3>>& points, const std::array<int, 3>& triangle) {
+    const auto at = [&](int k) {
+      const auto& p = points[static_cast<std::size_t>(triangle[static_cast<std::size_t>(k)])];
+      return Point(p[0], p[1], p[2]);
+    };
+    return CGAL::cross_product(at(1) - at(0), at(2) - at(0)) / 2;
+  };
+  const auto check = [&](const std::vector<std::array<double, 3>>& points) {
+    tool::Soup soup;
+    soup.points = points;
+    std::vector<int> corners(points.size());
+    std::iota(corners.begin(), corners.end(), 0);
+    soup.add_face({0, 1, 2});
+    soup.add_face(corners);
+    soup.add_face({2, 1, 0});
+    const tool::Triangles fan = soup.triangles;
+    tool::cut_polygons(soup);
+    REQUIRE(soup.triangles.size() == fan.size());
+    CHECK(soup.triangles.front() == fan.front());
+    CHECK(soup.triangles.back() == fan.back());
+    CGAL::Vector_3<Kernel> sum(0, 0, 0);
+    std::map<std::pair<int, int>, int> halfedges;
+    double areas = 0;
+    for(std::size_t f = 1; f + 1 < soup.triangles.size(); ++f) {
+      const CGAL::Vector_3<Kernel> normal = area(points, soup.triangles[f]);
+      sum = sum + normal;
+      areas += std::sqrt(normal.squared_length());
+      for(std::size_t k = 0; k < 3; ++k)
+        ++halfedges[{soup.triangles[f][k], soup.triangles[f][(k + 1) % 3]}];
+    }
+    CHECK(areas == Approx(std::sqrt(sum.squared_length())).epsilon(1e-9)); // nothing is folded back
+    for(const auto& [ends, times] : halfedges) {
+      CHECK(times == 1);
+      const bool is_side = ends.second == (ends.first + 1) % static_cast<int>(points.size());
+      CHECK(halfedges.count({ends.second, ends.first}) == (is_side ? 0 : 1));
+    }
+    return std::equal(fan.begin(), fan.end(), soup.triangles.begin());
+  };
+  for(int i = 0; i < 200; ++i) { // stars in planes of all directions, every third one with corners on a straight line
+    const int n = 4 + i % 40;
+    const Point u(random.number(), random.number(), random.number()),
+      v(random.number(), random.number(), random.number());
+    std::vector<std::array<double, 3>> points;
+    for(int k = 0; k < n; ++k) {
+      const double angle = 2 * CGAL_PI * k / n, r = 1 + .9 * random.number(), x = r * std::cos(angle),
+                   y = r * std::sin(angle);
+      points.push_back({x * u.x() + y * v.x(), x * u.y() + y * v.y(), x * u.z() + y * v.z()});
+    }
+    if(i % 3 == 0) {
+      std::vector<std::array<double, 3>> finer;
+      for(std::size_t k = 0; k < points.size(); ++k) {
+        finer.push_back(points[k]);
+        finer.push_back({});
+        for(std::size_t axis = 0; axis < 3; ++axis)
+          finer.back()[axis] = (points[k][axis] + points[(k + 1) % points.size()][axis]) / 2;
+      }
+      points = std::move(finer);
+    }
+    check(points);
+  }
+  CHECK(check({{{0, 0, 0}}, {{1, 0, 0}}, {{1, 1, 0}}, {{0, 1, 0}}})); // a convex one keeps its fan
+  CHECK_FALSE(check({{{0, 0, 0}}, {{.1, .1, 0}}, {{1, 0, 0}}, {{0, 1, 0}}}));
+  check({{{0, 0, 0}},
+         {{3, 0, 0}},
+         {{3, 3, 0}},
+         {{0, 3, 0}},
+         {{0, 0, 0}}, // cut open to a hole
+         {{1, 1, 0}},
+         {{1, 2, 0}},
+         {{2, 2, 0}},
+         {{2, 1, 0}},
+         {{1, 1, 0}}});
+
+  Scratch scratch;
+  write_text(scratch / "in.off", "OFF\n4 1 0\n0 0 0\n1 1 0\n10 0 0\n0 10 0\n4 0 1 2 3\n");
+  CHECK((tool::read_triangles(scratch / "in.off").triangles[0] != std::array<int, 3>{0, 1, 2}));
 }
 
 TEST_CASE("formats: points that are not numbers are not compared with each other", "[tool][formats]")

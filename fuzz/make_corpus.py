@@ -44,6 +44,11 @@ def obj(relative=False, slashes=""):
     return text + "".join("f " + " ".join(f"{i - 4 if relative else i + 1}{slashes}" for i in f) + "\n" for f in FACES)
 
 
+def mni(colours=0):
+    text = "P 0.3 0.3 0.4 10 1 4\n" + 2 * rows(faces=[]) + f"\n4\n{colours}" + " 1 0 0.5 1" * (4 if colours else 1)
+    return text + "\n 3 6 9 12\n" + "".join(" ".join(map(str, f)) + "\n" for f in FACES)
+
+
 def stl_text():
     text = "solid by hand\n"
     for f in FACES:
@@ -78,6 +83,7 @@ MESHES = {
     "obj": {
         "plain": obj(), "relative": obj(relative=True), "slashes": obj(slashes="/1/1"), "normals": obj(slashes="//1"),
         "continued": obj().replace("f 1 3", "f 1 \\\n 3"), "zero": obj().replace("f 1 ", "f 0 "), "points_only": obj().split("f ")[0],
+        "mni": mni(), "mni_colours": mni(2), "concave": "v 0 0 0\nv 1 1 0\nv 9 0 0\nv 0 9 0\nf 1 2 3 4\nf 4 3 2 1\n",
     },
     "stl": {"text": stl_text(), "binary": stl_binary(), "cut_short": stl_binary()[:-30], "loud": stl_text().upper()},
     "txt": {"fixed": "0 1 0 0\n3 0 1 0\n7 0 0 2.5 # a comment\n", "twice": "0 1 0 0\n0 0 1 0\n"},
@@ -177,13 +183,14 @@ def vtk(kind, version="4.2", dataset="POLYDATA"):
     else:
         body += (b"CELLS" if dataset != "POLYDATA" else b"POLYGONS") + b" 4 16\n" + numbers("i", *((3,) + f for f in FACES))
     if dataset != "POLYDATA":
-        body += b"CELL_TYPES 4\n" + numbers("i", (5, 5, 5, 5))
+        body += b"CELL_TYPES 4\n" + numbers("i", (5, 6, 7, 5))
+        body += b"FIELD FieldData 1\ntexts 1 2 string\n" + (b"a\nb%20c\n" if kind == "ASCII" else b"\xc1a\x80\3b c\n")
     body += b"POINT_DATA 4\nSCALARS a%20b double 1\nLOOKUP_TABLE default\n" + numbers("d", (1, 2.5, -1, 0))
     body += b"FIELD FieldData 2\nkind 1 4 int\n" + numbers("i", (1, 2, 1, 7)) + b"METADATA\nINFORMATION 0\n\nv 2 4 short\n" + numbers("h", range(8))
     return body + b"NORMALS n float\n" + numbers("f", *POINTS)
 
 
-def vtp(form, is_compressed=False, encoding="base64"):
+def vtp(form, is_compressed=False, encoding="base64", dataset="PolyData"):
     appended = []
 
     def array(name, kind, numbers, components=1):
@@ -205,12 +212,15 @@ def vtp(form, is_compressed=False, encoding="base64"):
         return head + f' offset="{sum(map(len, appended[:-1]))}"/>'
 
     compressor = ' compressor="vtkZLibDataCompressor"' if is_compressed else ""
-    text = f'<?xml version="1.0"?>\n<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian"{compressor}><PolyData>'
-    text += '<Piece NumberOfPoints="4" NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" NumberOfPolys="4"><PointData>'
+    text = f'<?xml version="1.0"?>\n<VTKFile type="{dataset}" version="0.1" byte_order="LittleEndian"{compressor}><{dataset}>'
+    cells = "Polys" if dataset == "PolyData" else "Cells"
+    text += f'<Piece NumberOfPoints="4" NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" NumberOf{cells}="4"><PointData>'
     text += array("a", ("d", "Float64"), [1, 2.5, -1, 0]) + array("kind", ("q", "Int64"), [1, 2, 1, 7]) + "</PointData><Points>"
-    text += array("Points", ("f", "Float32"), [x for p in POINTS for x in p], 3) + "</Points><Polys>"
+    text += array("Points", ("f", "Float32"), [x for p in POINTS for x in p], 3) + f"</Points><{cells}>"
     text += array("connectivity", ("i", "Int32"), [i for f in FACES for i in f]) + array("offsets", ("i", "Int32"), [3, 6, 9, 12])
-    text = (text + "</Polys></Piece></PolyData>").encode()
+    if dataset != "PolyData":
+        text += array("types", ("B", "UInt8"), [5, 6, 7, 5])
+    text = (text + f"</{cells}></Piece></{dataset}>").encode()
     if appended:
         text += f'<AppendedData encoding="{encoding}">_'.encode() + b"".join(appended) + b"</AppendedData>"
     return text + b"</VTKFile>"
@@ -228,9 +238,10 @@ DATA = {
     "ply": {"ascii": ply("ascii", "property uchar red\n"), "binary": ply("binary_little_endian", "property uchar kind\n"),
             "big": ply("binary_big_endian", "property char kind\n")},
     "vtk": {"text": vtk("ASCII"), "bytes": vtk("BINARY"), "text_5": vtk("ASCII", "5.1"), "bytes_5": vtk("BINARY", "5.1"),
-            "cells": vtk("BINARY", dataset="UNSTRUCTURED_GRID"), "cut_short": vtk("BINARY")[:-60]},
+            "cells": vtk("BINARY", dataset="UNSTRUCTURED_GRID"), "cells_text": vtk("ASCII", dataset="UNSTRUCTURED_GRID"), "cut_short": vtk("BINARY")[:-60]},
     "vtp": {"text": vtp("ascii"), "base64": vtp("binary"), "zlib": vtp("binary", True), "raw": vtp("appended", encoding="raw"),
-            "raw_zlib": vtp("appended", True, "raw"), "appended": vtp("appended", True), "cut_short": vtp("appended", True, "raw")[:-80]},
+            "raw_zlib": vtp("appended", True, "raw"), "appended": vtp("appended", True),
+            "cells": vtp("binary", dataset="UnstructuredGrid"), "cut_short": vtp("appended", True, "raw")[:-80]},
 }
 
 # Bytes of a good index that are other ones: offset in two bytes, value.

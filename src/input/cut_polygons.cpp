@@ -26,31 +26,40 @@ Vector normal(const Vector& a, const Vector& b, const Vector& c)
 class Ear_clipping {
 public:
   Ear_clipping(const std::vector<Vector>& points, const std::vector<int>& corners, const Vector& normal)
-    : points_(points), corners_(corners), before_(corners.size()), after_(corners.size())
+    : point_(corners.size()), before_(corners.size()), after_(corners.size()), order_(corners.size()),
+      is_left_(corners.size(), 1)
   {
+    std::size_t axis = 0;
     for(std::size_t k = 0; k < 3; ++k)
-      if(std::abs(normal[k]) > std::abs(normal[axis_]))
-        axis_ = k;
-    is_seen_from_behind_ = normal[axis_] < 0;
+      if(std::abs(normal[k]) > std::abs(normal[axis]))
+        axis = k;
+    const double side = normal[axis] < 0 ? -1 : 1; // from which the polygon is seen
+    for(std::size_t i = 0; i < corners.size(); ++i) {
+      const Vector& p = points[static_cast<std::size_t>(corners[i])];
+      point_[i] = {p[(axis + 1) % 3], side * p[(axis + 2) % 3]};
+    }
     std::iota(before_.begin() + 1, before_.end(), 0);
     std::iota(after_.begin(), after_.end() - 1, 1);
-    before_.front() = static_cast<int>(corners.size()) - 1;
+    before_.front() = corners.size() - 1;
     after_.back() = 0;
+    std::iota(order_.begin(), order_.end(), 0);
+    std::sort(order_.begin(), order_.end(), [&](std::size_t i, std::size_t j) { return point_[i][0] < point_[j][0]; });
   }
 
-  /// Of n corners, `use(triangle)` is called for n - 2 triangles.
+  /// Of n corners, `use(i, j, k)` is called for n - 2 triangles.
   template <class Use>
   void clip(Use use)
   {
-    int corner = 1, refused = 0;
-    for(int left = static_cast<int>(corners_.size()); left > 2;) {
+    std::size_t corner = 1, refused = 0;
+    for(std::size_t left = point_.size(); left > 2;) {
       if(left > 3 && refused < left && !is_ear(corner)) {
         ++refused;
         corner = after_[corner];
         continue;
       }
-      const int before = before_[corner], after = after_[corner];
-      use({corners_[before], corners_[corner], corners_[after]});
+      const std::size_t before = before_[corner], after = after_[corner];
+      use(before, corner, after);
+      is_left_[corner] = 0;
       after_[before] = after;
       before_[after] = before;
       corner = after_[after]; // not the next one: ears in turn make triangles less thin
@@ -60,32 +69,35 @@ public:
   }
 
 private:
-  const Vector& point(int corner) const { return points_[static_cast<std::size_t>(corners_[corner])]; }
+  using Point = std::array<double, 2>;
 
-  /// Twice the area of a triangle in the projection.
-  double area(int a, int b, int c) const
+  /// Twice the area of a triangle.
+  static double area(const Point& a, const Point& b, const Point& c)
   {
-    const double area = normal(point(a), point(b), point(c))[axis_];
-    return is_seen_from_behind_ ? -area : area;
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
   }
 
-  bool is_ear(int b) const
+  bool is_ear(std::size_t corner) const
   {
-    const int a = before_[b], c = after_[b];
+    const Point &a = point_[before_[corner]], &b = point_[corner], &c = point_[after_[corner]];
     if(!(area(a, b, c) > 0))
       return false;
-    for(int d = after_[c]; d != a; d = after_[d])
-      if(area(a, b, d) >= 0 && area(b, c, d) >= 0 && area(c, a, d) >= 0 && point(d) != point(a) &&
-         point(d) != point(b) && point(d) != point(c)) // which are the same in a polygon cut open to its holes
+    const auto [least, largest] = std::minmax({a[0], b[0], c[0]});
+    auto i =
+      std::lower_bound(order_.begin(), order_.end(), least, [&](std::size_t j, double x) { return point_[j][0] < x; });
+    for(; i != order_.end() && point_[*i][0] <= largest; ++i) {
+      const Point& p = point_[*i];
+      const bool is_corner = p == a || p == b || p == c; // or at its place, where a polygon is cut open to its holes
+      if(is_left_[*i] && !is_corner && area(a, b, p) >= 0 && area(b, c, p) >= 0 && area(c, a, p) >= 0)
         return false;
+    }
     return true;
   }
 
-  const std::vector<Vector>& points_;
-  const std::vector<int>& corners_;
-  std::vector<int> before_, after_; ///< of the corners that are left
-  std::size_t axis_ = 0;
-  bool is_seen_from_behind_ = false;
+  std::vector<Point> point_;                ///< in the projection, counterclockwise
+  std::vector<std::size_t> before_, after_; ///< of the corners that are left
+  std::vector<std::size_t> order_;          ///< from left to right
+  std::vector<char> is_left_;
 };
 
 } // namespace
@@ -117,7 +129,9 @@ void cut_polygons(Soup& soup)
       for(auto triangle = fan; triangle != end; ++triangle)
         corners.push_back((*triangle)[2]);
       auto triangle = fan;
-      Ear_clipping(soup.points, corners, sum).clip([&](const std::array<int, 3>& ear) { *triangle++ = ear; });
+      Ear_clipping(soup.points, corners, sum).clip([&](std::size_t i, std::size_t j, std::size_t k) {
+        *triangle++ = {corners[i], corners[j], corners[k]};
+      });
     }
     fan = end;
     face = polygon.face + 1;

@@ -14,7 +14,7 @@ typedef Watched_loop<Host_loop> Loop;
 template std::vector<int> segments_of(const Loop&, Mapped_surface, std::vector<double>, const Majority_vote&);
 template std::vector<int> segments_of(const Loop&, Mapped_surface, std::vector<double>, const Girth_profiles&);
 template std::vector<int> segments_of(const Loop&, Mapped_surface, std::vector<double>, const Region_growing&);
-template Signature_values signature_values(const Host_loop&, const Mapped_surface&);
-template Texture_layout texture_layout(const Host_loop&, const Valid_map&, const Texture_options&);
+template Signature_values signature_values(const Loop&, const Mapped_surface&);
+template Texture_layout texture_layout(const Loop&, const Valid_map&, const Texture_options&);
 
 } // namespace CGAL::Spherical_parameterization::internal

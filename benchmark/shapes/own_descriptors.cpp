@@ -28,6 +28,8 @@ using SP::internal::Discrete_surface;
 using SP::internal::Histogram;
 using SP::internal::Mapped_surface;
 const SP::internal::Host_loop one_core;
+SP::internal::Monitor nobody;
+const SP::internal::Watched_loop<SP::internal::Host_loop> watched(one_core, nobody);
 
 constexpr std::size_t girths = Shape_signature::coarse_bins + Shape_signature::fine_bins;
 
@@ -36,14 +38,14 @@ Descriptor_values without_poisson(const Mesh& mesh, Sphere_map sphere)
 {
   const Mapped_surface map =
     SP::internal::read_map(mesh, mesh.points(), sphere, SP::internal::Reading::BREADTH_FIRST, one_core);
-  const Conformal_factor factor(one_core, map);
+  const Conformal_factor factor(watched, map);
   Mesh copy = mesh;
   const auto stretch = copy.add_property_map<Mesh::Vertex_index, double>("v:stretch").first;
   SP::vertex_log_area_stretch(mesh, sphere, stretch);
   Discrete_surface::Vector u(factor.surface.size());
   for(int i = 0; i < u.size(); ++i)
     u[i] = -stretch[Mesh::Vertex_index(map.position[i])];
-  u = SP::internal::smoothed(one_core, factor.surface, u, 0.003);
+  u = SP::internal::smoothed(watched, factor.surface, u, 0.003);
   Shape_signature signature;
   SP::internal::add_girths(factor.surface, u, signature.values);
   SP::internal::add_limbs(factor.surface, u, signature.values);
@@ -56,9 +58,9 @@ Descriptor_values first_version(const Mesh& mesh, Sphere_map sphere)
   constexpr std::size_t limbs = 12;
   const Mapped_surface map =
     SP::internal::read_map(mesh, mesh.points(), sphere, SP::internal::Reading::BREADTH_FIRST, one_core);
-  const Conformal_factor factor(one_core, map);
+  const Conformal_factor factor(watched, map);
   const Discrete_surface& surface = factor.surface;
-  const Discrete_surface::Vector u = SP::internal::smoothed(one_core, surface, factor.u, 0.003);
+  const Discrete_surface::Vector u = SP::internal::smoothed(watched, surface, factor.u, 0.003);
   const Discrete_surface::Vector gradient = surface.gradient_norm(u);
   Histogram histogram(32, -1, 5);
   for(int i = 0; i < surface.size(); ++i)

@@ -169,8 +169,9 @@ py::tuple texture_coordinates(const Doubles& points, const py::array& triangles,
   const Mesh mesh = make_mesh(points, triangles);
   Doubles uv = make_array<double>(mesh.number_of_faces(), 3, 2);
   const auto map = corner_map(reinterpret_cast<UV*>(uv.mutable_data()));
-  const SP::Texture_report r =
-    on(policy, [&](const auto& p) { return SP::texture_coordinates(p, mesh, sphere_of(sphere), map, options); });
+  const SP::Texture_report r = on_watched(policy, [&](const auto& p, const auto& np) {
+    return SP::texture_coordinates(p, mesh, sphere_of(sphere), map, options, np);
+  });
   return py::make_tuple(uv, r.axes.north, r.axes.meridian, r.seam_faces, r.pole_faces, r.moved_faces,
                         r.unresolved_faces, r.largest_move);
 }
@@ -338,8 +339,8 @@ Doubles shape_signature(const Doubles& points, const py::array& triangles, const
                         const std::string& policy)
 {
   const Mesh mesh = make_mesh(points, triangles);
-  const SP::Shape_signature signature =
-    on(policy, [&](const auto& p) { return SP::shape_signature(p, mesh, sphere_of(sphere)); });
+  const SP::Shape_signature signature = on_watched(
+    policy, [&](const auto& p, const auto& np) { return SP::shape_signature(p, mesh, sphere_of(sphere), np); });
   return Doubles(static_cast<py::ssize_t>(signature.values.size()), signature.values.data());
 }
 

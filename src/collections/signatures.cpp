@@ -69,7 +69,7 @@ void sign(const std::string& file, bool mends, Signature_row& row)
       sphere = std::move(barycentric);
     }
   }
-  row.signature = SP::shape_signature(mesh, as_map(sphere));
+  row.signature = SP::shape_signature(CGAL::Sequential_tag(), mesh, as_map(sphere), stopped_by_signals());
   row.form = SP::shape_form(mesh);
 }
 

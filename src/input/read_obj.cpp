@@ -67,7 +67,7 @@ private:
         read_vertex();
       else if(keyword == "f")
         read_face();
-      else if(keyword[0] != '$' && // which begins comments in files of Viewpoint DataLabs
+      else if(keyword.substr(0, 1) != "$" && // which begins comments in files of Viewpoint DataLabs
               std::find(std::begin(other_statements), std::end(other_statements), keyword) ==
                 std::end(other_statements))
         lines_.refuse("begins with " + in_quotes(keyword) + ", which is not a statement of the OBJ format",

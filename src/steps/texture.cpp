@@ -108,8 +108,10 @@ void texture(const Own_options& options, Run& run)
 
   // one per halfedge
   std::vector<Uv> uv(3 * input.mesh().number_of_faces());
-  const SP::Texture_report report = SP::texture_coordinates(input.mesh(), as_map(input.sphere),
-                                                            as_map<Mesh::Halfedge_index>(uv), texture_options(options));
+  const SP::Texture_report report = on_host(input, [&](const auto& policy) {
+    return SP::texture_coordinates(policy, input.mesh(), as_map(input.sphere), as_map<Mesh::Halfedge_index>(uv),
+                                   texture_options(options), stopped_by_signals());
+  });
   if(input.prepared)
     uv = coordinates_of_file(*input.prepared, uv);
   if(has_files_beside) {

@@ -104,7 +104,7 @@ TEST_CASE("who has been told to stop is not asked again, and the reason is kept"
       FAIL("it went on");
     } catch(const SP::Error& error) {
       CHECK(error.code() == SP::Error_code::INTERRUPTED);
-      CHECK(error.detail() == "the time limit was reached before there was a map");
+      CHECK(error.detail() == "the time limit was reached");
     }
   }
 }

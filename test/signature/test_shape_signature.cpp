@@ -309,3 +309,28 @@ TEST_CASE("signature: the same bits on several threads", "[signature]")
         SP::shape_signature(CGAL::Parallel_tag(), mesh, round.points()).values);
 }
 #endif
+
+TEST_CASE("signatures: callback and time limit end them", "[signature]")
+{
+  const Soup small = icosphere(3), large = icosphere(7); // by factorization, and by multigrid
+  const auto call = [](const Soup& soup, const auto& np) -> std::string {
+    try {
+      SP::shape_signature(CGAL::Parallel_if_available_tag(), make_mesh(soup),
+                          Readable_map<Vertex, Point>{[&](const Vertex& v) { return soup.points[v]; }}, np);
+    } catch(const SP::Error& error) {
+      CHECK(error.code() == SP::Error_code::INTERRUPTED);
+      return error.detail();
+    }
+    return "";
+  };
+  int calls = 0;
+  CHECK(call(large, CGAL::parameters::callback([&](double) { return ++calls > 0; })).empty());
+  CHECK(calls > 20);
+  for(const int most : {0, 1, 2, 10, 20}) {
+    int left = most;
+    CHECK(call(large, CGAL::parameters::callback([&](double) { return left-- > 0; })) == "stopped by the callback");
+  }
+  int left = 1;
+  CHECK(call(small, CGAL::parameters::callback([&](double) { return left-- > 0; })) == "stopped by the callback");
+  CHECK(call(small, CGAL::parameters::maximum_running_time(0)) == "the time limit was reached");
+}

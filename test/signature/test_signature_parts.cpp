@@ -25,6 +25,8 @@ using SP::Stretch_histogram;
 namespace {
 
 const Host_loop one_core;
+Monitor nobody;
+const Watched_loop<Host_loop> watched(one_core, nobody);
 
 /// With its own points as images.
 Mapped_surface surface_of(const Mesh& mesh)
@@ -91,7 +93,7 @@ TEST_CASE("discrete surface: area and curvature are 4 pi, the Laplacian is what 
   CHECK(surface.mass().sum() == Approx(4 * pi));
   CHECK(surface.defect().sum() == Approx(4 * pi)); // Gauss and Bonnet
   CHECK((surface.laplacian() * one).cwiseAbs().maxCoeff() < 1e-9);
-  CHECK((smoothed(one_core, surface, one, 0.1) - one).cwiseAbs().maxCoeff() < 1e-9);
+  CHECK((smoothed(watched, surface, one, 0.1) - one).cwiseAbs().maxCoeff() < 1e-9);
 }
 
 TEST_CASE("discrete surface: harmonics of the sphere", "[signature]")
@@ -106,10 +108,10 @@ TEST_CASE("discrete surface: harmonics of the sphere", "[signature]")
   }
   // z is an eigenfunction, of the eigenvalue 2
   CHECK((surface.laplacian() * z - 2 * surface.mass().cwiseProduct(z)).norm() < 0.01 * surface.mass().norm());
-  Discrete_surface::Vector x = Surface_solver<Host_loop>(one_core, surface)(2 * surface.mass().cwiseProduct(z));
+  Discrete_surface::Vector x = Surface_solver<>(watched, surface)(2 * surface.mass().cwiseProduct(z));
   x.array() -= x.mean();
   CHECK((x - z).cwiseAbs().maxCoeff() < 0.01);
-  CHECK((smoothed(one_core, surface, z, 0.5) - z / 2).cwiseAbs().maxCoeff() < 0.01); // 1 / (1 + 2 t)
+  CHECK((smoothed(watched, surface, z, 0.5) - z / 2).cwiseAbs().maxCoeff() < 0.01); // 1 / (1 + 2 t)
   CHECK((surface.gradient_norm(z) - slope).cwiseAbs().maxCoeff() < 0.05);
 }
 
@@ -118,7 +120,7 @@ TEST_CASE("discrete surface: large ones are solved as accurately as small ones",
   const Discrete_surface surface(triangulation_of(bumpy_sphere(7)));
   REQUIRE(surface.size() > 100000); // by multigrid
   const Discrete_surface::Vector b = surface.mass() - surface.defect();
-  CHECK((surface.laplacian() * Surface_solver<Host_loop>(one_core, surface)(b) - b).norm() < 1e-6 * b.norm());
+  CHECK((surface.laplacian() * Surface_solver<>(watched, surface)(b) - b).norm() < 1e-6 * b.norm());
 }
 
 TEST_CASE("discrete surface: a singular system is refused, and not solved with what is in the memory", "[signature]")
@@ -126,7 +128,7 @@ TEST_CASE("discrete surface: a singular system is refused, and not solved with w
   Mapped_surface source = surface_of(make_mesh(icosphere(1)));
   source.point.push_back({1, 1, 1}); // a vertex without triangles: its row is zero
   const Discrete_surface surface(Intrinsic_triangulation(source.copy_of_corner_table(one_core), source.point));
-  CHECK_THROWS_AS(Surface_solver<Host_loop>(one_core, surface), SP::Error);
+  CHECK_THROWS_AS(Surface_solver<>(watched, surface), SP::Error);
 }
 
 TEST_CASE("midpoint refinement: the same surface in four times as many faces", "[signature]")
@@ -151,7 +153,7 @@ TEST_CASE("conformal factor: the sphere is mapped to itself without stretch", "[
 {
   const Soup soup = icosphere(4);
   const Mesh mesh = make_mesh(soup);
-  const Conformal_factor factor(one_core, surface_of(mesh));
+  const Conformal_factor factor(watched, surface_of(mesh));
   CHECK(factor.u.cwiseAbs().maxCoeff() < 0.01);
 }
 
@@ -167,7 +169,7 @@ TEST_CASE("conformal factor: that of a boost of the sphere", "[signature]")
     return Point(q.x, q.y, q.z);
   }};
   const Mapped_surface source = read_map(mesh, mesh.points(), images, Reading::BREADTH_FIRST, one_core);
-  const Conformal_factor factor(one_core, source);
+  const Conformal_factor factor(watched, source);
   for(int i = 0; i < factor.surface.size(); ++i) {
     const Point p = mesh.point(Mesh::Vertex_index(Mesh::size_type(source.position[std::size_t(i)])));
     const vec3 d = sub({p.x(), p.y(), p.z()}, c);

@@ -15,7 +15,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <random>
+#include <string>
 
 using namespace test;
 using SP::Texture_chart;
@@ -394,3 +396,31 @@ TEST_CASE("textures are the same bits on several threads", "[texture]")
   CHECK(a.largest_move == b.largest_move);
 }
 #endif
+
+TEST_CASE("texture coordinates: callback and time limit end them before anything is written", "[texture]")
+{
+  const Soup soup = icosphere(6);
+  const Mesh mesh = make_mesh(soup);
+  const auto call = [&](const auto& np) {
+    std::map<Halfedge, Point_2> uv;
+    std::string detail;
+    try {
+      SP::texture_coordinates(CGAL::Parallel_if_available_tag(), mesh,
+                              Readable_map<Mesh::Vertex_index, Point>{[&](auto v) { return soup.points[v]; }},
+                              Writable_map<Halfedge, Point_2>{&uv}, Texture_options(), np);
+    } catch(const SP::Error& error) {
+      CHECK(error.code() == SP::Error_code::INTERRUPTED);
+      detail = error.detail();
+    }
+    CHECK(uv.empty() != detail.empty());
+    return detail;
+  };
+  int calls = 0;
+  CHECK(call(CGAL::parameters::callback([&](double) { return ++calls > 0; })).empty());
+  CHECK(calls >= 3);
+  for(const int most : {0, 1, 2}) {
+    int left = most;
+    CHECK(call(CGAL::parameters::callback([&](double) { return left-- > 0; })) == "stopped by the callback");
+  }
+  CHECK(call(CGAL::parameters::maximum_running_time(0)) == "the time limit was reached");
+}

@@ -73,8 +73,7 @@ Segmentation_result segment(const Host_loop& loop, const TriangleMesh& mesh, Ver
     }
   } catch(const Input_error& error) {
     result.error = error.code();
-    // The multigrid of the creases would say that there is no map yet.
-    result.detail = error.code() == Error_code::INTERRUPTED ? monitor.reason() : error.detail();
+    result.detail = error.detail();
   }
   return result;
 }

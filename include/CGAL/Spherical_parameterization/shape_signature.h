@@ -5,6 +5,8 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_SHAPE_SIGNATURE_H
 
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
+#include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
+#include <CGAL/Spherical_parameterization/internal/context/make_monitor.h>
 #include <CGAL/Spherical_parameterization/internal/api/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
 #include <CGAL/Spherical_parameterization/internal/signature/signature_values.h>
@@ -61,9 +63,11 @@ inline double distance(const Shape_signature& a, const Shape_signature& b)
 /// \param sphere_map  readable, key vertex_descriptor, value unit vectors; a conformal map to the sphere whose centroid
 ///        of the source area is at the centre, as `parameterize()` computes it. The map needs to be accurate only where
 ///        the sphere is large: a map that is not bijective in thin limbs can be used, and so can a barycentric one.
-/// \param np  optional named parameters: `vertex_point_map`, by default the mesh's own
+/// \param np  optional named parameters: `vertex_point_map`, by default the mesh's own; `callback` and
+///        `maximum_running_time`, as in `parameterize()`
 /// \return the signature
-/// \throws Error  if the mesh is not closed, of genus 0, finite and of positive area, or if the map has no area
+/// \throws Error  if the mesh is not closed, of genus 0, finite and of positive area, or if the map has no area;
+///                `INTERRUPTED`
 ///
 /// Complexity: up to 100,000 vertices that of two sparse Cholesky factorizations (10 ms for 5,000 vertices), on one
 /// core whatever the policy; beyond that linear (multigrid).
@@ -73,9 +77,12 @@ Shape_signature shape_signature(const ExecutionPolicy& policy, const TriangleMes
                                 const CGAL_NP_CLASS& np = parameters::default_values())
 {
   const auto loop = internal::host_loop(policy);
-  return Shape_signature{
-    internal::signature_values(loop, internal::read_map(mesh, internal::vertex_points(mesh, np), sphere_map,
-                                                        internal::Reading::BREADTH_FIRST, loop))};
+  internal::Monitor monitor = internal::make_monitor(np);
+  const internal::Mapped_surface map =
+    internal::read_map(mesh, internal::vertex_points(mesh, np), sphere_map, internal::Reading::BREADTH_FIRST, loop);
+  const internal::Watched_loop watched(loop, monitor);
+  watched.advance(0);
+  return Shape_signature{internal::signature_values(watched, map)};
 }
 CGAL_SP_ON_ONE_CORE(shape_signature)
 

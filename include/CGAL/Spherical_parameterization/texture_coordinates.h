@@ -5,6 +5,8 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_TEXTURE_COORDINATES_H
 
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
+#include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
+#include <CGAL/Spherical_parameterization/internal/context/make_monitor.h>
 #include <CGAL/Spherical_parameterization/internal/api/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/plane.h>
 #include <CGAL/Spherical_parameterization/internal/api/precondition.h>
@@ -38,10 +40,11 @@ namespace CGAL::Spherical_parameterization {
 /// \param uv_map      writable, key halfedge_descriptor, value constructible from two doubles: the corner of face(h) at
 ///                    target(h)
 /// \param options     the chart, its axes on the sphere, and the grid of the coordinates
-/// \param np          optional named parameters: `vertex_point_map`, for the choice of the poles
+/// \param np          optional named parameters: `vertex_point_map`, for the choice of the poles; `callback` and
+///                    `maximum_running_time`, as in `parameterize()`
 /// \return the report
 /// \throws Error  for what is no closed, connected triangle mesh of genus 0, and for a map that is not valid: that has
-///         flipped faces, or a degree other than 1; before anything is written
+///         flipped faces, or a degree other than 1; `INTERRUPTED`; before anything is written
 /// \pre the axes are finite and not parallel, and there are 1 to 52 bits
 ///
 /// Complexity: O(n log n); the logarithm is for the choice of the poles.
@@ -54,12 +57,15 @@ Texture_report texture_coordinates(const ExecutionPolicy& policy, const Triangle
   typedef typename boost::property_traits<HalfedgeUVMap>::value_type UV;
   CGAL_SP_PRECONDITION(options.bits >= 1 && options.bits <= 52, "texture coordinates have 1 to 52 bits");
   const auto loop = internal::host_loop(policy);
+  internal::Monitor monitor = internal::make_monitor(np);
   constexpr auto checked = internal::Reading::CHECKED;
   const internal::Valid_map map(
     options.axes ? internal::read_map(mesh, sphere_map, checked, loop)
                  : internal::read_map(mesh, internal::vertex_points(mesh, np), sphere_map, checked, loop),
     loop);
-  const internal::Texture_layout layout = internal::texture_layout(loop, map, options);
+  const internal::Watched_loop watched(loop, monitor);
+  watched.advance(0);
+  const internal::Texture_layout layout = internal::texture_layout(watched, map, options);
   std::size_t i = 0;
   for(auto f : faces(mesh)) {
     const std::array<internal::vec2, 3>& uv = layout.uv[i++];

@@ -65,11 +65,11 @@ public:
   /// The same for loops, which ask every few microseconds: the callback is called every 5 ms only.
   bool may_loop_go_on() { return ask(0.005); }
 
-  /// The same where there is no map yet that could be handed out. Throws Error if the computation has to end.
+  /// The same where there is nothing yet that could be handed out. Throws Error if the computation has to end.
   void advance_or_throw(double fraction = 0)
   {
     if(!advance(fraction))
-      throw Input_error(Error_code::INTERRUPTED, reason_without_map());
+      throw Input_error(Error_code::INTERRUPTED, reason());
   }
 
   /// Share of the way, on a logarithmic scale, that a residual has come from `first` down to `goal`.

@@ -9,7 +9,7 @@
 #include <CGAL/Spherical_parameterization/values/Error.h>
 #include <CGAL/Spherical_parameterization/internal/backend/Host_backend.h>
 #include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
-#include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
+#include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Intrinsic_triangulation.h>
 #include <CGAL/Spherical_parameterization/internal/multigrid/Multigrid.h>
 
@@ -95,17 +95,18 @@ private:
 typedef Discrete_surface_of<> Discrete_surface;
 
 /// Solves (L + shift M) x = b on a surface, set up once for several right-hand sides.
-template <class Loop, class Surface = Discrete_surface>
+template <class Surface = Discrete_surface>
 class Surface_solver {
-  typedef Host_backend<Loop> Backend;
+  typedef Host_backend<Host_loop> Backend;
   typedef typename Surface::Vector Vector;
   typedef typename Surface::Matrix Matrix;
 
 public:
   /// \param shift  if 0, the right-hand sides have to sum to zero, and solutions are defined up to a constant
-  /// The surface has to outlive this. Throws Error if the system is singular.
-  Surface_solver(const Loop& loop, const Surface& surface, double shift = 0)
-    : surface_(surface), shift_(shift), backend_(loop)
+  /// The surface has to outlive this. Throws Error if the system is singular, and, like the operator, if the loop is
+  /// ended.
+  Surface_solver(const Watched_loop<Host_loop>& loop, const Surface& surface, double shift = 0)
+    : surface_(surface), shift_(shift), loop_(loop), backend_(loop.bare())
   {
     if(surface.size() > largest_factorized)
       set_up_multigrid();
@@ -136,6 +137,7 @@ private:
 
   void factorize()
   {
+    loop_.check();
     Matrix a = surface_.laplacian();
     if(shift_ > 0)
       a.diagonal() += shift_ * surface_.mass();
@@ -162,7 +164,7 @@ private:
       for(int i = 0; i < surface_.size(); ++i)
         graph->excess.push_back(shift_ * surface_.mass()[i]);
     graph->update_diagonal({}, backend_.host_loop());
-    multigrid_ = std::make_unique<Multigrid<Backend>>(backend_, graph);
+    multigrid_ = std::make_unique<Multigrid<Backend>>(backend_, graph, &loop_.monitor());
   }
 
   Vector solve_by_multigrid(const Vector& b)
@@ -172,8 +174,8 @@ private:
     for(int i = 0; i < surface_.size(); ++i)
       right[i] = make_vec3(b[i], 0, 0);
     typename Backend::Vectors solution = backend_.vectors(surface_.size());
-    Monitor monitor;
-    conjugate_gradients(backend_, *multigrid_, 0, std::move(right), accuracy, monitor, 0, solution);
+    conjugate_gradients(backend_, *multigrid_, 0, std::move(right), accuracy, loop_.monitor(), 0, solution);
+    loop_.check();
     Vector x(surface_.size());
     for(int i = 0; i < surface_.size(); ++i)
       x[i] = solution[i].x;
@@ -182,16 +184,18 @@ private:
 
   const Surface& surface_;
   double shift_;
+  Watched_loop<Host_loop> loop_;
   Backend backend_;
   std::unique_ptr<Multigrid<Backend>> multigrid_;
   Eigen::SimplicialLDLT<Matrix> cholesky_;
 };
 
 /// One implicit step of the heat equation, of time t: (M + t L)^-1 M x.
-template <class Loop, class Surface>
-typename Surface::Vector smoothed(const Loop& loop, const Surface& surface, const typename Surface::Vector& x, double t)
+template <class Surface>
+typename Surface::Vector smoothed(const Watched_loop<Host_loop>& loop, const Surface& surface,
+                                  const typename Surface::Vector& x, double t)
 {
-  return Surface_solver<Loop, Surface>(loop, surface, 1 / t)(surface.mass().cwiseProduct(x) / t);
+  return Surface_solver<Surface>(loop, surface, 1 / t)(surface.mass().cwiseProduct(x) / t);
 }
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -37,10 +37,9 @@ struct Conformal_factor {
   typename Surface::Vector u; ///< by vertex, those of the map first; the integral of e^u is 4 pi
 
   /// The mesh is refined until it has `fewest_vertices`.
-  /// Throws Error where the surface has no area, or the map none.
-  template <class Loop>
-  Conformal_factor(const Loop& loop, const Mapped_surface& map, int fewest_vertices = 0)
-    : fine(refined(checked(map, loop), fewest_vertices)), surface(Intrinsic_triangulation(fine, fine.point))
+  /// Throws Error where the surface has no area, or the map none, and if the loop is ended.
+  Conformal_factor(const Watched_loop<Host_loop>& loop, const Mapped_surface& map, int fewest_vertices = 0)
+    : fine(refined(checked(map, loop.bare()), fewest_vertices)), surface(Intrinsic_triangulation(fine, fine.point))
   {
     const typename Surface::Vector b = spherical_areas(map);
     const double total = b.sum();
@@ -50,7 +49,7 @@ struct Conformal_factor {
                           "the image of vertex " + std::to_string(map.position[i]) + " on the sphere");
     if(!(total > 0) || !std::isfinite(total))
       throw Input_error(Error_code::NOT_BIJECTIVE, "the sphere map has no area");
-    Surface_solver<Loop, Surface> solve(loop, surface);
+    Surface_solver<Surface> solve(loop, surface);
     typename Surface::Vector curvature = b * (4 * pi / total);
     for(int step = 0; step <= corrections; ++step) {
       u = 2 * solve(curvature - surface.defect());
@@ -67,8 +66,7 @@ struct Conformal_factor {
 private:
   static constexpr int corrections = 2; // more make up for little of clamping, and let coarse meshes drift along boosts
 
-  template <class Loop>
-  static Triangle_surface checked(const Mapped_surface& map, const Loop& loop)
+  static Triangle_surface checked(const Mapped_surface& map, const Host_loop& loop)
   {
     const Host_array<double>& area = map.face_area(loop);
     if(!(std::accumulate(area.begin(), area.end(), 0.) > 0))

@@ -69,6 +69,7 @@ Signature_values signature_values(const Loop& loop, const Mapped_surface& map)
   constexpr double smoothing_time = 0.003; // of a surface of area 4 pi: over a twentieth of the radius of that ball
   constexpr int fewest_vertices = 2000;    // coarser meshes are refined: their faces are as long as limbs are thick
   const Conformal_factor factor(loop, map, fewest_vertices);
+  loop.advance(0.7);
   const Discrete_surface::Vector u = smoothed(loop, factor.surface, factor.u, smoothing_time);
   Signature_values signature{};
   add_girths(factor.surface, u, signature);

@@ -5,6 +5,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_TEXTURE_LEAST_HARMFUL_POLES_H
 
 #include <CGAL/Spherical_parameterization/internal/api/compiled.h>
+#include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Mapped_surface.h>
 #include <CGAL/Spherical_parameterization/internal/distortion/Face_measures.h>
@@ -70,11 +71,11 @@ CGAL_SP_INLINE double texture_distortion(const std::vector<Face_sample>& samples
 }
 
 /// The vertex that as the south pole makes the texture of latitude and longitude least distorted.
-CGAL_SP_INLINE vec3 least_harmful_south_pole(const Host_loop& loop, const Mapped_surface& map)
+CGAL_SP_INLINE vec3 least_harmful_south_pole(const Watched_loop<Host_loop>& loop, const Mapped_surface& map)
 {
   constexpr int enough = 4000; // samples; every k-th face
   const int n = map.number_of_faces(), stride = (std::max)(1, n / enough);
-  const Host_array<double>& source_area = map.face_area(loop);
+  const Host_array<double>& source_area = map.face_area(loop.bare());
   const double total = std::accumulate(source_area.begin(), source_area.end(), 0.);
 
   std::vector<Face_sample> samples;
@@ -91,7 +92,7 @@ CGAL_SP_INLINE vec3 least_harmful_south_pole(const Host_loop& loop, const Mapped
   }
 
   std::vector<double> stretch(map.number_of_vertices);
-  for_each_fan(loop, map.face, map.number_of_vertices, [&](const Fan& fan) {
+  for_each_fan(loop.bare(), map.face, map.number_of_vertices, [&](const Fan& fan) {
     double in_source = 0, on_sphere = 0;
     for(int c : fan) {
       in_source += source_area[c / 3];
@@ -100,7 +101,9 @@ CGAL_SP_INLINE vec3 least_harmful_south_pole(const Host_loop& loop, const Mapped
     stretch[fan.vertex] = std::log((std::max)(in_source / total, 1e-300)) - std::log((std::max)(on_sphere, 1e-300));
   });
 
+  loop.advance(0.2);
   const std::vector<vec3> poles = pole_candidates(map.image, stretch);
+  loop.advance(0.6);
   std::vector<double> distortion(poles.size());
   loop.for_each(static_cast<int>(poles.size()), [&](int i) { distortion[i] = texture_distortion(samples, poles[i]); });
   return poles[std::min_element(distortion.begin(), distortion.end()) - distortion.begin()];

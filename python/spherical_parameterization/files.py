@@ -156,7 +156,9 @@ def _by_meshio(name: str, triangulate: bool) -> tuple[Doubles, Integers]:
     others = sorted({c.type for c in mesh.cells if c.type not in (*polygons, "vertex", "line")})
     if others:
         raise MeshError(ErrorCode.NOT_TRIANGULAR, f"{name} has cells of type {', '.join(others)}; triangulate it")
-    cells = [np.asarray(c.data) for c in mesh.cells if c.type in polygons]
+    cells = [np.ascontiguousarray(c.data, dtype=np.int64) for c in mesh.cells if c.type in polygons]
+    if any(cell.ndim != 2 or cell.shape[1] < 3 for cell in cells):
+        raise MeshError(ErrorCode.NOT_TRIANGULAR, f"{name} has faces of fewer than three vertices")
     if not cells:
         raise MeshError(ErrorCode.EMPTY_MESH, f"{name} has no triangles")
     points = np.ascontiguousarray(mesh.points, dtype=np.float64)

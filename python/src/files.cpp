@@ -35,7 +35,7 @@ py::tuple read_mesh(const std::string& file, bool triangulate)
   return py::make_tuple(rows_of<double>(soup.points), rows_of<std::int32_t>(soup.triangles));
 }
 
-typedef py::array_t<int, py::array::c_style | py::array::forcecast> Polygons;
+typedef py::array_t<std::int64_t, py::array::c_style> Polygons;
 
 /// The triangles of polygons that have been read from `file` by somebody else; each block has those of one size.
 py::array triangles_of(const std::string& file, const Doubles& points, const std::vector<Polygons>& blocks)
@@ -45,9 +45,12 @@ py::array triangles_of(const std::string& file, const Doubles& points, const std
   soup.points.assign(rows.begin(), rows.end());
   for(const Polygons& block : blocks)
     for(py::ssize_t i = 0; i < block.shape(0); ++i) {
-      const std::vector<int> corners(block.data(i), block.data(i) + block.shape(1));
-      for(const int corner : corners)
-        tool::check_corner(file, soup.faces, corner, soup.points.size());
+      std::vector<int> corners;
+      for(py::ssize_t k = 0; k < block.shape(1); ++k) {
+        const std::int64_t corner = *block.data(i, k);
+        corners.push_back(corner >= 0 && corner < static_cast<std::int64_t>(tool::largest_count) ? int(corner) : -1);
+        tool::check_corner(file, soup.faces, corners.back(), soup.points.size());
+      }
       soup.add_face(corners);
     }
   tool::cut_polygons(soup);

@@ -82,6 +82,8 @@ std::vector<std::string_view> first_statement(std::string_view text)
     const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
     std::string_view line = text.substr(0, end);
     line = line.substr(0, line.find('#'));
+    if(line.substr(0, 1) == "$") // a comment, too, in OBJ files of Viewpoint DataLabs
+      line = {};
     for(std::string_view token = next_token(line); !token.empty(); token = next_token(line))
       tokens.push_back(token);
     text.remove_prefix(std::min(end + 1, text.size()));

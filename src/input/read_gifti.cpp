@@ -142,8 +142,10 @@ private:
       refuse("cut short: a DataArray announces " + std::to_string(rows) + " rows, more than its " +
              std::to_string(text.size()) + " letters can hold");
 
-    const bool is_column_major =
-      attribute(file_, array, "ArrayIndexingOrder").value() == std::string_view("ColumnMajorOrder");
+    const std::string_view indexing = attribute(file_, array, "ArrayIndexingOrder").value();
+    const bool is_column_major = indexing == "ColumnMajorOrder" || indexing == "GIFTI_IND_ORD_COL_MAJOR";
+    if(!is_column_major && indexing != "RowMajorOrder" && indexing != "GIFTI_IND_ORD_ROW_MAJOR")
+      refuse("a DataArray has the order of indices " + in_quotes(indexing));
     const auto put = [&](std::size_t i, double value) {
       is_column_major ? use(i % rows, i / rows, value) : use(i / columns, i % columns, value);
     };

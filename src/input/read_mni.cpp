@@ -5,8 +5,9 @@
 #include "input/text_lines.h"
 #include "system/refusal.h"
 
-#include <cmath>
-#include <optional>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
 #include <vector>
 
 namespace tool {
@@ -21,6 +22,8 @@ public:
 
   Soup read()
   {
+    if(rest_.substr(0, 3) == "\xef\xbb\xbf") // the mark of UTF-8
+      rest_.remove_prefix(3);
     if(next_token(rest_) != "P")
       refuse_file(file_, "does not begin with 'P'", "check that this is a file of polygons");
     skip(5);
@@ -33,48 +36,57 @@ public:
     const std::size_t polygons = next_count("polygons", 1);
     if(polygons == 0)
       refuse_point_cloud(file_, soup.points.size());
-    const double colours = next_number(); // one for all, one for each polygon, one for each point
-    if(colours != 0 && colours != 1 && colours != 2)
+    const int colours = next_integer(); // one for all, one for each polygon, one for each point
+    if(colours < 0 || colours > 2)
       refuse_file(file_, "has the number " + std::to_string(colours) + " where colours are announced by 0, 1 or 2");
     skip(4 * (colours == 0 ? 1 : colours == 1 ? polygons : soup.points.size()));
 
     std::vector<int> ends(polygons), corners;
     for(int& end : ends)
-      end = next_index();
+      end = next_integer();
     int begin = 0;
     for(const int end : ends) {
-      if(end - begin < 3)
+      if(end - std::int64_t(begin) < 3)
         refuse_file(file_, "polygon " + std::to_string(soup.faces) + " has fewer than three corners");
       for(corners.clear(); begin < end; ++begin) {
-        corners.push_back(next_index());
+        corners.push_back(next_integer());
         check_corner(file_, soup.faces, corners.back(), soup.points.size());
       }
       soup.add_face(corners);
     }
+    if(!next_token(rest_).empty())
+      refuse_file(file_, "has more behind its polygons", "save the surface alone");
     return soup;
   }
 
 private:
+  [[noreturn]] void refuse_word(std::string_view token) const
+  {
+    refuse_file(file_, token.empty() ? "cut short" : in_quotes(token) + " stands where a number should be");
+  }
+
   double next_number()
   {
     const std::string_view token = next_token(rest_);
     double value = 0;
     if(to_number(token, value) == Number::NONE)
-      refuse_file(file_, token.empty() ? "cut short" : in_quotes(token) + " stands where a number should be");
+      refuse_word(token);
     return value;
+  }
+
+  int next_integer()
+  {
+    const std::string_view token = next_token(rest_);
+    const auto value = to_integer(token);
+    if(!value || std::abs(*value) > std::numeric_limits<int>::max())
+      refuse_word(token);
+    return static_cast<int>(*value);
   }
 
   void skip(std::size_t numbers)
   {
     for(; numbers > 0; --numbers)
       next_number();
-  }
-
-  /// -1 if it is none, which is refused as an index.
-  int next_index()
-  {
-    const auto index = to_integer(next_token(rest_));
-    return index && *index >= 0 && *index <= 4 * std::int64_t(largest_count) / 3 ? static_cast<int>(*index) : -1;
   }
 
   /// How many there are, each of which has so many numbers at least: a digit and a space each.

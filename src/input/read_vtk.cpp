@@ -57,17 +57,20 @@ protected:
   {
     const bool is_index = vertex >= 0 && vertex < static_cast<double>(largest_count) && vertex == std::floor(vertex);
     corners_.push_back(is_index ? static_cast<int>(vertex) : -1);
-    check_corner(file_, soup_.faces, corners_.back(), soup_.points.size());
+    check_corner(file_, cells_read_, corners_.back(), soup_.points.size());
     if(!is_last)
       return;
-    if(kind == PIXEL && corners_.size() == 4)
+    const std::size_t cell = cells_read_++, size = corners_.size();
+    if(!(kind >= VERTEX && kind <= QUAD) || kind != std::floor(kind))
+      refuse("cell " + std::to_string(cell) + " is no face", "save the triangles of its surface");
+    if((kind >= TRIANGLE && size < 3) || (kind == TRIANGLE && size > 3) || (kind >= PIXEL && size != 4))
+      refuse("face " + std::to_string(cell) + " has " + (size < 3 ? "only " : "") + std::to_string(size) + " vertices");
+    if(kind == PIXEL)
       std::swap(corners_[2], corners_[3]); // row by row, not around
-    if(kind >= TRIANGLE && kind <= QUAD) {
-      if(corners_.size() < 3)
-        refuse("face " + std::to_string(soup_.faces) + " has only " + std::to_string(corners_.size()) + " vertices");
-      kind == TRIANGLE_STRIP ? soup_.add_strip(corners_) : soup_.add_face(corners_);
-    } else if(!(kind >= VERTEX && kind <= POLY_LINE))
-      refuse("has cells that are no faces", "save the triangles of its surface");
+    if(kind == TRIANGLE_STRIP)
+      soup_.add_strip(corners_);
+    else if(kind >= TRIANGLE)
+      soup_.add_face(corners_);
     corners_.clear();
   }
 
@@ -101,6 +104,7 @@ protected:
 
 private:
   std::vector<int> corners_; ///< of the next cell
+  std::size_t cells_read_ = 0;
 };
 
 class Vtk_reader : private Vtk_mesh {
@@ -125,7 +129,7 @@ public:
       read_section(lower_case(next_token(line_)));
     }
     if(!ends_.empty())
-      refuse("has cells, and not of which types they are");
+      refuse("has CELLS without CELL_TYPES");
     return finished();
   }
 
@@ -310,14 +314,10 @@ private:
         line_ = is_at_end() ? std::string_view() : next_line();
         const std::string of_array = percent_decoded(next_token(line_));
         const std::size_t components = next_count(), tuples = next_count();
-        const std::string_view of_values = next_token(line_);
-        if(lower_case(of_values) == "string")
-          skip_texts(components * tuples);
-        else
-          read_array(of_array, type(of_values), components, tuples);
+        read_array(of_array, next_token(line_), components, tuples);
       }
     } else if(keyword == "scalars") {
-      const Number_type& of_numbers = type(next_token(line_));
+      const std::string_view of_numbers = next_token(line_);
       const std::size_t components = std::string_view(line_).find_first_not_of(' ') < line_.size() ? next_count(1) : 1;
       if(is_text_)
         is_at_end(); // which skips spaces; bytes that look like these are numbers
@@ -325,12 +325,12 @@ private:
         next_line();
       read_array(name, of_numbers, components, size_);
     } else if(keyword == "color_scalars")
-      read_array(name, type(is_text_ ? "float" : "uchar"), next_count(), size_);
+      read_array(name, is_text_ ? "float" : "uchar", next_count(), size_);
     else if(keyword == "lookup_table") // colours of values
       read_numbers(type(is_text_ ? "float" : "uchar"), 4 * next_count(), [](std::size_t, double) {});
     else if(keyword == "texture_coordinates") {
       const std::size_t components = next_count();
-      read_array(name, type(next_token(line_)), components, size_);
+      read_array(name, next_token(line_), components, size_);
     } else {
       static const std::map<std::string_view, std::size_t> components = {
         {"vectors", 3},    {"normals", 3},      {"tensors", 9},   {"tensors6", 6},
@@ -338,19 +338,22 @@ private:
       const auto known = components.find(keyword);
       if(known == components.end())
         refuse("has the unknown keyword " + in_quotes(keyword));
-      read_array(keyword == "normals" ? keyword : name, type(next_token(line_)), known->second, size_);
+      read_array(keyword == "normals" ? keyword : name, next_token(line_), known->second, size_);
     }
   }
 
-  /// Kept if it is at the points.
-  void read_array(const std::string& name, const Number_type& type, std::size_t components, std::size_t tuples)
+  /// Kept if it is at the points, and of numbers.
+  void read_array(const std::string& name, std::string_view type_name, std::size_t components, std::size_t tuples)
   {
     if(components > 0 && tuples > 4 * largest_count / components)
       refuse("cut short: an array of " + std::to_string(tuples) + " rows is announced");
+    if(lower_case(type_name) == "string")
+      return skip_texts(components * tuples);
+    const Number_type& of_numbers = type(type_name);
     std::vector<double> values;
-    read_numbers(type, components * tuples, [&](std::size_t, double x) { values.push_back(x); });
+    read_numbers(of_numbers, components * tuples, [&](std::size_t, double x) { values.push_back(x); });
     if(is_at_points_ && tuples == soup_.points.size())
-      add_array(name, type, components, values);
+      add_array(name, of_numbers, components, values);
   }
 
   std::string_view rest_; ///< of the bytes
@@ -414,7 +417,7 @@ public:
       const std::size_t components = array.attribute("NumberOfComponents").as_uint(1);
       if(components > largest_count / std::max<std::size_t>(points, 1))
         refuse("has an array of " + std::to_string(components) + " components");
-      if(attribute(file_, array, "type").value() == std::string_view("String"))
+      if(attribute(file_, array, "type").value() == std::string_view("String")) // of older versions of VTK
         continue;
       add_array(array.attribute("Name").value(), type(attribute(file_, array, "type").value()), components,
                 numbers(array, components * points));

@@ -530,12 +530,26 @@ TEST_CASE("data: broken files are refused in one line", "[tool][data]")
     check("a.vtk", changed(text, "\n3 ", "\n2 "), "2 vertices");
     check("a.vtk", changed(text, "\n3 0 ", "\n3 42 "), "0..41");
     check("a.vtk", changed(text, "ASCII", "TEXT"), "neither ASCII nor BINARY");
-    check("a.vtk", changed(text, " double\nLOOKUP", " string\nLOOKUP"), "'string'");
+    check("a.vtk", changed(text, " double\nLOOKUP", " strange\nLOOKUP"), "'strange'");
     check("a.vtk", changed(text, "SCALARS", "SCALAR"), "keyword");
     write_mesh(scratch / "a.vtp", mesh, data, true);
     text = text_of(scratch / "a.vtp");
     check("a.vtp", changed(text, ">\n3\n6", ">\n0\n6"), "not in order"); // ends of faces
     check("a.vtp", changed(text, ">\n3\n6", ">\n.5\n6"), "not in order");
+    check("a.vtp",
+          "<VTKFile type='PolyData'><PolyData><Piece NumberOfPoints='0'><Points><DataArray type='Float32' "
+          "format='ascii'/></Points><PointData><DataArray type='String' format='ascii'>97 0</DataArray>"
+          "</PointData></Piece></PolyData></VTKFile>",
+          "no faces"); // the texts are no trouble
+    const std::string grid = "# vtk DataFile Version 3.0\ngrid\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 3 float\n"
+                             "0 0 0 1 0 0 0 1 0\nCELLS 2 6\n1 0\n3 0 1 2\n";
+    check("a.vtk", grid, "CELLS without CELL_TYPES");
+    check("a.vtk", grid + "CELL_TYPES 2\n1\n10\n", "cell 1 is no face");
+    check("a.vtk", grid + "CELL_TYPES 2\n1\n5.5\n", "cell 1 is no face");
+    check("a.vtk", grid + "CELL_TYPES 2\n1\n9\n", "face 1 has 3 vertices");
+    check("a.vtk", grid + "CELL_TYPES 2\n5\n5\n", "face 0 has only 1 vertices");
+    check("a.vtk", grid + "CELL_TYPES 3\n1\n5\n5\n", "the types of 3 cells, and 2 cells");
+    check("a.vtk", grid + "CELL_TYPES 2\n1\n5\nPOINT_DATA 3\nPEDIGREE_IDS ids string\na\nb\n", "cut short");
     check("a.vtp", changed(text, "NumberOfPoints=\"42", "NumberOfPoints=\"43"), "size");
     check("a.vtp", changed(text, "NumberOfPolys=\"80", "NumberOfPolys=\"81"), "size");
     check("a.vtp", changed(text, "\"PolyData\"", "\"ImageData\""), "PolyData");

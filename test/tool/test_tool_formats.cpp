@@ -639,9 +639,10 @@ TEST_CASE("formats: dialects of other programs", "[tool][formats]")
       CHECK(have_same_triangles(tool::read_mesh(scratch / "in.obj").mesh, mesh.mesh));
     }
     for(const auto& [text, word] : {std::pair(mni(3, end), "0, 1 or 2"),
-                                    {mni(0, end + " x"), "the vertex -1"},
+                                    {mni(0, end + " x"), "'x' stands where"},
+                                    {mni(0, end) + " 7", "more behind"},
                                     {mni(0, "1"), "fewer than three corners"},
-                                    {mni(0, "99999"), "the vertex -1"},
+                                    {mni(0, "99999"), "cut short"},
                                     {mni(0, end).substr(0, 800), "cut short"},
                                     {"P 1 1 1 1 1 999999999 1 1 1"s, "'999999999' points"}}) {
       write_text(scratch / "broken.obj", text);
@@ -653,22 +654,55 @@ TEST_CASE("formats: dialects of other programs", "[tool][formats]")
   }
   SECTION("GIFTI of before the standard")
   {
-    write(scratch / "in.gii", {tool::Mesh_format::GIFTI}, mesh);
-    std::string text = text_of(scratch / "in.gii");
-    const auto replace = [&](const std::string& from, const std::string& to) {
-      REQUIRE(contains(text, from));
-      for(std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-        text.replace(at, from.size(), to);
+    const auto gifti = [](const std::string& encoding, const std::string& endian, const std::string& points,
+                          const std::string& triangles, const std::string& order = "GIFTI_IND_ORD_COL_MAJOR") {
+      const auto array = [&](const char* intent, const char* type, const std::string& data) {
+        return std::string("<DataArray Intent='NIFTI_INTENT_") + intent + "' DataType='NIFTI_TYPE_" + type +
+               "' ArrayIndexingOrder='" + order + "' Dimensionality='2' Dim0='4' Dim1='3' Encoding='" + encoding +
+               "' Endian='" + endian + "'><Data>" + data + "</Data></DataArray>";
+      };
+      return "<GIFTI>" + array("POINTSET", "FLOAT32", points) + array("TRIANGLE", "INT32", triangles) + "</GIFTI>";
     };
-    replace("\"GZipBase64Binary\"", "\"GIFTI_ENCODING_B64GZ\"");
-    replace("\"LittleEndian\"", "\"GIFTI_ENDIAN_LITTLE\"");
-    const tool::Triangles triangles = triangles_of("old.gii", text);
-    REQUIRE(triangles.size() == mesh.mesh.number_of_faces());
-    CHECK(triangles[0] == mesh.mesh.triangle(0));
+    const std::vector<float> points = {0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}; // column by column
+    const std::vector<std::int32_t> triangles = {0, 0, 1, 2, 2, 1, 2, 0, 1, 3, 3, 3};
+    const auto bytes = [](const auto& numbers, tool::Byte_order order) {
+      std::string result;
+      for(const auto number : numbers)
+        tool::append_number(result, number, order);
+      return result;
+    };
+    const auto text = [](const auto& numbers) {
+      std::string result;
+      for(const auto number : numbers)
+        result += std::to_string(number) + ' ';
+      return result;
+    };
+    const auto base64 = [&](const auto& numbers, tool::Byte_order order) {
+      return tool::to_base64(bytes(numbers, order));
+    };
+    const auto big = tool::Byte_order::BIG, little = tool::Byte_order::LITTLE;
+    for(const std::string& file :
+        {gifti("GIFTI_ENCODING_ASCII", "GIFTI_ENDIAN_LITTLE", text(points), text(triangles)),
+         gifti("GIFTI_ENCODING_B64BIN", "GIFTI_ENDIAN_LITTLE", base64(points, little), base64(triangles, little)),
+         gifti("GIFTI_ENCODING_B64BIN", "GIFTI_ENDIAN_BIG", base64(points, big), base64(triangles, big))}) {
+      write_text(scratch / "old.gii", file);
+      const tool::Soup soup = tool::read_triangles(scratch / "old.gii");
+      REQUIRE(soup.triangles.size() == 4);
+      CHECK((soup.triangles[1] == std::array<int, 3>{0, 1, 3}));
+      CHECK((soup.points[1] == std::array<double, 3>{1, 0, 0}));
+      CHECK((soup.points[3] == std::array<double, 3>{0, 0, 1}));
+    }
+    write_text(scratch / "old.gii", gifti("GIFTI_ENCODING_EXTBIN", "GIFTI_ENDIAN_BIG", "", ""));
+    check_refused(scratch, scratch / "old.gii", "another file");
+    write_text(scratch / "old.gii", gifti("ASCII", "LittleEndian", text(points), text(triangles), "Columns"));
+    check_refused(scratch, scratch / "old.gii", "'Columns'");
   }
   SECTION("OBJ files of Viewpoint DataLabs have comments behind a dollar sign")
   {
-    CHECK(triangles_of("in.obj", "# cow\n$ contributed\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").size() == 1);
+    for(const char* name : {"in.obj", "in.txt"})
+      CHECK(triangles_of(name, "# cow\n$ contributed\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").size() == 1);
+    write_text(scratch / "continued.obj", "\\\n\n");
+    check_refused(scratch, scratch / "continued.obj", "begins with ''");
   }
 }
 
@@ -747,6 +781,47 @@ TEST_CASE("formats: polygons are cut along diagonals that lie in them", "[tool][
          {{2, 2, 0}},
          {{2, 1, 0}},
          {{1, 1, 0}}});
+
+  // Corners on straight lines, which the neighbours have: a cube of octagons, turned, and rounded to floats.
+  for(const double angle : {0., .3, .7, 1.1}) {
+    tool::Soup cube;
+    std::map<std::array<int, 3>, int> number;
+    for(const auto& [axis, side] : {std::pair(0, 1), {0, -1}, {1, 1}, {1, -1}, {2, 1}, {2, -1}}) {
+      std::vector<int> corners;
+      for(const auto& [u, v] :
+          {std::pair(-1, -1), {0, -1}, {1, -1}, {1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}}) { // counterclockwise
+        std::array<int, 3> p = {};
+        p[static_cast<std::size_t>(axis)] = side;
+        p[static_cast<std::size_t>((axis + 1) % 3)] = side * u;
+        p[static_cast<std::size_t>((axis + 2) % 3)] = v;
+        const auto [place, is_new] = number.emplace(p, static_cast<int>(number.size()));
+        if(is_new) {
+          const double x = p[0] * std::cos(angle) - p[1] * std::sin(angle);
+          const double y = p[0] * std::sin(angle) + p[1] * std::cos(angle), c = std::cos(2 * angle);
+          const double s = std::sin(2 * angle);
+          cube.points.push_back(
+            {static_cast<float>(x), static_cast<float>(y * c - p[2] * s), static_cast<float>(y * s + p[2] * c)});
+        }
+        corners.push_back(place->second);
+      }
+      cube.add_face(corners);
+    }
+    tool::cut_polygons(cube);
+    CHECK(cube.points.size() == 20);
+    CHECK(tool::Mesh(cube.points, cube.triangles).number_of_faces() == 36); // closed, and no face twice
+  }
+  std::vector<std::array<double, 3>> wild; // crosses itself: as many triangles all the same, and soon
+  for(int i = 0; i < 10000; ++i)
+    wild.push_back({random.number(), random.number(), 0});
+  tool::Soup soup;
+  soup.points = wild;
+  std::vector<int> corners(wild.size());
+  std::iota(corners.begin(), corners.end(), 0);
+  soup.add_face(corners);
+  const auto start = std::chrono::steady_clock::now();
+  tool::cut_polygons(soup);
+  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(10)); // in cubic time: 53
+  CHECK(soup.triangles.size() == wild.size() - 2);
 
   Scratch scratch;
   write_text(scratch / "in.off", "OFF\n4 1 0\n0 0 0\n1 1 0\n10 0 0\n0 10 0\n4 0 1 2 3\n");

@@ -138,8 +138,8 @@ export interface SphericalParameterization {
   segment(points: Coordinates, triangles: Triangles, sphere: Coordinates): Int32Array;
 
   /**
-   * Reads the bytes of a file, compressed with gzip or not: OFF, OBJ, PLY, STL, VTK, GIFTI, FreeSurfer and glTF. The content
-   * decides about the format, and the name where that leaves it open. Throws a `MeshError`.
+   * Reads the bytes of a file, compressed with gzip or not: OFF, OBJ, PLY, STL, VTK, GIFTI, FreeSurfer, MNI and glTF. The
+   * content decides about the format, and the name where that leaves it open. Throws a `MeshError`.
    */
   readMesh(name: string, bytes: Uint8Array, options?: { triangulate?: boolean }): Mesh;
 }

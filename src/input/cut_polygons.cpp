@@ -89,14 +89,14 @@ public:
       --left;
     };
     std::deque<std::size_t> candidates; // first in, first out: ears in turn make triangles less thin
-    double least = flat;
-    for(bool is_cut = true; left > 2 && (is_cut || least > 0);) {
-      least = std::exchange(is_cut, false) ? flat : 0; // what is flat is cut off where nothing else can be
+    bool is_flat_allowed = false;
+    for(bool is_cut = true; left > 2 && (is_cut || !is_flat_allowed);) {
+      is_flat_allowed = !std::exchange(is_cut, false); // what is flat is cut off where nothing else can be
       for(std::size_t i = 0; i < left; ++i, corner = after_[corner])
         candidates.push_back(corner);
       for(; !candidates.empty() && left > 2; candidates.pop_front()) {
         const std::size_t i = candidates.front();
-        if(!is_left_[i] || !is_ear(i, least))
+        if(!is_left_[i] || !is_ear(i, is_flat_allowed))
           continue;
         cut(i);
         is_cut = true;
@@ -115,10 +115,11 @@ private:
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
   }
 
-  bool is_ear(std::size_t corner, double least_height)
+  bool is_ear(std::size_t corner, bool is_flat_allowed)
   {
     const Point_2 &a = point_[before_[corner]], &b = point_[corner], &c = point_[after_[corner]];
-    if(!(area(a, b, c) > least_height * longest_squared_side(a, b, c)))
+    const double height = flat * longest_squared_side(a, b, c);
+    if(!(area(a, b, c) > (is_flat_allowed ? 0 : height)))
       return false;
     const auto [least, largest] = std::minmax({a[0], b[0], c[0]});
     auto i =
@@ -128,7 +129,7 @@ private:
         return false;
       const Point_2& p = point_[*i];
       const bool is_corner = p == a || p == b || p == c; // or at its place, where a polygon is cut open to its holes
-      if(is_left_[*i] && !is_corner && area(a, b, p) >= 0 && area(b, c, p) >= 0 && area(c, a, p) >= 0)
+      if(is_left_[*i] && !is_corner && area(a, b, p) >= 0 && area(b, c, p) >= 0 && area(c, a, p) >= -height)
         return false;
     }
     return true;

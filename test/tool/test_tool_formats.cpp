@@ -782,18 +782,19 @@ TEST_CASE("formats: polygons are cut along diagonals that lie in them", "[tool][
          {{2, 1, 0}},
          {{1, 1, 0}}});
 
-  // Corners on straight lines, which the neighbours have: a cube of octagons, turned, and rounded to floats.
+  // Corners on straight lines, which the neighbours have: a cube of polygons, turned, and rounded to floats.
+  constexpr int half = 2; // as many edges are half a side
   for(const double angle : {0., .3, .7, 1.1}) {
     tool::Soup cube;
     std::map<std::array<int, 3>, int> number;
     for(const auto& [axis, side] : {std::pair(0, 1), {0, -1}, {1, 1}, {1, -1}, {2, 1}, {2, -1}}) {
       std::vector<int> corners;
-      for(const auto& [u, v] :
-          {std::pair(-1, -1), {0, -1}, {1, -1}, {1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}}) { // counterclockwise
+      std::array<int, 2> uv = {0, -half}, step = {1, 0};
+      for(int k = 0; k < 8 * half; ++k) { // counterclockwise
         std::array<int, 3> p = {};
-        p[static_cast<std::size_t>(axis)] = side;
-        p[static_cast<std::size_t>((axis + 1) % 3)] = side * u;
-        p[static_cast<std::size_t>((axis + 2) % 3)] = v;
+        p[static_cast<std::size_t>(axis)] = side * half;
+        p[static_cast<std::size_t>((axis + 1) % 3)] = side * uv[0];
+        p[static_cast<std::size_t>((axis + 2) % 3)] = uv[1];
         const auto [place, is_new] = number.emplace(p, static_cast<int>(number.size()));
         if(is_new) {
           const double x = p[0] * std::cos(angle) - p[1] * std::sin(angle);
@@ -803,12 +804,17 @@ TEST_CASE("formats: polygons are cut along diagonals that lie in them", "[tool][
             {static_cast<float>(x), static_cast<float>(y * c - p[2] * s), static_cast<float>(y * s + p[2] * c)});
         }
         corners.push_back(place->second);
+        if(std::abs(uv[0]) == half && std::abs(uv[1]) == half)
+          step = {-step[1], step[0]};
+        uv = {uv[0] + step[0], uv[1] + step[1]};
       }
       cube.add_face(corners);
     }
     tool::cut_polygons(cube);
-    CHECK(cube.points.size() == 20);
-    CHECK(tool::Mesh(cube.points, cube.triangles).number_of_faces() == 36); // closed, and no face twice
+    REQUIRE(cube.points.size() == 24 * half - 4);
+    CHECK(tool::Mesh(cube.points, cube.triangles).number_of_faces() == 2 * cube.points.size() - 4); // no face twice
+    for(const std::array<int, 3>& triangle : cube.triangles)
+      CHECK(std::sqrt(area(cube.points, triangle).squared_length()) > .4); // none is flat
   }
   std::vector<std::array<double, 3>> wild; // crosses itself: as many triangles all the same, and soon
   for(int i = 0; i < 10000; ++i)

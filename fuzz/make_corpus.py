@@ -49,6 +49,11 @@ def mni(colours=0):
     return text + "\n 3 6 9 12\n" + "".join(" ".join(map(str, f)) + "\n" for f in FACES)
 
 
+def off_binary(order, colours):
+    body = struct.pack(order + "3i12f", 4, 4, 6, *(x for p in POINTS for x in p))
+    return b"OFF BINARY\n" + body + b"".join(struct.pack(order + "4i", 3, *f) + colours for f in FACES)
+
+
 def stl_text():
     text = "solid by hand\n"
     for f in FACES:
@@ -73,6 +78,7 @@ MESHES = {
         "opposed": off(faces=FACES[:3] + [(3, 2, 1)]), "twice": off(faces=FACES[:3] + [(1, 1, 3)]),
         "huge_count": off().replace("4 4 0", "4 4000000000 0"), "largest": off().replace("1.0", "1.7976931348623157e308"),
         "mark": "\ufeff" + off(), "comments": "# a\nOFF # b\n\n4 4 0\n# c\n" + rows(),
+        "binary": off_binary(">", bytes(4)), "binary_pmp": off_binary("<", b""),
     },
     "ply": {
         "ascii": ply("ascii"), "little": ply("binary_little_endian"), "big": ply("binary_big_endian"),

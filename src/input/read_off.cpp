@@ -1,16 +1,61 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
+#include "input/binary.h"
 #include "input/mesh_readers.h"
 #include "input/text_lines.h"
 #include "input/text_pieces.h"
 #include "system/refusal.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <optional>
 #include <utility>
 
 namespace tool {
 namespace {
+
+/// What follows "OFF BINARY", which does not say of which of its dialects it is. Those of Geomview and CGAL are
+/// big-endian, and have colours behind the corners of a face, and their number; that of pmp has numbers as the machine
+/// has them, and no colours. Nothing if the bytes are not those of the dialect, to the last one.
+std::optional<Soup> read_binary(const std::string& file, std::string_view bytes, Byte_order order, bool has_colours)
+{
+  const auto left = [&] { return static_cast<std::int64_t>(bytes.size() / 4); };
+  const auto skip = [&](std::int64_t numbers) { bytes.remove_prefix(4 * static_cast<std::size_t>(numbers)); };
+  const auto next = [&]() -> std::int64_t { // -1 at the end
+    if(left() == 0)
+      return -1;
+    const auto number = number_at<std::int32_t>(bytes.data(), order);
+    skip(1);
+    return number;
+  };
+  const std::int64_t vertices = next(), faces = next();
+  next(); // edges, which nobody counts
+  if(vertices < 0 || faces < 0 || 3 * vertices + 4 * faces > left())
+    return std::nullopt;
+  Soup soup;
+  soup.points.resize(static_cast<std::size_t>(vertices));
+  for(std::size_t v = 0; v < soup.points.size(); ++v)
+    for(std::size_t k = 0; k < 3; ++k, skip(1))
+      soup.set_coordinate(file, v, k, number_at<float>(bytes.data(), order));
+  for(std::int64_t f = 0; f < faces; ++f) {
+    const std::int64_t size = next();
+    if(size < 3 || size > left())
+      return std::nullopt;
+    std::vector<int> corners;
+    for(std::int64_t i = 0; i < size; ++i) {
+      corners.push_back(static_cast<int>(next()));
+      if(corners.back() < 0 || corners.back() >= vertices)
+        return std::nullopt;
+    }
+    soup.add_face(corners);
+    const std::int64_t colours = has_colours ? next() : 0;
+    if(colours < 0 || colours > left())
+      return std::nullopt;
+    skip(colours);
+  }
+  return bytes.empty() || bytes == "\n" ? std::optional(std::move(soup)) : std::nullopt;
+}
 
 /// OFF, COFF, NOFF and STOFF: colours, normals and textures are columns that are skipped.
 class Off_reader {
@@ -20,6 +65,8 @@ public:
   Soup read()
   {
     read_header();
+    if(is_binary_)
+      return read_binary();
     if(std::optional<Soup> soup = read_plain_lines())
       return std::move(*soup);
     soup_.points.reserve(vertices_);
@@ -38,6 +85,19 @@ public:
   }
 
 private:
+  Soup read_binary() const
+  {
+    for(const Byte_order order : {Byte_order::BIG, Byte_order::LITTLE})
+      for(const bool has_colours : {true, false})
+        if(std::optional<Soup> soup = tool::read_binary(file_, lines_.rest(), order, has_colours)) {
+          if(soup->faces == 0)
+            refuse_point_cloud(file_, soup->points.size());
+          return std::move(*soup);
+        }
+    refuse_file(file_, "cut short, or in a dialect of OFF BINARY that is not known",
+                "save it as plain text OFF or as PLY");
+  }
+
   /// Behind the header, if nothing else is there than a line for each vertex and face; else nothing.
   std::optional<Soup> read_plain_lines() const
   {
@@ -82,9 +142,11 @@ private:
     if(!lines_.next())
       lines_.refuse(no_off, remedy);
     std::string keyword(lines_.token());
+    const std::size_t length = keyword.size();
     for(const std::string prefix : {"ST", "C", "N"}) // textures, colours, normals: columns behind the coordinates
       if(keyword.rfind(prefix, 0) == 0)
         keyword.erase(0, prefix.size());
+    const bool has_columns = keyword.size() < length;
     if(keyword == "4OFF" || keyword == "nOFF" || keyword == "4nOFF")
       lines_.refuse("is " + in_quotes(keyword) + ", whose points do not have three coordinates",
                     "save it as plain OFF");
@@ -92,9 +154,12 @@ private:
       lines_.refuse(no_off, remedy);
 
     std::string_view token = lines_.token();
-    if(token == "BINARY")
-      refuse_file(file_, "is in the 'OFF BINARY' dialect, which is not supported",
+    is_binary_ = token == "BINARY";
+    if(is_binary_ && has_columns)
+      refuse_file(file_, "is in the dialect " + in_quotes(lines_.line()) + ", which is not supported",
                   "save it as plain text OFF or as PLY");
+    if(is_binary_)
+      return;
     if(token.empty()) {
       if(!lines_.next())
         lines_.refuse_cut_short("the numbers of vertices and faces are missing");
@@ -176,6 +241,7 @@ private:
 
   std::string file_;
   Text_lines lines_;
+  bool is_binary_ = false;
   std::size_t vertices_ = 0; ///< that the header announces
   std::size_t faces_ = 0;
   std::vector<int> corners_; ///< of a face

@@ -652,6 +652,38 @@ TEST_CASE("formats: dialects of other programs", "[tool][formats]")
     const Process_result run = run_tool({"map", scratch / "in.obj", "-o", scratch / "out.off", "--format", "mni"});
     CHECK(run.exit_code == 2);
   }
+  SECTION("OFF BINARY of Geomview and CGAL, with and without colours, and of pmp")
+  {
+    const auto order_and_colours = {std::pair(tool::Byte_order::BIG, 0),
+                                    {tool::Byte_order::BIG, 4},
+                                    {tool::Byte_order::LITTLE, -1}}; // -1: not even their number
+    for(const auto& [order, colours] : order_and_colours) {
+      std::string bytes = "OFF BINARY\n";
+      const auto append = [&, order = order](std::size_t number) {
+        tool::append_number(bytes, static_cast<std::int32_t>(number), order);
+      };
+      for(const std::size_t count : {mesh.mesh.number_of_vertices(), mesh.mesh.number_of_faces(), std::size_t(0)})
+        append(count);
+      for(const tool::Point& p : mesh.mesh.points())
+        for(const double x : p)
+          tool::append_number(bytes, static_cast<float>(x), order);
+      for(std::size_t f = 0; f < mesh.mesh.number_of_faces(); ++f) {
+        append(3);
+        for(const int corner : mesh.mesh.triangle(f))
+          append(static_cast<std::size_t>(corner));
+        for(int i = -1; i < colours; ++i)
+          i < 0 ? append(static_cast<std::size_t>(colours)) : tool::append_number(bytes, .5F, order);
+      }
+      write_text(scratch / "in.off", bytes);
+      const tool::Mesh copy = tool::read_mesh(scratch / "in.off").mesh;
+      CHECK(have_same_triangles(copy, mesh.mesh));
+      CHECK(copy.points()[5][1] == static_cast<float>(mesh.mesh.points()[5][1]));
+      write_text(scratch / "in.off", bytes.substr(0, bytes.size() - 4));
+      check_refused(scratch, scratch / "in.off", "cut short");
+      write_text(scratch / "in.off", "C" + bytes);
+      check_refused(scratch, scratch / "in.off", "'COFF BINARY'");
+    }
+  }
   SECTION("GIFTI of before the standard")
   {
     const auto gifti = [](const std::string& encoding, const std::string& endian, const std::string& points,

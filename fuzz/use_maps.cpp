@@ -45,6 +45,9 @@ void check_texture(Bytes& in, const Mesh& mesh, Sphere_map sphere)
   } catch(const CGAL::Precondition_exception&) {
     promise(options.axes.has_value(), "the texture of a valid map was refused");
     return;
+  } catch(const SP::Error&) { // whose points choose the poles
+    promise(!options.axes && !is_finite(mesh), "the texture of a valid map was refused");
+    return;
   }
   for(const Mesh::Face_index f : mesh.faces()) {
     const Mesh::Halfedge_index h = mesh.halfedge(f);

@@ -44,7 +44,8 @@ namespace CGAL::Spherical_parameterization {
 ///                    `maximum_running_time`, as in `parameterize()`
 /// \return the report
 /// \throws Error  for what is no closed, connected triangle mesh of genus 0, and for a map that is not valid: that has
-///         flipped faces, or a degree other than 1; `INTERRUPTED`; before anything is written
+///         flipped faces, or a degree other than 1; for points that are not finite, if they choose the poles;
+///         `INTERRUPTED`; before anything is written
 /// \pre the axes are finite and not parallel, and there are 1 to 52 bits
 ///
 /// Complexity: O(n log n); the logarithm is for the choice of the poles.

@@ -299,6 +299,8 @@ def texture_coordinates(
     ------
     MeshError
         If the map has flipped faces.
+    KeyboardInterrupt
+        After Ctrl-C, within a fraction of a second. Other Python threads run during the call.
     """
     check(texture_coordinates, locals())
     one_of("chart", chart, "latitude-longitude", "octahedral")
@@ -699,6 +701,13 @@ def shape_signature(
     Returns
     -------
     ndarray (96,) of float64
+
+    Raises
+    ------
+    MeshError
+        If something is wrong with the mesh, or the map has no area.
+    KeyboardInterrupt
+        After Ctrl-C. Other Python threads run during the call.
     """
     check(shape_signature, locals())
     if sphere is None:

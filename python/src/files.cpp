@@ -42,18 +42,24 @@ py::array triangles_of(const std::string& file, const Doubles& points, const std
 {
   tool::Soup soup;
   const Rows<double> rows(points);
-  soup.points.assign(rows.begin(), rows.end());
+  soup.points.resize(rows.size());
+  for(std::size_t v = 0; v < rows.size(); ++v)
+    for(std::size_t k = 0; k < 3; ++k)
+      soup.set_coordinate(file, v, k, rows[v][k]);
+  if(soup.non_finite)
+    throw tool::Refusal(*soup.non_finite);
   for(const Polygons& block : blocks)
     for(py::ssize_t i = 0; i < block.shape(0); ++i) {
       std::vector<int> corners;
-      for(py::ssize_t k = 0; k < block.shape(1); ++k) {
-        const std::int64_t corner = *block.data(i, k);
-        corners.push_back(corner >= 0 && corner < static_cast<std::int64_t>(tool::largest_count) ? int(corner) : -1);
-        tool::check_corner(file, soup.faces, corners.back(), soup.points.size());
-      }
+      for(py::ssize_t k = 0; k < block.shape(1); ++k)
+        corners.push_back(
+          tool::checked_corner(file, soup.faces, static_cast<double>(*block.data(i, k)), soup.points.size()));
       soup.add_face(corners);
     }
-  tool::cut_polygons(soup);
+  {
+    const py::gil_scoped_release no_lock;
+    tool::cut_polygons(soup);
+  }
   return rows_of<std::int32_t>(soup.triangles);
 }
 

@@ -72,6 +72,8 @@ def test_what_cannot_be_written(tmp_path: Path) -> None:
     points, triangles = bumpy(2)
     with pytest.raises(ValueError, match="must be called"):
         sp.write_mesh(tmp_path / "mesh.stl", points, triangles)
+    with pytest.raises(ValueError, match="mesh.vtu' must be called"):
+        sp.write_mesh(tmp_path / "mesh.vtu", points, triangles)
     with pytest.raises(sp.MeshError, match="numbered from 0"):
         sp.write_mesh(tmp_path / "mesh.off", points, triangles + 1)
     with pytest.raises(sp.MeshError, match="floats"):

@@ -88,7 +88,12 @@ def long_harmonics():
     sp.harmonics(triangles, sphere, sphere, 80, fit="integrals", policy="sequential")
 
 
-@pytest.mark.parametrize("work", [long_statistics, long_harmonics])
+def long_signature():
+    sphere, triangles = sp.icosphere(7)
+    sp.shape_signature(sphere, triangles, sphere, policy="sequential")
+
+
+@pytest.mark.parametrize("work", [long_statistics, long_harmonics, long_signature])
 def test_ctrl_c_ends_what_takes_long(work):
     def press(*_):
         raise KeyboardInterrupt

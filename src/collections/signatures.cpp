@@ -31,7 +31,7 @@ bool has_map(Error_code code)
   return code == Error_code::OK || code == Error_code::NOT_CONVERGED || code == Error_code::NOT_BIJECTIVE;
 }
 
-/// Fills `row` but for its name. Throws; leaves the signature out if it is interrupted.
+/// Fills `row` but for its name. Throws.
 void sign(const std::string& file, bool mends, Signature_row& row)
 {
   row.version = version_with_hash(file);
@@ -53,8 +53,6 @@ void sign(const std::string& file, bool mends, Signature_row& row)
   };
   Sphere sphere;
   const Result result = compute(sphere, "clamped");
-  if(result.error == Error_code::INTERRUPTED)
-    return;
   if(!has_map(result.error))
     throw Refusal(result.error, file,
                   get_error_message(result.error) + (result.detail.empty() ? "" : ": " + result.detail), "");
@@ -62,8 +60,6 @@ void sign(const std::string& file, bool mends, Signature_row& row)
   if(result.error == Error_code::NOT_CONVERGED) {
     Sphere barycentric;
     const Result other = compute(barycentric, "barycentric");
-    if(other.error == Error_code::INTERRUPTED)
-      return;
     if(other) {
       row.map = "barycentric";
       sphere = std::move(barycentric);
@@ -115,8 +111,6 @@ std::optional<Signature_row> sign_mesh(const std::string& file, bool mends)
   try {
     sign(file, mends, row);
     row.status = "OK";
-    if(!row.signature)
-      return std::nullopt;
   } catch(const Refusal& refusal) {
     fail(refusal);
   } catch(const std::bad_alloc&) {

@@ -45,12 +45,13 @@ double longest_squared_side(const std::array<double, N>& a, const std::array<dou
 /// Ear clipping, of Meisters (1975): "Polygons have ears". A corner is cut off if its triangle is not folded back and
 /// has no other corner in it, as seen along the axis that is nearest to the polygon's normal, and first those that are
 /// not flat. Where there is no such corner left, since the polygon is not simple, the rest becomes a fan; so it does
-/// after a second of work, which polygons of up to 20,000 corners do not need. Libraries that do it leave out corners
-/// on straight lines, which neighbours have.
+/// where too many looks at other corners were taken. Libraries that do it leave out corners on straight lines, which
+/// neighbours have.
 class Ear_clipping {
 public:
-  Ear_clipping(const std::vector<Vector>& points, const Vector& normal)
-    : point_(points.size()), before_(points.size()), after_(points.size()), order_(points.size()),
+  /// \param looks  at other corners that may be taken, which are counted down
+  Ear_clipping(const std::vector<Vector>& points, const Vector& normal, std::int64_t& looks)
+    : looks_(looks), point_(points.size()), before_(points.size()), after_(points.size()), order_(points.size()),
       is_left_(points.size(), 1)
   {
     std::size_t axis = 0;
@@ -92,6 +93,8 @@ public:
     bool is_flat_allowed = false;
     for(bool is_cut = true; left > 2 && (is_cut || !is_flat_allowed);) {
       is_flat_allowed = !std::exchange(is_cut, false); // what is flat is cut off where nothing else can be
+      order_.erase(std::remove_if(order_.begin(), order_.end(), [&](std::size_t i) { return !is_left_[i]; }),
+                   order_.end());
       for(std::size_t i = 0; i < left; ++i, corner = after_[corner])
         candidates.push_back(corner);
       for(; !candidates.empty() && left > 2; candidates.pop_front()) {
@@ -125,7 +128,7 @@ private:
     auto i =
       std::lower_bound(order_.begin(), order_.end(), least, [&](std::size_t j, double x) { return point_[j][0] < x; });
     for(; i != order_.end() && point_[*i][0] <= largest; ++i) {
-      if(++looks_ > 200'000'000 + 100 * static_cast<std::int64_t>(point_.size()))
+      if(--looks_ < 0)
         return false;
       const Point_2& p = point_[*i];
       const bool is_corner = p == a || p == b || p == c; // or at its place, where a polygon is cut open to its holes
@@ -135,17 +138,19 @@ private:
     return true;
   }
 
+  std::int64_t& looks_;
   std::vector<Point_2> point_;              ///< in the projection, counterclockwise
   std::vector<std::size_t> before_, after_; ///< of the corners that are left
   std::vector<std::size_t> order_;          ///< from left to right
   std::vector<char> is_left_;
-  std::int64_t looks_ = 0; ///< at other corners
 };
 
 } // namespace
 
 void cut_polygons(Soup& soup)
 {
+  // a second of work or two, which polygons of 10,000 corners do not need, and something for each corner
+  std::int64_t looks = 200'000'000 + 300 * static_cast<std::int64_t>(soup.triangles.size());
   std::vector<int> corners;
   std::vector<Vector> points;
   auto fan = soup.triangles.begin();
@@ -181,7 +186,7 @@ void cut_polygons(Soup& soup)
         is_right = false;
     if(!is_right) {
       auto triangle = fan;
-      Ear_clipping(points, sum).clip([&](std::size_t i, std::size_t j, std::size_t k) {
+      Ear_clipping(points, sum, looks).clip([&](std::size_t i, std::size_t j, std::size_t k) {
         *triangle++ = {corners[i], corners[j], corners[k]};
       });
     }

@@ -115,14 +115,15 @@ bool is_format_known(const std::string& file);
 void check_triangles(const std::string& file, const Soup& soup,
                      const std::string& remedy = "triangulate the mesh, or use --triangulate");
 
-/// Cuts polygons that are not convex anew: by the triangles of their fans, some faces would be folded back.
+/// Cuts polygons that are not convex anew: by the triangles of their fans, some faces would be folded back. In bounded
+/// time: wild polygons of tens of thousands of corners may stay folded.
 void cut_polygons(Soup& soup);
 
 /// Throws the `Refusal` of a file with so many vertices and no faces.
 [[noreturn]] void refuse_point_cloud(const std::string& file, std::size_t vertices);
 
-/// Throws a `Refusal` if `corner` is not the number of one of so many vertices.
-void check_corner(const std::string& file, std::size_t face, int corner, std::size_t number_of_vertices);
+/// A corner as an index. Throws a `Refusal` if it is not the number of one of so many vertices.
+int checked_corner(const std::string& file, std::size_t face, double corner, std::size_t number_of_vertices);
 
 /// \name Readers, one per file format
 /// They read the bytes of a file once. A broken file is refused in one sentence before it costs memory or yields a

@@ -64,9 +64,8 @@ Soup read_freesurfer(const std::string& file, const std::string& bytes)
       soup.set_coordinate(file, v, k, number_at<float>(at, Byte_order::BIG));
   for(std::size_t f = 0; f < soup.faces; ++f)
     for(int& corner : soup.triangles[f]) {
-      corner = number_at<std::int32_t>(at, Byte_order::BIG);
+      corner = checked_corner(file, f, number_at<std::int32_t>(at, Byte_order::BIG), soup.points.size());
       at += 4;
-      check_corner(file, f, corner, soup.points.size());
     }
   soup.annotations.freesurfer = bytes.substr(end);
   return soup;

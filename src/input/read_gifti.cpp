@@ -195,10 +195,7 @@ private:
     if(soup_.faces == 0)
       refuse_point_cloud(file_, soup_.points.size());
     read_numbers(array, soup_.faces, 3, [&](std::size_t row, std::size_t column, double corner) {
-      // NaN, too, becomes an index that is refused
-      const bool is_index = corner >= 0 && corner < static_cast<double>(largest_count) && corner == std::floor(corner);
-      soup_.triangles[row][column] = is_index ? static_cast<int>(corner) : -1;
-      check_corner(file_, row, soup_.triangles[row][column], soup_.points.size());
+      soup_.triangles[row][column] = checked_corner(file_, row, corner, soup_.points.size());
     });
   }
 

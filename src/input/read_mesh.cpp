@@ -11,8 +11,10 @@
 
 #include <CGAL/tags.h>
 
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <sstream>
 #include <utility>
 
 namespace tool {
@@ -76,11 +78,16 @@ void refuse_point_cloud(const std::string& file, std::size_t vertices)
                 "a point cloud cannot be mapped; reconstruct a surface first");
 }
 
-void check_corner(const std::string& file, std::size_t face, int corner, std::size_t number_of_vertices)
+int checked_corner(const std::string& file, std::size_t face, double corner, std::size_t number_of_vertices)
 {
-  if(corner < 0 || std::size_t(corner) >= number_of_vertices)
-    refuse_file(file, "face " + std::to_string(face) + " has the vertex " + std::to_string(corner) +
+  if(!(corner >= 0 && corner < static_cast<double>(number_of_vertices) && corner == std::floor(corner))) {
+    std::ostringstream number;
+    number.precision(15);
+    number << corner;
+    refuse_file(file, "face " + std::to_string(face) + " has the vertex " + number.str() +
                         ", which is not in the range 0.." + std::to_string(std::int64_t(number_of_vertices) - 1));
+  }
+  return static_cast<int>(corner);
 }
 
 Soup read_soup(const std::string& file, std::string bytes, Coordinates coordinates)

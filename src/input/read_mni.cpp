@@ -6,8 +6,6 @@
 #include "system/refusal.h"
 
 #include <cstdint>
-#include <cstdlib>
-#include <limits>
 #include <vector>
 
 namespace tool {
@@ -48,10 +46,8 @@ public:
     for(const int end : ends) {
       if(end - std::int64_t(begin) < 3)
         refuse_file(file_, "polygon " + std::to_string(soup.faces) + " has fewer than three corners");
-      for(corners.clear(); begin < end; ++begin) {
-        corners.push_back(next_integer());
-        check_corner(file_, soup.faces, corners.back(), soup.points.size());
-      }
+      for(corners.clear(); begin < end; ++begin)
+        corners.push_back(checked_corner(file_, soup.faces, next_integer(), soup.points.size()));
       soup.add_face(corners);
     }
     if(!next_token(rest_).empty())
@@ -78,7 +74,7 @@ private:
   {
     const std::string_view token = next_token(rest_);
     const auto value = to_integer(token);
-    if(!value || std::abs(*value) > std::numeric_limits<int>::max())
+    if(!value || *value != static_cast<int>(*value))
       refuse_word(token);
     return static_cast<int>(*value);
   }

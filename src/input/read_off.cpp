@@ -18,7 +18,7 @@ namespace {
 /// What follows "OFF BINARY", which does not say of which of its dialects it is. Those of Geomview and CGAL are
 /// big-endian, and have colours behind the corners of a face, and their number; that of pmp has numbers as the machine
 /// has them, and no colours. Nothing if the bytes are not those of the dialect, to the last one.
-std::optional<Soup> read_binary(const std::string& file, std::string_view bytes, Byte_order order, bool has_colours)
+std::optional<Soup> read_binary(const std::string& file, std::string_view bytes, Byte_order order)
 {
   const auto left = [&] { return static_cast<std::int64_t>(bytes.size() / 4); };
   const auto skip = [&](std::int64_t numbers) { bytes.remove_prefix(4 * static_cast<std::size_t>(numbers)); };
@@ -49,7 +49,7 @@ std::optional<Soup> read_binary(const std::string& file, std::string_view bytes,
         return std::nullopt;
     }
     soup.add_face(corners);
-    const std::int64_t colours = has_colours ? next() : 0;
+    const std::int64_t colours = order == Byte_order::BIG ? next() : 0;
     if(colours < 0 || colours > left())
       return std::nullopt;
     skip(colours);
@@ -88,12 +88,11 @@ private:
   Soup read_binary() const
   {
     for(const Byte_order order : {Byte_order::BIG, Byte_order::LITTLE})
-      for(const bool has_colours : {true, false})
-        if(std::optional<Soup> soup = tool::read_binary(file_, lines_.rest(), order, has_colours)) {
-          if(soup->faces == 0)
-            refuse_point_cloud(file_, soup->points.size());
-          return std::move(*soup);
-        }
+      if(std::optional<Soup> soup = tool::read_binary(file_, lines_.rest(), order)) {
+        if(soup->faces == 0)
+          refuse_point_cloud(file_, soup->points.size());
+        return std::move(*soup);
+      }
     refuse_file(file_, "cut short, or in a dialect of OFF BINARY that is not known",
                 "save it as plain text OFF or as PLY");
   }

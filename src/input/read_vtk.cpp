@@ -55,9 +55,7 @@ protected:
   /// Appends a corner, and with its last one the cell, if it is a face; points and lines are left out.
   void add_corner(double vertex, bool is_last, double kind)
   {
-    const bool is_index = vertex >= 0 && vertex < static_cast<double>(largest_count) && vertex == std::floor(vertex);
-    corners_.push_back(is_index ? static_cast<int>(vertex) : -1);
-    check_corner(file_, cells_read_, corners_.back(), soup_.points.size());
+    corners_.push_back(checked_corner(file_, cells_read_, vertex, soup_.points.size()));
     if(!is_last)
       return;
     const std::size_t cell = cells_read_++, size = corners_.size();
@@ -298,7 +296,9 @@ private:
       for(std::size_t i = 1; i < width; ++i)
         size = size << 8 | static_cast<unsigned char>(rest_[i]);
       rest_.remove_prefix(width);
-      rest_.remove_prefix(std::min<std::uint64_t>(size, rest_.size()));
+      if(size > rest_.size())
+        refuse("cut short: a text of " + std::to_string(size) + " bytes is announced");
+      rest_.remove_prefix(static_cast<std::size_t>(size));
     }
   }
 

@@ -550,6 +550,7 @@ TEST_CASE("data: broken files are refused in one line", "[tool][data]")
     check("a.vtk", grid + "CELL_TYPES 2\n5\n5\n", "face 0 has only 1 vertices");
     check("a.vtk", grid + "CELL_TYPES 3\n1\n5\n5\n", "the types of 3 cells, and 2 cells");
     check("a.vtk", grid + "CELL_TYPES 2\n1\n5\nPOINT_DATA 3\nPEDIGREE_IDS ids string\na\nb\n", "cut short");
+    check("a.vtk", "# vtk DataFile Version 3.0\ntext\nBINARY\nFIELD f 1\nname 1 1 string\n\xff!", "a text of 63 bytes");
     check("a.vtp", changed(text, "NumberOfPoints=\"42", "NumberOfPoints=\"43"), "size");
     check("a.vtp", changed(text, "NumberOfPolys=\"80", "NumberOfPolys=\"81"), "size");
     check("a.vtp", changed(text, "\"PolyData\"", "\"ImageData\""), "PolyData");

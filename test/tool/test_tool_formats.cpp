@@ -641,6 +641,7 @@ TEST_CASE("formats: dialects of other programs", "[tool][formats]")
     for(const auto& [text, word] : {std::pair(mni(3, end), "0, 1 or 2"),
                                     {mni(0, end + " x"), "'x' stands where"},
                                     {mni(0, end) + " 7", "more behind"},
+                                    {mni(0, "-9223372036854775808"), "'-9223372036854775808' stands where"},
                                     {mni(0, "1"), "fewer than three corners"},
                                     {mni(0, "99999"), "cut short"},
                                     {mni(0, end).substr(0, 800), "cut short"},

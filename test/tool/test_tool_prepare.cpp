@@ -961,6 +961,7 @@ TEST_CASE("prepare: wrong usage", "[tool]")
   const std::string in = write_off(scratch / "in.off", icosphere(1)), out = scratch / "out.off";
   const std::vector<std::vector<std::string>> wrong = {{"-o", in},
                                                        {"-o", scratch / "out.stl"},
+                                                       {"-o", scratch / "out.vtu"},
                                                        {"-o", out, "--alpha", "1"},
                                                        {"-o", out, "--wrap", "--offset", "0"},
                                                        {"-o", out, "--merge-distance", "-1"},

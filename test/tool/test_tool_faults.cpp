@@ -403,7 +403,9 @@ TEST_CASE("faults: too little memory is said in one line, whenever it is missing
     enough += 4 * mebi;
   for(const Command& command : commands(scratch, input)) {
     std::vector<std::string> arguments = command.arguments;
-    if(arguments.front() == "map") // threads of TBB need more than the rest
+    const std::set<std::string> with_policy = {"harmonics", "map",     "register", "resample",
+                                               "segment",   "texture", "view"};
+    if(with_policy.count(arguments.front()) > 0) // threads of TBB need more than the rest
       arguments.insert(arguments.end(), {"--policy", "sequential"});
     if(arguments.front() == "signature")
       arguments.insert(arguments.end(), {"-j", "1"});

@@ -48,9 +48,10 @@ py::array triangles_of(const std::string& file, const Doubles& points, const std
       soup.set_coordinate(file, v, k, rows[v][k]);
   if(soup.non_finite)
     throw tool::Refusal(*soup.non_finite);
+  std::vector<int> corners;
   for(const Polygons& block : blocks)
     for(py::ssize_t i = 0; i < block.shape(0); ++i) {
-      std::vector<int> corners;
+      corners.clear();
       for(py::ssize_t k = 0; k < block.shape(1); ++k)
         corners.push_back(
           tool::checked_corner(file, soup.faces, static_cast<double>(*block.data(i, k)), soup.points.size()));

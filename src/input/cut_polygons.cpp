@@ -152,7 +152,7 @@ void cut_polygons(Soup& soup)
   // a second of work or two, which polygons of 10,000 corners do not need, and something for each corner
   std::int64_t looks = 200'000'000 + 300 * static_cast<std::int64_t>(soup.triangles.size());
   std::vector<int> corners;
-  std::vector<Vector> points;
+  std::vector<Vector> points, normals;
   auto fan = soup.triangles.begin();
   std::size_t face = 0;
   for(const Soup::Polygon& polygon : soup.polygons) {
@@ -171,18 +171,18 @@ void cut_polygons(Soup& soup)
       for(const double x : points.back())
         size = std::max(size, std::abs(x));
     }
-    Vector sum = {};
     for(Vector& p : points)
       p = {p[0] / size, p[1] / size, p[2] / size};
+    normals.clear(); // of the fan
+    Vector sum = {};
     for(std::size_t i = 2; i < points.size(); ++i) {
-      const Vector n = normal(points[0], points[i - 1], points[i]);
+      const Vector n = normals.emplace_back(normal(points[0], points[i - 1], points[i]));
       sum = {sum[0] + n[0], sum[1] + n[1], sum[2] + n[2]};
     }
     const double length = std::sqrt(product(sum, sum));
     bool is_right = true;
     for(std::size_t i = 2; i < points.size(); ++i) // all comparisons are false if a coordinate is not finite
-      if(product(normal(points[0], points[i - 1], points[i]), sum) <=
-         flat * longest_squared_side(points[0], points[i - 1], points[i]) * length)
+      if(product(normals[i - 2], sum) <= flat * longest_squared_side(points[0], points[i - 1], points[i]) * length)
         is_right = false;
     if(!is_right) {
       auto triangle = fan;

@@ -18,8 +18,7 @@ namespace {
 struct Format {
   Mesh_format format;
   std::string_view name;
-  std::string_view
-    extension; ///< none: FreeSurfer's files are known by the first part of their names, MNI's by their content
+  std::string_view extension; ///< none: FreeSurfer's files are known by how their names begin, MNI's by their content
 };
 
 constexpr Format formats[] = {

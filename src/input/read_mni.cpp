@@ -29,7 +29,7 @@ public:
     soup.points.resize(next_count("points", 6));
     for(std::size_t v = 0; v < soup.points.size(); ++v)
       for(std::size_t k = 0; k < 3; ++k)
-        soup.set_coordinate(file_, v, k, next_number());
+        soup.set_coordinate(file_, v, k, next_number(file_, rest_));
     skip(3 * soup.points.size());
     const std::size_t polygons = next_count("polygons", 1);
     if(polygons == 0)
@@ -56,33 +56,19 @@ public:
   }
 
 private:
-  [[noreturn]] void refuse_word(std::string_view token) const
-  {
-    refuse_file(file_, token.empty() ? "cut short" : in_quotes(token) + " stands where a number should be");
-  }
-
-  double next_number()
-  {
-    const std::string_view token = next_token(rest_);
-    double value = 0;
-    if(to_number(token, value) == Number::NONE)
-      refuse_word(token);
-    return value;
-  }
-
   int next_integer()
   {
     const std::string_view token = next_token(rest_);
     const auto value = to_integer(token);
     if(!value || *value != static_cast<int>(*value))
-      refuse_word(token);
+      refuse_file(file_, token.empty() ? "cut short" : in_quotes(token) + " stands where a number should be");
     return static_cast<int>(*value);
   }
 
   void skip(std::size_t numbers)
   {
     for(; numbers > 0; --numbers)
-      next_number();
+      next_number(file_, rest_);
   }
 
   /// How many there are, each of which has so many numbers at least: a digit and a space each.

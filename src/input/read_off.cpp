@@ -38,11 +38,12 @@ std::optional<Soup> read_binary(const std::string& file, std::string_view bytes,
   for(std::size_t v = 0; v < soup.points.size(); ++v)
     for(std::size_t k = 0; k < 3; ++k, skip(1))
       soup.set_coordinate(file, v, k, number_at<float>(bytes.data(), order));
+  std::vector<int> corners;
   for(std::int64_t f = 0; f < faces; ++f) {
     const std::int64_t size = next();
     if(size < 3 || size > left())
       return std::nullopt;
-    std::vector<int> corners;
+    corners.clear();
     for(std::int64_t i = 0; i < size; ++i) {
       corners.push_back(static_cast<int>(next()));
       if(corners.back() < 0 || corners.back() >= vertices)

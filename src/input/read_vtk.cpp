@@ -204,12 +204,7 @@ private:
       refuse("cut short: " + std::to_string(count) + " numbers are announced where " + std::to_string(rest_.size()) +
              " bytes are left");
     for(std::size_t i = 0; i < count; ++i) {
-      double value = 0;
-      if(!is_text_)
-        value = type.read(&rest_[i * type.size], Byte_order::BIG);
-      else if(const std::string_view token = next_token(rest_); to_number(token, value) == Number::NONE)
-        refuse(token.empty() ? "cut short" : in_quotes(token) + " stands where a number should be");
-      use(i, value);
+      use(i, is_text_ ? next_number(file_, rest_) : type.read(&rest_[i * type.size], Byte_order::BIG));
     }
     if(!is_text_)
       rest_.remove_prefix(count * type.size);

@@ -103,6 +103,15 @@ std::string_view next_token(std::string_view& text)
   return token;
 }
 
+double next_number(const std::string& file, std::string_view& text)
+{
+  const std::string_view token = next_token(text);
+  double value = 0;
+  if(to_number(token, value) == Number::NONE)
+    refuse_file(file, token.empty() ? "cut short" : in_quotes(token) + " stands where a number should be");
+  return value;
+}
+
 Text_lines::Text_lines(const std::string& file, std::string text) : file_(file), text_(std::move(text))
 {
   if(text_.compare(0, 3, "\xEF\xBB\xBF") == 0) // a mark that Windows editors put before UTF-8

@@ -35,6 +35,9 @@ std::string percent_decoded(std::string_view text);
 /// Takes the next token, which ends at white space, off the text; empty at the end.
 std::string_view next_token(std::string_view& text);
 
+/// Takes the next number off the text. Throws a `Refusal` if there is none, or something else.
+double next_number(const std::string& file, std::string_view& text);
+
 /// The lines of a text file, whatever they end with (LF, CR LF or CR).
 class Text_lines {
 public:

@@ -8,30 +8,23 @@
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 
-#include <algorithm>
 #include <array>
-#include <tuple>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 
 /// Calls f(i, corners...) for the faces begin <= i < end, with the values of its three corners in every one of the
-/// arrays `at`. They are fetched for some faces at a time: the processor waits for many of them at once, and no longer
-/// than for one. Faces whose corners are far apart in memory are visited twice as fast.
+/// arrays `at`. Those of later faces are asked for meanwhile: corners may be far apart in memory.
 template <class F, class... Arrays>
 void for_each_face(const Host_array<std::array<int, 3>>& face, int begin, int end, F f, const Arrays&... at)
 {
-  constexpr int together = 32;
-  typedef std::array<vec3, 3> Corners;
-  std::array<std::array<Corners, sizeof...(at)>, together> fetched;
-  for(int first = begin; first < end; first += together) {
-    const int count = (std::min)(together, end - first);
-    for(int i = 0; i < count; ++i) {
-      const std::array<int, 3>& corner = face[first + i];
-      fetched[i] = {Corners{at[corner[0]], at[corner[1]], at[corner[2]]}...};
-    }
-    for(int i = 0; i < count; ++i)
-      std::apply([&](const auto&... corners) { f(first + i, corners...); }, fetched[i]);
+  constexpr int faces_ahead = 32;
+  for(int i = begin; i < end; ++i) {
+    if(i < end - faces_ahead)
+      for([[maybe_unused]] const int corner : face[i + faces_ahead])
+        (__builtin_prefetch(&at[corner]), ...);
+    const std::array<int, 3>& corner = face[i];
+    f(i, std::array<vec3, 3>{at[corner[0]], at[corner[1]], at[corner[2]]}...);
   }
 }
 

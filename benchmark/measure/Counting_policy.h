@@ -55,8 +55,8 @@ private:
   void count(std::size_t n, const Arguments&... arguments) const
   {
     const auto add = [&](const auto& x) {
-      if constexpr(std::is_same_v<decltype(x), const Matrix&>)
-        entries_ += n * x->target.size() / x->size();
+      if constexpr(std::is_same_v<decltype(x), const Matrix&> || std::is_same_v<decltype(x), const Smoother&>)
+        entries_ += n * x->weight.size() / x->size();
     };
     (add(arguments), ...);
   }

@@ -20,6 +20,8 @@
 #define MATRIX(a)                                                                                                      \
   int_in a##_offset, int_in a##_target, real_in a##_weight, real_in a##_excess, real_in a##_inverse_diagonal
 #define VIEW(a) make_graph_view(a##_offset, a##_target, a##_weight, a##_excess, a##_inverse_diagonal)
+#define SMOOTHER(a) int_in a##_offset, int_in a##_target, float_in a##_weight, float_in a##_excess
+#define SMOOTHER_VIEW(a) make_smoother_view(a##_offset, a##_target, a##_weight, a##_excess)
 #define AGGREGATES(t) int_in t##_of_vertex, int_in t##_offset, int_in t##_member
 #define AGGREGATES_VIEW(t) make_aggregates_view(t##_of_vertex, t##_offset, t##_member)
 
@@ -31,6 +33,16 @@ graph_view make_graph_view(int_in offset, int_in target, real_in weight, real_in
   a.weight = weight;
   a.excess = excess;
   a.inverse_diagonal = inverse_diagonal;
+  return a;
+}
+
+smoother_view make_smoother_view(int_in offset, int_in target, float_in weight, float_in excess)
+{
+  smoother_view a;
+  a.offset = offset;
+  a.target = target;
+  a.weight = weight;
+  a.excess = excess;
   return a;
 }
 

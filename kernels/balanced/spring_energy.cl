@@ -45,7 +45,7 @@ KERNEL sp_tilt_masses(int n, real_in density, vec3 tilt, vec3_in v, real_out m, 
   ADD_UP(9);
 }
 
-KERNEL sp_curvature(int n, MATRIX(a), real_in mass, vec3 mu, vec3_in v, vec3_in d, real_in density, real_out partial)
+KERNEL sp_curvature(int n, MATRIX(a), real_in mass, vec3 mu, vec3_in v, float4_in d, real_in density, real_out partial)
 {
   SUMS(5);
   FOR_EACH_OF_BLOCK(i, n)
@@ -53,7 +53,7 @@ KERNEL sp_curvature(int n, MATRIX(a), real_in mass, vec3 mu, vec3_in v, vec3_in 
   ADD_UP(5);
 }
 
-KERNEL sp_stiffening_curvature(int n, MATRIX(a), real p, real_in mass, vec3 mu, vec3_in v, vec3_in d, real_in density,
+KERNEL sp_stiffening_curvature(int n, MATRIX(a), real p, real_in mass, vec3 mu, vec3_in v, float4_in d, real_in density,
                                real_out partial)
 {
   SUMS(5);
@@ -62,30 +62,31 @@ KERNEL sp_stiffening_curvature(int n, MATRIX(a), real p, real_in mass, vec3 mu, 
   ADD_UP(5);
 }
 
-KERNEL sp_balance_gradient(int n, real_in inverse_diagonal, real_in mass, vec3 mu, vec3_in v, vec3_in step, vec3_out g,
-                           real_out partial)
+KERNEL sp_balance_gradient(int n, real_in inverse_diagonal, real_in mass, vec3 mu, vec3_in v, vec3_in g, float4_in step,
+                           float4_out b, real_out partial)
 {
   SUMS(2);
   FOR_EACH_OF_BLOCK(i, n)
-  balance_gradient_at(i, inverse_diagonal, mass, mu, v, step, g, s);
+  balance_gradient_at(i, inverse_diagonal, mass, mu, v, g, step, b, s);
   ADD_UP(2);
 }
 
-KERNEL sp_direction_products(int n, real_in mass, vec3_in v, vec3_in g, vec3_in step, vec3_in d, real_out partial)
+KERNEL sp_direction_products(int n, real_in inverse_diagonal, real_in mass, vec3_in v, float4_in b, float4_in step,
+                             float4_in d, real_out partial)
 {
   SUMS(14);
   FOR_EACH_OF_BLOCK(i, n)
-  direction_products_at(i, mass, v, g, step, d, s);
+  direction_products_at(i, inverse_diagonal, mass, v, b, step, d, s);
   ADD_UP(14);
 }
 
-KERNEL sp_next_direction(int n, real beta, vec3 y, vec3 omega, vec3_in v, vec3_in step, vec3_out d)
+KERNEL sp_next_direction(int n, real beta, vec3 y, vec3 omega, vec3_in v, float4_in step, float4_out d)
 {
   FOR_EACH(i, n)
   next_direction_at(i, beta, y, omega, v, step, d);
 }
 
-KERNEL sp_retract(int n, real_in mass, real alpha, vec3 c, vec3_in v, vec3_in d, vec3_out w, real_out partial)
+KERNEL sp_retract(int n, real_in mass, real alpha, vec3 c, vec3_in v, float4_in d, vec3_out w, real_out partial)
 {
   SUMS(9);
   FOR_EACH_OF_BLOCK(i, n)

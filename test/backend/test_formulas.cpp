@@ -101,7 +101,10 @@ TEST_CASE("gradient and curvature are the derivatives of the spring energy along
   const double h = 1e-4;
   const auto lagrangian = [&](double s) { return t.energy(p, t.moved(s)) - I::inner(mu, t.centroid(t.moved(s))); };
   CHECK(slope == Approx((t.energy(p, t.moved(h)) - t.energy(p, t.moved(-h))) / (2 * h)).epsilon(1e-6));
-  const auto curvature = t.host.curvature(t.a, p, t.mass, mu, t.v, t.d, density);
+  auto d = t.host.steps(t.n);
+  for(int i = 0; i < t.n; ++i)
+    d[i] = I::to_float4(t.d[i]);
+  const auto curvature = t.host.curvature(t.a, p, t.mass, mu, t.v, d, density);
   const double expected = (lagrangian(h) - 2 * lagrangian(0) + lagrangian(-h)) / (h * h);
   CHECK(curvature[0] == Approx(expected).epsilon(1e-5));
   vec3 push = {0, 0, 0};
@@ -208,6 +211,36 @@ TEST_CASE("smoothing steps and residuals belong to one matrix", "[formulas]")
     CHECK(I::norm(I::sub(r[i], I::sub(b[i], ax[i]))) < 1e-12);
     CHECK(I::norm(I::sub(y[i], I::add_scaled(x[i], 0.7 / sum, r[i]))) < 1e-12);
     CHECK(I::norm(I::sub(start[i], from_zero[i])) < 1e-14);
+  }
+}
+
+TEST_CASE("smoothing steps and residuals in floats are those in doubles, over the diagonal", "[formulas]")
+{
+  Bench t;
+  for(int i = 0; i < t.n; ++i)
+    t.graph->excess.push_back(0.1 + 0.01 * i);
+  t.graph->update_diagonal({});
+  const auto smoother = std::make_shared<const I::Weighted_smoother>(t.host.host_loop(), t.a);
+  Positions r = t.host.vectors(t.n), y = r, start = r, second = r;
+  t.host.residual(t.a, t.d, t.v, r);
+  t.host.smooth(t.a, 0.7, t.d, t.v, y);
+  t.host.start_smoothing(t.a, 0.7, t.d, start);
+  t.host.smooth(t.a, 0.4, t.d, start, second);
+  auto b = t.host.steps(t.n), x = t.host.steps(t.n), float_r = t.host.steps(t.n), float_y = t.host.steps(t.n),
+       float_second = t.host.steps(t.n);
+  for(int i = 0; i < t.n; ++i) {
+    b[i] = I::to_float4(I::scale(t.graph->inverse_diagonal[i], t.d[i]));
+    x[i] = I::to_float4(t.v[i]);
+  }
+  t.host.residual(smoother, b, x, float_r);
+  t.host.smooth(smoother, 0.7, b, x, float_y);
+  t.host.start_smoothing(smoother, 0.7, 0.4, b, float_second);
+  const auto distance = [](const I::float4& p, vec3 q) { return I::norm(I::sub(I::to_vec3(p), q)); };
+  constexpr double rounding = 1e-6;
+  for(int i = 0; i < t.n; ++i) {
+    CHECK(distance(float_r[i], I::scale(t.graph->inverse_diagonal[i], r[i])) < rounding);
+    CHECK(distance(float_y[i], y[i]) < rounding);
+    CHECK(distance(float_second[i], second[i]) < rounding);
   }
 }
 

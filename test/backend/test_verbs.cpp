@@ -160,6 +160,20 @@ public:
     Outcome outcome;
 
     void wrote(const typename B::Vectors& v) { outcome.vectors.push_back(backend.download(v)); }
+    /// By sums over them
+    void wrote(const typename B::Steps& v)
+    {
+      const int size = static_cast<int>(v.size());
+      returned(backend.direction_products(a, mass, backend.vectors(size), v, v, v));
+    }
+    /// Divided by the diagonal
+    typename B::Steps steps_of(const typename B::Vectors& v) const
+    {
+      const int size = static_cast<int>(v.size());
+      typename B::Steps result = backend.steps(size);
+      backend.balance_gradient(a, backend.scalars(size), {0, 0, 0}, v, v, backend.steps(size), result);
+      return result;
+    }
     void returned(double s) { outcome.numbers.push_back(s); }
     template <std::size_t K>
     void returned(const std::array<double, K>& s)
@@ -288,7 +302,7 @@ TEMPLATE_LIST_TEST_CASE("every verb does the same on every backend, bit by bit",
     check("gradient, curvature", [&](auto& t) {
       t.returned(t.backend.gradient(t.a, p, t.x, t.w, t.scratch));
       t.wrote(t.w);
-      t.returned(t.backend.curvature(t.a, p, t.mass, mu, t.x, t.y, t.scratch));
+      t.returned(t.backend.curvature(t.a, p, t.mass, mu, t.x, t.steps_of(t.y), t.scratch));
     });
   check("spring_masses", [&](auto& t) {
     t.backend.spring_masses(t.a, t.x, t.scratch);
@@ -298,16 +312,21 @@ TEMPLATE_LIST_TEST_CASE("every verb does the same on every backend, bit by bit",
   });
   check("moments", [&](auto& t) { t.returned(t.backend.moments(t.mass, t.x)); });
   check("balance_gradient", [&](auto& t) {
-    t.returned(t.backend.balance_gradient(t.a, t.mass, mu, t.x, t.z, t.y));
-    t.wrote(t.y);
+    auto b = t.backend.steps_in(t.w);
+    t.returned(t.backend.balance_gradient(t.a, t.mass, mu, t.x, t.y, t.steps_of(t.z), b));
+    t.wrote(b);
   });
-  check("direction_products", [](auto& t) { t.returned(t.backend.direction_products(t.mass, t.x, t.y, t.z, t.z)); });
+  check("direction_products", [](auto& t) {
+    const auto d = t.steps_of(t.z);
+    t.returned(t.backend.direction_products(t.a, t.mass, t.x, t.steps_of(t.y), d, d));
+  });
   check("next_direction", [&](auto& t) {
-    t.backend.next_direction(beta, mu, omega, t.x, t.y, t.z);
-    t.wrote(t.z);
+    auto d = t.steps_of(t.z);
+    t.backend.next_direction(beta, mu, omega, t.x, t.steps_of(t.y), d);
+    t.wrote(d);
   });
   check("retract", [&](auto& t) {
-    t.returned(t.backend.retract(t.mass, alpha, scale(0.1, mu), t.x, t.y, t.w));
+    t.returned(t.backend.retract(t.mass, alpha, scale(0.1, mu), t.x, t.steps_of(t.y), t.w));
     t.wrote(t.w);
   });
   check("transform", [&](auto& t) {
@@ -344,6 +363,38 @@ TEMPLATE_LIST_TEST_CASE("every verb does the same on every backend, bit by bit",
     check("multiply_dense", [&](auto& t) {
       t.backend.multiply_dense(t.backend.upload(dense), t.x, t.w);
       t.wrote(t.w);
+    });
+  }
+
+  const auto smoother =
+    std::make_shared<const Weighted_smoother>(Host_loop(false), std::make_shared<Weighted_graph>(graph));
+  Host_array<float> share;
+  for(double one : random.positive(n))
+    share.push_back(static_cast<float>(one));
+  check("a cycle in floats", [&](auto& t) {
+    const auto a = t.backend.upload(smoother, t.a);
+    const auto of = t.backend.upload(aggregates);
+    const auto shares = t.backend.upload(share);
+    const auto b = t.steps_of(t.y);
+    auto of_vertices = t.steps_of(t.x), of_aggregates = t.backend.steps((n + 3) / 4);
+    t.backend.start_smoothing(a, alpha, beta, b, of_vertices);
+    t.wrote(of_vertices);
+    auto smooth = t.backend.steps(n);
+    t.backend.smooth(a, alpha, b, of_vertices, smooth);
+    t.wrote(smooth);
+    t.backend.residual(a, b, smooth, of_vertices);
+    t.wrote(of_vertices);
+    t.backend.restrict(of, shares, of_vertices, of_aggregates);
+    t.wrote(of_aggregates);
+    t.backend.correct(of, of_aggregates, smooth);
+    t.wrote(smooth);
+  });
+  if(n < 100) {
+    const Numbers dense = random.positive(n * n);
+    check("multiply_dense in floats", [&](auto& t) {
+      auto result = t.backend.steps(n);
+      t.backend.multiply_dense(t.backend.upload(dense), t.a, t.steps_of(t.x), result);
+      t.wrote(result);
     });
   }
 }

@@ -43,9 +43,9 @@ namespace CGAL::Spherical_parameterization {
 /// devices on the same queue. The results are the same; the work on one queue is done sequentially.
 ///
 /// In double precision the results are the same, bit by bit, as with `CGAL::Sequential_tag`, on devices whose division
-/// and square root round correctly, as OpenCL demands. In single precision the residual cannot reach the default
-/// accuracy: accuracies below 3e-7 sqrt(n), with n vertices, are raised to that; `Result::device` names the precision.
-/// The certificate is exact in either case.
+/// and square root round correctly, as OpenCL demands, and that keep denormal floats, which it does not. In single
+/// precision the residual cannot reach the default accuracy: accuracies below 3e-7 sqrt(n), with n vertices, are raised
+/// to that; `Result::device` names the precision. The certificate is exact in either case.
 ///
 /// A mesh with fewer than `smallest_mesh()` vertices is mapped on one core of the host, which is faster;
 /// `Result::device` says so.

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: LGPL-3.0-or-later
  * Part of CGAL Spherical Parameterization.
  *
- * Vectors of three numbers. The text is valid C++ and valid OpenCL C 1.2: the host includes it, a device compiles it.
+ * Vectors of three numbers, and of floats for what needs no more. The text is valid C++ and valid OpenCL C 1.2: the
+ * host includes it, a device compiles it.
  */
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_ALGEBRA_VEC3_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_ALGEBRA_VEC3_H
@@ -18,6 +19,8 @@ namespace CGAL::Spherical_parameterization::internal {
 using std::size_t;
 using std::sqrt;
 typedef double real; /* a device may take float: kernels/backend/precision.cl */
+/* as in OpenCL: four lanes of a register, of which the last one is unused (an extension of GCC's and Clang's) */
+typedef float float4 __attribute__((vector_size(16)));
 #endif
 
 typedef struct {
@@ -47,6 +50,25 @@ CGAL_SP_FUNCTION real norm(vec3 a) { return sqrt(inner(a, a)); }
 CGAL_SP_FUNCTION vec3 unit(vec3 a) { return scale(1 / sqrt(inner(a, a)), a); }
 /* P_v a, the part of a that is tangent to the sphere at the unit vector v */
 CGAL_SP_FUNCTION vec3 tangent(vec3 a, vec3 v) { return add_scaled(a, -inner(a, v), v); }
+
+/* Rounded; the last lane is 0. */
+CGAL_SP_FUNCTION float4 to_float4(vec3 a)
+{
+#ifdef __OPENCL_C_VERSION__
+  return (float4)((float)a.x, (float)a.y, (float)a.z, 0);
+#else
+  return float4{static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z), 0};
+#endif
+}
+/* Exact, but for the last lane, which is lost. */
+CGAL_SP_FUNCTION vec3 to_vec3(float4 a)
+{
+#ifdef __OPENCL_C_VERSION__
+  return make_vec3(a.x, a.y, a.z);
+#else
+  return make_vec3(a[0], a[1], a[2]);
+#endif
+}
 
 #ifndef __OPENCL_C_VERSION__
 } // namespace CGAL::Spherical_parameterization::internal

@@ -21,7 +21,8 @@ struct Verb {
 };
 
 /// The verbs of a backend, once for all. A verb `v` is a loop over the formula `v_at` of vertex_formulas.h, which says
-/// what is computed; verbs with sums return them. A machine has the memory, and two functions:
+/// what is computed; verbs with sums return them. Overloads for `Steps` are loops over `float_v_at`. A machine has the
+/// memory, and two functions:
 /// - `run(verb, n, arguments...)` calls the formula for i = 0 ... n-1, in any order;
 /// - `sum(verb, n, arguments...)` does, too, and returns the sums.
 ///
@@ -36,7 +37,10 @@ class Verbs : public Machine {
 public:
   using Vectors = typename Machine::Vectors;
   using Scalars = typename Machine::Scalars;
+  using Steps = typename Machine::Steps; ///< vectors of floats
+  using Floats = typename Machine::Floats;
   using Matrix = typename Machine::Matrix;
+  using Smoother = typename Machine::Smoother;
   using Aggregates = typename Machine::Aggregates;
   using Colouring = typename Machine::Colouring;
   using Machine::Machine;
@@ -94,6 +98,39 @@ public:
     run(Verb<multiply_dense_at>{"sp_multiply_dense"}, x.size(), columns, b, x, y);
   }
 
+  // A multigrid cycle in floats
+
+  void start_smoothing(const Smoother& a, double gain, double second_gain, const Steps& b, Steps& x) const
+  {
+    run(Verb<float_start_smoothing_at>{"sp_float_start_smoothing"}, x.size(), a, gain, second_gain, b, x);
+  }
+
+  void smooth(const Smoother& a, double gain, const Steps& b, const Steps& x, Steps& y) const
+  {
+    run(Verb<float_smooth_at>{"sp_float_smooth"}, x.size(), a, gain, b, x, y);
+  }
+
+  void residual(const Smoother& a, const Steps& b, const Steps& x, Steps& r) const
+  {
+    run(Verb<float_residual_at>{"sp_float_residual"}, x.size(), a, b, x, r);
+  }
+
+  void restrict(const Aggregates& of, const Floats& share, const Steps& r, Steps& y) const
+  {
+    run(Verb<float_restrict_at>{"sp_float_restrict"}, y.size(), of, share, r, y);
+  }
+
+  void correct(const Aggregates& of, const Steps& e, Steps& x) const
+  {
+    run(Verb<float_correct_at>{"sp_float_correct"}, x.size(), of, e, x);
+  }
+
+  void multiply_dense(const Scalars& b, const Matrix& a, const Steps& x, Steps& y) const
+  {
+    const int columns = static_cast<int>(x.size());
+    run(Verb<float_multiply_dense_at>{"sp_float_multiply_dense"}, x.size(), columns, b, a->inverse_diagonal, x, y);
+  }
+
   // Spring energy
 
   double energy(const Matrix& a, const Vectors& v) const
@@ -119,7 +156,7 @@ public:
   }
 
   std::array<double, 5> curvature(const Matrix& a, double p, const Scalars& mass, vec3 mu, const Vectors& v,
-                                  const Vectors& d, const Scalars& density) const
+                                  const Steps& d, const Scalars& density) const
   {
     return p == 2 ? sum(Verb<curvature_at, 5>{"sp_curvature"}, v.size(), a, mass, mu, v, d, density)
                   : sum(Verb<stiffening_curvature_at, 5>{"sp_stiffening_curvature"}, v.size(), a, p, mass, mu, v, d,
@@ -127,24 +164,25 @@ public:
   }
 
   std::array<double, 2> balance_gradient(const Matrix& a, const Scalars& mass, vec3 mu, const Vectors& v,
-                                         const Vectors& step, Vectors& g) const
+                                         const Vectors& g, const Steps& step, Steps& b) const
   {
-    return sum(Verb<balance_gradient_at, 2>{"sp_balance_gradient"}, v.size(), a->inverse_diagonal, mass, mu, v, step,
-               g);
+    return sum(Verb<balance_gradient_at, 2>{"sp_balance_gradient"}, v.size(), a->inverse_diagonal, mass, mu, v, g, step,
+               b);
   }
 
-  std::array<double, 14> direction_products(const Scalars& mass, const Vectors& v, const Vectors& g,
-                                            const Vectors& step, const Vectors& d) const
+  std::array<double, 14> direction_products(const Matrix& a, const Scalars& mass, const Vectors& v, const Steps& b,
+                                            const Steps& step, const Steps& d) const
   {
-    return sum(Verb<direction_products_at, 14>{"sp_direction_products"}, v.size(), mass, v, g, step, d);
+    return sum(Verb<direction_products_at, 14>{"sp_direction_products"}, v.size(), a->inverse_diagonal, mass, v, b,
+               step, d);
   }
 
-  void next_direction(double beta, vec3 y, vec3 omega, const Vectors& v, const Vectors& step, Vectors& d) const
+  void next_direction(double beta, vec3 y, vec3 omega, const Vectors& v, const Steps& step, Steps& d) const
   {
     run(Verb<next_direction_at>{"sp_next_direction"}, v.size(), beta, y, omega, v, step, d);
   }
 
-  Moments retract(const Scalars& mass, double alpha, vec3 c, const Vectors& v, const Vectors& d, Vectors& w) const
+  Moments retract(const Scalars& mass, double alpha, vec3 c, const Vectors& v, const Steps& d, Vectors& w) const
   {
     return sum(Verb<retract_at, 9>{"sp_retract"}, v.size(), mass, alpha, c, v, d, w);
   }

@@ -6,9 +6,10 @@
 
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
-#include <CGAL/Spherical_parameterization/internal/backend/formulas/linear_algebra.h>
+#include <CGAL/Spherical_parameterization/internal/backend/formulas/float_cycle.h>
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -53,6 +54,34 @@ struct Weighted_graph {
 
 /// Graphs are large: all that use one share it.
 typedef std::shared_ptr<const Weighted_graph> Shared_graph;
+
+/// A graph as a Float_cycle sees it, on the host: see smoother_view.
+struct Weighted_smoother {
+  Shared_graph graph;
+  Host_array<float> weight;
+  Host_array<float> excess; ///< empty: zero
+
+  template <class Loop>
+  Weighted_smoother(const Loop& loop, Shared_graph of)
+    : graph(std::move(of)), weight(graph->weight.size()), excess(graph->excess.size())
+  {
+    loop.for_each(graph->size(), [&](int i) {
+      const double factor = graph->inverse_diagonal[i];
+      for(int k = graph->offset[i]; k < graph->offset[i + 1]; ++k)
+        weight[k] = static_cast<float>(factor * graph->weight[k]);
+      if(!excess.empty())
+        excess[i] = static_cast<float>(factor * graph->excess[i]);
+    });
+  }
+
+  int size() const { return graph->size(); }
+  smoother_view view() const
+  {
+    return {graph->offset.data(), graph->target.data(), weight.data(), excess.empty() ? nullptr : excess.data()};
+  }
+};
+
+typedef std::shared_ptr<const Weighted_smoother> Shared_smoother;
 
 /// Disjoint sets of vertices, each of which is one vertex of a coarser graph, on the host.
 struct Aggregates {

@@ -11,6 +11,7 @@
 // have the order of the verb's. Verbs that return sums have a last argument `s`, to whose elements element i adds its
 // share. A backend adds the loop and the order of the sums, nothing else.
 #include <CGAL/Spherical_parameterization/internal/backend/formulas/linear_algebra.h>
+#include <CGAL/Spherical_parameterization/internal/backend/formulas/float_cycle.h>
 #include <CGAL/Spherical_parameterization/internal/backend/formulas/power.h>
 #include <CGAL/Spherical_parameterization/internal/backend/formulas/saddle_point.h>
 #include <CGAL/Spherical_parameterization/internal/backend/formulas/spring_energy.h>

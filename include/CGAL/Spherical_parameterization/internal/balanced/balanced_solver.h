@@ -5,7 +5,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BALANCED_BALANCED_SOLVER_H
 
 #include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
-#include <CGAL/Spherical_parameterization/internal/multigrid/Multigrid.h>
+#include <CGAL/Spherical_parameterization/internal/multigrid/Float_cycle.h>
 #include <CGAL/Spherical_parameterization/internal/problem/Solution.h>
 #include <CGAL/Spherical_parameterization/internal/moebius/moebius.h>
 
@@ -52,13 +52,14 @@ template <class Backend>
 class Balanced_solver {
   typedef typename Backend::Vectors Vectors;
   typedef typename Backend::Scalars Scalars;
+  typedef typename Backend::Steps Steps;
 
 public:
   /// `matrix`: the springs on level k of the hierarchy, which preconditions; `mass`: areas on the sphere, which bound
   /// the steps, and define the balance.
-  Balanced_solver(const Backend& backend, const typename Backend::Matrix& matrix, Multigrid<Backend>& multigrid,
+  Balanced_solver(const Backend& backend, const typename Backend::Matrix& matrix, Float_cycle<Backend>& cycle,
                   std::size_t k, double spring_exponent, Gauge gauge, Scalars& mass)
-    : backend_(backend), matrix_(matrix), multigrid_(multigrid), level_(k), exponent_(spring_exponent), gauge_(gauge),
+    : backend_(backend), matrix_(matrix), cycle_(cycle), level_(k), exponent_(spring_exponent), gauge_(gauge),
       mass_(mass)
   {}
 
@@ -76,9 +77,10 @@ public:
     constexpr int most_references = 16;
     double next_reference = 1e-2;
     int references = 0;
-    const int n = multigrid_.size(level_);
-    Vectors g = backend_.vectors(n), s = backend_.vectors(n), d = backend_.vectors(n);
-    Vectors& w = multigrid_.scratch(level_);
+    const int n = static_cast<int>(v.size());
+    Vectors g = backend_.vectors(n), w = backend_.vectors(n);
+    Steps s = backend_.steps(n), d = backend_.steps(n);
+    Steps scratch = backend_.steps_in(g); // g is free once the forces are balanced
     Scalars density = backend_.scalars(n);
     Solver_report report;
 
@@ -100,27 +102,30 @@ public:
     Symmetric_solver<3> boosts = boost_matrix({});
     vec3 mu = {0, 0, 0};
     double along_last_step = 0; // s . g, s the preconditioned gradient of the point before
+    // The right-hand side of the cycle lies in w, until references and line search use that.
     const auto balance_forces = [&] {
       boosts = boost_matrix(moments);
       if(gauge_ == Gauge::BALANCED)
         mu = internal::solve(boosts, force(sums));
       report.energy = sums[0] / exponent_;
-      const std::array<double, 2> products = backend_.balance_gradient(matrix_, mass_, mu, v, s, g);
+      Steps b = backend_.steps_in(w);
+      const std::array<double, 2> products = backend_.balance_gradient(matrix_, mass_, mu, v, g, s, b);
       report.residual = std::sqrt(products[0]);
       along_last_step = products[1];
+      return b;
     };
     area ? refer(balance_tolerance) : begin(balance_tolerance);
     double gs = 0;
     double first = 0, best = 0;
     std::size_t best_at = 0;
     for(;; ++report.iterations) {
-      balance_forces();
+      Steps b = balance_forces();
       if(area && references < most_references && report.residual <= next_reference) {
         const double before = report.residual;
         next_reference = fall_between_references * before;
         ++references;
         refer((std::min)(balance_tolerance, per_residual * before));
-        balance_forces();
+        b = balance_forces();
         if(report.residual > largest_rise * before) { // the map collapses, and each reference is another one
           references = most_references;
           best = report.residual; // of the last one
@@ -141,9 +146,9 @@ public:
          !monitor.advance(options.work_before + (options.work_after - options.work_before) * share))
         return report;
 
-      multigrid_.apply(level_, g, s);
+      cycle_.apply(level_, b, scratch, s);
       // What a direction does is linear in it, so that one pass over step and last direction tells it of all betas.
-      const std::array<double, 14> products = backend_.direction_products(mass_, v, g, s, d);
+      const std::array<double, 14> products = backend_.direction_products(matrix_, mass_, v, b, s, d);
       // Polak and Ribiere's beta. M^-1 is symmetric: the gradient before needs not be kept.
       double beta = report.iterations == 0 ? 0 : (std::max)(0., (products[0] - along_last_step) / gs);
       gs = products[0];
@@ -184,7 +189,7 @@ private:
   ///
   /// A step alpha along d takes the map off balance by -alpha^2/2 sum m_i |d_i|^2 v_i up to third order; the sum is
   /// `drift`. A boost in the same pass undoes that, and what the step before has left.
-  bool line_search(double alpha, double slope, const Symmetric_solver<3>& boosts, vec3 drift, const Vectors& d,
+  bool line_search(double alpha, double slope, const Symmetric_solver<3>& boosts, vec3 drift, const Steps& d,
                    Vectors& v, Vectors& w, Vectors& g, Scalars& density, Moments& moments,
                    std::array<double, 4>& sums) const
   {
@@ -215,7 +220,7 @@ private:
 
   const Backend& backend_;
   const typename Backend::Matrix& matrix_;
-  Multigrid<Backend>& multigrid_;
+  Float_cycle<Backend>& cycle_;
   std::size_t level_;
   double exponent_;
   Gauge gauge_;

@@ -8,6 +8,7 @@
 #include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/balanced/solve_balanced.h>
+#include <CGAL/Spherical_parameterization/internal/multigrid/Float_cycle.h>
 #include <CGAL/Spherical_parameterization/internal/multigrid/Multigrid.h>
 #include <CGAL/Spherical_parameterization/internal/problem/Method_solver.h>
 #include <CGAL/Spherical_parameterization/internal/problem/settle.h>
@@ -198,7 +199,8 @@ bool solve_stiffening(const Backend& backend, const Problem& problem, double exp
     springs->inverse_diagonal = current->inverse_diagonal;
     const typename Backend::Matrix matrix = backend.upload(Shared_graph(springs));
     backend.spring_masses(backend.upload(problem.graph), v, mass);
-    Balanced_solver<Backend> solver(backend, matrix, multigrid, 0, exponent, gauge, mass);
+    Float_cycle<Backend> cycle(backend, multigrid);
+    Balanced_solver<Backend> solver(backend, matrix, cycle, 0, exponent, gauge, mass);
     const std::size_t round = (std::min)(iterations_per_hierarchy(report.residual), maximum_iterations - done);
     is_certified = false;
     report = solver.solve({goal, round}, monitor, v);
@@ -231,12 +233,13 @@ bool solve_harmonic(const Backend& backend, const Problem& problem, double accur
   const typename Backend::Scalars& area = backend.upload(problem.vertex_area(backend.host_loop()));
   typename Backend::Scalars mass = backend.scalars(problem.size());
   const Gauge gauge = is_free ? Gauge::BALANCED : Gauge::FIXED;
-  Balanced_solver<Backend> solver(backend, matrix, multigrid, 0, 2, gauge, mass);
+  Float_cycle<Backend> cycle(backend, multigrid);
+  Balanced_solver<Backend> solver(backend, matrix, cycle, 0, 2, gauge, mass);
   solution.seconds.start_map = watch.seconds();
 
   const auto start = [&](typename Backend::Vectors& x) {
     const Stopwatch start_watch;
-    x = is_free ? start_map(backend, multigrid, problem, monitor, solution.report.start_iterations)
+    x = is_free ? start_map(backend, multigrid, cycle, problem, monitor, solution.report.start_iterations)
                 : backend.upload(positions);
     if(!is_free)
       backend.spring_masses(matrix, x, mass);
@@ -285,7 +288,8 @@ void measure_balanced(const Backend& backend, const Problem& problem, double exp
   }
   const Moments moments = backend.tilt_masses(density, balancing_tilt(backend.moments(density, v)), v, mass);
   const vec3 mu = solve(boost_matrix(moments), {sums[1], sums[2], sums[3]});
-  report.residual = std::sqrt(backend.balance_gradient(matrix, mass, mu, v, v, g)[0]);
+  typename Backend::Steps b = backend.steps(n); // not needed, and no step was made
+  report.residual = std::sqrt(backend.balance_gradient(matrix, mass, mu, v, g, backend.steps(n), b)[0]);
 }
 
 template <class Backend>

@@ -7,6 +7,7 @@
 #include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/problem/Method_solver.h>
+#include <CGAL/Spherical_parameterization/internal/multigrid/Float_cycle.h>
 #include <CGAL/Spherical_parameterization/internal/multigrid/Multigrid.h>
 #include <CGAL/Spherical_parameterization/internal/balanced/balanced_solver.h>
 #include <CGAL/Spherical_parameterization/internal/moebius/moebius.h>
@@ -178,7 +179,8 @@ std::size_t coarse_start_map(const Backend& backend, Multigrid<Backend>& multigr
     for(int i = 0; i < problem.size(); ++i)
       area[mesh.vertex_of[i]] += source_area[i];
     v = backend.upload(std::move(z));
-    centre(backend, backend.upload(std::move(area)), 0, v, multigrid.scratch(k));
+    typename Backend::Vectors scratch = backend.vectors(multigrid.size(k));
+    centre(backend, backend.upload(std::move(area)), 0, v, scratch);
     return k;
   }
 }
@@ -189,17 +191,17 @@ std::size_t coarse_start_map(const Backend& backend, Multigrid<Backend>& multigr
 ///
 /// `multigrid`: of the graph without fixed vertices.
 template <class Backend>
-typename Backend::Vectors start_map(const Backend& backend, Multigrid<Backend>& multigrid, const Problem& problem,
-                                    Monitor& monitor, std::size_t& iterations)
+typename Backend::Vectors start_map(const Backend& backend, Multigrid<Backend>& multigrid, Float_cycle<Backend>& cycle,
+                                    const Problem& problem, Monitor& monitor, std::size_t& iterations)
 {
   constexpr Descent_options coarse_descent = {1e-2, 30, 0, start_share};
   typename Backend::Vectors v;
   for(std::size_t k = coarse_start_map(backend, multigrid, problem, monitor, iterations, v); k > 0; --k) {
     typename Backend::Scalars mass = backend.scalars(multigrid.size(k));
     backend.spring_masses(multigrid.matrix(k), v, mass);
-    Balanced_solver<Backend> solver(backend, multigrid.matrix(k), multigrid, k, 2, Gauge::BALANCED, mass);
+    Balanced_solver<Backend> solver(backend, multigrid.matrix(k), cycle, k, 2, Gauge::BALANCED, mass);
     iterations += solver.solve(coarse_descent, monitor, v).iterations;
-    typename Backend::Vectors& finer = multigrid.scratch(k - 1);
+    typename Backend::Vectors finer = backend.vectors(multigrid.size(k - 1));
     multigrid.prolong(k - 1, v, finer);
     v = backend.vectors(multigrid.size(k - 1));
     backend.normalize(multigrid.matrix(k - 1), finer, v);
@@ -214,7 +216,8 @@ Host_array<vec3> start_positions(const Backend& backend, const Problem& problem,
                                  std::size_t& iterations)
 {
   Multigrid<Backend> multigrid(backend, problem.graph, &monitor);
-  Host_array<vec3> start = backend.download(start_map(backend, multigrid, problem, monitor, iterations));
+  Float_cycle<Backend> cycle(backend, multigrid, 1); // the map is not improved on level 0
+  Host_array<vec3> start = backend.download(start_map(backend, multigrid, cycle, problem, monitor, iterations));
 
   if(problem.has_fixed()) {
     Host_array<vec3> from, to;

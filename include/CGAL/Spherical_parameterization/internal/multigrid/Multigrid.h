@@ -40,6 +40,19 @@ class Multigrid {
   typedef typename Backend::Matrix Matrix;
 
 public:
+  struct Level {
+    Shared_graph graph;
+    Matrix matrix;
+    // of all levels but the last one
+    Shared_aggregates aggregates = {};
+    typename Backend::Aggregates on_backend = {};
+    double damping = 0; ///< of the prolongation: omega
+    std::pair<double, double> gains = {};
+    Vectors scratch = {}, coarse_b = {}, coarse_x = {}; ///< empty before the first cycle
+
+    int size() const { return graph->size(); }
+  };
+
   /// `monitor`, if any, is asked before each level. Throws Error if the computation has to end.
   /// \pre the weights of `fine` are not negative
   Multigrid(const Backend& backend, Shared_graph fine, Monitor* monitor = nullptr) : backend_(backend)
@@ -69,30 +82,30 @@ public:
       drop_weak_edges(loop, weakest_edge, *coarse);
 
       const auto shared = std::make_shared<const Aggregates>(std::move(aggregates));
-      levels_.push_back({a->size(), backend.upload(a), shared, backend.upload(shared), damping, chebyshev_gains(radius),
-                         backend.vectors(a->size()), backend.vectors(coarse->size()), backend.vectors(coarse->size())});
+      levels_.push_back({a, backend.upload(a), shared, backend.upload(shared), damping, chebyshev_gains(radius)});
       a = coarse;
     }
     if(a->size() <= bottom_size)
       bottom_inverse_ = backend.upload(dense_inverse(*a, is_singular));
-    levels_.push_back({a->size(), backend.upload(a), {}, {}, {}, {}, backend.vectors(a->size()), {}, {}});
+    levels_.push_back({a, backend.upload(a)});
   }
 
   /// Level 0 is the finest, the last one the smallest.
   std::size_t number_of_levels() const { return levels_.size(); }
-  int size(std::size_t k) const { return levels_[k].size; }
+  const Level& level(std::size_t k) const { return levels_[k]; }
+  int size(std::size_t k) const { return levels_[k].size(); }
   const Matrix& matrix(std::size_t k) const { return levels_[k].matrix; }
   /// the vertex of level k+1 into which each vertex of level k went; -1 for fixed ones
   const Host_array<int>& aggregate_of(std::size_t k) const { return levels_[k].aggregates->of_vertex; }
-  /// for the caller's use on level k, too; apply() overwrites it
-  Vectors& scratch(std::size_t k) { return levels_[k].scratch; }
+  /// The inverse of the last level, if that is small enough to have one; else empty: it is as good as diagonal.
+  const typename Backend::Scalars& bottom_inverse() const { return bottom_inverse_; }
 
   /// Interpolates x, of level k + 1, on level k: a Jacobi step smooths the values of the aggregates.
   void prolong(std::size_t k, const Vectors& x, Vectors& y) const
   {
     const Level& level = levels_[k];
-    Vectors aggregated = backend_.vectors(level.size);
-    const Vectors zero = backend_.vectors(level.size);
+    Vectors aggregated = backend_.vectors(level.size());
+    const Vectors zero = backend_.vectors(level.size());
     backend_.correct(level.on_backend, x, aggregated);
     backend_.smooth(level.matrix, level.damping, zero, aggregated, y);
   }
@@ -102,11 +115,16 @@ public:
   {
     Level& level = levels_[k];
     if(k + 1 == levels_.size()) {
-      if(level.size <= bottom_size)
+      if(bottom_inverse_.size() > 0)
         backend_.multiply_dense(bottom_inverse_, b, x);
-      else // as good as diagonal
+      else
         backend_.start_smoothing(level.matrix, 1, b, x);
       return;
+    }
+    if(level.scratch.size() == 0) {
+      level.scratch = backend_.vectors(level.size());
+      level.coarse_b = backend_.vectors(size(k + 1));
+      level.coarse_x = backend_.vectors(size(k + 1));
     }
     // See smoothed_prolongation(). After a Jacobi step of gain omega the residual is (I - omega A D^-1) r, r the one
     // before, and its sum over an aggregate P^T r; after the correction by T e such a step makes it one by P e. So
@@ -134,16 +152,6 @@ private:
   static constexpr double slow_coarsening = 0.4;
   static constexpr double no_coarsening = 0.9;
   static constexpr double prolongation_damping = 1.6;
-
-  struct Level {
-    int size;
-    Matrix matrix;
-    Shared_aggregates aggregates;
-    typename Backend::Aggregates on_backend;
-    double damping; ///< of the prolongation: omega
-    std::pair<double, double> gains;
-    Vectors scratch, coarse_b, coarse_x;
-  };
 
   const Backend& backend_;
   std::vector<Level> levels_;

@@ -19,8 +19,11 @@ namespace CGAL::Spherical_parameterization::internal {
 typedef CGAL_SP_GLOBAL const int* int_in;
 typedef CGAL_SP_GLOBAL const real* real_in;
 typedef CGAL_SP_GLOBAL const vec3* vec3_in;
+typedef CGAL_SP_GLOBAL const float* float_in;
+typedef CGAL_SP_GLOBAL const float4* float4_in;
 typedef CGAL_SP_GLOBAL real* real_out;
 typedef CGAL_SP_GLOBAL vec3* vec3_out;
+typedef CGAL_SP_GLOBAL float4* float4_out;
 
 /* A weighted graph in compressed rows: the neighbours of i are target[offset[i]] ... target[offset[i+1]-1]. */
 typedef struct {

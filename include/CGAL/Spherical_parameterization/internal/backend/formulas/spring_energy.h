@@ -77,14 +77,14 @@ CGAL_SP_FUNCTION void spring_masses_at(int i, graph_view a, vec3_in v, real_out 
 
 /* s[0]: the second derivative of the Lagrangian E - mu . sum m_i v_i along the geodesics with velocity d;
  * s[1]: m |d|^2; s[2] ... s[4]: m |d|^2 v */
-CGAL_SP_FUNCTION void stiffening_curvature_at(int i, graph_view a, real p, real_in mass, vec3 mu, vec3_in v, vec3_in d,
-                                              real_in density, real* s)
+CGAL_SP_FUNCTION void stiffening_curvature_at(int i, graph_view a, real p, real_in mass, vec3 mu, vec3_in v,
+                                              float4_in d, real_in density, real* s)
 {
-  const vec3 vi = v[i], di = d[i];
+  const vec3 vi = v[i], di = to_vec3(d[i]);
   real sum = 0;
   const int end = a.offset[i + 1];
   for(int k = a.offset[i]; k < end; ++k) {
-    const vec3 dd = sub(di, d[a.target[k]]);
+    const vec3 dd = sub(di, to_vec3(d[a.target[k]]));
     const vec3 delta = sub(vi, v[a.target[k]]);
     const real length2 = inner(delta, delta);
     const real along = inner(delta, dd);
@@ -99,7 +99,7 @@ CGAL_SP_FUNCTION void stiffening_curvature_at(int i, graph_view a, real p, real_
 }
 
 /* The same for exponent 2 */
-CGAL_SP_FUNCTION void curvature_at(int i, graph_view a, real_in mass, vec3 mu, vec3_in v, vec3_in d, real_in density,
+CGAL_SP_FUNCTION void curvature_at(int i, graph_view a, real_in mass, vec3 mu, vec3_in v, float4_in d, real_in density,
                                    real* s)
 {
   stiffening_curvature_at(i, a, 2, mass, mu, v, d, density, s);
@@ -107,13 +107,14 @@ CGAL_SP_FUNCTION void curvature_at(int i, graph_view a, real_in mass, vec3 mu, v
 
 /* ---- directions of the descent ----------------------------------------------------------------------------------- */
 
-/* g -= m P_v mu; s[0]: |g_i / D_i|^2; s[1]: step . g */
-CGAL_SP_FUNCTION void balance_gradient_at(int i, real_in inverse_diagonal, real_in mass, vec3 mu, vec3_in v,
-                                          vec3_in step, vec3_out g, real* s)
+/* b = D^-1 (g - m P_v mu), in floats, the right-hand side of a cycle; s[0]: |b|^2; s[1]: step . D b */
+CGAL_SP_FUNCTION void balance_gradient_at(int i, real_in inverse_diagonal, real_in mass, vec3 mu, vec3_in v, vec3_in g,
+                                          float4_in step, float4_out b, real* s)
 {
-  g[i] = add_scaled(g[i], -mass[i], tangent(mu, v[i]));
-  s[0] += inner(g[i], g[i]) * inverse_diagonal[i] * inverse_diagonal[i];
-  s[1] += inner(step[i], g[i]);
+  const vec3 balanced = add_scaled(g[i], -mass[i], tangent(mu, v[i]));
+  s[0] += inner(balanced, balanced) * inverse_diagonal[i] * inverse_diagonal[i];
+  s[1] += inner(to_vec3(step[i]), balanced);
+  b[i] = to_float4(scale(inverse_diagonal[i], balanced));
 }
 
 /* Adds what decides about a direction d at v to s[0] ... s[6]: g . d, the momentum m d and the spin m v x d. */
@@ -125,17 +126,21 @@ CGAL_SP_FUNCTION void add_products(real m, vec3 v, vec3 g, vec3 d, real* s)
   add_to(outer(v, push), s + 4);
 }
 
-/* s[0] ... s[6]: add_products() of P step; s[7] ... s[13]: add_products() of P d */
-CGAL_SP_FUNCTION void direction_products_at(int i, real_in mass, vec3_in v, vec3_in g, vec3_in step, vec3_in d, real* s)
+/* s[0] ... s[6]: add_products() of P step; s[7] ... s[13]: add_products() of P d; both with the gradient D b */
+CGAL_SP_FUNCTION void direction_products_at(int i, real_in inverse_diagonal, real_in mass, vec3_in v, float4_in b,
+                                            float4_in step, float4_in d, real* s)
 {
-  add_products(mass[i], v[i], g[i], tangent(step[i], v[i]), s);
-  add_products(mass[i], v[i], g[i], tangent(d[i], v[i]), s + 7);
+  const real diagonal = inverse_diagonal[i] > 0 ? 1 / inverse_diagonal[i] : 0;
+  const vec3 g = scale(diagonal, to_vec3(b[i]));
+  add_products(mass[i], v[i], g, tangent(to_vec3(step[i]), v[i]), s);
+  add_products(mass[i], v[i], g, tangent(to_vec3(d[i]), v[i]), s + 7);
 }
 
 /* d = P_v (beta d - step - y) - omega x v: the conjugate direction after the step, less a boost and a rotation */
-CGAL_SP_FUNCTION void next_direction_at(int i, real beta, vec3 y, vec3 omega, vec3_in v, vec3_in step, vec3_out d)
+CGAL_SP_FUNCTION void next_direction_at(int i, real beta, vec3 y, vec3 omega, vec3_in v, float4_in step, float4_out d)
 {
-  d[i] = sub(tangent(sub(sub(scale(beta, d[i]), step[i]), y), v[i]), outer(omega, v[i]));
+  const vec3 combined = sub(sub(scale(beta, to_vec3(d[i])), to_vec3(step[i])), y);
+  d[i] = to_float4(sub(tangent(combined, v[i]), outer(omega, v[i])));
 }
 
 /* ---- Moebius transformations and balance ------------------------------------------------------------------------- */
@@ -172,9 +177,9 @@ CGAL_SP_FUNCTION void tilt_masses_at(int i, real_in density, vec3 tilt, vec3_in 
 
 /* w = (v + alpha d - 2 P_v c) / |...|: v moved by alpha d and, to first order, a small boost with centre c;
  * s[0] ... s[8]: the moments of w */
-CGAL_SP_FUNCTION void retract_at(int i, real_in mass, real alpha, vec3 c, vec3_in v, vec3_in d, vec3_out w, real* s)
+CGAL_SP_FUNCTION void retract_at(int i, real_in mass, real alpha, vec3 c, vec3_in v, float4_in d, vec3_out w, real* s)
 {
-  w[i] = unit(add_scaled(add_scaled(v[i], alpha, d[i]), -2, tangent(c, v[i])));
+  w[i] = unit(add_scaled(add_scaled(v[i], alpha, to_vec3(d[i])), -2, tangent(c, v[i])));
   add_moments(mass[i], w[i], s);
 }
 

@@ -40,6 +40,12 @@ struct OpenCL_matrix {
   OpenCL_array<double> weight, excess, inverse_diagonal;
 };
 
+/// A Weighted_smoother on the device.
+struct OpenCL_smoother {
+  OpenCL_array<int> offset, target;
+  OpenCL_array<float> weight, excess;
+};
+
 /// Aggregates on the device.
 struct OpenCL_aggregates {
   OpenCL_array<int> of_vertex, offset, member;
@@ -56,7 +62,10 @@ public:
   using Array = OpenCL_array<T>;
   using Vectors = Array<vec3>;
   using Scalars = Array<double>;
+  using Steps = Array<float4>;
+  using Floats = Array<float>;
   using Matrix = std::shared_ptr<const OpenCL_matrix>;
+  using Smoother = std::shared_ptr<const OpenCL_smoother>;
   using Aggregates = OpenCL_aggregates;
   using Colouring = std::vector<Array<int>>;
 
@@ -80,6 +89,15 @@ public:
   std::size_t number_of_read_backs() const { return number_of_read_backs_; }
 
   Vectors vectors(int n) const { return zeros<vec3>(n); }
+  Steps steps(int n) const { return zeros<float4>(n); }
+  /// In the memory of x, or in single precision, where a vec3 has 12 bytes and a float4 16, in memory of their own,
+  /// made anew by each call.
+  Steps steps_in(Vectors& x) const
+  {
+    if(is_double() || x.count == 0)
+      return {x.count, x.buffer};
+    return {x.count, allocate(CL_MEM_READ_WRITE, x.count * sizeof(float4), nullptr)};
+  }
   Scalars scalars(int n) const { return zeros<double>(n); }
 
   template <class T>
@@ -100,7 +118,7 @@ public:
   {
     if(host.empty())
       return {};
-    if(std::is_same_v<T, int> || is_double())
+    if(is_as_on_host<T>())
       return {host.size(), allocate(CL_MEM_COPY_HOST_PTR, host.size() * sizeof(T), host.data())};
     std::vector<float> rounded(host.size() * components<T>());
     const double* const values = reinterpret_cast<const double*>(host.data());
@@ -116,6 +134,13 @@ public:
                                                                shared(host->inverse_diagonal)});
   }
 
+  /// \param matrix  of the same graph
+  Smoother upload(const Shared_smoother& host, const Matrix& matrix) const
+  {
+    return std::make_shared<const OpenCL_smoother>(
+      OpenCL_smoother{matrix->offset, matrix->target, share(host->weight, host), share(host->excess, host)});
+  }
+
   Aggregates upload(const Shared_aggregates& host) const
   {
     const auto shared = [&](const auto& array) { return share(array, host); };
@@ -127,7 +152,7 @@ public:
   template <class T>
   Array<T> share(const Host_array<T>& host, std::shared_ptr<const void> owner) const
   {
-    if(host.empty() || !is_cpu() || !(std::is_same_v<T, int> || is_double()))
+    if(host.empty() || !is_cpu() || !is_as_on_host<T>())
       return upload(host);
     const std::size_t bytes = host.size() * sizeof(T);
     Array<T> x = {host.size(), allocate(CL_MEM_READ_ONLY | CL_MEM_USE_HOST_PTR, bytes, host.data())};
@@ -191,18 +216,23 @@ private:
   bool is_cpu() const { return queue_.info().is_cpu; }
   cl_command_queue handle() const { return queue_.queue()(); }
 
-  /// How many numbers a T has.
+  /// How many doubles a T has.
   template <class T>
   static constexpr std::size_t components()
   {
-    static_assert(std::is_same_v<T, vec3> || std::is_same_v<T, double> || std::is_same_v<T, int>);
-    return std::is_same_v<T, vec3> ? 3 : 1;
+    return std::is_same_v<T, vec3> ? 3 : std::is_same_v<T, double> ? 1 : 0;
+  }
+
+  template <class T>
+  bool is_as_on_host() const
+  {
+    return components<T>() == 0 || is_double();
   }
 
   template <class T>
   std::size_t bytes_of() const
   {
-    return std::is_same_v<T, int> || is_double() ? sizeof(T) : components<T>() * sizeof(float);
+    return is_as_on_host<T>() ? sizeof(T) : components<T>() * sizeof(float);
   }
 
   static std::string gigabytes(std::size_t bytes) { return to_string(1e-9 * static_cast<double>(bytes)) + " GB"; }
@@ -299,6 +329,11 @@ private:
   void set(cl_kernel kernel, cl_uint& index, const Matrix& a) const
   {
     set_all(kernel, index, a->offset, a->target, a->weight, a->excess, a->inverse_diagonal);
+  }
+
+  void set(cl_kernel kernel, cl_uint& index, const Smoother& a) const
+  {
+    set_all(kernel, index, a->offset, a->target, a->weight, a->excess);
   }
 
   void set(cl_kernel kernel, cl_uint& index, const Aggregates& of) const

@@ -220,7 +220,9 @@ private:
   template <class T>
   static constexpr std::size_t components()
   {
-    return std::is_same_v<T, vec3> ? 3 : std::is_same_v<T, double> ? 1 : 0;
+    constexpr int count = std::is_same_v<T, vec3> ? 3 : std::is_same_v<T, double> ? 1 : 0;
+    static_assert(count > 0 || std::is_same_v<T, int> || std::is_same_v<T, float> || std::is_same_v<T, float4>);
+    return count;
   }
 
   template <class T>

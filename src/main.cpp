@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
+#include "process_memory.h"
 #include "runner/step.h"
 #include "system/interruption.h"
 
 #include <CGAL/assertions.h>
-
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 
 #include <csignal>
 #include <exception>
@@ -37,9 +34,7 @@ int run_guarded(int argc, char** argv)
 int main(int argc, char** argv)
 {
   CGAL::set_error_handler(print_nothing);
-#ifdef __GLIBC__
-  mallopt(M_MMAP_THRESHOLD, 1 << 20); // fixed, so that large arrays go back to the system: 40 bytes per vertex less
-#endif
+  tool::manage_memory();
   std::signal(SIGXFSZ, SIG_IGN); // a file that exceeds its limit is then an error like a full disk
   const int exit_code = run_guarded(argc, argv);
   if(exit_code != 0)

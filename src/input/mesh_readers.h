@@ -7,7 +7,7 @@
 #include "input/vertex_data.h"
 #include "system/refusal.h"
 
-#include <boost/core/noinit_adaptor.hpp>
+#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 
 #include <array>
 #include <cmath>
@@ -31,9 +31,6 @@ struct Annotations {
   std::string freesurfer; ///< the bytes behind the triangles: the volume geometry and other tags
 };
 
-/// What has no value yet is not initialized: the threads that fill the memory are the first to touch it.
-using Triangles = std::vector<std::array<int, 3>, boost::noinit_adaptor<std::allocator<std::array<int, 3>>>>;
-
 /// A mesh as a file has it: nothing is known yet about how the faces fit together.
 struct Soup {
   struct Polygon {
@@ -42,10 +39,10 @@ struct Soup {
   };
 
   std::vector<std::array<double, 3>> points;
-  Triangles triangles;               ///< of polygons, too, which `read_soup()` has cut
-  std::size_t faces = 0;             ///< in the file
-  std::vector<Polygon> polygons;     ///< the faces of more than three vertices, in their order
-  std::optional<Refusal> non_finite; ///< of the first coordinate that is no finite number, if there is one
+  SP::Large_array<std::array<int, 3>> triangles; ///< of polygons, too, which `read_soup()` has cut
+  std::size_t faces = 0;                         ///< in the file
+  std::vector<Polygon> polygons;                 ///< the faces of more than three vertices, in their order
+  std::optional<Refusal> non_finite;             ///< of the first coordinate that is no finite number, if there is one
   Annotations annotations;
   Vertex_data data; ///< at the vertices
 

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Loops by parts: every index once, the order of sums fixed, up to the largest int.
 
+#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -85,4 +88,25 @@ TEST_CASE("the first index is the smallest of all parts", "[loops]")
   constexpr int n = 100000;
   for(int first : {0, 1, I::part_size - 1, I::part_size, 54321, n - 1, n})
     CHECK(I::first_index(Backwards(), n, [&](int i) { return i >= first && (i == first || i % 3 == 0); }) == first);
+}
+
+TEST_CASE("an array keeps its elements when it grows beyond a large page, and shrinks again", "[loops]")
+{
+  constexpr int per_page = CGAL::Spherical_parameterization::large_page / sizeof(double);
+  I::Host_array<double> numbers;
+  for(int i = 0; i < 3 * per_page + 5; ++i)
+    numbers.push_back(i);
+  numbers.resize(2 * per_page);
+  numbers.shrink_to_fit();
+  I::Host_array<double> copy = numbers;
+  CHECK(reinterpret_cast<std::uintptr_t>(copy.data()) % CGAL::Spherical_parameterization::large_page == 0);
+  numbers.resize(per_page / 2);
+  numbers.shrink_to_fit();
+  copy = numbers;
+  copy.shrink_to_fit();
+  bool is_kept = true;
+  for(int i = 0; i < per_page / 2; ++i)
+    is_kept = is_kept && numbers[i] == i && copy[i] == i;
+  CHECK(is_kept);
+  CHECK(I::Host_array<int>(per_page, -1) == I::Host_array<int>(per_page, -1));
 }

@@ -607,7 +607,7 @@ TEST_CASE("formats: dialects of other programs", "[tool][formats]")
 
   SECTION("pixels of VTK are listed row by row")
   {
-    const tool::Triangles pixel =
+    const auto pixel =
       triangles_of("in.vtk", "# vtk DataFile Version 3.0\npixel\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 float\n"
                              "0 0 0 1 0 0 0 1 0 1 1 0\nCELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n8\n");
     REQUIRE(pixel.size() == 2);
@@ -757,7 +757,7 @@ TEST_CASE("formats: polygons are cut along diagonals that lie in them", "[tool][
     soup.add_face({0, 1, 2});
     soup.add_face(corners);
     soup.add_face({2, 1, 0});
-    const tool::Triangles fan = soup.triangles;
+    const auto fan = soup.triangles;
     tool::cut_polygons(soup);
     REQUIRE(soup.triangles.size() == fan.size());
     CHECK(soup.triangles.front() == fan.front());

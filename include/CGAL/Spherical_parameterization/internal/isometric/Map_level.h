@@ -24,7 +24,7 @@ namespace CGAL::Spherical_parameterization::internal {
 /// A map of the vertices of a progressive mesh that are not removed.
 struct Partial_map {
   Host_array<vec3> position;
-  std::vector<int> colour; ///< neighbours differ
+  Host_array<int> colour; ///< neighbours differ
 };
 
 /// How many steps of a loop are worth a task: of about a microsecond, and of a few nanoseconds.

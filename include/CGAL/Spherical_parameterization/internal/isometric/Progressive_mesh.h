@@ -30,7 +30,7 @@ public:
   /// \pre closed, oriented, without double edges
   Progressive_mesh(const Watched_loop<Host_loop>& loop, const Host_array<std::array<int, 3>>& faces,
                    int number_of_vertices)
-    : corner_(number_of_vertices), degree_(number_of_vertices), number_of_vertices_(number_of_vertices)
+    : corner_(number_of_vertices), degree_(number_of_vertices, 0), number_of_vertices_(number_of_vertices)
   {
     vertex_.reserve(3 * faces.size());
     for(const std::array<int, 3>& face : faces)
@@ -162,10 +162,10 @@ private:
     corner_[target(half_edge)] = next(half_edge);
   }
 
-  std::vector<int> vertex_; ///< that a halfedge leaves
-  Host_array<int> twin_;    ///< of a halfedge
-  std::vector<int> corner_; ///< some corner at a vertex; -1: removed
-  std::vector<int> degree_; ///< of a vertex
+  Host_array<int> vertex_; ///< that a halfedge leaves
+  Host_array<int> twin_;   ///< of a halfedge
+  Host_array<int> corner_; ///< some corner at a vertex; -1: removed
+  Host_array<int> degree_; ///< of a vertex
   int number_of_vertices_;
 };
 

@@ -70,8 +70,8 @@ CGAL_SP_INLINE auto vertex_ranks(const Host_array<vec3>& points)
 /// The vertices of a closed connected mesh, in an order that its shape decides, and not how it is numbered. See
 /// in_canonical_order().
 struct Canonical_order {
-  Host_array<int> vertex;     ///< in this order
-  std::vector<int> half_edge; ///< of every vertex of the mesh: the first one of the walk round it
+  Host_array<int> vertex;    ///< in this order
+  Host_array<int> half_edge; ///< of every vertex of the mesh: the first one of the walk round it
 };
 
 /// f(h) for all halfedges that leave the origin of `first`, counterclockwise.
@@ -104,7 +104,7 @@ CGAL_SP_INLINE Canonical_order canonical_order(const Corner_table& mesh, const H
     if(mesh.origin(h) == farthest && (first < 0 || rank(mesh.target(h)) > rank(mesh.target(first))))
       first = h;
 
-  Canonical_order order = {{}, std::vector<int>(n, -1)};
+  Canonical_order order = {{}, Host_array<int>(n, -1)};
   order.vertex.reserve(n);
   order.vertex.push_back(farthest);
   order.half_edge[farthest] = first;

@@ -414,10 +414,10 @@ private:
   const Host_array<vec3>& point_;
   const Host_array<vec3>* const map_; ///< to be kept a bijection, or null
   Progressive_mesh& mesh_;
-  std::vector<Quadric> quadric_;  ///< of every vertex, from there
-  std::vector<Collapse> best_;    ///< of every vertex
+  Host_array<Quadric> quadric_;   ///< of every vertex, from there
+  Host_array<Collapse> best_;     ///< of every vertex
   std::vector<Role> role_;        ///< of every vertex in the collapses chosen for this round
-  std::vector<int> remaining_;    ///< vertices that were not removed before this round
+  Host_array<int> remaining_;     ///< vertices that were not removed before this round
   std::vector<char> is_outdated_; ///< whether the best collapse of a vertex may be another one by now
   std::vector<char> is_kept_;     ///< empty when none is any more
   int kept_until_;                ///< so many are left

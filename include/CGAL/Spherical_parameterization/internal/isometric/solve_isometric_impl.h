@@ -63,7 +63,7 @@ public:
       exponent_((std::min)(last_exponent_, largest_coarse_exponent)), distortion_(exponent_), problem_(problem),
       effort_(effort), source_area_(area_of_source()), density_(problem), mesh_(loop, problem.face, problem.size()),
       level_(loop, problem.size()), map_{Host_array<vec3>(problem.size(), vec3{0, 0, 0}),
-                                         std::vector<int>(problem.size(), -1)},
+                                         Host_array<int>(problem.size(), -1)},
       level_sizes_(sizes_of_levels(problem.size(), exponent_))
   {
     if(!(source_area_ > 0)) // all points are one: then all faces count as equal

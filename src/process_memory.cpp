@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of CGAL Spherical Parameterization.
+
+#include "process_memory.h"
+
+#ifdef __GLIBC__
+
+#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
+
+#include <malloc.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdlib>
+#include <new>
+
+using CGAL::Spherical_parameterization::large_page;
+
+void* operator new(std::size_t size)
+{
+  void* const p = size < large_page ? std::malloc((std::max)(size, std::size_t(1)))
+                                    : std::aligned_alloc(large_page, (size / large_page + 1) * large_page);
+  if(!p)
+    throw std::bad_alloc();
+  if(size >= large_page)
+    CGAL::Spherical_parameterization::use_large_pages(p, size);
+  return p;
+}
+
+void operator delete(void* p) noexcept { std::free(p); }
+
+void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+
+void tool::manage_memory()
+{
+  mallopt(M_MMAP_THRESHOLD, large_page); // fixed: what is above goes back to the system
+  mallopt(M_TRIM_THRESHOLD, 1 << 26);
+}
+
+#else
+
+void tool::manage_memory() {}
+
+#endif

@@ -77,6 +77,9 @@ public:
   /// Cotangent of the angle opposite to halfedge h.
   double cotangent(int h) const { return cotangent_[h]; }
 
+  void prefetch_cotangent(int h) const { __builtin_prefetch(&cotangent_[h]); }
+  void prefetch_may_be_new(int h) const { __builtin_prefetch(&is_to_be_seen_[h]); }
+
   /// The angle opposite to halfedge h.
   double angle(int h) const { return std::atan2(4 * area(h), twice_cosine(h)); }
 
@@ -128,6 +131,7 @@ private:
   void make_delaunay(const Loop& loop)
   {
     constexpr int looks_at_once = 1 << 16;
+    constexpr int ahead = 32; // where memory is asked for: of a halfedge, and before of its face
     std::vector<char> is_to_be_seen_again(number_of_halfedges(), 0);
     is_to_be_seen_.resize(number_of_halfedges());
     for_each_index(loop, number_of_halfedges(), [&](int h) { is_to_be_seen_[h] = h < twin[h] && !is_delaunay(h); });
@@ -141,9 +145,13 @@ private:
         is_to_be_seen_again[h] = 0;
         return h;
       }
-      do
+      do {
         --before;
-      while(before >= 0 && !is_to_be_seen_[before]);
+        if(before >= 2 * ahead && is_to_be_seen_[before - 2 * ahead])
+          prefetch(before - 2 * ahead);
+        if(before >= ahead && is_to_be_seen_[before - ahead])
+          prefetch(twin[before - ahead]);
+      } while(before >= 0 && !is_to_be_seen_[before]);
       return before;
     };
     const auto look_at = [&](int h) {
@@ -167,6 +175,15 @@ private:
         for(int k = 0; k < looks_at_once && h >= 0; ++k, h = take_next())
           look_at(h);
       });
+  }
+
+  /// What a flip will need of a halfedge and its triangle.
+  void prefetch(int h) const
+  {
+    __builtin_prefetch(&face[h / 3]);
+    __builtin_prefetch(&twin[h]);
+    __builtin_prefetch(&length_[h]);
+    __builtin_prefetch(&cotangent_[h]);
   }
 
   /// Replaces the common edge of two triangles by the other diagonal. Returns false where the quadrangle is not convex,

@@ -35,11 +35,14 @@ Weighted_graph conformal_graph(const Loop& loop, Corner_table table, const Host_
   const int n = static_cast<int>(point.size());
   const Intrinsic_triangulation surface(std::move(table), point, loop);
   const int m = surface.number_of_halfedges();
-  const auto weight = [&](int h) {
+  Host_array<double> weight(m); // of the edge of a halfedge
+  for_each_index(loop, m, [&](int h) {
+    constexpr int ahead = 32;
+    surface.prefetch_cotangent(surface.twin[h < m - ahead ? h + ahead : h]);
     const int t = surface.twin[h];
     const double cotangents = surface.cotangent((std::min)(h, t)) + surface.cotangent((std::max)(h, t));
-    return (std::max)(smallest_weight, cotangents / 2); // also where all points are one: 0/0
-  };
+    weight[h] = (std::max)(smallest_weight, cotangents / 2); // also where all points are one: 0/0
+  });
 
   // Every halfedge is an entry of the row of its origin. Rows are in order of their targets; equal ones in an order
   // that both ends see alike.
@@ -58,7 +61,7 @@ Weighted_graph conformal_graph(const Loop& loop, Corner_table table, const Host_
     std::vector<Other> others;
   };
   const double slack = surface.slack();
-  const auto parts = parts_of_fans<Part>(loop, surface.face, n, [&](Part& part, const Fan& fan) {
+  const auto add_row = [&](Part& part, const Fan& fan) {
     auto& row = part.row;
     row.clear();
     for(int h : fan)
@@ -73,9 +76,9 @@ Weighted_graph conformal_graph(const Loop& loop, Corner_table table, const Host_
     for(auto it = row.begin(); it != row.end();) {
       const int j = it->first;
       const bool is_edge = !surface.may_be_new(it->second) && (it + 1 == row.end() || it[1].first != j);
-      double sum = weight(it->second), length = is_edge ? 0 : surface.length(it->second);
+      double sum = weight[it->second], length = is_edge ? 0 : surface.length(it->second);
       for(++it; it != row.end() && it->first == j; ++it) {
-        const double its_weight = weight(it->second), new_sum = sum + its_weight;
+        const double its_weight = weight[it->second], new_sum = sum + its_weight;
         length = (sum * length + its_weight * surface.length(it->second)) / new_sum;
         sum = new_sum;
       }
@@ -88,6 +91,11 @@ Weighted_graph conformal_graph(const Loop& loop, Corner_table table, const Host_
       ++k;
     }
     springs[fan.vertex] = k - fan.first;
+  };
+  const auto parts = parts_of_fans<Part>(loop, surface.face, n, add_row, [&](int h) {
+    __builtin_prefetch(&surface.face[h / 3]);
+    __builtin_prefetch(&weight[h]);
+    surface.prefetch_may_be_new(h);
   });
 
   // Rows move together where some are shorter.

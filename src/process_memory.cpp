@@ -3,16 +3,16 @@
 
 #include "process_memory.h"
 
-#ifdef __GLIBC__
-
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
-
-#include <malloc.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdlib>
 #include <new>
+
+#ifdef __GLIBC__ // which the headers above define
+
+#include <malloc.h>
 
 using CGAL::Spherical_parameterization::large_page;
 
@@ -31,8 +31,23 @@ void operator delete(void* p) noexcept { std::free(p); }
 
 void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 
+namespace {
+
+/// A stack that cannot grow later, for want of memory, is a crash and not a bad_alloc. Products of Eigen's matrices
+/// take up to 256 kB of it.
+void grow_stack()
+{
+  constexpr std::size_t size = 1 << 19, page = 1 << 12;
+  [[maybe_unused]] volatile char stack[size];
+  for(std::size_t i = 0; i < size; i += page)
+    stack[i] = 0;
+}
+
+} // namespace
+
 void tool::manage_memory()
 {
+  grow_stack();
   mallopt(M_MMAP_THRESHOLD, large_page); // fixed: what is above goes back to the system
   mallopt(M_TRIM_THRESHOLD, 1 << 26);
 }

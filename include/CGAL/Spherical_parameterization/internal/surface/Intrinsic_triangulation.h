@@ -131,7 +131,7 @@ private:
   void make_delaunay(const Loop& loop)
   {
     constexpr int looks_at_once = 1 << 16;
-    constexpr int ahead = 32; // where memory is asked for: of a halfedge, and before of its face
+    constexpr int ahead = 32; // of the look at a halfedge its twin's memory is asked for, twice as far ahead its own
     std::vector<char> is_to_be_seen_again(number_of_halfedges(), 0);
     is_to_be_seen_.resize(number_of_halfedges());
     for_each_index(loop, number_of_halfedges(), [&](int h) { is_to_be_seen_[h] = h < twin[h] && !is_delaunay(h); });

@@ -9,9 +9,14 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <fstream>
 #include <limits>
 #include <utility>
 #include <vector>
+
+#ifdef __linux__
+#include <unistd.h>
+#endif
 
 namespace I = CGAL::Spherical_parameterization::internal;
 
@@ -110,3 +115,27 @@ TEST_CASE("an array keeps its elements when it grows beyond a large page, and sh
   CHECK(is_kept);
   CHECK(I::Host_array<int>(per_page, -1) == I::Host_array<int>(per_page, -1));
 }
+
+#ifdef __linux__
+TEST_CASE("what a large array had goes back to the system when it is freed, whatever is allocated after it", "[loops]")
+{
+  constexpr std::size_t size = 5 * CGAL::Spherical_parameterization::large_page / 2, count = 8;
+  const auto resident = [] { // proc(5): the second number, in pages
+    std::size_t pages = 0;
+    std::ifstream("/proc/self/statm") >> pages >> pages;
+    return pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  };
+  // twice, since malloc() takes from its heap from then on what is not larger than what was freed
+  for(int round = 0; round < 2; ++round) {
+    std::vector<I::Host_array<char>> arrays;
+    std::vector<std::vector<char>> behind_them;
+    for(std::size_t i = 0; i < count; ++i) {
+      arrays.emplace_back(size, 'a');
+      behind_them.emplace_back(1000, 'b');
+    }
+    const std::size_t before = resident();
+    arrays.clear();
+    CHECK(before - resident() > (count - 1) * size);
+  }
+}
+#endif

@@ -76,7 +76,12 @@ async function viewer() {
 }
 
 function compile(folder, ...options) {
-  const env = { ...process.env, NODE_PATH: "/usr/share/nodejs" }; // where Debian has acorn, which emscripten needs
+  const env = {
+    ...process.env,
+    NODE_PATH: "/usr/share/nodejs", // where Debian has acorn, which emscripten needs
+    // Debian's emscripten takes 14, which has one place for the exceptions of all threads
+    EM_CLANG_ADD_VERSION: process.env.EM_CLANG_ADD_VERSION ?? "15",
+  };
   const run = (program, ...args) => execFileSync(program, args, { cwd: here, env, stdio: ["ignore", "inherit", "inherit"] });
   if (!existsSync(join(folder, "Makefile")))
     run("emcmake", "cmake", "-S", join(here, "core"), "-B", folder, "-DCMAKE_BUILD_TYPE=Release", ...options);

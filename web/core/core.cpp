@@ -26,6 +26,10 @@
 #include <variant>
 #include <vector>
 
+#if defined(__EMSCRIPTEN_PTHREADS__) && __clang_major__ < 15
+#error "clang 14 has one place for the exceptions of all threads; web/build.mjs takes clang 15"
+#endif
+
 namespace core {
 namespace {
 
@@ -34,6 +38,8 @@ using emscripten::val;
 using tool::as_map;
 using tool::Mesh;
 using Points = tool::Sphere;
+
+const CGAL::Parallel_if_available_tag all_cores; ///< if the core has threads, else the one there is
 
 /// The numbers as an array of JavaScript, which owns them.
 template <class Number, std::size_t N, class Allocator>
@@ -57,7 +63,10 @@ std::vector<std::array<Number, 3>> rows_of(const val& array)
     val(emscripten::typed_memory_view(3 * rows.size(), rows.front().data())).call<void>("set", array);
   return rows;
 }
-Mesh mesh_of(const val& points, const val& triangles) { return {rows_of<double>(points), rows_of<int>(triangles)}; }
+Mesh mesh_of(const val& points, const val& triangles)
+{
+  return {all_cores, rows_of<double>(points), rows_of<int>(triangles)};
+}
 
 /// A map on a sphere of any radius as one on the unit sphere. Unit vectors, also those of floats, stay as they are.
 Points sphere_of(const val& array)
@@ -139,7 +148,7 @@ SP::Result map_by(const Mesh& mesh, Points& sphere, const Method& method, const 
     return value.isUndefined() ? otherwise : value.as<double>();
   };
   return SP::parameterize(
-    CGAL::Parallel_if_available_tag(), mesh, method, as_map<Mesh::Vertex_index>(sphere),
+    all_cores, mesh, method, as_map<Mesh::Vertex_index>(sphere),
     CGAL::parameters::edge_weight_map(weights_of(mesh, settings["weights"].as<std::string>()))
       .accuracy(number("accuracy", Method::default_accuracy))
       .number_of_iterations(static_cast<std::size_t>(number("iterations", Method::default_number_of_iterations)))
@@ -259,11 +268,11 @@ val measure(const val& points, const val& triangles, const val& sphere)
     const Points places = sphere_of(sphere);
     const auto images = as_map(places);
     std::vector<double> values(mesh.number_of_faces());
-    SP::face_angle_distortion(mesh, images, as_map<Mesh::Face_index>(values));
+    SP::face_angle_distortion(all_cores, mesh, images, as_map<Mesh::Face_index>(values));
     answer.set("face_angle_distortion", to_array(values));
-    SP::face_log_area_stretch(mesh, images, as_map<Mesh::Face_index>(values));
+    SP::face_log_area_stretch(all_cores, mesh, images, as_map<Mesh::Face_index>(values));
     answer.set("face_stretch", to_array(values));
-    answer.set("distortion", to_object(SP::distortion_summary(mesh, images)));
+    answer.set("distortion", to_object(SP::distortion_summary(all_cores, mesh, images)));
   });
 }
 
@@ -274,7 +283,8 @@ val segment(const val& points, const val& triangles, const val& sphere)
     const Mesh mesh = mesh_of(points, triangles);
     const Points places = sphere_of(sphere);
     std::vector<int> segments(mesh.number_of_faces());
-    const auto found = SP::segmentation_via_area_stretch(mesh, as_map(places), as_map<Mesh::Face_index>(segments));
+    const auto found =
+      SP::segmentation_via_area_stretch(all_cores, mesh, as_map(places), as_map<Mesh::Face_index>(segments));
     if(!found)
       return refuse(SP::get_error_name(found.error), get_error_message(found.error), found.detail);
     answer.set("segments", to_array(segments));

@@ -82,7 +82,7 @@ async function map({ name, bytes, settings, permit }: MapJob): Promise<void> {
   const canAsk = isThere(permit); // not in a page from a disk
   const progress = (fraction: number) => {
     const now = performance.now();
-    if (now - told > 30) {
+    if (now - told > 100) { // since the page is drawn again for each
       told = now;
       post({ kind: "progress", fraction });
     }

@@ -12,6 +12,7 @@ command -v node >/dev/null || skip node
 [ -d "$web/node_modules/esbuild" ] || skip "web/node_modules"
 if [ "$1" != viewer ]; then
   command -v emcmake >/dev/null || skip emscripten
+  command -v "clang-${EM_CLANG_ADD_VERSION:-15}" >/dev/null || skip clang
   for library in onetbb pugixml zlib; do
     [ -d "$web/libraries/$library" ] || skip "web/libraries/$library"
   done

@@ -109,8 +109,9 @@ struct Saddle_point {
 /// the predicted gain of a step is below it. (Above 20,000 vertices the prediction for the next step is used: a quarter
 /// of that of a full step. Below 2,000 vertices, where steps are cheap, the bound is lower in proportion, down to a
 /// twentieth.) The residual is the predicted gain of one more step, for the defaults one with at most 20 linear
-/// iterations. If the steps are used up, the map is `OK` with `Termination::ITERATIONS`, unless the accuracy is smaller
-/// or the iterations are fewer than the defaults: then it is `NOT_CONVERGED`.
+/// iterations, and above 100,000 vertices with the matrix of the last step (not with landmarks or exponents above 1).
+/// If the steps are used up, the map is `OK` with `Termination::ITERATIONS`, unless the accuracy is smaller or the
+/// iterations are fewer than the defaults: then it is `NOT_CONVERGED`.
 ///
 /// \cgalModels{SphericalParameterizationMethod}
 struct Isometric {

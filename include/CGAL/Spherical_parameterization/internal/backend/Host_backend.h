@@ -194,9 +194,8 @@ private:
     __builtin_prefetch(reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(x) + k * sizeof(T)));
   }
 
-  /// `value` by reference: a register of floats cannot pass through the JavaScript that catches exceptions in browsers.
   template <class T>
-  Array<T> filled(int n, const T& value) const
+  Array<T> filled(int n, T value) const
   {
     Array<T> x(n);
     for_each(n, [&](int i) { x[i] = value; });

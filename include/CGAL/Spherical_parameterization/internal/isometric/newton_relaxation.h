@@ -60,6 +60,18 @@ public:
     return promised_gain_;
   }
 
+  /// The same by the matrix of the last step, which has changed little near a minimum, at half the cost: unless it
+  /// turns out to be indefinite. \pre there was a step, and no vertex has an anchor
+  double gain_ahead_by_last_matrix(int maximum_iterations, double tolerance)
+  {
+    update_gradient();
+    solve(maximum_iterations, tolerance);
+    if(is_indefinite_)
+      return gain_ahead(maximum_iterations, tolerance);
+    promise(level_.objective(distortion_));
+    return promised_gain_;
+  }
+
   /// The share of the energy that the last step would have taken off, had the energy been its parabola. A step that is
   /// cut short by a few faces that are about to flip gains less than there is to gain.
   double promised_gain() const { return promised_gain_; }
@@ -190,6 +202,19 @@ private:
     tangents_[i] = {tangents.combined({factor_[i].ss, factor_[i].st}),
                     tangents.combined({factor_[i].ts, factor_[i].tt})};
     gradient_[i] = tangents_[i].products(gradient);
+  }
+
+  /// That of the current positions, in the tangents of the matrix.
+  void update_gradient()
+  {
+    level_.for_each_vertex([&](int i) {
+      const vec3 x = level_.position()[i];
+      vec3 gradient = {0, 0, 0};
+      for(int c = level_.offset(i); c < level_.offset(i + 1); ++c)
+        gradient = add(gradient, Face_hessian(distortion_, x, level_.star_face(level_.corner(c)), 0).gradient(0));
+      // the tangents are those of another position: what points along x is no slope
+      gradient_[i] = tangents_[i].products(add_scaled(gradient, -inner(gradient, x), x));
+    });
   }
 
   void normalise_row(int i)

@@ -102,13 +102,15 @@ private:
   static constexpr Metric_bounds coarse_bounds = {100, 1e-4};
   static constexpr Metric_bounds final_bounds = {1e3, 1e-8};
   static constexpr double largest_coarse_exponent = 3;
-  static constexpr double linear_tolerance = 0.1;       ///< of Newton's equations
-  static constexpr double fine_linear_tolerance = 0.01; ///< ... near a minimum
+  static constexpr double linear_tolerance = 0.1;        ///< of Newton's equations
+  static constexpr double linear_tolerance_ahead = 0.03; ///< ... on fine levels, but for the last
+  static constexpr double fine_linear_tolerance = 0.01;  ///< ... near a minimum
   static constexpr double converged_share = 0.02; ///< of the default accuracy: the map moves by about 1e-4 after that
   static constexpr int maximum_linear_iterations = 100; ///< ... on fine levels
   static constexpr int iterations_ahead = 20;           ///< ... of a step that is not taken
   static constexpr int sweeps_of_levels = 2;
   static constexpr int coarse_size = 20000; ///< the largest meshes of which many levels are relaxed
+  static constexpr int large_size = 100000; ///< ... that get all Newton steps
   static constexpr int tiny_size = 500; ///< the largest ones of which most levels are relaxed: limbs find places there
   /// From one level that is relaxed to the next
   static constexpr double growth_of_tiny_levels = 1.3, growth_of_coarse_levels = 2, growth_of_fine_levels = 5;
@@ -418,7 +420,8 @@ private:
     level_.relax_distorted(distortion_, mean_distortion_);
     if(!is_level_coarse()) {
       Solver_report report;
-      descend(number_of_steps(), report);
+      Newton_relaxation<> newton(loop_, distortion_, level_);
+      descend(newton, number_of_steps(), report);
       loop_.check();
     }
     level_.store(map_);
@@ -450,8 +453,10 @@ private:
     try {
       assign_level(final_bounds);
       is_level_assigned = true;
-      relax_whole_mesh(report);
-      measure(report);
+      place_whole_mesh();
+      Newton_relaxation<> newton(loop_, distortion_, level_);
+      relax_whole_mesh(newton, report);
+      measure(newton, report);
     } catch(const Input_error&) {
       if(!loop_.monitor().is_interrupted() || !are_landmarks_placed())
         throw;
@@ -461,26 +466,33 @@ private:
       level_.store(map_);
   }
 
-  void relax_whole_mesh(Solver_report& report)
+  void place_whole_mesh()
   {
-    constexpr std::size_t steps_per_exponent = 6;
-    constexpr double growth_of_exponent = 1.5;
     for(int s = 0; s < sweeps_of_levels; ++s) {
       loop_.advance(progress());
       level_.relax(distortion_);
     }
     place_landmarks(true);
-    descend(number_of_steps(), report);
+  }
+
+  void relax_whole_mesh(Newton_relaxation<>& newton, Solver_report& report)
+  {
+    constexpr std::size_t steps_per_exponent = 6;
+    constexpr double growth_of_exponent = 1.5;
+    descend(newton, number_of_steps(), report);
     while(exponent_ < last_exponent_) {
       exponent_ = (std::min)(last_exponent_, growth_of_exponent * exponent_);
       distortion_ = Distortion(exponent_);
-      descend(exponent_ < last_exponent_ ? (std::min)(steps_per_exponent, number_of_steps()) : number_of_steps(),
+      descend(newton,
+              exponent_ < last_exponent_ ? (std::min)(steps_per_exponent, number_of_steps()) : number_of_steps(),
               report);
     }
   }
 
-  /// Energy and residual of the map as it will be stored. Who asks for no more than the defaults gets what these reach.
-  void measure(Solver_report& report)
+  /// Energy and residual of the map as it will be stored. Who asks for no more than the defaults gets what these reach,
+  /// and on large meshes, where a new matrix would be a tenth of the time, the residual by that of the last step: it is
+  /// near to that by a new one where nothing is stiff, as round landmarks.
+  void measure(Newton_relaxation<>& newton, Solver_report& report)
   {
     if(problem_.as_stored)
       for(vec3& x : level_.position())
@@ -490,8 +502,10 @@ private:
     const bool are_defaults = accuracy >= Isometric::default_accuracy &&
                               effort_.number_of_iterations.value_or(Isometric::default_number_of_iterations) >=
                                 Isometric::default_number_of_iterations;
-    report.residual = Newton_relaxation<>(loop_, distortion_, level_)
-                        .gain_ahead(are_defaults ? iterations_ahead : maximum_linear_iterations, linear_tolerance);
+    report.residual =
+      are_defaults && level_.size() > large_size && exponent_ <= 1 && landmarks_.empty()
+        ? newton.gain_ahead_by_last_matrix(iterations_ahead, linear_tolerance)
+        : newton.gain_ahead(are_defaults ? iterations_ahead : maximum_linear_iterations, linear_tolerance);
     report.has_converged = are_defaults || report.residual <= accuracy;
   }
 
@@ -506,7 +520,7 @@ private:
 
   /// Newton's method until a step promises to gain little. On fine levels steps are dear: one that could be taken in
   /// full has left about a quarter of what it promised, measured, so that the next one need not be computed to know.
-  void descend(std::size_t maximum_steps, Solver_report& report)
+  void descend(Newton_relaxation<>& newton, std::size_t maximum_steps, Solver_report& report)
   {
     constexpr double share_left = 0.25;
     constexpr double work_left = 0.8; // of the last level after a step, as nobody knows how many there will be
@@ -516,16 +530,16 @@ private:
     const double accuracy = is_to_converge
                               ? (std::min)(asked, converged_share * (std::max)(asked, Isometric::default_accuracy))
                               : asked * std::clamp(level_.size() / small_size, least_part, 1.);
+    const double tolerance = rounds_.empty() ? linear_tolerance : linear_tolerance_ahead;
     constexpr double rounding = 1e-15;
     constexpr int patience = 5;
     int steps_in_vain = 0;
-    Newton_relaxation<> newton(loop_, distortion_, level_);
     for(std::size_t s = 0; s < maximum_steps; ++s) {
       loop_.advance(progress());
       if(rounds_.empty())
         work_of_last_level_ *= work_left;
       const double gain = is_to_converge ? newton.step_near_minimum(maximum_linear_iterations, fine_linear_tolerance)
-                                         : newton.step(maximum_linear_iterations, linear_tolerance);
+                                         : newton.step(maximum_linear_iterations, tolerance);
       report.residual = newton.promised_gain();
       ++report.iterations;
       level_.relax(distortion_);
@@ -543,9 +557,9 @@ private:
   /// levels before have done the most of it.
   std::size_t number_of_steps() const
   {
-    constexpr double full_size = 100000, least_share = 0.25;
+    constexpr double least_share = 0.25;
     const auto steps = effort_.number_of_iterations.value_or(Isometric::default_number_of_iterations);
-    const double share = (std::max)(full_size / double(level_.size()), least_share);
+    const double share = (std::max)(large_size / double(level_.size()), least_share);
     return share < 1 ? static_cast<std::size_t>(std::ceil(double(steps) * share)) : steps; // however many
   }
 

@@ -12,7 +12,8 @@ command -v node >/dev/null || skip node
 [ -d "$web/node_modules/esbuild" ] || skip "web/node_modules"
 if [ "$1" != viewer ]; then
   command -v emcmake >/dev/null || skip emscripten
-  command -v "clang-${EM_CLANG_ADD_VERSION:-15}" >/dev/null || skip clang
+  compiler=clang-${EM_CLANG_ADD_VERSION:-15}
+  command -v "$compiler" >/dev/null || skip "$compiler"
   for library in onetbb pugixml zlib; do
     [ -d "$web/libraries/$library" ] || skip "web/libraries/$library"
   done

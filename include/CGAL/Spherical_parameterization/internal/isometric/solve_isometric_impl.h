@@ -102,9 +102,9 @@ private:
   static constexpr Metric_bounds coarse_bounds = {100, 1e-4};
   static constexpr Metric_bounds final_bounds = {1e3, 1e-8};
   static constexpr double largest_coarse_exponent = 3;
-  static constexpr double linear_tolerance = 0.1;        ///< of Newton's equations
-  static constexpr double linear_tolerance_ahead = 0.03; ///< ... on fine levels, but for the last
-  static constexpr double fine_linear_tolerance = 0.01;  ///< ... near a minimum
+  static constexpr double linear_tolerance = 0.1;              ///< of Newton's equations
+  static constexpr double linear_tolerance_before_last = 0.03; ///< ... on fine levels below the whole mesh
+  static constexpr double fine_linear_tolerance = 0.01;        ///< ... near a minimum
   static constexpr double converged_share = 0.02; ///< of the default accuracy: the map moves by about 1e-4 after that
   static constexpr int maximum_linear_iterations = 100; ///< ... on fine levels
   static constexpr int iterations_ahead = 20;           ///< ... of a step that is not taken
@@ -490,8 +490,8 @@ private:
   }
 
   /// Energy and residual of the map as it will be stored. Who asks for no more than the defaults gets what these reach,
-  /// and on large meshes, where a new matrix would be a tenth of the time, the residual by that of the last step: it is
-  /// near to that by a new one where nothing is stiff, as round landmarks.
+  /// and on large meshes, where a new matrix would be a tenth of the time, the residual by that of the last step. That
+  /// is near to the one by a new matrix, but not with landmarks, round which the map is stiff.
   void measure(Newton_relaxation<>& newton, Solver_report& report)
   {
     if(problem_.as_stored)
@@ -530,7 +530,7 @@ private:
     const double accuracy = is_to_converge
                               ? (std::min)(asked, converged_share * (std::max)(asked, Isometric::default_accuracy))
                               : asked * std::clamp(level_.size() / small_size, least_part, 1.);
-    const double tolerance = rounds_.empty() ? linear_tolerance : linear_tolerance_ahead;
+    const double tolerance = rounds_.empty() ? linear_tolerance : linear_tolerance_before_last;
     constexpr double rounding = 1e-15;
     constexpr int patience = 5;
     int steps_in_vain = 0;

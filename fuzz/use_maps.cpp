@@ -19,7 +19,6 @@
 #include <array>
 #include <cmath>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 namespace fuzz {

@@ -7,7 +7,6 @@
 #include "tables/table.h"
 
 #include <algorithm>
-#include <cmath>
 #include <fstream>
 #include <limits>
 #include <map>

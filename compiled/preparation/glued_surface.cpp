@@ -6,7 +6,6 @@
 #include "preparation/points.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace CGAL::Spherical_parameterization::preparation {

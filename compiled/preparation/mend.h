@@ -69,8 +69,8 @@ struct Wrapping {
 
 /// A closed surface around triangles of any kind, at a distance of `offset`; what a ball of radius `alpha` cannot enter
 /// is filled (C. Portaneri, M. Rouxel-Labbe, M. Hemmer, D. Cohen-Steiner, P. Alliez, "Alpha wrapping with an offset",
-/// 2022; CGAL's alpha_wrap_3).
-Wrapping wrap(const Triangle_soup& soup, double alpha, double offset);
+/// 2022; CGAL's alpha_wrap_3). `go_on` is called again and again, and ends it by an exception.
+Wrapping wrap(const Triangle_soup& soup, double alpha, double offset, const std::function<void()>& go_on);
 
 } // namespace CGAL::Spherical_parameterization::preparation
 

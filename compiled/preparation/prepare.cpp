@@ -41,7 +41,7 @@ void fill_holes(Glued_surface& surface, Preparation& preparation, const std::fun
   derive_vertices(surface);
 }
 
-Glued_surface wrapped(const Triangle_soup& soup, Preparation& preparation)
+Glued_surface wrapped(const Triangle_soup& soup, Preparation& preparation, const std::function<void()>& go_on)
 {
   const double size = diagonal(soup);
   auto& used = *preparation.wrap;
@@ -50,7 +50,7 @@ Glued_surface wrapped(const Triangle_soup& soup, Preparation& preparation)
   if(!(*used.offset > 0 && *used.alpha > 0)) // the defaults, of points that are all at the same place
     throw internal::Input_error(Error_code::EMPTY_MESH, "all points at the same place", "there is nothing to wrap");
   Gluing_defects none;
-  Glued_surface surface = glue(wrap(soup, *used.alpha, *used.offset), 0, none);
+  Glued_surface surface = glue(wrap(soup, *used.alpha, *used.offset, go_on), 0, none);
   std::fill(surface.old_vertex.begin(), surface.old_vertex.end(), Glued_surface::none);
   std::fill(surface.old_face.begin(), surface.old_face.end(), Glued_surface::none);
   return surface;
@@ -181,7 +181,7 @@ Preparation prepare_in_unit(const Triangle_soup& soup, const Preparation_setting
 
   if(settings.wrap) {
     result.wrap = settings.wrap;
-    surface = wrapped(soup, result);
+    surface = wrapped(soup, result, go_on);
   }
   std::vector<int> piece_of;
   result.pieces = pieces_of(surface, piece_of);

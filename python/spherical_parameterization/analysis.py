@@ -505,6 +505,8 @@ class Locator:
         given = _rows("values", doubles("values", values), self._number_of_vertices)
         table = np.ascontiguousarray(given.reshape(len(given), -1))
         places = integers("faces", faces)
+        if places.ndim != 1:
+            raise ValueError(f"faces: a list of numbers is needed, not {places.shape}")
         if places.size and not 0 <= places.min() <= places.max() < len(self._triangles):
             raise IndexError(f"faces are numbers from 0 to {len(self._triangles) - 1}")
         result = self._locator.interpolate(table, np.ascontiguousarray(places, dtype=np.int32), vectors("weights", weights, len(places)))
@@ -732,7 +734,6 @@ def shape_form(points: npt.ArrayLike, triangles: npt.ArrayLike) -> Doubles:
         Histograms of points that are spread evenly over the surface, single precision: of the distances of pairs and the angles of their
         normals (64), and of the distances from the centre and the angles between normal and radius (48).
     """
-    check(shape_form, locals())
     return _core.shape_form(vectors("points", points), index_triples(triangles))
 
 
@@ -754,7 +755,6 @@ def relevance(signatures: npt.ArrayLike, forms: npt.ArrayLike) -> Doubles:
     ndarray (s,) of float64
         From 0 (no chain leads there) to 1 (the query).
     """
-    check(relevance, locals())
     rows = doubles("signatures", signatures), doubles("forms", forms)
     for name, array, width in zip(("signatures", "forms"), rows, (96, 112)):
         if array.ndim != 2 or array.shape[0] == 0 or array.shape[1] != width:

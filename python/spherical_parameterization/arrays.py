@@ -6,6 +6,7 @@ from __future__ import annotations
 import dataclasses
 import math
 import numbers as kinds
+import os
 import sys
 from collections.abc import Callable, Mapping
 from typing import Any, Protocol, Union
@@ -53,6 +54,13 @@ def wrong_type(name: str, wanted: str, value: object) -> TypeError:
     return TypeError(f"{name}: {wanted} is needed, not {type(value).__name__}")
 
 
+def file_name(name: str, value: object) -> bytes:
+    """As the core takes it."""
+    if not isinstance(value, (str, bytes, os.PathLike)):
+        raise wrong_type(name, "the name of a file", value)
+    return os.fsencode(value)
+
+
 def check(function: Callable[..., object] | type, arguments: Mapping[str, object]) -> None:
     """Whether arguments, or the fields of a dataclass, are strings, numbers or truth values where annotations say so.
 
@@ -68,6 +76,8 @@ def check(function: Callable[..., object] | type, arguments: Mapping[str, object
         allowed, wanted = _KINDS[kind]
         if not isinstance(value, allowed) or (isinstance(value, bool) and kind != "bool"):  # type: ignore[arg-type]
             raise wrong_type(name, wanted + " or None" * bool(other), value)
+        if kind == "float" and abs(value) > sys.float_info.max and not isinstance(value, (float, np.floating)):
+            raise ValueError(f"{name}: a number of at most 1.8e308 is needed")
         low, high = _RANGES.get(name, (0, 2**31 - 1) if kind == "int" else (-math.inf, math.inf))
         if kind in ("int", "float") and not low <= value <= high:
             raise ValueError(f"{name}: {low:g} to {high:.10g} is needed, not {value}")
@@ -126,13 +136,16 @@ def vectors(name: str, values: object, rows: int | None = None) -> Doubles:
 
 
 def sphere_vectors(name: str, values: Sphere, rows: int | None = None) -> Doubles:
-    """A map, as it is."""
-    return vectors(name, getattr(values, "sphere", values), rows)
+    """A map, as it is, unless squares of lengths would overflow or vanish: then on the unit sphere."""
+    array = vectors(name, getattr(values, "sphere", values), rows)
+    sizes = abs(array).max(axis=1)
+    is_extreme = (1e100 < sizes.max(initial=0) < np.inf) or sizes[sizes > 0].min(initial=1) < 1e-100
+    return unit_vectors(name, array, rows) if is_extreme else array
 
 
 def unit_vectors(name: str, values: Sphere, rows: int | None = None) -> Doubles:
     """A map on a sphere of any radius as one on the unit sphere; unit vectors, also those of float32, stay as they are."""
-    array = sphere_vectors(name, values, rows)
+    array = vectors(name, getattr(values, "sphere", values), rows)
     with np.errstate(all="ignore"):
         is_other = ~(abs(np.linalg.norm(array, axis=1) - 1) < 1e-6)
         if is_other.any():
@@ -185,6 +198,7 @@ def check_indices(triangles: Integers, number_of_points: int) -> None:
 
 def edge_numbers(triangles: Integers) -> tuple[Integers, Integers]:
     """The edges (k, 2), and for every corner of a face the number of the edge to its next corner (m, 3)."""
+    check_indices(triangles, 2**31)
     ends = np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=-1).reshape(-1, 2).astype(np.int64)
     ends.sort(axis=1)
     size = int(ends.max(initial=0)) + 1

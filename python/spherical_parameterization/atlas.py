@@ -3,14 +3,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from .arrays import Doubles, Integers, OneLine, check, index_triples, one_of, vectors
+from .arrays import Doubles, Integers, OneLine, check, index_triples, one_of, vectors, wrong_type
 from .errors import ErrorCode, MeshError
 from .maps import map_to_go_on
 from .methods import Isometric
@@ -88,7 +88,12 @@ def atlas(
     mapped: dict[int, tuple[Doubles, Integers, Doubles]] = {}
     refused: dict[int, str] = {}
     codes: list[ErrorCode | str] = []
-    for i, (points, triangles) in enumerate(meshes):
+    if not isinstance(meshes, Iterable):
+        raise wrong_type("meshes", "a list of (points, triangles)", meshes)
+    for i, mesh in enumerate(meshes):
+        if not isinstance(mesh, (tuple, list)) or len(mesh) != 2:
+            raise wrong_type(f"meshes: mesh {i}", "a pair (points, triangles)", mesh)
+        points, triangles = mesh
         try:
             points, triangles = vectors("points", points), index_triples(triangles)
             result = map_to_go_on(points, triangles, Isometric(), policy=policy, warn=False)

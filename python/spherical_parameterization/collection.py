@@ -9,9 +9,9 @@ import dataclasses
 import errno
 import functools
 import hashlib
-import inspect
 import itertools
 import json
+import numbers
 import os
 import queue
 import sqlite3
@@ -26,7 +26,7 @@ import numpy as np
 
 from . import _core
 from .analysis import distortion, shape_signature
-from .arrays import check, wrong_type
+from .arrays import check, file_name, wrong_type
 from .errors import MeshError
 from .files import read_mesh
 from .maps import map_to_go_on
@@ -116,7 +116,7 @@ def _name(function: Any) -> str:
     """What a function is called in the store; with the settings of functools.partial."""
     if isinstance(function, functools.partial):
         settings = [_repr(value) for value in function.args]
-        settings += [f"{key}={_repr(value)}" for key, value in function.keywords.items()]
+        settings += [f"{key}={_repr(value)}" for key, value in sorted(function.keywords.items())]
         return f"{_name(function.func)}({', '.join(settings)})"
     named = function if hasattr(function, "__qualname__") else type(function)
     return f"{named.__module__}.{named.__qualname__}"
@@ -132,7 +132,7 @@ def _plainly(value: Any) -> Any:
         return sorted(repr(_plainly(part)) for part in value)
     if isinstance(value, tuple):
         return [_plainly(part) for part in value]
-    return value if isinstance(value, (str, bytes, int, float, complex)) else type(value).__qualname__
+    return value if isinstance(value, (str, bytes, numbers.Number, np.generic)) else type(value).__qualname__
 
 
 def _names(code: types.CodeType) -> list[str]:
@@ -141,32 +141,46 @@ def _names(code: types.CodeType) -> list[str]:
     return [*code.co_names, *inner]
 
 
-def _attributes(thing: Any) -> Any:
-    return [(name, _plainly(value)) for name, value in getattr(thing, "__dict__", {}).items()]
+def _content(cell: Any) -> Any:
+    try:
+        return cell.cell_contents
+    except ValueError:  # the variable has no value yet
+        return None
 
 
-def _computation(function: Any, seen: set[Any] | None = None) -> Any:
+def _used(value: Any, seen: list[Any]) -> Any:
+    """What a function uses: plain values, and what other functions do."""
+    if isinstance(value, types.MethodType):
+        value = value.__func__  # the state of its object may change with every call
+    is_function = isinstance(value, (types.FunctionType, functools.partial)) or "__wrapped__" in getattr(value, "__dict__", ())
+    if not is_function or any(value is other for other in seen):  # functions call each other
+        return _plainly(value)
+    return _computation(value, seen)
+
+
+def _all_used(items: Iterable[tuple[Any, Any]], seen: list[Any]) -> Any:
+    return [(name, _used(value, seen)) for name, value in items]
+
+
+def _attributes(thing: Any, seen: list[Any]) -> Any:
+    return _all_used(getattr(thing, "__dict__", {}).items(), seen)
+
+
+def _computation(function: Any, seen: list[Any]) -> Any:
     """What a function does: its code, defaults, and the plain values and functions that it uses from outside, and so on."""
+    seen.append(function)
     if isinstance(function, functools.partial):
-        return _computation(function.func)
-    if not inspect.isroutine(function):  # an object that can be called
-        return _computation(type(function).__call__), _attributes(function)
+        settings = [*enumerate(function.args), *sorted(function.keywords.items())]
+        return _computation(function.func, seen), _all_used(settings, seen)
     if isinstance(function, types.MethodType):
-        return _computation(function.__func__), _attributes(function.__self__)
-    function = inspect.unwrap(function)
-    if not isinstance(function, types.FunctionType):
-        return _plainly(function)
-    seen = set() if seen is None else seen
-    seen.add(function)
-    code, cells = function.__code__, function.__closure__ or ()
+        return _computation(function.__func__, seen), _attributes(function.__self__, seen)
+    if not isinstance(function, types.FunctionType):  # has attributes, as __wrapped__ of functools.lru_cache
+        return _plainly(function), _used(type(function).__call__, seen), _attributes(function, seen)
+    code = function.__code__
     outside = {name: function.__globals__.get(name) for name in _names(code)}
-    outside.update(zip(code.co_freevars, (cell.cell_contents for cell in cells)))
+    outside.update(zip(code.co_freevars, (_content(cell) for cell in function.__closure__ or ())))
     defaults = [*(function.__defaults__ or ()), *(function.__kwdefaults__ or {}).values()]
-    return _plainly(code), _plainly(tuple(defaults)), [
-        # functions call each other
-        (name, _computation(value, seen) if isinstance(value, types.FunctionType) and value not in seen else _plainly(value))
-        for name, value in outside.items()
-    ]
+    return _plainly(code), _all_used(enumerate(defaults), seen), _all_used(outside.items(), seen)
 
 
 @functools.lru_cache(maxsize=None)
@@ -211,9 +225,9 @@ class _Store:
     """The database, which is that of the tool. Only this process writes to it."""
 
     def __init__(self, path: str | os.PathLike[str], function: Callable[[Any], Any]) -> None:
-        self._store = _core.Store(os.fsencode(path))
+        self._store = _core.Store(os.path.abspath(file_name("store", path)))  # no name means something to SQLite
         self._name = _name(function)
-        self._computation = _digest(_computation(function), _package())
+        self._computation = _digest(_computation(function, []), _package())
         settings = self._store.some_settings()
         other = settings.rpartition("\n")[0] or settings  # arrays in the name have lines, too
         if other not in ("", self._name):
@@ -476,6 +490,6 @@ def read(store: str | os.PathLike[str]) -> Iterator[Row]:
 
 
 def _select(store: str | os.PathLike[str], query: str) -> Iterator[Any]:
-    with contextlib.closing(sqlite3.connect(store)) as connection:
+    with contextlib.closing(sqlite3.connect(os.path.abspath(store))) as connection:
         connection.text_factory = os.fsdecode
         yield from connection.execute(query)

@@ -4,15 +4,16 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from numbers import Integral
 from typing import Union
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from .arrays import Doubles, Integers, check, check_indices, index_triples, numbers, vectors
+from .arrays import Doubles, Integers, check, check_indices, file_name, index_triples, numbers, vectors
 from .errors import ErrorCode, MeshError
 
 Path = Union[str, "os.PathLike[str]"]
@@ -58,9 +59,10 @@ def read_data(path: Path, number_of_vertices: int) -> list[VertexColumn]:
         If the file cannot be read, is damaged, or has data for another number of vertices. The message says where.
     """
     check(read_data, locals())
+    file = file_name("path", path)
     os.stat(path)  # FileNotFoundError
     columns = []
-    for name, values, table in _core.read_data(os.fsencode(path), number_of_vertices):
+    for name, values, table in _core.read_data(file, number_of_vertices):
         labels = None
         if table is not None:
             labels = {key: (text.decode(errors="replace"), (r, g, b, a)) for key, text, (r, g, b, a) in table}
@@ -86,23 +88,41 @@ def write_data(path: Path, columns: Sequence[VertexColumn]) -> None:
     OSError
         If the format holds none of the columns, or the file cannot be written.
     """
-    check(write_data, locals())
-    _core.write_data(os.fsencode(path), _for_core(columns))
+    _core.write_data(file_name("path", path), _for_core(columns))
 
 
 def _for_core(columns: Sequence[VertexColumn], size: int | None = None) -> list[tuple[bytes, Doubles, object]]:
+    if not isinstance(columns, Sequence) or not all(isinstance(column, VertexColumn) for column in columns):
+        raise TypeError("columns: a list of VertexColumn is needed")
     result: list[tuple[bytes, Doubles, object]] = []
     for column in columns:
+        check(VertexColumn, vars(column))
+        if not column.name:
+            raise ValueError("columns: a name is empty")
         size = np.size(np.asarray(column.values)) if size is None else size
         values = numbers(column.name, column.values, size)
         are_keys = np.isnan(values) | ((values == np.round(values)) & (abs(values) < 2**31))
         if column.labels is not None and not are_keys.all():
             raise ValueError(f"{column.name}: the values of labels are integers, or NaN where there is none")
-        if column.labels is not None and not all(-(2**31) <= key < 2**31 for key in column.labels):
-            raise ValueError(f"{column.name}: the keys of labels are integers of 32 bits")
-        table = None if column.labels is None else [(k, n.encode(), rgba) for k, (n, rgba) in column.labels.items()]
-        result.append((column.name.encode(), values, table))
+        result.append((column.name.encode(), values, _table(column)))
     return result
+
+
+def _table(column: VertexColumn) -> list[tuple[int, bytes, tuple[float, ...]]] | None:
+    if column.labels is None:
+        return None
+    wrong = TypeError(f"{column.name}: labels: a dict of whole numbers to (name, (red, green, blue, alpha)) is needed")
+    if not isinstance(column.labels, Mapping) or not all(isinstance(key, Integral) for key in column.labels):
+        raise wrong
+    if not all(-(2**31) <= key < 2**31 for key in column.labels):
+        raise ValueError(f"{column.name}: the keys of labels are integers of 32 bits")
+    try:
+        return [
+            (int(key), name.encode(), (float(r), float(g), float(b), float(a)))
+            for key, (name, (r, g, b, a)) in column.labels.items()
+        ]
+    except (AttributeError, TypeError, ValueError):
+        raise wrong from None
 
 
 def read_mesh(path: Path, *, triangulate: bool = False) -> tuple[Doubles, Integers]:
@@ -130,8 +150,8 @@ def read_mesh(path: Path, *, triangulate: bool = False) -> tuple[Doubles, Intege
         If the file cannot be read, or is damaged; the text says where.
     """
     check(read_mesh, locals())
+    name = file_name("path", path)
     os.stat(path)  # FileNotFoundError
-    name = os.fsencode(path)
     if not _core.is_format_known(name):
         try:
             import meshio
@@ -206,5 +226,5 @@ def write_mesh(
     check(write_mesh, locals())
     points, triangles = vectors("points", points), index_triples(triangles)
     check_indices(triangles, len(points))
-    annotated = b"" if like is None else os.fsencode(like)
-    _core.write_mesh(os.fsencode(path), points, triangles, sphere, ascii, annotated, _for_core(data, len(points)))
+    annotated = b"" if like is None else file_name("like", like)
+    _core.write_mesh(file_name("path", path), points, triangles, sphere, ascii, annotated, _for_core(data, len(points)))

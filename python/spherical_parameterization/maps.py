@@ -163,6 +163,8 @@ def _fixed(fixed: Fixed, sphere: Doubles) -> npt.NDArray[np.bool_] | None:
     index = integers("fixed: vertices", fixed[0])
     if index.size == 0:
         return None
+    if index.ndim != 1 or len(np.unique(index)) < len(index):
+        raise ValueError("fixed: a list of vertices is needed, each of them once")
     places = vectors("fixed: directions", fixed[1], index.size)
     if not ((0 <= index) & (index < len(sphere))).all():
         raise MeshError(ErrorCode.BAD_CONSTRAINTS, f"fixed vertices are numbers from 0 to {len(sphere) - 1}")
@@ -182,7 +184,9 @@ def _density(density: npt.ArrayLike, number_of_points: int, number_of_triangles:
     return array
 
 
-@functools.lru_cache(maxsize=None)
+_opencl_device = functools.lru_cache(maxsize=None)(_core.opencl_device)
+
+
 def opencl_device(name: str = "", *, precision: str = "automatic", smallest_mesh: int = 10000) -> _core.OpenCLDevice:
     """An OpenCL device, as `policy` of `parameterize()`.
 
@@ -206,7 +210,7 @@ def opencl_device(name: str = "", *, precision: str = "automatic", smallest_mesh
     """
     check(opencl_device, {"name": name, "precision": precision, "smallest_mesh": smallest_mesh})
     one_of("precision", precision, "automatic", "double", "single")
-    return _core.opencl_device(name, precision, smallest_mesh)
+    return _opencl_device(name, precision, smallest_mesh)
 
 
 def opencl_devices() -> list[dict[str, Any]]:
@@ -425,4 +429,4 @@ def certify(triangles: npt.ArrayLike, sphere: Sphere, *, policy: str = "parallel
     False
     """
     check(certify, locals())
-    return Certificate(*_core.certify(index_triples(triangles), sphere_vectors("sphere", sphere), policy))
+    return Certificate(*_core.certify(index_triples(triangles), vectors("sphere", getattr(sphere, "sphere", sphere)), policy))

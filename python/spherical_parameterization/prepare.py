@@ -6,12 +6,13 @@ from __future__ import annotations
 import dataclasses
 import importlib
 import json
+from numbers import Real
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
-from .arrays import Doubles, Integers, OneLine, check, check_indices, index_triples, one_of, vectors
+from .arrays import Doubles, Integers, OneLine, check, check_indices, index_triples, one_of, vectors, wrong_type
 
 
 def gpl_module() -> Any:
@@ -82,16 +83,21 @@ def prepare(
     one_of("components", components, "largest", "all")
     if not 0 <= merge_distance < np.inf:
         raise ValueError(f"merge_distance: a number from 0 on is needed, not {merge_distance}")
-    if harmless and (wrap is not False or merge_distance > 0):
+    sizes = ((None, None) if wrap else None) if isinstance(wrap, (bool, np.bool_)) else wrap
+    if sizes is not None:
+        if not isinstance(sizes, (tuple, list, np.ndarray)) or not all(x is None or isinstance(x, Real) for x in sizes):
+            raise wrong_type("wrap", "True, or a pair of positive numbers,", wrap)
+        if len(sizes) != 2 or not all(x is None or 0 < x < np.inf for x in sizes):
+            raise ValueError(f"wrap: True, or two positive numbers, are needed, not {wrap}")
+    elif wrap is None:
+        raise wrong_type("wrap", "True, or a pair of positive numbers,", wrap)
+    if harmless and (sizes is not None or merge_distance > 0):
         raise ValueError("harmless: wrap and merge_distance change the shape")
-    sizes = None if wrap is False else (None, None) if wrap is True else tuple(wrap)
-    if sizes and (len(sizes) != 2 or not all(x is None or 0 < x < np.inf for x in sizes)):
-        raise ValueError(f"wrap: True, or two positive numbers, are needed, not {wrap}")
     points, triangles = vectors("points", points), index_triples(triangles)
     check_indices(triangles, len(points))
     was_ctrl_c, mended, faces, vertex_map, face_map, report = module.prepare(
         points, triangles.astype(np.int32), merge_distance, not harmless and components == "largest",
-        fill_holes and not harmless, cut_handles and not harmless, sizes, maximum_running_time,
+        fill_holes and not harmless, cut_handles and not harmless, None if sizes is None else tuple(sizes), maximum_running_time,
     )
     if was_ctrl_c:
         raise KeyboardInterrupt

@@ -20,6 +20,11 @@ class Eigenpairs(OneLine):
     functions: Doubles  #: (n, k), in units of 1 / length; `functions.T @ (masses[:, None] * functions)` is the unit matrix
     masses: Doubles  #: (n,), a third of the areas of the faces of every vertex
 
+    def __post_init__(self) -> None:
+        shapes = [np.shape(array) for array in (self.values, self.functions, self.masses)]
+        if len(shapes[1]) != 2 or shapes != [shapes[1][1:], shapes[1], shapes[1][:1]]:
+            raise ValueError(f"values, functions and masses: shapes (k,), (n, k) and (n,) are needed, not {shapes}")
+
     def heat_kernel_signature(self, times: npt.ArrayLike) -> Doubles:
         """The share of a unit of heat at a vertex that is still there after some time.
 

@@ -273,5 +273,7 @@ def mean_vertex_areas(shapes: npt.ArrayLike, triangles: npt.ArrayLike, *, policy
         Can be used as `weights` of `align_shapes()`, `shape_statistics()` and `left_out_errors()`.
     """
     check(mean_vertex_areas, locals())
-    array, _ = _stack(shapes)
+    array, are_harmonics = _stack(shapes)
+    if are_harmonics:
+        raise TypeError("shapes: points are needed, not coefficients of harmonics")
     return np.array(_core.mean_vertex_areas(array, index_triples(triangles), policy))

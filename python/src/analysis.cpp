@@ -26,8 +26,6 @@
 #include <limits>
 #include <utility>
 
-using namespace pybind11::literals;
-
 namespace {
 
 typedef Array_map<Mesh::Face_index, double> Face_values;
@@ -347,10 +345,7 @@ Doubles shape_signature(const Doubles& points, const py::array& triangles, const
 Doubles shape_form(const Doubles& points, const py::array& triangles)
 {
   const Mesh mesh = make_mesh(points, triangles);
-  const SP::Shape_form form = [&mesh] {
-    const py::gil_scoped_release no_lock;
-    return SP::shape_form(mesh);
-  }();
+  const SP::Shape_form form = without_lock([&mesh] { return SP::shape_form(mesh); });
   return py::array(py::cast(form.values)).cast<Doubles>();
 }
 
@@ -423,8 +418,12 @@ void add_analysis(py::module_& module)
     .def("align", &Locator::align);
   py::class_<SP::Resampling_weights>(module, "ResamplingWeights")
     .def("rows", rows_of_weights)
-    .def(py::pickle([](const SP::Resampling_weights& weights) { return rows_of_weights(weights); },
-                    [](const py::tuple& rows) { return weights_of_rows(rows); }))
+    .def(py::init(&weights_of_rows))
+    .def("__reduce__",
+         [](const py::object& weights) {
+           return py::make_tuple(py::type::of(weights),
+                                 py::make_tuple(rows_of_weights(weights.cast<const SP::Resampling_weights&>())));
+         })
     .def("means", weighted_means)
     .def("majorities", &SP::Resampling_weights::majorities<int>, py::call_guard<py::gil_scoped_release>())
     .def("nearest", &SP::Resampling_weights::nearest<int>, py::call_guard<py::gil_scoped_release>());

@@ -21,7 +21,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -50,6 +49,14 @@ private:
   const std::array<Number, 3>* first_;
   std::size_t size_;
 };
+
+/// Calls f without the interpreter's lock.
+template <class F>
+auto without_lock(F f)
+{
+  const py::gil_scoped_release no_lock;
+  return f();
+}
 
 /// Calls f with the triangles as they are, of 32 or of 64 bits.
 template <class F>
@@ -145,8 +152,6 @@ template <class... Sizes>
 Doubles array_of(const std::vector<double>& numbers, Sizes... sizes)
 {
   Doubles array = make_array<double>(sizes...);
-  if(numbers.size() != static_cast<std::size_t>(array.size()))
-    throw std::logic_error("numbers that do not fit their array");
   std::copy(numbers.begin(), numbers.end(), array.mutable_data());
   return array;
 }

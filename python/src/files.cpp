@@ -57,10 +57,7 @@ py::array triangles_of(const std::string& file, const Doubles& points, const std
           tool::checked_corner(file, soup.faces, static_cast<double>(*block.data(i, k)), soup.points.size()));
       soup.add_face(corners);
     }
-  {
-    const py::gil_scoped_release no_lock;
-    tool::cut_polygons(soup);
-  }
+  without_lock([&soup] { tool::cut_polygons(soup); });
   return rows_of<std::int32_t>(soup.triangles);
 }
 
@@ -70,11 +67,7 @@ typedef std::tuple<py::bytes, Doubles, Table> Column;
 
 std::vector<Column> read_data(const std::string& file, std::size_t number_of_vertices)
 {
-  tool::Vertex_data data;
-  {
-    const py::gil_scoped_release no_lock;
-    data = tool::read_vertex_data(file, number_of_vertices);
-  }
+  const tool::Vertex_data data = without_lock([&] { return tool::read_vertex_data(file, number_of_vertices); });
   std::vector<Column> columns;
   for(const tool::Vertex_column& column : data) {
     Table table;
@@ -95,8 +88,9 @@ tool::Vertex_data data_of(const std::vector<Column>& columns)
     tool::Vertex_column column = {name, {values.data(), values.data() + values.size()}, table.has_value()};
     for(const auto& [key, label, rgba] : table.value_or(Table::value_type()))
       column.table.push_back({key, label, rgba});
-    tool::add_column(data, std::move(column));
+    data.push_back(std::move(column));
   }
+  tool::number_equal_names(data);
   return data;
 }
 

@@ -99,10 +99,7 @@ Doubles rotated_harmonics(const Doubles& coefficients, const Doubles& rotation)
   for(std::size_t i = 0; i < 9; ++i)
     r[i / 3][i % 3] = rotation.data()[i];
   const SP::Harmonic_coefficients c = of_array(coefficients);
-  return to_array([&] {
-    const py::gil_scoped_release no_lock;
-    return SP::rotated(c, r);
-  }());
+  return to_array(without_lock([&] { return SP::rotated(c, r); }));
 }
 
 SP::Rotation best_rotation(const Doubles& f, const Doubles& g, const std::string& policy)

@@ -69,8 +69,6 @@ struct Weight_settings {
       minimum_angle = weights.attr("minimum_angle").cast<double>();
       maximum_angle = weights.attr("maximum_angle").cast<double>();
     }
-    if(array.size() == 0 && name != "conformal" && name != "clamped" && name != "barycentric" && name != "mean-value")
-      throw py::value_error("weights '" + name + "': 'conformal', 'clamped', 'barycentric' or 'mean-value' is needed");
   }
 
   Weights weights(const Mesh& mesh) const
@@ -207,6 +205,8 @@ void add_devices(py::module_& module)
       "name", [](const Device& d) { return d.info().name; }, "What the device is called.")
     .def_property_readonly("is_double_precision", &Device::is_double_precision, "Whether it computes with 64 bits.")
     .def_property_readonly("smallest_mesh", &Device::smallest_mesh, "Meshes with fewer vertices stay on the host.")
+    .def("__reduce__",
+         [](const Device&) -> py::tuple { throw py::type_error("a device cannot be pickled; pickle its name"); })
     .def("__repr__", [](const Device& d) { return "<OpenCLDevice " + d.info().name + ">"; });
   module.def("opencl_devices", [] {
     py::list devices;

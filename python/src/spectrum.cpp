@@ -36,20 +36,14 @@ Doubles heat_kernel_signature(const std::vector<double>& value, const Doubles& f
                               const std::vector<double>& times)
 {
   const SP::Laplacian_eigenpairs pairs = pairs_of(value, functions);
-  const std::vector<double> signature = [&] {
-    const py::gil_scoped_release no_lock;
-    return SP::heat_kernel_signature(pairs, times);
-  }();
+  const std::vector<double> signature = without_lock([&] { return SP::heat_kernel_signature(pairs, times); });
   return array_of(signature, times.size(), pairs.number_of_vertices);
 }
 
 Doubles wave_kernel_signature(const std::vector<double>& value, const Doubles& functions, std::size_t energies)
 {
   const SP::Laplacian_eigenpairs pairs = pairs_of(value, functions);
-  const std::vector<double> signature = [&] {
-    const py::gil_scoped_release no_lock;
-    return SP::wave_kernel_signature(pairs, energies);
-  }();
+  const std::vector<double> signature = without_lock([&] { return SP::wave_kernel_signature(pairs, energies); });
   return array_of(signature, energies, pairs.number_of_vertices);
 }
 

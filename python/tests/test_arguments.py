@@ -200,9 +200,53 @@ def test_a_locator_can_be_pickled() -> None:
 
 def test_a_resampling_can_be_pickled() -> None:
     resampling = LOCATOR.linear_resampling(-SPHERE)
-    again = pickle.loads(pickle.dumps(resampling))
-    assert (again.means(POINTS) == resampling.means(POINTS)).all()
-    assert (again.offsets == resampling.offsets).all()
+    for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
+        again = pickle.loads(pickle.dumps(resampling, protocol))
+        assert (again.means(POINTS) == resampling.means(POINTS)).all()
+        assert (again.offsets == resampling.offsets).all()
+
+
+COLUMN = sp.VertexColumn("a", np.zeros(len(POINTS)))
+
+
+@pytest.mark.parametrize(
+    ("call", "error", "message"),
+    [
+        (lambda file: sp.read_mesh(5), TypeError, "path: the name of a file is needed, not int"),
+        (lambda file: sp.read_data(5, 2), TypeError, "path: the name of a file is needed, not int"),
+        (lambda file: sp.write_data(file, [np.zeros(3)]), TypeError, "columns: a list of VertexColumn is needed"),
+        (lambda file: sp.write_data(file, COLUMN), TypeError, "columns: a list of VertexColumn is needed"),
+        (lambda file: sp.write_data(file, [sp.VertexColumn(5, [1.0])]), TypeError, "name: a string is needed, not int"),
+        (lambda file: sp.write_data(file, [sp.VertexColumn("", [1.0])]), ValueError, "columns: a name is empty"),
+        (lambda file: sp.write_mesh(file, POINTS, TRIANGLES, data=5), TypeError, "columns: a list of VertexColumn is needed"),
+        *(
+            (lambda file, labels=labels: sp.write_data(file, [sp.VertexColumn("a", [1.0], labels)]), TypeError, "a: labels: a dict")
+            for labels in (3, {0: "a"}, {0: ("a", (1, 2, 3))}, {0.5: ("a", (1, 1, 1, 1))}, {0: (b"a", (1, 1, 1, 1))})
+        ),
+        *((lambda file, wrap=wrap: sp.prepare(POINTS, TRIANGLES, wrap=wrap), TypeError, "wrap: ") for wrap in (5, None, ("a", "b"))),
+        *((lambda file, wrap=wrap: sp.prepare(POINTS, TRIANGLES, wrap=wrap), ValueError, "wrap: ") for wrap in ((1,), (1, 0))),
+        (lambda file: sp.atlas(5), TypeError, "meshes: a list of .* not int"),
+        (lambda file: sp.atlas([POINTS, TRIANGLES]), TypeError, "meshes: mesh 0: a pair .* not ndarray"),
+        (lambda file: sp.opencl_device([1]), TypeError, "name: a string is needed, not list"),
+        (lambda file: LOCATOR.interpolate(POINTS, 3, [[1, 0, 0]]), ValueError, "faces: "),
+        (lambda file: sp.parameterize(POINTS, TRIANGLES, accuracy=10**400), ValueError, "accuracy: "),
+        (lambda file: sp.collection.map(["a"], len, store=5), TypeError, "store: the name of a file is needed, not int"),
+        (lambda file: sp.parameterize(POINTS, TRIANGLES, fixed=([0, 0, 1, 2], np.eye(4, 3))), ValueError, "fixed: .* once"),
+        (lambda file: sp.parameterize(POINTS, TRIANGLES, fixed=(np.eye(4, 1, dtype=int), np.eye(4, 3))), ValueError, "fixed: "),
+        (lambda file: sp.Eigenpairs(np.ones(9), np.ones((5, 3)), np.ones(5)), ValueError, "values, functions and masses: "),
+        (lambda file: sp.edges([[2**40, 2**40 + 1, 2**40 + 2]]), sp.MeshError, "a triangle names a point"),
+    ],
+)
+def test_arguments_of_files_and_others(call: Callable[[str], object], error: type[Exception], message: str, tmp_path: Path) -> None:
+    with pytest.raises(error, match=message):
+        call(str(tmp_path / "out.ply"))
+    assert not list(tmp_path.iterdir())
+
+
+def test_directions_and_spheres_may_have_any_size() -> None:
+    for scale in (1e-200, 1e200):
+        assert np.allclose(SHAPE.at(SPHERE * scale), SHAPE.at(SPHERE), atol=1e-14)
+        assert np.allclose(sp.Locator(TRIANGLES, SPHERE * scale).locate(SPHERE[:1])[1], LOCATOR.locate(SPHERE[:1])[1], atol=1e-12)
 
 
 def test_segments_are_any_integers() -> None:

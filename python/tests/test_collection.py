@@ -12,6 +12,7 @@ import subprocess
 import threading
 import time
 from collections.abc import Iterator
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
@@ -203,6 +204,76 @@ def test_what_is_used_indirectly_is_computed_again(tmp_path: Path) -> None:
         (tmp_path / "a").unlink()
     for power in (2, 3):
         assert value(Power(power).of) == 3**power
+
+
+def times(factor: Any) -> Any:
+    def decorator(function: Any) -> Any:
+        @functools.wraps(function)
+        def decorated(item: Any) -> Any:
+            return float(factor) * function(item)
+
+        return decorated
+
+    return decorator
+
+
+class Scaled:
+    def __init__(self, number: Any) -> None:
+        self.number = number
+
+    def __call__(self, item: str) -> float:
+        return int(item) * float(self.number)
+
+
+def decorated(number: Any) -> Any:
+    return times(number)(int)
+
+
+def default(number: Any) -> Any:
+    def helper(item: str) -> float:
+        return int(item) * float(number)
+
+    return lambda item, helper=helper: helper(item)
+
+
+def cached(number: Any) -> Any:
+    helper = functools.lru_cache(lambda item: int(item) * float(number))
+    return lambda item: helper(item)
+
+
+def settings(number: Any) -> Any:
+    helper = functools.partial(lambda item, factor: int(item) * float(factor), factor=number)
+    return lambda item: helper(item)
+
+
+@pytest.mark.parametrize("make", [decorated, default, cached, settings, Scaled])
+@pytest.mark.parametrize("number", [float, np.float32, np.int64, Fraction])
+def test_nothing_that_is_used_is_overlooked(make: Any, number: Any, tmp_path: Path) -> None:
+    for factor in (2, 5):
+        sp.collection.map(["3"], make(number(factor)), store=tmp_path / "a")
+        assert next(sp.collection.read(tmp_path / "a")).value == 3 * factor
+
+
+def test_functions_of_any_kind(tmp_path: Path) -> None:
+    @times(1)
+    def factorial(item: Any) -> Any:
+        return 1 if int(item) < 2 else int(item) * factorial(int(item) - 1)
+
+    def without_value() -> Any:
+        return lambda item: later if item == "x" else 1  # noqa: F821
+        later = 3
+
+    for name, function, value in (("a", factorial, 6), ("b", without_value(), 1)):
+        sp.collection.map(["3"], function, store=tmp_path / name)
+        assert next(sp.collection.read(tmp_path / name)).value == value
+    for settings in ({"x": 1, "y": 2}, {"y": 2, "x": 1}):
+        sp.collection.map(["a"], functools.partial(lambda item, x, y: x, **settings), store=tmp_path / "c")
+
+
+def test_a_store_is_a_file_whatever_it_is_called(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert sp.collection.map(["abc"], len, store=":memory:") == {"OK": 1}
+    assert (tmp_path / ":memory:").exists()
 
 
 def test_arrays_are_settings(tmp_path: Path) -> None:

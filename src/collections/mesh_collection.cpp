@@ -173,7 +173,7 @@ int run_collection(const Collection& collection)
     std::unordered_set<std::string> ours; // nobody else's: there is one run at a time
     for(const Item& item : items)
       for(const std::string& output : collection.job(item).outputs)
-        ours.insert(output);
+        ours.insert(Atomic_file::beginning_of_temporary(output));
     Atomic_file::remove_leftovers(collection.folder, [&ours](const std::string& file) { return ours.count(file) > 0; });
   }
 

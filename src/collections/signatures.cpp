@@ -38,9 +38,10 @@ void sign(const std::string& file, bool mends, Signature_row& row)
   row.mending = mends ? Mending::NOTHING_TO_DO : Mending::NOT_ASKED;
   std::optional<Prepared_mesh> prepared;
   const Mesh mesh =
-    (mends ? read_prepared_mesh(file, Prepare::ALL, prepared) : read_mesh(file, Polygons::REFUSE, "--prepare does it"))
+    (mends ? read_prepared_mesh(file, Prepare::ALL, prepared)
+           : read_mesh(file, Polygons::REFUSE, "--prepare does it", "triangulate the mesh, or use --prepare"))
       .mesh;
-  if(prepared && !sentences(prepared->preparation).empty())
+  if(was_mended(prepared))
     row.mending = Mending::DONE;
   prepared.reset();
   row.vertices = mesh.number_of_vertices();

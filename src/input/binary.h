@@ -24,23 +24,21 @@ enum class Byte_order { LITTLE, BIG };
 template <class Number>
 Number number_at(const char* bytes, Byte_order order = Byte_order::LITTLE)
 {
-  std::array<char, sizeof(Number)> copy;
-  std::memcpy(copy.data(), bytes, copy.size());
-  if(order == Byte_order::BIG)
-    std::reverse(copy.begin(), copy.end());
   Number number;
-  std::memcpy(&number, copy.data(), copy.size());
+  const auto begin = reinterpret_cast<char*>(&number);
+  std::memcpy(begin, bytes, sizeof(Number));
+  if(order == Byte_order::BIG)
+    std::reverse(begin, begin + sizeof(Number));
   return number;
 }
 
 template <class Number>
 void append_number(std::string& bytes, Number number, Byte_order order = Byte_order::LITTLE)
 {
-  std::array<char, sizeof(Number)> copy;
-  std::memcpy(copy.data(), &number, copy.size());
+  const auto begin = reinterpret_cast<char*>(&number);
   if(order == Byte_order::BIG)
-    std::reverse(copy.begin(), copy.end());
-  bytes.append(copy.data(), copy.size());
+    std::reverse(begin, begin + sizeof(Number));
+  bytes.append(begin, sizeof(Number));
 }
 
 /// A type of the numbers in a file; `smallest` and `largest` bound what text may say.

@@ -138,6 +138,10 @@ std::vector<std::string> named_inputs(const std::vector<std::string>& inputs, co
   if(!in)
     refuse_file(list, "cannot be read", "check the name");
   for(std::string line; std::getline(in, line);) {
+    if(names.size() == inputs.size())
+      line.erase(0, line.size() - without_mark(line).size());
+    if(line.find('\0') != std::string::npos)
+      refuse_file(list, "has a zero byte, so it is no text", "write the names as UTF-8, one in a line");
     if(!line.empty() && line.back() == '\r')
       line.pop_back();
     if(!line.empty())

@@ -57,11 +57,13 @@ struct Input_mesh {
 
 /// Reads a triangulated sphere from a file of one of the formats of `Mesh_format`, or from the standard input, "-".
 /// Vertex `i` of the file is vertex `i` of the mesh, and the same for faces (of STL and glTF files: in the order in
-/// which they appear first). Anything else throws a `Refusal`, which says `how_to_mend` a surface that is no sphere.
+/// which they appear first). Anything else throws a `Refusal`, which says `how_to_mend` a surface that is no sphere,
+/// and `how_to_cut` polygons.
 ///
 /// What the file contains decides about its format, and its name only if that leaves it open.
 Input_mesh read_mesh(const std::string& file, Polygons polygons = Polygons::REFUSE,
-                     const std::string& how_to_mend = "the command 'prepare' does it");
+                     const std::string& how_to_mend = "the command 'prepare' does it",
+                     const std::string& how_to_cut = "triangulate the mesh, or use --triangulate");
 
 } // namespace tool
 

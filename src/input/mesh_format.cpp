@@ -40,8 +40,7 @@ std::optional<Mesh_format> format_of_magic(std::string_view bytes)
       return Mesh_format::FREESURFER;
   if(begins_with(bytes, "glTF"))
     return Mesh_format::GLB;
-  if(begins_with(bytes, "\xef\xbb\xbf")) // the mark of UTF-8
-    bytes.remove_prefix(3);
+  bytes = without_mark(bytes);
   std::string_view rest = bytes.substr(0, 64);
   const std::string_view word = next_token(rest);
   if(word == "ply")

@@ -12,7 +12,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -109,8 +108,7 @@ std::vector<std::string> files_of_mesh(const std::string& file);
 bool is_format_known(const std::string& file);
 
 /// Throws a `Refusal` of polygons that are no triangles.
-void check_triangles(const std::string& file, const Soup& soup,
-                     const std::string& remedy = "triangulate the mesh, or use --triangulate");
+void check_triangles(const std::string& file, const Soup& soup, const std::string& remedy);
 
 /// Cuts polygons that are not convex anew: by the triangles of their fans, some faces would be folded back. In bounded
 /// time: wild polygons of tens of thousands of corners may stay folded.

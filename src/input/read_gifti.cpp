@@ -55,7 +55,7 @@ public:
                                                     transform.child_value("MatrixData")});
     for(const pugi::xml_node array : root_.children("DataArray"))
       if(is_column(array) && count_of(file_, array, "Dim0") == soup_.points.size())
-        add_column(soup_.data, column(array));
+        soup_.data.push_back(column(array));
     return std::move(soup_);
   }
 
@@ -64,7 +64,7 @@ public:
     Vertex_data data;
     for(const pugi::xml_node array : root_.children("DataArray"))
       if(is_column(array))
-        add_column(data, column(array));
+        data.push_back(column(array));
       else if(!is(array, pointset) && !is(array, triangle))
         refuse("has an array that is not one number per vertex (" + std::string(array.attribute("Intent").value()) +
                  ')',

@@ -99,6 +99,7 @@ Soup read_soup(const std::string& file, std::string bytes, Coordinates coordinat
   if(!format)
     refuse_unknown(file);
   Soup soup = read_format(*format, file, std::move(bytes));
+  number_equal_names(soup.data);
   cut_polygons(soup);
   if(soup.non_finite && coordinates == Coordinates::FINITE)
     throw Refusal(*soup.non_finite);
@@ -113,11 +114,12 @@ Soup read_triangles(const std::string& file, Coordinates coordinates)
   return read_soup(file, read_file(file), coordinates);
 }
 
-Input_mesh read_mesh(const std::string& file, Polygons polygons, const std::string& how_to_mend)
+Input_mesh read_mesh(const std::string& file, Polygons polygons, const std::string& how_to_mend,
+                     const std::string& how_to_cut)
 {
   Soup soup = read_triangles(file);
   if(polygons == Polygons::REFUSE)
-    check_triangles(file, soup);
+    check_triangles(file, soup, how_to_cut);
   try {
     return {Mesh(CGAL::Parallel_if_available_tag(), std::move(soup.points), std::move(soup.triangles)),
             soup.polygons.size(), std::move(soup.annotations), std::move(soup.data)};

@@ -20,8 +20,7 @@ public:
 
   Soup read()
   {
-    if(rest_.substr(0, 3) == "\xef\xbb\xbf") // the mark of UTF-8
-      rest_.remove_prefix(3);
+    rest_ = without_mark(rest_);
     if(next_token(rest_) != "P")
       refuse_file(file_, "does not begin with 'P'", "check that this is a file of polygons");
     skip(5);

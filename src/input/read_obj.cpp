@@ -30,7 +30,6 @@ public:
       return std::move(*soup);
     read_lines();
     check_counts();
-    soup_.non_finite = lines_.non_finite();
     return std::move(soup_);
   }
 
@@ -49,7 +48,6 @@ private:
       if(piece.has_relative_index_)
         return std::nullopt;
       largest_number[i] = piece.largest_number_;
-      piece.soup_.non_finite = piece.lines_.non_finite();
       return std::move(piece.soup_);
     });
     const std::size_t largest = *std::max_element(largest_number.begin(), largest_number.end());
@@ -77,7 +75,7 @@ private:
 
   void read_vertex()
   {
-    soup_.points.push_back(lines_.point("vertex", soup_.points.size()));
+    soup_.points.push_back(lines_.point("vertex", soup_.points.size(), soup_.non_finite));
     if(soup_.points.size() > largest_count)
       lines_.refuse("more vertices than this program can index", "simplify the mesh");
   }

@@ -74,14 +74,13 @@ public:
     soup_.triangles.reserve(faces_);
     while(soup_.points.size() < vertices_) {
       go_to_next_line(soup_.points.size(), "vertices");
-      soup_.points.push_back(lines_.point("vertex", soup_.points.size()));
+      soup_.points.push_back(lines_.point("vertex", soup_.points.size(), soup_.non_finite));
     }
     while(soup_.faces < faces_) {
       go_to_next_line(soup_.faces, "faces");
       read_face();
     }
     check_rest();
-    soup_.non_finite = lines_.non_finite();
     return std::move(soup_);
   }
 
@@ -125,13 +124,12 @@ private:
       if(!lines_.next())
         return std::nullopt; // some were blank, or comments
       if(line < vertices_)
-        soup_.points.push_back(lines_.point("vertex", line));
+        soup_.points.push_back(lines_.point("vertex", line, soup_.non_finite));
       else
         read_face();
     }
     if(lines_.next()) // some ended with CR
       return std::nullopt;
-    soup_.non_finite = lines_.non_finite();
     return std::move(soup_);
   }
 

@@ -184,7 +184,7 @@ private:
     for(const Property& property : vertices_->properties)
       if(!property.count_type && !is_point_or_normal(property.name)) {
         columns_.push_back(&property);
-        add_column(soup_.data, {property.name, {}, property.type == number_type("int")});
+        soup_.data.push_back({property.name, {}, property.type == number_type("int")});
       }
   }
 
@@ -304,7 +304,8 @@ private:
 
   void read_row(const Element& element, std::size_t row)
   {
-    std::array<double, 3> point = {0, 0, 0};
+    if(&element == vertices_)
+      soup_.points.push_back({0, 0, 0});
     std::size_t column = 0;
     for(const Property& property : element.properties) {
       if(property.count_type) {
@@ -314,21 +315,10 @@ private:
       const double value = next(*property.type, element, row);
       for(std::size_t k = 0; k < 3; ++k)
         if(&property == coordinate_[k])
-          point[k] = noted(value, row, property.name);
+          soup_.set_coordinate(file_, row, k, value);
       if(column < columns_.size() && &property == columns_[column])
         soup_.data[column++].values.push_back(value);
     }
-    if(&element == vertices_)
-      soup_.points.push_back(point);
-  }
-
-  /// The same, noted if it is not finite.
-  double noted(double coordinate, std::size_t vertex, const std::string& name)
-  {
-    if(!std::isfinite(coordinate))
-      soup_.note_non_finite(file_, "vertex " + std::to_string(vertex) + " has the coordinate " + name + " = " +
-                                     std::to_string(coordinate));
-    return coordinate;
   }
 
   void read_list(const Element& element, std::size_t row, const Property& property)

@@ -29,7 +29,6 @@ public:
       read_line();
     if(in_solid_ || in_facet_)
       lines_.refuse_cut_short("'endsolid' is missing, there are " + std::to_string(soup_.faces) + " triangles");
-    soup_.non_finite = lines_.non_finite();
     return std::move(soup_);
   }
 
@@ -44,7 +43,7 @@ private:
     } else if(keyword == "vertex") {
       if(!in_facet_ || corners_.size() == 3)
         refuse("a vertex outside a triangle");
-      corners_.push_back(welded_.index_of(lines_.point("corner", 3 * soup_.faces + corners_.size())));
+      corners_.push_back(welded_.index_of(lines_.point("corner", 3 * soup_.faces + corners_.size(), soup_.non_finite)));
     } else if(keyword == "endfacet") {
       if(!in_facet_ || corners_.size() != 3)
         refuse(triangle() + " has " + std::to_string(corners_.size()) + " corners");
@@ -76,7 +75,7 @@ private:
 bool is_text(std::string_view bytes)
 {
   const std::string_view header = bytes.substr(0, binary_header_size);
-  std::string_view words = header;
+  std::string_view words = without_mark(header);
   return lower_case(next_token(words).substr(0, 5)) == "solid" && header.find('\0') == std::string_view::npos;
 }
 

@@ -77,7 +77,7 @@ protected:
   void add_array(const std::string& name, const Number_type& type, std::size_t components,
                  const std::vector<double>& values)
   {
-    if(components == 3 && lower_case(name) == "normals")
+    if(values.empty() || (components == 3 && lower_case(name) == "normals"))
       return;
     for(std::size_t k = 0; k < components; ++k) {
       const std::string component = components == 1 ? "" : '_' + std::to_string(k);
@@ -86,7 +86,7 @@ protected:
         column.values.push_back(values[i]);
         column.is_label = column.is_label && std::abs(values[i]) <= std::numeric_limits<int>::max();
       }
-      add_column(soup_.data, std::move(column));
+      soup_.data.push_back(std::move(column));
     }
   }
 
@@ -160,9 +160,11 @@ private:
 
   void read_section(const std::string& keyword)
   {
-    if(keyword == "dataset")
-      read_kind(lower_case(next_token(line_)));
-    else if(keyword == "points")
+    if(keyword == "dataset") {
+      const std::string kind = lower_case(next_token(line_));
+      if(kind != "polydata" && kind != "unstructured_grid")
+        refuse("is a dataset of the kind " + in_quotes(kind), "save its surface as PolyData");
+    } else if(keyword == "points")
       read_points();
     else if(keyword == "polygons" || keyword == "triangle_strips") {
       const Kind kind = keyword == "polygons" ? POLYGON : TRIANGLE_STRIP;
@@ -188,12 +190,6 @@ private:
         continue;
     else
       read_attribute(keyword);
-  }
-
-  void read_kind(const std::string& kind)
-  {
-    if(kind != "polydata" && kind != "unstructured_grid")
-      refuse("is a dataset of the kind " + in_quotes(kind), "save its surface as PolyData");
   }
 
   /// Calls `use(i, number)` for so many numbers.
@@ -313,7 +309,7 @@ private:
       }
     } else if(keyword == "scalars") {
       const std::string_view of_numbers = next_token(line_);
-      const std::size_t components = std::string_view(line_).find_first_not_of(' ') < line_.size() ? next_count(1) : 1;
+      const std::size_t components = line_.find_first_not_of(' ') < line_.size() ? next_count(1) : 1;
       if(is_text_)
         is_at_end(); // which skips spaces; bytes that look like these are numbers
       if(lower_case(rest_.substr(0, 12)) == "lookup_table")

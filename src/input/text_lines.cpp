@@ -112,11 +112,14 @@ double next_number(const std::string& file, std::string_view& text)
   return value;
 }
 
-Text_lines::Text_lines(const std::string& file, std::string text) : file_(file), text_(std::move(text))
+std::string_view without_mark(std::string_view text)
 {
-  if(text_.compare(0, 3, "\xEF\xBB\xBF") == 0) // a mark that Windows editors put before UTF-8
-    end_ = 3;
+  return text.substr(0, 3) == "\xef\xbb\xbf" ? text.substr(3) : text;
 }
+
+Text_lines::Text_lines(const std::string& file, std::string text)
+  : file_(file), text_(std::move(text)), end_(text_.size() - without_mark(text_).size())
+{}
 
 /// The next line, comment and all; empty at the end of the file.
 std::string_view Text_lines::next_line()
@@ -164,7 +167,7 @@ void Text_lines::join_continued()
   tokens_ = line_;
 }
 
-std::array<double, 3> Text_lines::point(const char* what, std::size_t index)
+std::array<double, 3> Text_lines::point(const char* what, std::size_t index, std::optional<Refusal>& non_finite)
 {
   std::array<double, 3> point;
   for(double& x : point) {
@@ -177,11 +180,11 @@ std::array<double, 3> Text_lines::point(const char* what, std::size_t index)
       refuse(name + " has fewer than three coordinates", "the file is damaged or cut short; export it again");
     if(number == Number::NONE)
       refuse(name + " has the coordinate " + in_quotes(coordinate) + ", which is not a number", damaged);
-    if(!non_finite_)
-      non_finite_.emplace(Error_code::NON_FINITE_COORDINATE, file_,
-                          "line " + std::to_string(number_) + ": " + name + " has the coordinate " +
-                            in_quotes(coordinate),
-                          non_finite_remedy);
+    if(!non_finite)
+      non_finite.emplace(Error_code::NON_FINITE_COORDINATE, file_,
+                         "line " + std::to_string(number_) + ": " + name + " has the coordinate " +
+                           in_quotes(coordinate),
+                         non_finite_remedy);
   }
   return point;
 }

@@ -35,6 +35,9 @@ std::string percent_decoded(std::string_view text);
 /// Takes the next token, which ends at white space, off the text; empty at the end.
 std::string_view next_token(std::string_view& text);
 
+/// Without the mark that Windows editors put before UTF-8.
+std::string_view without_mark(std::string_view text);
+
 /// Takes the next number off the text. Throws a `Refusal` if there is none, or something else.
 double next_number(const std::string& file, std::string_view& text);
 
@@ -61,11 +64,9 @@ public:
   /// The next token of the line; empty at its end.
   std::string_view token() { return next_token(tokens_); }
 
-  /// The next three tokens, checked to be numbers. `what` and `index` name their vertex in a refusal.
-  std::array<double, 3> point(const char* what, std::size_t index);
-
-  /// Of the first coordinate of a point that was not finite, if there was one.
-  const std::optional<Refusal>& non_finite() const { return non_finite_; }
+  /// The next three tokens, checked to be numbers. `what` and `index` name their vertex in a refusal. The first
+  /// coordinate that is not finite is noted.
+  std::array<double, 3> point(const char* what, std::size_t index, std::optional<Refusal>& non_finite);
 
   /// Throws a `Refusal` that names this line.
   [[noreturn]] void refuse(const std::string& wrong, const std::string& remedy) const;
@@ -78,11 +79,10 @@ private:
 
   std::string file_;
   std::string text_;
-  std::size_t end_ = 0;     ///< of what has been read
+  std::size_t end_;         ///< of what has been read
   std::string_view line_;   ///< without its end and its comment
   std::string_view tokens_; ///< of the line, as far as they have not been read
   std::size_t number_ = 0;
-  std::optional<Refusal> non_finite_;
 };
 
 } // namespace tool

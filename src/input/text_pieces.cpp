@@ -28,8 +28,8 @@ std::vector<std::size_t> numbers_of_lines(const std::vector<std::string_view>& p
   std::vector<std::size_t> numbers(pieces.size());
   SP::internal::Host_loop(true).for_each(static_cast<int>(pieces.size()), [&](int i) {
     const std::string_view piece = pieces[i];
-    numbers[i] = static_cast<std::size_t>(std::count(piece.begin(), piece.end(), '\n')) +
-                 (!piece.empty() && piece.back() != '\n' ? 1 : 0);
+    numbers[i] =
+      static_cast<std::size_t>(std::count(piece.begin(), piece.end(), '\n')) + (piece.back() != '\n' ? 1 : 0);
   });
   return numbers;
 }

@@ -74,18 +74,20 @@ Vertex_column new_column(const std::string& file, std::size_t vertices)
   return {name_of_column(file), std::vector<double>(vertices, none)};
 }
 
+std::size_t three_bytes(std::string_view bytes)
+{
+  const auto byte = [bytes](std::size_t i) { return std::size_t(std::uint8_t(bytes[i])); };
+  return byte(0) << 16 | byte(1) << 8 | byte(2);
+}
+
 /// FreeSurfer's files of one number per vertex ("curv"): of floats, which begin with three bytes of ones, and the old
 /// ones of hundredths.
 Vertex_column read_curv(const std::string& file, std::string_view bytes)
 {
   Pieces pieces(file, bytes);
   if(bytes.substr(0, 3) != "\xff\xff\xff") {
-    const auto three = [&] {
-      const std::string_view b = pieces.bytes(3);
-      return std::size_t(std::uint8_t(b[0])) << 16 | std::size_t(std::uint8_t(b[1])) << 8 | std::uint8_t(b[2]);
-    };
-    Vertex_column column = new_column(file, three());
-    three(); // the number of faces
+    Vertex_column column = new_column(file, three_bytes(pieces.bytes(3)));
+    pieces.bytes(3); // the number of faces
     for(double& value : column.values)
       value = pieces.number<std::int16_t>() / 100.;
     return column;
@@ -109,9 +111,7 @@ Vertex_column read_curv(const std::string& file, std::string_view bytes)
 /// Old files have no mark of their own, but a size that their first three bytes say.
 bool is_curv(std::string_view bytes)
 {
-  const auto byte = [bytes](std::size_t i) { return std::size_t(std::uint8_t(bytes[i])); };
-  return bytes.substr(0, 3) == "\xff\xff\xff" ||
-         (bytes.size() >= 6 && bytes.size() == 6 + 2 * (byte(0) << 16 | byte(1) << 8 | byte(2)));
+  return bytes.substr(0, 3) == "\xff\xff\xff" || (bytes.size() >= 6 && bytes.size() == 6 + 2 * three_bytes(bytes));
 }
 
 /// FreeSurfer's labels of all vertices, which are the colours of a table:
@@ -227,8 +227,7 @@ Vertex_data read_csv(const std::string& file, std::string_view text)
   const auto refuse = [&file](std::size_t row, const std::string& wrong, const std::string& remedy) {
     refuse_file(file, (row == 0 ? "the first line: " : "vertex " + std::to_string(row - 1) + ": ") + wrong, remedy);
   };
-  if(text.substr(0, 3) == "\xef\xbb\xbf") // the mark of UTF-8
-    text.remove_prefix(3);
+  text = without_mark(text);
   const std::vector<std::string> names = next_fields(file, text);
   double value = 0;
   if(std::all_of(names.begin(), names.end(), [&value](const std::string& name) { return is_number(name, value); }))
@@ -248,7 +247,7 @@ Vertex_data read_csv(const std::string& file, std::string_view text)
   }
   Vertex_data data;
   for(std::size_t k = 0; k < names.size(); ++k) {
-    add_column(data, {names[k], std::vector<double>(columns[k].size(), none)});
+    data.push_back({names[k], std::vector<double>(columns[k].size(), none)});
     Vertex_column& column = data.back();
     const auto is_nothing = [](const std::string& word) { return word.empty() || word == "NA"; };
     for(std::size_t v = 0; v < column.values.size(); ++v)
@@ -307,6 +306,7 @@ Vertex_data read_vertex_data(const std::string& file, std::size_t number_of_vert
     refuse_file(file, "has an unknown content", data_formats);
   if(!data)
     data = read_soup(file, std::move(bytes), Coordinates::ANY).data;
+  number_equal_names(*data);
   if(data->empty())
     refuse_file(file, "has no values at its vertices", data_formats);
   for(const Vertex_column& column : *data)
@@ -334,16 +334,15 @@ Vertex_data carried(const Vertex_data& data, const std::vector<int>& old_vertex)
   return result;
 }
 
-void add_column(Vertex_data& data, Vertex_column column)
+void number_equal_names(Vertex_data& data)
 {
-  const auto is_taken = [&data](const std::string& name) {
-    return std::any_of(data.begin(), data.end(), [&](const Vertex_column& c) { return c.name == name; });
-  };
-  std::string name = column.name;
-  for(int i = 2; is_taken(name); ++i)
-    name = column.name + '_' + std::to_string(i);
-  column.name = name;
-  data.push_back(std::move(column));
+  std::map<std::string, int> taken; // and the last number that was tried with it
+  for(Vertex_column& column : data) {
+    std::string name = column.name;
+    while(!taken.emplace(name, 1).second)
+      name = column.name + '_' + std::to_string(++taken[column.name]);
+    column.name = name;
+  }
 }
 
 void add_label(Vertex_column& column, int key, const std::string& name)

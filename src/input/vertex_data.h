@@ -34,8 +34,8 @@ using Vertex_data = std::vector<Vertex_column>;
 /// Whether files of surfaces have coordinates or normals by this name: "x", "nx", ...
 bool is_point_or_normal(std::string_view name);
 
-/// Appends a column; if its name is taken, it gets a number.
-void add_column(Vertex_data& data, Vertex_column column);
+/// A column gets a number if one before it has its name.
+void number_equal_names(Vertex_data& data);
 
 /// Appends an entry to its table, of a colour that the others do not have.
 void add_label(Vertex_column& column, int key, const std::string& name);

@@ -10,6 +10,8 @@
 
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 
+#include <numeric>
+#include <set>
 #include <tuple>
 
 namespace tool {
@@ -33,13 +35,51 @@ std::string remedy(const Mapping_options& options, Error_code code, std::optiona
   }
 }
 
+/// The vertices of the mesh that is mapped, which may have been mended.
+std::vector<Fixed_vertex> fixed_vertices(const std::string& file, const Mapped_mesh& input)
+{
+  const std::vector<int> mapped = mapped_vertices(input);
+  std::vector<Fixed_vertex> fixed = read_fixed_vertices(file, mapped.size());
+  std::set<std::size_t> seen;
+  for(Fixed_vertex& vertex : fixed) {
+    const int index = mapped[vertex.index];
+    if(index < 0 || !seen.insert(static_cast<std::size_t>(index)).second)
+      refuse_file(file,
+                  "vertex " + std::to_string(vertex.index) +
+                    (index < 0 ? " was removed" : " was merged with another fixed one") + " when the mesh was repaired",
+                  "name another one");
+    vertex.index = static_cast<std::size_t>(index);
+  }
+  return fixed;
+}
+
+/// By vertex or face of the mesh that is mapped.
+std::vector<double> densities(const std::string& file, const Mapped_mesh& input)
+{
+  if(!input.prepared)
+    return read_densities(file, input.mesh().number_of_vertices(), input.mesh().number_of_faces());
+  const std::size_t vertices = input.prepared->soup.points.size();
+  const std::vector<double> given = read_densities(file, vertices, input.prepared->soup.triangles.size());
+  const Glued_surface& mended = input.prepared->preparation.parts.front();
+  const bool is_of_vertices = given.size() == vertices;
+  std::vector<double> result;
+  for(const int old : is_of_vertices ? mended.old_vertex : mended.old_face) {
+    if(old < 0)
+      refuse_file(file,
+                  std::string("gives no density for the ") + (is_of_vertices ? "vertices" : "faces") +
+                    " that were added when the mesh was repaired",
+                  "prepare the mesh first, and give the density of what is written");
+    result.push_back(given[static_cast<std::size_t>(old)]);
+  }
+  return result;
+}
+
 void compute_map(const Mapping_options& options, Mapped_mesh& input)
 {
   if(!options.fixed.empty())
-    input.data.fixed_vertices = read_fixed_vertices(options.fixed, input.mesh().number_of_vertices());
+    input.data.fixed_vertices = fixed_vertices(options.fixed, input);
   if(!options.density.empty())
-    input.data.density =
-      read_densities(options.density, input.mesh().number_of_vertices(), input.mesh().number_of_faces());
+    input.data.density = densities(options.density, input);
 
   Progress_bar bar("mapping");
   input.result = map_to_sphere(input.mesh(), input.sphere, options, input.data, [&](double fraction) {
@@ -58,6 +98,15 @@ bool asks_for_another_method(Error_code code)
 }
 
 } // namespace
+
+std::vector<int> mapped_vertices(const Mapped_mesh& input)
+{
+  if(input.prepared)
+    return mended_vertices(*input.prepared);
+  std::vector<int> all(input.mesh().number_of_vertices());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
 
 void read_input(const Mapping_options& options, Mapped_mesh& input)
 {
@@ -83,7 +132,27 @@ void read_data(const Mapping_options& options, std::size_t number_of_vertices, V
 {
   for(const std::string& file : options.data)
     for(Vertex_column& column : read_vertex_data(file, number_of_vertices))
-      add_column(data, std::move(column));
+      data.push_back(std::move(column));
+  number_equal_names(data);
+}
+
+std::string preparation_text(const std::string& file, const Mapped_mesh& input)
+{
+  if(input.prepared)
+    return preparation_text(file, input.prepared);
+  const Mesh& mesh = input.mesh();
+  double volume = 0; // six times that of the pyramids over the faces, from the first vertex on
+  const auto corner = [&mesh, &origin = mesh.points()[0]](int v) {
+    const Point& p = mesh.points()[static_cast<std::size_t>(v)];
+    return Point{p[0] - origin[0], p[1] - origin[1], p[2] - origin[2]};
+  };
+  for(std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    const auto& [i, j, k] = mesh.triangle(f);
+    const Point a = corner(i), b = corner(j), c = corner(k);
+    volume +=
+      a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+  }
+  return volume < 0 ? file + ": its faces are turned inwards; --prepare turns them\n" : "";
 }
 
 void map_input(const Mapping_options& options, Mapped_mesh& input, Map_quality quality)

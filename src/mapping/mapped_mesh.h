@@ -19,6 +19,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 namespace tool {
 
@@ -56,6 +57,13 @@ void map_input(const Mapping_options& options, Mapped_mesh& input, Map_quality q
 /// Certifies a sphere of the mesh as a file of `format` will have it, which may hold floats: the certificate of the
 /// result is that of the file then. Throws a `Refusal` that names `output` if rounding flips faces.
 void certify_as_stored(const std::string& output, Mesh_format format, Mapped_mesh& input, const Sphere& sphere);
+
+/// Lines on what was done to the mesh, each with its end; if nothing was, whether it is turned inside out, which counts
+/// where shapes are compared or cut.
+std::string preparation_text(const std::string& file, const Mapped_mesh& input);
+
+/// By vertex of the file: that of the mesh which is mapped, -1 if it was left out.
+std::vector<int> mapped_vertices(const Mapped_mesh& input);
 
 /// The sphere becomes that of a file of `format`, which holds floats. The figures of the result that are not computed
 /// anew are no numbers then.

@@ -84,6 +84,11 @@ Input_mesh read_prepared_mesh(const std::string& file, Prepare how, std::optiona
   }
 }
 
+bool was_mended(const std::optional<Prepared_mesh>& prepared)
+{
+  return prepared && !sentences(prepared->preparation).empty();
+}
+
 std::string preparation_text(const std::string& file, const std::optional<Prepared_mesh>& prepared)
 {
   std::string text;

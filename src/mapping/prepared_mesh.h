@@ -36,6 +36,9 @@ struct Prepared_mesh {
 /// Reads a mesh file, and mends it as far as `how` says. Throws a `Refusal` if it is then no triangulated sphere.
 Input_mesh read_prepared_mesh(const std::string& file, Prepare how, std::optional<Prepared_mesh>& prepared);
 
+/// Whether anything was done.
+bool was_mended(const std::optional<Prepared_mesh>& prepared);
+
 /// Lines on what was done, each with its end; empty if the mesh was not mended, or there was nothing to mend.
 std::string preparation_text(const std::string& file, const std::optional<Prepared_mesh>& prepared);
 

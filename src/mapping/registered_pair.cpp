@@ -8,6 +8,7 @@
 #include "system/interruption.h"
 #include "system/progress_bar.h"
 #include "system/refusal.h"
+#include "system/stopwatch.h"
 
 #include <CGAL/Spherical_parameterization/distortion_summary.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
@@ -21,7 +22,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -43,16 +43,6 @@ Mapping_options options_of(const Registration_options& options, bool is_second)
   if(!options.spheres.empty())
     result.sphere = options.spheres[is_second ? 1 : 0];
   return result;
-}
-
-/// By vertex of the file: that of the mesh which is mapped, -1 if it was left out.
-std::vector<int> mapped_vertices(const Mapped_mesh& input)
-{
-  if(input.prepared)
-    return mended_vertices(*input.prepared);
-  std::vector<int> all(input.mesh().number_of_vertices());
-  std::iota(all.begin(), all.end(), 0);
-  return all;
 }
 
 Landmarks read_landmarks(const std::string& file, const Registered_pair& pair)
@@ -256,9 +246,16 @@ void register_pair(const Registration_options& options, Registered_pair& pair)
 {
   const Mesh &a = pair.a.mesh(), &b = pair.b.mesh();
   const Landmarks landmarks = options.landmarks.empty() ? Landmarks() : read_landmarks(options.landmarks, pair);
+  const Stopwatch since;
+  const auto time_left = [&options, &since] { // of the limit, which is one for both maps and the registration
+    return options.max_time ? std::optional(std::max(0., *options.max_time - since.seconds())) : std::nullopt;
+  };
   for(Mapped_mesh* const mesh : {&pair.a, &pair.b})
-    if(mesh->sphere.empty())
-      map_input(options_of(options, mesh == &pair.b), *mesh);
+    if(mesh->sphere.empty()) {
+      Mapping_options one = options_of(options, mesh == &pair.b);
+      one.max_time = time_left();
+      map_input(one, *mesh);
+    }
   SP::Registration registration = options.registration;
   registration.features = read_features(options, pair);
   registration.motion = options.motion == "rotation"  ? SP::Registration::Motion::ROTATION
@@ -273,7 +270,7 @@ void register_pair(const Registration_options& options, Registered_pair& pair)
     return !was_interrupted();
   };
   const auto watched =
-    CGAL::parameters::maximum_running_time(options.max_time.value_or(std::numeric_limits<double>::infinity()))
+    CGAL::parameters::maximum_running_time(time_left().value_or(std::numeric_limits<double>::infinity()))
       .callback(go_on);
   on_host(pair.a, [&](const auto& policy) {
     pair.result =
@@ -314,7 +311,7 @@ std::vector<Place> places_by_files(const Registered_pair& pair)
 
 std::string preparation_text(const Registration_options& options, const Registered_pair& pair)
 {
-  return preparation_text(options.input, pair.a.prepared) + preparation_text(options.other, pair.b.prepared);
+  return preparation_text(options.input, pair.a) + preparation_text(options.other, pair.b);
 }
 
 std::string registration_text(const Registration_options& options, const Registered_pair& pair)
@@ -337,7 +334,11 @@ std::string registration_text(const Registration_options& options, const Registe
 nlohmann::ordered_json registration_json(const Registration_options& options, const Registered_pair& pair)
 {
   const SP::Registration_result& r = pair.result;
+  const auto done = [](const Mapped_mesh& mesh) {
+    return mesh.prepared ? nlohmann::ordered_json(sentences(mesh.prepared->preparation)) : nullptr;
+  };
   return {{"inputs", {options.input, options.other}},
+          {"preparation", nlohmann::ordered_json::array({done(pair.a), done(pair.b)})},
           {"vertices", {pair.a.mesh().number_of_vertices(), pair.b.mesh().number_of_vertices()}},
           {"methods_used", {pair.a.result.method, pair.b.result.method}},
           {"motion", options.motion},

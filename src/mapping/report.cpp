@@ -140,7 +140,7 @@ Json report_json(const Mapping_options& options, const Mapped_mesh& input, const
           {"vertices", known(has_mesh, result.number_of_vertices)},
           {"faces", known(has_mesh, result.number_of_faces)},
           {"preparation", input.prepared ? Json(sentences(input.prepared->preparation)) : Json(nullptr)},
-          {"weights", known(!is_given, options.weights)},
+          {"weights", known(!is_given && options.method != "isometric", options.weights)},
           {"method", known(!is_given, options.method)},
           {"method_used", known(has_map, result.method)},
           {"fallback_reason", given(result.fallback_reason)},

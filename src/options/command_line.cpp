@@ -12,24 +12,7 @@
 namespace tool {
 namespace {
 
-constexpr std::size_t line_length = 100;
 constexpr int many = CLI::detail::expected_max_vector_size;
-
-/// Line breaks between words, so that no line is longer than `width` unless a word is.
-std::string wrapped(const std::string& text, std::size_t width)
-{
-  std::istringstream words(text);
-  std::string result, word;
-  std::size_t length = 0;
-  while(words >> word) {
-    const bool fits = length + 1 + word.size() <= width;
-    if(length > 0)
-      result += fits ? ' ' : '\n';
-    length = length > 0 && fits ? length + 1 + word.size() : word.size();
-    result += word;
-  }
-  return result;
-}
 
 class Help_formatter : public CLI::Formatter {
 public:
@@ -97,7 +80,7 @@ std::string usage_error(const CLI::App& app, const CLI::ParseError& error)
   if(!is_about_presence)
     return error.what();
   if(parsed.empty() && extras.empty())
-    return "a command is required: " + joined(command_names(app), ", ");
+    return "a command is required: " + join(command_names(app), ", ");
   if(parsed.empty() && extras.front()[0] != '-')
     return "unknown command '" + extras.front() + "'" + suggestion(extras.front(), command_names(app));
   for(const std::string& word : extras)
@@ -109,7 +92,7 @@ std::string usage_error(const CLI::App& app, const CLI::ParseError& error)
       return "unknown option '" + option + "'" + suggestion(option, names);
     }
   if(!extras.empty())
-    return "unexpected arguments: " + joined(extras, " ");
+    return "unexpected arguments: " + join(extras, " ");
   return error.what();
 }
 
@@ -138,6 +121,19 @@ void add_options(CLI::App& command, const Options& options)
   }
 }
 
-std::string wrapped(const std::string& text) { return wrapped(text, line_length); }
+std::string wrapped(const std::string& text, std::size_t width)
+{
+  std::istringstream words(text);
+  std::string result, word;
+  std::size_t length = 0;
+  while(words >> word) {
+    const bool fits = length + 1 + word.size() <= width;
+    if(length > 0)
+      result += fits ? ' ' : '\n';
+    length = length > 0 && fits ? length + 1 + word.size() : word.size();
+    result += word;
+  }
+  return result;
+}
 
 } // namespace tool

@@ -6,6 +6,7 @@
 
 #include "options/option.h"
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
@@ -36,8 +37,10 @@ std::shared_ptr<CLI::FormatterBase> help_formatter();
 /// the order in which they were typed; then what CLI11 says.
 std::string usage_error(const CLI::App& app, const CLI::ParseError& error);
 
-/// Text in lines that fit a terminal.
-std::string wrapped(const std::string& text);
+constexpr std::size_t line_length = 100; ///< of a terminal
+
+/// Line breaks between words, so that no line is longer than `width` unless a word is.
+std::string wrapped(const std::string& text, std::size_t width = line_length);
 
 } // namespace tool
 

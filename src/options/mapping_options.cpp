@@ -101,7 +101,8 @@ void add_mapping_options(Options& all, Mapping_options& o, bool are_for_one)
   if(are_for_one) {
     all.add(
       "--fixed", o.fixed,
-      "Text file of fixed vertices: three or more lines 'index x y z', indices from 0, positions on the sphere. "
+      "Text file of fixed vertices: three or more lines 'index x y z', indices from 0 in the order of IN, positions on "
+      "the sphere. "
       "isometric and automatic keep them at any positions, balanced and saddle-point only if they fit the harmonic "
       "map");
     all

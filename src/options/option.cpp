@@ -48,7 +48,7 @@ struct Content<std::optional<T>> {
 std::string Option::kind_of_value() const
 {
   if(!words.empty() || !kind.empty())
-    return words.empty() ? kind : '{' + joined(words, ",") + '}';
+    return words.empty() ? kind : '{' + join(words, ",") + '}';
   return std::visit(
     [](auto* target) -> std::string {
       using T = typename Content<std::decay_t<decltype(*target)>>::type;
@@ -113,7 +113,7 @@ void Option::set(const std::vector<std::string>& typed) const
     value);
   if(!words.empty())
     require(std::find(words.begin(), words.end(), typed.front()) != words.end(), name(),
-            "'" + typed.front() + "' is none of " + joined(words, ", ") + suggestion(typed.front(), words));
+            "'" + typed.front() + "' is none of " + join(words, ", ") + suggestion(typed.front(), words));
 }
 
 bool Options::is_of_use(const Option& option) const

@@ -64,14 +64,6 @@ private:
 
 } // namespace
 
-std::string joined(const std::vector<std::string>& words, const std::string& between)
-{
-  std::string text;
-  for(const std::string& word : words)
-    text += (text.empty() ? "" : between) + word;
-  return text;
-}
-
 std::string suggestion(const std::string& word, const std::vector<std::string>& names)
 {
   std::string best;
@@ -93,7 +85,7 @@ void require(bool condition, const std::string& option, const std::string& rule)
 void require_extension(const std::string& option, const std::string& file, const std::vector<std::string>& extensions)
 {
   const auto found = std::find(extensions.begin(), extensions.end(), lower_case_extension(without_compression(file)));
-  require(found != extensions.end(), option, "'" + file + "' must have the extension " + joined(extensions, " or "));
+  require(found != extensions.end(), option, "'" + file + "' must have the extension " + join(extensions, " or "));
 }
 
 void check_files(const std::vector<File_option>& inputs, const std::vector<File_option>& outputs)

@@ -4,14 +4,15 @@
 #ifndef SPHERICAL_PARAMETERIZATION_TOOL_USAGE_H
 #define SPHERICAL_PARAMETERIZATION_TOOL_USAGE_H
 
+#include <boost/algorithm/string/join.hpp>
+
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace tool {
 
-/// The words in a row.
-std::string joined(const std::vector<std::string>& words, const std::string& between);
+using boost::algorithm::join;
 
 /// "; did you mean 'map'?", if one of the names is that similar to the word.
 std::string suggestion(const std::string& word, const std::vector<std::string>& names);

@@ -24,10 +24,10 @@ namespace {
 const std::string before_number = ".part";
 
 /// In the same folder, since renaming must not copy.
-std::string beginning_of_temporary(const std::string& file)
+std::string temporary_without_number(const std::string& file)
 {
   if(file != standard_stream)
-    return file + before_number;
+    return Atomic_file::beginning_of_temporary(file) + before_number;
   std::error_code error;
   const std::filesystem::path folder = std::filesystem::temp_directory_path(error);
   if(error)
@@ -55,7 +55,7 @@ Atomic_file::Atomic_file(const std::string& file) : file_(file)
 /// A new file of a name that nobody knows: in a folder that others may write to, too, there is no link of this name.
 void Atomic_file::open()
 {
-  const std::string beginning = beginning_of_temporary(file_);
+  const std::string beginning = temporary_without_number(file_);
   std::random_device random;
   int file = -1;
   do {
@@ -90,6 +90,19 @@ void Atomic_file::create_folder(const std::string& folder)
   if(error)
     throw Refusal(unwritable_file, folder, "cannot be created (" + error.message() + ")",
                   "check the folder above it, and its permissions");
+}
+
+std::string Atomic_file::beginning_of_temporary(const std::string& file)
+{
+  constexpr std::size_t longest_name = 255, longest_number = 10;
+  const std::size_t longest = longest_name - before_number.size() - longest_number;
+  const std::size_t begin = file.rfind('/') + 1; // 0 if there is none
+  if(file.size() - begin <= longest)
+    return file;
+  std::size_t end = begin + longest;
+  while(end > begin && (file[end] & 0xc0) == 0x80) // not within a character of UTF-8
+    --end;
+  return file.substr(0, end);
 }
 
 void Atomic_file::remove_leftovers(const std::string& folder, const std::function<bool(const std::string&)>& is_ours)

@@ -11,6 +11,7 @@
 #include <cctype>
 #include <cmath>
 #include <set>
+#include <type_traits>
 #include <utility>
 
 namespace tool {
@@ -52,37 +53,31 @@ void write_header(std::ostream& out, bool is_text, const Mesh& mesh, const Ply_e
   out << "end_header\n";
 }
 
-void write_text(std::ostream& out, const Mesh& mesh, const std::vector<Point>& points, const Ply_extras& extras)
+template <class Writer>
+void write_rows(std::ostream& out, const Mesh& mesh, const std::vector<Point>& points, const Ply_extras& extras)
 {
-  Text_writer write(out);
+  constexpr bool is_text = std::is_same_v<Writer, Text_writer>;
+  Writer write(out);
   const auto write_columns = [&write](const Columns& columns, std::size_t i) {
     for(const Ply_column& column : columns)
-      write_typed(column, i, [&write](auto value) { write(' ', +value); }); // + makes a number of a character
-    write('\n');
+      write_typed(column, i, [&write](auto value) {
+        if constexpr(is_text)
+          write(' ', +value); // + makes a number of a character
+        else
+          write(value);
+      });
+    if constexpr(is_text)
+      write('\n');
   };
   for(std::size_t v = 0; v < points.size(); ++v) {
     write(points[v]);
     write_columns(extras.of_vertices, v);
   }
   for(std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-    write("3 ", mesh.triangle(f));
-    write_columns(extras.of_faces, f);
-  }
-}
-
-void write_bytes(std::ostream& out, const Mesh& mesh, const std::vector<Point>& points, const Ply_extras& extras)
-{
-  Byte_writer write(out);
-  const auto write_columns = [&write](const Columns& columns, std::size_t i) {
-    for(const Ply_column& column : columns)
-      write_typed(column, i, [&write](auto value) { write(value); });
-  };
-  for(std::size_t v = 0; v < points.size(); ++v) {
-    write(points[v]);
-    write_columns(extras.of_vertices, v);
-  }
-  for(std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-    write(std::uint8_t(3));
+    if constexpr(is_text)
+      write("3 ");
+    else
+      write(std::uint8_t(3));
     write(mesh.triangle(f));
     write_columns(extras.of_faces, f);
   }
@@ -98,9 +93,17 @@ std::vector<Ply_column> ply_columns(const Vertex_data& data)
     return std::any_of(column.values.begin(), column.values.end(), [](double x) { return x > 1; });
   };
   const auto is_of_colour = [](const std::string& name) { return name == "red" || name == "green" || name == "blue"; };
-  const bool are_bytes = std::any_of(data.begin(), data.end(), [&](const Vertex_column& column) {
-    return is_of_colour(column.name) && exceeds_one(column);
-  });
+  const auto is_in_range =
+    [](const Vertex_column& column) { // whether a byte can hold all values; a missing one it cannot
+      return std::all_of(column.values.begin(), column.values.end(), [](double x) { return x >= 0 && x <= 255; });
+    };
+  bool is_brighter = false, are_in_range = true;
+  for(const Vertex_column& column : data)
+    if(is_of_colour(column.name)) {
+      is_brighter = is_brighter || exceeds_one(column);
+      are_in_range = are_in_range && is_in_range(column);
+    }
+  const bool are_bytes = is_brighter && are_in_range;
   for(const Vertex_column& column : data) {
     std::string name = column.name;
     for(char& c : name)
@@ -108,9 +111,8 @@ std::vector<Ply_column> ply_columns(const Vertex_data& data)
     while(is_point_or_normal(name) || !names.insert(name).second)
       name += '_';
     const std::vector<double>& values = column.values;
-    if(is_of_colour(name) ? are_bytes : name == "alpha" && exceeds_one(column))
-      columns.push_back({Ply_column::Type::UCHAR, name,
-                         [&values](std::size_t v) { return std::fmin(255, std::fmax(0, std::round(values[v]))); }});
+    if(is_of_colour(name) ? are_bytes : name == "alpha" && exceeds_one(column) && is_in_range(column))
+      columns.push_back({Ply_column::Type::UCHAR, name, [&values](std::size_t v) { return std::round(values[v]); }});
     else if(column.is_label)
       columns.push_back({Ply_column::Type::INT, name, [&values](std::size_t v) { return double(key_of(values[v])); }});
     else
@@ -132,7 +134,7 @@ void write_ply(std::ostream& out, bool is_text, const Mesh& mesh, const std::vec
                const Ply_extras& extras)
 {
   write_header(out, is_text, mesh, extras);
-  (is_text ? write_text : write_bytes)(out, mesh, points, extras);
+  (is_text ? write_rows<Text_writer> : write_rows<Byte_writer>)(out, mesh, points, extras);
 }
 
 } // namespace tool

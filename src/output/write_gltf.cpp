@@ -59,7 +59,6 @@ public:
   /// per face.
   void add_surface(const std::vector<int>& vertices, const std::vector<std::uint32_t>& corners)
   {
-    constexpr int float_numbers = 5126, unsigned_numbers = 5125, array_buffer = 34962, element_buffer = 34963;
     const auto add_vectors = [&](const char* attribute, const std::vector<Vector>& of_vertices) {
       constexpr float infinity = std::numeric_limits<float>::infinity();
       std::array<float, 3> low = {infinity, infinity, infinity}, high = {-infinity, -infinity, -infinity};
@@ -85,7 +84,6 @@ public:
   /// Positions of the same vertices in an image, which is a file.
   void add_texture(const std::vector<Uv>& uv, const std::string& image)
   {
-    constexpr int float_numbers = 5126, array_buffer = 34962;
     for(const auto& [u, v] : uv) {
       append_number(bytes_, static_cast<float>(u));
       append_number(bytes_, static_cast<float>(1 - v)); // counted from above
@@ -115,24 +113,18 @@ public:
     }
     text.append((4 - text.size() % 4) % 4, ' '); // the parts begin at multiples of four
     const std::size_t size = 12 + 8 + text.size() + 8 + bytes_.size();
-    const auto write_number = [&out](std::size_t number) {
-      std::string bytes;
-      append_number(bytes, static_cast<std::uint32_t>(number));
-      out << bytes;
-    };
     if(size > std::numeric_limits<std::uint32_t>::max())
       throw std::length_error("a GLB file cannot hold more than 4 GB; write .ply");
-    out << "glTF";
-    write_number(2);
-    write_number(size);
-    write_number(text.size());
-    out << "JSON" << text;
-    write_number(bytes_.size());
-    out.write("BIN\0", 4);
-    out << bytes_;
+    std::string header = "glTF", size_of_bytes;
+    for(const std::size_t number : {std::size_t(2), size, text.size()})
+      append_number(header, static_cast<std::uint32_t>(number));
+    append_number(size_of_bytes, static_cast<std::uint32_t>(bytes_.size()));
+    out << header << "JSON" << text << size_of_bytes << std::string_view("BIN\0", 4) << bytes_;
   }
 
 private:
+  static constexpr int float_numbers = 5126, unsigned_numbers = 5125, array_buffer = 34962, element_buffer = 34963;
+
   Json& primitive() { return json_["meshes"][0]["primitives"][0]; }
   Json& attributes() { return primitive()["attributes"]; }
 

@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <sstream>
 
@@ -268,10 +269,11 @@ void write_annot(std::ostream& out, const std::string& file, const Vertex_column
       }
       const std::int32_t colour = rgb[0] | rgb[1] << 8 | rgb[2] << 16;
       const auto [known, is_new] = names.emplace(colour, label.name);
-      if(!is_new || label.key < 0)
+      constexpr int largest_key = std::numeric_limits<std::int32_t>::max() - 1; // since one more is written, too
+      if(!is_new || label.key < 0 || label.key > largest_key)
         throw Refusal(unwritable_data, file,
                       is_new ? "the label " + in_quotes(label.name) + " has the key " + std::to_string(label.key) +
-                                 ", and the format has none below 0"
+                                 ", which is not in the range 0.." + std::to_string(largest_key) + " of the format"
                              : "the labels " + in_quotes(known->second) + " and " + in_quotes(label.name) +
                                  " have the same colour, by which the format tells them apart",
                       "write .label.gii or .csv");

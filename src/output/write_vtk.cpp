@@ -87,10 +87,7 @@ void write_vtp(std::ostream& out, bool is_text, const Mesh& mesh, const std::vec
       for_each_row([&text](const auto& row) { text(row, '\n'); });
     } else {
       std::string bytes;
-      for_each_row([&bytes](const auto& row) {
-        using Row = std::decay_t<decltype(row)>;
-        bytes.append(reinterpret_cast<const char*>(&row), sizeof(Row));
-      });
+      for_each_row([&bytes](const auto& row) { bytes.append(reinterpret_cast<const char*>(&row), sizeof(row)); });
       const std::string compressed = to_zlib(bytes);
       std::string header;
       for(const std::size_t number : {std::size_t(1), bytes.size(), std::size_t(0), compressed.size()})

@@ -33,9 +33,8 @@ std::string escaped(std::string text)
 void describe(std::ostream& out, const CLI::Option* option)
 {
   const bool is_flag = option->get_expected_max() == 0;
-  out << ".TP\n\\fB" << escaped(option->get_positional() ? option->get_name() : joined(names_of(option), ", "))
-      << "\\fR" << (is_flag || option->get_positional() ? "" : " \\fI" + escaped(option->get_type_name()) + "\\fR")
-      << '\n'
+  out << ".TP\n\\fB" << escaped(option->get_positional() ? option->get_name() : join(names_of(option), ", ")) << "\\fR"
+      << (is_flag || option->get_positional() ? "" : " \\fI" + escaped(option->get_type_name()) + "\\fR") << '\n'
       << escaped(option->get_description())
       << (option->get_default_str().empty() ? "" : " [" + escaped(option->get_default_str()) + ']')
       << (option->get_required() && !option->get_positional() ? " (required)" : "") << ".\n";
@@ -130,7 +129,7 @@ std::string bash_completion(const CLI::App& app)
       for(const std::string& option_name : names)
         text << "  [" << name << ' ' << option_name << "]='" << values << "'\n";
     }
-    text << "  [" << name << "]='" << joined(words, " ") << "'\n";
+    text << "  [" << name << "]='" << join(words, " ") << "'\n";
   };
   add(app, "-", first);
   for(const CLI::App* command : commands_of(app))
@@ -179,8 +178,8 @@ std::string table_of_steps(const std::vector<Step>& all)
   const std::vector<std::string> columns = {"--report", "--prepare", "--jobs",    "resumed", "progress",
                                             "Ctrl-C",   "full disk", "`kill -9`", "pipe"};
   std::ostringstream text;
-  text << "| command | " << joined(columns, " | ") << " |\n|---"
-       << joined(std::vector<std::string>(columns.size(), "|---"), "") << "|\n";
+  text << "| command | " << join(columns, " | ") << " |\n|---"
+       << join(std::vector<std::string>(columns.size(), "|---"), "") << "|\n";
   for(const Step& step : all) {
     text << "| `" << step.name << "` |";
     for(const std::string& column : columns) {

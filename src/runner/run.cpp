@@ -135,7 +135,7 @@ Outcome perform(const Step& step, const Work& work, Run& run)
     outcome.text = run.text;
   if(is_verbose() && step.takes.meshes == Takes::EACH && run.has_maps_ && !outcome.text.empty())
     outcome.text += '\n' + verbose_text(run.input.result);
-  outcome.line = run.line;
+  outcome.line = run.line + (was_mended(run.input.prepared) && !run.line.empty() ? ", prepared" : "");
   return outcome;
 }
 

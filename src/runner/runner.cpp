@@ -116,11 +116,11 @@ public:
   {
     for(const CLI::Option* option : command_.get_options())
       if(option->count() > 0)
-        request_.given[option->get_name()] = joined(option->results(), ",");
+        request_.given[option->get_name()] = join(option->results(), ",");
     const auto check_use = [this](const Options& options) {
       for(const Option& option : options)
         require(!request_.has(option.name()) || options.is_of_use(option), option.name(),
-                "requires " + option.other + (option.values.empty() ? "" : ' ' + joined(option.values, " or ")));
+                "requires " + option.other + (option.values.empty() ? "" : ' ' + join(option.values, " or ")));
     };
     check_use(all_);
     check_use(work_.options);

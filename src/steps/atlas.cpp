@@ -217,7 +217,7 @@ private:
         write_mesh(file, {}, input.mesh(), input.sphere, Surface::SPHERE);
         files.commit(item.mesh);
         outcome.line = std::to_string(input.mesh().number_of_vertices()) + " vertices, " + input.result.method +
-                       " map" + (preparation_text(item.mesh, input.prepared).empty() ? "" : ", prepared");
+                       " map" + (was_mended(input.prepared) ? ", prepared" : "");
       });
       return outcome;
     };
@@ -268,10 +268,9 @@ private:
         if(item.mesh == to.mesh)
           line << "the template";
         else {
-          const SP::Registration_result found =
-            SP::register_maps(CGAL::Sequential_tag(), SP::mapped_mesh(input.mesh(), as_map(input.sphere)),
-                              SP::mapped_mesh(target.mesh(), as_map(target.sphere)), as_map(input.sphere), {}, {},
-                              CGAL::parameters::callback([](double) { return !was_interrupted(); }));
+          const SP::Registration_result found = SP::register_maps(
+            CGAL::Sequential_tag(), SP::mapped_mesh(input.mesh(), as_map(input.sphere)),
+            SP::mapped_mesh(target.mesh(), as_map(target.sphere)), as_map(input.sphere), {}, {}, stopped_by_signals());
           stop_if_interrupted(item.mesh);
           if(!found)
             throw Refusal(found.error, item.mesh, "could not be registered: " + found.detail, "");

@@ -57,8 +57,6 @@ void say(Run& run)
   line << ", " << result.number_of_vertices << " vertices, " << result.method;
   if(input.file->triangulated_polygons > 0)
     line << ", " << input.file->triangulated_polygons << " polygons were triangulated";
-  if(!preparation.empty())
-    line << ", prepared";
   if(!shortfall.empty())
     line << "; " << shortfall;
   run.text = text.str();

@@ -49,7 +49,7 @@ std::set<std::string> steps_of(const Prepare_options& options)
   std::istringstream words(options.steps);
   for(std::string step; std::getline(words, step, ',');) {
     require(std::find(all.begin(), all.end(), step) != all.end(), "--steps",
-            "'" + step + "' is none of " + joined(all, ", "));
+            "'" + step + "' is none of " + join(all, ", "));
     steps.insert(step);
   }
   return steps;

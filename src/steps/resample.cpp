@@ -23,19 +23,6 @@ using Json = nlohmann::ordered_json;
 /// What may be lost without a word, of the diagonal and of a side of the bounding box.
 constexpr double largest_distance = 0.01, largest_loss_of_box = 0.03;
 
-/// The point of the shape that is mapped to the direction.
-Point point_at(const SP::Spherical_locator<Mesh>& shape, const Point& direction)
-{
-  const auto place = shape.locate(direction);
-  Point point;
-  for(std::size_t k = 0; k < 3; ++k)
-    point[k] = SP::interpolate(shape.mesh(), place,
-                               boost::make_function_property_map<Mesh::Vertex_index>([&](Mesh::Vertex_index v) {
-                                 return shape.mesh().points()[static_cast<std::size_t>(v.idx())][k];
-                               }));
-  return point;
-}
-
 struct Resample_options {
   int level = 6;
   std::string sphere; ///< empty: an icosphere
@@ -109,7 +96,7 @@ void resample(const Resample_options& options, Run& run)
   for(const Point& direction : target.sphere) {
     if(points.size() % points_at_once == 0)
       stop_if_interrupted(run.options.input);
-    points.push_back(point_at(shape, direction));
+    points.push_back(SP::interpolate(run.mesh(), shape.locate(direction), as_map(run.mesh().points())));
   }
   if(!run.data.empty())
     run.data = on_host(run.input, [&](const auto& policy) {

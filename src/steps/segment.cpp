@@ -141,7 +141,7 @@ void segment(const Segment_options& own, Labelled_shape& shape, Run& run)
   run.line = std::to_string(number_of_segments) + " segments";
   if(likeness)
     run.line += ", labels of " + own.like + ": " + SP::get_trust_name(likeness->trust());
-  run.text = preparation_text(name_of_input, input.prepared) + name_of_input + ": " + run.line;
+  run.text = preparation_text(name_of_input, input) + name_of_input + ": " + run.line;
   if(!input.result.fallback_reason.empty()) {
     run.line += ", " + input.result.method;
     run.text += "\nautomatic: " + input.result.fallback_reason;
@@ -153,7 +153,9 @@ Work segment_work()
   const auto own = std::make_shared<Segment_options>();
   const auto shape = std::make_shared<Labelled_shape>();
   Work work = {[own, shape](Run& run) { segment(*own, *shape, run); }};
-  work.options.add("--segments", own->number, "Largest number of segments [as many as the shape has]").in("[1,inf)");
+  work.options
+    .add("--segments", own->number, "Number of segments to aim at; there may be fewer [as many as the shape has]")
+    .in("[1,inf)");
   work.options.add(
     "--like", own->like,
     "A mesh: every segment gets the label and the colour of the segment of this mesh that corresponds to it, by "

@@ -60,7 +60,8 @@ void say(Run& run, const SP::Texture_report& report)
   line.precision(3);
   more.precision(3);
   const auto& north = report.axes.north;
-  line << "no face is flipped in the texture; north pole at " << north[0] << ' ' << north[1] << ' ' << north[2] << ", "
+  line << "no face " << (was_mended(run.input.prepared) ? "of the repaired mesh " : "")
+       << "is flipped in the texture; north pole at " << north[0] << ' ' << north[1] << ' ' << north[2] << ", "
        << report.seam_faces << " faces across the seam";
   if(report.moved_faces > 0)
     more << '\n'

@@ -34,6 +34,11 @@ std::optional<Refusal> guarded(const std::string& input, const std::function<voi
 #endif
   catch(const std::bad_alloc&) {
     return Refusal(out_of_memory, input, "not enough memory", "simplify the mesh");
+  } catch(const SP::Error& error) { // of no single mesh where no input is named
+    if(was_interrupted())
+      return interrupted(input);
+    return Refusal(error.code(), input.empty() ? "the meshes" : input, without_remedy(error.what(), error.remedy()),
+                   error.remedy());
   } catch(const std::exception& exception) {
     if(was_interrupted()) // the library says so, too
       return interrupted(input);

@@ -5,7 +5,6 @@
 #include <CGAL/Spherical_parameterization/parameterize.h>
 
 #include <array>
-#include <cmath>
 #include <cstdio>
 #include <vector>
 

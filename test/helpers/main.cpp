@@ -7,7 +7,6 @@
 #include <catch2/catch.hpp>
 
 #include <iostream>
-#include <stdexcept>
 
 int main(int argc, char* argv[])
 {

@@ -12,7 +12,6 @@
 #include <iterator>
 #include <limits>
 #include <stdexcept>
-#include <utility>
 
 namespace {
 

@@ -11,7 +11,6 @@
 #include <catch2/catch.hpp>
 
 #include <array>
-#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>

@@ -227,6 +227,18 @@ TEST_CASE("least squares give back what was synthesized at vertices, and synthes
     SP::reconstruction_error(mesh, readable, Read_write_map<Vertex, Point>{&again});
   CHECK(error.root_mean_square < 1e-10);
   CHECK(error.largest < 1e-9);
+  for(const double scale : {0x1p-900, 0x1p900}) { // the same, where squares would vanish or overflow
+    const auto scaled = [scale](const std::map<Vertex, Point>& all) {
+      return Readable_map<Vertex, Point>{[&all, scale](Vertex v) {
+        const Point p = all.at(v);
+        return Point(scale * p.x(), scale * p.y(), scale * p.z());
+      }};
+    };
+    const SP::Reconstruction_error same = SP::reconstruction_error(mesh, scaled(points), scaled(again));
+    CHECK(same.root_mean_square == scale * error.root_mean_square);
+    CHECK(same.relative == error.relative);
+    CHECK(same.largest == scale * error.largest);
+  }
   // one function of numbers is the same as one of three
   const auto x = Readable_map<Vertex, double>{[&](Vertex v) { return points.at(v).x(); }};
   const SP::Harmonic_analysis of_x = SP::harmonic_analysis(mesh, mesh.points(), x, 40, tight());
@@ -277,6 +289,15 @@ TEST_CASE("integrals of what is not linear on faces have an error of second orde
     before = error;
   }
   CHECK(before < 2e-3); // of 6
+}
+
+TEST_CASE("integrals of no error are those of rounding errors", "[harmonics]")
+{
+  const Mesh mesh = make_mesh(icosphere(1));
+  const auto coefficients = [&](double accuracy) {
+    return SP::harmonic_analysis(mesh, mesh.points(), mesh.points(), 1, SP::Integration{accuracy}).coefficients;
+  };
+  CHECK(difference(coefficients(1e-60), coefficients(1e-13)) < 1e-12); // which took hours
 }
 
 TEST_CASE("least squares are the best approximation at the vertices", "[harmonics]")

@@ -497,6 +497,15 @@ TEST_CASE("wrong sets of shapes are refused", "[statistics]")
   CHECK_THROWS_AS(SP::shape_statistics(one_core, none), CGAL::Precondition_exception);
   CHECK_THROWS_AS(SP::shape_statistics(one_core, two), CGAL::Precondition_exception);
   CHECK_THROWS_WITH(SP::align_shapes(one_core, nan), Catch::Contains("vertex 3 of shape 1"));
+  for(const double scale : {1e160, 1e-160}) { // squares are beyond the numbers
+    Shapes wild = {shape, shape};
+    for(auto& point : wild[1])
+      for(double& x : point)
+        x *= scale;
+    CHECK_THROWS_WITH(SP::align_shapes(one_core, wild),
+                      Catch::Contains("shape 1") && Catch::Contains("scale the shapes"));
+    CHECK_THROWS_AS(SP::mean_vertex_areas(one_core, make_mesh(icosphere(0)), wild), SP::Error);
+  }
   const Shapes good(3, shape);
   CHECK_THROWS_AS(SP::shape_statistics(one_core, good, {1, 2}), CGAL::Precondition_exception);
   CHECK_THROWS_AS(SP::shape_statistics(one_core, good, std::vector<double>(12, 0.)), CGAL::Precondition_exception);

@@ -9,7 +9,6 @@
 
 #include <catch2/catch.hpp>
 
-#include <cmath>
 #include <numeric>
 #include <thread>
 #include <vector>

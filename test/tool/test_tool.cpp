@@ -452,6 +452,74 @@ TEST_CASE("map: outputs that cannot be written are reported", "[tool]")
   CHECK(scratch.number_of_files() == 1);
 }
 
+TEST_CASE("map: names may be as long as the file system has them", "[tool]")
+{
+  Scratch scratch;
+  const std::string input = write_off(scratch / "in.off", icosphere(0)), name = std::string(251, 'n') + ".off";
+  const Process_result run = run_tool({"map", input, "-o", scratch / name});
+  CAPTURE(run.err);
+  CHECK(run.exit_code == 0);
+  CHECK(std::filesystem::exists(scratch / name));
+}
+
+TEST_CASE("map: of a repaired mesh, fixed vertices and densities are those of the file", "[tool]")
+{
+  Scratch scratch;
+  Soup soup =
+    transformed(icosphere(2), [](const Point& p) { return Point(p.x(), 2 * p.y(), 3 * p.z() + p.x() * p.x()); });
+  const std::string good = write_off(scratch / "good.off", soup);
+  std::string fixed, fixed_after, densities;
+  for(const std::size_t v : {0, 5, 9}) {
+    const Point& p = icosphere(2).points[v];
+    std::ostringstream direction;
+    direction << ' ' << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
+    fixed += std::to_string(v) + direction.str();
+    fixed_after += std::to_string(v + 1) + direction.str();
+  }
+  for(std::size_t v = 0; v < soup.points.size(); ++v)
+    densities += std::to_string(1 + v % 3) + '\n';
+  write_text(scratch / "fixed.txt", fixed);
+  write_text(scratch / "density.txt", densities);
+  write_text(scratch / "fixed_after.txt", fixed_after);
+  write_text(scratch / "density_after.txt", "7\n" + densities);
+  soup.points.insert(soup.points.begin(), Point(0, 0, 0)); // without faces
+  for(auto& face : soup.faces)
+    for(std::size_t& v : face)
+      ++v;
+  const std::string bad = write_off(scratch / "bad.off", soup);
+  const auto map = [&](const std::string& file, std::vector<std::string> options) {
+    options.insert(options.begin(), {"map", file, "-o", scratch / "out.off", "--method", "isometric"});
+    const Process_result run = run_tool(options);
+    CAPTURE(run.err);
+    CHECK(run.exit_code == 0);
+    return text_of(scratch / "out.off");
+  };
+  CHECK(map(bad, {"--prepare", "--fixed", scratch / "fixed_after.txt"}) ==
+        map(good, {"--fixed", scratch / "fixed.txt"}));
+  CHECK(map(bad, {"--prepare", "--density", scratch / "density_after.txt"}) ==
+        map(good, {"--density", scratch / "density.txt"}));
+  const auto error = [&](const std::string& file, const char* option, const std::string& data) {
+    write_text(scratch / "data.txt", data);
+    return run_tool({"map", file, "-o", scratch / "none.off", "--method", "isometric", "--prepare", option,
+                     scratch / "data.txt"})
+      .err;
+  };
+  CHECK_THAT(error(bad, "--fixed", "0 0 0 1\n1 0 1 0\n2 1 0 0\n"), Catch::Contains("vertex 0 was removed when"));
+  CHECK_THAT(error(bad, "--density", densities), Catch::Contains("the mesh has 163 vertices"));
+  Soup open = icosphere(2);
+  open.faces.erase(std::remove_if(open.faces.begin(), open.faces.end(),
+                                  [](const auto& f) { return f[0] == 0 || f[1] == 0 || f[2] == 0; }),
+                   open.faces.end());
+  std::string of_faces;
+  for(std::size_t f = 0; f < open.faces.size(); ++f)
+    of_faces += "1\n";
+  write_text(scratch / "data.txt", of_faces); // `map --prepare` fills no holes
+  const Process_result filled = run_tool({"texture", write_off(scratch / "open.off", open), "-o", scratch / "none.obj",
+                                          "--prepare", "--method", "isometric", "--density", scratch / "data.txt"});
+  CHECK(filled.exit_code == 1);
+  CHECK_THAT(filled.err, Catch::Contains("faces that were added"));
+}
+
 TEST_CASE("map: fixed vertices that do not fit are refused", "[tool]")
 {
   Scratch scratch;

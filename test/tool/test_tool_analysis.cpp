@@ -666,15 +666,24 @@ TEST_CASE("option --sphere: what is no map of the mesh is refused", "[tool]")
   SECTION("not on the sphere")
   {
     bad.points[5] = Point(3, 2, 1);
-    word = "vertex 5";
+    word = "at distances from 1 to 3.74";
+  }
+  SECTION("the mesh itself")
+  {
+    bad = soup;
+    word = "no sphere round the origin";
   }
   const std::string sphere = write_off(scratch / "sphere.off", bad);
   check_exit(run_tool(with(command_line("texture", input, scratch), {"--sphere", sphere})), word);
   check_exit(run_tool(with(command_line("resample", input, scratch), {"--sphere", sphere})), "sphere.off");
   check_exit(run_tool(with(command_line("texture", input, scratch), {"--sphere", scratch / "none.off"})), "none.off");
   CHECK(scratch.number_of_files() == 2);
-  const std::string good_sphere = write_off(scratch / "sphere.off", good);
-  CHECK(run_tool(with(command_line("texture", input, scratch), {"--sphere", good_sphere})).exit_code == 0);
+  for(const double radius : {1., 50.}) {
+    const std::string good_sphere = write_off(scratch / "sphere.off", transformed(good, [radius](const Point& p) {
+                                                return Point(radius * p.x(), radius * p.y(), radius * p.z());
+                                              }));
+    CHECK(run_tool(with(command_line("texture", input, scratch), {"--sphere", good_sphere})).exit_code == 0);
+  }
 }
 
 TEST_CASE("option --sphere: few digits and corners in another order will do", "[tool]")

@@ -6,13 +6,14 @@
 
 #include <catch2/catch.hpp>
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -325,6 +326,29 @@ TEST_CASE("register --prepare: landmarks have the numbers of the files", "[tool]
   CHECK(run.exit_code == 1);
   CHECK(run.err.find("vertex 0 of A was removed when the mesh was repaired") != std::string::npos);
   CHECK_FALSE(fs::exists(scratch / "others.csv"));
+}
+
+TEST_CASE("register: a mesh that is turned inside out is named, and --prepare turns it", "[tool]")
+{
+  Scratch scratch;
+  const Soup soup = bumpy_sphere(2);
+  Soup turned = soup;
+  for(auto& face : turned.faces)
+    std::swap(face[0], face[1]);
+  const std::string a = write_off(scratch / "a.off", turned), b = write_off(scratch / "b.off", soup);
+  const Process_result run = run_tool({"register", a, b, "-o", scratch / "out.off"});
+  CAPTURE(run.out, run.err);
+  CHECK(run.exit_code == 0);
+  CHECK(run.out.find("a.off: its faces are turned inwards; --prepare turns them\n") != std::string::npos);
+  CHECK(run.out.find("b.off: its faces") == std::string::npos);
+  const Process_result prepared =
+    run_tool({"register", a, b, "-o", scratch / "out.off", "--prepare", "--report", scratch / "report.json"});
+  CHECK(prepared.exit_code == 0);
+  CHECK(prepared.out.find("inwards") == std::string::npos);
+  const auto done = nlohmann::json::parse(text_of(scratch / "report.json"))["preparation"];
+  REQUIRE(done.size() == 2);
+  CHECK(done[0].size() == 1);
+  CHECK(done[1].empty());
 }
 
 TEST_CASE("register and morph: what is no sphere is refused, or mended with --prepare", "[tool]")

@@ -18,7 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+#include <filesystem>
 #include <iostream>
 #include <limits>
 #include <set>
@@ -596,6 +596,52 @@ TEST_CASE("data: what a format cannot hold is refused, not written", "[tool][dat
   check("two.csv", "two.shape.gii", 0, "");
 }
 
+TEST_CASE("data: the largest key has no successor, which .annot has, too", "[tool][data]")
+{
+  Scratch scratch;
+  tool::Vertex_data data = {columns(42)[1]};
+  for(const int key : {std::numeric_limits<int>::max(), -1}) {
+    data[0].table[1].key = key;
+    CHECK_THROWS_WITH(write_data(scratch / "lh.a.annot", data), Catch::Contains("range 0..2147483646"));
+  }
+  CHECK_FALSE(std::filesystem::exists(scratch / "lh.a.annot"));
+}
+
+TEST_CASE("data: columns of one name get numbers, however many there are", "[tool][data]")
+{
+  Scratch scratch;
+  constexpr std::size_t columns = 20000; // where each was compared with all others, this took minutes
+  std::string names = "a,a_2,a", values = "1,2,3";
+  for(std::size_t k = 3; k < columns; ++k) {
+    names += ",a";
+    values += ",4";
+  }
+  write_text(scratch / "in.csv", names + '\n' + values + '\n');
+  const tool::Vertex_data data = tool::read_vertex_data(scratch / "in.csv", 1);
+  REQUIRE(data.size() == columns);
+  CHECK((data[0].name == "a" && data[1].name == "a_2" && data[2].name == "a_3"));
+  CHECK(data.back().name == "a_20000");
+  CHECK(data[2].values[0] == 3);
+}
+
+TEST_CASE("data: columns of no points are none", "[tool][data]")
+{
+  Scratch scratch;
+  write_text(scratch / "in.vtk", "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 0 float\n"
+                                 "POINT_DATA 0\nFIELD f 1\na 2000000000 0 float\n");
+  write_text(scratch / "in.vtp",
+             "<VTKFile type=\"PolyData\"><PolyData><Piece NumberOfPoints=\"0\" NumberOfPolys=\"0\"><Points>"
+             "<DataArray type=\"Float32\" NumberOfComponents=\"3\" format=\"ascii\"/></Points><PointData><DataArray "
+             "type=\"Float32\" Name=\"a\" NumberOfComponents=\"600000000\" format=\"ascii\"/></PointData></Piece>"
+             "</PolyData></VTKFile>");
+  for(const char* name : {"in.vtk", "in.vtp"}) {
+    const std::string text = refusal(scratch / name, 0);
+    CAPTURE(text);
+    CHECK(contains(text, name));
+    CHECK(contains(text, "; "));
+  }
+}
+
 TEST_CASE("data: bytes of names that are no UTF-8 are replaced in XML", "[tool][data]")
 {
   Scratch scratch;
@@ -632,6 +678,11 @@ TEST_CASE("data: a colour has one type, also where parts of it are nowhere more 
   write_text(scratch / "in.csv", text);
   REQUIRE(run_tool({"map", input, "-o", scratch / "out.ply", "--data", scratch / "in.csv"}).exit_code == 0);
   CHECK(contains(text_of(scratch / "out.ply"), "property uchar red\nproperty uchar green\nproperty uchar blue\n"));
+  for(const char* beyond : {"0,65535,1", "-1,255,1", "0,255,"}) { // which no byte holds
+    write_text(scratch / "in.csv", std::string(text).replace(text.find('\n') + 1, 7, beyond));
+    REQUIRE(run_tool({"map", input, "-o", scratch / "out.ply", "--data", scratch / "in.csv"}).exit_code == 0);
+    CHECK(contains(text_of(scratch / "out.ply"), "property double red\nproperty double green\nproperty double blue\n"));
+  }
 }
 
 TEST_CASE("data: of many meshes, one without columns is refused, and the others are done", "[tool][data]")

@@ -3,7 +3,6 @@
 
 #include "helpers/tool.h"
 
-#include <algorithm>
 #include <regex>
 #include <set>
 #include <sstream>

@@ -485,6 +485,17 @@ TEST_CASE("many: names of outputs", "[tool][many]")
   CHECK(written({scratch / "in/a"}) == Names{"x.ply"});
   write_text(scratch / "list.txt", a + "\n" + (scratch / "in/b") + "\n");
   CHECK(written({"--list", scratch / "list.txt"}) == Names{"a/x.ply", "b/c/y.z.ply", "b/x.ply"});
+  write_text(scratch / "list.txt",
+             "\xef\xbb\xbf" + a + "\r\n" + (scratch / "in/b") + "\r\n"); // as editors of Windows do
+  CHECK(written({"--list", scratch / "list.txt"}) == Names{"a/x.ply", "b/c/y.z.ply", "b/x.ply"});
+  for(const char* command : {"map", "texture"}) { // as find -print0 writes lists
+    write_text(scratch / "list.txt", a + '\0' + b + '\0');
+    const Process_result run = run_tool({command, "--list", scratch / "list.txt", "-o", out});
+    CAPTURE(run.out, run.err);
+    CHECK(run.exit_code == 1);
+    CHECK(run.err.find("list.txt: has a zero byte") != std::string::npos);
+    CHECK_FALSE(fs::exists(out));
+  }
 
   SECTION("meshes that differ in their extensions keep them")
   {

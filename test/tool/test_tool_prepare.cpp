@@ -889,6 +889,7 @@ TEST_CASE("texture --prepare: coordinates for every face of the file", "[tool]")
     {"texture", write_off(scratch / "in.off", soup), "-o", scratch / "out.obj", "--prepare", "--method", "automatic"});
   CAPTURE(run.err);
   REQUIRE(run.exit_code == 0);
+  CHECK(run.out.find("no face of the repaired mesh is flipped in the texture") != std::string::npos);
   std::size_t vertices = 0, faces = 0, coordinates = 0;
   for(const std::string& line : lines_of(text_of(scratch / "out.obj"))) {
     std::istringstream words(line);
@@ -949,6 +950,13 @@ TEST_CASE("prepare(): wrong arguments", "[tool]")
     settings.wrap.emplace().offset = wrong;
     CHECK_THROWS_AS(prepared(settings), CGAL::Precondition_exception);
   }
+  preparation::Preparation_settings wrapping;
+  wrapping.wrap.emplace().alpha = 0.01;
+  int calls = 0;
+  const auto limited = CGAL::parameters::callback([&calls](double) { return ++calls < 10; });
+  CHECK_THROWS_AS(preparation::prepare(preparation::Triangle_soup(points, triangles), wrapping, limited),
+                  CGAL::Spherical_parameterization::Error);
+  CHECK(calls == 10); // in the middle of the wrapping
   for(const int wrong : {-1, 4}) {
     triangles[0][0] = wrong;
     CHECK_THROWS_AS(prepared(), CGAL::Precondition_exception);

@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization {
@@ -40,7 +41,12 @@ auto rigid_path(const Points& start, const Points& end)
   const Vector from_centre = from.rowwise().mean(), to_centre = to.rowwise().mean();
   from.colwise() -= from_centre;
   to.colwise() -= to_centre;
-  const Turn turn(Matrix_3(Eigen::umeyama(from, to, false).template topLeftCorner<3, 3>()));
+  const auto in_unit = [](const Matrix& places) -> Matrix { // by a power of two: squares neither overflow nor vanish
+    const double size = places.cwiseAbs().maxCoeff();
+    const int exponent = size > 0 ? std::ilogb(size) : 0;
+    return places.unaryExpr([exponent](double x) { return std::ldexp(x, -exponent); });
+  };
+  const Turn turn(Matrix_3(Eigen::umeyama(in_unit(from), in_unit(to), false).template topLeftCorner<3, 3>()));
   to = turn.inverse().toRotationMatrix() * to; // turned back
   typedef std::vector<std::array<double, 3>> Places;
   return [=, first = Places(start.begin(), start.end()), last = Places(end.begin(), end.end())](double t) {

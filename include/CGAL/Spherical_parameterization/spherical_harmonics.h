@@ -147,7 +147,15 @@ struct Reconstruction_error {
 template <class Mesh, class PointMap, class OtherPointMap>
 Reconstruction_error reconstruction_error(const Mesh& mesh, PointMap points, OtherPointMap others)
 {
-  const auto p = internal::vectors_at(vertices(mesh), points), q = internal::vectors_at(vertices(mesh), others);
+  auto p = internal::vectors_at(vertices(mesh), points), q = internal::vectors_at(vertices(mesh), others);
+  double largest_coordinate = 0;
+  for(const auto* shape : {&p, &q})
+    for(const internal::vec3& x : *shape)
+      largest_coordinate = (std::max)({largest_coordinate, std::abs(x.x), std::abs(x.y), std::abs(x.z)});
+  const int exponent = largest_coordinate > 0 ? std::ilogb(largest_coordinate) : 0;
+  for(auto* shape : {&p, &q}) // squares neither overflow nor vanish then
+    for(internal::vec3& x : *shape)
+      x = {std::ldexp(x.x, -exponent), std::ldexp(x.y, -exponent), std::ldexp(x.z, -exponent)};
   const double n = static_cast<double>(p.size());
   internal::vec3 mean = {0, 0, 0};
   for(const internal::vec3& x : p)
@@ -160,7 +168,8 @@ Reconstruction_error reconstruction_error(const Mesh& mesh, PointMap points, Oth
     size += internal::inner(from_mean, from_mean) / n;
     largest = (std::max)(largest, square);
   }
-  return {std::sqrt(error), size > 0 ? std::sqrt(error / size) : 0, std::sqrt(largest)};
+  return {std::ldexp(std::sqrt(error), exponent), size > 0 ? std::sqrt(error / size) : 0,
+          std::ldexp(std::sqrt(largest), exponent)};
 }
 
 /// @}

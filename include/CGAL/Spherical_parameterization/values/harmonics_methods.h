@@ -42,7 +42,7 @@ struct Least_squares {
 /// error of each coefficient is below `accuracy` times the mean absolute value of the field. Sums over the vertices,
 /// weighted by areas, are no accurate quadrature: their error grows from degree sqrt(n) / 4 on.
 struct Integration {
-  double accuracy = 1e-11; ///< of the quadrature
+  double accuracy = 1e-11; ///< of the quadrature; at least 1e-15 is used, since rounding errors are larger
 };
 
 /// @}

@@ -33,7 +33,9 @@ struct Place_between_bins {
 class Histogram {
 public:
   /// \pre bins >= 2, low < high, and both are finite
-  Histogram(std::size_t bins, double low, double high) : low_(low), width_((high - low) / bins), bins_(bins, 0.) {}
+  Histogram(std::size_t bins, double low, double high)
+    : low_(low), width_((high - low) / static_cast<double>(bins)), bins_(bins, 0.)
+  {}
 
   void add(double value, double weight)
   {

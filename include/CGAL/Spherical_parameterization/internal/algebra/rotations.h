@@ -33,6 +33,11 @@ inline Matrix_3 product(const Matrix_3& a, const Matrix_3& b)
   return c;
 }
 
+inline Matrix_3 transposed(const Matrix_3& r)
+{
+  return {{{r[0][0], r[1][0], r[2][0]}, {r[0][1], r[1][1], r[2][1]}, {r[0][2], r[1][2], r[2][2]}}};
+}
+
 /// Of the quaternion w + x i + y j + z k, which need not be of length 1.
 inline Matrix_3 rotation_of_quaternion(const std::array<double, 4>& q)
 {

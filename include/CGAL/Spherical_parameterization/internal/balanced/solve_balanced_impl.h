@@ -50,16 +50,17 @@ bool solve_until_valid(const Backend& backend, const Problem& problem, Start sta
   constexpr double few = 1e-3, least_fall = 0.5, no_fall = 0.02; // of the faces; of their number
   constexpr double large = 100, finest_of_use = 1e-12;
   const bool is_rough = backend.best_accuracy(problem.size()) > 0;
-  std::size_t flipped_before = 0;
+  double flipped_before = 0;
   bool is_hopeless = false; // fixed vertices contradict each other: what they flip does not depend on the accuracy
   bool is_stuck = false;    // nor does what noise flips all over the surface: another start may help
   const auto settle_at = [&](double current, bool is_last) {
     const auto resolution = [&](const Certificate& certificate) {
-      const std::size_t before = std::exchange(flipped_before, certificate.flipped_faces);
-      const bool are_few = certificate.flipped_faces < few * problem.face.size();
-      const bool are_no_fewer = before > 0 && certificate.flipped_faces > least_fall * before;
+      const double flipped = static_cast<double>(certificate.flipped_faces);
+      const double before = std::exchange(flipped_before, flipped);
+      const bool are_few = flipped < few * static_cast<double>(problem.face.size());
+      const bool are_no_fewer = before > 0 && flipped > least_fall * before;
       is_hopeless = problem.has_fixed() && are_no_fewer && !are_few;
-      is_stuck = before > 0 && certificate.flipped_faces > (1 - no_fall) * before;
+      is_stuck = before > 0 && flipped > (1 - no_fall) * before;
       if(is_last)
         return 0.;
       if(!are_few && !are_no_fewer)

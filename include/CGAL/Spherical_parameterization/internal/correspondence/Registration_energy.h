@@ -235,11 +235,7 @@ private:
   /// What a force on the place of vertex i of A, in space, does to its image.
   vec3 on_sphere(int i, vec3 force) const
   {
-    const std::array<int, 3>& corner = b_.face[face_of_[i]];
-    vec3 result = {0, 0, 0};
-    for(int c = 0; c < 3; ++c)
-      result = add_scaled(result, inner(b_.point[corner[c]], force), slope_[i][c]);
-    return result;
+    return sum_of_slopes(i, [&](int v) { return inner(b_.point[v], force); });
   }
 
   double of_b(int k, int vertex) const { return features_.b[k * b_.point.size() + vertex]; }
@@ -247,10 +243,17 @@ private:
   /// By the image of vertex i of A
   vec3 slope_of_feature(int k, int i) const
   {
+    return sum_of_slopes(i, [&](int v) { return of_b(k, v); });
+  }
+
+  /// The gradient, by the image of vertex i of A, of what has such values at the vertices of B.
+  template <class Value_of_vertex>
+  vec3 sum_of_slopes(int i, Value_of_vertex value) const
+  {
     const std::array<int, 3>& corner = b_.face[face_of_[i]];
     vec3 result = {0, 0, 0};
     for(int c = 0; c < 3; ++c)
-      result = add_scaled(result, of_b(k, corner[c]), slope_[i][c]);
+      result = add_scaled(result, value(corner[c]), slope_[i][c]);
     return result;
   }
 

@@ -19,8 +19,6 @@
 
 #include <CGAL/tags.h>
 
-#include <string>
-
 namespace CGAL::Spherical_parameterization::internal {
 
 /// Runs a method on the backend of the policy. What is wrong with input or map is error and detail of the solution,

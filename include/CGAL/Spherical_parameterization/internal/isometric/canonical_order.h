@@ -17,7 +17,6 @@
 #include <cstdint>
 #include <tuple>
 #include <utility>
-#include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 

@@ -100,7 +100,7 @@ public:
     constexpr int maximum_iterations = 100;
     constexpr double longest_boost = 0.9; // the ball ends at 1
     double error = distance2(from, to);
-    for(int it = 0; it < maximum_iterations && error > 1e-30 * from.size(); ++it) {
+    for(int it = 0; it < maximum_iterations && error > 1e-30 * static_cast<double>(from.size()); ++it) {
       const std::array<double, 6> step = gauss_newton_step(from, to);
       bool is_nearer = false;
       for(double t = 1; !is_nearer && t > 1e-9; t /= 2) {

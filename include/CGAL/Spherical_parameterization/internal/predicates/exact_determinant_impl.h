@@ -7,7 +7,6 @@
 #include <CGAL/Spherical_parameterization/internal/predicates/exact_determinant.h>
 
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <utility>
 

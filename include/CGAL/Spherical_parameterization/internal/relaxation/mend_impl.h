@@ -212,7 +212,7 @@ CGAL_SP_CORE Mending mend(const Host_loop& loop, const Host_array<std::array<int
     const vec3 a = v[face[f][0]], b = v[face[f][1]], c = v[face[f][2]];
     return !((std::max)({norm(sub(a, b)), norm(sub(b, c)), norm(sub(c, a))}) >= resolution);
   };
-  if(flipped > largest_share * number_of_faces + few)
+  if(static_cast<double>(flipped) > largest_share * number_of_faces + few)
     return Mending::FAILED; // at a finer accuracy there may be fewer
   if(std::any_of(bad.begin(), bad.end(), is_unknown))
     return Mending::FAILED;

@@ -56,7 +56,8 @@ struct Quadrature_point {
 template <class...>
 class Face_quadrature {
 public:
-  Face_quadrature(int degree, double accuracy) : frequency_(degree + margin), accuracy_(accuracy)
+  Face_quadrature(int degree, double accuracy)
+    : frequency_(degree + margin), accuracy_((std::max)(accuracy, least_accuracy))
   {
     for(int n = 1; n <= most_points; ++n)
       rule_.push_back(gauss_rule(n));
@@ -111,6 +112,7 @@ public:
 private:
   static constexpr int most_points = 8;
   static constexpr int margin = 6;                ///< the field and the Jacobian vary, too
+  static constexpr double least_accuracy = 1e-15; ///< rounding errors are larger
   static constexpr double smallest_share = 1e-12; ///< beyond which a triangle is a great circle rather than a face
 
   /// In each direction, or more than `most_points`. The remainder of the rule of n points on an interval of length d is

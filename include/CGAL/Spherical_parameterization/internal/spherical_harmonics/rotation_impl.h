@@ -345,10 +345,7 @@ Shape_alignment best_motion(const Loop& loop, const Harmonic_coefficients& of_f,
   const Comparable shapes(of_f, of_g);
   const Harmonic_coefficients &f = shapes.f, &g = shapes.g;
   const First_order_ellipsoid ellipsoid_f = ellipsoid_of(loop, f), ellipsoid_g = ellipsoid_of(loop, g);
-  Matrix_3 to_f; // from the axes to space
-  for(int i = 0; i < 3; ++i)
-    for(int j = 0; j < 3; ++j)
-      to_f[i][j] = ellipsoid_f.axes[j][i];
+  const Matrix_3 to_f = transposed(ellipsoid_f.axes); // from the axes to space
   // The 24 rotations of a cube between the axes: four of them are right for ellipsoids with three different axes, and
   // some one is near for all others.
   std::vector<Motion> motions;

@@ -38,11 +38,6 @@ CGAL_SP_INLINE Matrix_3 rotation_to(const Host_array<vec3>& mean, const Shape_se
   return best_rotation(weighted, mean);
 }
 
-CGAL_SP_INLINE Matrix_3 transposed(const Matrix_3& r)
-{
-  return {{{r[0][0], r[1][0], r[2][0]}, {r[0][1], r[1][1], r[2][1]}, {r[0][2], r[1][2], r[2][2]}}};
-}
-
 /// The mean of the shapes, each turned and scaled as its motion says.
 template <class Loop>
 void take_mean(const Loop& loop, const Shape_set<double>& shapes, const std::vector<Similarity>& motions,

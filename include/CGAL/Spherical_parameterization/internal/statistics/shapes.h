@@ -42,6 +42,15 @@ inline Harmonic_coefficients zero_shape(const Harmonic_coefficients& like)
   return Harmonic_coefficients(like.degree(), like.number_of_fields());
 }
 
+/// Throws Error for a shape whose largest coordinate has a square that is no number, or none of a few digits.
+inline void check_size(std::size_t shape, double largest)
+{
+  if(largest > 0 && !(largest >= 1e-150 && largest <= 1e150))
+    throw Input_error(Error_code::NON_FINITE_COORDINATE,
+                      "the squares of the coordinates of shape " + std::to_string(shape) + " overflow or vanish",
+                      "scale the shapes");
+}
+
 /// What each vertex counts: their sum is 1. Throws Error for what is not finite, and the precondition for sizes that do
 /// not fit.
 inline std::vector<double> checked_weights(const std::vector<Shape_points>& shapes, std::vector<double> weights)
@@ -49,10 +58,15 @@ inline std::vector<double> checked_weights(const std::vector<Shape_points>& shap
   CGAL_SP_PRECONDITION(!shapes.empty() && !shapes[0].empty(), "statistics need a shape that has vertices");
   for(std::size_t i = 0; i < shapes.size(); ++i) {
     CGAL_SP_PRECONDITION(shapes[i].size() == shapes[0].size(), "shapes that correspond have as many vertices each");
-    for(std::size_t j = 0; j < shapes[i].size(); ++j)
-      if(const auto& [x, y, z] = shapes[i][j]; !std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z))
+    double largest = 0;
+    for(std::size_t j = 0; j < shapes[i].size(); ++j) {
+      const auto& [x, y, z] = shapes[i][j];
+      if(!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z))
         throw Input_error(Error_code::NON_FINITE_COORDINATE,
                           "vertex " + std::to_string(j) + " of shape " + std::to_string(i));
+      largest = (std::max)({largest, std::abs(x), std::abs(y), std::abs(z)});
+    }
+    check_size(i, largest);
   }
   CGAL_SP_PRECONDITION(shapes[0].size() <= static_cast<std::size_t>((std::numeric_limits<int>::max)()) / 3,
                        "shapes have fewer than 2^31 / 3 vertices");
@@ -78,6 +92,10 @@ inline std::vector<double> checked_weights(const std::vector<Harmonic_coefficien
                            shapes[i].degree() >= 0,
                          "shapes that correspond are three functions each, all of the same degree");
     check_finite(shapes[i], " of shape " + std::to_string(i));
+    double largest = 0;
+    for(const double x : shapes[i].values())
+      largest = (std::max)(largest, std::abs(x));
+    check_size(i, largest);
   }
   return {1 / (4 * internal::pi)};
 }

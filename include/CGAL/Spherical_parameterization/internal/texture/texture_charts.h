@@ -70,6 +70,7 @@ struct Latitude_longitude_chart {
       const vec3 q = frame(p[k]);
       const double to_axis = std::hypot(q.x, q.y);
       longitude[k] = std::atan2(q.y, q.x) / (2 * pi);
+      longitude[k] -= std::floor(longitude[k]);
       const double to_pole = std::atan2(to_axis, std::abs(q.z)) / pi;
       face.uv[k].y = q.z < 0 ? to_pole : 1 - to_pole;
       if(to_axis == 0)
@@ -90,10 +91,8 @@ struct Latitude_longitude_chart {
           middle = k; // farthest from the pole
     }
     face.is_at_pole = face.is_at_pole || pole >= 0;
-    const int next = (middle + 1) % 3, previous = (middle + 2) % 3;
-    face.uv[middle].x = longitude[middle];
-    face.uv[next].x = longitude[middle] + shortest_turn(longitude[middle], longitude[next]);
-    face.uv[previous].x = longitude[middle] - shortest_turn(longitude[previous], longitude[middle]);
+    for(int k = 0; k < 3; ++k) // by whole turns: a vertex off the seam has the same u in all faces that do not cross it
+      face.uv[k].x = longitude[k] - std::nearbyint(longitude[k] - longitude[middle]);
     into_range(face.uv);
     face.is_at_seam = (std::max)({face.uv[0].x, face.uv[1].x, face.uv[2].x}) > 1;
 

@@ -8,11 +8,11 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/exceptions.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <exception>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -120,7 +120,7 @@ bool remove_degenerate_faces(Glued_surface& surface)
     face_before[f] = static_cast<int>(f.idx());
   try {
     PMP::remove_degenerate_faces(*mesh);
-  } catch(const std::exception&) { // an assertion of CGAL that a case it does not know breaks
+  } catch(const CGAL::Failure_exception&) { // an assertion of CGAL that a case it does not know breaks
     return false;
   }
   Glued_surface result = from_cgal(*mesh, surface, vertex_before, face_before);

@@ -10,13 +10,13 @@
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/exceptions.h>
 #include <CGAL/iterator.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <exception>
 #include <functional>
 #include <iterator>
 #include <map>
@@ -92,7 +92,7 @@ std::vector<Triangle> triangulated(const std::vector<Kernel::Point_3>& polygon, 
     PMP::triangulate_hole_polyline(
       points, std::back_inserter(found),
       CGAL::parameters::use_delaunay_triangulation(!all_edges).do_not_use_cubic_algorithm(!all_edges));
-  } catch(const std::exception&) { // a precondition of CGAL that a polygon through itself breaks
+  } catch(const CGAL::Failure_exception&) { // a precondition of CGAL that a polygon through itself breaks
     found.clear();
   }
   for(const auto& t : found)
@@ -171,7 +171,7 @@ Disk refined(const std::vector<Kernel::Point_3>& polygon, const std::vector<Kern
   try {
     PMP::refine(mesh, inner, CGAL::Emptyset_iterator(), CGAL::Emptyset_iterator(),
                 CGAL::parameters::density_control_factor(density(polygon, outer, triangles, most)));
-  } catch(const std::exception&) { // as above: then it is left coarse
+  } catch(const CGAL::Failure_exception&) { // as above: then it is left coarse
     return {{}, triangles};
   }
   for(const auto f : around) // the disk is left

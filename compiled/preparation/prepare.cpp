@@ -7,13 +7,14 @@
 #include "preparation/mend.h"
 #include "preparation/points.h"
 
+#include <CGAL/Spherical_parameterization/internal/text/text.h>
+
 #include <boost/algorithm/string/join.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <sstream>
 #include <utility>
 
 namespace CGAL::Spherical_parameterization::preparation {
@@ -120,21 +121,11 @@ bool is_closed(const Glued_surface& surface)
   return std::none_of(surface.twin.begin(), surface.twin.end(), [](int side) { return side == Glued_surface::none; });
 }
 
-std::string number(double x)
-{
-  std::ostringstream text;
-  text.precision(3);
-  text << x;
-  return text.str();
-}
-
 /// "1 hole", "3 holes"
-std::string count(std::size_t n, const std::string& one, const std::string& many)
+std::string count(std::size_t n, const std::string& what)
 {
-  return std::to_string(n) + ' ' + (n == 1 ? one : many);
+  return internal::counted(n, what.c_str(), (what + 's').c_str());
 }
-
-std::string count(std::size_t n, const std::string& what) { return count(n, what, what + 's'); }
 
 std::string at(int vertex) { return vertex == Glued_surface::none ? "" : ", at vertex " + std::to_string(vertex); }
 
@@ -142,15 +133,15 @@ std::string largest(const std::vector<Loop>& loops, const std::string& superlati
 {
   const Loop& loop = loops.front();
   return (loops.size() == 1 ? " (" : " (" + superlative + ": ") + count(loop.edges, "edge") + ", length " +
-         number(loop.length) + at(loop.vertex) + ')';
+         internal::to_string(loop.length) + at(loop.vertex) + ')';
 }
 
 /// "removed 3 isolated vertices (first: vertex 17)"
-void add(std::vector<std::string>& lines, const Defect& defect, const std::string& before, const std::string& one,
-         const std::string& many, const std::string& after, const std::string& where)
+void add(std::vector<std::string>& lines, const Defect& defect, const std::string& before, const char* one,
+         const char* many, const std::string& after, const std::string& where)
 {
   if(defect.count > 0)
-    lines.push_back(before + count(defect.count, one, many) + after +
+    lines.push_back(before + internal::counted(defect.count, one, many) + after +
                     (defect.first == Glued_surface::none ? "" // none of the file
                                                          : std::string(" (") + (defect.count == 1 ? "" : "first: ") +
                                                              where + ' ' + std::to_string(defect.first) + ')'));
@@ -247,7 +238,7 @@ double diagonal(const Triangle_soup& soup)
           low[k] = std::min(low[k], p[k]);
           high[k] = std::max(high[k], p[k]);
         }
-  return soup.triangles.empty() ? 0 : norm(minus(high, low));
+  return low[0] <= high[0] ? norm(minus(high, low)) : 0; // there may be no finite corner
 }
 
 Preparation prepare(const Triangle_soup& soup, const Preparation_settings& settings, const std::function<void()>& go_on)
@@ -279,8 +270,12 @@ Preparation prepare(const Triangle_soup& soup, const Preparation_settings& setti
     scale_if_given(in_unit.wrap->offset, -exponent);
   }
   Preparation result = prepare_in_unit(scaled, in_unit, go_on);
-  for(Glued_surface& part : result.parts)
+  for(Glued_surface& part : result.parts) {
     scale(part.points, exponent);
+    for(std::size_t v = 0; v < part.points.size(); ++v) // digits may have been lost where numbers vanish
+      if(const int old = part.old_vertex[v]; old != Glued_surface::none)
+        part.points[v] = soup.points[old];
+  }
   for(Piece& piece : result.pieces) {
     piece.size.area = std::scalbn(piece.size.area, 2 * exponent);
     piece.size.volume = std::scalbn(piece.size.volume, 3 * exponent);
@@ -315,8 +310,8 @@ std::vector<std::string> sentences(const Preparation& preparation)
   add(lines, defects.reversed_faces, "reversed ", "face", "faces", " that did not agree with their neighbours", "face");
   add(lines, defects.cut_edges, "cut a surface that has one side only, at ", "edge", "edges", "", "vertex");
   if(preparation.wrap)
-    lines.push_back("wrapped everything, alpha " + number(*preparation.wrap->alpha) + ", offset " +
-                    number(*preparation.wrap->offset));
+    lines.push_back("wrapped everything, alpha " + internal::to_string(*preparation.wrap->alpha) + ", offset " +
+                    internal::to_string(*preparation.wrap->offset));
 
   const auto& pieces = preparation.pieces;
   if(pieces.size() > 1) {
@@ -324,7 +319,8 @@ std::vector<std::string> sentences(const Preparation& preparation)
       lines.push_back("has " + count(pieces.size(), "component"));
     else
       lines.push_back("kept the largest of " + count(pieces.size(), "component") + ", " +
-                      number(100 * share_of_area_kept(preparation)) + " % of the area" + at(pieces.front().vertex));
+                      internal::to_string(100 * share_of_area_kept(preparation)) + " % of the area" +
+                      at(pieces.front().vertex));
   }
   if(!preparation.holes.empty())
     lines.push_back((preparation.is_filled ? "filled " : "has ") + count(preparation.holes.size(), "hole") +

@@ -81,7 +81,7 @@ private:
   /// The description in a binary file; the bytes behind it are noted.
   std::string_view json_of(const std::string& bytes)
   {
-    constexpr std::size_t header = 12, chunk_header = 8;
+    constexpr std::uint64_t header = 12, chunk_header = 8;
     size_of_file_ = bytes.size();
     if(bytes.size() < header + chunk_header)
       refuse("cut short: the header is not complete", "export it again");
@@ -93,8 +93,8 @@ private:
                " bytes, the file has " + std::to_string(bytes.size()),
              "export it again");
     std::string_view json;
-    for(std::size_t at = header; at + chunk_header <= bytes.size();) {
-      const std::size_t size = number_at<std::uint32_t>(&bytes[at]);
+    for(std::uint64_t at = header; at + chunk_header <= bytes.size();) {
+      const std::uint64_t size = number_at<std::uint32_t>(&bytes[at]);
       const std::string_view kind = std::string_view(bytes).substr(at + 4, 4);
       at += chunk_header;
       if(size > bytes.size() - at)
@@ -132,7 +132,7 @@ private:
   void read_scene()
   {
     if(list(json_, "scenes").empty())
-      for(std::size_t mesh = 0; mesh < list(json_, "meshes").size(); ++mesh)
+      for(std::uint64_t mesh = 0; mesh < list(json_, "meshes").size(); ++mesh)
         read_mesh(mesh, Matrix::Identity());
     else
       for(const Json& node : list(element("scenes", number(json_, "scene", 0)), "nodes"))
@@ -140,9 +140,9 @@ private:
   }
 
   /// The tree below a node. Not by recursion, since it may be as deep as the file is long.
-  void read_nodes(std::size_t root)
+  void read_nodes(std::uint64_t root)
   {
-    std::vector<std::pair<std::size_t, Matrix>> open = {{root, Matrix::Identity()}};
+    std::vector<std::pair<std::uint64_t, Matrix>> open = {{root, Matrix::Identity()}};
     while(!open.empty()) {
       const auto [number_of_node, outer] = open.back();
       open.pop_back();
@@ -171,22 +171,22 @@ private:
       .matrix();
   }
 
-  void read_mesh(std::size_t number_of_mesh, const Matrix& matrix)
+  void read_mesh(std::uint64_t number_of_mesh, const Matrix& matrix)
   {
     const Json& mesh = element("meshes", number_of_mesh);
     const Json* primitives = find(mesh, "primitives");
     if(!primitives || !primitives->is_array())
       refuse("mesh " + std::to_string(number_of_mesh) + " has no primitives");
-    std::map<std::size_t, std::vector<int>> vertices; // by accessor: primitives often share one
+    std::map<std::uint64_t, std::vector<int>> vertices; // by accessor: primitives often share one
     for(const Json& primitive : *primitives) {
-      constexpr std::size_t triangles = 4, fan = 6;
-      const std::size_t mode = number(primitive, "mode", triangles);
+      constexpr std::uint64_t triangles = 4, fan = 6;
+      const std::uint64_t mode = number(primitive, "mode", triangles);
       if(mode < triangles || mode > fan) // points and lines
         continue;
       const Json* attributes = find(primitive, "attributes");
       if(!attributes || !find(*attributes, "POSITION"))
         refuse("mesh " + std::to_string(number_of_mesh) + " has triangles without positions");
-      const std::size_t accessor = number(*attributes, "POSITION", 0);
+      const std::uint64_t accessor = number(*attributes, "POSITION", 0);
       const auto place = vertices.try_emplace(accessor);
       if(place.second)
         place.first->second = read_positions(accessor, matrix);
@@ -194,7 +194,7 @@ private:
     }
   }
 
-  std::vector<int> read_positions(std::size_t number_of_accessor, const Matrix& matrix)
+  std::vector<int> read_positions(std::uint64_t number_of_accessor, const Matrix& matrix)
   {
     const View view = view_of(number_of_accessor, "VEC3", 12);
     if(view.component != 5126)
@@ -202,8 +202,8 @@ private:
     count(view.count * 12);
     std::vector<int> result;
     result.reserve(view.count);
-    for(std::size_t i = 0; i < view.count; ++i) {
-      const auto at = [&](std::size_t k) -> double { return number_at<float>(&view.bytes[view.stride * i + 4 * k]); };
+    for(std::uint64_t i = 0; i < view.count; ++i) {
+      const auto at = [&](std::uint64_t k) -> double { return number_at<float>(&view.bytes[view.stride * i + 4 * k]); };
       const Eigen::Vector4d place = product(matrix, {at(0), at(1), at(2), 1});
       const std::array<double, 3> p = {place[0], place[1], place[2]};
       for(const double x : p)
@@ -216,28 +216,28 @@ private:
     return result;
   }
 
-  void add_triangles(const Json& primitive, std::size_t mode, const std::vector<int>& vertices, bool is_mirrored)
+  void add_triangles(const Json& primitive, std::uint64_t mode, const std::vector<int>& vertices, bool is_mirrored)
   {
     std::vector<int> corners = vertices;
     if(find(primitive, "indices")) {
       const View view = view_of(number(primitive, "indices", 0), "SCALAR", 0);
       count(view.count * view.size);
       corners.clear();
-      for(std::size_t i = 0; i < view.count; ++i) {
+      for(std::uint64_t i = 0; i < view.count; ++i) {
         const char* const at = &view.bytes[view.stride * i];
-        const std::size_t corner = view.size == 1   ? number_at<std::uint8_t>(at)
-                                   : view.size == 2 ? number_at<std::uint16_t>(at)
-                                                    : number_at<std::uint32_t>(at);
+        const std::uint64_t corner = view.size == 1   ? number_at<std::uint8_t>(at)
+                                     : view.size == 2 ? number_at<std::uint16_t>(at)
+                                                      : number_at<std::uint32_t>(at);
         if(corner >= vertices.size())
           refuse("a triangle has the vertex " + std::to_string(corner) + " of " + std::to_string(vertices.size()));
         corners.push_back(vertices[corner]);
       }
     }
-    std::size_t first = soup_.triangles.size();
+    std::uint64_t first = soup_.triangles.size();
     if(mode == 5)
       soup_.add_strip(corners);
     else
-      for(std::size_t i = 0; i + 2 < corners.size(); i += mode == 4 ? 3 : 1)
+      for(std::uint64_t i = 0; i + 2 < corners.size(); i += mode == 4 ? 3 : 1)
         soup_.triangles.push_back({corners[mode == 6 ? 0 : i], corners[i + 1], corners[i + 2]});
     for(; is_mirrored && first < soup_.triangles.size(); ++first)
       std::swap(soup_.triangles[first][1], soup_.triangles[first][2]);
@@ -246,13 +246,13 @@ private:
   /// The bytes of an accessor, all of which are there.
   struct View {
     std::string_view bytes;
-    std::size_t count = 0;     ///< of the elements
-    std::size_t stride = 0;    ///< from one to the next, in bytes
-    std::size_t size = 0;      ///< of one
-    std::size_t component = 0; ///< type of the numbers
+    std::uint64_t count = 0;     ///< of the elements; 64 bits, also where memory has 32: files may say anything
+    std::uint64_t stride = 0;    ///< from one to the next, in bytes
+    std::uint64_t size = 0;      ///< of one
+    std::uint64_t component = 0; ///< type of the numbers
   };
 
-  View view_of(std::size_t number_of_accessor, const char* type, std::size_t size)
+  View view_of(std::uint64_t number_of_accessor, const char* type, std::uint64_t size)
   {
     const Json& accessor = element("accessors", number_of_accessor);
     const Json* kind = find(accessor, "type");
@@ -272,8 +272,8 @@ private:
       refuse("accessor " + std::to_string(number_of_accessor) + " has indices of a wrong type");
     const Json& view = element("bufferViews", number(accessor, "bufferView", 0));
     const std::string_view buffer = buffer_of(number(view, "buffer", 0));
-    const std::size_t offset = number(view, "byteOffset", 0), length = number(view, "byteLength", 0);
-    const std::size_t begin = number(accessor, "byteOffset", 0);
+    const std::uint64_t offset = number(view, "byteOffset", 0), length = number(view, "byteLength", 0);
+    const std::uint64_t begin = number(accessor, "byteOffset", 0);
     result.stride = number(view, "byteStride", result.size);
     // all numbers are below 2^40, so that products of two and of a stride below 2^8 do not overflow
     const bool fits = result.stride >= result.size && result.stride < 256 && offset + length <= buffer.size() &&
@@ -282,11 +282,11 @@ private:
     if(!fits)
       refuse("cut short: accessor " + std::to_string(number_of_accessor) + " announces " +
              std::to_string(result.count) + " elements, more than its bytes can hold");
-    result.bytes = buffer.substr(offset + begin);
+    result.bytes = buffer.substr(static_cast<std::size_t>(offset + begin));
     return result;
   }
 
-  std::string_view buffer_of(std::size_t number_of_buffer)
+  std::string_view buffer_of(std::uint64_t number_of_buffer)
   {
     const Json& buffer = element("buffers", number_of_buffer);
     const Json* uri = find(buffer, "uri");
@@ -324,7 +324,7 @@ private:
   }
 
   /// Refuses what uses the same bytes so often that a small file would fill the memory.
-  void count(std::size_t bytes)
+  void count(std::uint64_t bytes)
   {
     used_ += bytes;
     if(used_ > 2 * size_of_file_ + 1000)
@@ -351,15 +351,15 @@ private:
     return found && found->is_array() ? *found : none;
   }
 
-  std::size_t index(const Json& value) const
+  std::uint64_t index(const Json& value) const
   {
     if(!value.is_number_unsigned() || value.get<std::uint64_t>() >= std::uint64_t(1) << 40)
       refuse(std::string("its description has a ") + (value.is_number() ? "wrong number" : value.type_name()) +
              " where a number from 0 on is expected");
-    return value.get<std::size_t>();
+    return value.get<std::uint64_t>();
   }
 
-  std::size_t number(const Json& object, const char* key, std::size_t default_value) const
+  std::uint64_t number(const Json& object, const char* key, std::uint64_t default_value) const
   {
     const Json* const value = find(object, key);
     return value ? index(*value) : default_value;
@@ -383,7 +383,7 @@ private:
     return result;
   }
 
-  const Json& element(const char* key, std::size_t i) const
+  const Json& element(const char* key, std::uint64_t i) const
   {
     const Json& all = list(json_, key);
     if(i >= all.size())
@@ -398,12 +398,12 @@ private:
   }
 
   std::string file_;
-  std::size_t size_of_file_ = 0;
-  std::size_t used_ = 0; ///< bytes that have become vertices and triangles
+  std::uint64_t size_of_file_ = 0;
+  std::uint64_t used_ = 0; ///< bytes that have become vertices and triangles
   Json json_;
   std::optional<std::string_view> binary_;
-  std::map<std::size_t, std::string> buffers_;
-  std::set<std::size_t> visited_;
+  std::map<std::uint64_t, std::string> buffers_;
+  std::set<std::uint64_t> visited_;
   Soup soup_;
   Welded_points welded_{soup_.points};
 };

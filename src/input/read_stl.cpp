@@ -85,7 +85,7 @@ Soup read_binary_stl(const std::string& file, const std::string& bytes)
     refuse_file(file, "neither begins with 'solid' nor has the 84 bytes of a binary STL header",
                 "check that this is an STL file");
   const auto triangles = number_at<std::uint32_t>(&bytes[80]);
-  const std::size_t expected = binary_header_size + triangle_size * triangles;
+  const std::uint64_t expected = binary_header_size + std::uint64_t(triangle_size) * triangles;
   const std::string announced =
     "the header announces " + std::to_string(triangles) + " triangles in " + std::to_string(expected) + " bytes, ";
   if(bytes.size() < expected)

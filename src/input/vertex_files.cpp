@@ -3,6 +3,7 @@
 
 #include "input/mesh_readers.h"
 
+#include "input/compression.h"
 #include "input/files.h"
 #include "input/text_lines.h"
 #include "system/refusal.h"
@@ -19,7 +20,7 @@ std::vector<Fixed_vertex> read_fixed_vertices(const std::string& file, std::size
   const std::string remedy = "a line must be 'index x y z'";
   std::vector<Fixed_vertex> fixed;
   std::set<std::size_t> seen;
-  Text_lines lines(file, read_file(file));
+  Text_lines lines(file, decompressed(file, read_file(file)));
   while(lines.next()) {
     const std::string_view token = lines.token();
     const std::optional<std::int64_t> number = to_integer(token);
@@ -55,7 +56,7 @@ std::vector<Fixed_vertex> read_fixed_vertices(const std::string& file, std::size
 std::vector<double> read_densities(const std::string& file, std::size_t number_of_vertices, std::size_t number_of_faces)
 {
   std::vector<double> density;
-  Text_lines lines(file, read_file(file));
+  Text_lines lines(file, decompressed(file, read_file(file)));
   while(lines.next())
     for(std::string_view token = lines.token(); !token.empty(); token = lines.token()) {
       double value = 0;
@@ -74,7 +75,7 @@ std::vector<double> read_densities(const std::string& file, std::size_t number_o
 std::vector<std::size_t> read_labels(const std::string& file, std::size_t number_of_faces)
 {
   std::vector<std::size_t> labels;
-  Text_lines lines(file, read_file(file));
+  Text_lines lines(file, decompressed(file, read_file(file)));
   while(lines.next())
     for(std::string_view token = lines.token(); !token.empty(); token = lines.token()) {
       const std::optional<std::int64_t> label = to_integer(token);

@@ -3,6 +3,7 @@
 
 #include "mapping/registered_pair.h"
 
+#include "input/compression.h"
 #include "input/files.h"
 #include "input/text_lines.h"
 #include "system/interruption.h"
@@ -51,7 +52,7 @@ Landmarks read_landmarks(const std::string& file, const Registered_pair& pair)
   const std::string remedy = "a line must be 'vertex-of-A vertex-of-B'";
   Landmarks landmarks;
   std::set<int> seen[2];
-  Text_lines lines(file, read_file(file));
+  Text_lines lines(file, decompressed(file, read_file(file)));
   while(lines.next()) {
     int index[2];
     for(int side = 0; side < 2; ++side) {
@@ -337,6 +338,9 @@ nlohmann::ordered_json registration_json(const Registration_options& options, co
   const auto done = [](const Mapped_mesh& mesh) {
     return mesh.prepared ? nlohmann::ordered_json(sentences(mesh.prepared->preparation)) : nullptr;
   };
+  const auto of_deformation = [&options](double x) {
+    return options.motion == "deformation" ? nlohmann::ordered_json(x) : nullptr;
+  };
   return {{"inputs", {options.input, options.other}},
           {"preparation", nlohmann::ordered_json::array({done(pair.a), done(pair.b)})},
           {"vertices", {pair.a.mesh().number_of_vertices(), pair.b.mesh().number_of_vertices()}},
@@ -354,8 +358,8 @@ nlohmann::ordered_json registration_json(const Registration_options& options, co
           {"trust", SP::get_trust_name(r.trust())},
           {"rotation", r.rotation},
           {"iterations", r.iterations},
-          {"mismatch_before", r.mismatch_before},
-          {"mismatch", r.mismatch},
+          {"mismatch_before", of_deformation(r.mismatch_before)},
+          {"mismatch", of_deformation(r.mismatch)},
           {"stretching", r.stretching},
           {"distortion", r.distortion},
           {"change_of_lengths", pair.changes.factor.median},

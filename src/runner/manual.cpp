@@ -139,17 +139,19 @@ std::string bash_completion(const CLI::App& app)
 # _spherical_parameterization PROGRAM CURRENT PREVIOUS
 _spherical_parameterization()
 {
-  local current=$2 previous=$3 command=${COMP_WORDS[1]} words=FILE file
+  local current=$2 previous=$3 command=- words=FILE file i
   COMPREPLY=()
+  for ((i = 1; i < COMP_CWORD; ++i)); do # the first word that is no option
+    [[ ${COMP_WORDS[i]} = -* ]] || { command=${COMP_WORDS[i]}; break; }
+  done
   if [ "$current" = = ]; then # readline makes a word of the '=' in --option=value
     current=''
   elif [ "$previous" = = ]; then
     previous=${COMP_WORDS[COMP_CWORD - 2]}
   fi
-  [ "$COMP_CWORD" -gt 1 ] || command=-
   if [[ $previous = -* && -v _spherical_parameterization_words["$command $previous"] ]]; then
     words=${_spherical_parameterization_words["$command $previous"]}
-  elif [[ $current = -* || $COMP_CWORD -eq 1 ]]; then
+  elif [[ $current = -* || $command = - ]]; then
     words=${_spherical_parameterization_words["$command"]}
   else
     previous=''

@@ -33,13 +33,14 @@ void say_radius(std::ostream& out, const std::string& file, const Given_sphere& 
         << " of the origin, from which they are projected to the sphere\n";
 }
 
-void say_distortion(std::ostream& out, const SP::Distortion_summary& d)
+void say_distortion(std::ostream& out, const SP::Distortion_summary& d, bool has_flipped_faces)
 {
   constexpr double degrees = 57.295779513082321;
   out << "angle distortion: mean " << degrees * d.angle_distortion.mean << " degrees, 95 % of the area below "
-      << degrees * d.angle_distortion.percentile_95 << "\narea shrinks by factors from "
-      << std::exp(d.log_area_stretch.percentile_5) << " to " << std::exp(d.log_area_stretch.percentile_95)
-      << " (90 % of the area)";
+      << degrees * d.angle_distortion.percentile_95;
+  if(!has_flipped_faces) // whose areas are negative
+    out << "\narea shrinks by factors from " << std::exp(d.log_area_stretch.percentile_5) << " to "
+        << std::exp(d.log_area_stretch.percentile_95) << " (90 % of the area)";
 }
 
 void certify(Run& run)
@@ -76,7 +77,7 @@ void certify(Run& run)
                          : "no valid ")
        << certificate.str() << '\n';
   say_radius(text, shown(run.options.sphere, "standard input"), sphere);
-  say_distortion(text, *run.figures.distortion);
+  say_distortion(text, *run.figures.distortion, !is_mirrored && result.flipped_faces > 0);
   run.text = text.str();
   run.line = "valid " + certificate.str() + ", " + std::to_string(result.number_of_vertices) + " vertices";
   if(is_mirrored) {

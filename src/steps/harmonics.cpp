@@ -120,7 +120,7 @@ void harmonics(const Harmonics_options& options, Run& run)
   const Stopwatch analyzing;
   const SP::Harmonic_analysis analysis = analyzed(options, input);
   const double seconds_analysis = analyzing.seconds();
-  const std::vector<Point> points = reconstructed(input, analysis.coefficients);
+  std::vector<Point> points = reconstructed(input, analysis.coefficients);
   const SP::Reconstruction_error error =
     SP::reconstruction_error(input.mesh(), as_map(input.mesh().points()), as_map(points));
   Json json = run.has("--report") ? harmonics_json(options, file, input, analysis) : Json();
@@ -129,9 +129,13 @@ void harmonics(const Harmonics_options& options, Run& run)
   json["seconds"] = {{"analysis", seconds_analysis}, {"errors", seconds_errors}};
   run.details["harmonics"] = std::move(json);
   stop_if_interrupted(file);
-  SP::write_coefficients(*run.out(),
-                         options.align ? SP::aligned_to_ellipsoid(analysis.coefficients) : analysis.coefficients,
-                         format_of(run.file()));
+  if(options.align) {
+    const SP::Harmonic_coefficients aligned = SP::aligned_to_ellipsoid(analysis.coefficients);
+    SP::write_coefficients(*run.out(), aligned, format_of(run.file()));
+    if(run.has("--reconstruct"))
+      points = reconstructed(input, aligned);
+  } else
+    SP::write_coefficients(*run.out(), analysis.coefficients, format_of(run.file()));
   run.write("--reconstruct", input.mesh(), points, Surface::SHAPE);
   run.commit();
 
@@ -167,6 +171,9 @@ Work harmonics_work()
   work.options.add("--align", own->align,
                    "Move the shape to the position of its first-order ellipsoid, the longest axis along x, so that the "
                    "coefficients of shapes in any position can be compared");
+  work.check = [own](const Request&) {
+    require(!own->align || own->degree > 0, "--align", "requires --degree 1 or more");
+  };
   return work;
 }
 

@@ -4,6 +4,7 @@
 #include "runner/step.h"
 
 #include "collections/signatures.h"
+#include "input/compression.h"
 #include "input/files.h"
 
 #include <iostream>
@@ -40,6 +41,8 @@ void check(const Request& request)
 {
   require(!is_mesh_file(request.file()), "--output",
           "'" + request.file() + "' has the extension of a mesh; the index is a database");
+  require(without_compression(request.file()) == request.file(), "--output",
+          "'" + request.file() + "' has the extension of a compressed file; tables and databases are not compressed");
 }
 
 Work signature_work()

@@ -5,6 +5,9 @@
 #include "helpers/check.h"
 #include "helpers/meshes.h"
 
+#include <CGAL/Spherical_parameterization/locate.h>
+#include <CGAL/Spherical_parameterization/parameterize.h>
+
 #include <catch2/catch.hpp>
 
 #include <limits>
@@ -221,6 +224,18 @@ TEST_CASE("the callback and the time limit interrupt, and the map so far is hand
     CHECK(result.detail.find("before there was a map") != std::string::npos);
     CHECK(count_vertices_off_sphere(sphere) == soup.points.size()); // nothing was written
   }
+}
+
+TEST_CASE("an error that a callback throws is passed on, also one of this package", "[errors]")
+{
+  Mesh mesh = make_mesh(icosphere(2));
+  const SP::Spherical_locator<Mesh> locator(mesh, mesh.points());
+  const auto careless = CGAL::parameters::callback([&locator](double) {
+    locator.locate(Point(0, 0, 0));
+    return true;
+  });
+  auto sphere_map = mesh.add_property_map<Mesh::Vertex_index, Point>("v:sphere").first;
+  CHECK_THROWS_AS(SP::parameterize(mesh, SP::Automatic(), sphere_map, careless), SP::Error);
 }
 
 TEST_CASE("the callback sees the progress, from 0 to 1", "[errors]")

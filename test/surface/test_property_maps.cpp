@@ -10,7 +10,11 @@
 #include <Eigen/Core>
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
 
 using namespace test;
 
@@ -57,6 +61,49 @@ TEMPLATE_TEST_CASE("any value type that is made from three numbers", "[property_
   CAPTURE(result);
   REQUIRE(result);
   CHECK(distance(solve_or_throw(soup, by_default()), collect(images)) == 0);
+}
+
+TEMPLATE_TEST_CASE("what is written besides has any value type, too", "[property_maps]", Kernel::Point_3,
+                   (std::array<double, 3>), (std::array<float, 3>), Eigen::Vector3d, Direction)
+{
+  typedef Read_write_map<Vertex, TestType> Map;
+  Mesh mesh;
+  SP::make_icosphere(1, mesh, mesh.points());
+  const auto is_nearly_the_mesh = [&mesh](const std::map<Vertex, TestType>& images) {
+    double largest = 0;
+    for(const auto& [v, p] : images)
+      for(int k = 0; k < 3; ++k)
+        largest = (std::max)(largest, std::abs(p[k] - mesh.point(v)[k]));
+    return images.size() == mesh.number_of_vertices() && largest < 1e-6;
+  };
+  std::map<Vertex, TestType> of_icosphere, centred, synthesized, registered;
+  Mesh out;
+  SP::make_icosphere(1, out, Writable_map<Vertex, TestType>{&of_icosphere});
+  CHECK(is_nearly_the_mesh(of_icosphere));
+  const auto one = Readable_map<Vertex, double>{[](Vertex) { return 1.; }};
+  SP::moebius_centred_map(mesh, mesh.points(), one, Map{&centred});
+  CHECK(is_nearly_the_mesh(centred));
+  const auto coefficients = SP::harmonic_analysis(mesh, mesh.points(), mesh.points(), 2).coefficients;
+  SP::harmonic_synthesis(coefficients, mesh, mesh.points(), Map{&synthesized});
+  CHECK(is_nearly_the_mesh(synthesized));
+  SP::Registration method;
+  method.motion = SP::Registration::Motion::ROTATION;
+  const std::vector<std::pair<Vertex, Vertex>> landmarks = {
+    {Vertex(0), Vertex(0)}, {Vertex(5), Vertex(5)}, {Vertex(9), Vertex(9)}};
+  CHECK(SP::register_maps(SP::mapped_mesh(mesh, mesh.points()), SP::mapped_mesh(mesh, mesh.points()), Map{&registered},
+                          method, landmarks));
+  CHECK(is_nearly_the_mesh(registered));
+}
+
+TEMPLATE_TEST_CASE("texture coordinates have any value type that is made from two numbers", "[property_maps]",
+                   Kernel::Point_2, (std::array<double, 2>), (std::array<float, 2>), Eigen::Vector2d)
+{
+  using Halfedge = Mesh::Halfedge_index;
+  const Mesh mesh = make_mesh(icosphere(1));
+  std::map<Halfedge, TestType> uv;
+  SP::texture_coordinates(mesh, mesh.points(), Writable_map<Halfedge, TestType>{&uv}, SP::Texture_options());
+  CHECK(uv.size() == mesh.number_of_halfedges());
+  CHECK(std::all_of(uv.begin(), uv.end(), [](const auto& c) { return c.second[1] >= 0 && c.second[1] <= 1; }));
 }
 
 TEST_CASE("measuring reads maps of any value type with three coordinates", "[property_maps]")

@@ -334,6 +334,16 @@ TEST_CASE("harmonics: aligned coefficients do not depend on the pose, and the ma
   REQUIRE(a.size() == b.size());
   for(std::size_t i = 0; i < a.size(); ++i)
     CHECK(a[i] == Approx(b[i]).margin(1e-8));
+  REQUIRE(run_tool({"harmonics", moved, "--sphere", round, "-o", scratch / "out.csv", "--degree", "6", "--align",
+                    "--reconstruct", scratch / "shape.off"})
+            .exit_code == 0);
+  double sum = 0; // the shape is where its coefficients are: not 5 beside the origin
+  for(const Point& p : read(scratch / "shape.off").points)
+    sum += p.x() / static_cast<double>(soup.points.size());
+  CHECK(std::abs(sum) < 0.5);
+  const Process_result none = run_tool({"harmonics", input, "-o", scratch / "none.csv", "--degree", "0", "--align"});
+  CHECK(none.exit_code == 2);
+  CHECK(none.err.find("--align: requires --degree 1 or more") != std::string::npos);
   const std::string report = scratch / "report.json";
   REQUIRE(run_tool({"harmonics", input, "-o", scratch / "out.csv", "--degree", "3", "--report", report}).exit_code ==
           0);
@@ -379,6 +389,7 @@ TEST_CASE("register: one mesh in the shape of another, whose sphere is turned", 
   }
   const auto report = nlohmann::json::parse(text_of(scratch / "report.json"));
   CHECK(report["motion"] == motion);
+  CHECK(report["mismatch"].is_null() == (motion != "deformation")); // it is computed only there
   CHECK(report["flipped_faces"] == 0);
   CHECK(report["degree"] == 1);
 }
@@ -396,6 +407,11 @@ TEST_CASE("register: landmarks are read, and wrong ones refused with their line"
   const Process_result run = run_with("# A B\n0 0\n50 50\n100 100\n");
   CHECK(run.exit_code == 0);
   CHECK(run.out.find("start by spectrum") != std::string::npos);
+  std::filesystem::remove(scratch / "out.off");
+  CHECK(run_process({"/bin/gzip", "-k", scratch / "landmarks.txt"}).exit_code == 0);
+  CHECK(run_tool({"register", input, input, "--spheres", sphere, sphere, "--landmarks", scratch / "landmarks.txt.gz",
+                  "-o", scratch / "out.off"})
+          .exit_code == 0);
   std::filesystem::remove(scratch / "out.off");
   check_exit(run_with("0 0\n1 162\n"), "line 2: vertex 162 is not in 0..161 of B");
   check_exit(run_with("0 0\n1 0\n"), "line 2: vertex 0 of B is listed twice");

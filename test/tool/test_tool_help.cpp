@@ -133,6 +133,8 @@ TEST_CASE("completion in bash: values", "[tool]")
   CHECK(completions({"texture", "--chart", ""}) == Words{"latitude-longitude", "octahedral"});
   CHECK(completions({"map", "--accuracy", ""}).empty());
   CHECK(completions({"search", "-k", ""}).empty());
+  CHECK(completions({"-v", "map", "--method", "b"}) == Words{"balanced"});
+  CHECK(completions({"-q", "certi"}) == Words{"certify"});
 }
 
 TEST_CASE("completion in bash: files", "[tool]")

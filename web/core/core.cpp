@@ -18,8 +18,11 @@
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <exception>
 #include <limits>
 #include <string>
 #include <utility>
@@ -151,7 +154,8 @@ SP::Result map_by(const Mesh& mesh, Points& sphere, const Method& method, const 
     all_cores, mesh, method, as_map<Mesh::Vertex_index>(sphere),
     CGAL::parameters::edge_weight_map(weights_of(mesh, settings["weights"].as<std::string>()))
       .accuracy(number("accuracy", Method::default_accuracy))
-      .number_of_iterations(static_cast<std::size_t>(number("iterations", Method::default_number_of_iterations)))
+      .number_of_iterations(static_cast<std::size_t>(std::min<double>(
+        number("iterations", Method::default_number_of_iterations), std::numeric_limits<std::size_t>::max())))
       .maximum_running_time(number("maximum_running_time", std::numeric_limits<double>::infinity()))
       .callback([&go_on](double fraction) { return go_on(fraction).template as<bool>(); }));
 }
@@ -223,6 +227,8 @@ val answer_of(const Action& action)
   } catch(const std::bad_alloc&) {
     refuse(tool::out_of_memory, "there is not enough memory",
            "WebAssembly has 4 GB at most; use the command-line tool");
+  } catch(const std::exception& exception) {
+    refuse(tool::internal_error, exception.what());
   }
   return answer;
 }

@@ -161,9 +161,13 @@ const words: Record<string, readonly string[]> = {
 const defaults = { method: "automatic", weights: "conformal", spring_exponent: 2, area_exponent: 1 };
 const numbers = ["spring_exponent", "area_exponent", "accuracy", "iterations", "maximum_running_time"];
 
-function check(array: unknown, name: string, types: string[]): void {
+function checkType(array: unknown, name: string, types: string[]): void {
   const type = Object.prototype.toString.call(array).slice(8, -1); // also of another page
   if (!types.includes(type)) throw new TypeError(`${name} has to be a ${types.join(" or ")}, and is ${type}`);
+}
+
+function check(array: unknown, name: string, types: string[]): void {
+  checkType(array, name, types);
   const { length } = array as ArrayLike<number>;
   if (length % 3 !== 0) throw new RangeError(`${name} has to have three numbers each, and has ${length}`);
 }
@@ -225,6 +229,13 @@ export async function start(create: () => Promise<unknown>): Promise<SphericalPa
       checkMesh(points, triangles, sphere);
       return needed(core.segment(points, triangles, sphere)).segments;
     },
-    readMesh: (name, bytes, { triangulate = false } = {}) => needed(core.readMesh(name, bytes, triangulate)),
+    readMesh(name, bytes, options = {}) {
+      if (typeof name !== "string") throw new TypeError("name has to be a string");
+      checkType(bytes, "bytes", ["Uint8Array"]);
+      for (const [option, value] of Object.entries(options))
+        if (option !== "triangulate" || !["boolean", "undefined"].includes(typeof value))
+          throw new TypeError("options has to be { triangulate: true or false }");
+      return needed(core.readMesh(name, bytes, options.triangulate ?? false));
+    },
   };
 }

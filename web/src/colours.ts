@@ -69,7 +69,7 @@ export interface Legend {
 
 /// The scale ends at quantiles, or a few vertices at the tips of limbs would leave everything else white. Either side
 /// of the stretch has its own, as in the tool.
-export function legendOf(colouring: Colouring, values: ArrayLike<number>): Legend | null {
+function legendOf(colouring: Colouring, values: ArrayLike<number>): Legend | null {
   const [least, most] = quantiles(values, [0.02, 0.98]) as [number, number];
   if (colouring === "stretch") {
     const low = Math.min(least, -1e-3);
@@ -103,8 +103,15 @@ export function coloursOf(model: Model, colouring: Colouring): Colours {
     );
     return { legend: null, ofVertex: (_, face) => palette[segments[face]!]! };
   }
+  const { sphere } = model;
+  if (colouring === "checker" && sphere)
+    return { legend: null, ofVertex: (v) => (isDark(sphere[3 * v]!, sphere[3 * v + 1]!, sphere[3 * v + 2]!) ? darkField : lightField) };
   return { legend: null, ofVertex: () => plain };
 }
+
+/// Of the checker; the shader of the viewer has the same.
+const darkField: Colour = [41, 77, 107];
+const lightField: Colour = [237, 232, 219];
 
 /// Whether a direction is on a dark field of the checker: eight fields along every edge of the cube on which the
 /// sphere is projected. The shader of the viewer has the same formula.

@@ -100,6 +100,16 @@ export function faceAreas(mesh: Mesh): Float64Array {
   return areas;
 }
 
+/// The model at a size at which squares of coordinates neither overflow nor vanish, also as floats: the same, as a rule.
+export function drawable(model: Model): Model {
+  let largest = 0;
+  for (const points of model.way?.shapes ?? [model.points]) for (const x of points) largest = Math.max(largest, Math.abs(x));
+  if (!(largest > 1e15 || (largest > 0 && largest < 1e-15))) return model;
+  const unit = 2 ** Math.floor(Math.log2(largest));
+  const scaled = (points: Coordinates) => Float64Array.from(points, (x) => x / unit);
+  return { ...model, points: scaled(model.points), ...(model.way && { way: { ...model.way, shapes: model.way.shapes.map(scaled) } }) };
+}
+
 /// Normals of the vertices, weighted by the areas of the faces.
 export function normalsOf(mesh: Mesh): Float32Array {
   const normals = new Float32Array(mesh.points.length);

@@ -38,12 +38,20 @@ function start(): Worker {
   return result;
 }
 
+/// The number of a field, which then shows it; `otherwise` if there is none, or one that is too small.
+function numberOf(id: string, least: number, otherwise: number): number {
+  const field = byId<HTMLInputElement>(id);
+  const value = Number(field.value);
+  if (field.value === "" || !(value >= least)) field.value = String(otherwise);
+  return Number(field.value);
+}
+
 function settings(): Settings {
   return {
     method: byId<HTMLSelectElement>("method").value as Settings["method"],
     weights: byId<HTMLSelectElement>("weights").value as Settings["weights"],
-    spring_exponent: Math.max(2, Number(byId<HTMLInputElement>("spring-exponent").value) || 2),
-    area_exponent: Math.max(0, Number(byId<HTMLInputElement>("area-exponent").value) || 0),
+    spring_exponent: numberOf("spring-exponent", 2, 2),
+    area_exponent: numberOf("area-exponent", 0, 1),
     triangulate: byId<HTMLInputElement>("triangulate").checked,
   };
 }
@@ -84,10 +92,10 @@ stage.onColouring = (colouring) => {
 /// Asks for the best map so far. Who does not answer is stopped, and who cannot be asked: in a page from a disk, browsers
 /// give the worker another origin, from which the address is never there.
 function cancel(): void {
-  if (segmenting || (running && origin === "null")) stop();
+  if (segmenting || (running && origin === "null")) stopAndSay();
   if (!running || patience !== undefined) return;
   URL.revokeObjectURL(permit);
-  patience = setTimeout(stop, 2000);
+  patience = setTimeout(stopAndSay, 2000);
 }
 
 /// WebAssembly cannot be interrupted from outside: the worker ends, and another one begins.
@@ -95,7 +103,17 @@ function stop(): void {
   worker.terminate();
   worker = start();
   finish("cancelled");
-  if (!stage.model?.sphere) byId("result").replaceChildren(element("p", { class: "hint" }, "Cancelled: there is no map."));
+}
+
+function stopAndSay(): void {
+  const wasMapping = running !== null;
+  stop();
+  const { model } = stage;
+  if (!model?.sphere) byId("result").replaceChildren(element("p", { class: "hint" }, "Cancelled: there is no map."));
+  else if (wasMapping) {
+    stage.say(model);
+    byId("result").prepend(element("p", { class: "hint" }, "Cancelled: this is the map of before, by its own settings."));
+  }
 }
 
 function finish(state: string): void {
@@ -279,7 +297,10 @@ document.addEventListener("keydown", (event) => {
 const base = () => (file?.name ?? "mesh").replace(/\.[^.]*$/, "");
 const actions: Record<string, (model: Model) => Promise<void> | void> = {
   "save-sphere": (m) => save(`${base()}_sphere.off`, offInPieces({ points: m.sphere!, triangles: m.triangles }), "text/plain"),
-  "save-ply": (m) => save(`${base()}_${stage.colouring}.ply`, colouredPly(m, stage.colouring), "text/plain"),
+  "save-ply": (m) => {
+    const shown = stage.colouring === "segments" && !m.segments ? "plain" : stage.colouring; // they may not be there yet
+    save(`${base()}_${shown}.ply`, colouredPly(m, shown), "text/plain");
+  },
   "save-glb": async (m) => save(`${base()}.glb`, [await texturedGlb(m)], "model/gltf-binary"),
   "save-json": (m) => save(`${base()}.json`, [json(m.report)], "application/json"),
 };

@@ -3,7 +3,7 @@
 //
 // What stands beside the views: the certificate in words, the legend, the histogram, the times.
 
-import { colourAt, legendOf, type Colouring, type Legend } from "./colours";
+import { colourAt, type Colouring, type Legend } from "./colours";
 import { faceAreas, type Coordinates, type Model, type Report, type Way } from "./model";
 
 /// An element with attributes and children.
@@ -114,7 +114,7 @@ const asFactor = (x: number) => {
 const asDegrees = (x: number) => `${((x * 180) / Math.PI).toFixed(1)}°`;
 
 /// What the colours mean, with a histogram over the scale: shares of the area of the mesh.
-export function legendPanel(model: Model, colouring: Colouring): HTMLElement {
+export function legendPanel(model: Model, colouring: Colouring, legend: Legend | null): HTMLElement {
   const values = colouring === "stretch" ? model.stretch : colouring === "angle" ? model.angle : undefined;
   const panel = element("div", { class: "legend", id: "legend" });
   if (meaning[colouring] && model.sphere) panel.append(element("p", {}, meaning[colouring]!));
@@ -123,7 +123,6 @@ export function legendPanel(model: Model, colouring: Colouring): HTMLElement {
     panel.append(element("p", {}, `${number} ${number === 1 ? "segment" : "segments"}.`));
   }
   if (colouring === "segments" && model.unsegmented) panel.append(element("p", {}, `There are none: ${model.unsegmented}.`));
-  const legend = values && legendOf(colouring, values);
   if (!values || !legend) return panel;
   panel.append(histogram(model, values, legend));
   const text = colouring === "stretch" ? asFactor : asDegrees;

@@ -24,8 +24,13 @@ export function refined(corners: Uint32Array, sphere: Float32Array): Refined {
     let m = middles.get(key);
     if (m === undefined) {
       middles.set(key, (m = points.length / 3));
-      const sum = [0, 1, 2].map((k) => points[3 * a + k]! + points[3 * b + k]!);
-      const length = Math.hypot(...sum) || 1;
+      let sum = [0, 1, 2].map((k) => points[3 * a + k]! + points[3 * b + k]!);
+      if (Math.hypot(...sum) < 1e-6) {
+        // opposite ends: any point between them will do
+        const [x, y, z] = points.slice(3 * a, 3 * a + 3) as [number, number, number];
+        sum = Math.abs(x) < 0.6 ? [0, z, -y] : [y, -x, 0];
+      }
+      const length = Math.hypot(...sum);
       points.push(...sum.map((x) => x / length));
       halves.push(a, b);
     }
@@ -36,7 +41,7 @@ export function refined(corners: Uint32Array, sphere: Float32Array): Refined {
   const cut = (face: number, a: number, b: number, c: number): void => {
     const [ab, bc, ca] = [square(a, b), square(b, c), square(c, a)];
     const most = Math.max(ab, bc, ca);
-    if (most <= longest * longest) {
+    if (!(most > longest * longest)) {
       result.push(a, b, c);
       faceOf.push(face);
     } else if (most === ab) {

@@ -4,7 +4,7 @@
 // What the page and the files of `view` have in common: views, slider, colours, certificate.
 
 import { colourings, nameOf, type Colouring, type Legend } from "./colours";
-import type { Model } from "./model";
+import { drawable, type Model } from "./model";
 import { certificate, describe, element, facts, legendPanel, ofWay } from "./panel";
 import type { Trouble } from "./topology";
 import { Viewer } from "./viewer";
@@ -61,11 +61,11 @@ export class Stage {
   show(model: Model): void {
     const before = this.model?.sphere;
     if (this.model?.points.length !== model.points.length)
-      this.viewer.face(model, /\.gii(\.gz)?$|^[lr]h\./.test(model.report.input)); // as neuroimaging has it
+      this.viewer.face(drawable(model), /\.gii(\.gz)?$|^[lr]h\./.test(model.report.input)); // as neuroimaging has it
     this.model = model;
     if (!before || !model.sphere) this.viewer.morph = 0;
     this.viewer.alone = model.way !== undefined;
-    this.viewer.show(model);
+    this.viewer.show(this.drawn());
     if (model.way) this.ends = model.way.names;
     ["from", "to"].forEach((id, i) => (byId(id).textContent = this.ends[i]!));
     this.name();
@@ -96,10 +96,14 @@ export class Stage {
     byId("facts").replaceChildren(...(model.report.vertices == null ? [] : [facts(model.report)]));
   }
 
+  private drawn(): Model {
+    return drawable(this.model!);
+  }
+
   recolour(): Legend | null {
     if (!this.model) return null;
-    const legend = this.viewer.colour(this.model, this.model.sphere ? this.colouring : "plain");
-    byId("colours-of").replaceChildren(...(this.model.sphere ? [legendPanel(this.model, this.colouring)] : []));
+    const legend = this.viewer.colour(this.drawn(), this.model.sphere ? this.colouring : "plain");
+    byId("colours-of").replaceChildren(...(this.model.sphere ? [legendPanel(this.drawn(), this.colouring, legend)] : []));
     return legend;
   }
 
@@ -140,5 +144,6 @@ export class Stage {
     else if (event.key === "m") this.viewer.play();
     else if (event.key === "t") this.switchTheme();
     else if (event.key === "?") byId<HTMLDialogElement>("help").showModal();
+    else if (event.key === "0") this.viewer.resetView();
   }
 }

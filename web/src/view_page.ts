@@ -32,11 +32,11 @@ function read(): Model {
   const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
   let at = 0;
   const scaled = (n: number, [low, step]: Scale) =>
-    Float32Array.from({ length: n }, () => low + step * (bytes[at++]! | (bytes[at++]! << 8)));
+    Float64Array.from({ length: n }, () => low + step * (bytes[at++]! | (bytes[at++]! << 8)));
   const [n, m] = [report?.vertices ?? header.vertices, report?.faces ?? header.faces];
   const planes = header.coordinates.map((scale) => scaled(n, scale));
   const shapes = Array.from({ length: planes.length / 3 }, (_, s) =>
-    Float32Array.from({ length: 3 * n }, (_, i) => planes[3 * s + (i % 3)]![Math.floor(i / 3)]!),
+    Float64Array.from({ length: 3 * n }, (_, i) => planes[3 * s + (i % 3)]![Math.floor(i / 3)]!),
   );
   const ofFaces = () => ({
     stretch: scaled(m, header.stretch),

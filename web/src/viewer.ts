@@ -290,6 +290,7 @@ export class Viewer {
     this.scene.add(this.shape);
     this.pickScene.add(pick);
     this.mark(null);
+    this.onHover(null);
     this.redraw();
   }
 
@@ -762,7 +763,6 @@ export class Viewer {
         "+": () => this.zoomBy(1.15),
         "=": () => this.zoomBy(1.15),
         "-": () => this.zoomBy(1 / 1.15),
-        "0": () => this.resetView(),
       };
       const action = event.ctrlKey || event.metaKey || event.altKey ? undefined : actions[event.key];
       if (!action) return;

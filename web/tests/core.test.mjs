@@ -116,6 +116,50 @@ for (const format of /--format \{(.*)\}/.exec(help)[1].split(","))
 
 for (const file of own) test(`unseen: ${basename(file)}`, () => void compare(file));
 
+test("numbers beyond 32 bits are what they are", () => {
+  const glb = join(folder, "good.glb");
+  execFileSync(tool, ["map", write(folder, "small.off", off(small())), "-o", glb]);
+  const bytes = readFileSync(glb);
+  const size = bytes.readUInt32LE(12);
+  const json = JSON.parse(bytes.toString("utf8", 20, 20 + size));
+  const changed = (change) => {
+    const copy = structuredClone(json);
+    change(copy);
+    const text = Buffer.from(JSON.stringify(copy));
+    const padded = Buffer.concat([text, Buffer.alloc(-text.length & 3, " ")]);
+    const head = Buffer.from(bytes.subarray(0, 20));
+    head.writeUInt32LE(bytes.length - size + padded.length, 8);
+    head.writeUInt32LE(padded.length, 12);
+    return Buffer.concat([head, padded, bytes.subarray(20 + size)]);
+  };
+  for (const [name, change] of Object.entries({
+    offset: (j) => (j.bufferViews[0].byteOffset = 2 ** 32),
+    length: (j) => (j.bufferViews[0].byteLength += 2 ** 32),
+    count: (j) => (j.accessors[0].count = 2 ** 30 + 12),
+    begin: (j) => (j.accessors[0].byteOffset = 2 ** 32 - 8),
+  })) {
+    writeFileSync(join(folder, `${name}.glb`), changed(change));
+    assert.match(compare(join(folder, `${name}.glb`)).error, /cut short/);
+  }
+  const stl = Buffer.alloc(84 + 4 * 50);
+  stl.writeUInt32LE(0x80000004, 80);
+  writeFileSync(join(folder, "over.stl"), stl);
+  assert.match(compare(join(folder, "over.stl")).error, /cut short/);
+});
+
+test("wrong arguments are a TypeError or a RangeError", () => {
+  const mesh = small();
+  const map = (options) => sp.parameterize(mesh.points, mesh.triangles, options);
+  assert.throws(() => map({ method: "balanced", accuracy: Infinity }), RangeError);
+  assert.equal(map({ method: "balanced", iterations: 2 ** 32 }).error_code, "OK");
+  const bytes = new TextEncoder().encode(off(mesh));
+  for (const wrong of [undefined, null, [1, 2], new DataView(bytes.buffer), new Float64Array(2), "OFF"])
+    assert.throws(() => sp.readMesh("a.off", wrong), TypeError);
+  assert.throws(() => sp.readMesh(5, bytes), TypeError);
+  for (const options of [{ triangulat: true }, { triangulate: "yes" }]) assert.throws(() => sp.readMesh("a.off", bytes, options), TypeError);
+  assert.equal(sp.readMesh("a.off", bytes, {}).points.length, mesh.points.length);
+});
+
 test("orientations are exact", async () => {
   copyFileSync(join(web, "build", "core", "core.js"), join(folder, "core.cjs")); // no ES module
   const core = await createRequire(import.meta.url)(join(folder, "core.cjs"))();

@@ -224,6 +224,55 @@ test("downloads can be read again", async () => {
     assert.ok(glb.readUInt32LE(28 + glb.readUInt32LE(12) + indices.byteOffset + 4 * i) < gltf.accessors[0].count);
 });
 
+test("coloured files have the colours that are shown", async () => {
+  const rowsOf = async (colouring) => {
+    await page.check(`#colour-${colouring}`, { force: true });
+    const [file] = await Promise.all([page.waitForEvent("download"), page.click("#save-ply")]);
+    const path = join(folder, file.suggestedFilename());
+    await file.saveAs(path);
+    const [head, rows] = readFileSync(path, "utf8").split("end_header\n");
+    const vertices = Number(/element vertex (\d+)/.exec(head)[1]);
+    return new Set(rows.split("\n").slice(0, vertices).map((row) => row.split(" ").slice(3, 6).join(" ")));
+  };
+  assert.equal((await rowsOf("checker")).size, 2);
+  assert.equal((await rowsOf("plain")).size, 1);
+  // the scale is that of the colours
+  const ends = await page.evaluate(() => {
+    window.page.stage.choose("angle");
+    return [window.page.stage.recolour().high, document.querySelector("#legend .ends span:last-child").textContent];
+  });
+  assert.equal(`${((ends[0] * 180) / Math.PI).toFixed(1)}°`, ends[1]);
+});
+
+test("exponents that cannot be are put right", async () => {
+  await page.selectOption("#method", "balanced");
+  await page.fill("#spring-exponent", "1");
+  await page.locator("#spring-exponent").blur();
+  assert.equal(await page.inputValue("#spring-exponent"), "2");
+  await page.selectOption("#method", "automatic");
+  await page.waitForFunction(() => document.body.dataset.state === "certified", null, { timeout: 60_000 });
+});
+
+test("maps of any size, and flat ones, are drawn", async () => {
+  const tetrahedron = (size, z = size) => `OFF\n4 4 0\n0 0 0\n${size} 0 0\n0 ${size} 0\n0 0 ${z}\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n`;
+  for (const [name, content] of Object.entries({
+    "large.off": tetrahedron("1e200"),
+    "flat.off": "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n",
+  })) {
+    await page.setInputFiles("#file", { name, mimeType: "text/plain", buffer: Buffer.from(content) });
+    await state(name, "certified");
+    assert.ok(await page.isVisible("#save-sphere"));
+  }
+});
+
+test("surfaces that meet in a vertex have no half handles", async () => {
+  const half = (z) => [`1 0 ${z}`, `0 1 ${z}`, `-1 -1 ${z}`].join("\n");
+  const content = `OFF\n7 8 0\n0 0 0\n${half(1)}\n${half(-1)}\n3 0 1 2\n3 0 2 3\n3 0 3 1\n3 1 3 2\n3 0 5 4\n3 0 6 5\n3 0 4 6\n3 4 5 6\n`;
+  await page.setInputFiles("#file", { name: "pinched.off", mimeType: "text/plain", buffer: Buffer.from(content) });
+  await state("pinched.off", "refused");
+  assert.equal(await page.locator("#marked").count(), 0);
+});
+
 test("a download for which there is no memory", async () => {
   await page.evaluate(() => {
     window.createObjectURL = URL.createObjectURL;

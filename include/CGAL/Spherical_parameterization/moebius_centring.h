@@ -4,14 +4,9 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_MOEBIUS_CENTRING_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_MOEBIUS_CENTRING_H
 
-#include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/moebius/Centring.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
-
-#include <boost/property_map/property_map.hpp>
-
-#include <cstddef>
 
 namespace CGAL::Spherical_parameterization {
 
@@ -39,17 +34,12 @@ namespace CGAL::Spherical_parameterization {
 template <class Mesh, class VertexSphereMap, class MassMap, class CentredMap>
 double moebius_centred_map(const Mesh& mesh, VertexSphereMap sphere_map, MassMap mass_map, CentredMap centred)
 {
-  typedef typename boost::property_traits<CentredMap>::value_type Point;
   internal::Host_array<internal::vec3> image = internal::vectors_at(vertices(mesh), sphere_map);
   internal::Host_array<double> mass;
   for(auto v : vertices(mesh))
     mass.push_back(static_cast<double>(get(mass_map, v)));
   const double distance = internal::centre_by_mass(mass, image);
-  std::size_t i = 0;
-  for(auto v : vertices(mesh)) {
-    const internal::vec3 p = image[i++];
-    put(centred, v, Point{p.x, p.y, p.z});
-  }
+  internal::put_vectors(vertices(mesh), image, centred);
   return distance;
 }
 

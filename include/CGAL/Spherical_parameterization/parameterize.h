@@ -20,6 +20,7 @@
 #include <CGAL/tags.h>
 
 #include <cstddef>
+#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -34,7 +35,8 @@ Effort make_effort(const NamedParameters& np)
   Effort effort;
   if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::accuracy_t>::value) {
     const double accuracy = parameters::get_parameter(np, internal_np::accuracy);
-    CGAL_SP_PRECONDITION(accuracy > 0, "the accuracy has to be positive");
+    CGAL_SP_PRECONDITION(accuracy > 0 && accuracy <= (std::numeric_limits<double>::max)(),
+                         "the accuracy has to be positive and finite");
     effort.accuracy = accuracy;
   }
   if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::number_of_iterations_t>::value) {

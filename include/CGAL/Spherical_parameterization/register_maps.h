@@ -113,12 +113,7 @@ Registration_result register_maps(const ExecutionPolicy& policy, const Mapped_me
     };
     const Valid_map map_a = read(a), map_b = read(b);
     const auto store = [&](const Host_array<vec3>& x) {
-      typedef typename boost::property_traits<RegisteredMap>::value_type Point;
-      std::size_t i = 0;
-      for(auto v : vertices(a.mesh)) {
-        put(registered, v, Point{x[i].x, x[i].y, x[i].z});
-        ++i;
-      }
+      put_vectors(vertices(a.mesh), x, registered);
       return vectors_at(vertices(a.mesh), registered);
     };
     result = register_surfaces(loop, map_a, map_b, pairs, method, monitor, store);

@@ -42,7 +42,7 @@ void make_icosphere(int level, Graph& out, VertexSphereMap sphere_map)
   vertex.reserve(icosphere.points.size());
   for(const internal::vec3& p : icosphere.points) {
     vertex.push_back(add_vertex(out));
-    put(sphere_map, vertex.back(), Point(p.x, p.y, p.z));
+    put(sphere_map, vertex.back(), internal::stored_point<Point>(p));
   }
   for(const auto& [a, b, c] : icosphere.triangles)
     CGAL::Euler::add_face(std::array<vertex_descriptor, 3>{vertex[a], vertex[b], vertex[c]}, out);

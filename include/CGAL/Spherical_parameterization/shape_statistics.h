@@ -168,13 +168,11 @@ std::vector<double> left_out_errors(const ExecutionPolicy& policy, const std::ve
                                     const std::vector<double>& weights = {}, int groups = 0,
                                     const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  const int n = static_cast<int>(shapes.size());
-  CGAL_SP_PRECONDITION(n >= 2, "to leave shapes out there have to be two or more");
-  CGAL_SP_PRECONDITION(groups == 0 || (groups >= 2 && groups <= n), "shapes are left out in 2 to n groups");
   internal::Monitor monitor = internal::make_monitor(np);
   const internal::Watched_loop loop(internal::host_loop(policy), monitor);
   const std::vector<double> share = internal::checked_weights(shapes, weights);
-  return internal::errors_of_left_out(loop, internal::shape_set<const double>(shapes, share), groups == 0 ? n : groups);
+  return internal::errors_of_left_out(loop, internal::shape_set<const double>(shapes, share),
+                                      internal::checked_groups(shapes.size(), groups));
 }
 CGAL_SP_ON_ONE_CORE(left_out_errors)
 
@@ -199,12 +197,12 @@ Model_quality model_quality(const ExecutionPolicy& policy, const std::vector<Sha
 {
   CGAL_SP_PRECONDITION(samples >= 2, "specificity needs two samples or more");
   Model_quality result;
-  result.generalization = left_out_errors(policy, shapes, weights, groups, np);
   internal::Monitor monitor = internal::make_monitor(np);
   const internal::Watched_loop loop(internal::host_loop(policy), monitor);
   const std::vector<double> share = internal::checked_weights(shapes, weights);
-  const internal::Principal_components found =
-    internal::principal_components(loop, internal::shape_set<const double>(shapes, share));
+  const auto set = internal::shape_set<const double>(shapes, share);
+  result.generalization = internal::errors_of_left_out(loop, set, internal::checked_groups(shapes.size(), groups));
+  const internal::Principal_components found = internal::principal_components(loop, set);
   result.compactness.push_back(0);
   for(const double deviation : found.deviation)
     result.compactness.push_back(result.compactness.back() +

@@ -126,7 +126,7 @@ void harmonic_synthesis(const ExecutionPolicy& policy, const Harmonic_coefficien
     if constexpr(fields == 1)
       put(vertex_map, v, static_cast<Value>(*x));
     else
-      put(vertex_map, v, Value{x[0], x[1], x[2]});
+      put(vertex_map, v, internal::stored_point<Value>({x[0], x[1], x[2]}));
     x += fields;
   }
 }

@@ -19,6 +19,7 @@
 
 #include <array>
 #include <cstddef>
+#include <type_traits>
 
 namespace CGAL::Spherical_parameterization {
 
@@ -67,12 +68,18 @@ Texture_report texture_coordinates(const ExecutionPolicy& policy, const Triangle
   const internal::Watched_loop watched(loop, monitor);
   watched.advance(0);
   const internal::Texture_layout layout = internal::texture_layout(watched, map, options);
+  const auto stored = [](const internal::vec2& uv) {
+    if constexpr(std::is_constructible_v<UV, double, double>)
+      return UV(uv.x, uv.y);
+    else // std::array
+      return UV{static_cast<typename UV::value_type>(uv.x), static_cast<typename UV::value_type>(uv.y)};
+  };
   std::size_t i = 0;
   for(auto f : faces(mesh)) {
     const std::array<internal::vec2, 3>& uv = layout.uv[i++];
     auto h = halfedge(f, mesh);
     for(int k = 0; k < 3; ++k, h = next(h, mesh))
-      put(uv_map, h, UV(uv[(k + 1) % 3].x, uv[(k + 1) % 3].y)); // corner 0 is the source of the first halfedge
+      put(uv_map, h, stored(uv[(k + 1) % 3])); // corner 0 is the source of the first halfedge
   }
   return layout.report;
 }

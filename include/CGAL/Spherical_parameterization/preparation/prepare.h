@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -139,11 +140,15 @@ Preparation prepare(const Triangle_soup& soup, const Preparation_settings& setti
 /// \param np        optional named parameters: `callback` and `maximum_running_time`, as in `parameterize()`
 /// \pre corners are indices of points, `merge_distance` is not negative, and `alpha` and `offset` are positive
 /// \return the repaired mesh, and what was done
-/// \throws Error if there is no valid face (`EMPTY_MESH`), or it was interrupted (`INTERRUPTED`)
+/// \throws Error if there is no valid face (`EMPTY_MESH`), there are too many (`TOO_LARGE`), or it was interrupted
+/// (`INTERRUPTED`)
 template <class NamedParameters = parameters::Default_named_parameters>
 Preparation prepare(const Triangle_soup& soup, const Preparation_settings& settings = {},
                     const NamedParameters& np = parameters::default_values())
 {
+  constexpr std::size_t most = (std::numeric_limits<int>::max)() / 3;
+  if(soup.points.size() > most || soup.triangles.size() > most)
+    throw internal::Input_error(Error_code::TOO_LARGE, "2^31 / 3 points or triangles at most", "simplify the mesh");
   const int points = static_cast<int>(soup.points.size());
   CGAL_SP_PRECONDITION(std::all_of(soup.triangles.begin(), soup.triangles.end(),
                                    [points](const auto& t) {

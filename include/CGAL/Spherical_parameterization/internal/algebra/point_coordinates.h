@@ -49,7 +49,15 @@ auto first_coordinate(const Point& p)
 }
 /// The type of the coordinates of a point.
 template <class Point>
-using Coordinate_of = decltype(first_coordinate(std::declval<const Point&>()));
+using Coordinate_of = std::decay_t<decltype(first_coordinate(std::declval<const Point&>()))>;
+
+/// A position as points of this type hold it.
+template <class Point>
+Point stored_point(vec3 p)
+{
+  typedef Coordinate_of<Point> FT;
+  return Point{static_cast<FT>(p.x), static_cast<FT>(p.y), static_cast<FT>(p.z)};
+}
 
 /// Whether several threads may read coordinates of this type at once: built-in numbers, unlike lazy exact ones.
 template <class Point>

@@ -107,11 +107,21 @@ private:
         state_ = State::TIME;
       else if(callback_ && !is_silent_ && std::this_thread::get_id() == owner_ && now >= last_call_ + pause) {
         last_call_ = now;
-        if(!callback_(fraction_))
+        if(!ask_callback())
           state_ = State::CALLBACK;
       }
     }
     return !is_interrupted();
+  }
+
+  /// An error that it throws is no answer of the function that asks, which would catch what this package throws itself.
+  bool ask_callback()
+  {
+    try {
+      return callback_(fraction_);
+    } catch(const Input_error& error) {
+      throw Error(error);
+    }
   }
 
   Stopwatch watch_;

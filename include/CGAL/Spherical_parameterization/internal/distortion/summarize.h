@@ -60,7 +60,7 @@ CGAL_SP_INLINE Distribution distribution(const Host_loop& loop, const Host_array
 
   std::vector<double> sample;
   for(int i = 0; i < n; i += 1 + n / most_samples)
-    if(weight[i] > 0)
+    if(weight[i] > 0 && !std::isnan(value[i]))
       sample.push_back(value[i]);
   if(sample.empty())
     sample.push_back(d.min);

@@ -56,14 +56,6 @@ struct Input {
   }
 };
 
-/// A position as points of this type hold it.
-template <class Point>
-Point stored_point(vec3 p)
-{
-  typedef Coordinate_of<Point> FT;
-  return Point{static_cast<FT>(p.x), static_cast<FT>(p.y), static_cast<FT>(p.z)};
-}
-
 /// A coordinate after a number of type FT has held it. It is volatile since g++ 12 takes two such conversions in a row,
 /// of neighbouring coordinates, for nothing when it vectorizes them.
 template <class FT>

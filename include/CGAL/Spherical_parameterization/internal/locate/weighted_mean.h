@@ -28,11 +28,6 @@ Number weighted_mean_of_numbers(const std::array<double, 3>& w, Number x0, Numbe
   return std::clamp<Number>(term(w[0], x0) + term(w[1], x1) + term(w[2], x2), least, largest);
 }
 
-template <class Value>
-struct Is_array_of_three : std::false_type {};
-template <class Number>
-struct Is_array_of_three<std::array<Number, 3>> : std::true_type {};
-
 /// w_0 x_0 + w_1 x_1 + w_2 x_2 of numbers, vectors of any library, or points (which CGAL does not add up). A corner
 /// without weight does not count, even if its value is not finite.
 template <class Value>
@@ -46,13 +41,8 @@ Value weighted_mean(const std::array<double, 3>& w, const Value& x0, const Value
     return static_cast<Value>(w[0] * counted(w[0], x0) + w[1] * counted(w[1], x1) + w[2] * counted(w[2], x2));
   } else {
     const vec3 a = coordinates(x0), b = coordinates(x1), c = coordinates(x2);
-    const vec3 p = {weighted_mean_of_numbers(w, a.x, b.x, c.x), weighted_mean_of_numbers(w, a.y, b.y, c.y),
-                    weighted_mean_of_numbers(w, a.z, b.z, c.z)};
-    if constexpr(Is_array_of_three<Value>::value) {
-      typedef typename Value::value_type Number;
-      return {static_cast<Number>(p.x), static_cast<Number>(p.y), static_cast<Number>(p.z)};
-    } else
-      return Value(p.x, p.y, p.z);
+    return stored_point<Value>({weighted_mean_of_numbers(w, a.x, b.x, c.x), weighted_mean_of_numbers(w, a.y, b.y, c.y),
+                                weighted_mean_of_numbers(w, a.z, b.z, c.z)});
   }
 }
 

@@ -120,12 +120,12 @@ public:
   /// The region of every face, numbered from 0 in the order of their first faces.
   std::vector<int> labels() const
   {
-    std::vector<int> number(parent_.size(), -1), label(region_.size());
+    std::vector<int> number(parent_.size(), -1), label(region_.size()), parent = parent_;
     int next = 0;
     for(std::size_t f = 0; f < region_.size(); ++f) {
       int r = region_[f];
-      while(parent_[r] != r)
-        r = parent_[r];
+      while(parent[r] != r)
+        r = parent[r] = parent[parent[r]]; // shorter for those that follow
       if(number[r] < 0)
         number[r] = next++;
       label[f] = number[r];

@@ -43,7 +43,7 @@ public:
       total += t.area(3 * f);
     area_unit_ = total / (4 * pi);
     std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(4 * t.number_of_halfedges());
+    entries.reserve(std::size_t(4) * t.number_of_halfedges());
     for(int h = 0; h < t.number_of_halfedges(); ++h) {
       const int i = t.origin(h), j = t.target(h);
       mass_[i] += area(h) / 3;

@@ -57,6 +57,8 @@ void dense_spectrum(const Weighted_graph& laplacian, Laplacian_eigenpairs& spect
     for(int j = 0; j < n; ++j)
       a(i, j) += trace * constant * constant * std::sqrt(mass[i] * mass[j]);
   const Eigen::SelfAdjointEigenSolver<Matrix> solver(a);
+  if(solver.info() != Eigen::Success)
+    throw Input_error(Error_code::NOT_CONVERGED, "the eigenfunctions were not found");
   for(int k = 1; k < static_cast<int>(spectrum.number()); ++k) {
     spectrum.value[k] = solver.eigenvalues()[k - 1];
     for(int i = 0; i < n; ++i)

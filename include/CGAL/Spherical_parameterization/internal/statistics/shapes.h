@@ -100,6 +100,15 @@ inline std::vector<double> checked_weights(const std::vector<Harmonic_coefficien
   return {1 / (4 * internal::pi)};
 }
 
+/// The number of groups in which shapes are left out; 0 stands for one by one.
+inline int checked_groups(std::size_t number_of_shapes, int groups)
+{
+  const int n = static_cast<int>(number_of_shapes);
+  CGAL_SP_PRECONDITION(n >= 2, "to leave shapes out there have to be two or more");
+  CGAL_SP_PRECONDITION(groups == 0 || (groups >= 2 && groups <= n), "shapes are left out in 2 to n groups");
+  return groups == 0 ? n : groups;
+}
+
 /// The shapes as arrays: `Number` is double for those that are to be changed, else const double.
 template <class Number, class Shapes>
 Shape_set<Number> shape_set(Shapes& shapes, const std::vector<double>& weights)

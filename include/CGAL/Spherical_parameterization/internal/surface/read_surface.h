@@ -55,6 +55,16 @@ Host_array<vec3> vectors_at(const Range& vertices, VertexMap map)
   return result;
 }
 
+/// Writes vectors into a map of some vertices, as its points hold them.
+template <class Range, class VertexMap>
+void put_vectors(const Range& vertices, const Host_array<vec3>& vectors, VertexMap map)
+{
+  typedef typename boost::property_traits<VertexMap>::value_type Point;
+  auto vector = vectors.begin();
+  for(auto v : vertices)
+    put(map, v, stored_point<Point>(*vector++));
+}
+
 /// The corners of face f: source(h), target(h) and target(next(h)) for h = halfedge(f).
 template <class TriangleMesh, class Number>
 std::array<int, 3> corners_of_face(const TriangleMesh& mesh, const Number& number,

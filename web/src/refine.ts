@@ -26,9 +26,10 @@ export function refined(corners: Uint32Array, sphere: Float32Array): Refined {
       middles.set(key, (m = points.length / 3));
       let sum = [0, 1, 2].map((k) => points[3 * a + k]! + points[3 * b + k]!);
       if (Math.hypot(...sum) < 1e-6) {
-        // opposite ends: any point between them will do
+        // opposite ends: any point between them will do that is opposite to no other one
         const [x, y, z] = points.slice(3 * a, 3 * a + 3) as [number, number, number];
-        sum = Math.abs(x) < 0.6 ? [0, z, -y] : [y, -x, 0];
+        const [p, q, r] = [0.31, 0.59, 0.75];
+        sum = [y * r - z * q, z * p - x * r, x * q - y * p];
       }
       const length = Math.hypot(...sum);
       points.push(...sum.map((x) => x / length));

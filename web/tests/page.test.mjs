@@ -226,7 +226,7 @@ test("downloads can be read again", async () => {
 
 test("coloured files have the colours that are shown", async () => {
   const rowsOf = async (colouring) => {
-    await page.check(`#colour-${colouring}`, { force: true });
+    await page.evaluate((which) => window.page.stage.choose(which), colouring);
     const [file] = await Promise.all([page.waitForEvent("download"), page.click("#save-ply")]);
     const path = join(folder, file.suggestedFilename());
     await file.saveAs(path);
@@ -271,6 +271,8 @@ test("surfaces that meet in a vertex have no half handles", async () => {
   await page.setInputFiles("#file", { name: "pinched.off", mimeType: "text/plain", buffer: Buffer.from(content) });
   await state("pinched.off", "refused");
   assert.equal(await page.locator("#marked").count(), 0);
+  await page.click(`[data-example="${examples[2].file}"]`); // for the tests that follow
+  await state(examples[2].file, "certified");
 });
 
 test("a download for which there is no memory", async () => {

@@ -129,13 +129,11 @@ void harmonics(const Harmonics_options& options, Run& run)
   json["seconds"] = {{"analysis", seconds_analysis}, {"errors", seconds_errors}};
   run.details["harmonics"] = std::move(json);
   stop_if_interrupted(file);
-  if(options.align) {
-    const SP::Harmonic_coefficients aligned = SP::aligned_to_ellipsoid(analysis.coefficients);
-    SP::write_coefficients(*run.out(), aligned, format_of(run.file()));
-    if(run.has("--reconstruct"))
-      points = reconstructed(input, aligned);
-  } else
-    SP::write_coefficients(*run.out(), analysis.coefficients, format_of(run.file()));
+  const SP::Harmonic_coefficients written =
+    options.align ? SP::aligned_to_ellipsoid(analysis.coefficients) : analysis.coefficients;
+  SP::write_coefficients(*run.out(), written, format_of(run.file()));
+  if(options.align && run.has("--reconstruct"))
+    points = reconstructed(input, written);
   run.write("--reconstruct", input.mesh(), points, Surface::SHAPE);
   run.commit();
 

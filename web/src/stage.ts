@@ -21,6 +21,7 @@ export class Stage {
   readonly viewer: Viewer;
   onColouring: (colouring: Colouring) => void = () => {};
   model: Model | null = null;
+  private drawn: Model | null = null; // the same at a size that can be drawn
   colouring: Colouring = "stretch";
   private readonly slider = byId<HTMLInputElement>("morph");
   private ends: [string, string] = ["Mesh", "Sphere"]; // of the slider
@@ -60,12 +61,13 @@ export class Stage {
   /// Shows a mesh, with or without its sphere; the panel says what is known of it.
   show(model: Model): void {
     const before = this.model?.sphere;
+    this.drawn = drawable(model);
     if (this.model?.points.length !== model.points.length)
-      this.viewer.face(drawable(model), /\.gii(\.gz)?$|^[lr]h\./.test(model.report.input)); // as neuroimaging has it
+      this.viewer.face(this.drawn, /\.gii(\.gz)?$|^[lr]h\./.test(model.report.input)); // as neuroimaging has it
     this.model = model;
     if (!before || !model.sphere) this.viewer.morph = 0;
     this.viewer.alone = model.way !== undefined;
-    this.viewer.show(this.drawn());
+    this.viewer.show(this.drawn);
     if (model.way) this.ends = model.way.names;
     ["from", "to"].forEach((id, i) => (byId(id).textContent = this.ends[i]!));
     this.name();
@@ -78,7 +80,7 @@ export class Stage {
 
   /// Nothing is shown, and nothing is said.
   clear(): void {
-    this.model = null;
+    this.model = this.drawn = null;
     this.viewer.clear();
     document.body.classList.remove("has-sphere", "has-mesh");
     for (const id of ["result", "colours-of", "facts"]) byId(id).replaceChildren();
@@ -96,14 +98,10 @@ export class Stage {
     byId("facts").replaceChildren(...(model.report.vertices == null ? [] : [facts(model.report)]));
   }
 
-  private drawn(): Model {
-    return drawable(this.model!);
-  }
-
   recolour(): Legend | null {
-    if (!this.model) return null;
-    const legend = this.viewer.colour(this.drawn(), this.model.sphere ? this.colouring : "plain");
-    byId("colours-of").replaceChildren(...(this.model.sphere ? [legendPanel(this.drawn(), this.colouring, legend)] : []));
+    if (!this.model || !this.drawn) return null;
+    const legend = this.viewer.colour(this.drawn, this.model.sphere ? this.colouring : "plain");
+    byId("colours-of").replaceChildren(...(this.model.sphere ? [legendPanel(this.drawn, this.colouring, legend)] : []));
     return legend;
   }
 

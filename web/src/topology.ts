@@ -135,14 +135,8 @@ export function troublesOf(mesh: Mesh): Trouble[] {
   const size = new Map<number, number>();
   for (const e of edges) size.set(sets.root(e.a), (size.get(sets.root(e.a)) ?? 0) + 1);
   const largest = [...size.keys()].reduce((a, b) => (size.get(b)! > size.get(a)! ? b : a), edges[0]?.a ?? 0);
-  const fans = new Sets(mesh.triangles.length);
-  const corner = (f: number, v: number) => [0, 1, 2].map((k) => 3 * f + k).find((c) => mesh.triangles[c] === v)!;
-  for (const { a, b, faces } of edges)
-    for (const v of [a, b]) if (faces.length === 2) fans.join(corner(faces[0]!, v), corner(faces[1]!, v));
-  const roots = new Set(Array.from(mesh.triangles, (_, c) => fans.root(c)));
-  if (roots.size > new Set(mesh.triangles).size) return troubles; // surfaces that meet in a vertex have no loops to show
   if (size.size > 1) add("component", edges.filter((e) => sets.root(e.a) !== largest), size.size);
-  else if (edges.length > 0 && edges.length <= 1_500_000) {
+  else if (edges.length > 0 && edges.length <= 1_500_000 && !isPinched(mesh, edges)) {
     const loops = handles(mesh, edges, largest);
     if (loops.length > 0)
       troubles.push({
@@ -152,6 +146,14 @@ export function troublesOf(mesh: Mesh): Trouble[] {
       });
   }
   return troubles;
+}
+
+/// Whether parts of a closed surface only touch in a vertex: then it has no loops to show.
+function isPinched(mesh: Mesh, edges: Edge[]): boolean {
+  const fans = new Sets(mesh.triangles.length);
+  const corner = (f: number, v: number) => [0, 1, 2].map((k) => 3 * f + k).find((c) => mesh.triangles[c] === v)!;
+  for (const { a, b, faces } of edges) for (const v of [a, b]) fans.join(corner(faces[0]!, v), corner(faces[1]!, v));
+  return new Set(Array.from(mesh.triangles, (_, c) => fans.root(c))).size > new Set(mesh.triangles).size;
 }
 
 /// In words.

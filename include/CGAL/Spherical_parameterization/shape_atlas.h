@@ -174,9 +174,8 @@ struct Shape_atlas : Atlas_statistics {
 /// \param modes      at most so many
 /// \param np         `callback` and `maximum_running_time` of every step, see \ref pd_calls
 /// \return the atlas
-/// \throws Error `EMPTY_MESH` if there are fewer than two maps that can be registered, `INTERRUPTED`; what is wrong
-/// with
-///               the map of the template
+/// \throws Error `EMPTY_MESH` if there are fewer than two maps that can be registered, `INTERRUPTED`; the codes of
+///               `Spherical_locator` for the map of the template
 template <class ExecutionPolicy, class TriangleMesh, class SphereMap, class PointMap, class CGAL_NP_TEMPLATE_PARAMETERS,
           internal::If_policy<ExecutionPolicy> = 0>
 Shape_atlas

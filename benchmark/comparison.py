@@ -102,15 +102,15 @@ def judge(tool, mesh, sphere, report_file):
 
 
 def cell(row, key):
-    if not row or (row.get(key) is None and row["error"] == "OK"):
+    if not row:
         return "-"
-    if row.get(key) is None:
-        return row["error"] if key != "seconds" else "-"
-    value, flips = row[key], row["flipped_faces"]
+    value, flips = row.get(key), row["flipped_faces"]
+    if flips and key not in ("qc", "seconds"):
+        return f"({flips})"
+    if value is None:
+        return "-" if key == "seconds" or row["error"] == "OK" else row["error"]
     if key == "seconds":
         return f"{value:.2f}" if value < 10 else f"{value:.0f}"
-    if flips and key != "qc":
-        return f"({flips})"
     text = f"{value:.3g}" if value >= 100 or key == "log_area_deviation" else f"{value:.3f}"
     return f"{text} ({flips})" if flips else text
 

@@ -5,6 +5,7 @@
 #include "preparation/points.h"
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::preparation {
@@ -110,13 +111,16 @@ private:
 
 } // namespace
 
-void cut_handles_at_once(Glued_surface& surface)
+void cut_handles_at_once(Glued_surface& surface, const std::function<void()>& go_on)
 {
   for(const int side : Growing_part(surface).open_edges())
     surface.unglue(side);
+  go_on();
   derive_vertices(surface);
-  for(const std::vector<int>& boundary : boundary_cycles(surface))
+  for(const std::vector<int>& boundary : boundary_cycles(surface)) {
+    go_on();
     fill_hole(surface, boundary);
+  }
   derive_vertices(surface);
 }
 

@@ -271,14 +271,8 @@ Faces usable_faces(const Triangle_soup& soup, Gluing_defects& defects)
   faces.number.resize(soup.triangles.size());
   std::iota(faces.number.begin(), faces.number.end(), 0);
 
-  std::vector<bool> is_used(soup.points.size(), false);
-  for(const Triangle& t : faces.triangles)
-    for(const int v : t)
-      is_used[place(v)] = true;
   for(std::size_t v = 0; v < soup.points.size(); ++v)
-    if(!is_used[v])
-      defects.isolated_vertices.add(static_cast<int>(v));
-    else if(!is_finite(soup.points[v]))
+    if(!is_finite(soup.points[v]))
       defects.non_finite_vertices.add(static_cast<int>(v));
 
   Defect of_their_vertices; // noted already
@@ -339,15 +333,16 @@ private:
   /// The way from the origin of `side` to its target; empty if there is none. The side alone is none.
   std::vector<Step> along(int side)
   {
-    constexpr std::size_t most = 200;   // at a vertex; so many are no shape
-    constexpr double rounding = 2.4e-7; // a few units of the last place of a float
+    constexpr std::size_t most = 200;                       // at a vertex; so many are no shape
+    constexpr double rounding = 2.4e-7;                     // a few units of the last place of a float
+    constexpr double least = 1e-6, most_of_rounding = 1e-3; // shares of the side: a hole is no slit, wherever it is
     const int end = gluing_.key(side, 1);
     int at = gluing_.key(side);
     const Point &a = points_[place(at)], edge = minus(points_[place(end)], a);
     const double squared_length = dot(edge, edge);
-    const double tolerance =
-      std::max({distance_, rounding * largest_coordinate(std::array<Point, 2>{a, points_[place(end)]}),
-                1e-6 * std::sqrt(squared_length)});
+    const double length = std::sqrt(squared_length),
+                 rounded = rounding * largest_coordinate(std::array<Point, 2>{a, points_[place(end)]});
+    const double tolerance = std::max({distance_, std::min(rounded, most_of_rounding * length), least * length});
     double t = 0;
     std::vector<Step> steps;
     while(at != end) {
@@ -402,10 +397,13 @@ void turn_round(Glued_surface& surface, const std::vector<bool>& is_turned)
       std::swap(surface.faces[f][1], surface.faces[f][2]);
 }
 
-Glued_surface glue(const Triangle_soup& soup, std::optional<double> merge_distance, Gluing_defects& defects)
+Glued_surface glue(const Triangle_soup& soup, std::optional<double> merge_distance, Gluing_defects& defects,
+                   const std::function<void()>& go_on)
 {
   Gluing gluing(soup.points, usable_faces(soup, defects));
+  go_on();
   gluing.glue_pairs();
+  go_on();
 
   // what is open may be continued by other vertices at the same place
   std::vector<bool> is_open(soup.points.size(), false);
@@ -413,6 +411,7 @@ Glued_surface glue(const Triangle_soup& soup, std::optional<double> merge_distan
     for(const int side : gluing.open_sides())
       is_open[place(gluing.corner(side))] = is_open[place(gluing.corner(side, 1))] = true;
   std::vector<int> key = places(soup.points, is_open, merge_distance.value_or(0));
+  go_on();
   bool is_merged = false;
   for(int v = 0; v < static_cast<int>(key.size()); ++v)
     is_merged = is_merged || key[place(v)] != v;
@@ -433,8 +432,10 @@ Glued_surface glue(const Triangle_soup& soup, std::optional<double> merge_distan
                ? &defects.repeated_faces
                : nullptr;
     });
+    go_on();
     gluing = Gluing(soup.points, std::move(faces));
     gluing.glue_pairs();
+    go_on();
   }
   gluing.identify(std::move(key));
   gluing.for_each_open_edge([&](const std::vector<int>& sides) {
@@ -444,12 +445,16 @@ Glued_surface glue(const Triangle_soup& soup, std::optional<double> merge_distan
       defects.non_manifold_edges.add(gluing.corner(sides[0]));
       if(sides.size() > Gluing::most_compared)
         defects.crowded_edges.add(gluing.corner(sides[0]));
+      go_on();
       gluing.glue_flattest(sides);
     }
   });
+  go_on();
   if(merge_distance)
     Slits(soup.points, *merge_distance, gluing).close(defects.slits);
+  go_on();
   const std::vector<bool> is_reversed = orient(gluing, defects);
+  go_on();
 
   Glued_surface surface;
   surface.points.assign(soup.points.begin(), soup.points.end());
@@ -461,16 +466,21 @@ Glued_surface glue(const Triangle_soup& soup, std::optional<double> merge_distan
   turn_round(surface, is_reversed);
   const std::vector<Triangle> before = surface.faces;
   derive_vertices(surface);
+  go_on();
 
   // those at the same place, but at no common edge, stay what they are
-  std::vector<bool> has_joined(soup.points.size(), false);
+  std::vector<bool> has_face(soup.points.size(), false), has_joined(soup.points.size(), false);
   for(std::size_t f = 0; f < before.size(); ++f)
-    for(std::size_t k = 0; k < 3; ++k)
-      has_joined[place(before[f][k])] =
-        has_joined[place(before[f][k])] || surface.old_vertex[place(surface.faces[f][k])] != before[f][k];
+    for(std::size_t k = 0; k < 3; ++k) {
+      const std::size_t v = place(before[f][k]);
+      has_face[v] = true;
+      has_joined[v] = has_joined[v] || surface.old_vertex[place(surface.faces[f][k])] != before[f][k];
+    }
   for(int v = 0; v < static_cast<int>(has_joined.size()); ++v)
     if(has_joined[place(v)])
       defects.merged_vertices.add(v);
+    else if(!has_face[place(v)] && is_finite(soup.points[place(v)]))
+      defects.isolated_vertices.add(v);
 
   std::vector<bool> is_there(soup.points.size(), false);
   for(const int old : surface.old_vertex) {

@@ -6,6 +6,7 @@
 
 #include <CGAL/Spherical_parameterization/preparation/prepare.h>
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -19,8 +20,10 @@ namespace CGAL::Spherical_parameterization::preparation {
 /// a side on which other faces have vertices are closed by triangles on that line. Then neighbours are turned to the
 /// same side, most faces of a component as they were; where that cannot be done, the surface is cut.
 ///
-/// Vertices and faces keep their order. A mesh without defects is not changed. Complexity: O(n log n).
-Glued_surface glue(const Triangle_soup& soup, std::optional<double> merge_distance, Gluing_defects& defects);
+/// Vertices and faces keep their order. A mesh without defects is not changed. `go_on` is called between steps that
+/// take up to 0.2 s for a million vertices, and may throw. Complexity: O(n log n).
+Glued_surface glue(const Triangle_soup& soup, std::optional<double> merge_distance, Gluing_defects& defects,
+                   const std::function<void()>& go_on);
 
 /// Turns the marked faces round, with the sides where they are glued.
 void turn_round(Glued_surface& surface, const std::vector<bool>& is_turned);

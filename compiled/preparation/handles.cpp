@@ -293,14 +293,16 @@ private:
 /// Finds the loops, the shortest on what the cuts have left.
 class Handle_cutter {
 public:
-  explicit Handle_cutter(Glued_surface& surface)
+  Handle_cutter(Glued_surface& surface, const std::function<void()>& go_on)
     : surface_(surface), search_(surface_), crossings_(surface.number_of_sides(), 0)
   {
     search_.run(0, infinite, [](int, int) { return infinite; });
+    go_on();
     const std::vector<int> to_root = dual_tree(surface_, search_);
     const std::vector<int> edges = remaining_edges(surface, search_, to_root);
     crossings_ = Crossings(surface.number_of_sides(), edges.size());
     for(std::size_t i = 0; i < edges.size(); ++i) {
+      go_on();
       const std::vector<int> loop = search_.loop(edges[i]);
       keep_if_shorter(loop);
       for(const int side : loop)
@@ -436,7 +438,7 @@ int cut_handles(Glued_surface& surface, const std::function<void(const std::vect
   constexpr std::size_t most_words = std::size_t(1) << 26; // of memory
   int cut = 0;
   if(place(handles) * place(surface.number_of_sides()) / 32 < most_words) {
-    Handle_cutter cutter(surface);
+    Handle_cutter cutter(surface, go_on);
     for(; cut < handles; ++cut) {
       const std::vector<int> loop = cutter.shortest_loop(go_on);
       if(loop.empty())
@@ -447,7 +449,7 @@ int cut_handles(Glued_surface& surface, const std::function<void(const std::vect
     derive_vertices(surface);
   }
   if(cut < handles)
-    cut_handles_at_once(surface);
+    cut_handles_at_once(surface, go_on);
   return handles - cut;
 }
 

@@ -49,8 +49,9 @@ int cut_handles(Glued_surface& surface, const std::function<void(const std::vect
 /// A face after the other is added to the part, in the order of their distance in steps. Two sides of an edge are glued
 /// if they are in the same cycle of the boundary, which cuts it in two; if they were in two cycles that would make a
 /// handle, and they stay open for good, since cycles are never joined. Complexity: O(n log n) for all cuts together.
+/// `go_on` is called now and then, and may throw.
 /// \pre the vertices are derived
-void cut_handles_at_once(Glued_surface& surface);
+void cut_handles_at_once(Glued_surface& surface, const std::function<void()>& go_on);
 
 /// The faces whose corners are on a line, exactly.
 std::vector<int> degenerate_faces(const Glued_surface& surface);

@@ -51,7 +51,7 @@ Glued_surface wrapped(const Triangle_soup& soup, Preparation& preparation, const
   if(!(*used.offset > 0 && *used.alpha > 0)) // the defaults, of points that are all at the same place
     throw internal::Input_error(Error_code::EMPTY_MESH, "all points at the same place", "there is nothing to wrap");
   Gluing_defects none;
-  Glued_surface surface = glue(wrap(soup, *used.alpha, *used.offset, go_on), 0, none);
+  Glued_surface surface = glue(wrap(soup, *used.alpha, *used.offset, go_on), 0, none, go_on);
   std::fill(surface.old_vertex.begin(), surface.old_vertex.end(), Glued_surface::none);
   std::fill(surface.old_face.begin(), surface.old_face.end(), Glued_surface::none);
   return surface;
@@ -162,7 +162,8 @@ Preparation prepare_in_unit(const Triangle_soup& soup, const Preparation_setting
 {
   using Components = Preparation_settings::Components;
   Preparation result;
-  Glued_surface surface = glue(soup, settings.merge_distance, result.defects);
+  Glued_surface surface = glue(soup, settings.merge_distance, result.defects, go_on);
+  result.merge_distance = settings.merge_distance.value_or(0);
   if(surface.faces.empty())
     throw internal::Input_error(Error_code::EMPTY_MESH,
                                 "no face that can be used" +
@@ -191,6 +192,7 @@ Preparation prepare_in_unit(const Triangle_soup& soup, const Preparation_setting
     result.parts = separated(surface, result.pieces, piece_of);
 
   for(Glued_surface& part : result.parts) {
+    go_on();
     if(settings.fills_holes) {
       fill_holes(part, result, go_on);
       result.is_filled = true;
@@ -202,7 +204,9 @@ Preparation prepare_in_unit(const Triangle_soup& soup, const Preparation_setting
         part, [&](const std::vector<int>& loop) { result.handles.push_back(loop_of(part, loop)); }, go_on);
       result.is_cut = true;
     }
+    go_on();
     result.split_edges += split_parallel_edges(part);
+    go_on();
     if(settings.removes_degenerate_faces)
       remove_degenerate_faces(part, result);
     std::vector<int> unused;
@@ -270,6 +274,7 @@ Preparation prepare(const Triangle_soup& soup, const Preparation_settings& setti
     scale_if_given(in_unit.wrap->offset, -exponent);
   }
   Preparation result = prepare_in_unit(scaled, in_unit, go_on);
+  result.merge_distance = settings.merge_distance.value_or(0);
   for(Glued_surface& part : result.parts) {
     scale(part.points, exponent);
     for(std::size_t v = 0; v < part.points.size(); ++v) // digits may have been lost where numbers vanish
@@ -299,7 +304,10 @@ std::vector<std::string> sentences(const Preparation& preparation)
   add(lines, defects.isolated_vertices, "removed ", "isolated vertex", "isolated vertices", "", "vertex");
   add(lines, defects.repeated_corners, "removed ", "face", "faces", " with two corners at one vertex", "face");
   add(lines, defects.repeated_faces, "removed ", "repeated face", "repeated faces", "", "face");
-  add(lines, defects.merged_vertices, "merged ", "vertex", "vertices", " at boundaries with others at the same place",
+  const double distance = preparation.merge_distance;
+  add(lines, defects.merged_vertices, "merged ", "vertex", "vertices",
+      " at boundaries with others " +
+        (distance > 0 ? "up to " + internal::to_string(distance) + " apart" : std::string("at the same place")),
       "vertex");
   add(lines, defects.non_manifold_edges, "glued the faces in pairs at ", "non-manifold edge", "non-manifold edges", "",
       "vertex");

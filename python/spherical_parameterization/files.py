@@ -13,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from .arrays import Doubles, Integers, check, check_indices, file_name, index_triples, numbers, vectors
+from .arrays import Doubles, Integers, Sphere, check, check_indices, file_name, index_triples, numbers, unit_vectors, vectors
 from .errors import ErrorCode, MeshError
 
 Path = Union[str, "os.PathLike[str]"]
@@ -189,7 +189,7 @@ def _by_meshio(name: str, triangulate: bool) -> tuple[Doubles, Integers]:
 
 def write_mesh(
     path: Path,
-    points: npt.ArrayLike,
+    points: Sphere,
     triangles: npt.ArrayLike,
     *,
     sphere: bool = False,
@@ -206,7 +206,8 @@ def write_mesh(
     points : array_like (n, 3) of float
     triangles : array_like (m, 3) of int
     sphere : bool
-        Whether the points are a map. GIFTI and FreeSurfer files then get spheres of radius 100, as neuroimaging programs expect.
+        Whether the points are a map. They are then written on the unit sphere, and to GIFTI and FreeSurfer files on one of radius 100,
+        as neuroimaging programs expect.
     ascii : bool
         Whether to write PLY, VTK and VTP as text.
     like : str or path, optional
@@ -224,7 +225,7 @@ def write_mesh(
         If the file cannot be written.
     """
     check(write_mesh, locals())
-    points, triangles = vectors("points", points), index_triples(triangles)
+    points, triangles = (unit_vectors if sphere else vectors)("points", points), index_triples(triangles)
     check_indices(triangles, len(points))
     annotated = b"" if like is None else file_name("like", like)
     _core.write_mesh(file_name("path", path), points, triangles, sphere, ascii, annotated, _for_core(data, len(points)))

@@ -25,7 +25,7 @@ class RegisteredMap(OneLine):
     start: str  #: the start: "spectrum", or a rotation by "landmarks", "coordinates" or "features"
     margin: float  #: how much worse the best other candidate is, as a logarithm: from -0.1, if its map fits worse, to infinity, if there is none
     signature_difference: float  #: mean difference of the signatures of corresponding points, from 0 to 1; about 0.03 between poses of one body
-    trust: str  #: the verdict from margin and signature_difference: "sure", "unsure", "unlike" (shapes), or "unknown" without the spectrum
+    trust: str  #: the verdict from margin, signature_difference and stretching: "sure", "unsure", "unlike" (shapes), or "unknown" without the spectrum
     rotation: Doubles  #: (3, 3), the rotation of the first map at the start
     mismatch_before: float  #: root mean square difference of the features on the finest level, after the rotation
     mismatch: float  #: the same at the end

@@ -15,7 +15,7 @@
 struct Watch {
   py::object progress = py::none(); ///< or a callable
   bool was_ctrl_c = false;
-  std::chrono::steady_clock::time_point last = std::chrono::steady_clock::now();
+  std::chrono::steady_clock::time_point last; ///< long ago: the first call asks
 
   bool operator()(double fraction)
   {

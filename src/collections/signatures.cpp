@@ -32,18 +32,16 @@ bool has_map(Error_code code)
 }
 
 /// Fills `row` but for its name. Throws.
-void sign(const std::string& file, bool mends, Signature_row& row)
+void sign(const std::string& file, bool mends, std::optional<Prepared_mesh>& prepared, Signature_row& row)
 {
   row.version = version_with_hash(file);
   row.mending = mends ? Mending::NOTHING_TO_DO : Mending::NOT_ASKED;
-  std::optional<Prepared_mesh> prepared;
   const Mesh mesh =
     (mends ? read_prepared_mesh(file, Prepare::ALL, prepared)
            : read_mesh(file, Polygons::REFUSE, "--prepare does it", "triangulate the mesh, or use --prepare"))
       .mesh;
   if(was_mended(prepared))
     row.mending = Mending::DONE;
-  prepared.reset();
   row.vertices = mesh.number_of_vertices();
   Mapping_options options;
   options.method = "balanced";
@@ -99,7 +97,7 @@ void write_csv(std::ostream& out, const Signature_row& row)
 
 } // namespace
 
-std::optional<Signature_row> sign_mesh(const std::string& file, bool mends)
+std::optional<Signature_row> sign_mesh(const std::string& file, bool mends, std::optional<Prepared_mesh>& prepared)
 {
   Signature_row row;
   row.name = file;
@@ -110,7 +108,7 @@ std::optional<Signature_row> sign_mesh(const std::string& file, bool mends)
     row.map.clear();
   };
   try {
-    sign(file, mends, row);
+    sign(file, mends, prepared, row);
     row.status = "OK";
   } catch(const Refusal& refusal) {
     fail(refusal);
@@ -137,7 +135,8 @@ Batch_summary update_index(const std::vector<std::string>& meshes, const std::st
   {
     Progress_bar bar("signatures");
     compute_in_parallel(missing.size(), threads, [&](std::size_t i) -> Store {
-      const std::optional<Signature_row> row = sign_mesh(missing[i], mends);
+      std::optional<Prepared_mesh> prepared;
+      const std::optional<Signature_row> row = sign_mesh(missing[i], mends, prepared);
       if(!row)
         return nullptr;
       return [&index, &finished, &bar, &meshes, row] {

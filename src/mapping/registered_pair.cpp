@@ -190,7 +190,9 @@ void add_registration_options(Options& all, Registration_options& options)
   all.add(
     "--landmarks", options.landmarks,
     "Text file of corresponding vertices: a line 'vertex-of-A vertex-of-B' for each pair, numbered from 0. They are "
-    "moved onto each other where this flips no face; three or more pairs also determine the rotation of the sphere");
+    "moved onto each other where this flips no face. With --motion rotation or moebius, three or more pairs also "
+    "determine "
+    "the rotation of the sphere");
   all
     .add("--motion", options.motion,
          "How the map of A may be moved: rotation, moebius (for conformal maps), or deformation")
@@ -360,8 +362,8 @@ nlohmann::ordered_json registration_json(const Registration_options& options, co
           {"iterations", r.iterations},
           {"mismatch_before", of_deformation(r.mismatch_before)},
           {"mismatch", of_deformation(r.mismatch)},
-          {"stretching", r.stretching},
-          {"distortion", r.distortion},
+          {"stretching", of_deformation(r.stretching)},
+          {"distortion", of_deformation(r.distortion)},
           {"change_of_lengths", pair.changes.factor.median},
           {"share_of_large_changes", pair.changes.share_of_large},
           {"largest_landmark_distance", r.largest_landmark_distance},

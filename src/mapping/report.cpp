@@ -97,6 +97,8 @@ Json settings_of(Mapping_options options, const SP::Result& result)
   for(const Option& option : all)
     if(const Json value = option.json(); value.is_null() || all.is_of_use(option))
       json[boost::replace_all_copy(option.name().substr(2), "-", "_")] = value;
+  if(options.method == "isometric")
+    json.erase("weights");
   return json;
 }
 

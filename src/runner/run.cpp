@@ -83,6 +83,8 @@ void Run::write_report()
     json = report_json(options, input, figures);
   else
     json = {{"version", SPHERICAL_PARAMETERIZATION_VERSION}, {"input", options.input}, {"settings", given}};
+  if(input.prepared)
+    json["preparation"] = sentences(input.prepared->preparation);
   if(options.input.empty())
     json.erase("input");
   if(!details.is_null())

@@ -9,6 +9,8 @@
 #include <CGAL/Spherical_parameterization/distortion_summary.h>
 
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <sstream>
 
 namespace tool {
@@ -33,12 +35,12 @@ void say_radius(std::ostream& out, const std::string& file, const Given_sphere& 
         << " of the origin, from which they are projected to the sphere\n";
 }
 
-void say_distortion(std::ostream& out, const SP::Distortion_summary& d, bool has_flipped_faces)
+void say_distortion(std::ostream& out, const SP::Distortion_summary& d)
 {
   constexpr double degrees = 57.295779513082321;
   out << "angle distortion: mean " << degrees * d.angle_distortion.mean << " degrees, 95 % of the area below "
       << degrees * d.angle_distortion.percentile_95;
-  if(!has_flipped_faces) // whose areas are negative
+  if(!std::isnan(d.log_area_stretch.mean))
     out << "\narea shrinks by factors from " << std::exp(d.log_area_stretch.percentile_5) << " to "
         << std::exp(d.log_area_stretch.percentile_95) << " (90 % of the area)";
 }
@@ -56,13 +58,20 @@ void certify(Run& run)
     return tool::certify(input.data.policy, input.mesh(), points);
   };
   input.result = certified(sphere.points);
-  input.result.seconds.certify = certifying.seconds();
   const bool is_mirrored = input.result.degree == -1;
   // the measures are of maps that keep the orientation
   input.sphere = is_mirrored ? mirror_image(sphere.on_unit_sphere) : sphere.on_unit_sphere;
+  const std::size_t flipped =
+    is_mirrored ? certified(mirror_image(sphere.points)).flipped_faces : input.result.flipped_faces;
+  input.result.seconds.certify = certifying.seconds();
   const Stopwatch measuring;
   run.figures.distortion = on_host(
     input, [&](const auto& policy) { return SP::distortion_summary(policy, input.mesh(), as_map(input.sphere)); });
+  if(flipped > 0) { // their areas on the sphere are negative
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    run.figures.distortion->log_area_stretch =
+      run.figures.distortion->spherical_symmetric_dirichlet = {none, none, none, none, none, none, none, none, none};
+  }
   run.figures.seconds_measure = measuring.seconds();
   stop_if_interrupted(run.options.input);
 
@@ -77,17 +86,15 @@ void certify(Run& run)
                          : "no valid ")
        << certificate.str() << '\n';
   say_radius(text, shown(run.options.sphere, "standard input"), sphere);
-  say_distortion(text, *run.figures.distortion, !is_mirrored && result.flipped_faces > 0);
+  say_distortion(text, *run.figures.distortion);
   run.text = text.str();
   run.line = "valid " + certificate.str() + ", " + std::to_string(result.number_of_vertices) + " vertices";
-  if(is_mirrored) {
-    const std::size_t left = certified(mirror_image(sphere.points)).flipped_faces;
+  if(is_mirrored)
     throw Refusal("MIRRORED", run.options.sphere,
                   std::string("is a mirror image, ") +
-                    (left == 0 ? std::string("otherwise a valid spherical map")
-                               : "and its mirror image has " + std::to_string(left) + " flipped faces"),
+                    (flipped == 0 ? std::string("otherwise a valid spherical map")
+                                  : "and its mirror image has " + std::to_string(flipped) + " flipped faces"),
                   "negate one coordinate of the sphere, or reverse the faces of the mesh");
-  }
   if(!result)
     throw Refusal(result.error, run.options.sphere, "is no valid spherical map: " + result.detail, "");
 }

@@ -118,7 +118,7 @@ void resample(const Resample_options& options, Run& run)
                              {"distance", loss.distance},
                              {"bounding_box", loss.bounding_box}};
   run.commit();
-  const std::string& method = run.input.result.method;
+  const std::string& method = run.input.result.method; // empty: the map was given
   std::ostringstream line;
   line.precision(2);
   line << out.number_of_vertices() << " vertices, " << out.number_of_faces() << " faces; " << method
@@ -126,8 +126,10 @@ void resample(const Resample_options& options, Run& run)
        << " % of its diagonal, the bounding box has lost " << 100 * loss.bounding_box << " %";
   if(loss.distance > largest_distance || loss.bounding_box > largest_loss_of_box)
     line << "; parts that are small on the sphere are lost: try "
-         << (method == "isometric" ? "a larger --area-exponent" : "--method isometric") << " or a "
-         << (options.sphere.empty() ? "larger --level" : "finer sphere");
+         << (method.empty()          ? "a map of less distortion"
+             : method == "isometric" ? "a larger --area-exponent"
+                                     : "--method isometric")
+         << " or a " << (options.sphere.empty() ? "larger --level" : "finer sphere");
   run.line = line.str();
   run.text = preparation_text(run.name_of_input(), run.input.prepared) + run.name_of_output() + ": " + run.line;
 }

@@ -193,7 +193,7 @@ void search(const Search_options& options, Run& run)
     refuse_file(options.index, "is not an index, and " + file + " does not exist",
                 "write it with the command 'signature'");
   const Shape_index index(file, Database::Access::READ); // before the work
-  const std::optional<Signature_row> row = sign_mesh(query, run.options.prepare != Prepare::NO);
+  const std::optional<Signature_row> row = sign_mesh(query, run.options.prepare != Prepare::NO, run.input.prepared);
   if(!row)
     throw Refusal(Error_code::INTERRUPTED, query, "interrupted", "");
   if(!row->signature)
@@ -214,8 +214,9 @@ void search(const Search_options& options, Run& run)
   if(!options.picture.empty())
     write_picture(hits, options.picture, run);
   std::ostringstream text;
-  text << "distance  " << (options.by_form ? "   form  relevance  " : "")
-       << (has_comparisons ? "difference   alike  " : "") << "name" << std::fixed;
+  text << preparation_text(run.name_of_input(), run.input.prepared) << "distance  "
+       << (options.by_form ? "   form  relevance  " : "") << (has_comparisons ? "difference   alike  " : "") << "name"
+       << std::fixed;
   for(const auto& [distance, name, form, comparison, refusal] : hits) {
     nlohmann::ordered_json found = {{"distance", distance}, {"name", name}};
     text << '\n' << std::setw(8) << std::setprecision(4) << distance << "  ";

@@ -20,11 +20,6 @@ namespace {
 
 using Vertex = Mesh::Vertex_index;
 
-Readable_map<Vertex, Point> on(const Sphere& sphere)
-{
-  return {[&](const Vertex& v) { return sphere[v]; }};
-}
-
 Point opposite(const Point& p) { return Point(-p.x(), -p.y(), -p.z()); }
 
 /// Pulled towards the poles.

@@ -76,11 +76,6 @@ Expected expected(const Soup& soup, const Sphere& sphere)
   return result;
 }
 
-Readable_map<Vertex, Point> on(const Sphere& sphere)
-{
-  return {[&](const Vertex& v) { return sphere[v]; }};
-}
-
 } // namespace
 
 TEST_CASE("dilatation, symmetric Dirichlet energy and angles against a decomposition", "[measures]")
@@ -274,6 +269,17 @@ TEST_CASE("faces without area do not count", "[measures]")
   std::map<Face, double> dilatation;
   CHECK(SP::face_dilatation(mesh, on(sphere), Writable_map<Face, double>{&dilatation}).second ==
         std::numeric_limits<double>::infinity());
+}
+
+TEST_CASE("faces count, however small they are beside the others", "[measures]")
+{
+  const Soup sphere = icosphere(3);
+  const Mesh mesh = make_mesh(transformed(sphere, [](const Point& p) { // the lower half round the origin
+    return p.z() > 0 ? p : Point(1e-18 * p.x(), 1e-18 * p.y(), 1e-18 * p.z());
+  }));
+  const SP::Distortion_summary s = SP::distortion_summary(mesh, on(sphere.points));
+  CHECK(s.degenerate_faces == 0);
+  CHECK(s.dilatation.min == Approx(1).epsilon(0.1));
 }
 
 TEST_CASE("means over faces: a vertex without faces, and a boundary, are errors", "[measures]")

@@ -4,6 +4,8 @@
 #ifndef TEST_HELPERS_PROPERTY_MAPS_H
 #define TEST_HELPERS_PROPERTY_MAPS_H
 
+#include "helpers/soup.h"
+
 #include <boost/property_map/property_map.hpp>
 
 #include <functional>
@@ -22,6 +24,12 @@ struct Readable_map {
 
   friend Value get(const Readable_map& map, const Key& key) { return map.value_of(key); }
 };
+
+/// A sphere as a map of the vertices of a `Mesh`; has to outlive it.
+inline Readable_map<Mesh::Vertex_index, Point> on(const Sphere& sphere)
+{
+  return {[&](const Mesh::Vertex_index& v) { return sphere[v]; }};
+}
 
 /// Writable: put() alone. `Value` needs no default constructor.
 template <class Key, class Value>

@@ -4,8 +4,10 @@
 
 #include "helpers/certificate.h"
 #include "helpers/meshes.h"
+#include "helpers/property_maps.h"
 #include "helpers/solve.h"
 
+#include <CGAL/Spherical_parameterization/distortion_summary.h>
 #include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
 
 #include <catch2/catch.hpp>
@@ -166,6 +168,16 @@ TEST_CASE("the isometric energy is the one that is reported", "[isometric]")
   const Result result = solve(soup, sphere, isometric());
   CHECK(result.energy == Approx(measure(soup, sphere).symmetric_dirichlet).epsilon(1e-3));
   CHECK(result.smallest_edge > 1e9);
+}
+
+TEST_CASE("the energy is that of the map that is stored, in the scale that fits it", "[isometric]")
+{
+  const Soup soup = GENERATE(flat_octahedron(2), ellipsoid(1, 2, 8, 2), bumpy_sphere(3));
+  Sphere sphere;
+  const Result result = solve(soup, sphere, isometric());
+  const Mesh mesh = make_mesh(soup);
+  CHECK(result.energy ==
+        Approx(SP::distortion_summary(mesh, on(sphere)).spherical_symmetric_dirichlet.mean).epsilon(1e-5));
 }
 
 TEST_CASE("scaling by a power of two, and exact translations, leave isometric maps as they are", "[isometric]")

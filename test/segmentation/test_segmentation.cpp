@@ -34,11 +34,6 @@ using Method = std::variant<SP::Majority_vote, SP::Girth_profiles, SP::Region_gr
 
 const std::vector<Method> all_methods = {SP::Majority_vote(), SP::Girth_profiles(), SP::Region_growing()};
 
-Readable_map<Vertex, Point> on(const Sphere& sphere)
-{
-  return {[&](const Vertex& v) { return sphere[v]; }};
-}
-
 SP::Segment_limits& limits(Method& method)
 {
   return std::visit([](auto& m) -> SP::Segment_limits& { return m; }, method);

@@ -138,4 +138,9 @@ TEST_CASE("relevance: few shapes, and copies", "[signature][form]")
   const std::vector<double> relevance = SP::relevance_of_shapes(shapes_at(places));
   CHECK(relevance[10] > relevance[11]);
   CHECK(relevance[11] > 0);
+  for(std::size_t i = 0; i < 10; ++i)
+    places[i] = 1e-13 * double(i); // copies but for rounding
+  const std::vector<double> rounded = SP::relevance_of_shapes(shapes_at(places));
+  for(std::size_t i = 0; i < places.size(); ++i)
+    CHECK(rounded[i] == Approx(relevance[i]).epsilon(1e-6));
 }

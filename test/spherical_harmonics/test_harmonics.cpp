@@ -211,6 +211,35 @@ TEST_CASE("least squares find spheres, moved spheres and ellipsoids", "[harmonic
   CHECK(difference(found.coefficients, expected) < 1e-10);
 }
 
+TEST_CASE("far from the origin harmonics keep their digits", "[harmonics]")
+{
+  const Coefficients c = random_coefficients(6, 1, 7);
+  const auto bump = [&c](const Point& p) {
+    double sum = 0;
+    for(int l = 0; l <= 6; ++l)
+      for(int m = -l; m <= l; ++m)
+        sum += c(l, m) * harmonic(l, m, {p.x(), p.y(), p.z()});
+    return sum;
+  };
+  const auto check = [&](const auto& method) {
+    const auto analysis = [&](double shift) {
+      const Sphere_with_points shape(3, [&](const Point& p) { // of 2^-20, so that nothing is rounded
+        return Point(std::nearbyint(std::ldexp(bump(p), 20)) / std::ldexp(1, 20) + shift, p.y() - shift, p.z());
+      });
+      Coefficients found = SP::harmonic_analysis(shape.mesh, shape.mesh.points(), shape.map(), 8, method,
+                                                 CGAL::parameters::vertex_point_map(shape.map()))
+                             .coefficients;
+      CHECK(found(0, 0, 0) / std::sqrt(4 * pi) == Approx(shift).margin(2));
+      for(int k = 0; k < 3; ++k)
+        found(0, 0, k) = 0;
+      return found;
+    };
+    CHECK(difference(analysis(0), analysis(1 << 30)) < 1e-12);
+  };
+  check(SP::Least_squares());
+  check(SP::Integration());
+}
+
 TEST_CASE("least squares give back what was synthesized at vertices, and synthesis what was analyzed", "[harmonics]")
 {
   const Mesh mesh = make_mesh(icosphere(5));

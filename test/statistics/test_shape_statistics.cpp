@@ -595,6 +595,25 @@ TEST_CASE("an atlas is that of any FaceGraph", "[statistics]")
   CHECK((atlas.statistics.modes == other.statistics.modes));
 }
 
+TEST_CASE("without sizes, a shape of any size tells the others how to turn alike", "[statistics]")
+{
+  const SP::Atlas_mesh atlas = SP::icosphere_of_atlas(2);
+  Shapes small;
+  for(double c : {1.3, 1.8, 2.1})
+    small.push_back(points_of(ellipsoid(1, c * c / 2, c, 2)));
+  Shapes large = small;
+  for(auto& p : large[1])
+    for(double& x : p)
+      x *= 128;
+  const auto ratios = [&](Shapes& shapes) {
+    const auto motions = SP::place_shapes(one_core, atlas, shapes, SP::Atlas_placement::SIMILARITY).motions;
+    return std::array<double, 2>{motions[0].scale / motions[2].scale, shapes[0][5][0] / shapes[2][7][2]};
+  };
+  const auto before = ratios(small), after = ratios(large);
+  CHECK(after[0] == Approx(before[0]).epsilon(1e-9));
+  CHECK(after[1] == Approx(before[1]).epsilon(1e-9));
+}
+
 TEST_CASE("coefficients that are not finite are no shapes", "[statistics]")
 {
   std::vector<Coefficients> shapes(3, Coefficients(2, 3));

@@ -106,9 +106,12 @@ TEST_CASE("every face has a counter-clockwise uv triangle", "[texture]")
       }
       const Texture t = texture(map, o);
       CAPTURE(map.name, bits, seed, t.report.moved_faces, t.report.largest_move);
-      std::size_t flipped = 0, outside = 0, off_grid = 0;
+      std::size_t flipped = 0, outside = 0, off_grid = 0, across = 0;
       for(const Triangle& uv : t.triangles) {
         flipped += exact_orientation(uv[0], uv[1], uv[2]) != CGAL::LEFT_TURN;
+        across += std::any_of(uv.begin(), uv.end(), [](const Point_2& p) {
+          return (std::min)(p.x(), p.y()) < 0 || (std::max)(p.x(), p.y()) > 1;
+        });
         for(const Point_2& p : uv) {
           const bool is_inside = chart == Texture_chart::LATITUDE_LONGITUDE
                                    ? p.x() >= 0 && p.x() < 2 && p.y() >= 0 && p.y() <= 1
@@ -122,6 +125,7 @@ TEST_CASE("every face has a counter-clockwise uv triangle", "[texture]")
       CHECK(flipped == 0);
       CHECK(outside == 0);
       CHECK(off_grid == 0);
+      CHECK(across == t.report.seam_faces);
     }
 }
 

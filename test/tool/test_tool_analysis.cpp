@@ -389,7 +389,8 @@ TEST_CASE("register: one mesh in the shape of another, whose sphere is turned", 
   }
   const auto report = nlohmann::json::parse(text_of(scratch / "report.json"));
   CHECK(report["motion"] == motion);
-  CHECK(report["mismatch"].is_null() == (motion != "deformation")); // it is computed only there
+  for(const char* figure : {"mismatch", "stretching", "distortion"}) // computed only there
+    CHECK(report[figure].is_null() == (motion != "deformation"));
   CHECK(report["flipped_faces"] == 0);
   CHECK(report["degree"] == 1);
 }
@@ -867,6 +868,9 @@ TEST_CASE("certify: what is no valid map is named", "[tool]")
   CHECK(certified.report["flipped_faces"] == flipped);
   CHECK(certified.report["degree"] == degree);
   CHECK(certified.report["error_code"] == (degree == -1 ? "MIRRORED" : "NOT_BIJECTIVE"));
+  // areas of flipped faces are negative; the mirror image has none
+  CHECK(certified.report["distortion"]["log_area_stretch"]["mean"].is_null() == (degree != -1));
+  CHECK(certified.report["distortion"]["angle_distortion"]["mean"].is_number());
 }
 
 TEST_CASE("certify: a point without direction is refused", "[tool]")

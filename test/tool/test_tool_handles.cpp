@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -26,7 +27,7 @@ preparation::Glued_surface glued(const test::Soup& mesh)
   for(const auto& face : mesh.faces)
     soup.triangles.push_back({int(face[0]), int(face[1]), int(face[2])});
   preparation::Gluing_defects none;
-  return preparation::glue(soup, 0, none);
+  return preparation::glue(soup, 0, none, [] {});
 }
 
 /// Closed, random, with hundreds of handles: both sides of every edge are those of any two triangles.
@@ -61,7 +62,7 @@ TEST_CASE("handles that are cut at once leave a sphere", "[tool][preparation]")
     const int faces = surface.number_of_faces();
     REQUIRE(preparation::components(surface, unused).size() == 1);
     CHECK(preparation::components(surface, unused)[0].genus() >= least_genus);
-    preparation::cut_handles_at_once(surface);
+    preparation::cut_handles_at_once(surface, [] {});
     const auto components = preparation::components(surface, unused);
     REQUIRE(components.size() == 1);
     CHECK(components[0].genus() == 0);
@@ -77,6 +78,38 @@ TEST_CASE("handles that are cut at once leave a sphere", "[tool][preparation]")
   check(glued(test::bumpy_sphere(2)), 0);
   check(random_surface(2), 0);
   check(random_surface(3000), 200);
+}
+
+TEST_CASE("gluing and cutting can be stopped wherever they ask", "[tool][preparation]")
+{
+  const test::Soup torus = test::torus(16, 8);
+  preparation::Wrapping soup;
+  for(const test::Point& p : torus.points)
+    soup.points.push_back({p.x(), p.y(), p.z()});
+  for(const auto& face : torus.faces)
+    soup.triangles.push_back({int(face[0]), int(face[1]), int(face[2])});
+  const auto check = [](const auto& work, int least) { // work(go_on) asks so often
+    int all = 0;
+    work([&all] { ++all; });
+    CHECK(all >= least);
+    for(int last = 0; last < all; ++last) {
+      int asked = 0;
+      CHECK_THROWS_AS(work([&asked, last] {
+                        if(asked++ == last)
+                          throw last;
+                      }),
+                      int);
+      CHECK(asked == last + 1);
+    }
+  };
+  preparation::Gluing_defects none;
+  check([&](const std::function<void()>& go_on) { preparation::glue(soup, 0, none, go_on); }, 5);
+  check(
+    [&](const std::function<void()>& go_on) {
+      preparation::Glued_surface surface = glued(torus);
+      preparation::cut_handles_at_once(surface, go_on);
+    },
+    2);
 }
 
 TEST_CASE("a hole is filled in the same way wherever memory is", "[tool][preparation]")
@@ -98,7 +131,7 @@ TEST_CASE("a hole is filled in the same way wherever memory is", "[tool][prepara
         soup.triangles.push_back({first, first + 2, first + 3});
       }
   preparation::Gluing_defects defects;
-  const preparation::Glued_surface surface = preparation::glue(soup, 0, defects);
+  const preparation::Glued_surface surface = preparation::glue(soup, 0, defects, [] {});
   auto holes = preparation::boundary_cycles(surface);
   REQUIRE(holes.size() == 1);
   REQUIRE(holes[0].size() == 6 * n);

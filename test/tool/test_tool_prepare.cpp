@@ -245,6 +245,9 @@ std::vector<Broken> broken_meshes()
   soup = ball;
   soup.faces.insert(soup.faces.begin(), {3, 8, 3});
   add("repeated corner", soup, "removed 1 face with two corners at one vertex (face 0)", true);
+  soup.points.push_back(Point(7, 7, 7));
+  soup.faces[0][1] = ball.points.size();
+  add("vertex of a face that is removed", soup, "removed 1 isolated vertex (vertex 162)", true);
   soup = ball;
   for(std::size_t f = 0; f < soup.faces.size(); f += 3)
     std::swap(soup.faces[f][0], soup.faces[f][1]);
@@ -512,8 +515,19 @@ TEST_CASE("prepare: options restrict what is done", "[tool]")
       soup.points[i] = soup.points[i] + 1e-6 * Vector(double(i % 3), double(i % 5), double(i % 7));
     const Prepared prepared(scratch, soup, {"--merge-distance", "1e-4"});
     CHECK(prepared.out.points.size() == icosphere(2).points.size());
+    CHECK(prepared.run.out.find(" with others up to 0.0001 apart") != std::string::npos);
     check_mapped(scratch);
     CHECK(prepared.distance() < 1e-3);
+  }
+  SECTION("a hole is no slit, however far from the origin")
+  {
+    Soup soup = transformed(flat_octahedron(0), [](const Point& p) {
+      return Point(500000 + p.x() / 2, 4500000 + p.y() / 2, 100 + p.z() / 2);
+    });
+    soup.faces.pop_back();
+    const Prepared prepared(scratch, soup, {"--steps", "merge,orient"});
+    CHECK(prepared.out.faces.size() == 7);
+    CHECK(prepared.run.out.find("1 hole") != std::string::npos);
   }
   SECTION("vertices at the same place")
   {

@@ -144,6 +144,20 @@ TEST_CASE("search: the class of the query comes first", "[tool][search]")
   CHECK(first[2].name == found[2].name);
 }
 
+TEST_CASE("search --prepare: says what was repaired", "[tool][search]")
+{
+  Scratch scratch;
+  const std::string index = make_index(scratch), query = write_off(scratch / "open.off", open_sphere(3)),
+                    report = scratch / "report.json";
+  const Process_result run = run_tool({"search", query, "--index", index, "--prepare", "--report", report});
+  CAPTURE(run.out, run.err);
+  REQUIRE(run.exit_code == 0);
+  const std::size_t table = run.out.find("distance  name");
+  CHECK(run.out.substr(0, table).find("open.off: filled 1 hole") != std::string::npos);
+  CHECK(hits(run.out.substr(table)).size() == 8);
+  CHECK(nlohmann::json::parse(text_of(report))["preparation"].size() == 1);
+}
+
 TEST_CASE("search: what is wrong is said in one line", "[tool][search]")
 {
   Scratch scratch;

@@ -58,7 +58,7 @@ Length_changes face_length_changes(const ExecutionPolicy& policy, const Triangle
   const auto loop = internal::host_loop(policy);
   internal::Mapped_surface map =
     internal::read_map(mesh, internal::vertex_points(mesh, np), image_map, internal::Reading::UNCHECKED, loop);
-  internal::scale_to_unit_box(map.image);
+  internal::scale_exactly(map.image);
   const internal::Host_array<double> change = internal::length_changes(loop, map);
   internal::put_values(faces(mesh), change, face_map);
   return internal::summarize_length_changes(loop, map.face_area(loop), change);

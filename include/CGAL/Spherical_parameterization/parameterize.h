@@ -98,7 +98,8 @@ Result run(const ExecutionPolicy& policy, const Method& method, const NamedParam
 /// `INTERRUPTED` and `NOT_BIJECTIVE`: the best one found, if there is one).
 ///
 /// `Result::termination` says why the method ended. It is `CONVERGED` if and only if the residual of the stored map is
-/// within the accuracy. The residual of a valid map may be larger: if vertices were moved to repair faces
+/// within the accuracy, or, where `sphere_map` holds floats, within what their rounding leaves. The residual of a valid
+/// map may be larger: if vertices were moved to repair faces
 /// (`Result::moved_vertices`), or if `Isometric` used up its steps. Calls on different meshes, or on the same mesh with
 /// different maps, may run concurrently.
 ///
@@ -179,8 +180,8 @@ Result run(const ExecutionPolicy& policy, const Method& method, const NamedParam
 ///
 /// Exceptions of the property maps and the callback are passed on.
 ///
-/// Complexity: linear in memory, about 400 bytes per vertex; `Balanced` takes as long as a few hundred applications
-/// of the Laplacian for any number of vertices.
+/// Complexity: linear in memory, about 400 bytes per vertex, `Isometric` 1,000 to 1,500; `Balanced` takes as long as a
+/// few hundred applications of the Laplacian for any number of vertices.
 template <class ExecutionPolicy, class TriangleMesh, class Method, class VertexSphereMap,
           class CGAL_NP_TEMPLATE_PARAMETERS, internal::If_method_for<TriangleMesh, Method> = 0>
 Result parameterize(const ExecutionPolicy& policy, const TriangleMesh& mesh, const Method& method,

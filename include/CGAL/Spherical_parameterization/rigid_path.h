@@ -38,6 +38,7 @@ auto rigid_path(const Points& start, const Points& end)
     return Eigen::Map<const Matrix>(points.begin()->data(), 3, static_cast<Eigen::Index>(points.size()));
   };
   Matrix from = by_columns(start), to = by_columns(end);
+  CGAL_SP_PRECONDITION(from.allFinite() && to.allFinite(), "both ends of a path are finite");
   const Vector from_centre = from.rowwise().mean(), to_centre = to.rowwise().mean();
   from.colwise() -= from_centre;
   to.colwise() -= to_centre;

@@ -19,6 +19,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -114,7 +115,16 @@ Procrustes_alignment place_shapes(const ExecutionPolicy& policy, const Atlas_mes
   Procrustes method;
   method.rotate = placement != Atlas_placement::CENTRED;
   method.scale = placement == Atlas_placement::SIMILARITY;
-  return align_shapes(policy, shapes, method, mean_vertex_areas(policy, atlas.mesh, shapes, np), np);
+  if(!method.scale)
+    return align_shapes(policy, shapes, method, mean_vertex_areas(policy, atlas.mesh, shapes, np), np);
+  std::vector<double> shares(num_vertices(atlas.mesh), 0); // of the area of each shape, whatever its size
+  for(const Shape_points& shape : shapes) {
+    const std::vector<double> area = mean_vertex_areas(policy, atlas.mesh, {shape}, np);
+    const double all = std::accumulate(area.begin(), area.end(), 0.);
+    for(std::size_t v = 0; v < area.size() && all > 0; ++v)
+      shares[v] += area[v] / all;
+  }
+  return align_shapes(policy, shapes, method, shares, np);
 }
 CGAL_SP_ON_ONE_CORE(place_shapes)
 

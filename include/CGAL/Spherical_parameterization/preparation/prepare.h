@@ -39,7 +39,7 @@ struct Defect {
 /// the removal of non-finite vertices and, with a distance, merging.
 struct Gluing_defects {
   Defect non_finite_vertices;   ///< removed, with their faces
-  Defect isolated_vertices;     ///< removed
+  Defect isolated_vertices;     ///< without a face that is left; removed
   Defect repeated_corners;      ///< faces with a vertex twice, removed
   Defect repeated_faces;        ///< faces with the same vertices as another, removed
   Defect merged_vertices;       ///< boundary vertices at the position of another one
@@ -105,6 +105,7 @@ struct Preparation {
   /// several are cut.
   std::vector<Glued_surface> parts;
   Gluing_defects defects;         ///< defects of the triangles
+  double merge_distance = 0;      ///< up to which boundary vertices were merged
   std::vector<Piece> pieces;      ///< the components of the mesh, the largest first
   std::vector<int> piece_of_face; ///< by face of the file: its index in `pieces`; -1 if it was removed, or all wrapped
   std::vector<Loop> holes;        ///< holes of the kept components, the longest first

@@ -18,7 +18,7 @@ namespace CGAL::Spherical_parameterization {
 /// \addtogroup PkgSphericalParameterizationHarmonics
 /// @{
 
-/// The largest degree of spherical harmonics; more coefficients exceed 32-bit integers.
+/// The largest degree of spherical harmonics.
 constexpr int largest_harmonic_degree = 16383;
 
 /// The coefficients of functions on the sphere (one, or more of the same degree: the coordinates of a shape are three)

@@ -83,8 +83,10 @@ struct Registration_result {
   double mismatch_before = 0; ///< root mean square difference of the features of the rotated map, on the finest level
                               ///< that was reached; 0 if the call ended before the deformation
   double mismatch = 0;        ///< the same of the registered map
-  double distortion = 4;      ///< mean symmetric Dirichlet energy of the deformation of the sphere; 4: none
-  double stretching = 0;      ///< mean stretching of the first surface onto the second; 4: none. 0: not deformed
+  double distortion = 4; ///< mean symmetric Dirichlet energy of the deformation of the sphere, by determinants; 4: none
+  /// Mean symmetric Dirichlet energy of the first surface onto the second: 4: none; 0: not deformed. Determinants below
+  /// 0.2 count as that, and faces stretched more than 30 times do not count: those that fold over a limb.
+  double stretching = 0;
   double largest_landmark_distance = 0; ///< of two corresponding landmarks, in radians
   /// @}
   std::size_t iterations = 0; ///< of all levels together

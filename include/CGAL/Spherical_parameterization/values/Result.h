@@ -20,7 +20,7 @@ namespace CGAL::Spherical_parameterization {
 
 /// Why a method ended.
 enum class Termination {
-  CONVERGED,  ///< the residual of the map that is stored is within the accuracy
+  CONVERGED,  ///< the residual of the map that is stored is within the accuracy, or what rounding to floats leaves
   ITERATIONS, ///< all iterations were made
   TIME,       ///< the time limit was reached
   CALLBACK,   ///< the callback returned `false`
@@ -76,7 +76,7 @@ struct Result {
   std::size_t start_iterations = 0;       ///< iterations for the start map, on all coarse levels together
   std::size_t iterations = 0;             ///< iterations of the method: descent steps, or saddle-point problems solved
   std::size_t sweeps = 0;                 ///< Jacobi or Gauss-Seidel sweeps (saddle-point method; else 0)
-  /// Wall-clock time of each phase, in seconds. The phases add up to the total.
+  /// Wall-clock time of each phase, in seconds. The phases add up to the total, within a few percent.
   struct Seconds {
     double read = 0;      ///< reading the mesh into arrays, with all checks of the input
     double weights = 0;   ///< edge weights; for conformal weights with the Delaunay triangulation

@@ -137,18 +137,19 @@ CGAL_SP_INLINE Weighted_graph stiffening_springs(const Host_loop& loop, const Pr
 }
 
 /// The quadratic springs that pull like `springs` at v, with the energy densities on the diagonal: the preconditioner.
-inline Weighted_graph springs_at(const Weighted_graph& springs, double exponent, const Host_array<vec3>& v,
-                                 const std::vector<char>& is_fixed)
+template <class Loop>
+Weighted_graph springs_at(const Loop& loop, const Weighted_graph& springs, double exponent, const Host_array<vec3>& v,
+                          const std::vector<char>& is_fixed)
 {
   Weighted_graph result = springs;
   result.excess.resize(springs.size());
-  for(int i = 0; i < springs.size(); ++i) {
+  for_each_index(loop, springs.size(), [&](int i) {
     result.excess[i] = spring_density(i, springs.view(), exponent, v.data());
     for(int k = springs.offset[i]; k < springs.offset[i + 1]; ++k) {
       const vec3 e = sub(v[i], v[springs.target[k]]);
       result.weight[k] = spring_weight(springs.weight[k], inner(e, e), exponent);
     }
-  }
+  });
   result.update_diagonal(is_fixed);
   return result;
 }
@@ -179,7 +180,8 @@ bool solve_stiffening(const Backend& backend, const Problem& problem, double exp
   double goal = accuracy;
   for(std::size_t done = 0, made = 1;; done += made) {
     const Host_array<vec3>& position = backend.download(v); // all set-up is the host's
-    const auto current = std::make_shared<Weighted_graph>(springs_at(*springs, exponent, position, problem.is_fixed));
+    const auto current =
+      std::make_shared<Weighted_graph>(springs_at(backend.host_loop(), *springs, exponent, position, problem.is_fixed));
     Multigrid<Backend> multigrid(backend, current);
     report.residual = std::sqrt(backend.barycentric_residual2(multigrid.matrix(0), v));
     report.iterations = done;
@@ -272,7 +274,8 @@ void measure_balanced(const Backend& backend, const Problem& problem, double exp
   if(exponent > 2) {
     const auto springs = std::make_shared<Weighted_graph>(stiffening_springs(backend.host_loop(), problem, exponent));
     const Host_array<vec3>& position = backend.download(v);
-    const auto current = std::make_shared<Weighted_graph>(springs_at(*springs, exponent, position, problem.is_fixed));
+    const auto current =
+      std::make_shared<Weighted_graph>(springs_at(backend.host_loop(), *springs, exponent, position, problem.is_fixed));
     const typename Backend::Matrix pulling = backend.upload(Shared_graph(current));
     report.residual = std::sqrt(backend.barycentric_residual2(pulling, v));
     springs->inverse_diagonal = current->inverse_diagonal;

@@ -78,7 +78,8 @@ template <class TriangleMesh>
     return is_straight(i, j) || is_straight(j, i);
   };
   const std::string edge_name = "edge " + std::to_string(surface.position[j]) + "-" +
-                                std::to_string(surface.position[i]) + " has weight " + to_string(w);
+                                std::to_string(surface.position[i]) + " has weight " +
+                                (std::isnan(w) ? "NaN" : to_string(w));
   if(is_flat(h) || is_flat(opposite(h, mesh)))
     throw Input_error(Error_code::DEGENERATE_FACE, edge_name +
                                                      " because a face at it has almost no area; use conformal or "

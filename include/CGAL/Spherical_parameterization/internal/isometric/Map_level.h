@@ -134,6 +134,17 @@ public:
     fit_scale();
   }
 
+  /// Scales the source to the area of the polyhedron that the map is, its faces weighted with their distances from the
+  /// centre: what the determinants add up to. As the map was when this was called last.
+  void fit_scale()
+  {
+    area_scale_ = 1;
+    const double source = sum_over_faces([](vec3, const Star_face& f) { return f.twice_area; });
+    const double image = sum_over_faces([](vec3 x, const Star_face& f) { return f.determinant(x); });
+    area_scale_ = image / source;
+    area_ = image / 2;
+  }
+
   /// Gives a vertex an anchor, or another one.
   void hold(int i, const Anchor& anchor)
   {
@@ -365,17 +376,6 @@ private:
           sum += f(position_[i], star_face(corner_[c]));
       return sum;
     });
-  }
-
-  /// Scales the source to the area of the polyhedron that the map is, its faces weighted with their distances from the
-  /// centre: what the determinants add up to.
-  void fit_scale()
-  {
-    area_scale_ = 1;
-    const double source = sum_over_faces([](vec3, const Star_face& f) { return f.twice_area; });
-    const double image = sum_over_faces([](vec3 x, const Star_face& f) { return f.determinant(x); });
-    area_scale_ = image / source;
-    area_ = image / 2;
   }
 
   const Watched_loop<Host_loop>& loop_;

@@ -497,7 +497,6 @@ private:
     if(problem_.as_stored)
       for(vec3& x : level_.position())
         x = problem_.as_stored(x);
-    report.energy = level_.energy(distortion_);
     const double accuracy = effort_.accuracy.value_or(Isometric::default_accuracy);
     const bool are_defaults = accuracy >= Isometric::default_accuracy &&
                               effort_.number_of_iterations.value_or(Isometric::default_number_of_iterations) >=
@@ -507,6 +506,8 @@ private:
         ? newton.gain_ahead_by_last_matrix(iterations_ahead, linear_tolerance)
         : newton.gain_ahead(are_defaults ? iterations_ahead : maximum_linear_iterations, linear_tolerance);
     report.has_converged = are_defaults || report.residual <= accuracy;
+    level_.fit_scale(); // which the steps have left as it was
+    report.energy = level_.energy(distortion_);
   }
 
   /// Whether the level is the whole mesh, of a shape without limbs, and small enough for that to be cheap. Then there

@@ -31,6 +31,9 @@ std::vector<double> diffused_similarity(std::size_t n, Distance distance)
   for(Eigen::Index i = 0; i < size; ++i)
     for(Eigen::Index j = 0; j <= i; ++j)
       between(i, j) = between(j, i) = i == j ? 0 : distance(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
+  constexpr double rounding = 1e-6; // copies in other places and sizes are that near
+  const double negligible = rounding * between.maxCoeff();
+  const auto is_copy = [&](Eigen::Index i, Eigen::Index j) { return between(i, j) <= negligible; };
   // neighbours, and how far the last one is; copies come in addition, or many of them would cut themselves off
   std::vector<std::vector<Eigen::Index>> near(n);
   Vector reach(size);
@@ -41,8 +44,8 @@ std::vector<double> diffused_similarity(std::size_t n, Distance distance)
         others.push_back(j);
     std::stable_sort(others.begin(), others.end(),
                      [&](Eigen::Index a, Eigen::Index b) { return between(i, a) < between(i, b); });
-    const auto is_copy = [&](Eigen::Index j) { return between(i, j) == 0; };
-    const auto copies = static_cast<std::size_t>(std::count_if(others.begin(), others.end(), is_copy));
+    const auto copies = static_cast<std::size_t>(
+      std::count_if(others.begin(), others.end(), [&](Eigen::Index j) { return is_copy(i, j); }));
     others.resize((std::min)(others.size(), copies + neighbours));
     reach[i] = others.empty() ? 0 : between(i, others.back());
     near[static_cast<std::size_t>(i)] = std::move(others);
@@ -50,8 +53,8 @@ std::vector<double> diffused_similarity(std::size_t n, Distance distance)
   Matrix weight = Matrix::Zero(size, size);
   for(Eigen::Index i = 0; i < size; ++i)
     for(const Eigen::Index j : near[static_cast<std::size_t>(i)]) {
-      const double square = between(i, j) * between(i, j);
-      weight(i, j) = weight(j, i) = square > 0 ? std::exp(-square / (reach[i] * reach[j])) : 1; // 0: copies
+      weight(i, j) = weight(j, i) =
+        is_copy(i, j) ? 1 : std::exp(-between(i, j) * between(i, j) / (reach[i] * reach[j]));
     }
   const Vector root = weight.rowwise().sum().unaryExpr([](double sum) { return sum > 0 ? 1 / std::sqrt(sum) : 0; });
   const Matrix inverse = (Matrix::Identity(size, size) - persistence * (root.asDiagonal() * weight * root.asDiagonal()))

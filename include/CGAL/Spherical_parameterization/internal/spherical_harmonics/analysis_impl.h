@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPHERICAL_HARMONICS_ANALYSIS_IMPL_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPHERICAL_HARMONICS_ANALYSIS_IMPL_H
 
+#include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
 #include <CGAL/Spherical_parameterization/internal/api/precondition.h>
 #include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
@@ -46,7 +47,8 @@ CGAL_SP_INLINE Host_array<double> vertex_weights(const Watched_loop<Host_loop>& 
     return Host_array<double>(map.image.size(), 1.);
   const auto area_on_sphere = [&](int f) {
     const auto [a, b, c] = map.of_image(f);
-    return (std::max)(0., spherical_area(a, b, c)); // that of a valid map is below 0 by rounding at most
+    // that of a valid map is below 0 by rounding at most
+    return (std::max)(0., spherical_area(unit(a), unit(b), unit(c)));
   };
   const Host_array<double> result =
     weights == Vertex_weights::SURFACE_AREA
@@ -56,6 +58,27 @@ CGAL_SP_INLINE Host_array<double> vertex_weights(const Watched_loop<Host_loop>& 
   if(!(total > 0) || !std::isfinite(total))
     throw Input_error(Error_code::DEGENERATE_FACE, "the area of all faces is " + std::to_string(total));
   return result;
+}
+
+/// Takes the middle of its range out of every field, which keeps the digits of surfaces far from the origin.
+CGAL_SP_INLINE std::vector<double> take_out_middles(Sampled_fields& fields)
+{
+  const std::ptrdiff_t n = static_cast<std::ptrdiff_t>(fields.value.size()) / fields.number_of_fields;
+  std::vector<double> middles;
+  for(auto begin = fields.value.begin(); begin != fields.value.end(); begin += n) {
+    const auto [low, high] = std::minmax_element(begin, begin + n);
+    const double middle = *low / 2 + *high / 2;
+    std::for_each(begin, begin + n, [middle](double& x) { x -= middle; });
+    middles.push_back(middle);
+  }
+  return middles;
+}
+
+/// The harmonic of degree 0 is 1 / sqrt(4 pi).
+CGAL_SP_INLINE void put_back(const std::vector<double>& middles, Harmonic_coefficients& coefficients)
+{
+  for(std::size_t field = 0; field < middles.size(); ++field)
+    coefficients.field_begin(static_cast<int>(field))[0] += std::sqrt(4 * pi) * middles[field];
 }
 
 template <class Loop>
@@ -73,6 +96,7 @@ Harmonic_analysis analyze_vertices(const Loop& loop, Mapped_surface given, Sampl
   loop.begin_stage(0, share_of_sums);
   Host_array<double> weights = vertex_weights(loop, map, method.weights);
   scale_to_one(weights.data(), weights.data() + n);
+  const std::vector<double> middles = take_out_middles(fields);
   std::vector<int> exponent;
   for(int field = 0; field < fields.number_of_fields; ++field)
     exponent.push_back(scale_to_one(fields.value.data() + field * n, fields.value.data() + (field + 1) * n));
@@ -83,6 +107,7 @@ Harmonic_analysis analyze_vertices(const Loop& loop, Mapped_surface given, Sampl
     for(int i = 0; i < result.coefficients.size(); ++i)
       result.coefficients.field_begin(field)[i] =
         std::ldexp(result.coefficients.field_begin(field)[i], exponent[static_cast<std::size_t>(field)]);
+  put_back(middles, result.coefficients);
   return result;
 }
 
@@ -95,6 +120,7 @@ Harmonic_analysis analyze_vertices(const Loop& loop, Mapped_surface given, Sampl
   constexpr int chunk = 1 << 14; // faces at a time: their points need memory
   constexpr int part = 256;      // faces on a thread at a time
   const int d = fields.number_of_fields;
+  const std::vector<double> middles = take_out_middles(fields);
   const std::size_t vertices = map.image.size();
   const Face_quadrature<> quadrature(degree, method.accuracy);
   const Grid_transform<> transform(degree);
@@ -136,6 +162,7 @@ Harmonic_analysis analyze_vertices(const Loop& loop, Mapped_surface given, Sampl
   Harmonic_analysis result;
   result.coefficients = Harmonic_coefficients(degree, d);
   transform.analyze(loop, grid, result.coefficients);
+  put_back(middles, result.coefficients);
   return result;
 }
 

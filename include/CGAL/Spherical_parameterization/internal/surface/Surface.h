@@ -14,6 +14,7 @@
 
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -153,6 +154,14 @@ inline void scale_to_unit_box(Host_array<vec3>& point)
   const double divisor = box.half_size();
   for(vec3& p : point)
     p = {(p.x / 2 - low.x / 2) / divisor, (p.y / 2 - low.y / 2) / divisor, (p.z / 2 - low.z / 2) / divisor};
+}
+
+/// The same by a power of 2 and without moving, which rounds nothing: for measures.
+inline void scale_exactly(Host_array<vec3>& point)
+{
+  const int exponent = std::ilogb(Bounding_box(point).half_size());
+  for(vec3& p : point)
+    p = {std::scalbn(p.x, -exponent), std::scalbn(p.y, -exponent), std::scalbn(p.z, -exponent)};
 }
 
 } // namespace CGAL::Spherical_parameterization::internal

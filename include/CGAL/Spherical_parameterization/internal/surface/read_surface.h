@@ -127,7 +127,7 @@ Surface read_surface(const TriangleMesh& mesh, VertexPointMap points, Reading re
   if(bad < n && reading != Reading::UNCHECKED)
     throw Input_error(Error_code::NON_FINITE_COORDINATE,
                       "vertex " + std::to_string(surface.position.empty() ? bad : surface.position[bad]));
-  scale_to_unit_box(surface.point);
+  reading == Reading::UNCHECKED ? scale_exactly(surface.point) : scale_to_unit_box(surface.point);
   return surface;
 }
 

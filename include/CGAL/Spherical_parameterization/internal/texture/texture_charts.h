@@ -43,8 +43,7 @@ typedef std::array<vec2, 3> Uv_triangle;
 /// What a chart makes of a face.
 struct Charted_face {
   Uv_triangle uv;
-  double area = 0; ///< on the chart, to first order; positive
-  bool is_at_seam = false;
+  double area = 0;         ///< on the chart, to first order; positive
   bool is_at_pole = false; ///< contains one, in its interior or as a corner
 };
 
@@ -94,7 +93,6 @@ struct Latitude_longitude_chart {
     for(int k = 0; k < 3; ++k) // by whole turns: a vertex off the seam has the same u in all faces that do not cross it
       face.uv[k].x = longitude[k] - std::nearbyint(longitude[k] - longitude[middle]);
     into_range(face.uv);
-    face.is_at_seam = (std::max)({face.uv[0].x, face.uv[1].x, face.uv[2].x}) > 1;
 
     const vec3 centre = unit(add(p[0], add(p[1], p[2])));
     const vec3 c = frame(centre);
@@ -124,11 +122,8 @@ struct Octahedral_chart {
     Charted_face face;
     const vec3 centre = unit(add(p[0], add(p[1], p[2])));
     const vec2 home = in_square(centre);
-    for(int k = 0; k < 3; ++k) {
-      const vec2 q = in_square(p[k]);
-      face.uv[k] = nearest_image(q, home);
-      face.is_at_seam = face.is_at_seam || face.uv[k].x != q.x || face.uv[k].y != q.y;
-    }
+    for(int k = 0; k < 3; ++k)
+      face.uv[k] = nearest_image(in_square(p[k]), home);
     const vec3 c = frame(centre);
     const double s = std::abs(c.x) + std::abs(c.y) + std::abs(c.z);
     face.area = spherical_area(p[0], p[1], p[2]) / (4 * s * s * s);
@@ -161,6 +156,12 @@ private:
     return best;
   }
 };
+
+/// Across a seam.
+CGAL_SP_INLINE bool is_beyond_square(const Uv_triangle& t)
+{
+  return std::any_of(t.begin(), t.end(), [](vec2 p) { return p.x < 0 || p.x > 1 || p.y < 0 || p.y > 1; });
+}
 
 /// By the exact predicate, one dimension up: seen from the origin, the plane z = 1 keeps its orientation.
 CGAL_SP_INLINE bool is_counterclockwise(const Uv_triangle& t)

@@ -48,17 +48,17 @@ void lay_out_faces(const Loop& loop, const Valid_map& map, const Chart& chart, c
     for(int f = begin; f < end; ++f) {
       const Charted_face face = chart(map.of_image(f));
       Uv_triangle& uv = layout.uv[f] = grid.rounded(face.uv);
-      report.seam_faces += face.is_at_seam;
       report.pole_faces += face.is_at_pole;
-      if(is_counterclockwise(uv))
-        continue;
-      uv = grid.turned_over(face.uv, face.area);
-      const double move =
-        (std::max)({distance(uv[0], face.uv[0]), distance(uv[1], face.uv[1]), distance(uv[2], face.uv[2])});
-      chart.into_range(uv);
-      ++report.moved_faces;
-      report.unresolved_faces += move <= 2 * grid.cell();
-      report.largest_move = (std::max)(report.largest_move, move);
+      if(!is_counterclockwise(uv)) {
+        uv = grid.turned_over(face.uv, face.area);
+        const double move =
+          (std::max)({distance(uv[0], face.uv[0]), distance(uv[1], face.uv[1]), distance(uv[2], face.uv[2])});
+        chart.into_range(uv);
+        ++report.moved_faces;
+        report.unresolved_faces += move <= 2 * grid.cell();
+        report.largest_move = (std::max)(report.largest_move, move);
+      }
+      report.seam_faces += is_beyond_square(uv);
     }
     return report;
   };

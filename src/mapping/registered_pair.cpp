@@ -201,11 +201,10 @@ void add_registration_options(Options& all, Registration_options& options)
   SP::Registration& registration = options.registration;
   add_weight("--curvature-weight", registration.curvature_weight, "the mean curvature");
   all
-    .add(
-      "--features", options.features,
-      "Two files, as for --data, with values at the vertices of A and of B that should be equal at corresponding "
-      "points, such as sulcal depth. Columns are compared in order; their units do not matter. Vertices that --prepare "
-      "adds get the means of their neighbours")
+    .add("--features", options.features,
+         "Two files, as for --data, with values at the vertices of A and of B that should be equal at corresponding "
+         "points, such as sulcal depth. Columns are compared in order; their units do not matter. Vertices that "
+         "--prepare adds get the means of their neighbours")
     .times(2);
   all
     .add("--feature-weight", options.feature_weights,

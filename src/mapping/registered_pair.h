@@ -6,7 +6,6 @@
 
 #include "mapping/mapped_mesh.h"
 #include "options/mapping_options.h"
-#include "options/usage.h"
 
 #include <CGAL/Spherical_parameterization/register_maps.h>
 #include <CGAL/Spherical_parameterization/values/Distortion_summary.h>

@@ -80,10 +80,9 @@ void add_mapping_options(Options& all, Mapping_options& o, bool are_for_one)
     .in("[0,1000)")
     .only_with("--method", {"isometric", "automatic"});
   all
-    .add(
-      "--largest-shrinkage", o.largest_shrinkage,
-      "Automatic: by what factor lengths may shrink, relative to the mean of the map. If they shrink more on more than "
-      "a thousandth of the surface, the next method is tried")
+    .add("--largest-shrinkage", o.largest_shrinkage,
+         "Automatic: by what factor lengths may shrink, relative to the mean of the map. If they shrink more on more "
+         "than a thousandth of the surface, the next method is tried")
     .in("[1,inf)")
     .only_with("--method", {"automatic"});
   all.add("--splitting", o.splitting, "Saddle-point: splitting of the Laplacian for the sweeps")
@@ -99,33 +98,28 @@ void add_mapping_options(Options& all, Mapping_options& o, bool are_for_one)
     .of({"centroid", "harmonic"})
     .only_with("--method", {"saddle-point"});
   if(are_for_one) {
-    all.add(
-      "--fixed", o.fixed,
-      "Text file of fixed vertices: three or more lines 'index x y z', indices from 0 in the order of IN, positions on "
-      "the sphere. "
-      "isometric and automatic keep them at any positions, balanced and saddle-point only if they fit the harmonic "
-      "map");
+    all.add("--fixed", o.fixed,
+            "Text file of fixed vertices: three or more lines 'index x y z', indices from 0 in the order of IN, "
+            "positions on the sphere. isometric and automatic keep them at any positions, balanced and saddle-point "
+            "only if they fit the harmonic map");
     all
-      .add(
-        "--landmark-weight", o.landmark_weight,
-        "Isometric: pull the fixed vertices towards their positions with this weight, instead of keeping them exactly "
-        "there")
+      .add("--landmark-weight", o.landmark_weight,
+           "Isometric: pull the fixed vertices towards their positions with this weight, instead of keeping them "
+           "exactly there")
       .in("(0,inf)")
       .only_with("--method", {"isometric"});
   }
   all
-    .add(
-      "--density", o.density,
-      "Isometric, automatic: text file with a positive number for every vertex or every face; areas on the sphere are "
-      "to be proportional to these numbers times the areas of IN")
+    .add("--density", o.density,
+         "Isometric, automatic: text file with a positive number for every vertex or every face; areas on the sphere "
+         "are to be proportional to these numbers times the areas of IN")
     .only_with("--method", {"isometric", "automatic"});
 
   all.begin_group("Where to run");
   all
-    .add(
-      "--policy", o.policy,
-      "sequential (one core), tbb (all cores), opencl (a device). The map is the same. Default for several IN at the "
-      "same time: sequential")
+    .add("--policy", o.policy,
+         "sequential (one core), tbb (all cores), opencl (a device). The map is the same. Default for several IN at "
+         "the same time: sequential")
     .of(policy_names());
   all
     .add("--device", o.device,

@@ -46,9 +46,9 @@ public:
     carries_data_ = step_.takes.meshes == Takes::PAIR || (is_about_each() && has_ply);
     if(carries_data_)
       step_.gives.push_back(
-        {"--data-output", std::string("Write the columns of --data, and those that the mesh has, at the vertices of "
-                                      "the output: ") +
-                            data_names});
+        {"--data-output",
+         std::string("Write the columns of --data, and those that the mesh has, at the vertices of the output: ") +
+           data_names});
     add_inputs();
     for(const Output& output : step_.gives)
       add_output(output);
@@ -82,15 +82,13 @@ public:
     if(step_.takes.prepare == Prepare::HARMLESS)
       all_.add("--prepare", prepares_,
                "Repair IN first as far as its shape does not change: merge vertices at the same position, orient "
-               "faces, remove "
-               "repeated faces and isolated vertices. The sphere is then that of the repaired mesh ('prepare --steps "
-               "merge,orient' writes it)");
+               "faces, remove repeated faces and isolated vertices. The sphere is then that of the repaired mesh "
+               "('prepare --steps merge,orient' writes it)");
     if(step_.takes.meshes == Takes::PAIR) {
       all_
-        .add(
-          "--sphere", request_.spheres,
-          "Spheres of A and B that 'map' has written, to use instead of new maps. Cannot be combined with options that "
-          "say how to map, except --max-time, which also limits the registration")
+        .add("--sphere", request_.spheres,
+             "Spheres of A and B that 'map' has written, to use instead of new maps. Cannot be combined with options "
+             "that say how to map, except --max-time, which also limits the registration")
         .times(2);
       all_.add("--spheres", request_.spheres, "").times(2).group.clear(); // its name before
     }

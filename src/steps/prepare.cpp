@@ -148,8 +148,8 @@ std::string shape_of(const std::vector<Glued_surface>& parts, bool are_copies_lo
     return std::to_string(n) + ' ' + what + (n == 1 ? "" : "s");
   };
   if(pieces == 1 && holes == 0 && handles == 0 && are_copies_lost)
-    return "a closed surface of genus 0, but of vertices at the same place glTF makes one again: name another "
-           "format for 'map'";
+    return "a closed surface of genus 0, but of vertices at the same place glTF makes one again: name another format "
+           "for 'map'";
   if(pieces == 1 && holes == 0 && handles == 0)
     return "a closed surface of genus 0, which 'map' accepts";
   return left(pieces, "component") + ", " + left(static_cast<std::size_t>(holes), "hole") + ", " +
@@ -210,9 +210,8 @@ void say(Run& run, const Prepared& prepared)
   for(const std::string& sentence : done)
     text << sentence << '\n';
   if(share_of_area_kept(preparation) < 0.5)
-    text
-      << "most of the area was removed: --merge-distance unites parts that nearly meet, --wrap makes a surface around "
-         "all parts, --steps without largest keeps them\n";
+    text << "most of the area was removed: --merge-distance unites parts that nearly meet, --wrap makes a surface "
+            "around all parts, --steps without largest keeps them\n";
   text << (prepared.files.empty() ? "it would be: " : "it is now: ") << line.str()
        << "\nHausdorff distance to IN: " << distance.str();
   if(distance.str() != "0")
@@ -333,8 +332,7 @@ Step prepare_step()
           {Takes::EACH, nullptr, "", Takes::NO_SPHERE, Prepare::NO, "", "Meshes with any defects, or folders of them"},
           {{"-o,--output",
             "Output file, in which the remaining vertices and faces of IN keep their order (without --output the "
-            "command only "
-            "prints what it would do)",
+            "command only prints what it would do)",
             {},
             Output::MESH},
            {"--vertex-map", "Write for each vertex of the output its index in IN, counted from 0, or -1 if it is new"},

@@ -138,10 +138,9 @@ Work resample_work()
   Work work = {[own](Run& run) { resample(*own, run); }};
   work.options.add("--level", own->level, "The new mesh has 10 * 4^LEVEL + 2 vertices")
     .in("[0," + std::to_string(SP::largest_icosphere_level) + ']');
-  work.options.add(
-    "--to-sphere", own->sphere,
-    "The new mesh has the vertices and faces of this sphere instead, such as that of a template; the map of IN has "
-    "to be registered to it, as --output-sphere of 'register' is");
+  work.options.add("--to-sphere", own->sphere,
+                   "The new mesh has the vertices and faces of this sphere instead, such as that of a template; the "
+                   "map of IN has to be registered to it, as --output-sphere of 'register' is");
   work.options
     .add("--data-weights", own->weights,
          "How values of --data are resampled: linearly in a face of IN, or such that every vertex of IN contributes in "

@@ -4,7 +4,6 @@
 #include "runner/step.h"
 
 #include "input/files.h"
-#include "system/standard_output.h"
 
 #include <CGAL/Spherical_parameterization/texture_coordinates.h>
 

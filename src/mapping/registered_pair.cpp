@@ -331,17 +331,15 @@ std::string registration_text(const Registration_options& options, const Registe
   return text.str();
 }
 
-nlohmann::ordered_json registration_json(const Registration_options& options, const Registered_pair& pair)
+Json registration_json(const Registration_options& options, const Registered_pair& pair)
 {
   const SP::Registration_result& r = pair.result;
   const auto done = [](const Mapped_mesh& mesh) {
-    return mesh.prepared ? nlohmann::ordered_json(sentences(mesh.prepared->preparation)) : nullptr;
+    return mesh.prepared ? Json(sentences(mesh.prepared->preparation)) : nullptr;
   };
-  const auto of_deformation = [&options](double x) {
-    return options.motion == "deformation" ? nlohmann::ordered_json(x) : nullptr;
-  };
+  const bool is_deformed = options.motion == "deformation";
   return {{"inputs", {options.input, options.other}},
-          {"preparation", nlohmann::ordered_json::array({done(pair.a), done(pair.b)})},
+          {"preparation", Json::array({done(pair.a), done(pair.b)})},
           {"vertices", {pair.a.mesh().number_of_vertices(), pair.b.mesh().number_of_vertices()}},
           {"methods_used", {pair.a.result.method, pair.b.result.method}},
           {"motion", options.motion},
@@ -357,8 +355,8 @@ nlohmann::ordered_json registration_json(const Registration_options& options, co
           {"trust", SP::get_trust_name(r.trust())},
           {"rotation", r.rotation},
           {"iterations", r.iterations},
-          {"mismatch_before", of_deformation(r.mismatch_before)},
-          {"mismatch", of_deformation(r.mismatch)},
+          {"mismatch_before", known(is_deformed, r.mismatch_before)},
+          {"mismatch", known(is_deformed, r.mismatch)},
           {"stretching", r.stretching},
           {"distortion", r.distortion},
           {"change_of_lengths", pair.changes.factor.median},

@@ -10,8 +10,6 @@
 #include <CGAL/Spherical_parameterization/register_maps.h>
 #include <CGAL/Spherical_parameterization/values/Distortion_summary.h>
 
-#include <nlohmann/json_fwd.hpp>
-
 #include <string>
 #include <vector>
 
@@ -64,7 +62,7 @@ std::string preparation_text(const Registration_options& options, const Register
 std::string registration_text(const Registration_options& options, const Registered_pair& pair);
 
 /// The figures of the registration, for reports.
-nlohmann::ordered_json registration_json(const Registration_options& options, const Registered_pair& pair);
+Json registration_json(const Registration_options& options, const Registered_pair& pair);
 
 } // namespace tool
 

@@ -9,8 +9,6 @@
 
 #include <CGAL/Spherical_parameterization/distortion_summary.h>
 
-#include <nlohmann/json_fwd.hpp>
-
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -35,7 +33,7 @@ std::string verbose_text(const SP::Result& result);
 /// The report, for programs to read. What is not known is null: all of the map if there is none, and how it was made if
 /// it was given (--sphere, `certify`). File names need not be valid
 /// UTF-8, which has to be replaced in text.
-nlohmann::ordered_json report_json(const Mapping_options& options, const Mapped_mesh& input, const Report& report);
+Json report_json(const Mapping_options& options, const Mapped_mesh& input, const Report& report);
 
 } // namespace tool
 

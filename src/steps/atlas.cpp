@@ -25,7 +25,6 @@ namespace tool {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 struct Atlas_options {
   std::string template_mesh; ///< empty: the first that has a map

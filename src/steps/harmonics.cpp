@@ -20,8 +20,6 @@
 namespace tool {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 struct Harmonics_options {
   int degree = 15;
   std::string fit = "least-squares";

@@ -21,7 +21,6 @@ namespace tool {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 /// The command line of `prepare`.
 struct Prepare_options {
@@ -162,7 +161,6 @@ Json report_of(const Prepared& prepared)
   if(prepared.preparation)
     for(const Glued_surface& part : prepared.preparation->parts)
       outputs.push_back({{"vertices", part.number_of_vertices()}, {"faces", part.number_of_faces()}});
-  const auto known = [](bool is_known, const Json& value) { return is_known ? value : Json(nullptr); };
   return {
     {"vertices", prepared.soup ? Json(prepared.soup->points.size()) : Json(nullptr)},
     {"faces", prepared.soup ? Json(prepared.soup->faces) : Json(nullptr)},

@@ -18,8 +18,6 @@
 namespace tool {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// What may be lost without a word, of the diagonal and of a side of the bounding box.
 constexpr double largest_distance = 0.01, largest_loss_of_box = 0.03;
 
@@ -111,9 +109,8 @@ void resample(const Resample_options& options, Run& run)
   run.write("--output", out, points, Surface::SHAPE);
   run.write("--output-sphere", out, target.sphere, Surface::SPHERE);
   const Sampling_loss loss = sampling_loss(run.mesh(), out, points);
-  const auto where = [](bool is_used, const auto& value) { return is_used ? Json(value) : Json(); };
-  run.details["resample"] = {{"level", where(options.sphere.empty(), options.level)},
-                             {"to_sphere", where(!options.sphere.empty(), options.sphere)},
+  run.details["resample"] = {{"level", known(options.sphere.empty(), options.level)},
+                             {"to_sphere", known(!options.sphere.empty(), options.sphere)},
                              {"vertices", out.number_of_vertices()},
                              {"distance", loss.distance},
                              {"bounding_box", loss.bounding_box}};

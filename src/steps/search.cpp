@@ -217,7 +217,7 @@ void search(const Search_options& options, Run& run)
   text << "distance  " << (options.by_form ? "   form  relevance  " : "")
        << (has_comparisons ? "difference   alike  " : "") << "name" << std::fixed;
   for(const auto& [distance, name, form, comparison, refusal] : hits) {
-    nlohmann::ordered_json found = {{"distance", distance}, {"name", name}};
+    Json found = {{"distance", distance}, {"name", name}};
     text << '\n' << std::setw(8) << std::setprecision(4) << distance << "  ";
     if(form) {
       found.update({{"form_distance", form->distance}, {"relevance", form->relevance}});
